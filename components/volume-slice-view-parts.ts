@@ -1,6 +1,6 @@
 // What stands on a slice: letters, place, window, value, scale bar, crosshair.
 import { html, nothing } from 'lit';
-import type { LoadProgress } from '../src/formats/load-request.ts';
+import type { LoadProgress } from '../src/formats/base/load-request.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { scale } from '../src/volume/matrix.ts';
 import { joinPaneLabels } from '../src/panes/join-pane-labels.ts';

@@ -2,7 +2,7 @@ import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
 import { query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
-import type { LoadProgress } from '../src/formats/load-request.ts';
+import type { LoadProgress } from '../src/formats/base/load-request.ts';
 import type { SlicedVolume } from '../src/panes/slice-field.ts';
 import { toPlane } from '../src/panes/slice-plane.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';

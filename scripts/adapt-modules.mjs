@@ -36,7 +36,7 @@ export function adaptForBundlers({ worker, x3dom, cssColor }) {
 import { injectText } from './inject-text.ts';
 const text = ${JSON.stringify(x3dom)};
 export const injectOwnText = (url, inject) => injectText(text, url, inject);`,
-    [at('formats/worker-source.ts')]: `
+    [at('worker/worker-source.ts')]: `
 export const listWorkerTexts = () => [async () => (await import('./worker-as-text.ts')).text];
 export const isTextSurer = (url) => !url || url.endsWith('/decode-worker.js');`,
     [at('x3d/x3dom-source.ts')]: `export const injectOwnText = async (url, inject) => (await import('./x3dom-as-text.ts')).injectOwnText(url, inject);`,
@@ -82,7 +82,7 @@ export function adaptModules({ workerTexts }) {
         return `export default ${JSON.stringify(stripGlsl(readFileSync(id.replace('?raw', ''), 'utf8')))};`;
       }
       if (id === `\0${SCRIPT_URL_MODULE}`) return SCRIPT_URL_CODE;
-      if (isClassic && id.endsWith('/src/formats/worker-source.ts')) return CLASSIC_WORKER_SOURCE;
+      if (isClassic && id.endsWith('/src/worker/worker-source.ts')) return CLASSIC_WORKER_SOURCE;
       if (isClassic && id === `\0${WORKER_TEXTS.usual}`) return `export const text = ${JSON.stringify(workerTexts.usual)};`;
       if (isClassic && id === `\0${WORKER_TEXTS.all}`) return `export const text = ${JSON.stringify(workerTexts.all)};`;
       return null;
@@ -96,7 +96,7 @@ export function adaptModules({ workerTexts }) {
       if (id.endsWith('-styles.ts')) return { code: stripCss(code), map: null };
       // It runs before any lazy part does.
       if (id === main && isClassic) return { code: `export { scriptUrl } from '${SCRIPT_URL_MODULE}';\nexport { injectScript } from './inject-script.ts';\n${code}`, map: null };
-      if (id.endsWith('/src/formats/create-worker.ts')) return replaceUrl(code, WORKER_EXPRESSION, WORKER_MARK, 'decode-worker.js');
+      if (id.endsWith('/src/worker/create-worker.ts')) return replaceUrl(code, WORKER_EXPRESSION, WORKER_MARK, 'decode-worker.js');
       if (id.endsWith('/src/x3d/x3dom-url.ts')) return replaceUrl(code, X3DOM_EXPRESSION, X3DOM_MARK, 'x3dom.js');
       return null;
     },

@@ -26,8 +26,8 @@ const dist = join(projectRoot, `dist-next-${process.pid}`);
 const main = join(projectRoot, 'src/index.ts');
 const companions = ['volume-clip', 'volume-label', 'volume-label-list', 'volume-labels', 'volume-layer', 'volume-legend', 'volume-measure', 'volume-readout', 'volume-slice', 'volume-slice-view', 'volume-surface', 'volume-terrain', 'volume-timeline', 'volume-transfer-function', 'volume-workspace'];
 const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/define/${name}.ts`));
-const radarTool = join(projectRoot, 'src/formats/radar/radar-mosaic-tool.ts'); // scripts/write-polar-mosaic.mjs loads it.
-const worker = join(projectRoot, 'src/formats/decode-worker.ts');
+const radarTool = join(projectRoot, 'src/formats/radar-mosaic-tool.ts'); // scripts/write-polar-mosaic.mjs loads it.
+const worker = join(projectRoot, 'src/worker/decode-worker.ts');
 
 // Of the modules for bundlers these lie in dist itself. A bundler that leaves the expression as it is makes it mean a file
 // beside the bundle, and not some folders above.

@@ -36,9 +36,9 @@ function writeManifest(name, manifest) {
 async function makeHead() {
   const file = readFileSync(head);
   writeFileSync(join(target, 'mni152-t1.nii.gz'), file);
-  const { readNifti } = await importSource('src/formats/nifti.ts');
-  const { Budget } = await importSource('src/formats/budget.ts');
-  const { gunzip, maxDeflateRatio } = await importSource('src/formats/gunzip.ts');
+  const { readNifti } = await importSource('src/formats/nifti/nifti.ts');
+  const { Budget } = await importSource('src/formats/base/budget.ts');
+  const { gunzip, maxDeflateRatio } = await importSource('src/formats/codecs/gunzip.ts');
   const bytes = new Uint8Array(file);
   const volume = await readNifti({ pieces: gunzip(bytes), atMost: bytes.length * maxDeflateRatio, onProgress: () => undefined, budget: new Budget() });
   const { dimensions, indexToWorld } = volume.grid;

@@ -8,12 +8,12 @@ import { fileURLToPath } from 'node:url';
 import { inspect, parseArgs } from 'node:util';
 
 const usage = 'volume-view-radar-mosaic FILE [--moment NAME] [--out NAME-WITHOUT-EXTENSION]';
-const source = new URL('../src/formats/radar/radar-mosaic-tool.ts', import.meta.url);
+const source = new URL('../src/formats/radar-mosaic-tool.ts', import.meta.url);
 const built = new URL('../dist/esm/src/formats/radar/radar-mosaic-tool.js', import.meta.url);
 
 /**
  * The package's own modules: in a checkout the source, which Node can not read as it is, in the package what was built.
- * @returns {Promise<typeof import('../src/formats/radar/radar-mosaic-tool.ts')>}
+ * @returns {Promise<typeof import('../src/formats/radar-mosaic-tool.ts')>}
  */
 export async function loadTool() {
   if (!existsSync(source)) return import(built.href);

@@ -2,8 +2,8 @@ import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
-import { loadVolume } from '../../src/formats/load.ts';
-import type { LoadRequest } from '../../src/formats/load.ts';
+import { loadVolume } from '../../src/worker/load.ts';
+import type { LoadRequest } from '../../src/worker/load.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 
 /** A volume of the study. */

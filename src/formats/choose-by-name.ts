@@ -1,8 +1,8 @@
 import { VolumeViewError } from '../errors.ts';
-import type { DecodeInput } from './decoded-volume.ts';
-import { findForeign } from './foreign-formats.ts';
-import type { FileStart, Format } from './format.ts';
-import { nameOf } from './name-of.ts';
+import type { DecodeInput } from './base/decoded-volume.ts';
+import { findForeign } from './base/foreign-formats.ts';
+import type { FileStart, Format } from './base/format.ts';
+import { nameOf } from './base/name-of.ts';
 
 /**
  * What a file is by its name, where its bytes are of no known format.

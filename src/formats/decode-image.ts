@@ -1,14 +1,14 @@
 import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
-import type { Budget } from './budget.ts';
-import { isRadar } from './decoded-volume.ts';
-import type { DecodedVolume, DecodeInput, DecodeSettings } from './decoded-volume.ts';
-import type { FileAccess, Format, ImageFormat, ReadContext } from './format.ts';
-import { joinSlices } from './join-slices.ts';
-import type { Slice } from './join-slices.ts';
-import { loadReader } from './load-reader.ts';
-import { readMosaic } from './mosaic.ts';
-import { nameOf } from './name-of.ts';
+import type { Budget } from './base/budget.ts';
+import { isRadar } from './base/decoded-volume.ts';
+import type { DecodedVolume, DecodeInput, DecodeSettings } from './base/decoded-volume.ts';
+import type { FileAccess, Format, ImageFormat, ReadContext } from './base/format.ts';
+import { joinSlices } from './images/join-slices.ts';
+import type { Slice } from './images/join-slices.ts';
+import { loadReader } from './base/load-reader.ts';
+import { readMosaic } from './images/mosaic.ts';
+import { nameOf } from './base/name-of.ts';
 import { sniffFile } from './sniff.ts';
 
 /** An image is a mosaic: its tiles are slices, or a radar's sweeps. */

@@ -1,11 +1,11 @@
 import { VolumeViewError } from '../errors.ts';
 import { isSoundGrid } from '../volume/sound-grid.ts';
-import { Budget } from './budget.ts';
-import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
-import type { FileAccess, Format } from './format.ts';
-import { loadReader } from './load-reader.ts';
-import type { ScansListener } from './load-request.ts';
-import { NeedsMainThread } from './needs-main-thread.ts';
+import { Budget } from './base/budget.ts';
+import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './base/decoded-volume.ts';
+import type { FileAccess, Format } from './base/format.ts';
+import { loadReader } from './base/load-reader.ts';
+import type { ScansListener } from './base/load-request.ts';
+import { NeedsMainThread } from './base/needs-main-thread.ts';
 import { allFormats } from './registry.ts';
 import { sniffFile } from './sniff.ts';
 
@@ -30,7 +30,7 @@ export async function decodeFile(input: DecodeInput, settings: DecodeSettings, c
   try {
     const volume = await decodeData(input, settings, { ...context, ...withBudget(input, context), isPart: false });
     if (volume.grid.kind === 'polar' || !isSoundGrid(volume.grid) || !Number.isFinite(volume.intercept / volume.slope + volume.slope)) {
-      (await loadReader(() => import('./check-geometry.ts'))).checkGeometry(volume);
+      (await loadReader(() => import('./base/check-geometry.ts'))).checkGeometry(volume);
     }
     return volume;
   } catch (cause) {
@@ -61,7 +61,7 @@ async function decodeData(
 ): Promise<DecodedVolume> {
   const { files, formats = allFormats } = context;
   const format = await sniffFile(input, formats);
-  if (files) (await loadReader(() => import('./check-stack.ts'))).checkStack(format, input, files);
+  if (files) (await loadReader(() => import('./images/check-stack.ts'))).checkStack(format, input, files);
   if ('loadImage' in format) {
     const { readImage, readImageStack } = await loadReader(() => import('./decode-image.ts'));
     if (!files) return readImage(format, input.bytes, settings, context);

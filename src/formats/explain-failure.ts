@@ -1,5 +1,5 @@
 import { asVolumeViewError, VolumeViewError } from '../errors.ts';
-import { nameOf } from './name-of.ts';
+import { nameOf } from './base/name-of.ts';
 
 /** How engines say that there is no memory for a buffer or an array. Other RangeErrors are of reading beyond some bytes. */
 const lacksMemory = /memory|allocat|array length|too large/i;

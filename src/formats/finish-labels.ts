@@ -6,9 +6,9 @@ import { buildMacrocells } from '../volume/macrocells.ts';
 import type { Block } from '../volume/reduce.ts';
 import { reduceLabels } from '../volume/reduce-labels.ts';
 import type { Volume } from '../volume/volume.ts';
-import type { DecodedCartesianVolume } from './decoded-volume.ts';
-import type { CoarseVolume } from './load-request.ts';
-import type { SuggestedLook } from './suggested-look.ts';
+import type { DecodedCartesianVolume } from './base/decoded-volume.ts';
+import type { CoarseVolume } from './base/load-request.ts';
+import type { SuggestedLook } from './appearance/suggested-look.ts';
 
 interface Labels {
   readonly decoded: DecodedCartesianVolume;

@@ -6,11 +6,11 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { Block, DeviceLimits } from '../volume/reduce.ts';
 import { allocateLike } from '../volume/samples.ts';
 import type { Volume } from '../volume/volume.ts';
-import type { DecodedCartesianVolume, DecodedPolarVolume, DecodedVolume } from './decoded-volume.ts';
-import { loadReader } from './load-reader.ts';
-import type { Cleaning } from './clean-volume.ts';
-import type { CoarseVolume } from './load-request.ts';
-import { suggestLook } from './suggest-look.ts';
+import type { DecodedCartesianVolume, DecodedPolarVolume, DecodedVolume } from './base/decoded-volume.ts';
+import { loadReader } from './base/load-reader.ts';
+import type { Cleaning } from './base/clean-volume.ts';
+import type { CoarseVolume } from './base/load-request.ts';
+import { suggestLook } from './appearance/suggest-look.ts';
 
 /** Volumes of more bytes than this get a coarse one that stands in for them. */
 export const minForCoarse = 2 ** 22;
@@ -43,7 +43,7 @@ export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits,
 
 /** Samples of float32 and a slope of float64 may give more than float64 holds. */
 async function checkRange(volume: Pick<Volume, 'range' | 'format'>): Promise<void> {
-  if (!Number.isFinite(volume.range[1] - volume.range[0])) (await loadReader(() => import('./check-geometry.ts'))).refuseRange(volume);
+  if (!Number.isFinite(volume.range[1] - volume.range[0])) (await loadReader(() => import('./base/check-geometry.ts'))).refuseRange(volume);
 }
 
 function isPolarVolume(decoded: DecodedVolume): decoded is DecodedPolarVolume {
@@ -66,7 +66,7 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
     ...summary,
     ...(decoded.indexed && { range: [decoded.indexed.ids[0], decoded.indexed.ids[decoded.indexed.ids.length - 1]] as const }),
     ...look,
-    left: decoded.rounded || hidden ? [...(decoded.left ?? []), ...(decoded.rounded ? [(await loadReader(() => import('./whole-numbers.ts'))).tellRounded(decoded.rounded)] : []), ...(hidden ? [hidden] : [])] : decoded.left,
+    left: decoded.rounded || hidden ? [...(decoded.left ?? []), ...(decoded.rounded ? [(await loadReader(() => import('./base/whole-numbers.ts'))).tellRounded(decoded.rounded)] : []), ...(hidden ? [hidden] : [])] : decoded.left,
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
   await checkRange(outline);
@@ -79,7 +79,7 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
   return { ...outline, ...((isReduced || hidden) && { indexed: undefined }), samples, macrocells: buildMacrocells(samples, dimensions) };
 }
 
-const loadCleaning = () => loadReader(() => import('./clean-volume.ts'));
+const loadCleaning = () => loadReader(() => import('./base/clean-volume.ts'));
 
 /** Few volumes have to be made smaller: what does that is loaded with the first of them. */
 async function fitBlock(block: Block, limits: DeviceLimits): Promise<Block> {

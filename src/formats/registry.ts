@@ -1,8 +1,8 @@
-import type { Format } from './format.ts';
-import { jpeg, png, webp } from './image-formats.ts';
-import { manifest } from './manifest-format.ts';
+import type { Format } from './base/format.ts';
+import { jpeg, png, webp } from './images/image-formats.ts';
+import { manifest } from './manifest/manifest-format.ts';
 import { metaImage } from './metaimage/metaimage-format.ts';
-import { nifti, niftiGzip } from './nifti-format.ts';
+import { nifti, niftiGzip } from './nifti/nifti-format.ts';
 import { nrrd } from './nrrd/nrrd-format.ts';
 import { hdf5, netcdf3, nexrad } from './radar/radar-formats.ts';
 

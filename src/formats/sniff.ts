@@ -1,7 +1,7 @@
-import type { DecodeInput } from './decoded-volume.ts';
-import type { FileStart, Format } from './format.ts';
-import { gunzip, isGzip } from './gunzip.ts';
-import { loadReader } from './load-reader.ts';
+import type { DecodeInput } from './base/decoded-volume.ts';
+import type { FileStart, Format } from './base/format.ts';
+import { gunzip, isGzip } from './codecs/gunzip.ts';
+import { loadReader } from './base/load-reader.ts';
 
 /**
  * What a file is: its bytes say so first, then its name.

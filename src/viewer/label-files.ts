@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
-import { fetchBytes } from '../formats/fetch-bytes.ts';
-import type { LoadRequest } from '../formats/load-request.ts';
+import { fetchBytes } from '../sources/fetch-bytes.ts';
+import type { LoadRequest } from '../formats/base/load-request.ts';
 import type { LabelTable } from '../formats/label-tables/label-table.ts';
 import { maxTableBytes, readLabelTable } from '../formats/label-tables/read-label-table.ts';
 import { findLabels } from '../volume/resample-labels.ts';

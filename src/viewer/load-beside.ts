@@ -1,4 +1,4 @@
-import type { LoadRequest } from '../formats/load-request.ts';
+import type { LoadRequest } from '../formats/base/load-request.ts';
 import type { Volume } from '../volume/volume.ts';
 import { loads } from './load-queue.ts';
 import { sharedVolumes } from './shared-volumes.ts';

@@ -1,6 +1,6 @@
-import type { ScanTimes, ScanTarget } from '../formats/choose-scan.ts';
-import type { LoadOptions } from '../formats/load.ts';
-import type { CoarseListener, LoadProgressListener, LoadRequest } from '../formats/load-request.ts';
+import type { ScanTimes, ScanTarget } from '../formats/base/choose-scan.ts';
+import type { LoadOptions } from '../worker/load.ts';
+import type { CoarseListener, LoadProgressListener, LoadRequest } from '../formats/base/load-request.ts';
 import { loadPart } from '../load-part.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ScanHost, ScanPlayer } from './scan-player.ts';

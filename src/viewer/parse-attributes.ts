@@ -1,5 +1,5 @@
 import { invalidAttribute as invalid } from '../errors.ts';
-import type { ScanTarget } from '../formats/choose-scan.ts';
+import type { ScanTarget } from '../formats/base/choose-scan.ts';
 import { largestValue } from '../optics/transfer/transfer-function.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { longest } from '../volume/grid-limits.ts';

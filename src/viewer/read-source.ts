@@ -1,4 +1,4 @@
-import type { LoadRequest } from '../formats/load-request.ts';
+import type { LoadRequest } from '../formats/base/load-request.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { parseMosaicSize } from '../volume/mosaic-size.ts';
 import { longest } from '../volume/grid-limits.ts';

@@ -1,6 +1,6 @@
-import { chooseScan } from '../formats/choose-scan.ts';
-import type { ScanTarget } from '../formats/choose-scan.ts';
-import type { LoadProgressListener } from '../formats/load-request.ts';
+import { chooseScan } from '../formats/base/choose-scan.ts';
+import type { ScanTarget } from '../formats/base/choose-scan.ts';
+import type { LoadProgressListener } from '../formats/base/load-request.ts';
 import type { Volume } from '../volume/volume.ts';
 import { ScanSequence } from './scan-sequence.ts';
 import type { LoadScan, ScanSource } from './scan-sequence.ts';

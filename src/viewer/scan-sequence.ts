@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
-import { chooseScan } from '../formats/choose-scan.ts';
-import type { ScanTimes, ScanTarget } from '../formats/choose-scan.ts';
-import type { LoadProgressListener, LoadRequest } from '../formats/load-request.ts';
+import { chooseScan } from '../formats/base/choose-scan.ts';
+import type { ScanTimes, ScanTarget } from '../formats/base/choose-scan.ts';
+import type { LoadProgressListener, LoadRequest } from '../formats/base/load-request.ts';
 import type { Volume } from '../volume/volume.ts';
 import { VolumeCache } from './volume-cache.ts';
 

@@ -1,4 +1,4 @@
-import type { ScanTarget } from '../formats/choose-scan.ts';
+import type { ScanTarget } from '../formats/base/choose-scan.ts';
 import { projectionKinds, shadings } from '../optics/rays/ray-style.ts';
 import type { ProjectionKind, Shading } from '../optics/rays/ray-style.ts';
 import { maxSteps } from '../renderer/ray/compose-ray.ts';

@@ -1,6 +1,6 @@
-import { loadVolume } from '../formats/load.ts';
-import type { LoadOptions } from '../formats/load.ts';
-import type { CoarseListener, LoadProgressListener, LoadRequest } from '../formats/load-request.ts';
+import { loadVolume } from '../worker/load.ts';
+import type { LoadOptions } from '../worker/load.ts';
+import type { CoarseListener, LoadProgressListener, LoadRequest } from '../formats/base/load-request.ts';
 import type { Volume } from '../volume/volume.ts';
 
 /** A volume on its way, and who is told of it. */

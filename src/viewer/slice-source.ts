@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import type { LoadProgress } from '../formats/load-request.ts';
+import type { LoadProgress } from '../formats/base/load-request.ts';
 import { loads } from './load-queue.ts';
 import { sharedVolumes } from './shared-volumes.ts';
 import type { DeviceLimits } from '../volume/reduce.ts';

@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
-import type { ScanTarget } from '../formats/choose-scan.ts';
-import type { LoadProgress, LoadProgressListener } from '../formats/load-request.ts';
-import type { LoadOptions } from '../formats/load.ts';
+import type { ScanTarget } from '../formats/base/choose-scan.ts';
+import type { LoadProgress, LoadProgressListener } from '../formats/base/load-request.ts';
+import type { LoadOptions } from '../worker/load.ts';
 import { loadPart } from '../load-part.ts';
 import { deviceLimits } from '../renderer/device/device.ts';
 import type { DeviceLimits } from '../volume/reduce.ts';

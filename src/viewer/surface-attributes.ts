@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
-import { resolveUrl } from '../formats/load.ts';
+import { resolveUrl } from '../worker/load.ts';
 import type { MeshSpace } from '../formats/meshes/mesh.ts';
-import type { MeshRequest, SurfaceRequest, TerrainRequest } from '../formats/surface-request.ts';
+import type { MeshRequest, SurfaceRequest, TerrainRequest } from '../worker/surface-request.ts';
 import { isOnEarth } from '../formats/terrain/hgt.ts';
 import { parseCssColor } from '../optics/transfer/css-color.ts';
 import { groundReach } from '../radar/polar-box.ts';

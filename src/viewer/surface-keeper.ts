@@ -1,5 +1,5 @@
-import { loadSurface } from '../formats/load-surface.ts';
-import type { LoadProgress } from '../formats/load-request.ts';
+import { loadSurface } from '../worker/load-surface.ts';
+import type { LoadProgress } from '../formats/base/load-request.ts';
 import type { ShownSurface } from '../renderer/layers/shown-surfaces.ts';
 import type { Surface } from '../volume/surface.ts';
 import type { Volume } from '../volume/volume.ts';

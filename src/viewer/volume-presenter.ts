@@ -1,4 +1,4 @@
-import type { CoarseVolume } from '../formats/load-request.ts';
+import type { CoarseVolume } from '../formats/base/load-request.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { FileNotices } from './beside-notices.ts';

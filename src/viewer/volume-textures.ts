@@ -1,5 +1,5 @@
 // Textures of X3D's volume nodes that are files of voxels.
-import type { LoadRequest } from '../formats/load-request.ts';
+import type { LoadRequest } from '../formats/base/load-request.ts';
 import { parseMosaicSize } from '../volume/mosaic-size.ts';
 import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
 

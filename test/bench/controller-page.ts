@@ -1,7 +1,7 @@
 // In the browser: a scripted orbit of an element, and how far its frames were from what they stand for.
 import type { VolumeView } from '../../components/volume-view.ts';
 import { CameraRig } from '../../src/viewer/camera-rig.ts';
-import { loadVolume } from '../../src/formats/load.ts';
+import { loadVolume } from '../../src/worker/load.ts';
 import type { Orbit } from '../../src/optics/rays/camera.ts';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';

@@ -1,5 +1,5 @@
 // What is drawn beside each scene's plain picture: light, surfaces, a second field, labels.
-import { loadVolume } from '../../src/formats/load.ts';
+import { loadVolume } from '../../src/worker/load.ts';
 import type { ShownOverlay } from '../../src/optics/attachments/overlay.ts';
 import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';

@@ -1,7 +1,7 @@
 // In the browser: real volumes as we draw them and as others do.
 import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
-import { loadVolume } from '../../src/formats/load.ts';
-import type { LoadRequest } from '../../src/formats/load-request.ts';
+import { loadVolume } from '../../src/worker/load.ts';
+import type { LoadRequest } from '../../src/formats/base/load-request.ts';
 import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
 import { plainMaterial } from '../../src/optics/transfer/lights.ts';
 import type { RayStyle } from '../../src/optics/rays/ray-style.ts';

@@ -1,6 +1,6 @@
 // In the browser: frames with shapes among a volume against those without.
 import { fieldProviders } from '../../components/field-providers.ts';
-import { loadVolume } from '../../src/formats/load.ts';
+import { loadVolume } from '../../src/worker/load.ts';
 import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
 import type { PlaneSlice } from '../../src/optics/attachments/plane-slices.ts';
 import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';

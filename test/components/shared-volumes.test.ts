@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { SharedVolumes } from '../../src/viewer/shared-volumes.ts';
-import type { LoadOptions } from '../../src/formats/load.ts';
-import type { LoadProgress, LoadRequest } from '../../src/formats/load-request.ts';
+import type { LoadOptions } from '../../src/worker/load.ts';
+import type { LoadProgress, LoadRequest } from '../../src/formats/base/load-request.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 

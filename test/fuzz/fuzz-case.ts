@@ -1,4 +1,4 @@
-import type { DecodeSettings } from '../../src/formats/decoded-volume.ts';
+import type { DecodeSettings } from '../../src/formats/base/decoded-volume.ts';
 import type { Random } from './random.ts';
 
 export interface FuzzFile {

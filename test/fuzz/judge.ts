@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../../src/errors.ts';
 import { decodeFile } from '../../src/formats/decode.ts';
 import type { DecodeContext } from '../../src/formats/decode.ts';
-import { fetchInOrder } from '../../src/formats/fetch-files.ts';
+import { fetchInOrder } from '../../src/sources/fetch-files.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { isPolar } from '../../src/volume/volume.ts';

@@ -1,8 +1,8 @@
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { storeSamples } from '../../src/formats/store-samples.ts';
-import { numberTypes } from '../../src/formats/number-types.ts';
+import { storeSamples } from '../../src/formats/base/store-samples.ts';
+import { numberTypes } from '../../src/formats/base/number-types.ts';
 import { axialIndexToWorld, cartesianGrid, longestDiagonal } from '../../src/volume/grid.ts';
 import { summarize } from '../../src/volume/histogram.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';

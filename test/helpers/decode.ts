@@ -1,7 +1,7 @@
 import { decodeFile } from '../../src/formats/decode.ts';
 import type { DecodeContext } from '../../src/formats/decode.ts';
-import type { DecodeSettings } from '../../src/formats/decoded-volume.ts';
-import { fetchInOrder } from '../../src/formats/fetch-files.ts';
+import type { DecodeSettings } from '../../src/formats/base/decoded-volume.ts';
+import { fetchInOrder } from '../../src/sources/fetch-files.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import type { DeviceLimits } from '../../src/volume/reduce.ts';

@@ -1,6 +1,6 @@
-import { fetchBytes } from '../../src/formats/fetch-bytes.ts';
-import type { FetchOptions } from '../../src/formats/download.ts';
-import type { DecodeInput } from '../../src/formats/decoded-volume.ts';
+import { fetchBytes } from '../../src/sources/fetch-bytes.ts';
+import type { FetchOptions } from '../../src/sources/download.ts';
+import type { DecodeInput } from '../../src/formats/base/decoded-volume.ts';
 
 /** One answer of a server; what is thrown is a failure of the network. */
 export interface Answer {

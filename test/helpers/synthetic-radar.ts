@@ -1,7 +1,7 @@
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
-import type { PolarSettings } from '../../src/formats/radar/radar-settings.ts';
+import type { PolarSettings } from '../../src/formats/base/radar-settings.ts';
 import { outlinePolar } from '../../src/formats/radar/finish-polar.ts';
-import type { DecodedPolarVolume } from '../../src/formats/decoded-volume.ts';
+import type { DecodedPolarVolume } from '../../src/formats/base/decoded-volume.ts';
 import type { MomentKind, RadarFile, RadarSweep, SweepData } from '../../src/formats/radar/radar-file.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import type { PolarVolume, Volume } from '../../src/volume/volume.ts';

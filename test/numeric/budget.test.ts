@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { Budget, bytesPerFileByte, freeBytes } from '../../src/formats/budget.ts';
+import { Budget, bytesPerFileByte, freeBytes } from '../../src/formats/base/budget.ts';
 import { errorOf } from '../helpers/error-of.ts';
 
 describe('the budget of a load', () => {

@@ -1,10 +1,10 @@
 // What touches nothing of a scan is hidden: for rays, picks, and all that reads values.
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
-import type { Cleaning } from '../../src/formats/clean-volume.ts';
-import type { DecodedCartesianVolume } from '../../src/formats/decoded-volume.ts';
+import type { Cleaning } from '../../src/formats/base/clean-volume.ts';
+import type { DecodedCartesianVolume } from '../../src/formats/base/decoded-volume.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
-import { loadVolume } from '../../src/formats/load.ts';
+import { loadVolume } from '../../src/worker/load.ts';
 import { castRay } from '../../src/optics/rays/cast-ray.ts';
 import { pickRay } from '../../src/optics/pick-ray.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';

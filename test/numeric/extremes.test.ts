@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { chooseDomain } from '../../src/editor/transfer-function-axes.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
-import { niftiTypes } from '../../src/formats/number-types.ts';
-import { storeSamples } from '../../src/formats/store-samples.ts';
+import { niftiTypes } from '../../src/formats/base/number-types.ts';
+import { storeSamples } from '../../src/formats/base/store-samples.ts';
 import { buildDefaultPreset } from '../../src/optics/transfer/default-preset.ts';
 import { interpolate } from '../../src/optics/rays/interpolate.ts';
 import { extinction } from '../../src/optics/transfer/opacity.ts';

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
-import { readMosaic } from '../../src/formats/mosaic.ts';
-import { detectNifti, readVersion1 } from '../../src/formats/nifti-header.ts';
-import { readRareHeader } from '../../src/formats/nifti-rare-headers.ts';
+import { readMosaic } from '../../src/formats/images/mosaic.ts';
+import { detectNifti, readVersion1 } from '../../src/formats/nifti/nifti-header.ts';
+import { readRareHeader } from '../../src/formats/nifti/nifti-rare-headers.ts';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { evaluate } from '../../src/optics/transfer/transfer-function.ts';

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
 import { finishVolume, minForCoarse, minForMeans, maxCoarse } from '../../src/formats/finish-volume.ts';
-import { loadVolume } from '../../src/formats/load.ts';
-import type { CoarseVolume } from '../../src/formats/load.ts';
+import { loadVolume } from '../../src/worker/load.ts';
+import type { CoarseVolume } from '../../src/worker/load.ts';
 import { cartesianGrid, corners } from '../../src/volume/grid.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Samples, Volume } from '../../src/volume/volume.ts';

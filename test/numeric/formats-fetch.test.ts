@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { fetchBytes } from '../../src/formats/fetch-bytes.ts';
+import { fetchBytes } from '../../src/sources/fetch-bytes.ts';
 import { expectError } from '../helpers/decode.ts';
 import { fetchOne, withServer } from '../helpers/fake-fetch.ts';
 

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { loadVolume } from '../../src/formats/load.ts';
+import { loadVolume } from '../../src/worker/load.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { decodeBytes, fetchFixture, roomyLimits } from '../helpers/decode.ts';
 import { compareValues, readExpected } from '../helpers/expected-file.ts';

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { loadVolume } from '../../src/formats/load.ts';
-import type { LoadProgress, LoadRequest } from '../../src/formats/load.ts';
-import { loadSurface } from '../../src/formats/load-surface.ts';
-import type { SurfaceRequest } from '../../src/formats/surface-request.ts';
+import { loadVolume } from '../../src/worker/load.ts';
+import type { LoadProgress, LoadRequest } from '../../src/worker/load.ts';
+import { loadSurface } from '../../src/worker/load-surface.ts';
+import type { SurfaceRequest } from '../../src/worker/surface-request.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { expectError, fetchFixture, roomyLimits } from '../helpers/decode.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';

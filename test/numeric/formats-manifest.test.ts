@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { Validator } from '@cfworker/json-schema';
 import type { Schema } from '@cfworker/json-schema';
 import { VolumeViewError } from '../../src/errors.ts';
-import { readManifest } from '../../src/formats/manifest.ts';
+import { readManifest } from '../../src/formats/manifest/manifest.ts';
 import { decodeBytes, expectError, fetchFile, fetchFixture, valuesOf } from '../helpers/decode.ts';
 
 const encode = (value: unknown): Uint8Array<ArrayBuffer> => new TextEncoder().encode(typeof value === 'string' ? value : JSON.stringify(value));

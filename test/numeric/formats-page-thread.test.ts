@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { decodeHere } from '../../src/formats/decode-here.ts';
-import { decodeRequest } from '../../src/formats/decode-request.ts';
-import type { LoadRequest } from '../../src/formats/load-request.ts';
+import { decodeHere } from '../../src/worker/decode-here.ts';
+import { decodeRequest } from '../../src/worker/decode-request.ts';
+import type { LoadRequest } from '../../src/formats/base/load-request.ts';
 import { expectError, fetchFixture, roomyLimits } from '../helpers/decode.ts';
 import { pageOrigin, withServer } from '../helpers/fake-fetch.ts';
 import type { Answer } from '../helpers/fake-fetch.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { decodeFile } from '../../src/formats/decode.ts';
-import type { Format, VolumeFormat } from '../../src/formats/format.ts';
+import type { Format, VolumeFormat } from '../../src/formats/base/format.ts';
 import { allFormats } from '../../src/formats/registry.ts';
 import { sniffFile } from '../../src/formats/sniff.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';

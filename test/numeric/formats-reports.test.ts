@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
-import { loadVolume } from '../../src/formats/load.ts';
+import { loadVolume } from '../../src/worker/load.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { roomyLimits, valuesOf } from '../helpers/decode.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';

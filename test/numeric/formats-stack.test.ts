@@ -2,10 +2,10 @@ import { isPolar } from '../../src/volume/volume.ts';
 import { expect } from '@esm-bundle/chai';
 import { encode } from 'fast-png';
 import { decodeFile } from '../../src/formats/decode.ts';
-import { fetchInOrder } from '../../src/formats/fetch-files.ts';
+import { fetchInOrder } from '../../src/sources/fetch-files.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
-import { loadVolume } from '../../src/formats/load.ts';
-import type { DecodeSettings } from '../../src/formats/decoded-volume.ts';
+import { loadVolume } from '../../src/worker/load.ts';
+import type { DecodeSettings } from '../../src/formats/base/decoded-volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { decodeBytes, decodeStack, expectError, fetchFixture, fixtureContext, roomyLimits, urlOf, valuesOf } from '../helpers/decode.ts';
 

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import type { LoadProgress } from '../../src/formats/load-request.ts';
-import { loadVolume } from '../../src/formats/load.ts';
-import { startFromText } from '../../src/formats/worker-client.ts';
-import type { WorkerReport } from '../../src/formats/worker-messages.ts';
+import type { LoadProgress } from '../../src/formats/base/load-request.ts';
+import { loadVolume } from '../../src/worker/load.ts';
+import { startFromText } from '../../src/worker/worker-client.ts';
+import type { WorkerReport } from '../../src/worker/worker-messages.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import { roomyLimits } from '../helpers/decode.ts';
 

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import type { DataGroup } from '../../src/formats/data-tree.ts';
-import { readAll } from '../../src/formats/data-tree.ts';
+import type { DataGroup } from '../../src/formats/base/data-tree.ts';
+import { readAll } from '../../src/formats/base/data-tree.ts';
 import { adviceOf } from '../../src/formats/hdf5/advice.ts';
 import { openHdf5 } from '../../src/formats/hdf5/hdf5.ts';
 import { readHdf5Radar } from '../../src/formats/radar/hdf5-radar.ts';

@@ -3,13 +3,13 @@ import { expect } from '@esm-bundle/chai';
 import { encode as encodePng } from 'fast-png';
 import { gzipSync } from 'fflate';
 import { VolumeViewError } from '../../src/errors.ts';
-import { Budget } from '../../src/formats/budget.ts';
+import { Budget } from '../../src/formats/base/budget.ts';
 import { decodeFile } from '../../src/formats/decode.ts';
-import type { DecodedVolume, DecodeSettings } from '../../src/formats/decoded-volume.ts';
-import { PartGatherer } from '../../src/formats/gather-parts.ts';
+import type { DecodedVolume, DecodeSettings } from '../../src/formats/base/decoded-volume.ts';
+import { PartGatherer } from '../../src/formats/base/gather-parts.ts';
 import { expandPattern } from '../../src/formats/grid-files/find-data-files.ts';
-import { storeSamples } from '../../src/formats/store-samples.ts';
-import { numberTypes } from '../../src/formats/number-types.ts';
+import { storeSamples } from '../../src/formats/base/store-samples.ts';
+import { numberTypes } from '../../src/formats/base/number-types.ts';
 import { corners } from '../../src/volume/grid.ts';
 import { decodeBytes, expectError, fetchFixture, fixtureContext, urlOf } from '../helpers/decode.ts';
 

@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
 import { zlibSync } from 'fflate';
-import { Budget, freeBytes } from '../../src/formats/budget.ts';
-import type { DataArray } from '../../src/formats/data-tree.ts';
-import { readAll } from '../../src/formats/data-tree.ts';
+import { Budget, freeBytes } from '../../src/formats/base/budget.ts';
+import type { DataArray } from '../../src/formats/base/data-tree.ts';
+import { readAll } from '../../src/formats/base/data-tree.ts';
 import { openHdf5 } from '../../src/formats/hdf5/hdf5.ts';
-import { openNetcdf3 } from '../../src/formats/netcdf3.ts';
+import { openNetcdf3 } from '../../src/formats/netcdf/netcdf3.ts';
 import { errorOf } from '../helpers/error-of.ts';
 import { attribute, chunked, contiguous, Hdf5Builder, link, message, nowhere, shape, types, u16, u32, u64 } from '../helpers/hdf5-builder.ts';
 import type { Message } from '../helpers/hdf5-builder.ts';

@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { Validator } from '@cfworker/json-schema';
 import type { Schema } from '@cfworker/json-schema';
 import { VolumeViewError } from '../../src/errors.ts';
-import { readManifest } from '../../src/formats/manifest.ts';
+import { readManifest } from '../../src/formats/manifest/manifest.ts';
 import { ScanSequence } from '../../src/viewer/scan-sequence.ts';
 import { resolveLook } from '../../src/viewer/resolve-look.ts';
 import { plainLook } from '../../src/viewer/settings.ts';

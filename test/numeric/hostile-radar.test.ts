@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { Budget } from '../../src/formats/budget.ts';
+import { Budget } from '../../src/formats/base/budget.ts';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import { chooseSweeps } from '../../src/formats/radar/choose-sweeps.ts';
 import { readCfradial1 } from '../../src/formats/radar/cfradial1.ts';

@@ -1,8 +1,8 @@
 // Picks in a radar's volume: gate, place, height and value are Py-ART's.
 import { expect } from '@esm-bundle/chai';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
-import { readManifest } from '../../src/formats/manifest.ts';
-import { readPng } from '../../src/formats/png.ts';
+import { readManifest } from '../../src/formats/manifest/manifest.ts';
+import { readPng } from '../../src/formats/images/png.ts';
 import { readPolarMosaic } from '../../src/formats/radar/polar-mosaic.ts';
 import { openRadar } from '../../src/formats/radar/read-radar.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
-import { bunzip2 } from '../../src/formats/bunzip2.ts';
+import { bunzip2 } from '../../src/formats/codecs/bunzip2.ts';
 import { readNexrad } from '../../src/formats/radar/nexrad.ts';
 import { fetchFixture } from '../helpers/decode.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';

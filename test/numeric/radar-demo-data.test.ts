@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { readManifest } from '../../src/formats/manifest.ts';
-import { readPng } from '../../src/formats/png.ts';
+import { readManifest } from '../../src/formats/manifest/manifest.ts';
+import { readPng } from '../../src/formats/images/png.ts';
 import { readPolarMosaic } from '../../src/formats/radar/polar-mosaic.ts';
 import type { RadarFile, RadarSweep } from '../../src/formats/radar/radar-file.ts';
 import { beamToLocal, standardEarthRadius } from '../../src/radar/polar-geometry.ts';

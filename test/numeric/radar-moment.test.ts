@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import type { MomentKind } from '../../src/formats/radar/radar-file.ts';
-import type { DecodeSettings } from '../../src/formats/decoded-volume.ts';
+import type { DecodeSettings } from '../../src/formats/base/decoded-volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';
 import { syntheticRadar } from '../helpers/synthetic-radar.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { Budget } from '../../src/formats/budget.ts';
-import type { AttributeValue, DataArray, DataGroup } from '../../src/formats/data-tree.ts';
+import { Budget } from '../../src/formats/base/budget.ts';
+import type { AttributeValue, DataArray, DataGroup } from '../../src/formats/base/data-tree.ts';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import { readHdf5Radar } from '../../src/formats/radar/hdf5-radar.ts';
 import { readOdim, readOdimTree } from '../../src/formats/radar/odim.ts';

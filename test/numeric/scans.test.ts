@@ -6,7 +6,7 @@ import { english } from '../../src/messages/english-companions.ts';
 import { Language } from '../../src/messages/language.ts';
 import { describeScan, labelScans } from '../../src/messages/name-scans.ts';
 import { VolumeCache } from '../../src/viewer/volume-cache.ts';
-import { chooseScan } from '../../src/formats/choose-scan.ts';
+import { chooseScan } from '../../src/formats/base/choose-scan.ts';
 import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { findForeign } from '../../src/formats/foreign-formats.ts';
-import { nameOf } from '../../src/formats/name-of.ts';
+import { findForeign } from '../../src/formats/base/foreign-formats.ts';
+import { nameOf } from '../../src/formats/base/name-of.ts';
 import { allFormats } from '../../src/formats/registry.ts';
 import { sniffFile } from '../../src/formats/sniff.ts';
 import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';

@@ -1,7 +1,7 @@
-import { checkFileCount } from '../check-file-count.ts';
-import type { DecodeInput } from '../decoded-volume.ts';
-import type { ReadContext } from '../format.ts';
-import { nameOf } from '../name-of.ts';
+import { checkFileCount } from '../base/check-file-count.ts';
+import type { DecodeInput } from '../base/decoded-volume.ts';
+import type { ReadContext } from '../base/format.ts';
+import { nameOf } from '../base/name-of.ts';
 import { corruptFile, unsupportedFile } from './file-problem.ts';
 
 /** The names that a pattern stands for: 'slice%03d.raw 1 20 1' has one number of C's printf, its first and last value and the step. */

@@ -1,6 +1,6 @@
-import type { DecodeInput } from '../decoded-volume.ts';
-import type { ReadContext } from '../format.ts';
-import { yieldOnce } from '../piece-reader.ts';
+import type { DecodeInput } from '../base/decoded-volume.ts';
+import type { ReadContext } from '../base/format.ts';
+import { yieldOnce } from '../base/piece-reader.ts';
 
 /**
  * The bytes of the files that hold samples, one after another.

@@ -1,10 +1,10 @@
-import type { Budget } from '../budget.ts';
-import { PartGatherer } from '../gather-parts.ts';
-import { gunzip, isGzip, maxDeflateRatio } from '../gunzip.ts';
-import { isZlib, unzlib } from '../unzlib.ts';
-import type { ReadContext } from '../format.ts';
-import type { NumberType } from '../number-types.ts';
-import { PieceReader, yieldOnce } from '../piece-reader.ts';
+import type { Budget } from '../base/budget.ts';
+import { PartGatherer } from '../base/gather-parts.ts';
+import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
+import { isZlib, unzlib } from '../codecs/unzlib.ts';
+import type { ReadContext } from '../base/format.ts';
+import type { NumberType } from '../base/number-types.ts';
+import { PieceReader, yieldOnce } from '../base/piece-reader.ts';
 import { corruptFile } from './file-problem.ts';
 import { readTextNumbers } from './read-text-numbers.ts';
 
@@ -79,7 +79,7 @@ async function readFile(file: Uint8Array<ArrayBuffer>, { layout, start, budget }
       return readPieces(isGzip(packed) ? gunzip(packed) : unzlib(packed), { layout, from: skipUnpacked, wanted });
     }
     case 'bzip2': {
-      const { bunzip2 } = await import('../bunzip2.ts');
+      const { bunzip2 } = await import('../codecs/bunzip2.ts');
       budget.take(skipUnpacked + layout.bytesPerFile, what);
       const unpacked = bunzip2(file.subarray(from), skipUnpacked + layout.bytesPerFile);
       budget.giveBack(skipUnpacked + layout.bytesPerFile - wanted);

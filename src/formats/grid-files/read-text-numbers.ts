@@ -1,4 +1,4 @@
-import type { NumberType } from '../number-types.ts';
+import type { NumberType } from '../base/number-types.ts';
 import { corruptFile } from './file-problem.ts';
 
 const longestNumber = 64;

@@ -1,7 +1,7 @@
-import { countElements } from '../data-tree.ts';
-import type { AttributeValue } from '../data-tree.ts';
-import { decodeNumbers } from '../decode-numbers.ts';
-import { decodeText } from '../decode-text.ts';
+import { countElements } from '../base/data-tree.ts';
+import type { AttributeValue } from '../base/data-tree.ts';
+import { decodeNumbers } from '../base/decode-numbers.ts';
+import { decodeText } from '../base/decode-text.ts';
 import { readTree2 } from './b-tree-2.ts';
 import { readFractalHeap } from './fractal-heap.ts';
 import { readTextsElsewhere } from './global-heap.ts';

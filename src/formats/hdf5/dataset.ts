@@ -1,10 +1,10 @@
 import { VolumeViewError } from '../../errors.ts';
-import { countElements, refuseTooMany } from '../data-tree.ts';
-import type { AttributeValue, DataArray, ElementType, Numbers } from '../data-tree.ts';
-import { decodeNumbers } from '../decode-numbers.ts';
-import { maxDeflateRatio } from '../gunzip.ts';
-import { decodeText } from '../decode-text.ts';
-import { takeDuring } from '../take-during.ts';
+import { countElements, refuseTooMany } from '../base/data-tree.ts';
+import type { AttributeValue, DataArray, ElementType, Numbers } from '../base/data-tree.ts';
+import { decodeNumbers } from '../base/decode-numbers.ts';
+import { maxDeflateRatio } from '../codecs/gunzip.ts';
+import { decodeText } from '../base/decode-text.ts';
+import { takeDuring } from '../base/take-during.ts';
 import { readAttributes } from './attributes.ts';
 import { listChunks } from './chunks.ts';
 import type { Chunk } from './chunks.ts';

@@ -1,8 +1,8 @@
 import { inflateSync } from 'fflate';
-import { Adler32 } from '../adler32.ts';
-import { maxDeflateRatio } from '../gunzip.ts';
-import { Inflater } from '../inflate.ts';
-import type { Budget } from '../budget.ts';
+import { Adler32 } from '../codecs/adler32.ts';
+import { maxDeflateRatio } from '../codecs/gunzip.ts';
+import { Inflater } from '../codecs/inflate.ts';
+import type { Budget } from '../base/budget.ts';
 import type { Remedy } from './advice.ts';
 import { corruptHdf5, Cursor, unsupportedHdf5 } from './hdf5-bytes.ts';
 import type { Hdf5Bytes } from './hdf5-bytes.ts';

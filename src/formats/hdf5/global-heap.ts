@@ -1,4 +1,4 @@
-import { decodeText } from '../decode-text.ts';
+import { decodeText } from '../base/decode-text.ts';
 import { corruptHdf5, Cursor, Hdf5Bytes, noAddress } from './hdf5-bytes.ts';
 
 /** What a text takes beside its characters, and an object beside its bytes in the file. */

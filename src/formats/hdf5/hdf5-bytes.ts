@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../../errors.ts';
-import { Budget } from '../budget.ts';
+import { Budget } from '../base/budget.ts';
 import { adviceOf } from './advice.ts';
 import type { Remedy } from './advice.ts';
 

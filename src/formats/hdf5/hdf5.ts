@@ -1,5 +1,5 @@
-import type { Budget } from '../budget.ts';
-import type { AttributeValue, DataArray, DataGroup } from '../data-tree.ts';
+import type { Budget } from '../base/budget.ts';
+import type { AttributeValue, DataArray, DataGroup } from '../base/data-tree.ts';
 import { readAttributes } from './attributes.ts';
 import { Hdf5Dataset } from './dataset.ts';
 import { corruptHdf5, unsupportedHdf5 } from './hdf5-bytes.ts';

@@ -1,4 +1,4 @@
-import { decodeText } from '../decode-text.ts';
+import { decodeText } from '../base/decode-text.ts';
 import { readTree } from './b-tree-1.ts';
 import { readTree2 } from './b-tree-2.ts';
 import { readFractalHeap } from './fractal-heap.ts';

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../errors.ts';
-import type { Budget } from '../budget.ts';
-import { findHdf5 } from '../hdf-signature.ts';
+import type { Budget } from '../base/budget.ts';
+import { findHdf5 } from '../base/hdf-signature.ts';
 import { corruptHdf5, Cursor, Hdf5Bytes, noAddress, unsupportedHdf5 } from './hdf5-bytes.ts';
 
 /**

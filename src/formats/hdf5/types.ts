@@ -1,4 +1,4 @@
-import type { NumberType } from '../data-tree.ts';
+import type { NumberType } from '../base/data-tree.ts';
 import { corruptHdf5, Cursor, unsupportedHdf5 } from './hdf5-bytes.ts';
 
 /** What an element is. `bytes` are those of one element. */

@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../../errors.ts';
-import { unzlib } from '../unzlib.ts';
+import { unzlib } from '../codecs/unzlib.ts';
 import { decodeBase64 } from './base64.ts';
 import { corrupt } from './mesh-limits.ts';
 import { TextScanner } from './text-scanner.ts';

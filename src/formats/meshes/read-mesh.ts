@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../errors.ts';
-import { gunzip, isGzip } from '../gunzip.ts';
-import { loadReader } from '../load-reader.ts';
+import { gunzip, isGzip } from '../codecs/gunzip.ts';
+import { loadReader } from '../base/load-reader.ts';
 import { isGifti, readGifti } from './gifti.ts';
 import { maxMeshBytes } from './mesh-limits.ts';
 import type { Mesh } from './mesh.ts';

@@ -1,4 +1,4 @@
-import type { VolumeFormat } from '../format.ts';
+import type { VolumeFormat } from '../base/format.ts';
 
 export const metaImage: VolumeFormat = {
   name: 'MetaImage',

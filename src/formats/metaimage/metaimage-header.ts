@@ -1,8 +1,8 @@
 import { corruptFile, unsupportedFile } from '../grid-files/file-problem.ts';
 import { expandPattern } from '../grid-files/find-data-files.ts';
 import { checkValue, cutLine, readHeaderLines } from '../grid-files/read-header-lines.ts';
-import { numberTypes } from '../number-types.ts';
-import type { NumberType } from '../number-types.ts';
+import { numberTypes } from '../base/number-types.ts';
+import type { NumberType } from '../base/number-types.ts';
 
 export const what = 'the MetaImage header';
 

@@ -1,19 +1,19 @@
 import { cartesianGrid } from '../../volume/grid.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
-import { countSampleBytes } from '../count-sample-bytes.ts';
-import type { DecodeInput } from '../decoded-volume.ts';
-import type { FormatReader, ReadContext } from '../format.ts';
+import { countSampleBytes } from '../base/count-sample-bytes.ts';
+import type { DecodeInput } from '../base/decoded-volume.ts';
+import type { FormatReader, ReadContext } from '../base/format.ts';
 import { completeAxes } from '../grid-files/complete-axes.ts';
 import { corruptFile, unsupportedFile } from '../grid-files/file-problem.ts';
 import { findDataFiles, shareBytes } from '../grid-files/find-data-files.ts';
 import { listDataFiles } from '../grid-files/list-data-files.ts';
 import { readSamples } from '../grid-files/read-samples.ts';
 import type { SampleLayout } from '../grid-files/read-samples.ts';
-import { hostIsLittleEndian } from '../number-types.ts';
-import type { NumberType } from '../number-types.ts';
-import { listLeft } from '../list-left.ts';
-import { placeVolume } from '../place-volume.ts';
-import { storeSamples, wholeNumbersOf } from '../store-samples.ts';
+import { hostIsLittleEndian } from '../base/number-types.ts';
+import type { NumberType } from '../base/number-types.ts';
+import { listLeft } from '../base/list-left.ts';
+import { placeVolume } from '../base/place-volume.ts';
+import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { needField, readFlag, readMetaImageHeader, readNumbers, readType, what } from './metaimage-header.ts';
 import type { MetaImageHeader } from './metaimage-header.ts';
 

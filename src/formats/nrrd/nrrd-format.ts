@@ -1,5 +1,5 @@
-import type { VolumeFormat } from '../format.ts';
-import { startsWith } from '../starts-with.ts';
+import type { VolumeFormat } from '../base/format.ts';
+import { startsWith } from '../base/starts-with.ts';
 
 export const nrrd: VolumeFormat = {
   name: 'NRRD',

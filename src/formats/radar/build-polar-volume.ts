@@ -4,8 +4,8 @@ import { spacingOf } from '../../volume/grid.ts';
 import type { PolarGrid, Sweep, SweepGeometry } from '../../volume/polar-grid.ts';
 import type { Samples } from '../../volume/volume.ts';
 import { buildPolarMacrocells } from '../../radar/polar-macrocells.ts';
-import { Budget } from '../budget.ts';
-import type { DecodedPolarVolume } from '../decoded-volume.ts';
+import { Budget } from '../base/budget.ts';
+import type { DecodedPolarVolume } from '../base/decoded-volume.ts';
 import { arrangeElevations } from './arrange-elevations.ts';
 import { arrangeRadials } from './arrange-radials.ts';
 import type { RadialOrder } from './arrange-radials.ts';
@@ -16,7 +16,7 @@ import type { JoinedSamples } from './join-samples.ts';
 import { isFolding } from './moment-kind.ts';
 import type { RadarFile, RadarMoment } from './radar-file.ts';
 import { anyFileBytes, refuseShown } from './radar-limits.ts';
-import type { PolarSettings } from './radar-settings.ts';
+import type { PolarSettings } from '../base/radar-settings.ts';
 
 /** Degrees: what weather radars have, where a file does not say. */
 const commonBeamWidth = 1;

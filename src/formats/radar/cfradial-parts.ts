@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../errors.ts';
-import { countElements, numberOf, readAll, textOf } from '../data-tree.ts';
-import type { AttributeValue, DataArray, DataGroup, Numbers, NumberType } from '../data-tree.ts';
+import { countElements, numberOf, readAll, textOf } from '../base/data-tree.ts';
+import type { AttributeValue, DataArray, DataGroup, Numbers, NumberType } from '../base/data-tree.ts';
 import { packGates } from './gate-samples.ts';
 import type { PackedGates } from './gate-samples.ts';
 import { isoTime, parseTimeUnits } from './cf-time.ts';

@@ -1,10 +1,10 @@
 import { VolumeViewError } from '../../errors.ts';
-import { Budget } from '../budget.ts';
-import { countElements, numberOf, textOf } from '../data-tree.ts';
-import type { DataArray, DataGroup } from '../data-tree.ts';
+import { Budget } from '../base/budget.ts';
+import { countElements, numberOf, textOf } from '../base/data-tree.ts';
+import type { DataArray, DataGroup } from '../base/data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
-import { isNetcdf3, openNetcdf3 } from '../netcdf3.ts';
-import { takeDuring } from '../take-during.ts';
+import { isNetcdf3, openNetcdf3 } from '../netcdf/netcdf3.ts';
+import { takeDuring } from '../base/take-during.ts';
 import {
   corrupt, describeModes, describeMoment, describePlatform, firstNumber, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime, readTransitions,
   requireNumbers, wrapAzimuths,

@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../../errors.ts';
-import { Budget } from '../budget.ts';
-import { textOf } from '../data-tree.ts';
-import type { DataArray, DataGroup } from '../data-tree.ts';
+import { Budget } from '../base/budget.ts';
+import { textOf } from '../base/data-tree.ts';
+import type { DataArray, DataGroup } from '../base/data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import {
   corrupt, describeModes, describeMoment, describePlatform, firstNumber, firstText, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime, readTransitions,

@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../../errors.ts';
-import { Budget } from '../budget.ts';
+import { Budget } from '../base/budget.ts';
 import type { RadarFile, RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
 import { skipRadials } from './skip-radials.ts';
 import { anyFileBytes, refuseGates, refuseScale, refuseShown } from './radar-limits.ts';

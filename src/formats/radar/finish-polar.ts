@@ -2,8 +2,8 @@ import { cellSize } from '../../volume/cell-size.ts';
 import { summarize } from '../../volume/histogram.ts';
 import { emptyMacrocells } from '../../volume/macrocells.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import type { DecodedPolarVolume } from '../decoded-volume.ts';
-import type { CoarseVolume } from '../load-request.ts';
+import type { DecodedPolarVolume } from '../base/decoded-volume.ts';
+import type { CoarseVolume } from '../base/load-request.ts';
 import { suggestRadarLook } from './suggest-radar-look.ts';
 import type { PolarOutline } from './suggest-radar-look.ts';
 

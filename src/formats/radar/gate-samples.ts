@@ -1,4 +1,4 @@
-import type { Numbers, NumberType } from '../data-tree.ts';
+import type { Numbers, NumberType } from '../base/data-tree.ts';
 import type { Samples } from '../../volume/volume.ts';
 import type { SweepData } from './radar-file.ts';
 

@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../../errors.ts';
-import { Budget } from '../budget.ts';
+import { Budget } from '../base/budget.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import { isCfradial1, readCfradial1Tree } from './cfradial1.ts';
 import { isCfradial2, readCfradial2Tree } from './cfradial2.ts';

@@ -1,5 +1,5 @@
 import type { Samples } from '../../volume/volume.ts';
-import type { Budget } from '../budget.ts';
+import type { Budget } from '../base/budget.ts';
 import type { SweepData } from './radar-file.ts';
 
 /** Samples of all sweeps in one type and on one scale. */

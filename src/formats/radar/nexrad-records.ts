@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../../errors.ts';
-import type { Budget } from '../budget.ts';
-import { bunzip2, isBzip2 } from '../bunzip2.ts';
-import { Bunzip2Room } from '../bunzip2-room.ts';
+import type { Budget } from '../base/budget.ts';
+import { bunzip2, isBzip2 } from '../codecs/bunzip2.ts';
+import { Bunzip2Room } from '../codecs/bunzip2-room.ts';
 
 /** Bytes of the header of the file, and of the number in front of each compressed record. */
 const headerLength = 24;

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../errors.ts';
-import { Budget } from '../budget.ts';
-import { gunzip, isGzip } from '../gunzip.ts';
+import { Budget } from '../base/budget.ts';
+import { gunzip, isGzip } from '../codecs/gunzip.ts';
 import { isoTime } from './cf-time.ts';
 import { momentKindOf } from './moment-kind.ts';
 import { readCuts } from './nexrad-cuts.ts';

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../errors.ts';
-import { numberOf, textOf } from '../data-tree.ts';
-import type { AttributeValue, DataGroup } from '../data-tree.ts';
+import { numberOf, textOf } from '../base/data-tree.ts';
+import type { AttributeValue, DataGroup } from '../base/data-tree.ts';
 import { refuseManySweeps } from './radar-limits.ts';
 
 /** From the most particular group to the root: what a data group does not say, its dataset says, or the file. */

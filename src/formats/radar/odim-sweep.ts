@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../errors.ts';
-import { Budget } from '../budget.ts';
-import type { AttributeValue, DataArray, DataGroup } from '../data-tree.ts';
+import { Budget } from '../base/budget.ts';
+import type { AttributeValue, DataArray, DataGroup } from '../base/data-tree.ts';
 import { packGates } from './gate-samples.ts';
 import { momentKindOf } from './moment-kind.ts';
 import { odimUnit } from './odim-units.ts';

@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../../errors.ts';
 import { checkMosaicLayout } from '../../volume/mosaic.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
-import type { ManifestSite, ManifestSweep } from '../manifest-radar.ts';
+import type { ManifestSite, ManifestSweep } from '../manifest/manifest-radar.ts';
 import { momentKindOf } from './moment-kind.ts';
 import type { RadarFile, RadarSweep } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';

@@ -1,6 +1,6 @@
-import type { VolumeFormat } from '../format.ts';
-import { findHdf5 } from '../hdf-signature.ts';
-import { startsWith } from '../starts-with.ts';
+import type { VolumeFormat } from '../base/format.ts';
+import { findHdf5 } from '../base/hdf-signature.ts';
+import { startsWith } from '../base/starts-with.ts';
 import type { RadarKind } from './read-radar.ts';
 
 const words = 'a radar scan (ODIM_H5, CfRadial, NEXRAD Level II)';

@@ -1,8 +1,8 @@
 import { VolumeViewError } from '../../errors.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
-import type { Budget } from '../budget.ts';
-import type { DecodedVolume, DecodeSettings } from '../decoded-volume.ts';
-import type { FormatReader } from '../format.ts';
+import type { Budget } from '../base/budget.ts';
+import type { DecodedVolume, DecodeSettings } from '../base/decoded-volume.ts';
+import type { FormatReader } from '../base/format.ts';
 import { buildPolarVolume } from './build-polar-volume.ts';
 import type { RadarFile } from './radar-file.ts';
 

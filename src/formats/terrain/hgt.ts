@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../errors.ts';
 import { unpackAll } from '../meshes/read-mesh.ts';
-import { isGzip } from '../gunzip.ts';
+import { isGzip } from '../codecs/gunzip.ts';
 
 /** Samples along a side of a tile of a degree: of 3 and of 1 second of arc. */
 const sides = [1201, 3601];

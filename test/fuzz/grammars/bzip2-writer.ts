@@ -1,4 +1,4 @@
-// A small packer of bzip2: no package of npm packs, and what is packed here need not be small. Sources: as src/formats/bunzip2.ts.
+// A small packer of bzip2: no package of npm packs, and what is packed here need not be small. Sources: as src/formats/codecs/bunzip2.ts.
 
 const crcTable = Int32Array.from({ length: 256 }, (_, byte) => {
   let crc = byte << 24;

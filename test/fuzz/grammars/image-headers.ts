@@ -2,7 +2,7 @@ import { big, concat, little } from '../bytes.ts';
 import { damage, oneFile } from '../fuzz-case.ts';
 import type { Grammar } from '../fuzz-case.ts';
 import type { Random } from '../random.ts';
-import type { DecodeSettings } from '../../../src/formats/decoded-volume.ts';
+import type { DecodeSettings } from '../../../src/formats/base/decoded-volume.ts';
 
 const settingsOf = (random: Random): DecodeSettings => ({
   mosaic: { columns: random.size(2), rows: random.size(2) },

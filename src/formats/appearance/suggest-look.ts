@@ -1,0 +1,42 @@
+import { windowFromHistogram } from '../../optics/transfer/window.ts';
+import type { Samples } from '../../volume/samples.ts';
+import type { Histogram } from '../../volume/histogram.ts';
+import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
+import { loadReader } from '../base/load-reader.ts';
+import { presetOfUnit } from './suggested-look.ts';
+import type { SuggestedLook } from './suggested-look.ts';
+
+/** Of labels most values between the least and the largest one are missing. */
+const fewBins = 128;
+
+/** Where fewer than this share of the values lie above an eighth of their range, others may count as well. */
+const fewHigh = 0.05;
+
+/** Samples that are looked at for runs. */
+const lookedAt = 2 ** 16;
+
+/** Whether values are seldom others than just before: in a scan they are nearly everywhere. */
+function hasRuns(samples: Samples): boolean {
+  let [changes, next] = [0, 0];
+  for (let i = (samples.length >> 1) - (lookedAt >> 1), changed = false; i < (samples.length >> 1) + (lookedAt >> 1); i++) {
+    const isOther = samples[i] !== samples[i - 1];
+    if (isOther) changes++;
+    if (isOther && changed) next++;
+    changed = isOther;
+  }
+  return next < 0.3 * changes;
+}
+
+/** What its values suggest, where a file and its manifest say nothing. What knows all but plain pictures is loaded when there may be others. */
+export async function suggestLook(decoded: DecodedCartesianVolume, histogram: Histogram): Promise<SuggestedLook> {
+  const { window, transferFunction, unit } = decoded;
+  const { low, counts } = histogram;
+  const high = counts.subarray(counts.length / 8).reduce((sum, count) => sum + count);
+  const isUnusual = unit === '' && (decoded.isLabels || decoded.intent || decoded.indexed || low < 0 || hasRuns(decoded.samples) || counts.filter(Boolean).length < fewBins || high < fewHigh * decoded.samples.length);
+  const found = isUnusual ? (await loadReader(() => import('./unusual-look.ts'))).findUnusualLook(decoded, histogram) : null;
+  return {
+    ...found,
+    window: (decoded.intent && found?.transferFunction === 'diverging' ? null : window) ?? found?.window ?? windowFromHistogram(histogram),
+    transferFunction: transferFunction ?? presetOfUnit(unit) ?? found?.transferFunction,
+  };
+}

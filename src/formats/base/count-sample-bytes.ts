@@ -1,0 +1,26 @@
+import { VolumeViewError } from '../../errors.ts';
+import type { NumberType } from './number-types.ts';
+
+/** Most bytes of samples that are read at all: what engines allow for one buffer. */
+export const maxFileSamplesBytes = 2 ** 31 - 1;
+
+/**
+ * Bytes of a grid's samples, to be asked before anything is allocated.
+ * @param what - who asks for them, for messages
+ * @param lengths - samples along each axis
+ * @throws {VolumeViewError} `format/too-large`
+ */
+export function countSampleBytes(what: string, lengths: readonly number[], type: Pick<NumberType, 'name' | 'bytesPerSample'>): number {
+  const voxels = lengths.reduce((product, n) => product * n, 1);
+  const bytes = voxels * type.bytesPerSample;
+  if (bytes <= maxFileSamplesBytes) return bytes;
+  throw new VolumeViewError(
+    'format/too-large',
+    `${what} asks for ${lengths.join(' x ')} = ${voxels.toLocaleString('en')} voxels of ${type.name}, ` +
+      `${gigabytes(bytes)}; expected at most ${gigabytes(maxFileSamplesBytes)}; resample the file to fewer voxels`,
+  );
+}
+
+function gigabytes(bytes: number): string {
+  return `${(bytes / 2 ** 30).toLocaleString('en', { maximumFractionDigits: 1 })} GiB`;
+}

@@ -1,0 +1,48 @@
+// Whole numbers that float32 rounds: loaded for files of 32-bit and 64-bit numbers.
+import { indexNumbers } from '../../volume/index-numbers.ts';
+import type { IndexedSamples, Rounded } from '../../volume/index-numbers.ts';
+import type { Budget } from './budget.ts';
+
+/** How they are stored. */
+export interface WholeNumbers<T> {
+  readonly offset: T;
+  readonly indexed?: IndexedSamples;
+  readonly rounded?: Rounded;
+}
+
+/**
+ * Of whole numbers that become float32: what is taken off so that fewer are rounded, and what is rounded all the same.
+ * @param detail - what suits most of those that differ by little from their neighbours
+ * @param of - makes a number of the values' own kind
+ */
+export function chooseWhole<T extends number | bigint>(values: ArrayLike<T>, detail: T, of: (value: number) => T, budget?: Budget): WholeNumbers<T> {
+  const roundedBy = (offset: T): Rounded => {
+    let [count, by] = [0, 0];
+    for (let i = 0; i < values.length; i++) {
+      const apart = subtract(values[i], offset);
+      const off = Math.abs(Number(subtract(of(Math.fround(Number(apart))), apart)));
+      if (!(off > 0)) continue;
+      count++;
+      by = Math.max(by, off);
+    }
+    return { count, by };
+  };
+  const shifted = roundedBy(detail);
+  const usual = shifted.count === 0 ? shifted : roundedBy(of(0));
+  const [offset, rounded]: readonly [T, Rounded] = shifted.count <= usual.count ? [detail, shifted] : [of(0), usual];
+  if (rounded.count === 0) return { offset };
+  const indexed = indexNumbers(values, (value) => (Number.isNaN(value) || Math.abs(Number(value)) === Infinity ? 0 : Number(value)));
+  if (!indexed) return { offset, rounded };
+  budget?.take(indexed.samples.byteLength, 'the samples');
+  return { offset, indexed };
+}
+
+/** Of two numbers of one kind. */
+function subtract<T extends number | bigint>(a: T, b: T): T {
+  return ((a as number) - (b as number)) as T;
+}
+
+/** What a page is told of it. */
+export function tellRounded({ count, by }: Rounded): string {
+  return `${count.toLocaleString('en')} whole numbers are rounded, by up to ${by.toLocaleString('en')}: beyond 16,777,216 at most 65,536 different ones are kept exactly, and none beyond 9,007,199,254,740,991`;
+}

@@ -1,0 +1,46 @@
+import { loadReader } from '../base/load-reader.ts';
+
+/** Deflate can not do better than this, so a small file can not ask for much memory. Source: zlib's technical notes. */
+export const maxDeflateRatio = 1032;
+
+/** True where bytes begin with gzip's signature and the deflate method (RFC 1952). */
+export function isGzip(bytes: Uint8Array): boolean {
+  return bytes.length > 2 && bytes[0] === 0x1f && bytes[1] === 0x8b && bytes[2] === 8;
+}
+
+/**
+ * Unpack a gzip file piece by piece, all its members, so that a reader can read a header before it allocates, and stop when it has
+ * enough. What follows the members and is none is passed over.
+ * @throws {VolumeViewError} `format/corrupt` while being read, where the file ends early or its checksum is wrong
+ */
+export function gunzip(bytes: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+  return unpack(bytes, 'gzip', `the gzip file of ${bytes.length} bytes`);
+}
+
+/**
+ * The browser's own decompressor unpacks one stream, checksum included. Where it fails, as it does where anything follows, ours goes on.
+ * @param what - for messages
+ */
+export async function* unpack(bytes: Uint8Array<ArrayBuffer>, form: 'gzip' | 'deflate', what: string): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(form)).getReader();
+  let given = 0;
+  try {
+    for (;;) {
+      const { done, value } = await reader.read();
+      if (done) return;
+      given += value.length;
+      yield value;
+    }
+  } catch {
+    // It has thrown away what it did not give.
+  } finally {
+    // A reader that stops early leaves the stream open; one that failed has nothing left to cancel.
+    await reader.cancel().catch(() => undefined);
+  }
+  const { unpackSeries } = await loadReader(() => import('./unpack-series.ts'));
+  for (const piece of unpackSeries(bytes, form, what)) {
+    const isNew = piece.length > given;
+    if (isNew) yield given ? piece.slice(given) : piece;
+    given = isNew ? 0 : given - piece.length;
+  }
+}

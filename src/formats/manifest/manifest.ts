@@ -1,0 +1,188 @@
+import { VolumeViewError } from '../../errors.ts';
+import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import type { ChannelUse } from '../base/channels.ts';
+import { affine, ascendingPair, channelUse, count, Expected, filledShortText, filledText, filledTexts, finite, mosaicText, nonZero, nonZeroTriple, shortText, text } from './manifest-checks.ts';
+import type { Check } from './manifest-checks.ts';
+import { angles, azimuthPair, positive, rangePair, site, sweeps, utcTime } from './manifest-radar.ts';
+import type { ManifestSite, ManifestSweep } from './manifest-radar.ts';
+
+/** A JSON manifest, checked. Documented by schema/manifest.json, which a test holds against this file. */
+export interface Manifest {
+  /** URL of the data, relative to the manifest; of one with scans, the first scan's. Undefined where there are `files`. */
+  readonly image?: string;
+  /** URLs of a stack, the files of one volume in their order: images, a slice each, or a header and its data. */
+  readonly files?: readonly string[];
+  readonly mosaic?: { readonly columns: number; readonly rows: number };
+  readonly slices?: number;
+  /** How the image's channels make one number. */
+  readonly channels?: ChannelUse;
+  /** World units per pixel along i and j, per slice along k; per voxel of a NIfTI file. */
+  readonly spacing?: Vector3;
+  /** Row-major 4 x 4; wins over spacing. */
+  readonly indexToWorld?: Matrix4;
+  /** Data value = slope * value in the file + intercept. */
+  readonly slope?: number;
+  readonly intercept?: number;
+  readonly unit?: string;
+  readonly window?: readonly [number, number];
+  readonly transferFunction?: string;
+  readonly title?: string;
+  readonly credit?: string;
+  /** Degrees, one a tile: the mosaic is a radar's, a sweep a tile, rays downwards and gates to the right. */
+  readonly elevations?: readonly number[];
+  /** Metres to the middle of the first gate, and from gate to gate. */
+  readonly range?: readonly [number, number];
+  /** Middle of the first ray and step to the next one, degrees clockwise from north. */
+  readonly azimuth?: readonly [number, number];
+  /** Degrees. */
+  readonly beamWidth?: number;
+  /** What was measured, such as 'DBZH'. */
+  readonly moment?: string;
+  /** m/s: the values are velocities that fold over beyond. */
+  readonly nyquist?: number;
+  readonly site?: ManifestSite;
+  /** ISO 8601 in UTC, when the scan began. */
+  readonly time?: string;
+  /** What is another for single tiles. */
+  readonly sweeps?: readonly ManifestSweep[];
+  /** One volume after another, in the order of time; each with what is the same for all. */
+  readonly scans?: readonly Manifest[];
+}
+
+type Fields = Readonly<Record<string, unknown>>;
+
+/** Longest manifest, bytes: thousands of scans whose sweeps list all their azimuths take a tenth of it. */
+const maxBytes = 2 ** 26;
+
+/** Most scans: a day of them, one every ten seconds, is fewer. */
+export const maxScans = 10_000;
+
+/**
+ * Read a manifest. Unknown fields are left alone, for later versions and for others' notes.
+ * @throws {VolumeViewError} `manifest/invalid`: the message names the field
+ */
+export function readManifest(bytes: Uint8Array): Manifest {
+  const { scans, ...fields } = parseObject(bytes);
+  const shared = readFields(fields);
+  if (scans === undefined) {
+    checkSource(shared);
+    return { ...empty, ...shared };
+  }
+  for (const name of ['image', 'files'] as const) {
+    if (fields[name] !== undefined) fail(name, fields[name], 'none beside "scans", each of which has its own');
+  }
+  const list = readScans(scans, shared);
+  return { ...list[0], scans: list };
+}
+
+/** @param shared - what is the same for all scans: it has been checked, and is not checked again for each of them */
+function readScans(scans: unknown, shared: Partial<Manifest>): Manifest[] {
+  if (!Array.isArray(scans) || scans.length === 0 || scans.length > maxScans) {
+    return fail('scans', scans, `a list of 1 to ${maxScans.toLocaleString('en')} objects, one a scan`);
+  }
+  const list = scans.map((scan: unknown, i): Manifest => {
+    if (!isObject(scan) || scan.scans !== undefined) return fail('scans', scan, `{ "image": …, "time": … } at place ${i + 1}`);
+    const own = readFields(scan, `scans[${i}].`);
+    checkSource(own, `scans[${i}].`);
+    return { ...empty, ...shared, ...own };
+  });
+  let last = -Infinity;
+  for (const { time } of list) {
+    const now = time === undefined ? last : Date.parse(time);
+    if (now < last) fail('scans', time, 'scans in the order of time');
+    last = now;
+  }
+  return list;
+}
+
+/** @param where - before a field's name in what is thrown */
+function checkSource({ image, files }: Partial<Manifest>, where = ''): void {
+  if (image === undefined && files === undefined) {
+    failWith(`${where}image`, 'nothing', 'the URL of a mosaic image, a volume\'s file or a radar scan, or "files", a list of URLs');
+  }
+  if (image !== undefined && files !== undefined) fail(`${where}files`, files, 'none beside "image"');
+}
+
+const checks: { readonly [Name in Exclude<keyof Manifest, 'scans'>]: Check<NonNullable<Manifest[Name]>> } = {
+  image: filledText,
+  files: filledTexts,
+  mosaic: mosaicText,
+  slices: count,
+  channels: channelUse,
+  spacing: nonZeroTriple,
+  indexToWorld: affine,
+  slope: nonZero,
+  intercept: finite,
+  unit: shortText,
+  window: ascendingPair,
+  transferFunction: filledText,
+  title: text,
+  credit: text,
+  elevations: angles,
+  range: rangePair,
+  azimuth: azimuthPair,
+  beamWidth: positive,
+  moment: filledShortText,
+  nyquist: positive,
+  site,
+  time: utcTime,
+  sweeps,
+};
+
+/** All fields, each undefined. */
+const empty: Manifest = Object.fromEntries([...Object.keys(checks), 'scans'].map((name) => [name, undefined]));
+
+/** The fields that are there; others that nobody here knows are left alone. @param where - before a field's name in what is thrown */
+function readFields(fields: Fields, where = ''): Partial<Manifest> {
+  const read: [string, unknown][] = [];
+  for (const [name, check] of Object.entries(checks)) {
+    const value = Object.hasOwn(fields, name) ? fields[name] : undefined;
+    if (value !== undefined) read.push([name, checkField(where + name, value, check as Check<unknown>)]);
+  }
+  return Object.fromEntries(read);
+}
+
+function parseObject(bytes: Uint8Array): Fields {
+  if (bytes.length > maxBytes) {
+    throw new VolumeViewError('format/too-large', `the manifest got ${bytes.length.toLocaleString('en')} bytes; expected at most ${maxBytes.toLocaleString('en')}: list fewer scans, or their sweeps in manifests of their own`);
+  }
+  let value: unknown;
+  try {
+    value = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
+  } catch (cause) {
+    const why = cause instanceof Error ? cause.message : String(cause);
+    throw new VolumeViewError('manifest/invalid', `the manifest is not JSON: ${why}`, { cause });
+  }
+  if (!isObject(value)) throw new VolumeViewError('manifest/invalid', 'the manifest got another JSON value; expected an object { "image": … }');
+  return value;
+}
+
+function isObject(value: unknown): value is Fields {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
+}
+
+function checkField<T>(name: string, value: unknown, check: Check<T>): T {
+  try {
+    return check(value);
+  } catch (expected) {
+    return fail(name, value, expected instanceof Expected ? expected.message : String(expected));
+  }
+}
+
+function fail(field: string, got: unknown, expected: string): never {
+  return failWith(field, describe(got), expected);
+}
+
+function failWith(field: string, got: string, expected: string): never {
+  const short = got.length > 80 ? `${got.slice(0, 80)}…` : got;
+  throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got ${short}; expected ${expected}`);
+}
+
+/** The beginning of a value as JSON: all of it may be megabytes, or thousands of lists in one another. */
+function describe(value: unknown, depth = 0): string {
+  if (typeof value === 'string') return JSON.stringify(value.slice(0, 80));
+  if (typeof value !== 'object' || value === null) return String(value);
+  if (depth > 2) return '…';
+  if (Array.isArray(value)) return `[${value.slice(0, 20).map((one) => describe(one, depth + 1)).join(',')}${value.length > 20 ? ',…' : ''}]`;
+  return `{${Object.keys(value).slice(0, 10).map((key) => `${JSON.stringify(key.slice(0, 40))}:${describe((value as Fields)[key], depth + 1)}`).join(',')}}`;
+}

@@ -1,0 +1,82 @@
+import { isPolar } from '../../volume/volume.ts';
+import { VolumeViewError } from '../../errors.ts';
+import { checkFileCount } from '../base/check-file-count.ts';
+import { chooseScan } from '../base/choose-scan.ts';
+import { isRadar } from '../base/decoded-volume.ts';
+import type { DecodedVolume, DecodeSettings } from '../base/decoded-volume.ts';
+import type { FormatReader } from '../base/format.ts';
+import { readManifest } from './manifest.ts';
+import type { Manifest } from './manifest.ts';
+import { nameOf } from '../base/name-of.ts';
+
+/** That are held while a manifest is read: of `[[],[],` every three make a list. */
+const bytesPerCharacter = 32;
+
+/** Read a manifest and what it names. What it says holds where the attributes, which are `settings`, say nothing. */
+export const readManifestVolume: FormatReader = async (input, settings, context) => {
+  if (context.isPart) {
+    throw new VolumeViewError('manifest/invalid', `the manifest's "image" got another manifest, ${nameOf(input.url)}; expected an image or a NIfTI file`);
+  }
+  // Objects and lists of JSON take a few tens of bytes for each character.
+  context.budget.take(input.bytes.length * bytesPerCharacter, 'the manifest');
+  const { scans, ...single } = readManifest(input.bytes);
+  context.budget.giveBack(input.bytes.length * bytesPerCharacter);
+  if (scans) context.onScans?.(scans.map(({ time }) => time));
+  const manifest = scans ? scans[chooseScan(scans.map(({ time }) => time), settings.scan ?? { index: 0 }).index] : single;
+  const urls = resolveFiles(manifest, input.url);
+  const merged = mergeSettings(settings, manifest);
+  if (isRadar(merged)) context.onRadar?.();
+  const first = await context.fetchFile(urls[0]);
+  const volume = await context.decode(first, manifest.files && urls, merged);
+  // The values of a radar's mosaic are what its reader made of them already.
+  return describeVolume(volume, isPolar(volume) ? { ...manifest, slope: 1, intercept: 0 } : manifest);
+};
+
+function resolveFiles({ image, files }: Manifest, base: string): string[] {
+  if (!files) return [resolveFile('image', image ?? '', base)];
+  checkFileCount('the manifest\'s "files"', files.length);
+  return files.map((file) => resolveFile('files', file, base));
+}
+
+function resolveFile(field: 'image' | 'files', file: string, base: string): string {
+  try {
+    const { protocol, href } = new URL(file, base);
+    if (/^(https?|data):$/.test(protocol)) return href;
+  } catch (cause) {
+    throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got "${file}", which is no URL from ${nameOf(base)}; expected an absolute URL there`, { cause });
+  }
+  throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got "${file.slice(0, 100)}"; expected a URL that begins with http:, https: or data:, or one relative to the manifest's`);
+}
+
+function mergeSettings(settings: DecodeSettings, manifest: Manifest): DecodeSettings {
+  return {
+    ...settings,
+    elevations: settings.elevations ?? manifest.elevations,
+    range: settings.range ?? manifest.range,
+    azimuth: settings.azimuth ?? manifest.azimuth,
+    moment: settings.moment ?? manifest.moment,
+    values: manifest,
+    mosaic: settings.mosaic ?? manifest.mosaic,
+    slices: settings.slices ?? manifest.slices,
+    channels: manifest.channels,
+    spacing: settings.spacing ?? (manifest.indexToWorld ? undefined : manifest.spacing),
+    indexToWorld: manifest.indexToWorld,
+  };
+}
+
+/** Add to a volume what its manifest says of the values. */
+function describeVolume(volume: DecodedVolume, manifest: Manifest): DecodedVolume {
+  const { slope = 1, intercept = 0, unit, window, transferFunction, title, credit } = manifest;
+  const isRescaled = slope !== 1 || intercept !== 0;
+  return {
+    ...volume,
+    slope: slope * volume.slope,
+    intercept: slope * volume.intercept + intercept,
+    unit: unit ?? volume.unit,
+    // A file's own window speaks of its own values.
+    window: window ?? (isRescaled ? undefined : volume.window),
+    transferFunction,
+    title,
+    credit,
+  };
+}

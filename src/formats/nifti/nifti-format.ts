@@ -1,0 +1,25 @@
+import type { VolumeFormat } from '../base/format.ts';
+import { detectNifti } from './nifti-header.ts';
+
+const words = 'NIfTI (.nii, .nii.gz)';
+const load: VolumeFormat['load'] = async () => (await import('./nifti.ts')).readNiftiFile;
+
+export const nifti: VolumeFormat = {
+  name: 'NIfTI',
+  words,
+  endings: ['nii'],
+  beginning: 'a NIfTI header',
+  matches: ({ bytes }) => detectNifti(bytes) !== null,
+  load,
+};
+
+/** Any gzip file that no other format claims: the reader says what is wrong with one that is damaged. */
+export const niftiGzip: VolumeFormat = {
+  name: 'NIfTI, gzip',
+  words,
+  endings: ['gz'],
+  beginning: 'a gzip header',
+  matches: ({ unpacked }) => unpacked !== null,
+  last: true,
+  load,
+};

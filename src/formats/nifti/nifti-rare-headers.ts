@@ -1,0 +1,72 @@
+import { VolumeViewError } from '../../errors.ts';
+import { findForeign } from '../base/foreign-formats.ts';
+import { isGzip } from '../codecs/gunzip.ts';
+import { headerSizes, list, viewOf } from './nifti-header.ts';
+import type { NiftiHeader, NiftiStart } from './nifti-header.ts';
+
+// Headers that few files have: version 2, and those that are refused.
+
+/**
+ * @param found - what the bytes begin with, null where it is no header
+ * @throws {VolumeViewError} `format/unknown`, `format/unsupported` (.hdr/.img pairs, Analyze 7.5), `format/corrupt`
+ */
+export function readRareHeader(bytes: Uint8Array, found: NiftiStart | null): NiftiHeader {
+  if (!found) throw notNifti(bytes);
+  const { version, littleEndian, magic } = found;
+  checkMark(version, magic);
+  if (bytes.length < headerSizes[version]) {
+    throw new VolumeViewError('format/corrupt', `the NIfTI-${version} header got ${bytes.length} bytes; expected ${headerSizes[version]}`);
+  }
+  return readVersion2(viewOf(bytes), littleEndian);
+}
+
+/** The beginning of an unpacked gzip file that no format claims. */
+function notNifti(bytes: Uint8Array): VolumeViewError {
+  if (isGzip(bytes)) return new VolumeViewError('format/unsupported', 'what is packed is a gzip file again, of which volume-view reads one layer; unpack it once: gzip -d file.gz');
+  const foreign = findForeign({ bytes, unpacked: null, text: new TextDecoder().decode(bytes.subarray(0, 512)).trimStart() });
+  return foreign
+    ? new VolumeViewError('format/unsupported', `what is packed is ${foreign.name}, which volume-view does not read; convert it ${foreign.advice}`)
+    : new VolumeViewError('format/unknown', 'the data do not begin with a NIfTI header');
+}
+
+function checkMark(version: 1 | 2, magic: string): void {
+  const [single, pair] = version === 1 ? ['n+1', 'ni1'] : ['n+2', 'ni2'];
+  if (magic.startsWith(pair)) {
+    throw new VolumeViewError(
+      'format/unsupported',
+      `this is the header of a NIfTI-${version} pair, whose data lie in an .img file; join the two into one .nii file`,
+    );
+  }
+  if (!magic.startsWith(single)) {
+    throw version === 1
+      ? new VolumeViewError('format/unsupported', 'this is an Analyze 7.5 header, or a NIfTI one without its mark; convert the file to NIfTI (.nii)')
+      : new VolumeViewError('format/corrupt', 'the NIfTI-2 header lacks its mark "n+2"');
+  }
+  if (version === 2 && magic.slice(3) !== '\0\r\n\x1a\n') {
+    throw new VolumeViewError('format/corrupt', 'the NIfTI-2 mark has other line ends: the file was transferred as text; transfer it as binary data');
+  }
+}
+
+function readVersion2(view: DataView, little: boolean): NiftiHeader {
+  const long = (at: number): number => Number(view.getBigInt64(at, little));
+  const double = (at: number): number => view.getFloat64(at, little);
+  return {
+    version: 2,
+    littleEndian: little,
+    dim: list(8, (i) => long(16 + 8 * i)),
+    intent: view.getInt32(504, little),
+    datatype: view.getInt16(12, little),
+    pixdim: list(8, (i) => double(104 + 8 * i)),
+    offset: long(168),
+    slope: double(176),
+    intercept: double(184),
+    calMax: double(192),
+    calMin: double(200),
+    units: view.getInt32(500, little),
+    qformCode: view.getInt32(344, little),
+    sformCode: view.getInt32(348, little),
+    quaternion: [double(352), double(360), double(368)],
+    qoffset: [double(376), double(384), double(392)],
+    srow: list(12, (i) => double(400 + 8 * i)),
+  };
+}

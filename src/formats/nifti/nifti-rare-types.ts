@@ -1,0 +1,51 @@
+import { VolumeViewError } from '../../errors.ts';
+import { floats, hostIsLittleEndian, niftiTypes, viewAs } from '../base/number-types.ts';
+import type { NumberType } from '../base/number-types.ts';
+
+/** NIfTI's datatype codes that few files have. Source: nifti1.h. */
+const rareTypes: ReadonlyMap<number, NumberType> = new Map([
+  [32, floats('complex64', 4, viewAs(Float32Array), true)],
+  [1536, floats('float128', 16, readBinary128)],
+  [1792, floats('complex128', 8, viewAs(Float64Array), true)],
+  [2048, floats('complex256', 16, readBinary128, true)],
+]);
+
+/** What is said of the codes that hold something else. */
+const refusedTypes: ReadonlyMap<number, string> = new Map([
+  [1, 'one bit per voxel (binary), in an order of bits that the standard leaves open'],
+  [128, 'colours (RGB24): a transfer function needs one number per voxel'],
+  [2304, 'colours (RGBA32): a transfer function needs one number per voxel'],
+]);
+
+/** The type of a code that is none of the usual ones. @throws {VolumeViewError} `format/unsupported`, `format/corrupt` */
+export function readRareType(code: number): NumberType {
+  const type = rareTypes.get(code);
+  if (type) return type;
+  const refused = refusedTypes.get(code);
+  if (refused) throw new VolumeViewError('format/unsupported', `the NIfTI file holds ${refused}; convert it to numbers first`);
+  const known = [...niftiTypes.keys(), ...rareTypes.keys()];
+  known.sort((a, b) => a - b);
+  throw new VolumeViewError('format/corrupt', `the NIfTI header got datatype ${code}; expected one of ${known.join(', ')}`);
+}
+
+/**
+ * IEEE 754 binary128 to double: sign, 15 bits of exponent, 112 bits of fraction, of which a double keeps 52. (x86's
+ * 80-bit numbers padded to 128 are not what the standard means; nibabel refuses those too.)
+ */
+function readBinary128({ buffer, byteOffset, byteLength }: Uint8Array<ArrayBuffer>): Float64Array {
+  const view = new DataView(buffer, byteOffset, byteLength);
+  const little = hostIsLittleEndian;
+  const values = new Float64Array(byteLength / 16);
+  for (let i = 0; i < values.length; i++) {
+    const high = view.getUint32(16 * i + (little ? 12 : 0), little);
+    const words = [8, 4, 0].map((at) => view.getUint32(16 * i + (little ? at : 12 - at), little));
+    const sign = high >>> 31 ? -1 : 1;
+    const exponent = (high >>> 16) & 0x7fff;
+    const fraction = ((high & 0xffff) + (words[0] + (words[1] + words[2] / 2 ** 32) / 2 ** 32) / 2 ** 32) / 2 ** 16;
+    if (exponent === 0x7fff) values[i] = fraction === 0 ? sign * Infinity : NaN;
+    else if (exponent === 0) values[i] = 0; // Subnormals, below 2^-16382, are 0 as doubles.
+    // In two steps, because 2^exponent alone overflows or vanishes before the product does.
+    else values[i] = sign * (1 + fraction) * 2 ** Math.floor((exponent - 16383) / 2) * 2 ** Math.ceil((exponent - 16383) / 2);
+  }
+  return values;
+}

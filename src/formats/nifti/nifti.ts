@@ -1,0 +1,145 @@
+import { VolumeViewError } from '../../errors.ts';
+import { cartesianGrid } from '../../volume/grid.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import type { Budget } from '../base/budget.ts';
+import { countSampleBytes } from '../base/count-sample-bytes.ts';
+import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
+import type { FormatReader } from '../base/format.ts';
+import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
+import { listLeft } from '../base/list-left.ts';
+import { loadReader } from '../base/load-reader.ts';
+import { resolveAffine } from './nifti-affine.ts';
+import { detectNifti, headerSizes, niftiHeaderBytes, readVersion1 } from './nifti-header.ts';
+import type { NiftiHeader } from './nifti-header.ts';
+import { niftiTypes } from '../base/number-types.ts';
+import type { NumberType } from '../base/number-types.ts';
+import { PieceReader, yieldOnce } from '../base/piece-reader.ts';
+import { placeVolume } from '../base/place-volume.ts';
+import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
+
+/** Bytes that are read after the samples, so that a gzip file's checksum is reached; further ones are ignored. */
+const maxTrailingBytes = 2 ** 24;
+
+export interface NiftiSource {
+  /** The file's bytes, unpacked, in pieces. */
+  readonly pieces: AsyncIterable<Uint8Array<ArrayBuffer>>;
+  /** Maximum number of bytes of the pieces, given the file's length. */
+  readonly atMost: number;
+  onProgress(loaded: number, total: number): void;
+  readonly budget: Budget;
+}
+
+/** Read a NIfTI file, packed with gzip or not. */
+export const readNiftiFile: FormatReader = async ({ bytes }, settings, { onProgress, budget }) => {
+  onProgress(0, bytes.length);
+  const isPacked = isGzip(bytes);
+  const pieces = isPacked ? gunzip(bytes) : yieldOnce(bytes);
+  return placeVolume(await readNifti({ pieces, atMost: isPacked ? bytes.length * maxDeflateRatio : bytes.length, onProgress, budget }), settings);
+};
+
+/**
+ * Read a NIfTI-1 or -2 file: of a series, its first volume.
+ * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`, `format/too-large`
+ */
+export async function readNifti(source: NiftiSource): Promise<DecodedCartesianVolume> {
+  const reader = new PieceReader(source.pieces);
+  try {
+    return await readVolume(reader, source);
+  } finally {
+    await reader.stop();
+  }
+}
+
+async function readVolume(reader: PieceReader, source: NiftiSource): Promise<DecodedCartesianVolume> {
+  const header = await readHeader(await reader.readStart(niftiHeaderBytes));
+  const { dimensions, volumes, numbers } = readDimensions(header);
+  const type = await readType(header);
+  const rescale = readRescale(header);
+  const bytes = await readSamples(reader, source, { header, bytes: countSampleBytes('the NIfTI header', dimensions, type), isSeries: volumes * numbers > 1 });
+  const stored = storeSamples(bytes, type, header.littleEndian, { ...rescale, budget: source.budget, chooseWhole: await wholeNumbersOf(type) });
+  const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : rescale;
+  const { indexToWorld, anatomical } = resolveAffine(header, dimensions);
+  return {
+    grid: cartesianGrid(dimensions, indexToWorld),
+    anatomical,
+    samples: stored.samples,
+    slope: slope * stored.scale,
+    intercept: slope * stored.offset + intercept,
+    // Of scaled numbers nobody expects all digits.
+    ...(slope === 1 && intercept === 0 ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
+    unit: '',
+    format: `NIfTI-${header.version}${volumes * numbers > 1 ? `, volume 1 of ${volumes * numbers}` : ''}`,
+    ...listLeft(volumes, numbers > 1 ? `number${numbers > 2 ? 's 2 to' : ''} ${numbers} of each voxel` : null, type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null),
+    isLabels: header.intent === 1002,
+    intent: header.intent,
+    ...readWindow(header),
+  };
+}
+
+/** What is no single file of version 1 is read, or refused, by code of its own. */
+async function readHeader(bytes: Uint8Array): Promise<NiftiHeader> {
+  const found = detectNifti(bytes);
+  const header =
+    found?.version === 1 && found.magic.startsWith('n+1')
+      ? readVersion1(bytes, found.littleEndian)
+      : (await loadReader(() => import('./nifti-rare-headers.ts'))).readRareHeader(bytes, found);
+  // The header is followed by four bytes that say whether extensions follow; some writers leave the offset 0.
+  const least = headerSizes[header.version] + 4;
+  return { ...header, offset: header.offset >= least ? Math.trunc(header.offset) : least };
+}
+
+/**
+ * Lengths along i, j, k; axes that a file of fewer than three does not have are 1. The fourth, time, makes a series, and those from the sixth on; along the fifth lie
+ * the numbers of a voxel (nifti1.h).
+ */
+function readDimensions(header: NiftiHeader): { dimensions: Vector3; volumes: number; numbers: number } {
+  const axes = header.dim[0];
+  if (!(axes >= 1 && axes <= 7)) {
+    throw new VolumeViewError('format/corrupt', `the NIfTI header got ${axes} axes; expected 1 to 7`);
+  }
+  const lengths = header.dim.slice(1, 1 + axes);
+  if (lengths.slice(0, 3).some((n) => !(n >= 1))) {
+    throw new VolumeViewError('format/corrupt', `the NIfTI header got dimensions ${lengths.join(' x ')}; expected whole numbers from 1`);
+  }
+  const [nx, ny = 1, nz = 1, time = 1, numbers = 1, ...series] = lengths;
+  return { dimensions: [nx, ny, nz], volumes: [time, ...series].reduce((product, n) => product * Math.max(1, n), 1), numbers: Math.max(1, numbers) };
+}
+
+async function readType({ datatype }: NiftiHeader): Promise<NumberType> {
+  const type = niftiTypes.get(datatype);
+  if (type) return type;
+  const { readRareType } = await loadReader(() => import('./nifti-rare-types.ts'));
+  return readRareType(datatype);
+}
+
+/** Slope 0, or none, means that the stored numbers are the data (nifti1.h). */
+function readRescale(header: NiftiHeader): { slope: number; intercept: number } {
+  const { slope, intercept } = header;
+  if (slope === 0 || !Number.isFinite(slope)) return { slope: 1, intercept: 0 };
+  if (!Number.isFinite(intercept)) {
+    throw new VolumeViewError('format/corrupt', `the NIfTI header got scl_slope ${slope} with scl_inter ${intercept}; expected a finite number`);
+  }
+  return { slope, intercept };
+}
+
+function readWindow({ calMin, calMax }: NiftiHeader): { window?: [number, number] } {
+  return calMax > calMin && Number.isFinite(calMax - calMin) ? { window: [calMin, calMax] } : {};
+}
+
+async function readSamples(
+  reader: PieceReader,
+  source: NiftiSource,
+  wanted: { header: NiftiHeader; bytes: number; isSeries: boolean },
+): Promise<Uint8Array<ArrayBuffer>> {
+  const { offset } = wanted.header;
+  const fail = (got: string): VolumeViewError =>
+    new VolumeViewError('format/corrupt', `the NIfTI file ends early: got ${got}; its header asks for ${offset + wanted.bytes} bytes`);
+  // A header that the file can not possibly fill is refused here, before it is believed.
+  if (offset + wanted.bytes > source.atMost) throw fail(`at most ${source.atMost} bytes`);
+  source.budget.take(wanted.bytes, 'the NIfTI file');
+  const got = await reader.readRange(offset, wanted.bytes, source.onProgress);
+  if (got.length < wanted.bytes) throw fail(`${reader.total} bytes`);
+  // The end of a gzip file holds the checksum. Of a series only the beginning is read, and there it goes unchecked.
+  if (!wanted.isSeries) await reader.drain(maxTrailingBytes);
+  return got;
+}

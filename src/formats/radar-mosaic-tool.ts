@@ -1,0 +1,43 @@
+import { encode } from 'fast-png';
+import { VolumeViewError } from '../errors.ts';
+import { findFormat } from './sniff.ts';
+import { hdf5, netcdf3, nexrad, radarKinds } from './radar/radar-formats.ts';
+import { openRadar } from './radar/read-radar.ts';
+import { writePolarMosaic } from './radar/write-polar-mosaic.ts';
+import type { WrittenMosaic } from './radar/write-polar-mosaic.ts';
+
+export { writePolarMosaic };
+
+// What the program volume-view-radar-mosaic (scripts/write-polar-mosaic.mjs) needs of the package; no page loads it.
+
+export interface RadarMosaicFiles {
+  readonly png: Uint8Array;
+  readonly manifest: WrittenMosaic['manifest'];
+  /** Largest difference between a value and what the image holds. */
+  readonly rounding: number;
+  /** What is missing of a file that was cut short. */
+  readonly partial?: string;
+}
+
+/**
+ * One moment of any radar file as an image and its manifest.
+ * @param name - of the file, for messages
+ * @param moment - of the reflectivities the one that most sweeps hold where undefined
+ * @throws {VolumeViewError} as the readers do
+ */
+export async function makeRadarMosaic(bytes: Uint8Array<ArrayBuffer>, name: string, moment?: string): Promise<RadarMosaicFiles> {
+  const format = await findFormat(bytes, [hdf5, netcdf3, nexrad]);
+  const kind = format && radarKinds.get(format);
+  if (!kind) {
+    throw new VolumeViewError('format/unknown', `${name} is no radar file; expected ODIM_H5, CfRadial or NEXRAD Level II`);
+  }
+  const radar = await openRadar(kind, bytes);
+  const { image, manifest, rounding } = writePolarMosaic(radar, moment);
+  return { png: encodePng(image), manifest, rounding, ...(radar.partial === undefined ? {} : { partial: radar.partial }) };
+}
+
+/** Gray of 8 or 16 bits. */
+export function encodePng(image: WrittenMosaic['image']): Uint8Array {
+  const depth = image.data instanceof Uint8Array ? 8 : 16;
+  return encode({ ...image, channels: 1, depth }, { zlib: { level: 9 } });
+}

@@ -1,0 +1,22 @@
+import { VolumeViewError } from '../errors.ts';
+import type { DecodeInput } from '../formats/base/decoded-volume.ts';
+import { Download } from './download.ts';
+import type { FetchOptions } from './download.ts';
+
+/**
+ * Fetch a file whole. What may have been bad luck is tried again, and goes on where it broke off.
+ * @param url - absolute; http(s), data: or blob:
+ * @throws {VolumeViewError} `source/not-found`, `source/unavailable`, `source/cross-origin`, `format/too-large`
+ */
+export async function fetchBytes(url: string, options: FetchOptions): Promise<DecodeInput> {
+  const download = new Download(url, options);
+  try {
+    return await download.read(await download.open());
+  } catch (cause) {
+    options.signal?.throwIfAborted();
+    if (cause instanceof VolumeViewError) throw cause;
+    const rare = await import('./fetch-again.ts').catch(() => null);
+    if (rare) return rare.fetchAgain(download, cause);
+    throw new VolumeViewError('source/not-found', `${url.slice(0, 300)} can not be fetched; check the network`, { cause });
+  }
+}

@@ -1,0 +1,74 @@
+import type { Volume } from '../volume/volume.ts';
+import { Budget } from '../formats/base/budget.ts';
+import { decodeFile, explain } from '../formats/decode.ts';
+import type { DecodeContext } from '../formats/decode.ts';
+import type { DecodeInput } from '../formats/base/decoded-volume.ts';
+import { maxFileBytes } from '../sources/download.ts';
+import { fetchBytes } from '../sources/fetch-bytes.ts';
+import type { FetchOne } from '../sources/fetch-files.ts';
+import { finishVolume } from '../formats/finish-volume.ts';
+import { loadReader } from '../formats/base/load-reader.ts';
+import type { CoarseListener, LoadProgress, LoadProgressListener, LoadRequest, ScansListener } from '../formats/base/load-request.ts';
+
+export interface RequestEnvironment {
+  /** Only on the main thread: a worker is stopped from outside. */
+  readonly signal?: AbortSignal;
+  readonly pageOrigin: string;
+  /** What the load may take; where undefined, what a worker may. */
+  readonly budget?: Budget;
+  /** Is waited for between two long works. */
+  readonly breathe?: () => Promise<void>;
+  readonly onProgress: LoadProgressListener;
+  readonly onScans?: ScansListener;
+  readonly onCoarse?: CoarseListener;
+}
+
+/**
+ * Fetch, decode and fit a volume on this thread, be it a worker's or the page's own.
+ * @param request - with an absolute `url` and `files`
+ * @throws {VolumeViewError} as fetchBytes and decodeFile say; {NeedsMainThread} in a worker that can not do it
+ */
+export async function decodeRequest(request: LoadRequest, environment: RequestEnvironment): Promise<Volume> {
+  const { signal, pageOrigin, budget = new Budget(readDeviceBytes()), breathe, onProgress, onScans, onCoarse } = environment;
+  const url = request.files?.[0] ?? request.url;
+  let named: RequestCredentials | undefined;
+  const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
+    signal?.throwIfAborted(); // The only point that long work on the main thread passes often.
+    onProgress({ loaded, total, phase });
+  };
+  const fetchOne: FetchOne = (url, onProgress) => fetchBytes(url, {
+    signal,
+    pageOrigin,
+    credentials: request.files?.includes(url) ? undefined : named,
+    maxBytes: Math.min(maxFileBytes, budget.deviceBytes),
+    onProgress,
+  });
+  const fetchFile = (url: string) => fetchOne(url, report('fetch'));
+  const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
+    const { fetchInOrder } = await loadReader(() => import('../sources/fetch-files.ts'));
+    yield* fetchInOrder(urls, fetchOne, report('fetch'));
+  };
+  const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans, onRadar: () => onCoarse?.(null), budget };
+  const start = async (): Promise<DecodeInput> => {
+    const first = await fetchFile(url);
+    // A file of another server chooses what else is fetched: not in the name of the page's reader, then.
+    if (first.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
+    await breathe?.();
+    return first;
+  };
+  // Nothing but the decoder holds the file, so that its memory is free for what follows.
+  const decoded = await decodeFile(await start(), request, context);
+  await breathe?.();
+  signal?.throwIfAborted();
+  try {
+    return await finishVolume(decoded, await request.limits, onCoarse, request.clean);
+  } catch (cause) {
+    throw await explain(cause, url);
+  }
+}
+
+/** Half of the memory that the device says it has; undefined where it says nothing. Browsers say 8 GiB at most, or little more. */
+function readDeviceBytes(): number | undefined {
+  const gigabytes = (globalThis.navigator as { deviceMemory?: number } | undefined)?.deviceMemory;
+  return gigabytes === undefined ? undefined : gigabytes * 2 ** 29;
+}

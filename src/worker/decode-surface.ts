@@ -1,0 +1,60 @@
+// What a worker, or the page itself, does for a surface: loaded with the first one.
+import type { Surface } from '../volume/surface.ts';
+import { explain } from '../formats/decode.ts';
+import { fetchBytes } from '../sources/fetch-bytes.ts';
+import { fetchInOrder } from '../sources/fetch-files.ts';
+import type { FetchOne } from '../sources/fetch-files.ts';
+import type { LoadProgressListener } from '../formats/base/load-request.ts';
+import { finishMesh } from '../formats/meshes/finish-mesh.ts';
+import { maxMeshBytes } from '../formats/meshes/mesh-limits.ts';
+import { readMesh } from '../formats/meshes/read-mesh.ts';
+import { nameOf } from '../formats/base/name-of.ts';
+import type { MeshRequest, SurfaceRequest, TerrainRequest } from './surface-request.ts';
+import { readHgt } from '../formats/terrain/hgt.ts';
+import type { HgtTile } from '../formats/terrain/hgt.ts';
+import { makeTerrain } from '../formats/terrain/make-terrain.ts';
+import { joinTiles } from '../formats/terrain/terrain-raster.ts';
+
+interface Environment {
+  /** Only on the page's thread: a worker is stopped from outside. */
+  readonly signal?: AbortSignal;
+  readonly pageOrigin: string;
+  readonly onProgress: LoadProgressListener;
+}
+
+/** Triangles that terrain is thinned to. */
+const terrainTriangles = 200_000;
+
+/** Fetch, read and finish a surface. @throws {VolumeViewError} as fetchBytes, readMesh and makeTerrain do */
+export async function decodeSurface(request: SurfaceRequest, environment: Environment): Promise<Surface> {
+  try {
+    return await (request.surface === 'mesh' ? decodeMesh(request, environment) : decodeTerrain(request, environment));
+  } catch (cause) {
+    throw await explain(cause, request.url);
+  }
+}
+
+async function decodeMesh({ url, space }: MeshRequest, environment: Environment): Promise<Surface> {
+  const [file] = await fetchAll([url], environment);
+  return finishMesh(await readMesh(file.bytes, nameOf(url)), space);
+}
+
+async function decodeTerrain({ files, corner, radar }: TerrainRequest, environment: Environment): Promise<Surface> {
+  const tiles: HgtTile[] = [];
+  for (const [i, { bytes }] of (await fetchAll(files, environment)).entries()) tiles.push(await readHgt(bytes, nameOf(files[i]), corner));
+  return makeTerrain(joinTiles(tiles, radar.site, radar.reach), radar, terrainTriangles);
+}
+
+async function fetchAll(urls: readonly string[], { signal, pageOrigin, onProgress }: Environment): Promise<{ readonly bytes: Uint8Array<ArrayBuffer> }[]> {
+  const fetchOne: FetchOne = (url, tell) => fetchBytes(url, { signal, pageOrigin, maxBytes: maxMeshBytes, onProgress: tell });
+  const files: { readonly bytes: Uint8Array<ArrayBuffer> }[] = [];
+  for await (const file of fetchInOrder(urls, fetchOne, (loaded, total) => onProgress({ loaded, total, phase: 'fetch' }))) files.push(file);
+  const sum = files.reduce((bytes, file) => bytes + file.bytes.length, 0);
+  onProgress({ loaded: 0, total: sum, phase: 'decode' });
+  return files;
+}
+
+/** What is handed over to the page, so that there is no second copy of it. */
+export function listSurfaceBuffers({ parts }: Surface): ArrayBuffer[] {
+  return parts.flatMap(({ positions, normals, indices, colors }) => [positions, normals, indices, ...(colors ? [colors] : [])].map(({ buffer }) => buffer));
+}

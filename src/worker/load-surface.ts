@@ -1,0 +1,23 @@
+import type { Surface } from '../volume/surface.ts';
+import { VolumeViewError } from '../errors.ts';
+import { loadPart } from '../load-part.ts';
+import { workOff } from './load.ts';
+import type { LoadOptions } from './load.ts';
+import { NeedsMainThread } from '../formats/base/needs-main-thread.ts';
+import type { SurfaceRequest } from './surface-request.ts';
+
+/** Load a surface: in a worker of its own, or on this thread where the page allows none. @throws {VolumeViewError}; the signal's reason */
+export async function loadSurface(request: SurfaceRequest, options: LoadOptions): Promise<Surface> {
+  options.signal.throwIfAborted();
+  return workOff({ order: { request, pageOrigin: origin } }, options, (watched) => loadHere(request, watched));
+}
+
+async function loadHere(request: SurfaceRequest, { signal, onProgress }: LoadOptions): Promise<Surface> {
+  const { decodeSurface } = await loadPart(import('./decode-surface.ts'), 'reads surfaces');
+  try {
+    return await decodeSurface(request, { signal, pageOrigin: origin, onProgress });
+  } catch (error) {
+    if (!(error instanceof NeedsMainThread)) throw error;
+    throw new VolumeViewError('format/unsupported', 'the part of volume-view that reads surfaces could not be loaded; check that all files of the package are on the server', { cause: error });
+  }
+}

@@ -1,0 +1,122 @@
+import { VolumeViewError } from '../errors.ts';
+import { loadPart } from '../load-part.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { CoarseListener, LoadProgressListener, LoadRequest, ScansListener } from '../formats/base/load-request.ts';
+import { listWorkerStarts } from './worker-client.ts';
+import { watchLoad } from './watch-load.ts';
+import type { WorkerLimits, WorkerOrder, WorkerReport } from './worker-messages.ts';
+
+export type { CoarseVolume, DeviceLimits, LoadProgress, LoadProgressListener, LoadRequest } from '../formats/base/load-request.ts';
+
+export interface LoadOptions {
+  /** Stops the work at once; the promise is rejected with its reason. */
+  readonly signal: AbortSignal;
+  readonly onProgress: LoadProgressListener;
+  readonly onScans?: ScansListener;
+  /** Is told a small stand-in of a large volume, before the volume itself is there. */
+  readonly onCoarse?: CoarseListener;
+}
+
+/** Where a worker leaves the work to the main thread. */
+const notHere = Symbol('not in a worker');
+
+/**
+ * Load a volume: fetched, decoded and fitted to the device in a worker of its own, or on this thread where the page
+ * allows no worker.
+ * @throws {VolumeViewError} `source/…`, `format/…`, `mosaic/layout`, `manifest/invalid`, `internal`; the signal's reason
+ */
+export async function loadVolume(request: LoadRequest, options: LoadOptions): Promise<Volume> {
+  options.signal.throwIfAborted();
+  const { limits, ...rest } = request;
+  const absolute = { ...rest, url: resolveUrl(request.url), files: request.files?.map(resolveUrl) };
+  return workOff({ order: { request: absolute, pageOrigin: origin }, limits }, options, (watched) => loadHere({ ...absolute, limits }, watched));
+}
+
+/**
+ * Have a worker do what it is told, or this thread where the page allows none.
+ * @param here - does it on this thread
+ */
+export async function workOff<T>(task: WorkerTask, options: LoadOptions, here: (watched: LoadOptions) => Promise<T>): Promise<T> {
+  const { url } = task.order.request;
+  const { end, ...watched } = watchLoad(url, options.signal, options.onProgress);
+  try {
+    for (const start of listWorkerStarts(url)) {
+      const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy against workers.
+      const result = worker ? await loadInWorker(worker, task, { ...options, ...watched }) : notHere;
+      if (result !== notHere) return result as T;
+    }
+    return await here({ ...options, ...watched });
+  } finally {
+    end();
+  }
+}
+
+export function resolveUrl(url: string): string {
+  try {
+    // A named image can stand in the way of the document's own properties.
+    return new URL(url, Reflect.get(Node.prototype, 'baseURI', document)).href;
+  } catch (cause) {
+    throw new VolumeViewError('source/not-found', `src got "${url}"; expected a URL`, { cause });
+  }
+}
+
+/** What a worker is told. */
+interface WorkerTask {
+  readonly order: WorkerOrder;
+  /** Only of volumes. */
+  readonly limits?: LoadRequest['limits'];
+}
+
+function loadInWorker(worker: Worker, { order, limits }: WorkerTask, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<unknown> {
+  return new Promise((resolve, reject) => {
+    let isReady = false;
+    const end = (settle: () => void): void => {
+      worker.terminate();
+      signal.removeEventListener('abort', stop);
+      settle();
+    };
+    const stop = (): void => end(() => reject(signal.reason as Error));
+    if (signal.aborted) return stop();
+    signal.addEventListener('abort', stop);
+    worker.onmessage = ({ data }: MessageEvent<WorkerReport>) => {
+      switch (data.type) {
+        case 'ready':
+          isReady = true;
+          return;
+        case 'progress':
+          onProgress(data.progress);
+          return;
+        case 'scans':
+          onScans?.(data.times);
+          return;
+        case 'coarse':
+          onCoarse?.(data.coarse);
+          return;
+        case 'done':
+          return end(() => resolve(data.volume));
+        case 'failed':
+          return end(() => reject(new VolumeViewError(data.code, data.message, data.cause ? { cause: data.cause } : {})));
+        case 'needs-main-thread':
+          return end(() => resolve(notHere));
+      }
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      // Before the first message the script could not be loaded; after it, only lack of memory ends a worker so.
+      end(() => (isReady ? reject(outOfMemory(event.message)) : resolve(notHere)));
+    };
+    // At once: the page may be busy when the worker is ready.
+    worker.postMessage(order);
+    if (limits) Promise.resolve(limits).then((known) => worker.postMessage({ limits: known } satisfies WorkerLimits), (error) => end(() => reject(error)));
+    worker.onmessageerror = () => end(() => reject(outOfMemory('a message could not be read')));
+  });
+}
+
+function outOfMemory(cause: string): VolumeViewError {
+  return new VolumeViewError('format/too-large', 'the decoder ran out of memory; use a smaller file', { cause });
+}
+
+async function loadHere(request: LoadRequest, { signal, ...listeners }: LoadOptions): Promise<Volume> {
+  const { decodeHere } = await loadPart(import('./decode-here.ts'), 'reads files without a worker');
+  return decodeHere(request, { signal, pageOrigin: origin, ...listeners });
+}

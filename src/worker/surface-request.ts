@@ -1,0 +1,27 @@
+import type { MeshSpace } from '../formats/meshes/mesh.ts';
+import type { TerrainRadar } from '../formats/terrain/make-terrain.ts';
+
+/** What surface to load. */
+export type SurfaceRequest = MeshRequest | TerrainRequest;
+
+interface AnySurface {
+  /** The first file's: absolute. */
+  readonly url: string;
+}
+
+/** A mesh of a file. */
+export interface MeshRequest extends AnySurface {
+  readonly surface: 'mesh';
+  /** null for what the file says, or else `ras`. */
+  readonly space: MeshSpace | null;
+}
+
+/** The ground under a radar. */
+export interface TerrainRequest extends AnySurface {
+  readonly surface: 'terrain';
+  /** All files: absolute. */
+  readonly files: readonly string[];
+  /** Degrees north and east of the south-west corner of a single file; null for what names say. */
+  readonly corner: readonly [south: number, west: number] | null;
+  readonly radar: TerrainRadar;
+}

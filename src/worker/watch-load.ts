@@ -1,0 +1,45 @@
+import { VolumeViewError } from '../errors.ts';
+import type { LoadProgressListener } from '../formats/base/load-request.ts';
+
+/** Seconds without a byte after which others may load meanwhile, and after which a load is given up. */
+const [polite, patient] = [5, 30];
+
+/** Seconds that a decoder may be silent, which can not speak while it works: these, and one for so many bytes. */
+const [working, bytesPerSecond] = [60, 1e6];
+
+export interface LoadWatch {
+  /** Aborts where the one that was given does, or where the load stalls. */
+  readonly signal: AbortSignal;
+  readonly onProgress: LoadProgressListener;
+  /** To be called when the load has ended. */
+  readonly end: () => void;
+}
+
+/** Listen to a load, and give it up where nothing is heard of it. A second counts where the page runs: not in its sleep. */
+export function watchLoad(url: string, signal: AbortSignal, onProgress: LoadProgressListener): LoadWatch {
+  const controller = new AbortController();
+  const stop = (): void => controller.abort(signal.reason);
+  signal.addEventListener('abort', stop);
+  let last: Parameters<LoadProgressListener>[0] = { loaded: 0, total: 0, phase: 'fetch' };
+  let silent = 0;
+  const clock = setInterval(() => {
+    silent++;
+    const { phase, loaded, total } = last;
+    const isFetching = phase === 'fetch' && (!total || loaded < total);
+    if (silent === polite && isFetching) onProgress({ ...last, isStill: true });
+    // A fetch of unknown length may be over.
+    if (silent < (isFetching && (total || !loaded) ? patient : working + loaded / bytesPerSecond)) return;
+    controller.abort(new VolumeViewError('source/stalled', `${url.slice(0, 300)} came no further for ${silent} seconds, after ${loaded} bytes; check the network and the file, and load it again`));
+  }, 1000);
+  return {
+    signal: controller.signal,
+    onProgress: (progress) => {
+      silent = 0;
+      onProgress((last = progress));
+    },
+    end: () => {
+      clearInterval(clock);
+      signal.removeEventListener('abort', stop);
+    },
+  };
+}

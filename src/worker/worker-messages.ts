@@ -1,0 +1,27 @@
+import type { ErrorCode } from '../errors.ts';
+import type { Surface } from '../volume/surface.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { ScanTimes } from '../formats/base/choose-scan.ts';
+import type { CoarseVolume, DeviceLimits, LoadProgress, LoadRequest } from '../formats/base/load-request.ts';
+import type { SurfaceRequest } from './surface-request.ts';
+
+/** The first message to the worker. */
+export interface WorkerOrder {
+  readonly request: Omit<LoadRequest, 'limits'> | SurfaceRequest;
+  readonly pageOrigin: string;
+}
+
+/** The second one: what is known a little later. */
+export interface WorkerLimits {
+  readonly limits: DeviceLimits;
+}
+
+/** Messages from the worker: 'ready' first, then progress, scans and a coarse volume, then one of the others. */
+export type WorkerReport =
+  | { readonly type: 'ready' }
+  | { readonly type: 'progress'; readonly progress: LoadProgress }
+  | { readonly type: 'scans'; readonly times: ScanTimes }
+  | { readonly type: 'coarse'; readonly coarse: CoarseVolume | null }
+  | { readonly type: 'done'; readonly volume: Volume | Surface }
+  | { readonly type: 'failed'; readonly code: ErrorCode; readonly message: string; readonly cause: string }
+  | { readonly type: 'needs-main-thread' };
