@@ -1,7 +1,7 @@
 import type { LitElement } from 'lit';
-import type { AutoRotation } from '../src/viewer/auto-rotation.ts';
-import type { VolumeInfo } from '../src/viewer/volume-info.ts';
-import type { CameraState } from '../src/viewer/write-camera.ts';
+import type { AutoRotation } from '../src/viewer/view/auto-rotation.ts';
+import type { VolumeInfo } from '../src/viewer/model/volume-info.ts';
+import type { CameraState } from '../src/viewer/view/write-camera.ts';
 
 /** What the controls need of the element that they are over. */
 export interface ControlledView extends LitElement {

@@ -1,5 +1,5 @@
-import type { VolumePresenter } from '../src/viewer/volume-presenter.ts';
-import type { LabelTarget } from '../src/viewer/label-target.ts';
+import type { VolumePresenter } from '../src/viewer/view/volume-presenter.ts';
+import type { LabelTarget } from '../src/viewer/attachments/label-target.ts';
 import type { Volume } from '../src/volume/volume.ts';
 
 /** What holds the samples that companions read too, and the scene that they put lines into: no part of the interface of <volume-view>. Null before they are there. */

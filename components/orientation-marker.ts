@@ -1,9 +1,9 @@
 import { html, svg } from 'lit';
 import type { Camera } from '../src/optics/rays/camera.ts';
-import { listSides, placeMarks } from '../src/viewer/orientation-marks.ts';
-import type { OrientationMark } from '../src/viewer/orientation-marks.ts';
-import type { StandardView } from '../src/viewer/standard-views.ts';
-import type { VolumeInfo } from '../src/viewer/volume-info.ts';
+import { listSides, placeMarks } from '../src/viewer/camera/orientation-marks.ts';
+import type { OrientationMark } from '../src/viewer/camera/orientation-marks.ts';
+import type { StandardView } from '../src/viewer/camera/standard-views.ts';
+import type { VolumeInfo } from '../src/viewer/model/volume-info.ts';
 import type { ControlTerms } from '../src/messages/terms.ts';
 
 /** From the middle to a letter, of the marker's side. */

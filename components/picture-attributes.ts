@@ -1,4 +1,4 @@
-import type { AutoRotation } from '../src/viewer/auto-rotation.ts';
+import type { AutoRotation } from '../src/viewer/view/auto-rotation.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { box, flag, number, numberOrAuto, numberOrFlag, numberOrText, text, vector } from './property-kinds.ts';
 import { property, writeSafely } from './reflecting-element.ts';
@@ -155,7 +155,7 @@ export class PictureAttributes extends ViewAttributes {
     this.writeText('cursor', writeSafely(vector.write, value));
   }
 
-  /** @internal What goes around by itself, where something does: see src/viewer/auto-rotation.ts. */
+  /** @internal What goes around by itself, where something does: see src/viewer/view/auto-rotation.ts. */
   _rotation: AutoRotation | null = null;
 
   /** @internal */

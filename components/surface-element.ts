@@ -1,7 +1,7 @@
 import type { VolumeViewError } from '../src/errors.ts';
-import { SurfaceKeeper } from '../src/viewer/surface-keeper.ts';
-import type { WantedSurface } from '../src/viewer/surface-attributes.ts';
-import { noSurfaceTarget, SurfaceTarget } from '../src/viewer/surface-target.ts';
+import { SurfaceKeeper } from '../src/viewer/attachments/surface-keeper.ts';
+import type { WantedSurface } from '../src/viewer/attachments/surface-attributes.ts';
+import { noSurfaceTarget, SurfaceTarget } from '../src/viewer/attachments/surface-target.ts';
 import type { Surface } from '../src/volume/surface.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { BesideElement } from './beside-element.ts';

@@ -13,7 +13,7 @@ import { toHeight } from '../src/editor/transfer-function-axes.ts';
 import type { EditSession } from '../src/editor/transfer-function-session.ts';
 import type { Patch } from '../src/optics/transfer/patches.ts';
 import { writeColor } from '../src/optics/transfer/write-transfer-function.ts';
-import { collectSamples } from '../src/viewer/sample-plane.ts';
+import { collectSamples } from '../src/viewer/tools/sample-plane.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import type { Language } from '../src/messages/language.ts';
 import { PlaneWords } from '../src/messages/plane-words.ts';

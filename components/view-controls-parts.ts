@@ -1,5 +1,5 @@
 import { html, nothing } from 'lit';
-import type { StandardView } from '../src/viewer/standard-views.ts';
+import type { StandardView } from '../src/viewer/camera/standard-views.ts';
 import type { ControlTerms } from '../src/messages/terms.ts';
 
 /** What may be left out. */

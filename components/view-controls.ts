@@ -1,12 +1,12 @@
 import { html, nothing } from 'lit';
-import { listStandardViews } from '../src/viewer/standard-views.ts';
-import type { StandardView } from '../src/viewer/standard-views.ts';
-import { zoomFrom } from '../src/viewer/camera-moves.ts';
-import type { Viewer } from '../src/viewer/viewer.ts';
+import { listStandardViews } from '../src/viewer/camera/standard-views.ts';
+import type { StandardView } from '../src/viewer/camera/standard-views.ts';
+import { zoomFrom } from '../src/viewer/camera/camera-moves.ts';
+import type { Viewer } from '../src/viewer/view/viewer.ts';
 import { english } from '../src/messages/english-controls.ts';
 import type { ControlTerms } from '../src/messages/terms.ts';
 import { Words } from '../src/messages/words.ts';
-import { readControls } from '../src/viewer/settings.ts';
+import { readControls } from '../src/viewer/model/settings.ts';
 import { findCompanion } from './find-companion.ts';
 import type * as MarkerPart from './orientation-marker.ts';
 import { renderBar, renderCopied, renderHelp, renderHint, renderMore, renderViews } from './view-controls-parts.ts';

@@ -1,8 +1,8 @@
 import { html, nothing } from 'lit';
 import type { LitElement } from 'lit';
-import type { FileNotices } from '../src/viewer/beside-notices.ts';
-import type { VolumeInfo } from '../src/viewer/volume-info.ts';
-import { wearSheet } from '../src/viewer/wear-sheet.ts';
+import type { FileNotices } from '../src/viewer/model/beside-notices.ts';
+import type { VolumeInfo } from '../src/viewer/model/volume-info.ts';
+import { wearSheet } from '../src/viewer/overlays/wear-sheet.ts';
 import { english } from '../src/messages/english-notices.ts';
 import type { NoticeTerms } from '../src/messages/notice-terms.ts';
 import { Words } from '../src/messages/words.ts';

@@ -1,11 +1,11 @@
 import type { PropertyValues } from 'lit';
 import { stretchOf } from '../src/radar/polar-geometry.ts';
-import { readClipAttributes } from '../src/viewer/clip-attributes.ts';
-import { ClipModel } from '../src/viewer/clip-model.ts';
-import type { ClipGrip, ClipRoom } from '../src/viewer/clip-model.ts';
-import type { ClippedElement, ClipShape, ClipSource } from '../src/viewer/clip-source.ts';
-import { Handles } from '../src/viewer/handles.ts';
-import type { Handle } from '../src/viewer/handles.ts';
+import { readClipAttributes } from '../src/viewer/cuts/clip-attributes.ts';
+import { ClipModel } from '../src/viewer/cuts/clip-model.ts';
+import type { ClipGrip, ClipRoom } from '../src/viewer/cuts/clip-model.ts';
+import type { ClippedElement, ClipShape, ClipSource } from '../src/viewer/model/clip-source.ts';
+import { Handles } from '../src/viewer/overlays/handles.ts';
+import type { Handle } from '../src/viewer/overlays/handles.ts';
 import { corners } from '../src/volume/grid.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { ClipWords } from '../src/messages/clip-words.ts';

@@ -1,10 +1,10 @@
 import type { VolumeViewError } from '../src/errors.ts';
 import type { Stop } from '../src/optics/transfer/transfer-function.ts';
-import { OverlayKeeper } from '../src/viewer/overlay-keeper.ts';
+import { OverlayKeeper } from '../src/viewer/attachments/overlay-keeper.ts';
 import { childrenOf } from '../src/page-children.ts';
-import { noPlace, OverlayTarget } from '../src/viewer/overlay-target.ts';
-import { describeVolume } from '../src/viewer/volume-info.ts';
-import type { VolumeInfo } from '../src/viewer/volume-info.ts';
+import { noPlace, OverlayTarget } from '../src/viewer/attachments/overlay-target.ts';
+import { describeVolume } from '../src/viewer/model/volume-info.ts';
+import type { VolumeInfo } from '../src/viewer/model/volume-info.ts';
 import { BesideElement } from './beside-element.ts';
 import type { VolumeHolder } from './held-volume.ts';
 import { number, pair, transferFunction } from './property-kinds.ts';

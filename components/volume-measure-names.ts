@@ -1,5 +1,5 @@
-import type { Handle } from '../src/viewer/handles.ts';
-import type { VolumeInfo } from '../src/viewer/volume-info.ts';
+import type { Handle } from '../src/viewer/overlays/handles.ts';
+import type { VolumeInfo } from '../src/viewer/model/volume-info.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { isRadar, writePlace } from './volume-readout-rows.ts';
 import type { MeasureTongue } from './volume-measure-rows.ts';

@@ -1,5 +1,5 @@
 // What a measure comes to, in words.
-import type { MeasureResult } from '../src/viewer/measuring.ts';
+import type { MeasureResult } from '../src/viewer/tools/measuring.ts';
 import type { Statistics } from '../src/volume/statistics.ts';
 import type { Language } from '../src/messages/language.ts';
 import type { MeasureWordTerms } from '../src/messages/measure-words.ts';

@@ -1,7 +1,7 @@
 import { placeInElement } from '../src/pointer-place.ts';
-import { clicksOn, isOnPicture } from '../src/viewer/pick-clicks.ts';
-import { projectPlace } from '../src/viewer/project-place.ts';
-import type { VolumePick } from '../src/viewer/volume-pick.ts';
+import { clicksOn, isOnPicture } from '../src/viewer/picking/pick-clicks.ts';
+import { projectPlace } from '../src/viewer/camera/project-place.ts';
+import type { VolumePick } from '../src/viewer/model/volume-pick.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { Marker } from './volume-readout-marker.ts';
 import type { VolumeView } from './volume-view.ts';

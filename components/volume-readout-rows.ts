@@ -1,5 +1,5 @@
-import type { VolumeInfo } from '../src/viewer/volume-info.ts';
-import type { RadarPlace, VolumePick } from '../src/viewer/volume-pick.ts';
+import type { VolumeInfo } from '../src/viewer/model/volume-info.ts';
+import type { RadarPlace, VolumePick } from '../src/viewer/model/volume-pick.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { isInMillimetres, isPatient } from '../src/volume/world-axes.ts';
 import type { Language } from '../src/messages/language.ts';

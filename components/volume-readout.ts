@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
-import type { VolumePick } from '../src/viewer/volume-pick.ts';
+import type { VolumePick } from '../src/viewer/model/volume-pick.ts';
 import { ReadoutWords } from '../src/messages/readout-words.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 import { ReadoutPointer } from './volume-readout-pointer.ts';

@@ -1,5 +1,5 @@
-import { readSurface } from '../src/viewer/surface-attributes.ts';
-import type { WantedSurface } from '../src/viewer/surface-attributes.ts';
+import { readSurface } from '../src/viewer/attachments/surface-attributes.ts';
+import type { WantedSurface } from '../src/viewer/attachments/surface-attributes.ts';
 import type { Surface } from '../src/volume/surface.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { flag, number } from './property-kinds.ts';

@@ -1,5 +1,5 @@
-import { readTerrain } from '../src/viewer/surface-attributes.ts';
-import type { WantedSurface } from '../src/viewer/surface-attributes.ts';
+import { readTerrain } from '../src/viewer/attachments/surface-attributes.ts';
+import type { WantedSurface } from '../src/viewer/attachments/surface-attributes.ts';
 import type { Surface } from '../src/volume/surface.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { flag, number, pair } from './property-kinds.ts';

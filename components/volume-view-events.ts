@@ -2,11 +2,11 @@ import type { VolumeViewError } from '../src/errors.ts';
 import type { Orbit } from '../src/optics/rays/camera.ts';
 import type { PictureCheck } from '../src/quality/compare-rays.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
-import type { RenderStats } from '../src/viewer/render-stats.ts';
-import type { BlankPicture } from '../src/viewer/blank-note.ts';
-import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
-import type { VolumePick } from '../src/viewer/volume-pick.ts';
-import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
+import type { RenderStats } from '../src/viewer/model/render-stats.ts';
+import type { BlankPicture } from '../src/viewer/view/blank-note.ts';
+import type { TimeChangeDetail } from '../src/viewer/loading/scan-player.ts';
+import type { VolumePick } from '../src/viewer/model/volume-pick.ts';
+import type { VolumeInfo, VolumeOptics } from '../src/viewer/model/volume-info.ts';
 
 /** Detail of `progress`. */
 export interface ProgressDetail {

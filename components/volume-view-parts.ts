@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit';
 import type { VolumeViewError } from '../src/errors.ts';
 import type { LoadProgress } from '../src/formats/base/load-request.ts';
-import type { RingWriter } from '../src/viewer/ring-labels.ts';
+import type { RingWriter } from '../src/viewer/cuts/ring-labels.ts';
 import type { ViewTerms } from '../src/messages/terms.ts';
 import type { Words } from '../src/messages/words.ts';
 

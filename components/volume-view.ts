@@ -1,8 +1,8 @@
 import { html, nothing } from 'lit';
 import type { LitElement, PropertyValues } from 'lit';
 import { query } from 'lit/decorators.js';
-import { readControls, readSettings } from '../src/viewer/settings.ts';
-import { VolumeSession } from '../src/viewer/volume-session.ts';
+import { readControls, readSettings } from '../src/viewer/model/settings.ts';
+import { VolumeSession } from '../src/viewer/session/volume-session.ts';
 import { english } from '../src/messages/english-view.ts';
 import { Words } from '../src/messages/words.ts';
 import { companionComing } from './coming-companions.ts';

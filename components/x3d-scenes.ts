@@ -1,7 +1,7 @@
 import { fieldProviders } from './field-providers.ts';
 import { loadX3dom } from '../src/x3d/load-x3dom.ts';
 import { VolumeScene } from '../src/x3d/scene.ts';
-import type { SceneFactory } from '../src/viewer/scene.ts';
+import type { SceneFactory } from '../src/viewer/model/scene.ts';
 
 /** Scenes that x3dom draws. */
 export const x3dScenes: SceneFactory = {

@@ -1,9 +1,9 @@
 export { VolumeView } from '../components/define/volume-view.ts';
 export type { CameraChangeDetail, ErrorDetail, ProgressDetail, VolumeViewEventMap } from '../components/volume-view-events.ts';
-export type { RenderStats } from './viewer/render-stats.ts';
+export type { RenderStats } from './viewer/model/render-stats.ts';
 export type { PictureError } from './quality/error-estimate.ts';
-export type { VolumeInfo, VolumeOptics } from './viewer/volume-info.ts';
-export type { PickOptions, RadarGate, RadarPlace, VolumePick } from './viewer/volume-pick.ts';
+export type { VolumeInfo, VolumeOptics } from './viewer/model/volume-info.ts';
+export type { PickOptions, RadarGate, RadarPlace, VolumePick } from './viewer/model/volume-pick.ts';
 export { VolumeViewError } from './errors.ts';
 export type { ErrorCode } from './errors.ts';
 export { presetNames } from './optics/transfer/preset-names.ts';

@@ -1,4 +1,4 @@
-import { CameraRig } from '../../src/viewer/camera-rig.ts';
+import { CameraRig } from '../../src/viewer/camera/camera-rig.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import { rayThrough, intersectUnitCube, setUpRays } from '../../src/optics/rays/rays.ts';
 import type { RaySetup } from '../../src/optics/rays/rays.ts';

@@ -6,7 +6,7 @@ import { rayThrough } from '../../src/optics/rays/rays.ts';
 import type { Ray } from '../../src/optics/rays/rays.ts';
 import { composite } from '../../src/optics/rays/segment.ts';
 import type { Premultiplied } from '../../src/optics/transfer/transfer-function.ts';
-import { raysOfView } from '../../src/viewer/view-rays.ts';
+import { raysOfView } from '../../src/viewer/picking/view-rays.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';
 import { rayInWorld } from '../helpers/picture.ts';
 import { meetShape, shapeColor } from './among-shapes.ts';

@@ -3,7 +3,7 @@ import type { VolumeView } from '../../components/volume-view.ts';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import type { RenderStats } from '../../src/viewer/render-stats.ts';
+import type { RenderStats } from '../../src/viewer/model/render-stats.ts';
 import '../../src/index.ts';
 
 /** A square picture as it stands on the screen: RGBA, premultiplied, bottom row first. */

@@ -5,7 +5,7 @@ import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays/rays.t
 import type { Ray, RaySetup } from '../../src/optics/rays/rays.ts';
 import type { Stop, TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import type { View } from '../../src/renderer/device/view.ts';
-import type { Size } from '../../src/viewer/scene.ts';
+import type { Size } from '../../src/viewer/model/scene.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 
 /** What is cast. */

@@ -4,7 +4,7 @@ import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { longestDiagonal, finestSpacing } from '../../src/volume/grid.ts';
-import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
+import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 
 /** A view in full rays. */

@@ -3,7 +3,7 @@ import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import { workOfPlan, unknownErrors } from '../../src/quality/frame-plan.ts';
 import type { FramePlan } from '../../src/quality/frame-plan.ts';
 import { planFrame } from '../../src/quality/plan-frame.ts';
-import { learnFrom } from '../../src/viewer/view-quality.ts';
+import { learnFrom } from '../../src/viewer/frames/view-quality.ts';
 import { blowUp } from '../bench/blow-up.ts';
 import { measureThing } from './compare-shown.ts';
 import type { KeptThing } from './compare-shown.ts';

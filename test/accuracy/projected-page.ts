@@ -4,7 +4,7 @@ import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import { projectionGather } from '../../src/optics/rays/projection.ts';
 import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
-import { defaultTargets, QualityControl } from '../../src/viewer/quality-control.ts';
+import { defaultTargets, QualityControl } from '../../src/viewer/frames/quality-control.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { settle } from '../helpers/at-rest.ts';

@@ -5,7 +5,7 @@ import { loadVolume } from '../../src/worker/load.ts';
 import { boundingSphere, finestSpacing } from '../../src/volume/grid.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import type { RenderStats } from '../../src/viewer/render-stats.ts';
+import type { RenderStats } from '../../src/viewer/model/render-stats.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import type { CoveredError } from '../helpers/covered-error.ts';

@@ -1,6 +1,6 @@
 // In the browser: what elements say of the errors of random scenes, and what these are.
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
-import type { RenderStats } from '../../src/viewer/render-stats.ts';
+import type { RenderStats } from '../../src/viewer/model/render-stats.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { CoveredError } from '../helpers/covered-error.ts';
 import { measureTrueError } from './compare-shown.ts';

@@ -7,7 +7,7 @@ export const misleading = 3;
 /**
  * @typedef {object} Stated
  * @property {number} maxError - that was asked for
- * @property {Pick<import('../../src/viewer/render-stats.ts').RenderStats, 'error' | 'keepsMaxError'>} stats - as the element says it
+ * @property {Pick<import('../../src/viewer/model/render-stats.ts').RenderStats, 'error' | 'keepsMaxError'>} stats - as the element says it
  * @property {import('../helpers/covered-error.ts').CoveredError} error - as it is
  */
 

@@ -1,6 +1,6 @@
 // In the browser: a scripted orbit of an element, and how far its frames were from what they stand for.
 import type { VolumeView } from '../../components/volume-view.ts';
-import { CameraRig } from '../../src/viewer/camera-rig.ts';
+import { CameraRig } from '../../src/viewer/camera/camera-rig.ts';
 import { loadVolume } from '../../src/worker/load.ts';
 import type { Orbit } from '../../src/optics/rays/camera.ts';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
@@ -121,7 +121,7 @@ async function orbit(element: VolumeView, seconds: number): Promise<Frame[]> {
     const { frameMs, steps, width, height, rays, maxCurvature } = element.renderStats!;
     frames.push({ at: performance.now(), ms: frameMs, steps, width, height, rays, maxCurvature, ...detail });
   }, { signal: abort.signal });
-  // Height of the element that is one turn, see src/viewer/camera-input.ts.
+  // Height of the element that is one turn, see src/viewer/camera/camera-input.ts.
   await dragCamera(element, seconds, (2 * element.clientHeight) / 1.2);
   abort.abort();
   return frames;

@@ -3,7 +3,7 @@ import type { VolumeView } from '../../components/volume-view.ts';
 /**
  * Drag an element's camera as a mouse of 60 movements a second does.
  * @param seconds - from the press to the release
- * @param pixels - to the right in all; 1 / 1.2 of the element's height is half a turn, see src/viewer/camera-input.ts
+ * @param pixels - to the right in all; 1 / 1.2 of the element's height is half a turn, see src/viewer/camera/camera-input.ts
  */
 export async function dragCamera(element: VolumeView, seconds: number, pixels: number): Promise<void> {
   const picture = element.shadowRoot!.querySelector<HTMLElement>('.picture')!;

@@ -1,4 +1,4 @@
-import { CameraRig } from '../../src/viewer/camera-rig.ts';
+import { CameraRig } from '../../src/viewer/camera/camera-rig.ts';
 import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import type { LitMaterial } from '../../src/optics/transfer/lights.ts';

@@ -12,7 +12,7 @@ import { createClip } from '../../src/renderer/ray/modules/clip.ts';
 import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
 import { createPlanes } from '../../src/renderer/ray/modules/plane-slices.ts';
 import type { RayCut } from '../../src/renderer/ray/ray-module.ts';
-import { planeInCube } from '../../src/viewer/plane-in-cube.ts';
+import { planeInCube } from '../../src/viewer/cuts/plane-in-cube.ts';
 import { boundingSphere, unitToWorld } from '../../src/volume/grid.ts';
 import { invertAffine, multiply, scaleAndTranslate } from '../../src/volume/matrix.ts';
 import type { ShownLabels } from '../../src/volume/labels.ts';

@@ -1,12 +1,12 @@
 // Cuts that an author asks for while the volume is on its way.
 import { expect } from '@esm-bundle/chai';
-import { ErrorBoard } from '../../src/viewer/error-board.ts';
-import { readSettings } from '../../src/viewer/settings.ts';
-import type { GivenAttributes } from '../../src/viewer/settings.ts';
-import { noCuts } from '../../src/viewer/shown-cuts.ts';
-import type { Cuts } from '../../src/viewer/shown-cuts.ts';
-import type { Viewer } from '../../src/viewer/viewer.ts';
-import { VolumePresenter } from '../../src/viewer/volume-presenter.ts';
+import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
+import { readSettings } from '../../src/viewer/model/settings.ts';
+import type { GivenAttributes } from '../../src/viewer/model/settings.ts';
+import { noCuts } from '../../src/viewer/cuts/shown-cuts.ts';
+import type { Cuts } from '../../src/viewer/cuts/shown-cuts.ts';
+import type { Viewer } from '../../src/viewer/view/viewer.ts';
+import { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 

@@ -2,8 +2,8 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
-import { Handles } from '../../src/viewer/handles.ts';
-import type { HandledView } from '../../src/viewer/handles.ts';
+import { Handles } from '../../src/viewer/overlays/handles.ts';
+import type { HandledView } from '../../src/viewer/overlays/handles.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 
 /** From the front at a distance of 10, 200 pixels high: a pixel at the middle is this long, and x runs to the left. */

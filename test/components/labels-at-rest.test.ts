@@ -7,7 +7,7 @@ import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import type { Substeps } from '../../src/optics/cells/substeps.ts';
 import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { QualityControl } from '../../src/viewer/quality-control.ts';
+import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';
 import type { ShownLabels } from '../../src/volume/labels.ts';

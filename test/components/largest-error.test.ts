@@ -8,7 +8,7 @@ import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { QualityControl } from '../../src/viewer/quality-control.ts';
+import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -5,7 +5,7 @@ import type { ShownOverlay } from '../../src/optics/attachments/overlay.ts';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { QualityControl } from '../../src/viewer/quality-control.ts';
+import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
 import { boundingSphere, unitToWorld } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';

@@ -7,7 +7,7 @@ import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { beamToLocal } from '../../src/radar/polar-geometry.ts';
-import { QualityControl } from '../../src/viewer/quality-control.ts';
+import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
 import type { PolarVolume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';

@@ -3,7 +3,7 @@ import { assert } from '@esm-bundle/chai';
 import { ReadoutPointer } from '../../components/volume-readout-pointer.ts';
 import type { VolumeView } from '../../components/volume-view.ts';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { VolumePick } from '../../src/viewer/volume-pick.ts';
+import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
 
 const camera = orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 10 }, [0, 0, 0], 1);
 

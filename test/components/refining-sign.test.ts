@@ -1,7 +1,7 @@
 // The line under a picture that is made finer: when it is there, and when not. What draws is played here, so that times are known.
 import { expect } from '@esm-bundle/chai';
-import { followRefining } from '../../src/viewer/refining.ts';
-import type { RefinedView } from '../../src/viewer/refining-sign.ts';
+import { followRefining } from '../../src/viewer/view/refining.ts';
+import type { RefinedView } from '../../src/viewer/view/refining-sign.ts';
 
 const wait = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
 

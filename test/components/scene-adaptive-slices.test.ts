@@ -7,7 +7,7 @@ import { atOnce } from '../../src/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import type { RayCut } from '../../src/renderer/ray/ray-module.ts';
 import type { Slice } from '../../src/radar/slices.ts';
-import { readPlanes } from '../../src/viewer/read-planes.ts';
+import { readPlanes } from '../../src/viewer/cuts/read-planes.ts';
 import { add, cross, dot, normalize, scale, subtract } from '../../src/volume/matrix.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { isPolar } from '../../src/volume/volume.ts';

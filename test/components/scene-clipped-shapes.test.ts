@@ -5,7 +5,7 @@ import { clipInterval, cutoutInterval } from '../../src/optics/rays/clip-interva
 import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
 import type { Ray } from '../../src/optics/rays/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
-import { readClips } from '../../src/viewer/read-clips.ts';
+import { readClips } from '../../src/viewer/cuts/read-clips.ts';
 import { add, dot, scale } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { AuthorCopies } from '../../src/x3d/author-copies.ts';

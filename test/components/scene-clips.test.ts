@@ -12,7 +12,7 @@ import type { Slice } from '../../src/radar/slices.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { dot } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { planeInCube } from '../../src/viewer/plane-in-cube.ts';
+import { planeInCube } from '../../src/viewer/cuts/plane-in-cube.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';

@@ -9,7 +9,7 @@ import { stepLengthOf } from '../../src/quality/steps.ts';
 import { createClip } from '../../src/renderer/ray/modules/clip.ts';
 import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
 import type { RayCut } from '../../src/renderer/ray/ray-module.ts';
-import { measureError } from '../../src/viewer/measure-quality.ts';
+import { measureError } from '../../src/viewer/frames/measure-quality.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { measureError } from '../../src/viewer/measure-quality.ts';
+import { measureError } from '../../src/viewer/frames/measure-quality.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';

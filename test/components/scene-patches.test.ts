@@ -7,7 +7,7 @@ import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { programKey } from '../../src/renderer/ray/compose-ray.ts';
-import { patchedStages } from '../../src/viewer/pick-patches.ts';
+import { patchedStages } from '../../src/viewer/picking/pick-patches.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { litStages } from '../helpers/lit.ts';

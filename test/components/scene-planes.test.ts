@@ -8,7 +8,7 @@ import { cartesianField } from '../../src/optics/rays/ray-field.ts';
 import { fillRows } from '../../src/panes/fill-slice.ts';
 import { SlicedVolume } from '../../src/panes/slice-field.ts';
 import { planeOf } from '../../src/panes/slice-plane.ts';
-import { readPlanes } from '../../src/viewer/read-planes.ts';
+import { readPlanes } from '../../src/viewer/cuts/read-planes.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { dot, invertAffine, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

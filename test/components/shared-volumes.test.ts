@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { SharedVolumes } from '../../src/viewer/shared-volumes.ts';
+import { SharedVolumes } from '../../src/viewer/loading/shared-volumes.ts';
 import type { LoadOptions } from '../../src/worker/load.ts';
 import type { LoadProgress, LoadRequest } from '../../src/formats/base/load-request.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -1,13 +1,13 @@
 // The viewer with scenes that draw nothing: what it asks of them, and when.
 import { expect } from '@esm-bundle/chai';
 import { asVolumeViewError, VolumeViewError } from '../../src/errors.ts';
-import { Presence } from '../../src/viewer/presence.ts';
+import { Presence } from '../../src/viewer/scenes/presence.ts';
 import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import type { RenderStats } from '../../src/viewer/render-stats.ts';
-import type { Scene, SceneFactory } from '../../src/viewer/scene.ts';
-import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
-import { noCuts } from '../../src/viewer/cuts.ts';
-import { Viewer } from '../../src/viewer/viewer.ts';
+import type { RenderStats } from '../../src/viewer/model/render-stats.ts';
+import type { Scene, SceneFactory } from '../../src/viewer/model/scene.ts';
+import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
+import { noCuts } from '../../src/viewer/cuts/cuts.ts';
+import { Viewer } from '../../src/viewer/view/viewer.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 

@@ -1,6 +1,6 @@
 // More elements in sight than there are contexts.
 import type { Page } from '@playwright/test';
-import { maxContexts } from '../../src/viewer/context-pool.ts';
+import { maxContexts } from '../../src/viewer/scenes/context-pool.ts';
 import { black, contexts, countContexts, element, expected, isLive, onBlack, sized, waitUntilDrawn } from './helpers/crowd.ts';
 import { ballUrl, compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { drawReference } from './helpers/reference.ts';

@@ -1,6 +1,6 @@
 // Many elements in one page: what is far away costs nothing, few contexts serve all, and none of it is to be seen.
 import type { Page } from '@playwright/test';
-import { maxContexts } from '../../src/viewer/context-pool.ts';
+import { maxContexts } from '../../src/viewer/scenes/context-pool.ts';
 import { black, contexts, countContexts, element, expected, sized, waitUntilDrawn } from './helpers/crowd.ts';
 import { expect, expectSamePicture, forgetEvents, open, seenEvents, takePicture, takeScreenshot, test } from './helpers/harness.ts';
 import { drawReference } from './helpers/reference.ts';

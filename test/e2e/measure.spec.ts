@@ -1,9 +1,9 @@
 // <volume-measure>: handles over the picture by mouse, finger and keys, points by clicks, lines in the scene, and words.
 import type { Locator, Page } from '@playwright/test';
-import { moveByKey, placeInPlane } from '../../src/viewer/drag-place.ts';
-import type { SeenPicture } from '../../src/viewer/drag-place.ts';
-import type { MeasureResult } from '../../src/viewer/measuring.ts';
-import { projectPlace } from '../../src/viewer/project-place.ts';
+import { moveByKey, placeInPlane } from '../../src/viewer/camera/drag-place.ts';
+import type { SeenPicture } from '../../src/viewer/camera/drag-place.ts';
+import type { MeasureResult } from '../../src/viewer/tools/measuring.ts';
+import { projectPlace } from '../../src/viewer/camera/project-place.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { findFaults } from './helpers/axe.ts';
 import { expect, fieldUrl, open, settle, takePicture, keptTest as test, test as newPageTest, withElement } from './helpers/harness.ts';

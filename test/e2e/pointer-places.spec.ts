@@ -269,9 +269,9 @@ test.describe('an editor', () => {
 // Files that listen to pointers, or ask where something stands in the page, and don't ask src/pointer-place.ts. Each with what it needs no place for.
 const placeless: Readonly<Record<string, string>> = {
   'src/pointer-place.ts': 'it is what all others ask',
-  'src/viewer/right-button.ts': 'how far a hand has gone, in the pixels of the page; the menu opens where the browser says',
-  'src/viewer/presence.ts': 'whether the mouse is over an element',
-  'src/viewer/auto-rotation.ts': 'whether a hand is on the picture',
+  'src/viewer/camera/right-button.ts': 'how far a hand has gone, in the pixels of the page; the menu opens where the browser says',
+  'src/viewer/scenes/presence.ts': 'whether the mouse is over an element',
+  'src/viewer/view/auto-rotation.ts': 'whether a hand is on the picture',
   'components/orientation-marker.ts': 'buttons',
   'components/view-controls.ts': 'whether a press is beside a list',
   'components/volume-timeline.ts': 'buttons',

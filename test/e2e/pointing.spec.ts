@@ -1,7 +1,7 @@
 // Pointing: what a script picks, what a click tells, and what it does not disturb.
 import type { Page } from '@playwright/test';
 import { interpolate } from '../../src/optics/rays/interpolate.ts';
-import { projectPlace } from '../../src/viewer/project-place.ts';
+import { projectPlace } from '../../src/viewer/camera/project-place.ts';
 import type { VolumePick } from '../../src/index.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import { invertAffine, transformPoint } from '../../src/volume/matrix.ts';

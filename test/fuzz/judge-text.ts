@@ -1,7 +1,7 @@
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
-import { readSource } from '../../src/viewer/read-source.ts';
-import { readSettings } from '../../src/viewer/settings.ts';
-import type { GivenAttributes, Reading } from '../../src/viewer/settings.ts';
+import { readSource } from '../../src/viewer/loading/read-source.ts';
+import { readSettings } from '../../src/viewer/model/settings.ts';
+import type { GivenAttributes, Reading } from '../../src/viewer/model/settings.ts';
 import { startCounting, stopCounting } from './count-memory.ts';
 import type { TextCase } from './fuzz-case.ts';
 import { judgeCost, runSafely } from './verdict.ts';

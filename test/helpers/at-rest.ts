@@ -9,7 +9,7 @@ import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import type { Level } from '../../src/quality/levels.ts';
 import type { Optics } from '../../src/renderer/ray/ray-module.ts';
-import { defaultTargets, QualityControl } from '../../src/viewer/quality-control.ts';
+import { defaultTargets, QualityControl } from '../../src/viewer/frames/quality-control.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import type { CoveredError } from './covered-error.ts';

@@ -1,5 +1,5 @@
 import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
-import { planeInCube } from '../../src/viewer/plane-in-cube.ts';
+import { planeInCube } from '../../src/viewer/cuts/plane-in-cube.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import type { GridFrame } from '../../src/volume/grid.ts';
 import { invertAffine, multiply, scaleAndTranslate } from '../../src/volume/matrix.ts';

@@ -1,10 +1,10 @@
 // A view that shows a small volume and draws nothing: what X3D's nodes among its children put beside that volume.
-import { ErrorBoard } from '../../src/viewer/error-board.ts';
-import { withVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
-import type { ViewLabels } from '../../src/viewer/view-labels.ts';
-import type { ViewOverlay } from '../../src/viewer/view-overlay.ts';
-import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
-import type { VolumePresenter } from '../../src/viewer/volume-presenter.ts';
+import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
+import { withVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
+import type { ViewLabels } from '../../src/viewer/model/view-labels.ts';
+import type { ViewOverlay } from '../../src/viewer/model/view-overlay.ts';
+import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
+import type { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 
 export const plainLook: VolumeOptics = { transferFunction: [], window: [0, 200], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };

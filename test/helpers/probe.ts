@@ -1,5 +1,5 @@
 import type { PixelLattice } from '../../src/optics/rays/rays.ts';
-import type { Size } from '../../src/viewer/scene.ts';
+import type { Size } from '../../src/viewer/model/scene.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 
 /**

@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { maxSubsteps } from '../../src/optics/rays/segment.ts';
 import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
-import { measureError } from '../../src/viewer/measure-quality.ts';
+import { measureError } from '../../src/viewer/frames/measure-quality.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import type { ErrorScene } from '../accuracy/error-scenes.ts';
 import { compareCovered } from './covered-error.ts';

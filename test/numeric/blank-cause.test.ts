@@ -2,9 +2,9 @@
 import { expect } from '@esm-bundle/chai';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { estimateError } from '../../src/quality/error-estimate.ts';
-import { findBlankCause } from '../../src/viewer/blank-cause.ts';
-import type { BlankFacts } from '../../src/viewer/blank-cause.ts';
-import type { ViewLabels } from '../../src/viewer/view-labels.ts';
+import { findBlankCause } from '../../src/viewer/frames/blank-cause.ts';
+import type { BlankFacts } from '../../src/viewer/frames/blank-cause.ts';
+import type { ViewLabels } from '../../src/viewer/model/view-labels.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const volume = syntheticVolume({ dimensions: [8, 8, 8], field: (x) => 10 + 90 * x, kind: 'float32' });

@@ -3,8 +3,8 @@ import { expect } from '@esm-bundle/chai';
 import type { OverlaidSample } from '../../src/optics/attachments/overlay.ts';
 import { extinction } from '../../src/optics/transfer/opacity.ts';
 import { isOver } from '../../src/optics/attachments/overlay.ts';
-import { readVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
-import { readVoxelTexture } from '../../src/viewer/volume-textures.ts';
+import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
+import { readVoxelTexture } from '../../src/x3d/nodes/volume-textures.ts';
 import { atlasOf, fakeView, plainLook, viewOf } from '../helpers/fake-view.ts';
 
 const voxels = atlasOf('voxels', [0, 0, 0, 0, 255, 255]);

@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { buildScene } from '../../src/viewer/build-scene.ts';
-import type { SceneContents } from '../../src/viewer/build-scene.ts';
-import { PresenterTarget } from '../../src/viewer/label-target.ts';
-import type { Scene } from '../../src/viewer/scene.ts';
-import type { ViewLabels } from '../../src/viewer/view-labels.ts';
-import type { VolumePresenter } from '../../src/viewer/volume-presenter.ts';
+import { buildScene } from '../../src/viewer/scenes/build-scene.ts';
+import type { SceneContents } from '../../src/viewer/scenes/build-scene.ts';
+import { PresenterTarget } from '../../src/viewer/attachments/label-target.ts';
+import type { Scene } from '../../src/viewer/model/scene.ts';
+import type { ViewLabels } from '../../src/viewer/model/view-labels.ts';
+import type { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
 
 it('a new scene, such as one after a lost context, is told of the labels, and of what becomes of them while it is built', async () => {
   const [first, second] = ['one', 'two'].map((name) => ({ shown: { map: name }, nameOf: () => null }) as unknown as ViewLabels);

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { frameViewpoint } from '../../src/optics/rays/viewpoint-frame.ts';
-import { pan, rotate, zoom, zoomAt, zoomFrom } from '../../src/viewer/camera-moves.ts';
-import { CameraRig, defaultLimits } from '../../src/viewer/camera-rig.ts';
+import { pan, rotate, zoom, zoomAt, zoomFrom } from '../../src/viewer/camera/camera-moves.ts';
+import { CameraRig, defaultLimits } from '../../src/viewer/camera/camera-rig.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { length, normalize, subtract } from '../../src/volume/matrix.ts';
 

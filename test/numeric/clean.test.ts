@@ -10,7 +10,7 @@ import { pickRay } from '../../src/optics/pick-ray.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
-import { describeVolume } from '../../src/viewer/volume-info.ts';
+import { describeVolume } from '../../src/viewer/model/volume-info.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';

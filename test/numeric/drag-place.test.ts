@@ -1,9 +1,9 @@
 // Handles over a picture: where a place of the world goes when it is dragged by pixels, and by keys.
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { axesOf, lengthOfPixel, moveByKey, placeInPlane, placeOnLine } from '../../src/viewer/drag-place.ts';
-import type { SeenPicture } from '../../src/viewer/drag-place.ts';
-import { projectPlace } from '../../src/viewer/project-place.ts';
+import { axesOf, lengthOfPixel, moveByKey, placeInPlane, placeOnLine } from '../../src/viewer/camera/drag-place.ts';
+import type { SeenPicture } from '../../src/viewer/camera/drag-place.ts';
+import { projectPlace } from '../../src/viewer/camera/project-place.ts';
 import { add, dot, scale, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';

@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import { contextPool, maxContexts } from '../../src/viewer/context-pool.ts';
-import type { ContextHolder } from '../../src/viewer/context-pool.ts';
-import type { Scene } from '../../src/viewer/scene.ts';
-import { SceneKeeper } from '../../src/viewer/scene-keeper.ts';
-import type { ScenePlace, SceneUser } from '../../src/viewer/scene-keeper.ts';
+import { contextPool, maxContexts } from '../../src/viewer/scenes/context-pool.ts';
+import type { ContextHolder } from '../../src/viewer/scenes/context-pool.ts';
+import type { Scene } from '../../src/viewer/model/scene.ts';
+import { SceneKeeper } from '../../src/viewer/scenes/scene-keeper.ts';
+import type { ScenePlace, SceneUser } from '../../src/viewer/scenes/scene-keeper.ts';
 
 const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 

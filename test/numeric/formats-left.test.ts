@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { zlibSync } from 'fflate';
-import { describeVolume } from '../../src/viewer/volume-info.ts';
+import { describeVolume } from '../../src/viewer/model/volume-info.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { decodeBytes, fetchFixture } from '../helpers/decode.ts';
 import { surfaceOf } from '../helpers/meshes.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { FrameLoop } from '../../src/viewer/frame-loop.ts';
-import type { FrameClock, FrameHost } from '../../src/viewer/frame-loop.ts';
+import { FrameLoop } from '../../src/viewer/scenes/frame-loop.ts';
+import type { FrameClock, FrameHost } from '../../src/viewer/scenes/frame-loop.ts';
 
 /** Frames that come when a test says so. */
 class FakeClock implements FrameClock {

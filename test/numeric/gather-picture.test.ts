@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { gatherPicture } from '../../src/viewer/gather-picture.ts';
-import type { Scene } from '../../src/viewer/scene.ts';
+import { gatherPicture } from '../../src/viewer/frames/gather-picture.ts';
+import type { Scene } from '../../src/viewer/model/scene.ts';
 
 /** A scene of one pass. @param finished - when the GPU has drawn what it was told to */
 function sceneOf(webgl2: boolean, finished: () => Promise<void>): { scene: Scene; rows: number[]; pieces: number[] } {

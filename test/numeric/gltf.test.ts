@@ -1,6 +1,6 @@
 // Surfaces of glTF files: axes and units, how triangles follow one another, colours, and what is refused. test/numeric/meshes.test.ts has what trimesh reads in two.
 import { expect } from '@esm-bundle/chai';
-import { noteOnPlace } from '../../src/viewer/note-on-place.ts';
+import { noteOnPlace } from '../../src/viewer/attachments/note-on-place.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 import { add, scaleAndTranslate, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

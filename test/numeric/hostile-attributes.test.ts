@@ -4,11 +4,11 @@ import { VolumeViewError } from '../../src/errors.ts';
 import { parseCssColor } from '../../src/optics/transfer/css-color.ts';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { readTransferFunction } from '../../src/optics/transfer/presets.ts';
-import { readSettings } from '../../src/viewer/settings.ts';
-import { readSource } from '../../src/viewer/read-source.ts';
-import type { GivenAttributes } from '../../src/viewer/settings.ts';
+import { readSettings } from '../../src/viewer/model/settings.ts';
+import { readSource } from '../../src/viewer/loading/read-source.ts';
+import type { GivenAttributes } from '../../src/viewer/model/settings.ts';
 import { parseMosaicSize } from '../../src/volume/mosaic-size.ts';
-import { readSlices } from '../../src/viewer/read-cuts.ts';
+import { readSlices } from '../../src/viewer/cuts/read-cuts.ts';
 import * as kinds from '../../components/property-kinds.ts';
 import { cloudVolume } from '../helpers/polar-cloud.ts';
 

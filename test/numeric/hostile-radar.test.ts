@@ -8,7 +8,7 @@ import { readPolarMosaic } from '../../src/formats/radar/polar-mosaic.ts';
 import type { RadarFile } from '../../src/formats/radar/radar-file.ts';
 import { layOutRadials } from '../../src/radar/polar-layout.ts';
 import { buildPolarTable } from '../../src/radar/polar-table.ts';
-import { describeVolume } from '../../src/viewer/volume-info.ts';
+import { describeVolume } from '../../src/viewer/model/volume-info.ts';
 import type { PolarGrid, Sweep } from '../../src/volume/polar-grid.ts';
 import { decodeBytes, expectError } from '../helpers/decode.ts';
 import { Hdf5Builder, nowhere, types } from '../helpers/hdf5-builder.ts';

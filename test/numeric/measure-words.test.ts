@@ -1,10 +1,10 @@
 // <volume-measure>: what attributes say, in which units it is told, which lines show it, and the crosshair of panes in 3D.
 import { expect } from '@esm-bundle/chai';
 import { listMeasure, writeMeasure } from '../../components/volume-measure-rows.ts';
-import { crosshairLines } from '../../src/viewer/crosshair-in-view.ts';
-import { linesOf, textPlace } from '../../src/viewer/measure-lines.ts';
-import { fromDrawn, measure, readMeasurePoints, readMeasureType, toDrawn } from '../../src/viewer/measuring.ts';
-import type { MeasureResult } from '../../src/viewer/measuring.ts';
+import { crosshairLines } from '../../src/viewer/attachments/crosshair-in-view.ts';
+import { linesOf, textPlace } from '../../src/viewer/tools/measure-lines.ts';
+import { fromDrawn, measure, readMeasurePoints, readMeasureType, toDrawn } from '../../src/viewer/tools/measuring.ts';
+import type { MeasureResult } from '../../src/viewer/tools/measuring.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 import { length, scaleAndTranslate, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import { resolveLook } from '../../src/viewer/resolve-look.ts';
-import type { ScanModel } from '../../src/viewer/scan-model.ts';
-import { plainLook } from '../../src/viewer/settings.ts';
-import type { LookSettings } from '../../src/viewer/settings.ts';
-import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
+import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';
+import type { ScanModel } from '../../src/viewer/model/scan-model.ts';
+import { plainLook } from '../../src/viewer/model/settings.ts';
+import type { LookSettings } from '../../src/viewer/model/settings.ts';
+import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 

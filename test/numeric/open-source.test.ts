@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { openSource } from '../../src/viewer/open-source.ts';
-import type { SourceHost, SourceRequest } from '../../src/viewer/open-source.ts';
+import { openSource } from '../../src/viewer/loading/open-source.ts';
+import type { SourceHost, SourceRequest } from '../../src/viewer/loading/open-source.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 

@@ -1,8 +1,8 @@
 // Letters at the sides of a volume. Which letter each axis of the voxels runs to is nibabel's word: see test/fixtures/make-axis-codes.py.
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { listSides, placeMarks } from '../../src/viewer/orientation-marks.ts';
-import type { OrientationMark } from '../../src/viewer/orientation-marks.ts';
+import { listSides, placeMarks } from '../../src/viewer/camera/orientation-marks.ts';
+import type { OrientationMark } from '../../src/viewer/camera/orientation-marks.ts';
 import { length, subtract, transformPoint } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import { english } from '../../src/messages/english-controls.ts';

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
 import { parseGradientOpacity } from '../../src/optics/transfer/parse-gradient-opacity.ts';
-import { resolveLook } from '../../src/viewer/resolve-look.ts';
-import { plainLook } from '../../src/viewer/settings.ts';
+import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';
+import { plainLook } from '../../src/viewer/model/settings.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 describe('gradient-opacity', () => {

@@ -10,7 +10,7 @@ import type { Appearance, EditedView } from '../../src/editor/transfer-function-
 import { parsePatches } from '../../src/optics/transfer/parse-patches.ts';
 import type { Patch } from '../../src/optics/transfer/patches.ts';
 import { writePatches } from '../../src/optics/transfer/write-patches.ts';
-import { collectSamples, samplePlane } from '../../src/viewer/sample-plane.ts';
+import { collectSamples, samplePlane } from '../../src/viewer/tools/sample-plane.ts';
 import { cloudVolume } from '../helpers/polar-cloud.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 

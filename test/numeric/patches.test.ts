@@ -12,10 +12,10 @@ import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
 import { isUsual } from '../../src/optics/transfer/usual-columns.ts';
-import { patchedStages } from '../../src/viewer/pick-patches.ts';
-import { resolveLook } from '../../src/viewer/resolve-look.ts';
-import { plainLook } from '../../src/viewer/settings.ts';
-import { styleOf } from '../../src/viewer/volume-info.ts';
+import { patchedStages } from '../../src/viewer/picking/pick-patches.ts';
+import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';
+import { plainLook } from '../../src/viewer/model/settings.ts';
+import { styleOf } from '../../src/viewer/model/volume-info.ts';
 import { plainOptics } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 

@@ -2,11 +2,11 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import { makeOverlay } from '../../src/viewer/make-overlay.ts';
-import { pick } from '../../src/viewer/pick.ts';
-import type { VolumePick } from '../../src/viewer/volume-pick.ts';
-import type { Viewer } from '../../src/viewer/viewer.ts';
-import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
+import { makeOverlay } from '../../src/viewer/attachments/make-overlay.ts';
+import { pick } from '../../src/viewer/picking/pick.ts';
+import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
+import type { Viewer } from '../../src/viewer/view/viewer.ts';
+import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import { overlayOf } from '../helpers/overlays.ts';
 import { plainOptics } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';

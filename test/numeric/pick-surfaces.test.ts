@@ -8,7 +8,7 @@ import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Surface } from '../../src/volume/surface.ts';
 import type { WorldCut } from '../../src/volume/world-cut.ts';
 import type { ShownSurface, SurfacedElement } from '../../src/renderer/layers/shown-surfaces.ts';
-import { endAtSurface } from '../../src/viewer/pick-surfaces.ts';
+import { endAtSurface } from '../../src/viewer/picking/pick-surfaces.ts';
 import { ballPly, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
 
 /** All t of a ray, triangle by triangle, by the plane of each and the sides of its corners. */

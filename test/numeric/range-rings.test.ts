@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { clipLine } from '../../src/radar/clip-line.ts';
 import type { Rectangle } from '../../src/radar/clip-line.ts';
-import { readRings } from '../../src/viewer/read-rings.ts';
+import { readRings } from '../../src/viewer/cuts/read-rings.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';

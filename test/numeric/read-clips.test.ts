@@ -2,11 +2,11 @@
 import { expect } from '@esm-bundle/chai';
 import { clipInterval, cutoutInterval } from '../../src/optics/rays/clip-intervals.ts';
 import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
-import { readClipAttributes } from '../../src/viewer/clip-attributes.ts';
-import { ClipModel } from '../../src/viewer/clip-model.ts';
-import type { ClipRoom } from '../../src/viewer/clip-model.ts';
-import type { ClippedElement } from '../../src/viewer/clip-source.ts';
-import { readClips } from '../../src/viewer/read-clips.ts';
+import { readClipAttributes } from '../../src/viewer/cuts/clip-attributes.ts';
+import { ClipModel } from '../../src/viewer/cuts/clip-model.ts';
+import type { ClipRoom } from '../../src/viewer/cuts/clip-model.ts';
+import type { ClippedElement } from '../../src/viewer/model/clip-source.ts';
+import { readClips } from '../../src/viewer/cuts/read-clips.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import { dot, invertAffine, subtract, transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

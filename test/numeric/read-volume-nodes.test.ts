@@ -5,10 +5,10 @@ import { defaultReferenceLength } from '../../src/volume/reference-length.ts';
 import type { VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
 import { evaluate, largestOpacity } from '../../src/optics/transfer/transfer-function.ts';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
-import { readOpacityMap } from '../../src/viewer/read-opacity-map.ts';
-import { readVolumeNodes, withVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
+import { readOpacityMap } from '../../src/x3d/nodes/read-opacity-map.ts';
+import { readVolumeNodes, withVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
 
-import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
+import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 
 const plainLook: VolumeOptics = { transferFunction: [], window: [0, 1], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
 

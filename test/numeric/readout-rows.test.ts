@@ -1,11 +1,11 @@
 // What a readout says, word for word.
 import { expect } from '@esm-bundle/chai';
 import { listRows } from '../../components/volume-readout-rows.ts';
-import { nearestVoxel } from '../../src/viewer/pick-voxel.ts';
-import { projectPlace } from '../../src/viewer/project-place.ts';
-import { describeVolume } from '../../src/viewer/volume-info.ts';
-import type { VolumeInfo } from '../../src/viewer/volume-info.ts';
-import type { RadarPlace, VolumePick } from '../../src/viewer/volume-pick.ts';
+import { nearestVoxel } from '../../src/viewer/picking/pick-voxel.ts';
+import { projectPlace } from '../../src/viewer/camera/project-place.ts';
+import { describeVolume } from '../../src/viewer/model/volume-info.ts';
+import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
+import type { RadarPlace, VolumePick } from '../../src/viewer/model/volume-pick.ts';
 import { english as companions } from '../../src/messages/english-companions.ts';
 import { english } from '../../src/messages/english-readout.ts';
 import { Language } from '../../src/messages/language.ts';

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { defaultPreset } from '../../src/optics/transfer/default-preset.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
-import { resolveLook } from '../../src/viewer/resolve-look.ts';
-import { plainLook } from '../../src/viewer/settings.ts';
+import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';
+import { plainLook } from '../../src/viewer/model/settings.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { defaultReferenceLength } from '../../src/volume/reference-length.ts';

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
-import { placeLabels } from '../../src/viewer/place-labels.ts';
-import { labelsIn } from '../../src/viewer/label-files.ts';
+import { placeLabels } from '../../src/viewer/attachments/place-labels.ts';
+import { labelsIn } from '../../src/viewer/loading/label-files.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import type { CartesianGrid } from '../../src/volume/grid.ts';
 import type { LabelMap } from '../../src/volume/labels.ts';

@@ -1,11 +1,11 @@
 import { expect } from '@esm-bundle/chai';
-import { ScanSequence } from '../../src/viewer/scan-sequence.ts';
-import type { LoadScan, ScanSource } from '../../src/viewer/scan-sequence.ts';
-import { followModel } from '../../src/viewer/scan-model.ts';
+import { ScanSequence } from '../../src/viewer/loading/scan-sequence.ts';
+import type { LoadScan, ScanSource } from '../../src/viewer/loading/scan-sequence.ts';
+import { followModel } from '../../src/viewer/model/scan-model.ts';
 import { english } from '../../src/messages/english-companions.ts';
 import { Language } from '../../src/messages/language.ts';
 import { describeScan, labelScans } from '../../src/messages/name-scans.ts';
-import { VolumeCache } from '../../src/viewer/volume-cache.ts';
+import { VolumeCache } from '../../src/viewer/model/volume-cache.ts';
 import { chooseScan } from '../../src/formats/base/choose-scan.ts';
 import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';

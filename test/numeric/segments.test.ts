@@ -1,9 +1,9 @@
 // X3D's SegmentedVolumeData: which segments are drawn, and with what; and what can't be drawn, in words.
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
-import { leadOf, readEnabled, readIdentifiers, tellStyles } from '../../src/viewer/read-segments.ts';
-import { readVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
-import { segmentOf } from '../../src/viewer/segment-keeper.ts';
+import { leadOf, readEnabled, readIdentifiers, tellStyles } from '../../src/x3d/nodes/read-segments.ts';
+import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
+import { segmentOf } from '../../src/viewer/attachments/segment-keeper.ts';
 import { atlasOf, fakeView, plainLook, viewOf } from '../helpers/fake-view.ts';
 
 const nodeOf = (attributes: string): Element => viewOf(`<SegmentedVolumeData ${attributes}></SegmentedVolumeData>`).firstElementChild!;

@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
-import { ErrorBoard } from '../../src/viewer/error-board.ts';
-import type { Aspect } from '../../src/viewer/error-board.ts';
-import { isSameReading, readSettings } from '../../src/viewer/settings.ts';
-import { readSource } from '../../src/viewer/read-source.ts';
-import type { GivenAttributes, Reading, Settings } from '../../src/viewer/settings.ts';
+import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
+import type { Aspect } from '../../src/viewer/model/error-board.ts';
+import { isSameReading, readSettings } from '../../src/viewer/model/settings.ts';
+import { readSource } from '../../src/viewer/loading/read-source.ts';
+import type { GivenAttributes, Reading, Settings } from '../../src/viewer/model/settings.ts';
 
 const nothing: GivenAttributes = {
   src: null, stack: null, mosaic: null, slices: null, spacing: null, coordinates: null, elevations: null, range: null, azimuth: null,

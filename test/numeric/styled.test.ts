@@ -16,7 +16,7 @@ import { perGradientReach, styledShade } from '../../src/optics/rays/styled.ts';
 import { buildStyleTable, fromHsv, gradientReach, shareOfChange, styleColumns, toHsv, withLight } from '../../src/optics/transfer/volume-styles.ts';
 import type { StyleChain, VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
 import type { Premultiplied } from '../../src/optics/transfer/transfer-function.ts';
-import { styledStages, surfaceStylesOf } from '../../src/viewer/pick-styles.ts';
+import { styledStages, surfaceStylesOf } from '../../src/viewer/picking/pick-styles.ts';
 import { dot, normalize } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';

@@ -1,10 +1,10 @@
 // When a surface is cut anew: with its volume, once a frame, and more rarely where it takes long; whole again without.
 import { expect } from '@esm-bundle/chai';
 import type { SurfacedElement } from '../../src/renderer/layers/shown-surfaces.ts';
-import { ErrorBoard } from '../../src/viewer/error-board.ts';
-import { SurfaceKeeper } from '../../src/viewer/surface-keeper.ts';
-import { SurfaceTarget } from '../../src/viewer/surface-target.ts';
-import type { VolumePresenter } from '../../src/viewer/volume-presenter.ts';
+import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
+import { SurfaceKeeper } from '../../src/viewer/attachments/surface-keeper.ts';
+import { SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';
+import type { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
 import type { Surface } from '../../src/volume/surface.ts';
 import type { WorldCut } from '../../src/volume/world-cut.ts';
 import { ballPly, surfaceOf, trianglesOf } from '../helpers/meshes.ts';

@@ -1,6 +1,6 @@
 // The ground under a radar: tiles of heights, where they lie, and how they are thinned.
 import { expect } from '@esm-bundle/chai';
-import { readSurface, readTerrain } from '../../src/viewer/surface-attributes.ts';
+import { readSurface, readTerrain } from '../../src/viewer/attachments/surface-attributes.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import { cornerOf, readHgt } from '../../src/formats/terrain/hgt.ts';
 import type { HgtTile } from '../../src/formats/terrain/hgt.ts';

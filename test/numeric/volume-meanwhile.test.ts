@@ -1,12 +1,12 @@
-import { rotate } from '../../src/viewer/camera-moves.ts';
+import { rotate } from '../../src/viewer/camera/camera-moves.ts';
 import { expect } from '@esm-bundle/chai';
-import { noCuts } from '../../src/viewer/cuts.ts';
-import type { ScenePlace } from '../../src/viewer/scene-keeper.ts';
-import type { AuthorCamera, Scene } from '../../src/viewer/scene.ts';
-import { SourceLoader } from '../../src/viewer/source-loader.ts';
-import type { LoaderHost, LoaderParts } from '../../src/viewer/source-loader.ts';
-import { Viewer } from '../../src/viewer/viewer.ts';
-import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
+import { noCuts } from '../../src/viewer/cuts/cuts.ts';
+import type { ScenePlace } from '../../src/viewer/scenes/scene-keeper.ts';
+import type { AuthorCamera, Scene } from '../../src/viewer/model/scene.ts';
+import { SourceLoader } from '../../src/viewer/session/source-loader.ts';
+import type { LoaderHost, LoaderParts } from '../../src/viewer/session/source-loader.ts';
+import { Viewer } from '../../src/viewer/view/viewer.ts';
+import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 

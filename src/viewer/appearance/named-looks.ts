@@ -1,0 +1,127 @@
+// Looks by one word: loaded with the first page that names one.
+import { invalidAttribute } from '../../errors.ts';
+import { otsuBin } from '../../optics/transfer/window.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { ScanModel } from '../model/scan-model.ts';
+import type { LookSettings } from '../model/settings.ts';
+
+/** What a word says of a look. Stops and factor belong together: where an author writes stops, the factor is not used. */
+type NamedLook = Partial<Pick<LookSettings, 'transferFunction' | 'window' | 'opacityFactor' | 'projection' | 'shading'>>;
+
+/**
+ * What values stand for, as far as a look depends on it. `intensity`: of no scale that is known, as in MRI. `scale`: each colour stands for a
+ * value that is read from it, as in a radar scan, a map of statistics, or PET, or by what the file says; light would change what a colour means. `mask`: of two values.
+ * `things`: labels.
+ */
+type Kind = 'ct' | 'intensity' | 'mask' | 'scale' | 'things';
+
+/**
+ * Words by what suits the data, in the order in which messages list them. A mean of values of both signs, or of a scale, is no X-ray; and between the
+ * numbers of two labels there is no value that a ray could show.
+ */
+const words = {
+  things: ['textbook', 'flat'],
+  scale: ['textbook', 'flat', 'mip'],
+  mask: ['textbook', 'flat', 'mip'],
+  intensity: ['textbook', 'flat', 'mip', 'xray', 'skin'],
+  ct: ['textbook', 'flat', 'mip', 'xray', 'skin', 'bone', 'vessels'],
+} as const satisfies Record<Kind, readonly string[]>;
+
+type Word = (typeof words)['ct'][number];
+
+/** Opaque enough that light shows how the surface stands, and what is behind it does not shine through. */
+const looks: Readonly<Record<'ct' | 'intensity', Partial<Record<Word, (volume: ScanModel) => NamedLook>>>> = {
+  ct: {
+    textbook: () => boneLook,
+    bone: () => boneLook,
+    skin: () => ({ transferFunction: '-400 #c98f73 0, -250 #d9a489 60%, 200 #f0c8a8 90%', shading: 'lit' }),
+    vessels: () => ({ transferFunction: 'ct-angio', opacityFactor: 3, shading: 'lit' }),
+    mip: (volume) => ({ transferFunction: 'gray', window: windowOfMaxima(volume, -100), projection: 'max' }),
+  },
+  intensity: {
+    textbook: () => ({ opacityFactor: 6, shading: 'lit' }),
+    skin: () => ({ transferFunction: '0% #b47a60 0, 12% #c98f73 60%, 60% #e3b498 90%, 100% #f6dcc6 95%', shading: 'lit' }),
+    mip: (volume) => ({ transferFunction: 'gray', window: windowOfMaxima(volume, volume.window?.[0] ?? volume.range[0]), projection: 'max' }),
+  },
+};
+
+const boneLook: NamedLook = { transferFunction: 'ct-bone', opacityFactor: 3, shading: 'lit' };
+
+/**
+ * What an author says of a look, and what the word for it says beside that.
+ * @throws {VolumeViewError} `attribute/invalid`
+ */
+export function applyNamedLook(settings: LookSettings, volume: ScanModel): LookSettings {
+  const text = settings.named!;
+  const kind = kindOf(volume);
+  const word = text.trim().toLowerCase();
+  const known: readonly string[] = words[kind];
+  if (!known.includes(word)) throw invalidAttribute('look', text, `${known.join(', ')}${explain(word)}`);
+  const said = lookOf(word as Word, kind, volume);
+  const hasStops = settings.transferFunction !== null;
+  return {
+    ...settings,
+    transferFunction: settings.transferFunction ?? said.transferFunction ?? null,
+    window: settings.window ?? said.window ?? null,
+    opacityFactor: settings.opacityFactor ?? (hasStops ? null : said.opacityFactor ?? null),
+    projection: settings.projection ?? said.projection ?? null,
+    shading: settings.shading ?? said.shading ?? null,
+  };
+}
+
+function lookOf(word: Word, kind: Kind, volume: ScanModel): NamedLook {
+  if (word === 'flat') return {};
+  if (word === 'xray') return { transferFunction: 'gray', window: windowOfMeans(volume), projection: 'average' };
+  if (kind === 'ct' || kind === 'intensity') return looks[kind][word]!(volume);
+  if (word === 'mip') return { projection: 'max' };
+  return kind === 'mask' ? { opacityFactor: 3, shading: 'lit' } : {};
+}
+
+/** Why a word that exists is not for these data. */
+function explain(word: string): string {
+  const others: readonly string[] = words.ct;
+  if (!others.includes(word)) return '';
+  const scans: readonly string[] = words.intensity;
+  return `; "${word}" is for ${!scans.includes(word) ? 'CT, in Hounsfield units' : word === 'mip' ? 'data that are no labels' : 'CT and MRI'}`;
+}
+
+function kindOf(volume: ScanModel): Kind {
+  const { transferFunction, unit, isDiscrete } = volume;
+  if (isDiscrete) return 'things';
+  if (isPolar(volume)) return 'scale';
+  if (transferFunction ? typeof transferFunction === 'string' && transferFunction.startsWith('ct-') : unit === 'HU') return 'ct';
+  if (!transferFunction) return unit === '' ? 'intensity' : 'scale';
+  return volume.histogram.counts.filter(Boolean).length === 2 ? 'mask' : 'scale';
+}
+
+/** Rays through the middle of what is scanned have a mean so far above air, as a share of what tissue has: there is some air on their way. */
+const middleRays = 0.8;
+
+/** From air, which in a CT has a value of its own, to the mean of rays through the middle. A scanner writes values below air where it has not scanned. */
+function windowOfMeans(volume: ScanModel): readonly [number, number] {
+  const { low, high, counts } = volume.histogram;
+  const from = kindOf(volume) === 'ct' ? Math.max(low, -1000) : low;
+  // What was not scanned is neither air nor tissue.
+  const air = Math.min(counts.length - 1, Math.floor((counts.length * (from - low)) / Math.max(high - low, Number.MIN_VALUE)));
+  const first = air + otsuBin(counts.subarray(air));
+  let [sum, total] = [0, 0];
+  counts.subarray(first).forEach((count, bin) => {
+    sum += count * (first + bin + 0.5);
+    total += count;
+  });
+  const tissue = low + ((high - low) * sum) / (counts.length * Math.max(1, total));
+  const to = from + middleRays * (tissue - from);
+  return to > from ? [from, to] : volume.range;
+}
+
+/** So few voxels are brighter than white in a projection of the largest values, of which each ray has a chance to meet some. */
+const beyondWhite = 0.001;
+
+/** From where tissue begins to where nearly all values end. */
+function windowOfMaxima({ histogram: { low, high, counts }, range }: ScanModel, from: number): readonly [number, number] {
+  let left = beyondWhite * counts.reduce((sum, count) => sum + count, 0);
+  let bin = counts.length;
+  while (bin > 0 && left >= counts[bin - 1]) left -= counts[--bin];
+  const to = low + ((high - low) * bin) / counts.length;
+  return to > from ? [from, to] : range;
+}

@@ -1,0 +1,45 @@
+import { VolumeViewError } from '../../errors.ts';
+import { overlayBlends } from '../../optics/attachments/overlay.ts';
+import type { OverlayBlend } from '../../optics/attachments/overlay.ts';
+import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
+import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { parseFactor, parseWindow, parseWord } from '../model/parse-attributes.ts';
+
+/** What an author says of a layer's look: texts as they stand in HTML, null where absent. */
+export interface OverlayWords {
+  readonly transferFunction: string | null;
+  readonly valueWindow: string | null;
+  readonly blend: string | null;
+  readonly opacityFactor: string | null;
+}
+
+/** What a layer looks like. */
+export interface OverlayLook {
+  readonly transferFunction: TransferFunction;
+  /** Data values that presets and percentages span. */
+  readonly window: readonly [number, number];
+  readonly blend: OverlayBlend;
+  readonly opacityFactor: number;
+}
+
+/** Of values of one sign, such as the uptake in a PET: little of it is clear, much of it glows. */
+const glow = '0% #200404 0, 20% #5c0808 0, 45% #c82808 5%, 70% #fc8c14 16%, 100% #fff4b8 34%';
+
+/** Of values of both signs, such as t: what is near 0 is clear, so that what is under it is seen. */
+const bothSigns = '0% #d8f6ff 60%, 22% #3f9cf0 35%, 32% #1c50b8 14%, 38% #163a80 0, 62% #7a1a10 0, 68% #c83018 14%, 78% #f8702c 35%, 100% #fff2a0 60%';
+
+/** @throws {VolumeViewError} `attribute/invalid`, `transfer-function/syntax`, `format/unsupported` */
+export async function resolveOverlayLook({ transferFunction, valueWindow, blend, opacityFactor }: OverlayWords, volume: Volume): Promise<OverlayLook> {
+  if (volume.isDiscrete && transferFunction === null) {
+    throw new VolumeViewError('format/unsupported', '<volume-layer> got labels, whole numbers that stand for things; expected measured values. Use <volume-labels>, or say with transfer-function what these values look like.');
+  }
+  const suggested = volume.transferFunction === 'diverging' ? bothSigns : (volume.transferFunction ?? glow);
+  const window = valueWindow === null ? (volume.window ?? volume.range) : parseWindow(valueWindow);
+  return {
+    transferFunction: await resolveTransferFunction(transferFunction ?? suggested, window),
+    window,
+    blend: blend === null ? 'mix' : parseWord('blend', blend, overlayBlends),
+    opacityFactor: opacityFactor === null ? 1 : parseFactor('opacity-factor', opacityFactor),
+  };
+}

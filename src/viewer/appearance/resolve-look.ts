@@ -1,0 +1,45 @@
+import { loadPart } from '../../load-part.ts';
+import { defaultPreset } from '../../optics/transfer/default-preset.ts';
+import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
+import { spanAround } from '../../optics/transfer/span-around.ts';
+import { largestValue } from '../../optics/transfer/transfer-function.ts';
+import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
+import { defaultReferenceLength } from '../../volume/reference-length.ts';
+import { loadLabelStops } from '../model/optics-by-place.ts';
+import type { ScanModel } from '../model/scan-model.ts';
+import type { LookSettings } from '../model/settings.ts';
+import type { VolumeOptics } from '../model/volume-info.ts';
+
+/** Data may go as far as numbers do, as where 1.8e308 stands for none: a window does not. */
+const widest = 0.9 * largestValue;
+
+/** The transfer function that a volume has where its page says none. */
+export async function suggestedOf({ transferFunction, ids, named }: Pick<ScanModel, 'transferFunction' | 'ids' | 'named'>): Promise<string | TransferFunction> {
+  if (transferFunction || !ids) return transferFunction ?? defaultPreset;
+  return (await loadLabelStops()).plainLabelStops(ids, named);
+}
+
+/**
+ * What a volume looks like: what the author says, else what its file says or its values suggest.
+ * @throws {VolumeViewError} `transfer-function/syntax`, `attribute/invalid`
+ */
+export async function resolveLook(said: LookSettings, volume: ScanModel): Promise<VolumeOptics> {
+  const look = said.named === null ? said : (await loadPart(import('./named-looks.ts'), 'reads looks')).applyNamedLook(said, volume);
+  const [low, high] = look.window ?? volume.window ?? volume.range;
+  const ends = [low, high].map((end) => Math.min(widest, Math.max(-widest, end)));
+  const window = ends[0] < ends[1] ? ([ends[0], ends[1]] as const) : spanAround(ends[0]);
+  const text = look.transferFunction ?? (await suggestedOf(volume));
+  const optics: VolumeOptics = {
+    transferFunction: await resolveTransferFunction(text, window),
+    window,
+    referenceLength: look.referenceLength ?? volume.referenceLength ?? defaultReferenceLength(volume.grid),
+    opacityFactor: look.opacityFactor ?? 1,
+    lightFactor: look.lightFactor,
+    projection: look.projection,
+    shading: look.shading ?? 'unlit',
+    surfaces: look.surfaces
+      ? (await loadPart(import('../../optics/surfaces/parse-surfaces.ts'), 'reads surfaces')).readSurfaces(look.surfaces, window, look)
+      : null,
+  };
+  return look.gradientOpacity || look.transferFunction2d ? (await loadPart(import('./read-gradient-look.ts'), 'reads gradients')).withGradients(look, optics, volume.range) : optics;
+}

@@ -1,0 +1,101 @@
+// The second volume of X3D's BlendedVolumeStyle as a layer over the first: loaded with the first of them.
+import { VolumeViewError } from '../../errors.ts';
+import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
+import { childrenOf } from '../../page-children.ts';
+import { deviceLimits } from '../../renderer/device/device.ts';
+import { probeDevice } from '../../renderer/probes/probe-device.ts';
+import { cartesianGrid, unitToWorld } from '../../volume/grid.ts';
+import { multiply, scaleAndTranslate } from '../../volume/matrix.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import { isPolar } from '../../volume/volume.ts';
+import { withoutIds } from '../../volume/label-volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { noticesOf } from '../model/beside-notices.ts';
+import { BesideKeeper } from './beside-keeper.ts';
+import type { BesideHost } from './beside-keeper.ts';
+import { LastWork } from '../model/last-work.ts';
+import { loadBeside } from '../loading/load-beside.ts';
+import { makeOverlay } from './make-overlay.ts';
+import { OverlayTarget } from './overlay-target.ts';
+import { placeOverlay } from './place-overlay.ts';
+import { readOpacityMap } from '../../x3d/nodes/read-opacity-map.ts';
+import { sharedVolumes } from '../loading/shared-volumes.ts';
+import type { SecondVolume } from '../../x3d/nodes/volume-textures.ts';
+import type { ViewOverlay } from '../model/view-overlay.ts';
+import type { VolumePresenter } from '../view/volume-presenter.ts';
+
+/** X3D's own: what is bright is opaque. */
+const gray = '0% #000 0, 100% #fff 100%';
+
+/** What X3D calls 1 in an image. */
+const white = 255;
+
+/** A page's own layer goes before a blend. */
+class BlendTarget extends OverlayTarget {
+  get isTaken(): boolean {
+    return childrenOf(this.presenter.user.host, 'volume-layer').length > 0;
+  }
+
+  override async wear(overlay: ViewOverlay | null): Promise<void> {
+    if (!this.isTaken) await super.wear(overlay);
+  }
+}
+
+/** Keeps the second volume of a view. */
+export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarget>> {
+  readonly #target: BlendTarget;
+  readonly #files = new LastWork<Volume>();
+  #second: SecondVolume | null = null;
+
+  constructor(presenter: VolumePresenter) {
+    const target = new BlendTarget(presenter);
+    super({ target: () => (this.#second ? target : null), failed: () => {} });
+    this.#target = target;
+    presenter.user.host.addEventListener('load', () => this.refresh());
+  }
+
+  /** @throws {VolumeViewError} `attribute/invalid` */
+  async show(second: SecondVolume): Promise<void> {
+    if (this.#target.isTaken) {
+      throw new VolumeViewError('attribute/invalid', '<BlendedVolumeStyle> got voxels and a <volume-layer> beside it; expected one of the two, as a volume has one other over it. The <volume-layer> is drawn.');
+    }
+    this.#second = second;
+    this.refresh();
+  }
+
+  hide(): void {
+    if (this.#second) this.leave(this.#target);
+    this.#second = null;
+  }
+
+  protected override forget(target: BlendTarget): void {
+    this.#files.forget();
+    sharedVolumes.release(this);
+    target.track(target.wear(null).catch(() => {}));
+  }
+
+  protected override async read(target: BlendTarget, signal: AbortSignal): Promise<void> {
+    const { voxels, texture, ratio, opacityFactor } = this.#second!;
+    const file = await this.#files.get(JSON.stringify(voxels), signal, (stop) => loadBeside({ ...voxels, limits: deviceLimits(probeDevice()) }, stop, this));
+    const loaded = withoutIds(file);
+    const colors = texture || opacityFactor !== null ? await readOpacityMap(texture, opacityFactor) : gray;
+    signal.throwIfAborted();
+    const { volume: over } = target;
+    if (!over) return; // It tells when it is there.
+    const volume = voxels.mosaic && !isPolar(over) && !isPolar(loaded) ? stretchOver(loaded, over) : placeOverlay(loaded, over, voxels.url);
+    const window = voxels.mosaic ? ([0, white] as const) : (volume.window ?? volume.range);
+    const transferFunction = await resolveTransferFunction(colors, window);
+    signal.throwIfAborted();
+    await target.wear(makeOverlay({ volume, over, missing: null, transferFunction, blend: 'mix', opacityFactor: ratio }, volume.title ?? ''));
+    signal.throwIfAborted();
+    target.cleared();
+    target.tell([[voxels.url, noticesOf(file)]]);
+  }
+}
+
+/** An image of slices says no place: X3D's textures fill the volume's box, each on a grid of its own. */
+export function stretchOver(volume: Volume, over: Volume): Volume {
+  const { dimensions } = volume.grid;
+  const [scale, offset] = [1, 0.5].map((share) => dimensions.map((n) => share / n) as unknown as Vector3);
+  return { ...volume, grid: cartesianGrid(dimensions, multiply(unitToWorld(over.grid), scaleAndTranslate(scale, offset))) };
+}

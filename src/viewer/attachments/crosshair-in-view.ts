@@ -1,0 +1,175 @@
+// The crosshair that panes of a view share, over the view's picture: loaded with the first pane that belongs to a view.
+import { asVolumeViewError } from '../../errors.ts';
+import type { VolumeViewError } from '../../errors.ts';
+import type { Camera } from '../../optics/rays/camera.ts';
+import type { Crosshair } from '../../panes/crosshair.ts';
+import { corners } from '../../volume/grid.ts';
+import type { GridFrame } from '../../volume/grid.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import { LineOverlay } from '../overlays/line-overlay.ts';
+import { parseWord } from '../model/parse-attributes.ts';
+import { clicksOn } from '../picking/pick-clicks.ts';
+import type { PickedView } from '../picking/pick-clicks.ts';
+import { parsePlace } from '../cuts/slice-attributes.ts';
+import type { Viewer } from '../view/viewer.ts';
+import type { VolumePick } from '../model/volume-pick.ts';
+
+/** A view that panes belong to: `render` is fired at it after each frame. */
+export interface CrosshairView extends PickedView {
+  readonly camera: Camera | null;
+  readonly _presenter?: { readonly viewer: Viewer | null };
+  /** Where its `cursor` is read. */
+  _crosshair: { readonly place: Vector3 | null } | null;
+}
+
+/** A pane that belongs to a view. */
+export interface JoiningPane {
+  readonly crosshair: Crosshair;
+  /** CSS colour of its own crosshair. */
+  readonly color: () => string;
+  readonly failed: (error: VolumeViewError) => void;
+  /** What was told is right again. */
+  readonly mended: () => void;
+}
+
+const byView = new WeakMap<CrosshairView, CrosshairInView>();
+
+/** Show a pane's crosshair in its view, and have clicks on the view and its `cursor` move it. @returns what ends it */
+export function joinView(view: CrosshairView, pane: JoiningPane): () => void {
+  let shown = byView.get(view);
+  if (!shown) byView.set(view, (shown = new CrosshairInView(view)));
+  return shown.join(pane);
+}
+
+/** Three lines along the axes of the world through a place, from side to side of the box around a grid; none outside of it. */
+export function crosshairLines(grid: GridFrame, place: Vector3): readonly (readonly Vector3[])[] {
+  const all = corners(grid);
+  const [low, high] = [Math.min, Math.max].map((least) => place.map((_, axis) => least(...all.map((corner) => corner[axis]))));
+  if (place.some((x, axis) => x < low[axis] || x > high[axis])) return [];
+  return place.map((_, axis) => [low, high].map((ends) => place.map((x, other) => (other === axis ? ends[axis] : x)) as unknown as Vector3));
+}
+
+class CrosshairInView {
+  /** The last one is shown. */
+  readonly #panes: JoiningPane[] = [];
+  #abort: AbortController | null = null;
+  #overlay: LineOverlay | null = null;
+  /** The texts of `cursor` and `crosshair` that were taken. */
+  #cursor: string | null = null;
+  #word: string | null = null;
+  #isHidden = false;
+  /** Which attributes can't be read. */
+  readonly #wrong = new Map<string, VolumeViewError>();
+
+  constructor(readonly view: CrosshairView) {}
+
+  /** Where the panes are; the middle of the volume where nobody has put them anywhere. */
+  get place(): Vector3 | null {
+    const volume = this.view._presenter?.viewer?.volume;
+    return this.#panes.at(-1)?.crosshair.place ?? (volume ? middleOf(volume.grid) : null);
+  }
+
+  join(pane: JoiningPane): () => void {
+    this.#panes.push(pane);
+    if (!this.#abort) this.#enter();
+    this.view._crosshair = this;
+    const ignore = pane.crosshair.listen(() => this.#draw());
+    this.#read();
+    this.#draw();
+    return () => {
+      ignore();
+      this.#panes.splice(this.#panes.indexOf(pane), 1);
+      if (this.#panes.length === 0) this.#leave();
+      else this.#draw();
+    };
+  }
+
+  #enter(): void {
+    const { view } = this;
+    const { signal } = (this.#abort = new AbortController());
+    const release = clicksOn(view).hold();
+    const observer = new MutationObserver(() => {
+      this.#read();
+      this.#draw();
+    });
+    observer.observe(view, { attributeFilter: ['cursor', 'crosshair'] });
+    signal.addEventListener('abort', () => {
+      release();
+      observer.disconnect();
+    });
+    view.addEventListener('render', () => this.#draw(), { signal });
+    view.addEventListener('volume-pick', (event) => {
+      const { detail } = event as CustomEvent<VolumePick | null>;
+      if (detail) this.#panes.at(-1)?.crosshair.moveTo(detail.world);
+    }, { signal });
+  }
+
+  #leave(): void {
+    this.view._crosshair = null;
+    this.#abort?.abort();
+    this.#abort = null;
+    this.#overlay?.remove();
+    this.#overlay = null;
+    this.#cursor = this.#word = null;
+    this.#isHidden = false;
+    this.#wrong.clear();
+  }
+
+  #read(): void {
+    const before = this.#wrong.size;
+    this.#readCursor();
+    this.#readWord();
+    if (before > 0 && this.#wrong.size === 0) this.#panes.at(-1)!.mended();
+  }
+
+  #attempt(name: string, act: () => void): void {
+    this.#wrong.delete(name);
+    try {
+      act();
+    } catch (thrown) {
+      const error = asVolumeViewError(thrown, name);
+      this.#wrong.set(name, error);
+      this.#panes.at(-1)!.failed(error);
+    }
+  }
+
+  /** Once for each text, as a person may move it then. */
+  #readCursor(): void {
+    const text = this.view.getAttribute('cursor');
+    if (text === this.#cursor) return;
+    this.#cursor = text;
+    this.#attempt('cursor', () => {
+      if (text !== null && text.trim() !== '') this.#panes.at(-1)!.crosshair.moveTo(parsePlace('cursor of <volume-view>', text));
+    });
+  }
+
+  /** What can't be read leaves it as it was. */
+  #readWord(): void {
+    const text = this.view.getAttribute('crosshair');
+    if (text === this.#word) return;
+    this.#word = text;
+    this.#attempt('crosshair', () => {
+      this.#isHidden = text !== null && text.trim() !== '' && parseWord('crosshair of <volume-view>', text, ['auto', 'none']) === 'none';
+    });
+  }
+
+  #draw(): void {
+    const { camera, clientWidth: width, clientHeight: height } = this.view;
+    const viewer = this.view._presenter?.viewer;
+    const pane = this.#panes.at(-1);
+    const picture = this.view.shadowRoot?.querySelector('.picture');
+    if (!pane || !picture) return;
+    this.#overlay ??= new LineOverlay(picture, { part: 'crosshair', opacity: 0.6, isDashed: false });
+    const shown = viewer?.volume ? viewer.pictures.parts.shown : null;
+    const { place } = this;
+    const isThere = camera && shown && place && width > 0 && height > 0 && !this.#isHidden;
+    const lines = isThere ? crosshairLines(shown.grid, place) : [];
+    this.#overlay.show(isThere ? { camera, width, height } : null, lines, pane.color(), null);
+  }
+}
+
+/** Where panes are that nobody has moved. */
+function middleOf(grid: GridFrame): Vector3 {
+  const all = corners(grid);
+  return [0, 1, 2].map((axis) => (all[0][axis] + all[7][axis]) / 2) as unknown as Vector3;
+}

@@ -1,0 +1,54 @@
+import { parseCssColor } from '../../optics/transfer/css-color.ts';
+import { invalidAttribute } from '../../errors.ts';
+import type { VolumeViewError } from '../../errors.ts';
+import { childrenOf } from '../../page-children.ts';
+import { isNumber, parseFactor } from '../model/parse-attributes.ts';
+import type { LabelOverride } from '../model/view-labels.ts';
+
+/** What the `<volume-label>` children of an element say. */
+export interface LabelChildren {
+  /** By id; of several children with one id the first. */
+  readonly overrides: ReadonlyMap<number, LabelOverride>;
+  /** What is wrong with the first one that can't be read; what it says is left out. */
+  readonly error: VolumeViewError | null;
+}
+
+export function readLabelChildren(parent: Element): LabelChildren {
+  const overrides = new Map<number, LabelOverride>();
+  let error: VolumeViewError | null = null;
+  for (const child of childrenOf(parent, 'volume-label', 'volume-labels')) {
+    try {
+      const id = readLabelId(child);
+      if (!overrides.has(id)) overrides.set(id, readOverride(child, id));
+    } catch (thrown) {
+      error ??= thrown as VolumeViewError;
+    }
+  }
+  return { overrides, error };
+}
+
+/** The id that a child is about. @throws {VolumeViewError} `attribute/invalid` */
+function readLabelId(child: Element): number {
+  const text = child.getAttribute('value') ?? '';
+  const id = isNumber(text.trim()) ? Number(text) : NaN;
+  if (!Number.isSafeInteger(id)) throw invalidAttribute('value of a volume-label', text, 'a whole number, the label\'s in the file, like "17"');
+  return id;
+}
+
+function readOverride(child: Element, id: number): LabelOverride {
+  const name = child.getAttribute('name')?.trim();
+  const colored = child.getAttribute('color')?.trim();
+  const transferFunction = child.getAttribute('transfer-function')?.trim();
+  const faint = child.getAttribute('opacity')?.trim();
+  const color = colored ? parseCssColor(colored) : null;
+  if (colored && !color) throw invalidAttribute(`color of volume-label value="${id}"`, colored, 'a CSS colour, like "#ff8800" or "orange"');
+  const opacity = faint ? parseFactor(`opacity of volume-label value="${id}"`, faint) : 1;
+  if (opacity > 1) throw invalidAttribute(`opacity of volume-label value="${id}"`, faint!, 'a number from 0 to 1');
+  return {
+    ...(name ? { name } : {}),
+    ...(transferFunction ? { transferFunction } : {}),
+    ...(color ? { color: color.color } : {}),
+    ...(faint || (color && color.alpha < 1) ? { opacity: opacity * (color?.alpha ?? 1) } : {}),
+    ...(child.hasAttribute('hidden') ? { hidden: true as const } : {}),
+  };
+}

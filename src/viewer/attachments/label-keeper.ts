@@ -1,0 +1,189 @@
+import { VolumeViewError } from '../../errors.ts';
+import type { LabelRow, LabelTable } from '../../formats/label-tables/label-table.ts';
+import { paneLabels } from '../../panes/pane-labels.ts';
+import type { PaneLabels } from '../../panes/pane-labels.ts';
+import type { CartesianGrid } from '../../volume/grid.ts';
+import { invertAffine } from '../../volume/matrix.ts';
+import type { LabelMap, NamedLabel } from '../../volume/labels.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { BesideKeeper } from './beside-keeper.ts';
+import type { BesideHost } from './beside-keeper.ts';
+import type { LabelChildren } from './label-children.ts';
+import { labelsIn, loadLabelFile, loadLabelTable } from '../loading/label-files.ts';
+import type { LabelFile } from '../loading/label-files.ts';
+import { LabelFunctions } from './label-functions.ts';
+import { ownLabelsLook } from '../appearance/own-labels-look.ts';
+import type { LabelTarget } from './label-target.ts';
+import { LastWork } from '../model/last-work.ts';
+import { placeLabels, refuseRadar } from './place-labels.ts';
+import { describeLabels, styleLabels } from '../model/view-labels.ts';
+import type { LabelEntry } from '../model/view-labels.ts';
+
+/** Whose labels they are. */
+export interface LabelKeeperHost extends BesideHost<LabelTarget> {
+  /** What is said of labels. @param ids - of the file */
+  said(ids: readonly number[]): LabelChildren;
+  /** Load the file, where it is not one of labels as they are. */
+  load?(src: string, signal: AbortSignal): Promise<LabelFile>;
+  readonly wanted: () => { readonly src: string | null; readonly table: string | null; readonly hidden: boolean; readonly transferFunction: string | null };
+  /** There are other labels, or they look otherwise. */
+  changed(): void;
+}
+
+/** Labels that are shown, and on what. */
+interface Worn {
+  readonly map: LabelMap;
+  readonly table: LabelTable | null;
+  /** Whether the volume itself is the labels. */
+  readonly isOwn: boolean;
+  readonly volume: Volume;
+}
+
+/** Loads labels and their table, brings them onto the volume's grid, and keeps what is chosen. */
+export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
+  /** What a person or a script has chosen: whether a label is hidden. */
+  readonly #chosen = new Map<number, boolean>();
+  /** Whether what is hidden is seen as a trace. */
+  #ghosts = false;
+  readonly #files = new LastWork<LabelFile>();
+  readonly #tables = new LastWork<LabelTable>();
+  readonly #placed = new LastWork<LabelMap>();
+  #worn: Worn | null = null;
+  #entries: readonly LabelEntry[] = [];
+  #nameOf: (id: number) => string | null = () => null;
+  readonly #functions = new LabelFunctions();
+  /** That transfer functions of labels were read for. */
+  #window = '';
+  #wears = 0;
+  /** Whether the target showed them when labels were styled last. */
+  #showsGhosts = false;
+  /** What was asked for last could not be had. */
+  #isLacking = false;
+
+  /** The labels, that of nothing first, but for a volume that is labels itself, where nothing never shows; none before they are there. */
+  get entries(): readonly LabelEntry[] {
+    return this.#worn?.isOwn ? this.#entries.slice(1) : this.#entries;
+  }
+
+  /** As a pane of the volume has them; null where it has none. @param opacity - over its greys, 0..1 */
+  inPane(volume: Volume | null, opacity: number): PaneLabels | null {
+    const worn = this.#worn;
+    const worldToIndex = worn && worn.volume === volume && invertAffine((volume.grid as CartesianGrid).indexToWorld);
+    if (!worldToIndex) return null;
+    // A volume that is labels has their colours already.
+    return paneLabels({ map: worn.map, styles: styleLabels(this.#entries) }, { worldToIndex, nameOf: this.#nameOf, opacity: worn.isOwn ? 0 : opacity });
+  }
+
+  protected override unread(target: LabelTarget): void {
+    this.#isLacking = true;
+    // Labels of another volume say nothing of this one.
+    if (this.#worn?.volume !== target.volume) this.#wear(null).catch(() => {});
+  }
+
+  protected override forget(target: LabelTarget): void {
+    this.#files.forget();
+    this.#tables.forget();
+    this.#placed.forget();
+    this.#worn = null;
+    this.#wears++;
+    this.#entries = [];
+    target.dress(null);
+    target.track(target.wear(null).catch(() => {}));
+    this.host.changed();
+  }
+
+  /** What is said of labels, or chosen, is otherwise. */
+  restyle(): void {
+    const target = this.host.target();
+    if (this.#worn && target) target.track(this.#wear(this.#worn).catch((error: unknown) => this.fail(error)));
+  }
+
+  /** The volume looks otherwise: presets of labels span its window. */
+  rewindow(): void {
+    const target = this.host.target();
+    if ((this.#window && this.#window !== String(target?.window)) || (this.#ghosts && this.#showsGhosts !== target?.showsGhosts)) this.restyle();
+  }
+
+  /** Choose which labels are hidden: those, and no other. @param ghosts - whether they are seen as a trace; as before where absent */
+  choose(hidden: Iterable<number>, ghosts = this.#ghosts): void {
+    this.#ghosts = ghosts;
+    const all = new Set(hidden);
+    for (const { id } of this.#entries) this.#chosen.set(id, false);
+    for (const id of all) this.#chosen.set(id, true);
+    this.restyle();
+  }
+
+  /** What an author says of it counts again. */
+  forgetChoice(id: number): void {
+    this.#chosen.delete(id);
+  }
+
+  protected override async read(target: LabelTarget, signal: AbortSignal): Promise<void> {
+    const { src, table, hidden } = this.host.wanted();
+    if (hidden) {
+      target.cleared();
+      target.tell([]);
+      return this.#wear(null);
+    }
+    // Both are on their way at once; where the one fails, the other one's failure is not told.
+    const [file, names] = await Promise.all([
+      src ? this.#files.get(src, signal, (stop) => (this.host.load ?? loadLabelFile)(src, stop)) : null,
+      table ? this.#tables.get(table, signal, (stop) => loadTold(table, stop)) : null,
+    ]);
+    signal.throwIfAborted();
+    const { volume } = target;
+    if (!volume) return; // It tells when it is there.
+    refuseRadar(volume);
+    if (!src && !table && !volume.named) throw new VolumeViewError('attribute/invalid', '<volume-labels> got neither src nor table; expected src="labels.nii.gz" with the labels, or table="names.tsv" with the names of those that the volume has.');
+    const from = file ?? { ...labelsIn(volume, target.file), format: volume.format, named: volume.named };
+    if (!file && !volume.isDiscrete) return target.takeAsLabels(volume); // And tells when it is there.
+    const url = src ?? target.file;
+    const map = await this.#placed.get(`${url} ${JSON.stringify(volume.grid)}`, signal, (stop) => placeLabels(from, volume, url, stop));
+    signal.throwIfAborted();
+    this.#isLacking = false;
+    target.tell([[src ?? '', file?.left ?? []], [table ?? '', names?.problems ?? []]]);
+    await this.#wear({ map, table: withNamed(names, from.named), isOwn: !file, volume });
+  }
+
+  async #wear(worn: Worn | null): Promise<void> {
+    const target = this.host.target();
+    this.#worn = worn;
+    const call = ++this.#wears;
+    const { overrides, error } = this.host.said(worn?.map.ids ?? []);
+    const transferFunction = this.host.wanted().transferFunction?.trim() || null;
+    this.#entries = worn ? describeLabels(worn.map.ids, { table: worn.table, overrides, chosen: this.#chosen, transferFunction, ghosts: this.#ghosts && target?.showsGhosts === true }) : [];
+    this.#showsGhosts = target?.showsGhosts === true;
+    const names = new Map(this.#entries.map(({ id, name }) => [id, name]));
+    this.#nameOf = (id) => names.get(id) || null;
+    target?.dress(worn?.isOwn ? ownLabelsLook(this.#entries) : null);
+    this.host.changed();
+    const reading = target?.window && worn ? this.#functions.read(this.#entries, target.window) : null;
+    this.#window = reading ? String(target!.window) : '';
+    const groups = reading && (await reading);
+    if (call !== this.#wears) return;
+    const shown = worn && !worn.isOwn ? { map: worn.map, styles: styleLabels(this.#entries, groups?.numbers), ...(groups?.functions.length && { functions: groups.functions }) } : null;
+    await target?.wear(worn && { shown, nameOf: this.#nameOf });
+    const wrong = error ?? groups?.error ?? (groups && worn?.isOwn ? ownHaveNone() : null);
+    if (wrong) this.fail(wrong);
+    else if (worn && !this.#isLacking) target?.cleared();
+  }
+}
+
+/** A table, and what the file itself says of labels that are not in it. */
+function withNamed(table: LabelTable | null, named: readonly NamedLabel[] = []): LabelTable | null {
+  if (named.length === 0) return table;
+  const rows = named.map((label): [number, LabelRow] => [label.id, { ...label, opacity: 1, hidden: false }]);
+  return { format: 'file', problems: [], ...table, rows: new Map([...rows, ...(table?.rows ?? [])]) };
+}
+
+/** Each label of such a volume is one value. */
+function ownHaveNone(): VolumeViewError {
+  return new VolumeViewError('attribute/invalid', 'transfer-function of <volume-labels> or of a <volume-label> is for labels beside a volume, and here the volume is the labels; expected none. Use color and opacity.');
+}
+
+/** A table; what could not be used of it is told to who made the page. */
+async function loadTold(url: string, signal: AbortSignal): Promise<LabelTable> {
+  const table = await loadLabelTable(url, signal);
+  if (table.problems.length > 0) console.warn(`<volume-labels>: of the ${table.format} table ${url} some could not be used.\n${table.problems.join('\n')}`);
+  return table;
+}

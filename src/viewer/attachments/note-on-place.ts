@@ -1,0 +1,22 @@
+import { corners } from '../../volume/grid.ts';
+import type { GridFrame } from '../../volume/grid.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+
+/** So many times as large as the volume, a surface is in other units. */
+const tooLarge = 20;
+
+/**
+ * Words for an author whose surface is not where the volume is: of another file, in other units, or along other axes.
+ * @returns null where it lies in the volume, or around it
+ */
+export function noteOnPlace({ low, high }: { readonly low: Vector3; readonly high: Vector3 }, grid: GridFrame): string | null {
+  const axes = [0, 1, 2].map((axis) => {
+    const places = corners(grid).map((corner) => corner[axis]);
+    return { surface: [low[axis], high[axis]], volume: [Math.min(...places), Math.max(...places)] } as const;
+  });
+  const meets = axes.every(({ surface, volume }) => surface[1] >= volume[0] && surface[0] <= volume[1]);
+  const [own, its] = (['surface', 'volume'] as const).map((which) => Math.hypot(...axes.map((axis) => axis[which][1] - axis[which][0])));
+  if (meets && own <= tooLarge * its) return null;
+  const spans = (['surface', 'volume'] as const).map((which) => axes.map((axis) => axis[which].map((x) => Number(x.toPrecision(4))).join(' to ')).join(', '));
+  return `the surface spans ${spans[0]} and the volume ${spans[1]}, as its world counts: of medical files millimetres. Is it of this volume, and in these units? space="ras" or space="lps" says which way its axes run`;
+}

@@ -1,0 +1,105 @@
+import { VolumeViewError } from '../../errors.ts';
+import { loadPart } from '../../load-part.ts';
+import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
+import { deviceLimits } from '../../renderer/device/device.ts';
+import { probeDevice } from '../../renderer/probes/probe-device.ts';
+import { isPolar } from '../../volume/volume.ts';
+import { withoutIds } from '../../volume/label-volume.ts';
+import type { PolarVolume, Volume } from '../../volume/volume.ts';
+import { noticesOf } from '../model/beside-notices.ts';
+import { BesideKeeper } from './beside-keeper.ts';
+import type { BesideHost } from './beside-keeper.ts';
+import { LastWork } from '../model/last-work.ts';
+import { loadBeside } from '../loading/load-beside.ts';
+import { makeOverlay } from './make-overlay.ts';
+import { resolveOverlayLook } from '../appearance/overlay-look.ts';
+import type { OverlayLook, OverlayWords } from '../appearance/overlay-look.ts';
+import type { OverlayTarget } from './overlay-target.ts';
+import { placeOverlay } from './place-overlay.ts';
+import { sharedVolumes } from '../loading/shared-volumes.ts';
+import type { ViewOverlay } from '../model/view-overlay.ts';
+
+/** What an author says of a layer. */
+export interface OverlayWishes extends OverlayWords {
+  readonly src: string | null;
+  readonly label: string | null;
+  readonly hidden: boolean;
+}
+
+/** Whose layer it is. */
+export interface OverlayKeeperHost extends BesideHost<OverlayTarget> {
+  readonly wanted: () => OverlayWishes;
+  /** There is another layer, or it looks otherwise. */
+  changed(): void;
+}
+
+/** Loads a layer, finds out what it looks like, and puts it over the volume. */
+export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost> {
+  readonly #files = new LastWork<Volume>();
+  #volume: Volume | null = null;
+  #look: OverlayLook | null = null;
+  /** What it is over now. */
+  #over: Volume | null = null;
+
+  /** The layer's own volume; null before it is there. */
+  get volume(): Volume | null {
+    return this.#volume;
+  }
+
+  get look(): OverlayLook | null {
+    return this.#look;
+  }
+
+  protected override unread(target: OverlayTarget): void {
+    // A layer over another volume says nothing of this one.
+    if (this.#over !== target.volume) this.#drop(target).catch(() => {});
+  }
+
+  protected override forget(target: OverlayTarget): void {
+    this.#files.forget();
+    sharedVolumes.release(this);
+    target.track(this.#drop(target).catch(() => {}));
+  }
+
+  async #drop(target: OverlayTarget): Promise<void> {
+    this.#volume = null;
+    this.#look = null;
+    this.#over = null;
+    const worn = target.wear(null);
+    this.host.changed();
+    await worn;
+  }
+
+  protected override async read(target: OverlayTarget, signal: AbortSignal): Promise<void> {
+    const { src, hidden, label, ...words } = this.host.wanted();
+    if (hidden) {
+      target.cleared();
+      target.tell([]);
+      return this.#drop(target);
+    }
+    const url = src?.trim();
+    if (!url || /\s/.test(url)) throw new VolumeViewError('attribute/invalid', `<volume-layer> got ${url ? 'several files' : 'no src'}; expected src="map.nii.gz", one file with the layer.`);
+    const loaded = await this.#files.get(url, signal, (stop) => loadBeside({ url, limits: deviceLimits(probeDevice()) }, stop, this));
+    signal.throwIfAborted();
+    const { volume: over } = target;
+    if (!over) return; // It tells when it is there.
+    const volume = placeOverlay(withoutIds(loaded), over, url);
+    const look = await resolveOverlayLook(words, volume);
+    const name = label ?? volume.title ?? volume.radar?.moment ?? '';
+    const shown = { volume, over, missing: null, ...look };
+    const overlay = isPolar(volume) ? await this.#overRadar(shown, name, words.transferFunction === null) : makeOverlay(shown, name);
+    signal.throwIfAborted();
+    await target.wear(overlay);
+    signal.throwIfAborted();
+    [this.#volume, this.#look, this.#over] = [volume, look, over];
+    target.cleared();
+    target.tell([[url, noticesOf(loaded)]]);
+    this.host.changed();
+  }
+
+  /** Another moment of the same scan. @param plain - whether its colours are its own, as strong everywhere */
+  async #overRadar(shown: ShownOverlay, name: string, plain: boolean): Promise<ViewOverlay> {
+    const { colorByMoment, overRadar } = await loadPart(import('./color-moment.ts'), 'shows a second moment');
+    return plain && shown.blend === 'color' ? colorByMoment(shown.over as PolarVolume, shown.volume as PolarVolume, name) : overRadar(shown, name);
+  }
+}

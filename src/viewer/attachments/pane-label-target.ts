@@ -1,0 +1,79 @@
+import { asVolumeViewError } from '../../errors.ts';
+import type { VolumeViewError } from '../../errors.ts';
+import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
+import { asLabels } from '../../volume/label-volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { tellBeside } from '../model/beside-notices.ts';
+import type { FileNotices, ToldFile } from '../model/beside-notices.ts';
+import type { LabelTarget } from './label-target.ts';
+
+/** A pane that has a volume of its own. */
+export interface LabelledPane {
+  readonly volume: () => Volume | null;
+  readonly file: () => string;
+  /** Its labels, or what is said of them, are others. */
+  changed(): void;
+  /** Show another volume in place of its own. */
+  take(volume: Volume): void;
+}
+
+/** Labels in a <volume-slice-view> with a file of its own. */
+export class PaneTarget implements LabelTarget {
+  readonly awake = true;
+  /** Panes have no transfer functions of labels. */
+  readonly window = null;
+  readonly showsGhosts = false;
+  /** The transfer function of a volume that is labels itself. */
+  look: TransferFunction | null = null;
+  /** What is wrong with the labels. */
+  error: VolumeViewError | null = null;
+  /** What of the labels' file is not shown. */
+  readonly besideNotices = new Map<object, readonly FileNotices[]>();
+  #work: Promise<unknown> = Promise.resolve();
+
+  constructor(readonly pane: LabelledPane) {}
+
+  get volume(): Volume | null {
+    return this.pane.volume();
+  }
+
+  get file(): string {
+    return this.pane.file();
+  }
+
+  /** Resolves when what is under way is done. */
+  get done(): Promise<unknown> {
+    return this.#work;
+  }
+
+  async wear(): Promise<void> {
+    this.pane.changed();
+  }
+
+  dress(transferFunction: TransferFunction | null): void {
+    this.look = transferFunction;
+  }
+
+  async takeAsLabels(volume: Volume): Promise<void> {
+    this.pane.take(asLabels(volume));
+  }
+
+  track(work: Promise<unknown>): void {
+    this.#work = Promise.all([this.#work, work]);
+  }
+
+  failed(error: unknown): void {
+    this.error = asVolumeViewError(error, `labels of "${this.file}"`);
+    this.pane.changed();
+  }
+
+  cleared(): void {
+    if (!this.error) return;
+    this.error = null;
+    this.pane.changed();
+  }
+
+  tell(files: readonly ToldFile[]): void {
+    tellBeside({ besideNotices: this.besideNotices, user: this.pane }, this, files);
+  }
+}

@@ -1,0 +1,74 @@
+import { VolumeViewError } from '../../errors.ts';
+import { axialIndexToWorld, cartesianGrid } from '../../volume/grid.ts';
+import type { CartesianGrid } from '../../volume/grid.ts';
+import type { LabelMap } from '../../volume/labels.ts';
+import { invertAffine, multiply, scaleAndTranslate } from '../../volume/matrix.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import { reduceLabels } from '../../volume/reduce-labels.ts';
+import { resampleLabels } from '../../volume/resample-labels.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { LabelFile } from '../loading/label-files.ts';
+
+/** Work goes on for so long before the page has its turn, ms. */
+const turn = 12;
+
+/**
+ * The labels of a file on a volume's grid.
+ * @param url - of the file, for messages
+ * @throws {VolumeViewError} `format/unsupported` where nothing tells how the two lie to each other, or they have no place in common;
+ * the signal's reason
+ */
+export async function placeLabels(file: LabelFile, volume: Volume, url: string, signal: AbortSignal): Promise<LabelMap> {
+  const name = url.slice(0, 200);
+  refuseRadar(volume);
+  const grid = volume.grid as CartesianGrid;
+  const whole = wholeGrid(grid, volume.reduced);
+  const unknown = [{ ...volume, grid: whole }, { format: file.format, grid: file.voxels.grid }].some((one) => !isPlaced(one));
+  if (unknown && String(whole.dimensions) !== String(file.voxels.grid.dimensions)) {
+    throw new VolumeViewError('format/unsupported', `the labels of ${name} are on a grid of ${file.voxels.grid.dimensions.join(' x ')} voxels and the volume on one of ${whole.dimensions.join(' x ')}, and an image does not say where it lies; expected the same grid, or files with a place, such as NIfTI.`);
+  }
+  const voxels = unknown ? { ...file.voxels, grid: whole } : file.voxels;
+  // On the grid of a volume that was made smaller each box has the label that most of it has; from any other grid the one at its centre.
+  const goal = isSameGrid(voxels.grid, whole) ? whole : grid;
+  const { map, within } = await inTurns(resampleLabels(voxels, file.found, goal), signal);
+  if (within > 0) return goal === grid || !volume.reduced ? map : reduceLabels(map, grid.dimensions);
+  throw new VolumeViewError('format/unsupported', `the labels of ${name} and the volume have no place in common; expected files of the same body in the same coordinates.`);
+}
+
+/** @throws {VolumeViewError} `format/unsupported` */
+export function refuseRadar(volume: Volume): void {
+  if (isPolar(volume)) throw new VolumeViewError('format/unsupported', '<volume-labels> got a radar scan; expected a volume of voxels, such as a CT or MRI. A radar\'s gates have no labels.');
+}
+
+/** The volume's grid before it was made smaller for the device. */
+function wholeGrid({ dimensions, indexToWorld }: CartesianGrid, reduced: Volume['reduced']): CartesianGrid {
+  const from = reduced?.from ?? dimensions;
+  const scale = from.map((n, axis) => n / dimensions[axis]) as unknown as Vector3;
+  const larger = invertAffine(scaleAndTranslate(scale, scale.map((s) => (s - 1) / 2) as unknown as Vector3))!;
+  return cartesianGrid(from, reduced ? multiply(indexToWorld, larger) : indexToWorld);
+}
+
+function isSameGrid(a: CartesianGrid, b: CartesianGrid): boolean {
+  const near = 1e-3 * Math.min(...a.spacing);
+  return String(a.dimensions) === String(b.dimensions) && a.indexToWorld.every((entry, i) => Math.abs(entry - b.indexToWorld[i]) * (i % 4 < 3 ? a.dimensions[i % 4] : 1) < near);
+}
+
+/** Whether a file says where it lies. An image doesn't; its manifest may. */
+export function isPlaced({ format, grid: { dimensions, spacing, indexToWorld } }: { readonly format: string; readonly grid: CartesianGrid }): boolean {
+  if (/^(nifti|nrrd|metaimage)/i.test(format)) return true;
+  const usual = axialIndexToWorld(dimensions, spacing);
+  return indexToWorld.some((entry, i) => Math.abs(entry - usual[i]) > 1e-6 * Math.max(...spacing));
+}
+
+/** Do long work between a page's frames. @throws the signal's reason */
+async function inTurns<T>(work: Generator<void, T>, signal: AbortSignal): Promise<T> {
+  for (let end = performance.now() + turn; ; ) {
+    const step = work.next();
+    if (step.done) return step.value;
+    if (performance.now() < end) continue;
+    await new Promise((resolve) => setTimeout(resolve));
+    signal.throwIfAborted();
+    end = performance.now() + turn;
+  }
+}

@@ -1,0 +1,112 @@
+// X3D's segments as labels of the volume: loaded with the first SegmentedVolumeData.
+import { VolumeViewError } from '../../errors.ts';
+import type { Color } from '../../optics/transfer/transfer-function.ts';
+import { childrenOf } from '../../page-children.ts';
+import { LabelKeeper } from './label-keeper.ts';
+import { labelFileOf } from '../loading/label-files.ts';
+import type { LabelFile } from '../loading/label-files.ts';
+import { PresenterTarget } from './label-target.ts';
+import { readOpacityMap } from '../../x3d/nodes/read-opacity-map.ts';
+import { isDrawn, tellStyles } from '../../x3d/nodes/read-segments.ts';
+import type { Identifiers, Segment } from '../../x3d/nodes/read-segments.ts';
+import type { LabelOverride, ViewLabels } from '../model/view-labels.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { VolumePresenter } from '../view/volume-presenter.ts';
+
+/** What an author says of segments. */
+export interface Segments {
+  readonly identifiers: Identifiers;
+  readonly enabled: readonly boolean[];
+  readonly all: readonly Segment[];
+  /** What their textures span; null for what the volume shows. */
+  readonly window: readonly [number, number] | null;
+  /** See `readOpacityMap`. */
+  readonly opacityFactor: number | null;
+}
+
+/** X3D's segments have no colours of their own. */
+const white: Color = [1, 1, 1];
+
+/** A page's own labels go before segments. */
+class SegmentTarget extends PresenterTarget {
+  span: Segments['window'] = null;
+
+  override get window(): readonly [number, number] | null {
+    return this.span ?? super.window;
+  }
+
+  get isTaken(): boolean {
+    return childrenOf(this.presenter.user.host, 'volume-labels').length > 0;
+  }
+
+  override async wear(labels: ViewLabels | null): Promise<void> {
+    if (!this.isTaken) await super.wear(labels);
+  }
+}
+
+/** Keeps the segments of a view. */
+export class SegmentKeeper {
+  readonly #target: SegmentTarget;
+  readonly #keeper: LabelKeeper;
+  #segments: Segments | null = null;
+  #functions: readonly (string | null)[] = [];
+
+  constructor(presenter: VolumePresenter) {
+    this.#target = new SegmentTarget(presenter);
+    this.#keeper = new LabelKeeper({
+      said: (ids) => ({ overrides: new Map(ids.map((id) => [id, this.#look(id)])), error: this.#segments && tellStyles(this.#segments.all, this.#segments.enabled, ids) }),
+      load: (_, signal) => loadIdentifiers(this.#segments!.identifiers, signal),
+      wanted: () => ({ src: this.#segments && nameOf(this.#segments.identifiers), table: null, hidden: false, transferFunction: null }),
+      target: () => (this.#segments ? this.#target : null),
+      changed: () => {},
+      failed: () => {},
+    });
+    const { host } = presenter.user;
+    host.addEventListener('load', () => this.#keeper.refresh());
+    host.addEventListener('optics-change', () => this.#keeper.rewindow());
+  }
+
+  /** @param isLast - whether nothing else is said meanwhile: textures may come late @throws {VolumeViewError} */
+  async show(segments: Segments, isLast: () => boolean): Promise<void> {
+    if (this.#target.isTaken) {
+      throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got <volume-labels> beside it; expected one of the two, as a volume has one set of labels. The <volume-labels> is drawn.');
+    }
+    const functions = await Promise.all(segments.all.map(async ({ texture }) => (texture ? readOpacityMap(texture, segments.opacityFactor) : null)));
+    if (!isLast()) return;
+    this.#functions = functions;
+    this.#segments = segments;
+    this.#target.span = segments.window;
+    this.#keeper.refresh();
+  }
+
+  hide(): void {
+    if (this.#segments) this.#keeper.leave(this.#target);
+    this.#segments = null;
+  }
+
+  #look(id: number): LabelOverride {
+    const transferFunction = this.#functions[id];
+    return { color: white, ...(this.#segments && !isDrawn(this.#segments.enabled, id) && { hidden: true as const }), ...(transferFunction && { transferFunction }) };
+  }
+}
+
+/** What tells one texture from another, and how it is read. */
+function nameOf({ url, mosaic, slices, most }: Identifiers): string {
+  return [url, mosaic && `${mosaic.columns}x${mosaic.rows}`, slices, most].filter((part) => part !== undefined && part !== null).join(' ');
+}
+
+function loadIdentifiers({ most, ...request }: Identifiers, signal: AbortSignal): Promise<LabelFile> {
+  return labelFileOf(request, signal, (volume) => (most === null ? volume : spread(volume, most)));
+}
+
+/** X3DOM's shares of pixels as numbers of segments, of which it has so many. */
+function spread(volume: Volume, most: number): Volume {
+  const { ids, samples } = volume;
+  const full = samples instanceof Uint16Array || (ids?.at(-1) ?? 0) > 255 ? 65535 : 255;
+  return { ...volume, ids: undefined, samples: samples.map((pixel) => segmentOf((ids ? ids[pixel] : pixel) / full, most)) };
+}
+
+/** Segment 0 begins at 0, and segment n at (n + 1/2) / most. */
+export function segmentOf(share: number, most: number): number {
+  return Math.max(0, Math.floor(share * most - 0.5));
+}

@@ -1,0 +1,58 @@
+import { VolumeViewError } from '../../errors.ts';
+import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
+import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
+import { dragKinds } from '../../panes/pane-input.ts';
+import type { DragKind } from '../../panes/pane-input.ts';
+import type { SliceLook } from '../../panes/slice-pane.ts';
+import { suitingWindow, suitsColors } from '../../panes/suiting-window.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { parseFactor } from '../model/parse-attributes.ts';
+import { suggestedOf } from '../appearance/resolve-look.ts';
+import { parsePlace, SliceReader } from '../cuts/slice-attributes.ts';
+import type { PlaneAttributes } from '../cuts/slice-attributes.ts';
+import type { VolumeOptics } from '../model/volume-info.ts';
+
+/** The grey is seen through labels, and their colours are told apart. */
+const usualLabelOpacity = 0.5;
+
+/** What the attributes of a pane say, whatever the volume. What is null follows from it. */
+export interface SliceAttributes extends PlaneAttributes, Pick<SliceLook, 'isNearest'> {
+  readonly drag: DragKind;
+  readonly cursor: Vector3 | null;
+  /** Of labels over the grey, 0..1. */
+  readonly labelOpacity: number;
+}
+
+/** @param text - of an attribute, null where it is absent @throws {VolumeViewError} `attribute/invalid` */
+export function readSliceAttributes(text: (name: string) => string | null): SliceAttributes {
+  const reader = new SliceReader(text);
+  return {
+    ...reader.plane(),
+    isNearest: reader.word('interpolation', ['linear', 'nearest']) === 'nearest',
+    drag: reader.word('drag', dragKinds) ?? 'cursor',
+    cursor: reader.read('cursor', parsePlace),
+    labelOpacity: Math.min(1, reader.read('label-opacity', parseFactor) ?? usualLabelOpacity),
+  };
+}
+
+/** Whose colours and window a pane may share. */
+export interface SharedLook {
+  readonly optics: VolumeOptics | null;
+  /** As the page gives it to the <volume-view>. */
+  readonly window: readonly [number, number] | null;
+}
+
+/** How a volume's slices look: what the pane says, else its <volume-view>, else what suits the values. @param own - colours of a volume that is labels itself @throws {VolumeViewError} */
+export async function resolveSliceLook({ window, colors, ...attributes }: SliceAttributes, volume: Volume, shared: SharedLook | null, own?: TransferFunction | null): Promise<SliceLook> {
+  const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
+  return { ...attributes, window: window ?? shared?.window ?? suitingWindow(volume), colors: isColored ? (shared?.optics?.transferFunction ?? own ?? (await resolveTransferFunction(await suggestedOf(volume), volume.window ?? volume.range))) : null };
+}
+
+/** @throws {VolumeViewError} of a volume that has no such slices */
+export function refuseNoSlices(volume: Volume): void {
+  if (isPolar(volume)) {
+    throw new VolumeViewError('format/unsupported', 'a radar scan has no axial, coronal or sagittal slices; put <volume-slice type="cappi"> or another one into its <volume-view>');
+  }
+}

@@ -1,0 +1,65 @@
+import { VolumeViewError } from '../../errors.ts';
+import type { LoadProgress } from '../../formats/base/load-request.ts';
+import { loads } from '../loading/load-queue.ts';
+import { sharedVolumes } from '../loading/shared-volumes.ts';
+import type { DeviceLimits } from '../../volume/reduce.ts';
+import type { Volume } from '../../volume/volume.ts';
+
+/** No graphics processor sets a limit: all the file has is shown, as far as a page's memory goes. */
+const limits: DeviceLimits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 30 };
+
+/** Who shows what is loaded. */
+export interface SliceSourceHost {
+  progress(progress: LoadProgress | null): void;
+  loaded(volume: Volume): void;
+  failed(error: unknown): void;
+}
+
+/** Loads the one file of a pane that stands alone; the last good volume stays until another is there. */
+export class SliceSource {
+  #url: string | null = null;
+  #loading: AbortController | null = null;
+  #loaded: Promise<void> = Promise.resolve();
+
+  constructor(readonly host: SliceSourceHost) {}
+
+  /** Resolves when what was asked for last is there, has failed, or is not wanted any more. */
+  get loaded(): Promise<void> {
+    return this.#loaded;
+  }
+
+  /** Load a file, unless it is the one that is there or on its way. */
+  load(url: string): void {
+    if (url === this.#url) return;
+    this.stop();
+    this.#url = url;
+    const { signal } = (this.#loading = new AbortController());
+    this.#loaded = this.#load(url, signal);
+  }
+
+  /** Nothing of it goes on; the next load begins anew. */
+  stop(): void {
+    this.#loading?.abort();
+    this.#url = null;
+    sharedVolumes.release(this);
+  }
+
+  async #load(url: string, signal: AbortSignal): Promise<void> {
+    this.host.progress({ loaded: 0, total: 0, phase: 'fetch' });
+    try {
+      if (url.trim().split(/\s+/).length > 1) throw new VolumeViewError('attribute/invalid', 'src of <volume-slice-view> names several files; it shows one. For scans in time use <volume-view>, and for="…" here.');
+      const onProgress = (progress: LoadProgress): void => {
+        if (!signal.aborted && !progress.isStill) this.host.progress(progress);
+      };
+      const volume = await loads.run(() => true, signal, () => sharedVolumes.get(this, { url: url.trim(), limits }, { signal, onProgress }));
+      signal.throwIfAborted();
+      this.host.progress(null);
+      this.host.loaded(volume);
+    } catch (error) {
+      if (signal.aborted) return;
+      this.#url = null;
+      this.host.progress(null);
+      this.host.failed(error);
+    }
+  }
+}

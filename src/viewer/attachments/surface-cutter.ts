@@ -1,0 +1,82 @@
+// Loaded with the first surface that is cut with its volume.
+import { stretchOf } from '../../radar/polar-geometry.ts';
+import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
+import { cutSurface } from '../../volume/cut-surface.ts';
+import { boundsBetween, sidesOf } from '../../volume/world-cut.ts';
+import type { WorldCut } from '../../volume/world-cut.ts';
+import type { VolumePresenter } from '../view/volume-presenter.ts';
+
+/** What a cut may take of a frame, ms. */
+const frameShareMs = 8;
+
+/** A frame of the page, ms. */
+const frameMs = 16;
+
+/** A drag that rests this long has come to a pause, ms. */
+const pauseMs = 150;
+
+/** Of the time, a tenth at most goes into cuts that take long. */
+const restPerCut = 10;
+
+/**
+ * Cuts a surface by what cuts its volume. While that changes, the surface follows in each frame if that leaves time for the picture; else when
+ * it comes to a pause, or has gone on for ten times as long as the last cut took.
+ */
+export class SurfaceCutter {
+  #whole: ShownSurface | null = null;
+  #key = '';
+  #left: ShownSurface | null = null;
+  #tookMs = 0;
+  #endedMs = 0;
+  /** Time of the page's frame in which it was cut. */
+  #frame: unknown = null;
+  /** When the next cut is due, and what waits for it. */
+  #dueMs = 0;
+  #waiting: Promise<void> | null = null;
+
+  /** @param again - shows the surface once more, cut anew */
+  constructor(readonly presenter: VolumePresenter, readonly again: () => Promise<void>) {}
+
+  /** What is left of a surface; null where that is nothing. The same object where nothing has changed. */
+  cut(whole: ShownSurface): ShownSurface | null {
+    const away = this.#away;
+    const key = JSON.stringify(away);
+    if (whole === this.#whole && key === this.#key) return this.#left;
+    const begunMs = performance.now();
+    const surface = cutSurface(whole.surface, away);
+    [this.#whole, this.#key] = [whole, key];
+    this.#left = surface === whole.surface ? whole : surface && { ...whole, surface, cut: { whole: whole.surface, away } };
+    this.#endedMs = performance.now();
+    this.#tookMs = this.#endedMs - begunMs;
+    this.#frame = document.timeline.currentTime;
+    return this.#left;
+  }
+
+  /** What cuts the volume may be another. */
+  readonly follow = (): void => {
+    if (JSON.stringify(this.#away) === this.#key) return;
+    const now = performance.now();
+    const wait = this.#tookMs > frameShareMs
+      ? Math.min(pauseMs, this.#endedMs + restPerCut * this.#tookMs - now)
+      : document.timeline.currentTime === this.#frame ? frameMs : 0;
+    if (wait <= 0) return this.presenter.track(this.again());
+    this.#dueMs = now + wait;
+    if (!this.#waiting) this.presenter.track((this.#waiting = this.#wait()));
+  };
+
+  async #wait(): Promise<void> {
+    do await new Promise((resolve) => setTimeout(resolve, this.#dueMs - performance.now()));
+    while (performance.now() < this.#dueMs);
+    this.#waiting = null;
+    await this.again();
+  }
+
+  get #away(): WorldCut {
+    const { presenter } = this;
+    const { cuts } = presenter.viewer?.pictures.parts.shown ?? {};
+    const { grid } = presenter.viewer?.volume ?? {};
+    const { value: box } = presenter.settings.region;
+    const sides = cuts?.region && grid && box ? sidesOf([boundsBetween(box, stretchOf(grid))]) : [];
+    return { kept: [...(cuts?.away?.kept ?? []), ...sides], removed: cuts?.away?.removed ?? null };
+  }
+}

@@ -1,0 +1,84 @@
+import { loadSurface } from '../../worker/load-surface.ts';
+import type { LoadProgress } from '../../formats/base/load-request.ts';
+import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
+import type { Surface } from '../../volume/surface.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { BesideKeeper } from './beside-keeper.ts';
+import type { BesideHost } from './beside-keeper.ts';
+import { LastWork } from '../model/last-work.ts';
+import { loads } from '../loading/load-queue.ts';
+import { noteOnPlace } from './note-on-place.ts';
+import { placesOf } from './surface-places.ts';
+import type { WantedSurface } from './surface-attributes.ts';
+import type { SurfaceTarget } from './surface-target.ts';
+
+/** Whose surface it is. */
+export interface SurfaceKeeperHost extends BesideHost<SurfaceTarget> {
+  readonly localName: string;
+  /** null where nothing is to be shown. @throws {VolumeViewError} */
+  wanted(volume: Volume | null): WantedSurface | null;
+  came(surface: Surface): void;
+  progress(progress: LoadProgress): void;
+}
+
+/** Loads a surface and shows it. */
+export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost> {
+  readonly #files = new LastWork<Surface>();
+  #shown: ShownSurface | null = null;
+  /** The page was told of it. */
+  #told: Surface | null = null;
+  /** Where the radar is that terrain was made for. */
+  #site = '';
+
+  /** The surface in the picture, or the last one. */
+  get surface(): Surface | null {
+    return this.#shown?.surface ?? null;
+  }
+
+  protected override forget(target: SurfaceTarget): void {
+    this.#files.forget();
+    this.#shown = this.#told = null;
+    target.track(target.leave());
+  }
+
+  protected override async read(target: SurfaceTarget, signal: AbortSignal): Promise<void> {
+    const site = JSON.stringify(target.volume?.radar?.site);
+    // Under another radar, or none, it would lie where it is not.
+    if (this.#shown?.surface.terrain && site !== this.#site) await target.show((this.#shown = this.#told = null));
+    signal.throwIfAborted();
+    const wanted = this.host.wanted(target.volume);
+    if (!wanted) {
+      target.cleared();
+      target.tell([]);
+      return target.show((this.#shown = this.#told = null));
+    }
+    const { request, look } = wanted;
+    if (!request) return; // The volume tells when it is there.
+    const surface = await this.#files.get(JSON.stringify(request), signal, (stop) => this.#load(request, stop));
+    if (look.isCut) await target.prepareCuts();
+    signal.throwIfAborted();
+    const before = this.#shown;
+    const isSame = before?.surface === surface && before.isCut === look.isCut && before.usesOwnColors === look.usesOwnColors && String(before.color) === String(look.color);
+    if (!isSame) this.#shown = { surface, ...look, places: placesOf(surface) };
+    this.#site = site;
+    await target.show(this.#shown);
+    signal.throwIfAborted();
+    target.cleared();
+    target.tell([[request.surface === 'mesh' ? request.url : '', surface.notes]]);
+    if (this.#told === surface) return;
+    this.#told = surface;
+    const note = target.volume && !surface.terrain && noteOnPlace(surface, target.volume.grid);
+    if (note) this.#warn(note);
+    this.host.came(surface);
+  }
+
+  async #load(request: NonNullable<WantedSurface['request']>, signal: AbortSignal): Promise<Surface> {
+    const surface = await loads.run(() => true, signal, () => loadSurface(request, { signal, onProgress: (progress) => this.host.progress(progress) }));
+    if (surface.notes.length > 0) this.#warn(surface.notes.join('. '));
+    return surface;
+  }
+
+  #warn(text: string): void {
+    console.warn(`<${this.host.localName}>: ${text}.`);
+  }
+}

@@ -1,0 +1,36 @@
+import type { StandardViewName } from '../../words/terms.ts';
+import type { VolumeInfo } from '../model/volume-info.ts';
+
+/** Where the camera stands, radians: around the vertical axis, 0 being the front, and from straight above. */
+export interface StandardView {
+  readonly name: StandardViewName;
+  readonly theta: number;
+  readonly phi: number;
+}
+
+const degree = Math.PI / 180;
+const level = 90 * degree;
+
+/** A theta of 90 degrees is the left of a patient, who looks at who stands in front. */
+const sides: readonly StandardView[] = [
+  { name: 'front', theta: 0, phi: level },
+  { name: 'back', theta: 180 * degree, phi: level },
+  { name: 'left', theta: 90 * degree, phi: level },
+  { name: 'right', theta: -90 * degree, phi: level },
+  { name: 'top', theta: 0, phi: 0 },
+  { name: 'bottom', theta: 0, phi: 180 * degree },
+];
+
+/** From a little above the ground, the east being +x; above it north is up. */
+const compass: readonly StandardView[] = [
+  { name: 'south', theta: 180 * degree, phi: 75 * degree },
+  { name: 'north', theta: 0, phi: 75 * degree },
+  { name: 'west', theta: 90 * degree, phi: 75 * degree },
+  { name: 'east', theta: -90 * degree, phi: 75 * degree },
+  { name: 'above', theta: 180 * degree, phi: 0 },
+];
+
+/** The views that a person may choose of a volume. */
+export function listStandardViews({ moment, site }: Pick<VolumeInfo, 'moment' | 'site'>): readonly StandardView[] {
+  return moment !== undefined || site !== undefined ? compass : sides;
+}

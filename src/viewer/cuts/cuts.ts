@@ -1,0 +1,71 @@
+import { loadPart } from '../../load-part.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { ClippedElement } from '../model/clip-source.ts';
+import type { ErrorBoard } from '../model/error-board.ts';
+import type * as ReadCuts from './read-cuts.ts';
+import type { ScanModel } from '../model/scan-model.ts';
+import type { Settings } from '../model/settings.ts';
+import { noCuts } from './shown-cuts.ts';
+import type { Cuts } from './shown-cuts.ts';
+
+export { noCuts };
+export type { Cuts };
+
+/** Whether something of an element's page cuts its volume. */
+const isCut = (node: Node): boolean => /^(volume-slice|clipplane)$/i.test(node.nodeName);
+
+/** Whether one of these is in what came or went. */
+const holdsCut = (node: Node): boolean => isCut(node) || (node instanceof Element && [...node.getElementsByTagName('*')].some(isCut));
+
+/** Calls back when what cuts the volume of an element comes, goes or changes; with true where there are volume nodes of X3D's, again and again. */
+export function watchSlices(host: Element, changed: (isLook?: boolean) => void): { disconnect(): void } {
+  const look = (): unknown => [...host.getElementsByTagName('*')].some((one) => /volume(style|data)$/i.test(one.localName)) && changed(true);
+  const observer = new MutationObserver((records) => {
+    if (records.some(({ target, attributeName, addedNodes, removedNodes }) => attributeName === 'cutout' || isCut(target) || [...addedNodes, ...removedNodes].some(holdsCut))) changed();
+    look();
+  });
+  look();
+  observer.observe(host, { childList: true, subtree: true, attributes: true });
+  (host as ClippedElement)._cutAnew = changed;
+  return observer;
+}
+
+/** Reads the cuts that an author asks for. What does so is loaded with the first of them. */
+export class CutReader {
+  #reader: typeof ReadCuts | null = null;
+
+  /**
+   * @param host - the element, whose children may be slices
+   * @param settings - as they are at the moment
+   */
+  constructor(
+    readonly host: Element,
+    readonly errors: ErrorBoard,
+    readonly settings: () => Settings,
+  ) {}
+
+  /** Whether `read` needs nothing more to be loaded. */
+  isReady(volume: Pick<Volume, 'grid' | 'radar'>): boolean {
+    const { region, rings } = this.settings();
+    const hasRings = rings.value !== 'none' && (rings.value !== null || volume.grid.kind === 'polar');
+    return this.#reader?.isReady(this.host, volume, hasRings) ?? (region.value === null && !hasRings && ![...this.host.getElementsByTagName('*')].some(isCut) && !this.host.hasAttribute('cutout') && !(this.host as ClippedElement)._clips);
+  }
+
+  /** @param all - with the map, for which a first picture does not wait */
+  async prepare(volume: Pick<Volume, 'grid' | 'radar'>, all = false): Promise<void> {
+    if (this.isReady(volume)) return;
+    const reader = await loadPart(import('./read-cuts.ts'), 'reads regions, slices and rings');
+    await reader.prepare(this.host);
+    if (all) await reader.prepareMap(volume);
+    this.#reader = reader;
+  }
+
+  /**
+   * What can't be read is told, and left out.
+   * @param model - the volume that cameras go by
+   */
+  read(volume: Volume, model: ScanModel): Cuts {
+    const none = { ...noCuts, framed: model.grid };
+    return this.#reader?.readCuts(this, volume, model, none) ?? none;
+  }
+}

@@ -1,0 +1,110 @@
+import type { Vector3 } from '../../volume/matrix.ts';
+import { transformPoint } from '../../volume/matrix.ts';
+import type { View } from '../model/scene.ts';
+import type { RingLabel } from '../../radar/range-rings.ts';
+
+/** Labels nearer to the eye than this share of the way to the farthest one are left out. */
+const nearest = 1e-3;
+
+/** From a text to the edge of the picture, CSS pixels. */
+const margin = 3;
+
+/** What has to be known of a radar's scan to read its picture. */
+export interface ScanFacts {
+  /** Of the radar; '' where its file gives none. */
+  readonly name: string;
+  /** By how much heights are stretched. */
+  readonly stretch: number;
+}
+
+/** Writes the radius of a ring, metres; the north, null; or what has to be known of the scan. */
+export type RingWriter = (what: number | null | ScanFacts) => string;
+
+/** A name from a file of a stranger is cut here. */
+const maxName = 60;
+
+/** Small texts over a picture, each at the place of the world that it speaks of. */
+export class RingLabels {
+  #labels: readonly RingLabel[] = [];
+  #spans: HTMLElement[] = [];
+  #facts: ScanFacts | null = null;
+  readonly #caption = document.createElement('div');
+
+  /**
+   * @param container - covers the picture
+   */
+  constructor(readonly container: Element, readonly write: RingWriter) {
+    Object.assign(this.#caption.style, { position: 'absolute', insetBlockStart: '8px', insetInlineStart: '10px', textShadow: '0 0 3px #000, 0 0 2px #000, 0 1px 1px #000' });
+    Object.assign(this.#caption.style, { color: 'var(--volume-view-label-color, #fff)', fontSize: '12px', maxInlineSize: 'calc(100% - 20px)' });
+  }
+
+  /** Labels over the picture in a container, right behind it. */
+  static after(picture: Element, write: RingWriter): RingLabels {
+    const container = document.createElement('div');
+    container.className = 'labels';
+    container.ariaHidden = 'true';
+    picture.after(container);
+    return new RingLabels(container, write);
+  }
+
+  /** Put labels in place of those before; `place` shows them. @param facts - are said in the corner */
+  set(labels: readonly RingLabel[], facts: ScanFacts | null): void {
+    this.#labels = labels;
+    this.#facts = facts && { ...facts, name: facts.name.slice(0, maxName) };
+    this.#spans = labels.map(() => {
+      const span = document.createElement('span');
+      span.hidden = true;
+      return span;
+    });
+    this.writeTexts();
+    this.container.replaceChildren(this.#caption, ...this.#spans);
+  }
+
+  /** The language may be another one. */
+  writeTexts(): void {
+    this.#spans.forEach((span, i) => (span.textContent = this.write(this.#labels[i].radius)));
+    this.#caption.textContent = this.#facts ? this.write(this.#facts) : '';
+  }
+
+  /** Bring the labels where a view shows their places. */
+  place(view: View): void {
+    const seen = this.#labels.map(({ at }) => project(view, at));
+    const farthest = Math.max(0, ...seen.map(({ depth }) => depth));
+    seen.forEach(({ x, y, depth }, i) => {
+      const span = this.#spans[i];
+      span.hidden = depth <= farthest * nearest || Math.abs(x) > 1 || Math.abs(y) > 1;
+      span.style.left = `${(50 * (x + 1)).toFixed(3)}%`;
+      span.style.top = `${(50 * (1 - y)).toFixed(3)}%`;
+    });
+    this.#keepInside(seen);
+  }
+
+  /** A text at the edge is moved so far that all of it is read. */
+  #keepInside(seen: readonly { readonly x: number; readonly y: number }[]): void {
+    const { clientWidth, clientHeight } = this.container;
+    const sizes = this.#spans.map(({ offsetWidth, offsetHeight }) => [offsetWidth, offsetHeight]);
+    const read: { place: readonly [number, number]; size: readonly number[] }[] = [];
+    seen.forEach(({ x, y }, i) => {
+      const [width, height] = sizes[i];
+      const [across, along] = [pushInside((clientWidth * (x + 1)) / 2, width, clientWidth), pushInside((clientHeight * (1 - y)) / 2, height, clientHeight)];
+      const place = [(clientWidth * (x + 1)) / 2 + across, (clientHeight * (1 - y)) / 2 + along] as const;
+      // One that would cover another is left out.
+      this.#spans[i].hidden ||= read.some((one) => place.every((at, axis) => Math.abs(at - one.place[axis]) < (sizes[i][axis] + one.size[axis]) / 2));
+      if (!this.#spans[i].hidden) read.push({ place, size: sizes[i] });
+      this.#spans[i].style.translate = `calc(${across.toFixed(2)}px - 50%) calc(${along.toFixed(2)}px - 50%)`;
+    });
+  }
+}
+
+/** How far a text of a length, whose middle is at a place of a side, has to go to be within that side. */
+function pushInside(middle: number, length: number, side: number): number {
+  const least = length / 2 + margin;
+  return Math.min(Math.max(middle, least), Math.max(side - least, least)) - middle;
+}
+
+/** Device coordinates of a place, -1..1 inside the picture, and how far it is before the eye. */
+function project({ view, projection: p }: View, at: Vector3): { x: number; y: number; depth: number } {
+  const eye = transformPoint(view, at);
+  const [x, y, w] = [0, 4, 12].map((row) => p[row] * eye[0] + p[row + 1] * eye[1] + p[row + 2] * eye[2] + p[row + 3]);
+  return { x: x / w, y: y / w, depth: -eye[2] };
+}

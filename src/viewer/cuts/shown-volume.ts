@@ -1,0 +1,56 @@
+import { isSameStyle } from '../../optics/rays/ray-style.ts';
+import type { RayStyle } from '../../optics/rays/ray-style.ts';
+import type { GridFrame } from '../../volume/grid.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { noCuts } from './cuts.ts';
+import type { Cuts } from './cuts.ts';
+import type { Scene } from '../model/scene.ts';
+import type { ViewLabels } from '../model/view-labels.ts';
+import type { ViewOverlay } from '../model/view-overlay.ts';
+import { styleOf } from '../model/volume-info.ts';
+import type { VolumeOptics } from '../model/volume-info.ts';
+
+/** What is to be seen of which volume, and what it looks like: all that a scene has to be told, whichever scene it is. */
+export class ShownVolume {
+  volume: Volume | null = null;
+  optics: VolumeOptics | null = null;
+  cuts: Cuts = noCuts;
+  labels: ViewLabels | null = null;
+  /** A second field over the volume. */
+  overlay: ViewOverlay | null = null;
+
+  /** Whether there is enough to draw a picture. */
+  get isReady(): boolean {
+    return this.volume !== null && this.optics !== null;
+  }
+
+  /** @returns whether rays are drawn in another style now */
+  wear(optics: VolumeOptics): boolean {
+    const { style } = this;
+    this.optics = optics;
+    return !isSameStyle(style, this.style);
+  }
+
+  /** How rays are drawn where it is not by emission and absorption alone. */
+  get style(): RayStyle | null {
+    return this.optics && styleOf(this.optics);
+  }
+
+  /** The part that is shown: cameras frame it, and steps are counted along its diagonal. There has to be a volume. */
+  get grid(): GridFrame {
+    return this.cuts.region ?? this.volume!.grid;
+  }
+
+  /** Tell a new scene, which has the volume, the projection and what the optics need, the rest. */
+  furnish(scene: Scene): void {
+    void scene.setOptics(this.optics!); // At once: what they need is there.
+    this.cut(scene);
+  }
+
+  cut(scene: Scene): void {
+    const { region, slices, cuts, rings } = this.cuts;
+    scene.setRegion(region);
+    scene.setSlices(slices, cuts);
+    scene.setLines(rings?.lines ?? [], rings?.map);
+  }
+}

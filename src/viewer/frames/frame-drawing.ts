@@ -1,0 +1,113 @@
+import type { FramePlan } from '../../quality/frame-plan.ts';
+import type { PictureDrawing } from './picture-drawing.ts';
+import { pictureSize } from '../model/picture-size.ts';
+import type { PictureSize } from '../model/picture-size.ts';
+import { firstFrame, standInFrame } from './quality-control.ts';
+import type { QualityControl } from './quality-control.ts';
+import type { RenderStats } from '../model/render-stats.ts';
+import type { Scene } from '../model/scene.ts';
+
+/** A volume of fewer bytes that stands in for a large one is there for a moment, and not worth a second look. */
+const lastingBytes = 2 ** 21;
+
+/** Draws frames: each with the steps, pixels and rays that the control of quality gives it, and learns from it. */
+export class FrameDrawing {
+  /**
+   * @param host - the element, whose size the picture has
+   * @param told - is given what each frame was
+   */
+  constructor(
+    readonly host: Element,
+    readonly quality: QualityControl,
+    readonly pictures: PictureDrawing,
+    readonly told: (stats: RenderStats) => void,
+  ) {}
+
+  /** Draw the next frame. @returns whether another has to follow, as this one is not the last word on what is to be seen */
+  async drawFrame(time: number): Promise<boolean> {
+    const { keeper, loop, shown } = this.pictures.parts;
+    await this.quality.prepare();
+    const { volume } = shown;
+    if (!volume) return false;
+    const inMotion = loop.host.moving || loop.host.animating;
+    const { coarse, samples } = volume;
+    const isBrief = coarse === true && samples.byteLength < lastingBytes;
+    const isFirst = this.pictures.drawn === null && this.quality.untimed;
+    if (!inMotion && (isBrief || isFirst)) return this.#drawStandIn(time, !isBrief);
+    // At rest the quick picture tells what others take, once its program is compiled.
+    const { untimed } = this.quality;
+    if (untimed && (inMotion || keeper.isNew)) await this.#time(time);
+    const { scene } = keeper;
+    if (!scene) return false;
+    const size = this.sizeIn(scene);
+    // At rest too, the first picture of a view comes within a frame's time, and a better one follows.
+    const quick = inMotion || this.quality.undecided;
+    const plan = !quick ? this.planAtRest : untimed && !inMotion ? standInFrame : this.quality.moving(shown.grid, size.width * size.height);
+    const rows = quick || !scene.gatherable ? null : this.quality.rowsOfPieces(size, plan);
+    const stats = rows ? await this.pictures.gather(scene, plan, size, { rows, pieceMs: this.quality.pieceMs }) : await this.#draw(scene, time, plan);
+    if (!stats) return true;
+    const atRest = !inMotion && !loop.dirty && keeper.scene === scene;
+    // What is seen is told at once; what it is worth, as soon as that is known.
+    const isKnown = quick || this.quality.error !== null;
+    if (isKnown) this.#tell(stats);
+    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && keeper.scene === scene;
+    const again = atRest && (await this.quality.probe(scene, shown.grid, { plan, size, goesOn }));
+    if (!isKnown || (quick && atRest && !again)) this.#tell(stats);
+    return again || inMotion;
+  }
+
+  /** A coarse picture at once: nothing is known yet of what a frame takes. @returns `again` */
+  async #drawStandIn(time: number, again: boolean): Promise<boolean> {
+    const { scene } = this.pictures.parts.keeper;
+    this.quality.warmUp();
+    if (scene) this.#tell(await this.#draw(scene, time, standInFrame, false));
+    return again;
+  }
+
+  /** Draw the present picture at rest at once. */
+  async drawNow(scene: Scene): Promise<RenderStats> {
+    return this.#tell(await this.#draw(scene, performance.now(), this.planAtRest));
+  }
+
+  get planAtRest(): FramePlan {
+    return this.quality.still(this.pictures.parts.shown.grid);
+  }
+
+  sizeIn(scene: Scene): PictureSize {
+    return pictureSize(this.host, scene.device.maxTextureSize);
+  }
+
+  /** A small picture, no smaller than the one that stands there, tells what larger ones take; the first of a scene compiles the shader, and tells nothing. */
+  async #time(time: number): Promise<void> {
+    const { keeper } = this.pictures.parts;
+    const plan = this.pictures.drawn ? standInFrame : firstFrame;
+    this.quality.warmUp();
+    if (keeper.isNew && keeper.scene) await this.#draw(keeper.scene, time, plan, false);
+    if (keeper.scene) await this.#draw(keeper.scene, time, plan);
+  }
+
+  async #draw(scene: Scene, time: number, plan: FramePlan, counts = true): Promise<RenderStats> {
+    const full = this.sizeIn(scene);
+    const { stats, gpuMs, compiled } = await this.pictures.draw(scene, time, plan, full);
+    if (counts && !compiled) this.quality.took(plan, full.width * full.height, stats.frameMs, gpuMs);
+    return stats;
+  }
+
+  /** Say what has been drawn, together with the error that was measured of it. */
+  #tell(drawn: RenderStats): RenderStats {
+    const converged = this.#isFinal(drawn);
+    const error = converged ? this.quality.error : null;
+    // Where nothing shows, nothing has been kept.
+    const stats = { ...drawn, converged, error, keepsMaxError: error && this.quality.isKept && error.rays > 0 };
+    this.told(stats);
+    return stats;
+  }
+
+  #isFinal({ width, height, steps, substeps, maxCurvature }: RenderStats): boolean {
+    const { keeper, loop, shown } = this.pictures.parts;
+    if (!keeper.scene || loop.dirty || loop.host.moving || shown.volume!.coarse || this.quality.undecided) return false;
+    const full = this.sizeIn(keeper.scene);
+    const plan = this.planAtRest;
+    return width === full.width && height === full.height && steps === plan.steps && substeps === plan.substeps.most && maxCurvature === 0;
+  }
+}

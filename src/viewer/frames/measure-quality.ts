@@ -1,0 +1,275 @@
+import type { Pixels } from '../../optics/rays/between-pixels.ts';
+import { seekDetail } from '../../optics/cells/cell-detail.ts';
+import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
+import { boundSeenCells } from '../../optics/cells/bound-seen-cells.ts';
+import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
+import { allSubsteps, wholeSteps } from '../../optics/cells/substeps.ts';
+import { largestOpacity } from '../../optics/transfer/transfer-function.ts';
+import type { Substeps } from '../../optics/cells/substeps.ts';
+import { estimateError } from '../../quality/error-estimate.ts';
+import type { ErrorEstimate } from '../../quality/error-estimate.ts';
+import { cutSteps } from '../../quality/levels.ts';
+import type { Level } from '../../quality/levels.ts';
+import { isWorthSearch, moreProbes, placeAround, placeProbes } from '../../quality/place-probes.ts';
+import type { PixelLattice } from '../../optics/rays/rays.ts';
+import type { PixelRectangle } from '../../quality/place-probes.ts';
+import { autoSteps, stepLengthOf, voxelsAlong } from '../../quality/steps.ts';
+import { atOnce } from '../../waiting.ts';
+import type { Waiting } from '../../waiting.ts';
+import { finestSpacing } from '../../volume/grid.ts';
+import type { GridFrame } from '../../volume/grid.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Scene, Size } from '../model/scene.ts';
+
+/** Rows of the picture that tell what fewer pixels would cost. */
+const bandRows = 96;
+
+/** Of the last view's picture, the pixels in which something may be seen; null where nothing can. */
+export function seenPixels(scene: Scene, { width, height }: Size): PixelRectangle | null {
+  const seen = scene.whatIsSeen();
+  const bounds = seen && boundSeenCells(seen.volume, seen.cells, scene.viewAt({ width, height }));
+  if (!bounds) return null;
+  const pixel = (place: number, pixels: number): number => ((place + 1) / 2) * pixels;
+  const [left, bottom] = [Math.floor(pixel(bounds[0], width)), Math.floor(pixel(bounds[1], height))];
+  return {
+    left: Math.min(left, width - 1),
+    bottom: Math.min(bottom, height - 1),
+    width: Math.max(1, Math.min(width, Math.ceil(pixel(bounds[2], width))) - left),
+    height: Math.max(1, Math.min(height, Math.ceil(pixel(bounds[3], height))) - bottom),
+  };
+}
+
+/** Whether a voxel of what can be seen may hide what is behind it. A radar's gates are no voxels, and its rays dear. */
+function isOpaque(scene: Scene): boolean {
+  const seen = scene.whatIsSeen();
+  return seen !== null && !isPolar(seen.volume) && (seen.hasSurfaces || -Math.log1p(-largestOpacity([seen.transferFunction, ...(seen.functions ?? [])].flat())) * seen.opticalScale * finestSpacing(seen.volume.grid) > 1);
+}
+
+/** The error by which the steps of a reference are cut where nothing else is said. */
+const usualError = 1;
+
+/** Pixels in floats that are drawn and read at once to find those that show something. */
+const searchedAtOnce = 2 ** 18;
+
+/** Do it while the page goes on. @param goesOn - whether the view is still wanted @returns null where it is not */
+export async function aside<T>(work: Waiting<T>, scene: Scene, goesOn: () => boolean): Promise<{ readonly value: T } | null> {
+  while (goesOn()) {
+    const { done, value } = work.next();
+    if (done) return goesOn() ? { value } : null;
+    await scene.finished();
+  }
+  return null;
+}
+
+const onePixel: PixelLattice = { stride: 1, first: [0, 0], width: 1, height: 1 };
+
+/** For what the present detail of a scene's cells was found. */
+const detailed = new WeakMap<Scene, { readonly seen: SeenVolume; readonly mayLose: number }>();
+
+/**
+ * Find how finely the cells of a scene are to be sampled, in pauses: the next picture would find it at once.
+ * @param warmUp - has the GPU compile meanwhile what probes rays
+ */
+function* findCells(scene: Scene, cut: Substeps, warmUp: () => void): Waiting<void> {
+  const { findDetail, mayLose } = cut;
+  const seen = findDetail ? scene.whatIsSeen() : null;
+  const known = detailed.get(scene);
+  if (!seen || (known?.seen === seen && known.mayLose === mayLose)) return;
+  warmUp();
+  const codes = yield* seekDetail(seen, mayLose);
+  scene.setSubsteps({ ...cut, findDetail: () => codes });
+  scene.detail();
+  detailed.set(scene, { seen, mayLose });
+}
+
+/** How many of a picture's pixels show something. */
+function countShown(picture: Float32Array): number {
+  return picture.filter((x, i) => i % 4 === 3 && x > 0).length;
+}
+
+/** What is probed. */
+export interface ProbedView {
+  readonly grid: GridFrame;
+  /** Pixels across and down of the picture in full. */
+  readonly size: Size;
+  /** The error by which the steps of levels are cut, see `cutSteps`; null where they are cut by what is at their ends alone. */
+  readonly maxError: number | null;
+}
+
+/** Probes rays of the last view, which tell the error that a level leaves; each of them once. */
+export class ErrorProbe {
+  readonly #pictures = new Map<string, Float32Array | null>();
+  #rectangle: PixelRectangle | null | undefined;
+  /** What the first probes met says how many there are. */
+  #lattices: readonly PixelLattice[] | null = null;
+  /** Whether all pixels have been looked at where that is worth it. */
+  #isSearched = false;
+  /** Whether some pixels of many are probed, of which few may be off by much. */
+  #isRare = false;
+  /** Of the rectangle's pixels those that are probed, where all others are known to show nothing. */
+  #share = 1;
+
+  constructor(readonly scene: Scene, readonly view: ProbedView) {}
+
+  get grid(): GridFrame {
+    return this.view.grid;
+  }
+
+  /** The pixels that are probed lie in it; null where nothing can be seen. */
+  get rectangle(): PixelRectangle | null {
+    if (this.#rectangle === undefined) this.#rectangle = seenPixels(this.scene, this.view.size);
+    return this.#rectangle;
+  }
+
+  /**
+   * What a level leaves, held against steps half and a quarter as long, and no longer than half a voxel, which are cut as
+   * its own are; null where the device can't tell.
+   */
+  estimate(level: Level): ErrorEstimate | null {
+    const { isEven, pictures } = this.#plan(level);
+    const [shown, middle, fine] = pictures.map((picture) => atOnce(this.#probe(...picture)));
+    return shown && middle && fine && estimateError({ shown, middle, fine, isEven, isRare: this.#isRare });
+  }
+
+  /**
+   * Draw what `estimate` holds against each other, while the page goes on.
+   * @returns whether the view is still wanted
+   */
+  async prepare(level: Level, goesOn: () => boolean): Promise<boolean> {
+    return (await aside(this.#drawAll(level), this.scene, goesOn)) !== null;
+  }
+
+  /** The same for what `distance` holds against each other. */
+  async prepareDistances(steps: readonly number[], level: Level, goesOn: () => boolean): Promise<boolean> {
+    return (await aside(this.#drawPairs(steps, level), this.scene, goesOn)) !== null;
+  }
+
+  *#drawPairs(steps: readonly number[], level: Level): Waiting<void> {
+    for (const one of steps) yield* this.#pair(one, level);
+  }
+
+  *#drawAll(level: Level): Waiting<void> {
+    const { pictures } = this.#plan(level);
+    const [[steps, cut]] = pictures;
+    yield* findCells(this.scene, cut, () => this.scene.startProbe(stepLengthOf(this.grid, steps), onePixel, this.view.size));
+    if (!this.#isSearched) {
+      const first = yield* this.#probe(steps, cut);
+      yield* this.#search(first, Math.max(steps, autoSteps(this.grid)), cut);
+      this.#isSearched = true;
+    }
+    for (const picture of pictures) yield* this.#probe(...picture);
+  }
+
+  /** Where so few probes met something that they may have met one thing of several, look at all pixels, and probe those that show something. */
+  *#search(first: Float32Array | null, steps: number, substeps: Substeps): Waiting<void> {
+    const { rectangle } = this;
+    if (!rectangle || !first || !isWorthSearch(this.#lattices!, countShown(first))) return;
+    const { left, bottom, width, height } = rectangle;
+    const shown: [number, number][] = [];
+    const rows = Math.max(1, Math.floor(searchedAtOnce / width));
+    for (let row = 0; row < height; row += rows) {
+      const lattice = { stride: 1, first: [left, bottom + row], width, height: Math.min(rows, height - row) } as const;
+      const picture = yield* this.#drawAt([lattice], steps, substeps);
+      picture?.forEach((x, i) => {
+        const pixel = (i - 3) / 4;
+        if (i % 4 === 3 && x > 0) shown.push([left + (pixel % width), bottom + row + Math.floor(pixel / width)]);
+      });
+    }
+    if (shown.length === 0) return;
+    this.#lattices = placeAround(shown);
+    this.#isRare &&= this.#lattices.some(({ stride }) => stride > 1);
+    this.#pictures.clear();
+    this.#share = Math.min(1, this.#lattices.reduce((sum, one) => sum + one.width * one.height, 0) / (width * height));
+  }
+
+  /** A level's own picture, and those with steps half and a quarter as long: steps, and how they are cut. */
+  #plan(level: Level): { isEven: boolean; pictures: (readonly [steps: number, cut: Substeps])[] } {
+    const { grid, maxError } = this.view;
+    const one = autoSteps(grid);
+    const isEven = level.steps >= one;
+    const finer = isEven ? level : { steps: one, substeps: maxSubsteps };
+    const cut = isEven && maxError === null ? { ...allSubsteps, most: level.substeps } : cutSteps(finer, voxelsAlong(grid), maxError ?? usualError);
+    const own = maxError === null ? { ...allSubsteps, most: level.substeps } : cut;
+    return { isEven, pictures: [[level.steps, own], [finer.steps * 2, cut], [finer.steps * 4, cut]] };
+  }
+
+  /** How far fewer steps are from a level's finest picture: RMS over all probed pixels, 1/255; null where the device can't tell any more. */
+  distance(steps: number, level: Level): number | null {
+    const [coarse, fine] = atOnce(this.#pair(steps, level));
+    if (!coarse || !fine) return null;
+    const sum = coarse.reduce((total, x, i) => total + (x - fine[i]) ** 2, 0);
+    return 255 * Math.sqrt((this.#share * sum) / Math.max(1, coarse.length));
+  }
+
+  *#pair(steps: number, level: Level): Waiting<readonly (Float32Array | null)[]> {
+    const cut = cutSteps(level, voxelsAlong(this.view.grid), this.view.maxError ?? usualError);
+    return [yield* this.#probe(steps, wholeSteps), yield* this.#probe(level.steps * 4, cut)];
+  }
+
+  /** RGBA of the rays of all lattices, one after the other. */
+  *#probe(steps: number, substeps: Substeps): Waiting<Float32Array | null> {
+    const key = `${steps} ${JSON.stringify(substeps)}`;
+    let picture = this.#pictures.get(key);
+    if (picture === undefined) this.#pictures.set(key, (picture = yield* this.#draw(steps, substeps)));
+    return picture;
+  }
+
+  *#draw(steps: number, substeps: Substeps): Waiting<Float32Array | null> {
+    if (this.#lattices) return yield* this.#drawAt(this.#lattices, steps, substeps);
+    const opaque = isOpaque(this.scene);
+    const place = (times: number): PixelLattice[] => (this.rectangle ? placeProbes(this.rectangle, opaque, times) : []);
+    const lattices = place(1);
+    const picture = yield* this.#drawAt(lattices, steps, substeps);
+    const times = picture && lattices.length > 1 ? moreProbes(countShown(picture), picture.length / 4, opaque) : 1;
+    this.#lattices = times > 1 ? place(times) : lattices;
+    this.#isRare = opaque && this.#lattices.some(({ stride }) => stride > 1);
+    return times > 1 ? yield* this.#drawAt(this.#lattices, steps, substeps) : picture;
+  }
+
+  *#drawAt(lattices: readonly PixelLattice[], steps: number, substeps: Substeps): Waiting<Float32Array | null> {
+    const parts: Float32Array[] = [];
+    for (const lattice of lattices) {
+      this.scene.setSubsteps(substeps);
+      const read = this.scene.startProbe(stepLengthOf(this.grid, steps), lattice, this.view.size);
+      if (!read) return null;
+      yield;
+      const part = read();
+      if (!part) return null;
+      parts.push(part);
+    }
+    return parts.length === 1 ? parts[0] : Float32Array.from(parts.flatMap((part) => [...part]));
+  }
+}
+
+/** The error that steps leave of the last view, before it is drawn; null where the device can't tell. */
+export function measureError(scene: Scene, grid: GridFrame, level: Level, size: Size = scene.canvas): ErrorEstimate | null {
+  return new ErrorProbe(scene, { grid, size, maxError: null }).estimate(level);
+}
+
+/**
+ * The error that a picture would have with half the pixels across and down, blown up again as browsers
+ * do it, bilinear; RMS, 1/255. Measured in a band across its middle.
+ */
+export function errorAtHalf({ data, width, height }: Pixels): number {
+  const rows = Math.min(height, bandRows) & ~1;
+  const columns = width & ~1;
+  if (rows < 4 || columns < 4) return 0;
+  const below = Math.floor((height - rows) / 2);
+  let sum = 0;
+  let count = 0;
+  // Where four coarse pixels meet, bilinear filtering gives 9, 3, 3 and 1 sixteenths of their means to each fine one.
+  for (let y = 2; y + 3 < rows; y += 2) {
+    for (let x = 2; x + 3 < columns; x += 2) {
+      for (let c = 0; c < 4; c++) {
+        const mean = (i: number, j: number): number => {
+          const at = ((below + y + j) * width + x + i) * 4 + c;
+          return (data[at] + data[at + 4] + data[at + width * 4] + data[at + width * 4 + 4]) / 4;
+        };
+        const filtered = (9 * mean(0, 0) + 3 * mean(2, 0) + 3 * mean(0, 2) + mean(2, 2)) / 16;
+        sum += (data[((below + y + 1) * width + x + 1) * 4 + c] - filtered) ** 2;
+        count++;
+      }
+    }
+  }
+  return Math.sqrt(sum / count);
+}

@@ -1,0 +1,124 @@
+import { loadPart } from '../../load-part.ts';
+import { countSamples } from '../../optics/rays/count-samples.ts';
+import type { SamplingOutcome } from '../../quality/sampling-outcome.ts';
+import type { FramePlan } from '../../quality/frame-plan.ts';
+import { stepLengthOf } from '../../quality/steps.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { AuthorView } from '../camera/author-view.ts';
+import type { FrameLoop } from '../scenes/frame-loop.ts';
+import type { Pieces } from './gather-picture.ts';
+import type { PictureSize } from '../model/picture-size.ts';
+import type { RenderStats } from '../model/render-stats.ts';
+import type { Scene, View } from '../model/scene.ts';
+import type { SceneKeeper } from '../scenes/scene-keeper.ts';
+import type { ShownVolume } from '../cuts/shown-volume.ts';
+
+/** What pictures are drawn with. */
+export interface DrawingParts {
+  readonly shown: ShownVolume;
+  readonly author: AuthorView;
+  /** Bring what is written over the picture to where a view shows it. */
+  readonly placeLabels: (view: View) => void;
+  readonly loop: FrameLoop;
+  readonly keeper: SceneKeeper;
+}
+
+/** A picture that has been drawn. */
+export interface DrawnPicture {
+  readonly stats: RenderStats;
+  /** GPU time, ms; null where it is not known. */
+  readonly gpuMs: number | null;
+  /** Whether its program was compiled first, so that its time tells nothing of the next one's. */
+  readonly compiled: boolean;
+}
+
+/** Draws pictures of the shown volume by a plan, at once or piece by piece, and says what they were. */
+export class PictureDrawing {
+  #drawn: Volume | null = null;
+  /** How much of the picture that is drawn piece by piece is there, 0..1; null where none is. */
+  gathered: number | null = null;
+
+  constructor(readonly parts: DrawingParts) {}
+
+  /** The volume in the last picture. */
+  get drawn(): Volume | null {
+    return this.#drawn;
+  }
+
+  /**
+   * Draw a picture at once, and wait for the GPU.
+   * @param full - pixels of the picture at the plan's scale of 1
+   */
+  async draw(scene: Scene, time: number, { scale, steps, substeps, sampling, edgeCurvature }: FramePlan, full: PictureSize): Promise<DrawnPicture> {
+    const { shown, author, keeper, loop } = this.parts;
+    const { volume } = shown;
+    loop.takeChanges();
+    const [width, height] = [full.width, full.height].map((pixels) => Math.max(1, Math.round(pixels * scale)));
+    scene.resize(width, height);
+    author.aim(scene, full.width / full.height);
+    const stepLength = stepLengthOf(shown.grid, steps);
+    const began = performance.now();
+    const compiled = keeper.isNew;
+    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
+    scene.setSubsteps(substeps);
+    scene.draw(stepLength, time);
+    keeper.hasDrawn();
+    await this.#finish(scene, volume);
+    const frameMs = performance.now() - began;
+    const gpuMs = await scene.gpuMs();
+    return { stats: this.#describe({ frameMs, steps, substeps: substeps.most, stepLength, width, height, ...raysOf(sampling) }), gpuMs, compiled };
+  }
+
+  /**
+   * Draw a picture at rest that takes long, piece by piece.
+   * @param pieces - rows of the first piece, and what each may take, ms
+   * @returns null where something changed meanwhile
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   */
+  async gather(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
+    const { shown, author, keeper, loop } = this.parts;
+    const { gatherPicture } = await loadPart(import('./gather-picture.ts'), 'draws pictures piece by piece');
+    if (keeper.scene !== scene) return null;
+    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
+    scene.setSubsteps(substeps);
+    const { volume } = shown;
+    const stepLength = stepLengthOf(shown.grid, steps);
+    loop.takeChanges();
+    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !loop.host.animating && keeper.scene === scene;
+    const frameMs = await gatherPicture(scene, { stepLength, width, height, ...pieces }, goesOn, (share) => (this.gathered = share));
+    this.gathered = null;
+    if (frameMs === null) return null;
+    scene.resize(width, height);
+    author.aim(scene, width / height);
+    scene.drawGathered();
+    await this.#finish(scene, volume);
+    return this.#describe({ frameMs, steps, substeps: substeps.most, stepLength, width, height, ...raysOf(sampling) });
+  }
+
+  /** Draw a picture of any size into the canvas, without waiting for the GPU. */
+  drawAtRest(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize): void {
+    const { shown, author, keeper } = this.parts;
+    scene.resize(width, height);
+    author.aim(scene, width / height);
+    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
+    scene.setSubsteps(substeps);
+    scene.draw(stepLengthOf(shown.grid, steps));
+    keeper.hasDrawn();
+  }
+
+  async #finish(scene: Scene, volume: Volume | null): Promise<void> {
+    this.parts.placeLabels(scene.getView());
+    await scene.finished();
+    this.#drawn = volume;
+  }
+
+  #describe(frame: Omit<RenderStats, 'samples' | 'converged' | 'error' | 'keepsMaxError'>): RenderStats {
+    const rays = this.parts.keeper.scene?.getRays();
+    const samples = rays ? countSamples(rays, frame.stepLength, frame.width * frame.height * frame.rays) : 0;
+    return { ...frame, samples, converged: false, error: null, keepsMaxError: null };
+  }
+}
+
+function raysOf({ share, maxCurvature }: SamplingOutcome): Pick<RenderStats, 'rays' | 'maxCurvature'> {
+  return { rays: share, maxCurvature };
+}

@@ -1,0 +1,170 @@
+import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
+import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
+import { foretellSampling } from '../../quality/adaptive-sampling.ts';
+import { chooseLevel } from '../../quality/choose-level.ts';
+import type { ErrorEstimate, PictureError } from '../../quality/error-estimate.ts';
+import { boundProjected, seekMissed, stateError } from '../../quality/largest-error.ts';
+import { cutSteps, listLevels } from '../../quality/levels.ts';
+import type { Level } from '../../quality/levels.ts';
+import type { ErrorModel } from '../../quality/frame-plan.ts';
+import { autoSteps, voxelsAlong } from '../../quality/steps.ts';
+import { loadPart } from '../../load-part.ts';
+import { AdaptivePicture } from '../../renderer/pictures/adaptive-picture.ts';
+import { provideCoarsePictures } from '../../renderer/pictures/adaptive-provider.ts';
+import { provideSubsteps } from '../../renderer/ray/substep-provider.ts';
+import type { DrawnView } from '../model/drawn-view.ts';
+import type { Scene } from '../model/scene.ts';
+import { aside, errorAtHalf, ErrorProbe } from './measure-quality.ts';
+import { timeSampling } from './time-sampling.ts';
+
+export { cutSteps } from '../../quality/levels.ts';
+export { planFrame } from '../../quality/plan-frame.ts';
+export { SteadyTime } from '../../quality/steady-time.ts';
+export { seenPixels } from './measure-quality.ts';
+
+provideCoarsePictures((gl) => new AdaptivePicture(gl));
+
+/** Load what cuts steps by what is at their ends: few levels do, and steps that an author gives. @throws {VolumeViewError} `format/unsupported` */
+export async function loadSubsteps(): Promise<void> {
+  const { cuttingSteps } = await loadPart(import('../../renderer/ray/substep-part.ts'), 'cuts steps');
+  provideSubsteps(cuttingSteps);
+}
+
+/** What is asked of its picture at rest. */
+export interface AskedQuality {
+  /** The error that it may have, 1/255: see `keptError`. */
+  readonly maxError: number;
+  /** Whether its steps are to be chosen. */
+  readonly isAuto: boolean;
+}
+
+/** What was found out of a view. */
+export interface QualityFinding {
+  readonly error: PictureError | null;
+  /** Whether that error is within the target. */
+  readonly isKept: boolean;
+}
+
+/** A level was chosen. */
+export interface ChosenLevel extends QualityFinding {
+  readonly level: Level;
+}
+
+/** What was probed to choose the level of a scene's last view: pictures in motion are held against the finest of it. */
+const lastChosen = new WeakMap<Scene, { readonly quality: ViewQuality; readonly level: Level }>();
+
+/** What could be missed of what is seen, by the samples a voxel and how finely cells are sampled: it depends on the volume and its look, not on the view. */
+const missed = new WeakMap<SeenVolume, { readonly samplesAVoxel: number; readonly codes: Uint8Array | null; readonly bound: number }>();
+
+/** Rounding to 8 bits leaves this much, whatever the steps: RMS, 1/255. */
+const rounding = 1 / Math.sqrt(12);
+
+/** Steps that tell how the error of pictures in motion falls with them: those that such pictures have where time is short. */
+const inMotion = [32, 128] as const;
+
+/** Strides between pixels for which the outcome of adaptive sampling is predicted: of pictures at full size, half and a quarter. */
+const foretold: readonly number[] = [1, 2, 4];
+
+/** Finds out how good pictures of a view are, or would be, by probing its rays. */
+export class ViewQuality {
+  readonly #probe: ErrorProbe;
+
+  constructor(readonly view: DrawnView, readonly asked: AskedQuality) {
+    const { scene, grid, size } = view;
+    this.#probe = new ErrorProbe(scene, { grid, size, maxError: asked.isAuto ? asked.maxError : null });
+  }
+
+  /**
+   * The first level that keeps the target. A device that can't measure errors gets one step a voxel, with all substeps.
+   * @returns null where the view is not wanted any more
+   */
+  async choose(): Promise<ChosenLevel | null> {
+    const { view: { scene, grid, goesOn }, asked: { maxError } } = this;
+    const probe = this.#probe;
+    const levels = listLevels(autoSteps(grid), scene.cutsSteps && !scene.walksVoxels);
+    if (!(await probe.prepare(levels[0], goesOn))) return null;
+    if (!probe.estimate(levels[0])) {
+      await loadSubsteps();
+      return { level: { steps: levels[0].steps, substeps: maxSubsteps }, error: null, isKept: false };
+    }
+    const choice = await chooseLevel(levels, async (level) => {
+      if (level.substeps > 1) await loadSubsteps();
+      const estimate = (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
+      return estimate && this.#discount(estimate); // There is none either where the context was lost meanwhile.
+    }, maxError);
+    if (choice) lastChosen.set(scene, { quality: this, level: choice.level });
+    const found = choice && (await this.#state(choice.level));
+    return found && { level: choice.level, ...found };
+  }
+
+  /** What a level leaves; null where the view is not wanted any more. */
+  async measure(level: Level): Promise<QualityFinding | null> {
+    await loadSubsteps(); // Steps longer than a voxel are held against some that are cut.
+    return (await this.#probe.prepare(level, this.view.goesOn)) ? this.#state(level) : null;
+  }
+
+  /** An error that rounding alone exceeds is compared without it: no steps could help. */
+  #discount(estimate: ErrorEstimate): ErrorEstimate {
+    return this.asked.maxError > 1.2 * rounding ? estimate : { ...estimate, rms: estimate.discretization };
+  }
+
+  /** @returns null where the view is not wanted any more */
+  async #state(level: Level): Promise<QualityFinding | null> {
+    const { view: { scene, grid }, asked: { isAuto, maxError } } = this;
+    const estimate = this.#probe.estimate(level);
+    const samplesAVoxel = level.steps / voxelsAlong(grid);
+    // What is behind the eye, or beside the picture, can't be missed.
+    const seen = this.#probe.rectangle && scene.whatIsSeen();
+    const codes = isAuto ? scene.detail() : null;
+    const { projection } = scene;
+    const bound = !seen ? 0 : projection ? boundProjected(seen, projection, samplesAVoxel) : await this.#bound(seen, samplesAVoxel, codes);
+    if (bound === null) return null;
+    return estimate ? stateError(estimate, bound, maxError) : { error: null, isKept: false };
+  }
+
+  async #bound(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null): Promise<number | null> {
+    const known = missed.get(seen);
+    if (known?.samplesAVoxel === samplesAVoxel && known.codes === codes) return known.bound;
+    const found = await aside(seekMissed(seen, samplesAVoxel, codes), this.view.scene, this.view.goesOn);
+    if (found) missed.set(seen, { samplesAVoxel, codes, bound: found.value });
+    return found && found.value;
+  }
+
+  /** How the error of pictures in motion, over all pixels, falls with their steps; nothing where that can't be measured, or is not wanted any more. */
+  async learnSteps(level: Level, goesOn: () => boolean): Promise<Partial<ErrorModel>> {
+    const { view: { scene, grid }, asked } = this;
+    const most = autoSteps(grid);
+    const steps = [Math.min(inMotion[0], Math.ceil(most / 4)), Math.min(inMotion[1], most)] as const;
+    const isPrepared = await this.#probe.prepareDistances(steps, level, goesOn);
+    scene.setSubsteps(cutSteps(level, voxelsAlong(grid), asked.maxError)); // As in the picture that stands there.
+    if (!isPrepared) return {};
+    const [error, next] = steps.map((n) => this.#probe.distance(n, level));
+    if (error === null || next === null) return {};
+    const order = Math.min(2.5, Math.max(1, Math.log(Math.max(1e-6, error) / Math.max(1e-6, next)) / Math.log(steps[1] / steps[0])));
+    return { steps: steps[0], error: Math.max(0.01, error), order };
+  }
+}
+
+/** The page goes on. */
+const rest = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+/**
+ * A picture at rest that stands there tells what fewer steps, pixels and rays would do to pictures in motion; nothing where the view is not wanted any more.
+ * @param isTimed - whether what fewer rays cost is measured: for that their program is compiled, which a page where nothing moves does not need
+ */
+export async function learnFrom(view: DrawnView, isTimed: boolean): Promise<Partial<ErrorModel>> {
+  const { scene } = view;
+  const picture = scene.readPicture();
+  const chosen = lastChosen.get(scene);
+  const learned = await chosen?.quality.learnSteps(chosen.level, view.goesOn);
+  await rest();
+  if (!view.goesOn()) return {};
+  const { adaptive } = scene;
+  const among = adaptive ? scene.readVolume() : null;
+  await rest();
+  const foreseen = adaptive ? await aside(foretellSampling(picture, foretold, among), scene, view.goesOn) : { value: [] };
+  if (!foreseen) return {};
+  const sampling = foreseen.value;
+  const cost = isTimed ? await timeSampling(view, [sampling[1] ?? [], sampling[0] ?? []].flat()) : 1;
+  return { ...learned, atHalf: Math.max(0.1, errorAtHalf(picture)), sampling: sampling.map((list) => list.map((one) => ({ ...one, cost: one.share * cost }))) };
+}

@@ -1,0 +1,72 @@
+import { VolumeViewError } from '../../errors.ts';
+import { fetchBytes } from '../../sources/fetch-bytes.ts';
+import type { LoadRequest } from '../../formats/base/load-request.ts';
+import type { LabelTable } from '../../formats/label-tables/label-table.ts';
+import { maxTableBytes, readLabelTable } from '../../formats/label-tables/read-label-table.ts';
+import { findLabels } from '../../volume/resample-labels.ts';
+import type { FoundLabels, LabelProblem, LabelVoxels } from '../../volume/resample-labels.ts';
+import type { NamedLabel } from '../../volume/labels.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { loadBeside } from './load-beside.ts';
+
+/** A label file, and what is in it. */
+export interface LabelFile {
+  readonly voxels: LabelVoxels;
+  readonly found: FoundLabels;
+  /** What the file says of its labels. */
+  readonly named?: readonly NamedLabel[];
+  /** What of it is not shown, in words. */
+  readonly left?: readonly string[];
+  readonly format: string;
+}
+
+/** Labels are never made smaller by averaging: a file of more than this is refused. */
+const limits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 30 };
+
+/**
+ * Load a file with labels, with the readers of volumes.
+ * @throws {VolumeViewError} as volumes do, and `format/unsupported` where its values are no labels
+ */
+export async function loadLabelFile(url: string, signal: AbortSignal): Promise<LabelFile> {
+  if (/\s/.test(url.trim())) throw new VolumeViewError('attribute/invalid', 'src of <volume-labels> names several files; expected one.');
+  const file = await labelFileOf({ url: url.trim() }, signal);
+  // As what of a table could not be used, it is told to who made the page.
+  if (file.left) console.warn(`<volume-labels>: not all of ${url.trim().slice(0, 200)} is shown.\n${file.left.join('\n')}`);
+  return file;
+}
+
+/** The same of a file that something says more of. @param change - what is to be made of its values first */
+export async function labelFileOf(request: Omit<LoadRequest, 'limits'>, signal: AbortSignal, change: (volume: Volume) => Volume = (volume) => volume): Promise<LabelFile> {
+  const volume = await loadBeside({ ...request, limits }, signal);
+  return { ...labelsIn(change(volume), request.url), format: volume.format, named: volume.named, left: volume.left };
+}
+
+/** A volume's values as labels. @throws {VolumeViewError} `format/unsupported`, `format/too-large` */
+export function labelsIn(volume: Volume, url: string): Pick<LabelFile, 'voxels' | 'found'> {
+  const name = url.slice(0, 200);
+  if (isPolar(volume)) throw new VolumeViewError('format/unsupported', `${name} is a radar scan; expected labels, a whole number for each voxel of a CT or MRI.`);
+  if (volume.reduced) throw new VolumeViewError('format/too-large', `${name} is too large to hold its labels; expected at most 1 GiB. Make its voxels larger, by the nearest one.`);
+  const { grid, samples, slope, intercept, ids, indexed } = volume;
+  const voxels: LabelVoxels = { grid, samples, slope, intercept, ids, ...indexed } as LabelVoxels;
+  const found: FoundLabels | LabelProblem = volume.rounded ? { problem: 'too-large', value: volume.range[1] } : findLabels(voxels);
+  if (!('problem' in found)) return { voxels, found };
+  if (found.problem === 'too-large') {
+    throw new VolumeViewError('format/unsupported', `${name} has ids that can not be told apart, up to about ${found.value.toLocaleString('en')}; expected at most 65,536 different ones, up to 9,007,199,254,740,991. Give them new numbers, from 1.`);
+  }
+  const got = found.problem === 'too-many' ? 'more than 65,536 different values' : `the value ${found.value}`;
+  throw new VolumeViewError('format/unsupported', `${name} has no labels: it got ${got}; expected whole numbers that stand for things, at most 65,536 of them. A file of intensities is for src of <volume-view>.`);
+}
+
+/** Load a table of names and colours. @throws {VolumeViewError} */
+export async function loadLabelTable(url: string, signal: AbortSignal): Promise<LabelTable> {
+  const name = url.trim().slice(0, 200);
+  let absolute: string;
+  try {
+    absolute = new URL(url.trim(), Reflect.get(Node.prototype, 'baseURI', document)).href;
+  } catch (cause) {
+    throw new VolumeViewError('source/not-found', `table got "${name}"; expected a URL`, { cause });
+  }
+  const { bytes } = await fetchBytes(absolute, { signal, pageOrigin: origin, maxBytes: maxTableBytes, onProgress: () => {} });
+  return readLabelTable(bytes, name);
+}

@@ -1,0 +1,67 @@
+import type { ScanTimes, ScanTarget } from '../../formats/base/choose-scan.ts';
+import type { LoadOptions } from '../../worker/load.ts';
+import type { CoarseListener, LoadProgressListener, LoadRequest } from '../../formats/base/load-request.ts';
+import { loadPart } from '../../load-part.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { ScanHost, ScanPlayer } from './scan-player.ts';
+import type { ScanSource } from './scan-sequence.ts';
+
+/** A file, or several of one volume, and of a manifest which of its scans. */
+export type SourceRequest = Pick<LoadRequest, 'url' | 'files' | 'scan'>;
+
+/** What an author says of it. */
+export interface Source {
+  /** One URL, or several, separated by blanks. */
+  readonly src: string;
+  /** Whether several are the files of one volume, instead of scans in time. */
+  readonly stack: boolean;
+}
+
+/** Who opens a source. */
+export interface SourceHost extends Omit<ScanHost, 'load'> {
+  readonly load: (request: SourceRequest, options: LoadOptions) => Promise<Volume>;
+  /** The source has several scans, and this shows one after another. */
+  readonly opened: (player: ScanPlayer) => void;
+}
+
+interface Opening {
+  /** Which of its scans, where it has several. */
+  readonly wanted: ScanTarget;
+  readonly signal: AbortSignal;
+  readonly onProgress: LoadProgressListener;
+  /** Not for scans that follow on another: there is a picture already. */
+  readonly onCoarse: CoarseListener;
+}
+
+/** Load the volume that a source has, or of several the target. */
+export async function openSource({ src, stack }: Source, host: SourceHost, opening: Opening): Promise<Volume> {
+  const { wanted, signal, onProgress, onCoarse } = opening;
+  const urls = src.trim().split(/\s+/);
+  if (urls.length > 1 && !stack) {
+    const player = await startPlayer(urls.map((url) => ({ url })), host, signal);
+    return player.load(wanted, signal, onProgress);
+  }
+  const [url] = urls;
+  const files = stack ? urls : undefined;
+  let starting: Promise<ScanPlayer> | null = null;
+  const onScans = (times: ScanTimes): void => {
+    starting = startPlayer(times.map((time, index) => ({ url, index, time })), host, signal).then((one) => one.aim(wanted));
+    starting.catch(() => {}); // It is awaited below.
+  };
+  // A scan that fails leaves the others to be shown.
+  const [loaded] = await Promise.allSettled([host.load({ url, files, scan: wanted }, { signal, onProgress, onScans, onCoarse })]);
+  const player = await (starting as Promise<ScanPlayer> | null);
+  if (loaded.status === 'rejected') throw loaded.reason;
+  if (!player) return loaded.value;
+  player.keep(loaded.value);
+  return player.load(wanted, signal, onProgress);
+}
+
+/** What only sources with several scans need is loaded with the first of them. */
+async function startPlayer(sources: readonly ScanSource[], host: SourceHost, signal: AbortSignal): Promise<ScanPlayer> {
+  const { ScanPlayer } = await loadPart(import('./scan-player.ts'), 'shows several scans');
+  signal.throwIfAborted();
+  const player = new ScanPlayer(sources, { ...host, load: (request, loading, onLoading) => host.load(request, { signal: loading, onProgress: onLoading }) });
+  host.opened(player);
+  return player;
+}

@@ -1,0 +1,172 @@
+import { chooseScan } from '../../formats/base/choose-scan.ts';
+import type { ScanTarget } from '../../formats/base/choose-scan.ts';
+import type { LoadProgressListener } from '../../formats/base/load-request.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { ScanSequence } from './scan-sequence.ts';
+import type { LoadScan, ScanSource } from './scan-sequence.ts';
+
+/** One of several scans, as pages are told of it. */
+export interface TimeChangeDetail {
+  /** Its number, from 0. */
+  readonly index: number;
+  /** When it began, ISO 8601 in UTC; null where nobody says. */
+  readonly time: string | null;
+  /** Scans in all. */
+  readonly count: number;
+}
+
+/** What a player asks of its element, and tells it. */
+export interface ScanHost {
+  readonly load: LoadScan;
+  /** Have another scan shown, by its number. */
+  readonly go: (index: number) => void;
+  /** Another scan is in the picture. */
+  readonly shown: (scan: TimeChangeDetail) => void;
+  /** Times came to be known, or it waits for a scan, or no longer. */
+  readonly changed: () => void;
+  /** All scans failed one after another: there is nothing to play. */
+  readonly giveUp: () => void;
+}
+
+export interface PlaySettings {
+  readonly on: boolean;
+  /** Scans a second. */
+  readonly speed: number;
+}
+
+/** A timer of more milliseconds than 31 bits hold ends at once. */
+const longestWaitMs = 2 ** 31 - 1;
+
+/** Which of several scans is shown, what is loaded before it is asked for, and when the next one is due. */
+export class ScanPlayer {
+  readonly #sequence: ScanSequence;
+  readonly #host: ScanHost;
+  #settings: PlaySettings = { on: false, speed: 1 };
+  /** The scan that was asked for last. */
+  #target = 0;
+  #shown: TimeChangeDetail | null = null;
+  #waiting = false;
+  /** The scan that the viewer was given, and that is not in the picture yet. */
+  #entering: number | null = null;
+  #failures = 0;
+  #lastChange = 0;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(sources: readonly ScanSource[], host: ScanHost) {
+    this.#sequence = new ScanSequence(sources, host.load);
+    this.#host = host;
+  }
+
+  /** When the scans began, as far as it is known by now. */
+  get times(): (string | null)[] {
+    return this.#sequence.times;
+  }
+
+  /** The scan in the picture; null before the first. */
+  get shown(): TimeChangeDetail | null {
+    return this.#shown;
+  }
+
+  /** Whether a scan has been asked for and is not in the picture yet. */
+  get waiting(): boolean {
+    return this.#waiting;
+  }
+
+  /** Go to the next scan (1) or the previous one (-1). @returns whether there is one */
+  step(by: number): boolean {
+    const index = this.#target + by;
+    if (index < 0 || index >= this.#sequence.count) return false;
+    this.#go(index);
+    return true;
+  }
+
+  play(settings: PlaySettings): void {
+    this.#settings = settings;
+    this.#schedule();
+    if (settings.on && !this.#waiting) void this.#loadAhead();
+  }
+
+  /** The manifest that lists the scans is loading this one of them, or the one whose time has to be known first. */
+  aim(wanted: ScanTarget): this {
+    this.#target = chooseScan(this.#sequence.knownTimes, wanted).index;
+    return this;
+  }
+
+  /** Take in the scan that came with the manifest. */
+  keep(volume: Volume): void {
+    this.#sequence.keep(this.#target, volume);
+  }
+
+  /** @param signal - aborted where something else is to be shown; the loads themselves are the sequence's */
+  async load(wanted: ScanTarget, signal: AbortSignal, onProgress: LoadProgressListener): Promise<Volume> {
+    clearTimeout(this.#timer);
+    this.#entering = null;
+    this.#wait(true);
+    const index = await this.#sequence.find(wanted, signal);
+    signal.throwIfAborted();
+    this.#target = index;
+    const volume = await this.#sequence.get(index, onProgress);
+    signal.throwIfAborted();
+    return volume;
+  }
+
+  /** The viewer has what was loaded, or that has failed. */
+  settled(done: boolean): void {
+    if (done) {
+      this.#entering = this.#target;
+      return;
+    }
+    this.#failures++;
+    this.#lastChange = performance.now();
+    this.#wait(false);
+    if (this.#settings.on && this.#failures >= this.#sequence.count) this.#host.giveUp();
+    this.#schedule();
+  }
+
+  /** A picture has been drawn of the volume that the viewer has. */
+  drawn(): void {
+    if (this.#entering === null) return;
+    const index = this.#entering;
+    const { times, count } = this.#sequence;
+    this.#entering = null;
+    this.#failures = 0;
+    this.#lastChange = performance.now();
+    const isAnother = index !== this.#shown?.index;
+    this.#shown = { index, time: times[index], count };
+    if (isAnother) this.#host.shown(this.#shown);
+    this.#wait(false);
+    this.#schedule();
+    void this.#loadAhead();
+  }
+
+  /** The element is gone: nothing goes on. */
+  stop(): void {
+    clearTimeout(this.#timer);
+    this.#sequence.stop();
+    this.#entering = null;
+    this.#waiting = false;
+  }
+
+  #go(index: number): void {
+    this.#target = index;
+    this.#host.go(index);
+  }
+
+  #schedule(): void {
+    clearTimeout(this.#timer);
+    const { on, speed } = this.#settings;
+    if (!on || this.#waiting || this.#sequence.count < 2) return;
+    const due = this.#lastChange + 1000 / speed - performance.now();
+    this.#timer = setTimeout(() => this.#go((this.#target + 1) % this.#sequence.count), Math.min(longestWaitMs, Math.max(0, due)));
+  }
+
+  async #loadAhead(): Promise<void> {
+    await this.#sequence.prefetch(this.#settings.on);
+    this.#host.changed(); // Scans that are loaded have told their times.
+  }
+
+  #wait(waiting: boolean): void {
+    this.#waiting = waiting;
+    this.#host.changed();
+  }
+}

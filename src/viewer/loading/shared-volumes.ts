@@ -1,0 +1,117 @@
+import { loadVolume } from '../../worker/load.ts';
+import type { LoadOptions } from '../../worker/load.ts';
+import type { CoarseListener, LoadProgressListener, LoadRequest } from '../../formats/base/load-request.ts';
+import type { Volume } from '../../volume/volume.ts';
+
+/** A volume on its way, and who is told of it. */
+interface Coming {
+  /** null where it can't be shared, or was given up; what is wrong with it is wrong for all who wait. */
+  readonly volume: Promise<Volume | null>;
+  readonly onProgress: Set<LoadProgressListener>;
+  readonly onCoarse: Set<CoarseListener>;
+}
+
+/**
+ * The volumes that the elements of a page show: what several of them show is loaded and held once, as browsers do it with
+ * pictures. It is loaded anew for an element that asks for it again, and once no element shows it any more.
+ */
+export class SharedVolumes {
+  readonly #shown = new Map<object, { readonly key: string; readonly volume: Volume }>();
+  readonly #coming = new Map<string, Coming>();
+  /** Sources with several scans, of which each element shows its own. */
+  readonly #unshared = new Set<string>();
+  /** What each element got last: who asks for that again wants it anew. */
+  readonly #given = new WeakMap<object, string>();
+
+  constructor(readonly load: typeof loadVolume) {}
+
+  /**
+   * Load a volume, or take the one that another element shows or loads.
+   * @param element - who will show it, until it asks for another or is released
+   * @throws as loadVolume does
+   */
+  async get(element: object, request: LoadRequest, options: LoadOptions): Promise<Volume> {
+    const key = JSON.stringify(request);
+    const isShared = this.#given.get(element) !== key && !this.#unshared.has(key);
+    for (;;) {
+      const coming = isShared ? this.#coming.get(key) : undefined;
+      const volume = isShared ? (this.#find(key) ?? (coming && (await join(coming, options)))) : null;
+      if (volume) return this.#hold(element, key, volume);
+      if (!coming) break;
+    }
+    const volume = await this.#loadNew(key, request, options);
+    return this.#unshared.has(key) ? volume : this.#hold(element, key, volume);
+  }
+
+  /** An element shows nothing any more. */
+  release(element: object): void {
+    this.#shown.delete(element);
+  }
+
+  #find(key: string): Volume | null {
+    for (const shown of this.#shown.values()) if (shown.key === key) return shown.volume;
+    return null;
+  }
+
+  #hold(element: object, key: string, volume: Volume): Volume {
+    this.#shown.set(element, { key, volume });
+    this.#given.set(element, key);
+    return volume;
+  }
+
+  async #loadNew(key: string, request: LoadRequest, options: LoadOptions): Promise<Volume> {
+    const onProgress = new Set([options.onProgress]);
+    const onCoarse = new Set(options.onCoarse ? [options.onCoarse] : []);
+    const loading = this.load(request, {
+      signal: options.signal,
+      onProgress: (progress) => onProgress.forEach((tell) => tell(progress)),
+      onCoarse: (coarse) => onCoarse.forEach((tell) => tell(coarse)),
+      onScans: (times) => {
+        this.#unshared.add(key);
+        options.onScans?.(times);
+      },
+    });
+    const volume = loading.then((loaded) => (this.#unshared.has(key) ? null : loaded), (error: unknown) => {
+      if (options.signal.aborted || this.#unshared.has(key)) return null;
+      throw error;
+    });
+    volume.catch(() => {}); // Maybe nobody else waits.
+    const coming: Coming = { volume, onProgress, onCoarse };
+    this.#coming.set(key, coming);
+    try {
+      return await loading;
+    } finally {
+      if (this.#coming.get(key) === coming) this.#coming.delete(key);
+    }
+  }
+}
+
+/** Wait for what another element loads, and be told of it. @throws the signal's reason */
+async function join(coming: Coming, { signal, onProgress, onCoarse }: LoadOptions): Promise<Volume | null> {
+  coming.onProgress.add(onProgress);
+  if (onCoarse) coming.onCoarse.add(onCoarse);
+  try {
+    return await unlessAborted(coming.volume, signal);
+  } finally {
+    coming.onProgress.delete(onProgress);
+    if (onCoarse) coming.onCoarse.delete(onCoarse);
+  }
+}
+
+/** @throws the signal's reason */
+async function unlessAborted<T>(work: Promise<T>, signal: AbortSignal): Promise<T> {
+  signal.throwIfAborted();
+  let stop = (): void => {};
+  const aborted = new Promise<never>((_, reject) => {
+    stop = () => reject(signal.reason as Error);
+    signal.addEventListener('abort', stop);
+  });
+  try {
+    return await Promise.race([work, aborted]);
+  } finally {
+    signal.removeEventListener('abort', stop);
+  }
+}
+
+/** Those of this page. */
+export const sharedVolumes = new SharedVolumes(loadVolume);

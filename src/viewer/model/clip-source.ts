@@ -1,0 +1,34 @@
+import type { Vector3 } from '../../volume/matrix.ts';
+
+/** A half of the world, or a box, in the coordinates of `region`: of a radar, heights before they are exaggerated. */
+export type ClipShape = ClipPlane | ClipBox;
+
+/** What lies where the normal points to, from `at` on, is kept. */
+export interface ClipPlane {
+  readonly kind: 'plane';
+  /** Of length 1. */
+  readonly normal: Vector3;
+  /** World units along it; null for the middle of the volume. */
+  readonly at: number | null;
+}
+
+export interface ClipBox {
+  readonly kind: 'box';
+  /** Two opposite corners. */
+  readonly box: readonly number[];
+  readonly keep: 'inside' | 'outside';
+}
+
+/** Cuts the volume of an element, wherever in the page it stands. */
+export interface ClipSource {
+  /** What it cuts at the moment; null for nothing. @throws {VolumeViewError} `attribute/invalid` */
+  readClip(): ClipShape | null;
+}
+
+/** An element whose volume is cut by others: no part of its interface. */
+export interface ClippedElement extends Element {
+  /** Those who cut it. They add themselves. */
+  _clips?: Set<ClipSource>;
+  /** What cuts it is another. Absent until it is in a page. */
+  _cutAnew?: () => void;
+}

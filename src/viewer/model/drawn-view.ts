@@ -1,0 +1,12 @@
+import type { GridFrame } from '../../volume/grid.ts';
+import type { Scene, Size } from './scene.ts';
+
+/** A view that has been drawn. */
+export interface DrawnView {
+  readonly scene: Scene;
+  readonly grid: GridFrame;
+  /** Pixels across and down of the picture in full. */
+  readonly size: Size;
+  /** Whether the view is still wanted. */
+  readonly goesOn: () => boolean;
+}

@@ -1,0 +1,158 @@
+import { invalidAttribute as invalid } from '../../errors.ts';
+import type { ScanTarget } from '../../formats/base/choose-scan.ts';
+import { largestValue } from '../../optics/transfer/transfer-function.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import { longest } from '../../volume/grid-limits.ts';
+
+export { invalid };
+
+/** A length on an orbit: world units, or a part of the distance at which the volume just fits. */
+export type Radius = { readonly world: number } | { readonly fraction: number };
+
+/** What `camera-orbit` says; undefined where it says `auto`. */
+export interface OrbitAttribute {
+  readonly theta?: number;
+  readonly phi?: number;
+  readonly radius?: Radius;
+}
+
+/** Each sign can be read in one way only: other spellings of this take a time that grows with the square of a text. */
+const number = String.raw`[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?`;
+const isDecimal = new RegExp(`^${number}$`, 'i');
+
+/** Longest list of numbers. */
+const maxLength = 2 ** 16;
+
+/** Whether a word is a number as an author may write it, and a finite one. */
+export const isNumber = (word: string): boolean => isDecimal.test(word) && Number.isFinite(Number(word));
+
+/** So many numbers as an author may write them. */
+const numberExamples: Record<number, string> = { 1: '1.5', 2: '0 100', 3: '1 1 1.5', 6: '-50 -50 0 50 50 10' };
+
+/** Exactly so many numbers, separated by blanks or commas. */
+export function parseNumbers(name: string, text: string, count: number): number[] {
+  const words = split(name, text);
+  if (words.length !== count || !words.every(isNumber)) {
+    throw invalid(name, text, `${count} numbers, like "${numberExamples[count]}"`);
+  }
+  return words.map(Number);
+}
+
+/** One of a few words. */
+export function parseWord<const Word extends string>(name: string, text: string, words: readonly Word[]): Word {
+  const word = words.find((one) => one === text.trim().toLowerCase());
+  if (word === undefined) throw invalid(name, text, words.join(' or '));
+  return word;
+}
+
+/** `low high`, rising. */
+export function parseWindow(text: string): [number, number] {
+  const [low, high] = parseNumbers('value-window', text, 2);
+  if (!(low < high && Math.max(-low, high) < largestValue)) throw invalid('value-window', text, 'the lower value first, both nearer to 0 than 1e300, like "-150 250"');
+  return [low, high];
+}
+
+/** `auto` or a number of steps. */
+export function parseSteps(text: string, most: number): number | 'auto' {
+  if (text.trim().toLowerCase() === 'auto' || text.trim() === '') return 'auto';
+  const steps = isNumber(text.trim()) ? Math.round(Number(text)) : NaN;
+  if (!(steps >= 1 && steps <= most)) throw invalid('steps', text, `auto, or a number from 1 to ${most}`);
+  return steps;
+}
+
+/** A number that is not negative. */
+export function parseFactor(name: string, text: string): number {
+  const value = isNumber(text.trim()) ? Number(text) : NaN;
+  if (!(value >= 0 && value < 1e30)) throw invalid(name, text, 'a number from 0');
+  return value;
+}
+
+/** A number above zero. */
+export function parseLength(name: string, text: string): number {
+  const value = parseFactor(name, text);
+  if (!(value > 1e-30)) throw invalid(name, text, 'a number above zero');
+  return value;
+}
+
+/** `theta phi radius`, each possibly `auto`. @param name - of a limit, whose parts may be `Infinity` too */
+export function parseOrbit(text: string, name = 'camera-orbit'): OrbitAttribute {
+  const words = split(name, text);
+  if (words.length !== 3) throw invalid(name, text, 'three parts, like "30deg 70deg 110%"');
+  const isLimit = name !== 'camera-orbit';
+  // An angle without a limit has none by default either.
+  const [theta, phi, radius] = words.map((word, i) => (/^auto$/i.test(word) || (isLimit && i < 2 && /^[+-]?infinity$/i.test(word)) ? undefined : word));
+  return {
+    theta: theta === undefined ? undefined : angleOr(name, text, theta),
+    phi: phi === undefined ? undefined : angleOr(name, text, phi),
+    radius: radius === undefined ? undefined : isLimit && /^\+?infinity$/i.test(radius) ? { world: longest } : parseRadius(name, text, radius),
+  };
+}
+
+/** The least and the greatest orbit; absent texts are no limits. */
+export function parseLimits(least: string | null, greatest: string | null): { min: OrbitAttribute; max: OrbitAttribute } {
+  const [min, max] = [[least, 'min-camera-orbit'], [greatest, 'max-camera-orbit']].map(([text, name]) => (text?.trim() ? parseOrbit(text, name!) : {}));
+  const isBelow = (a: number | undefined, b: number | undefined): boolean => a !== undefined && b !== undefined && a < b;
+  const [low, high] = [min, max].map(({ radius }) => ({ world: undefined, fraction: undefined, ...radius }));
+  if (isBelow(max.theta, min.theta) || isBelow(max.phi, min.phi) || isBelow(high.world, low.world) || isBelow(high.fraction, low.fraction)) {
+    throw invalid('max-camera-orbit', greatest!, `no part below that of min-camera-orbit, "${least!.slice(0, 60)}"`);
+  }
+  return { min, max };
+}
+
+/** A vertical angle of view, radians; undefined for `auto`. */
+export function parseFieldOfView(text: string): number | undefined {
+  if (text.trim().toLowerCase() === 'auto' || text.trim() === '') return undefined;
+  const angle = angleOr('field-of-view', text, text.trim());
+  if (!(angle > 0 && angle < Math.PI)) throw invalid('field-of-view', text, 'an angle between 0deg and 180deg');
+  return angle;
+}
+
+/** World coordinates; undefined for `auto`, the volume's centre. */
+export function parseTarget(text: string): Vector3 | undefined {
+  if (text.trim() === '' || split('camera-target', text).every((word) => word.toLowerCase() === 'auto')) return undefined;
+  const target = parseNumbers('camera-target', text, 3) as unknown as Vector3;
+  if (Math.max(...target.map(Math.abs)) > longest) throw invalid('camera-target', text, 'a place nearer than 1e12');
+  return target;
+}
+
+/** Two opposite corners of a box, in world units. */
+export function parseRegion(text: string): number[] | null {
+  return text.trim() === '' ? null : parseNumbers('region', text, 6);
+}
+
+/** Kilometres from ring to ring, round ones, or no rings. */
+export type RingSetting = number | 'auto' | 'none';
+
+/** Kilometres from ring to ring, `none`, or nothing for round distances. */
+export function parseRings(text: string): RingSetting {
+  const word = text.trim().toLowerCase();
+  return word === '' ? 'auto' : word === 'none' ? word : parseLength('rings', text);
+}
+
+/** The number of a scan, or an ISO 8601 time with its zone. */
+export function parseTime(text: string): ScanTarget {
+  const word = text.trim();
+  if (/^\d{1,9}$/.test(word)) return { index: Number(word) };
+  const time = /^\d{4}-\d\d-\d\dT\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:\d\d)$/i.test(word) ? Date.parse(word) : NaN;
+  if (Number.isNaN(time)) throw invalid('time', text, 'a scan\'s number from 0, or a time in UTC, like "2018-12-20T06:06:28Z"');
+  return { time };
+}
+
+function angleOr(name: string, text: string, word: string): number {
+  const match = new RegExp(`^(${number})(deg|rad)?$`, 'i').exec(word);
+  if (!match || !isNumber(match[1])) throw invalid(name, text, 'angles in deg or rad, like "30deg"');
+  return match[2]?.toLowerCase() === 'rad' ? Number(match[1]) : (Number(match[1]) * Math.PI) / 180;
+}
+
+function parseRadius(name: string, text: string, word: string): Radius {
+  const match = new RegExp(`^(${number})(%)?$`, 'i').exec(word);
+  const value = Number(match?.[1]);
+  if (!(value > 1 / longest && value < longest)) throw invalid(name, text, 'a radius in world units or per cent, like "110%"');
+  return match![2] ? { fraction: value / 100 } : { world: value };
+}
+
+/** The words of a text, separated by blanks or commas. */
+export function split(name: string, text: string): string[] {
+  if (text.length > maxLength) throw invalid(name, text, `at most ${maxLength} characters`);
+  return text.trim().split(/[\s,]+/).filter((word) => word !== '');
+}

@@ -1,0 +1,168 @@
+import type { GroundMap } from '../../radar/ground-map.ts';
+import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
+import type { RayStyle } from '../../optics/rays/ray-style.ts';
+import type { Pixels } from '../../optics/rays/between-pixels.ts';
+import type { Camera } from '../../optics/rays/camera.ts';
+import type { PixelLattice, RaySetup } from '../../optics/rays/rays.ts';
+import type { SceneLights } from '../../optics/transfer/lights.ts';
+import type { ViewpointFrame } from '../../optics/rays/viewpoint-frame.ts';
+import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
+import type { ProjectedRays } from '../../optics/rays/ray-style.ts';
+import type { Slice } from '../../radar/slices.ts';
+import type { RayCut } from '../../renderer/ray/ray-module.ts';
+import type { AmongShapes } from '../../quality/adaptive-sampling.ts';
+import type { Optics } from '../../renderer/ray/ray-module.ts';
+import type { Device } from '../../renderer/device/device.ts';
+import type { Pass, Size } from '../../renderer/passes/pass-drawing.ts';
+import type { Substeps, View } from '../../renderer/layers/volume-layer.ts';
+import type { GridFrame } from '../../volume/grid.ts';
+import type { ShownLabels } from '../../volume/labels.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import type { Volume } from '../../volume/volume.ts';
+
+export type { Optics } from '../../renderer/ray/ray-module.ts';
+export type { Pass, Size } from '../../renderer/passes/pass-drawing.ts';
+export type { Substeps, View } from '../../renderer/layers/volume-layer.ts';
+
+/** The author's viewpoint. */
+export interface AuthorCamera {
+  readonly camera: Camera;
+  /** In world coordinates; null where the author gave none. */
+  readonly centerOfRotation: Vector3 | null;
+  /** How it is turned around what is shown. */
+  readonly around: (subject: { center: Vector3; radius: number }) => ViewpointFrame;
+}
+
+/** Lines in world coordinates, each from point to point. */
+export type Lines = readonly (readonly Vector3[])[];
+
+/** Shows lines of several owners in a scene, each in a colour of its own: red, green and blue, 0..1; and surfaces. */
+export interface SceneLines {
+  show(lines: Lines, owner: object, color: readonly [red: number, green: number, blue: number]): void;
+  /** Show the surfaces of the scene's element, `_surfaces`, as they are now. */
+  bringSurfaces(): Promise<void>;
+}
+
+/**
+ * A volume among the author's shapes on a canvas with a WebGL context. It draws when told to, and never by itself. All
+ * that the viewer knows of drawing is here; who implements it is the factory's matter.
+ */
+export interface Scene {
+  readonly canvas: HTMLCanvasElement;
+  readonly device: Pick<Device, 'maxTextureSize' | 'webgl2'>;
+
+  /** Load what only some volumes and some optics need. @throws {VolumeViewError} `format/unsupported` */
+  prepare(volume: Volume, optics: Optics): Promise<void>;
+  /**
+   * Put a volume on the GPU; the one before is shown until all of it is there.
+   * @returns whether it is in place; not where it was given up or the context was lost
+   */
+  bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean>;
+  /** @returns resolves when the next picture shows them: at once where nothing is to be loaded. @throws {VolumeViewError} `format/unsupported` */
+  setOptics(optics: Optics): Promise<void>;
+  /**
+   * Show the largest, the smallest or the mean value along each ray, or light the volume; null for emission and absorption.
+   * @returns resolves when the next picture shows it @throws {VolumeViewError} `format/unsupported`
+   */
+  setStyle(style: RayStyle | null): Promise<void>;
+  /**
+   * Show labels of the volume, on its own grid; of a volume with other dimensions they are not shown. Null for none, where
+   * there were some: what draws labels is loaded with the first call.
+   * @returns resolves when the next picture shows them @throws {VolumeViewError} `format/unsupported`, `format/too-large`
+   */
+  setLabels(labels: ShownLabels | null): Promise<void>;
+  /** Show a second field over the volume that it is for; null for none, where there was one. @returns and @throws as `setLabels` */
+  setOverlay(overlay: ShownOverlay | null): Promise<void>;
+  /** Show one part of the volume alone; null for all of it. */
+  setRegion(region: GridFrame | null): void;
+  /** Slices of a radar scan, and what else cuts rays. */
+  setSlices(slices: readonly Slice[], cuts: readonly RayCut[]): void;
+  /** Rings, and the map below them. */
+  setLines(lines: Lines, map?: GroundMap): void;
+  /** Load what shows lines of others. @returns null where it could not be loaded, and the scene goes on without */
+  loadLines(): Promise<SceneLines | null>;
+  /** Resolves when the author's shapes that came meanwhile are in the scene. */
+  othersReady(): Promise<void>;
+
+  /** Whether the scene moves by itself, so that frames have to go on. */
+  readonly animating: boolean;
+  /** null where the author has no viewpoint. */
+  authorCamera(): AuthorCamera | null;
+  /** Undo what `setCamera` did to the author's viewpoint. */
+  resetAuthorCamera(): void;
+  setCamera(camera: Camera): void;
+  /** Device pixels. */
+  resize(width: number, height: number): void;
+  /** The view that the next picture will have. */
+  getView(): View;
+  /** The same of a picture of another size. */
+  viewAt(picture: Size): View;
+  /** The rays of the next picture; null without a volume. */
+  getRays(): RaySetup | null;
+
+  /**
+   * The largest curvature at which pixels are interpolated instead of getting rays, 1/255; 0 where all get rays. Then pixels with more
+   * curvature than `edgeCurvature`, 1/255, get several where there are surfaces of values.
+   */
+  setMaxCurvature(maxCurvature: number, edgeCurvature?: number): void;
+  /** How steps are cut, in all pictures and probes from now on. */
+  setSubsteps(substeps: Substeps): void;
+  /** How finely each macrocell is sampled at the least, see optics/cells/cell-detail.ts; null where cells have no say. */
+  detail(): Uint8Array | null;
+  /** What shines on a lit volume; null for a light at the eye. */
+  lights(): SceneLights | null;
+  /** Whether substeps make any difference to what rays come to. */
+  readonly cutsSteps: boolean;
+  /** Whether rays at rest are walked from one plane of voxels to the next, so that steps are never cut by what is at their ends. */
+  readonly walksVoxels: boolean;
+  /** How rays show values of their own, if they do; null where they show what shines and absorbs. */
+  readonly projection: ProjectedRays | null;
+  /** In which macrocells of the present volume something can be seen, and what; null where there is no volume. */
+  whatIsSeen(): SeenVolume | null;
+  /** Whether rays of the next picture may be spared. */
+  readonly adaptive: boolean;
+  /** Draw one picture. @param stepLength - world length @throws {VolumeViewError} `webgl/shader` */
+  draw(stepLength: number, time?: number): void;
+  /** Whether the next picture can be drawn piece by piece. */
+  readonly gatherable: boolean;
+  /** Whether rays of the last picture end at shapes. */
+  readonly endsAtShapes: boolean;
+  /** Begin a picture that is drawn piece by piece, at the view of the last one. */
+  startGathering(stepLength: number, picture: Size): void;
+  /** What a picture is gathered from, one lattice of pixels after the other. */
+  passes(picture: Size): readonly Pass[];
+  /** Draw some rows of a pass where nobody sees them yet. */
+  gather(stepLength: number, part: { pass: Pass; firstRow: number; rows: number }, picture: Size): void;
+  /** Show the picture that has been gathered. */
+  drawGathered(time?: number): void;
+  /** Resolves when the GPU has drawn everything that it was told to. */
+  finished(): Promise<void>;
+  /** GPU time of the last `draw`, ms; null where it can't be measured. */
+  gpuMs(): Promise<number | null>;
+
+  /** Draw some rays of the last picture with another step length. @param alone - shapes end none of them @returns reads them, before others are drawn, null where the context was lost; null where the device can't do it */
+  startProbe(stepLength: number, lattice: PixelLattice, picture: Size, alone?: boolean): (() => Float32Array | null) | null;
+  /** The last picture: premultiplied, bottom row first. */
+  readPicture(): Pixels;
+  /**
+   * The volume of the last picture, which got all its rays, without the shapes around it, and what these do to quads; null where there
+   * are none.
+   */
+  readVolume(): AmongShapes | null;
+
+  /** Give the author's elements, the GPU's memory and the context back. */
+  dispose(): void;
+}
+
+/** Makes scenes. */
+export interface SceneFactory {
+  /**
+   * @param host - the element whose X3D children join the scene
+   * @param container - where the canvas goes
+   * @param needsFrame - called when something in the scene changed and a picture is due
+   * @throws {VolumeViewError} `x3dom/unavailable`, `webgl/unavailable` or `webgl/unsupported`
+   */
+  create(host: Element, container: Element, needsFrame: () => void): Promise<Scene>;
+  /** Begin to load what scenes need; what fails is told when it is needed. @param isRadar - what radars need */
+  warmUp(isRadar?: boolean): void;
+}

@@ -1,0 +1,168 @@
+import type { ScanTarget } from '../../formats/base/choose-scan.ts';
+import { projectionKinds, shadings } from '../../optics/rays/ray-style.ts';
+import type { ProjectionKind, Shading } from '../../optics/rays/ray-style.ts';
+import { maxSteps } from '../../renderer/ray/compose-ray.ts';
+import { defaultLimits } from '../camera/camera-rig.ts';
+import type { CameraAttributes, CameraLimits } from '../camera/camera-rig.ts';
+import { pickSource } from './given-source.ts';
+import type { GivenSource, SourceName } from './given-source.ts';
+import * as parse from './parse-attributes.ts';
+import type { RingSetting } from './parse-attributes.ts';
+import { defaultTargets } from '../frames/quality-control.ts';
+import type { QualityTargets } from '../frames/quality-control.ts';
+
+/** The attributes of a view, by property: texts as they stand in HTML, null where absent. */
+export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
+
+type AttributeName =
+  | 'src' | 'stack' | SourceName
+  | 'time' | 'autoplay' | 'playSpeed'
+  | 'look' | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection' | 'shading' | 'surfaceValues' | 'gradientOpacity' | 'transferFunction2d'
+  | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
+  | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'minCameraOrbit' | 'maxCameraOrbit' | 'interpolationDecay' | 'interaction' | 'loading';
+
+/** What some attributes say together, or what reading them threw: a VolumeViewError, unless it is a mistake of ours. */
+export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: Error; readonly value?: undefined };
+
+/** What the values look like. What is null follows from the volume. */
+export interface LookSettings {
+  /** One word for what the page does not say of the rest; null for none. */
+  readonly named: string | null;
+  /** A preset's name, or stops, as an author writes them. */
+  readonly transferFunction: string | null;
+  readonly window: readonly [number, number] | null;
+  readonly referenceLength: number | null;
+  /** null where nothing is said: 1, unless `named` says more. */
+  readonly opacityFactor: number | null;
+  readonly lightFactor: number;
+  /** null for emission and absorption. */
+  readonly projection: ProjectionKind | null;
+  /** null where nothing is said: surfaces of values are lit then, and nothing else. */
+  readonly shading: Shading | null;
+  /** Surfaces, as an author writes them; null for none. */
+  readonly surfaces: string | null;
+  /** Factors by gradient, as an author writes them; null for none. */
+  readonly gradientOpacity: string | null;
+  /** Boxes and Gaussians of value and gradient, as an author writes them; null for none. */
+  readonly transferFunction2d: string | null;
+}
+
+/** All that an author says of a view, read once. Nothing of the viewer writes it. */
+export interface Settings {
+  /** One URL, or several, separated by blanks. */
+  readonly src: string | null;
+  /** Whether several URLs are the files of one volume. */
+  readonly stack: boolean;
+  /** How the file is to be read, as it is given: it is read with the file. Null where nothing is given. */
+  readonly source: GivenSource | null;
+  readonly time: Reading<ScanTarget>;
+  readonly autoplay: boolean;
+  /** Scans a second. */
+  readonly playSpeed: Reading<number>;
+  readonly look: Reading<LookSettings>;
+  readonly camera: Reading<CameraAttributes>;
+  readonly limits: Reading<CameraLimits>;
+  readonly quality: Reading<QualityTargets>;
+  /** Two corners of a box; null for all. */
+  readonly region: Reading<readonly number[] | null>;
+  /** Kilometres from ring to ring; null where nothing is said. */
+  readonly rings: Reading<RingSetting | null>;
+  /** Whether mouse, finger and keys move the camera. */
+  readonly controls: boolean;
+  /** Whether it loads however far away it is. */
+  readonly eager: boolean;
+}
+
+/** Scans a second. */
+export const defaultPlaySpeed = 2;
+
+export const plainLook: LookSettings = { named: null, transferFunction: null, window: null, referenceLength: null, opacityFactor: null, lightFactor: 1, projection: null, shading: null, surfaces: null, gradientOpacity: null, transferFunction2d: null };
+
+/** Read all attributes. Those that can't be read are errors in their places, and leave the others alone. */
+export function readSettings(given: GivenAttributes): Settings {
+  return {
+    src: given.src,
+    stack: given.stack !== null,
+    source: pickSource(given),
+    time: read(() => readTime(given.time)),
+    autoplay: given.autoplay !== null,
+    playSpeed: read(() => (given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed))),
+    look: read(() => readLook(given)),
+    camera: read(() => readCamera(given)),
+    limits: read(() => readLimits(given)),
+    quality: read(() => readQuality(given)),
+    region: read(() => (given.region === null ? null : parse.parseRegion(given.region))),
+    rings: read(() => (given.rings === null ? null : parse.parseRings(given.rings))),
+    controls: readControls(given.interaction),
+    eager: wordOf(given.loading) === 'eager',
+  };
+}
+
+/** Whether mouse, fingers and keys move the camera. */
+export function readControls(interaction: string | null): boolean {
+  return wordOf(interaction) !== 'none';
+}
+
+/** Whether two readings say the same. */
+export function isSameReading(a: Reading<unknown>, b: Reading<unknown>): boolean {
+  return a.error?.message === b.error?.message && JSON.stringify(a.value) === JSON.stringify(b.value);
+}
+
+function read<T>(parseAll: () => T): Reading<T> {
+  try {
+    return { value: parseAll() };
+  } catch (error) {
+    return { error: error as Error };
+  }
+}
+
+function readTime(time: string | null): ScanTarget {
+  return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
+}
+
+function readLook({ look, transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection, shading, surfaceValues, gradientOpacity, transferFunction2d }: GivenAttributes): LookSettings {
+  return {
+    named: look?.trim() ? look : null,
+    transferFunction,
+    window: valueWindow === null ? null : parse.parseWindow(valueWindow),
+    referenceLength: referenceLength === null ? null : parse.parseLength('reference-length', referenceLength),
+    opacityFactor: opacityFactor === null ? null : parse.parseFactor('opacity-factor', opacityFactor),
+    lightFactor: lightFactor === null ? 1 : parse.parseFactor('light-factor', lightFactor),
+    projection: readWord('projection', projection, projectionKinds),
+    shading: readWord('shading', shading, shadings),
+    surfaces: surfaceValues,
+    gradientOpacity,
+    transferFunction2d,
+  };
+}
+
+function readWord<T extends string>(name: string, text: string | null, words: readonly T[]): T | null {
+  return text === null || wordOf(text) === '' ? null : parse.parseWord(name, text, words);
+}
+
+function readCamera({ cameraOrbit: orbit, cameraTarget: target, fieldOfView }: GivenAttributes): CameraAttributes {
+  return {
+    ...(orbit === null || wordOf(orbit) === '' ? {} : parse.parseOrbit(orbit)),
+    target: target === null ? undefined : parse.parseTarget(target),
+    fieldOfView: fieldOfView === null ? undefined : parse.parseFieldOfView(fieldOfView),
+  };
+}
+
+function readLimits({ minCameraOrbit, maxCameraOrbit, interpolationDecay: decay }: GivenAttributes): CameraLimits {
+  return {
+    ...parse.parseLimits(minCameraOrbit, maxCameraOrbit),
+    decay: decay === null ? defaultLimits.decay : parse.parseFactor('interpolation-decay', decay),
+  };
+}
+
+function readQuality({ steps, maxError, targetFps }: GivenAttributes): QualityTargets {
+  return {
+    steps: steps === null ? defaultTargets.steps : parse.parseSteps(steps, maxSteps),
+    maxError: maxError === null ? defaultTargets.maxError : parse.parseLength('max-error', maxError),
+    targetFps: targetFps === null ? defaultTargets.targetFps : parse.parseLength('target-fps', targetFps),
+  };
+}
+
+function wordOf(text: string | null): string | undefined {
+  return text?.trim().toLowerCase();
+}

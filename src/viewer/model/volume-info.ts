@@ -1,0 +1,90 @@
+import type { ProjectionKind, RayStyle, Shading, SurfaceStyle } from '../../optics/rays/ray-style.ts';
+import type { Patch } from '../../optics/transfer/patches.ts';
+import type { StyleChain } from '../../optics/transfer/volume-styles.ts';
+import type { Stop } from '../../optics/transfer/transfer-function.ts';
+import type { Histogram } from '../../volume/histogram.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+
+/** What a page may know of a loaded volume: everything but its samples. */
+export interface VolumeInfo {
+  /** Voxels along i, j and k. */
+  readonly dimensions: Vector3;
+  /** World units per voxel along i, j and k. */
+  readonly spacing: Vector3;
+  /** Unit of the data values, or ''. */
+  readonly unit: string;
+  /** Smallest and largest data value. */
+  readonly range: readonly [number, number];
+  /** How often which values occur. */
+  readonly histogram: Histogram;
+  /** What the data came from, 'NIfTI-1' for instance. */
+  readonly format: string;
+  /** Row-major 4 x 4: voxel index, whole numbers at voxel centres, to world. */
+  readonly indexToWorld: Matrix4;
+  /** What the volume is, if its manifest says so. */
+  readonly title?: string;
+  /** Whether its file says that the world's axes are a patient's: x to the right, y to the front, z to the head. */
+  readonly anatomical?: boolean;
+  /** Whose data these are, if its manifest says so. */
+  readonly credit?: string;
+  /** Of a radar scan: the quantity that is shown, as its file names it. */
+  readonly moment?: string;
+  /** Of a radar scan: all quantities of its file. */
+  readonly moments?: readonly string[];
+  /** Of a radar scan: where the radar is, in degrees north and east, and metres of its antenna above sea level. */
+  readonly site?: { readonly name?: string; readonly latitude?: number; readonly longitude?: number; readonly height?: number };
+  /** Of a radar scan: when it began, ISO 8601 in UTC. */
+  readonly time?: string;
+  /** Set where only the first part of a damaged radar file could be read: what is missing. */
+  readonly partial?: string;
+  /** Of a radar scan: the sweeps that are shown, by ascending elevation: degrees, how many radials and gates, and metres to the first gate and from gate to gate. */
+  readonly sweeps?: readonly { readonly elevation: number; readonly radials: number; readonly gates: number; readonly firstGate: number; readonly gateLength: number }[];
+  /** What of the file is not shown, or not as it is there, in words: of a radar scan its other sweeps, and why; further volumes; what its header says of values and is not applied; whole numbers that had to be rounded. */
+  readonly left?: readonly string[];
+  /** Those of `left` that change what is seen: the picture has a sign for them. */
+  readonly notices?: readonly string[];
+  /** Set where the volume was made smaller to fit the device. */
+  readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
+}
+
+/** What a loaded volume looks like: attributes, file and histogram together, as numbers. */
+export interface VolumeOptics {
+  /** Colour and opacity by data value, ascending; a preset as its stops. */
+  readonly transferFunction: readonly Stop[];
+  /** Data values that presets and percentages span. */
+  readonly window: readonly [number, number];
+  /** World length over which a stop's opacity holds. */
+  readonly referenceLength: number;
+  /** Multiplies the extinction. */
+  readonly opacityFactor: number;
+  /** Multiplies the light. */
+  readonly lightFactor: number;
+  /** Which value of each ray is shown instead of emission and absorption; null for none. */
+  readonly projection: ProjectionKind | null;
+  /** Of a projection: the first local maximum from this value on is shown, or the first local minimum up to it; absent for that of the whole ray. */
+  readonly intensityThreshold?: number;
+  /** Whether what emits and absorbs is lit, where there is no projection. */
+  readonly shading: Shading;
+  /** Surfaces of some values, where there is no projection; null for none. */
+  readonly surfaces: SurfaceStyle | null;
+  /** X3D's rendering styles, where there are some. */
+  readonly styles?: readonly StyleChain[];
+  /** Colour and opacity by value and gradient, where there are some; `transferFunction` then is what they show by value alone. */
+  readonly patches?: readonly Patch[];
+}
+
+/** How rays are drawn where it is not by emission and absorption alone. */
+export function styleOf({ projection, intensityThreshold, shading, surfaces, styles, patches }: VolumeOptics): RayStyle | null {
+  if (projection) return { projection, intensityThreshold };
+  const lit = shading === 'lit' || undefined;
+  return lit || surfaces || styles || patches ? { lit, styles, patches, ...surfaces } : null;
+}
+
+export function describeVolume(volume: Volume): VolumeInfo {
+  const { grid, unit, range, histogram, format, title, anatomical, credit, reduced, radar } = volume;
+  const { dimensions, spacing, indexToWorld } = grid;
+  const { moment, moments, site, time, partial, sweeps, left: notices = volume.left, details = [] } = radar ?? {};
+  const left = notices && [...notices, ...details];
+  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, anatomical, credit, moment, moments, site, time, partial, sweeps, left, notices, reduced };
+}

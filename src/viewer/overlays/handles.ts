@@ -1,0 +1,209 @@
+// Small buttons over a picture, each at a place of the world, which move it: loaded by the elements that have some.
+import type { Camera } from '../../optics/rays/camera.ts';
+import { placeInElement } from '../../pointer-place.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import { moveByKey, placeInPlane, placeOnLine } from '../camera/drag-place.ts';
+import type { Pixel, SeenPicture } from '../camera/drag-place.ts';
+import { wearHandleStyles } from './handle-styles.ts';
+import { projectPlace } from '../camera/project-place.ts';
+
+/** A place that a person can move. */
+export interface Handle {
+  /** World. */
+  readonly at: Vector3;
+  /** The only direction in which it moves, of any length but zero; absent where it moves in the plane that faces the camera. */
+  readonly along?: Vector3;
+  /** What it is, for who does not see it. */
+  readonly name: string;
+  /** Its place in words, told once it is still. */
+  readonly place: string;
+  /** What the keys do. */
+  readonly keys: string;
+  /** CSS; by default what `--volume-view-handle-color` says. */
+  readonly color?: string;
+}
+
+/** A view with a picture: `render` is fired at it after each frame. */
+export interface HandledView extends HTMLElement {
+  readonly camera: Camera | null;
+}
+
+/** Who has handles. */
+export interface HandleOwner {
+  /**
+   * A person moves one: where to. The owner sets all handles anew, wherever it wants them.
+   * @param end - whether it is let go now: of a key each press is
+   */
+  moved(index: number, to: Vector3, end: boolean): void;
+}
+
+/** A screen reader is told where a handle is that has not moved for so long, ms. */
+const restMs = 500;
+
+interface Grip {
+  readonly index: number;
+  readonly pointerId: number;
+  readonly start: Vector3;
+  /** Pixel of the place when it was grabbed, and from there to the pointer. */
+  readonly from: Pixel;
+  readonly offset: Pixel;
+}
+
+/** Handles over a view's picture. They follow the camera; the picture does not turn by them. Several owners have their own. */
+export class Handles {
+  readonly #layer: HTMLElement;
+  readonly #told: HTMLElement;
+  readonly #abort = new AbortController();
+  #handles: readonly Handle[] = [];
+  #buttons: HTMLButtonElement[] = [];
+  #grip: Grip | null = null;
+  #timer = 0;
+  #focused = -1;
+
+  /** @param picture - the part of the view that holds its picture; handles come after it in the order of focus */
+  constructor(readonly view: HandledView, picture: Element, readonly owner: HandleOwner) {
+    const { ownerDocument: document } = view;
+    this.#layer = document.createElement('div');
+    this.#layer.className = 'handles';
+    this.#told = document.createElement('div');
+    this.#told.setAttribute('role', 'status');
+    this.#told.className = 'status'; // As what the view itself tells screen readers.
+    this.#layer.append(this.#told);
+    // Tab goes to them in the order in which their owners came.
+    ([...picture.parentNode!.querySelectorAll('.handles')].at(-1) ?? picture).after(this.#layer);
+    for (const type of ['render', 'load']) view.addEventListener(type, () => this.#place(), { signal: this.#abort.signal });
+  }
+
+  dispose(): void {
+    this.#abort.abort();
+    clearTimeout(this.#timer);
+    this.#layer.remove();
+  }
+
+  /** Whether a person holds one. */
+  get held(): boolean {
+    return this.#grip !== null;
+  }
+
+  /** Show handles in place of those before. One that is held, or has the focus, stays so by its number. */
+  set(handles: readonly Handle[]): void {
+    wearHandleStyles(this.view.shadowRoot!); // Each document has its own.
+    while (this.#buttons.length > handles.length) this.#drop(this.#buttons.length - 1);
+    this.#handles = handles;
+    while (this.#buttons.length < handles.length) this.#buttons.push(this.#make(this.#buttons.length));
+    handles.forEach(({ name, place, keys, color }, i) => {
+      const button = this.#buttons[i];
+      button.ariaLabel = place ? `${name}, ${place}` : name;
+      button.ariaDescription = keys;
+      if (color) button.style.setProperty('--_color', color);
+      else button.style.removeProperty('--_color');
+    });
+    this.#place();
+  }
+
+  /** Give one the focus. */
+  focus(index: number): void {
+    this.#buttons[index]?.focus({ preventScroll: true });
+  }
+
+  #drop(index: number): void {
+    if (this.#grip?.index === index) this.#grip = null;
+    this.#buttons.pop()!.remove();
+  }
+
+  #make(index: number): HTMLButtonElement {
+    const button = this.view.ownerDocument.createElement('button');
+    button.type = 'button';
+    button.className = 'handle';
+    button.setAttribute('part', 'handle');
+    const { signal } = this.#abort;
+    button.addEventListener('pointerdown', (event) => this.#grab(index, event), { signal });
+    button.addEventListener('pointermove', (event) => this.#drag(event, false), { signal });
+    for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) button.addEventListener(type, (event) => this.#release(event), { signal });
+    button.addEventListener('keydown', (event) => this.#press(index, event), { signal });
+    button.addEventListener('focus', () => (this.#focused = index), { signal });
+    button.addEventListener('blur', () => (this.#focused = -1), { signal });
+    this.#layer.insertBefore(button, this.#told);
+    return button;
+  }
+
+  get #picture(): SeenPicture | null {
+    const { camera, clientWidth: width, clientHeight: height } = this.view;
+    return camera && width > 0 && height > 0 ? { camera, width, height } : null;
+  }
+
+  /** Bring all to where the camera shows them. */
+  #place(): void {
+    const picture = this.#picture;
+    this.#handles.forEach(({ at }, i) => {
+      const pixel = picture && projectPlace(picture.camera, at, picture);
+      const { style } = this.#buttons[i];
+      // One that is held may be dragged out of the picture; hidden, it would lose the pointer.
+      style.visibility = pixel && (isInside(pixel, picture) || this.#grip?.index === i) ? 'visible' : 'hidden';
+      if (pixel) [style.left, style.top] = pixel.map((length) => `${length.toFixed(2)}px`);
+    });
+  }
+
+  #grab(index: number, event: PointerEvent): void {
+    const picture = this.#picture;
+    if (event.button !== 0 || this.#grip || !picture) return;
+    const { at } = this.#handles[index];
+    const from = projectPlace(picture.camera, at, picture);
+    if (!from) return;
+    const pointer = placeInElement(this.view, event);
+    this.#grip = { index, pointerId: event.pointerId, start: at, from, offset: [pointer[0] - from[0], pointer[1] - from[1]] };
+    const button = this.#buttons[index];
+    button.setPointerCapture(event.pointerId);
+    button.focus({ preventScroll: true }); // Safari gives buttons no focus by itself.
+    event.preventDefault();
+  }
+
+  #drag(event: PointerEvent, end: boolean): void {
+    const [grip, picture] = [this.#grip, this.#picture];
+    if (!grip || !picture || grip.pointerId !== event.pointerId) return;
+    const { index, start, from, offset } = grip;
+    const pointer = placeInElement(this.view, event);
+    const to: Pixel = [pointer[0] - offset[0], pointer[1] - offset[1]];
+    const { along } = this.#handles[index];
+    this.#move(index, along ? placeOnLine(picture, { through: start, direction: along, from }, to) : placeInPlane(picture, start, to), end);
+  }
+
+  #release(event: PointerEvent): void {
+    const grip = this.#grip;
+    if (!grip || grip.pointerId !== event.pointerId) return;
+    // The system has other plans for the finger: it was no drag.
+    if (event.type === 'pointercancel') this.#move(grip.index, grip.start, true);
+    else if (event.type === 'pointerup') this.#drag(event, true);
+    this.#grip = null;
+    this.#place();
+  }
+
+  #press(index: number, event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const [picture, grip] = [this.#picture, this.#grip];
+    if (event.key === 'Escape' && grip) {
+      this.#grip = null;
+      this.#move(grip.index, grip.start, true);
+    } else {
+      const { at, along } = this.#handles[index];
+      const to = picture && moveByKey(picture, at, event, along);
+      if (!to) return;
+      // Out of the picture nobody could bring it back.
+      const pixel = projectPlace(picture.camera, to, picture);
+      if (pixel && isInside(pixel, picture)) this.#move(index, to, true);
+    }
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  #move(index: number, to: Vector3, end: boolean): void {
+    if (!to.every(Number.isFinite)) return;
+    this.owner.moved(index, to, end);
+    clearTimeout(this.#timer);
+    this.#timer = window.setTimeout(() => (this.#told.textContent = this.#handles[this.#focused]?.place ?? ''), restMs);
+  }
+}
+
+function isInside([x, y]: Pixel, { width, height }: SeenPicture): boolean {
+  return x >= 0 && y >= 0 && x <= width && y <= height;
+}

@@ -1,0 +1,88 @@
+// Holds what the GPU draws against rays that are cast on the processor: loaded when somebody asks.
+import { loadPart } from '../../load-part.ts';
+import { castRay } from '../../optics/rays/cast-ray.ts';
+import { leastSubsteps } from '../../optics/cells/least-substeps.ts';
+import { headlightAlone } from '../../optics/transfer/lights.ts';
+import type { RayStages, Sample } from '../../optics/rays/ray-stages.ts';
+import { rayThrough } from '../../optics/rays/rays.ts';
+import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
+import { isCut } from '../../optics/cells/substeps.ts';
+import type { Substeps } from '../../optics/cells/substeps.ts';
+import { chooseChecks, compareRay, placeChecks, sumUpChecks } from '../../quality/compare-rays.ts';
+import type { PictureCheck, RayDifference } from '../../quality/compare-rays.ts';
+import { stepLengthOf } from '../../quality/steps.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { inPieces } from '../frames/in-pieces.ts';
+import type { Scene } from '../model/scene.ts';
+import { raysOfView } from './view-rays.ts';
+import type { Viewer } from '../view/viewer.ts';
+
+/**
+ * Compare some rays of the picture at rest with the same rays in float64: the volume's own, which no shape ends. The page goes on meanwhile.
+ * @returns null where the device can't tell, the picture shows nothing, or it is another one by then
+ * @throws {VolumeViewError} `format/unsupported` where a part of the package is not there
+ */
+export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null> {
+  const { pictures: { parts: { keeper, loop, shown } }, frames } = viewer;
+  const { seenPixels } = await loadPart(import('../frames/view-quality.ts'), 'measures the error of pictures');
+  return keeper.withScene(async (scene) => {
+    const rays = await raysOfView(viewer, scene.lights() ?? headlightAlone);
+    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && keeper.scene === scene;
+    if (!rays || !goesOn()) return null;
+    const size = frames.sizeIn(scene);
+    const { steps, substeps } = frames.planAtRest;
+    const stepLength = stepLengthOf(shown.grid, steps);
+    const rectangle = seenPixels(scene, size);
+    if (!rectangle) return null;
+    scene.setSubsteps(substeps);
+    const lattice = placeChecks(rectangle, Math.random);
+    // At once: others draw where this is drawn.
+    const drawn = scene.startProbe(stepLength, lattice, size, true)?.();
+    if (!drawn) return null;
+    const stages = rays.stages({ stepLength, maxSubsteps: substepsOf(scene, substeps), leastSubsteps: leastOf(scene, substeps.voxelsPerStep) });
+    const compare = (ray: number): RayDifference => {
+      const pixel = [lattice.first[0] + lattice.stride * (ray % lattice.width), lattice.first[1] + lattice.stride * Math.floor(ray / lattice.width)];
+      const through = (shift: readonly [number, number]): number[] => pixel.map((one, axis) => (2 * (one + 0.5 + shift[axis])) / (axis ? size.height : size.width) - 1);
+      return compareRay(drawn.subarray(4 * ray, 4 * ray + 4), ({ shift, digits }) => castRay(withDigits(stages, rays.volume, digits), rayThrough(rays.setup, ...(through(shift) as [number, number]))));
+    };
+    const differences = await inPieces(compareAll(chooseChecks(drawn, Math.random), compare), goesOn);
+    return differences && sumUpChecks(differences);
+  });
+}
+
+/** Of a value, what float32 may round it by on its way through a shader. */
+const digit = 2 ** -20;
+
+/** The same rays among values whose last digits are others, here and there otherwise. @param digits - 0 for the values themselves */
+function withDigits(stages: RayStages, { range }: Volume, digits: number): RayStages {
+  if (digits === 0) return stages;
+  const most = digit * Math.max(...range.map(Math.abs));
+  const { field } = stages;
+  const sampleAt = (place: Vector3): Sample => {
+    const known = field.sampleAt(place);
+    return { ...known, value: known.value + most * Math.sin(digits * (1e4 * place[0] + 2e4 * place[1] + 3e4 * place[2])) };
+  };
+  return { ...stages, field: { ...field, sampleAt } };
+}
+
+/** The most substeps of a step. A projection is exact where steps are cut in any way. */
+function substepsOf({ cutsSteps }: Scene, substeps: Substeps): number {
+  return !cutsSteps && isCut(substeps) ? maxSubsteps : substeps.most;
+}
+
+/** What cells say of steps; they have no say where an author gives steps, and in projections. */
+function leastOf(scene: Scene, voxelsPerStep: number): RayStages['leastSubsteps'] {
+  const codes = scene.cutsSteps ? scene.detail() : null;
+  const seen = scene.whatIsSeen();
+  return codes && seen ? leastSubsteps(seen.volume, codes, voxelsPerStep) : undefined;
+}
+
+function* compareAll(chosen: readonly number[], compare: (ray: number) => RayDifference): Generator<void, RayDifference[]> {
+  const differences: RayDifference[] = [];
+  for (const ray of chosen) {
+    differences.push(compare(ray));
+    yield;
+  }
+  return differences;
+}

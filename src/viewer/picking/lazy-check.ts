@@ -1,0 +1,24 @@
+import { loadPart } from '../../load-part.ts';
+import type { PictureCheck } from '../../quality/compare-rays.ts';
+import type { CheckedView } from './self-check.ts';
+import type * as SelfCheckPart from './self-check.ts';
+import type { Viewer } from '../view/viewer.ts';
+
+let part: typeof SelfCheckPart | null = null;
+
+/** See `checkPicture` of src/viewer/picking/check-picture.ts. @throws {VolumeViewError} `format/unsupported` */
+export async function checkIn(viewer: Viewer | null): Promise<PictureCheck | null> {
+  const { checkPicture } = await loadPart(import('./check-picture.ts'), 'checks pictures');
+  return viewer && checkPicture(viewer);
+}
+
+/** Have the pictures of an element checked while it has `self-check`. */
+export async function followChecks(view: HTMLElement & Partial<CheckedView>): Promise<void> {
+  if (!view.selfCheck && !part) return;
+  try {
+    part ??= await loadPart(import('./self-check.ts'), 'checks pictures');
+    part.checksOn(view as CheckedView);
+  } catch (error) {
+    view._presenter!.errors.report('check', error);
+  }
+}

@@ -1,0 +1,16 @@
+import { loadPart } from '../../load-part.ts';
+import type { PickedView } from './pick-clicks.ts';
+import type { Viewer } from '../view/viewer.ts';
+import type { PickOptions, VolumePick } from '../model/volume-pick.ts';
+
+/** What is at a place of a picture, see `pick` of src/viewer/picking/pick.ts. @throws {VolumeViewError} `format/unsupported` */
+export async function pickIn(viewer: Viewer | null, place: readonly [x: number, y: number], options?: PickOptions): Promise<VolumePick | null> {
+  const { pick } = await loadPart(import('./pick.ts'), 'picks');
+  return pick(viewer, place, options);
+}
+
+/** Have clicks on an element fire `volume-pick` where it is `pickable`. Without that part the picture is what it is. */
+export async function followClicks(view: HTMLElement & Partial<PickedView>): Promise<void> {
+  if (!view.pickable) return;
+  await import('./pick-clicks.ts').then(({ clicksOn }) => clicksOn(view as PickedView), console.warn);
+}

@@ -1,0 +1,36 @@
+import { voteOfCorners } from '../../optics/rays/vote.ts';
+import { nameInFile } from '../../volume/labels.ts';
+import type { ShownLabels } from '../../volume/labels.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { ViewLabels } from '../model/view-labels.ts';
+import type { ViewOverlay } from '../model/view-overlay.ts';
+import type { VolumePick } from '../model/volume-pick.ts';
+
+/**
+ * The label at a place, and what it is called; nothing where there is none.
+ * @param place - in the unit cube
+ */
+export function labelOf(labels: ViewLabels | null, place: Vector3, { label }: VolumePick, volume: Volume): Pick<VolumePick, 'label' | 'labelName'> {
+  const id = labels?.shown && isOn(labels.shown, volume) ? idAt(labels.shown, place) : label === undefined ? null : Number(label);
+  const labelName = id === null ? null : (labels?.nameOf(id) ?? nameInFile(volume, id));
+  return { ...(id === null ? {} : { label: String(id) }), ...(labelName === null ? {} : { labelName }) };
+}
+
+/** What the layer over a volume has at a place; nothing where there is none over it. @param place - in the unit cube */
+export function layersAt(overlay: ViewOverlay | null, place: Vector3, volume: Volume): Pick<VolumePick, 'layers'> {
+  if (!overlay?.isOver(volume)) return {};
+  const { name, shown: { volume: { unit } } } = overlay;
+  return { layers: [{ name, value: overlay.valueAt(place), unit }] };
+}
+
+/** Whether labels are on a volume's grid: another one may have come meanwhile. */
+export function isOn({ map }: ShownLabels, { grid }: Volume): boolean {
+  return grid.kind === 'cartesian' && String(map.dimensions) === String(grid.dimensions);
+}
+
+/** null for what has no label. */
+function idAt({ map: { numbers, dimensions, ids } }: ShownLabels, place: Vector3): number | null {
+  const number = voteOfCorners(numbers, dimensions, place);
+  return number === 0 ? null : ids[number];
+}

@@ -1,0 +1,34 @@
+import { valueOf } from '../../volume/index-numbers.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import type { Volume } from '../../volume/volume.ts';
+
+/** A voxel, and its data value. */
+export interface Voxel {
+  readonly index: Vector3;
+  readonly value: number;
+}
+
+/**
+ * Of the eight voxels around a place the nearest one that has data.
+ * @param place - in the unit cube
+ * @returns null where none has any
+ */
+export function nearestVoxel(volume: Pick<Volume, 'grid' | 'samples' | 'slope' | 'intercept' | 'ids' | 'indexed'>, place: Vector3): Voxel | null {
+  const { grid: { dimensions }, samples, indexed } = volume;
+  let nearest: Voxel | null = null;
+  let most = 0;
+  const inside = place.map((p, axis) => Math.min(dimensions[axis] - 1, Math.max(0, p * dimensions[axis] - 0.5)));
+  for (let corner = 0; corner < 8; corner++) {
+    const upper = [corner & 1, (corner >> 1) & 1, corner >> 2];
+    const index = inside.map((p, axis) => Math.min(dimensions[axis] - 1, Math.floor(p) + upper[axis])) as unknown as Vector3;
+    const weight = inside.reduce((product, p, axis) => product * (upper[axis] ? p - Math.floor(p) : 1 - (p - Math.floor(p))), 1);
+    const at = index[0] + dimensions[0] * (index[1] + dimensions[1] * index[2]);
+    const stored = samples[at];
+    // In the middle between two it is the upper one, as where labels are looked up.
+    if (!Number.isFinite(stored) || weight === 0 || weight < most) continue;
+    most = weight;
+    // What float32 rounds is told as it is in the file.
+    nearest = { index, value: indexed ? indexed.ids[indexed.samples[at]] : valueOf(volume, stored) };
+  }
+  return nearest;
+}

@@ -1,0 +1,90 @@
+// What is at a place of a picture: loaded when somebody asks.
+import { loadPart } from '../../load-part.ts';
+import { brighten } from '../../optics/transfer/brighten.ts';
+import { groupOf } from '../../optics/attachments/labels.ts';
+import { pickPlaces, pickRay } from '../../optics/pick-ray.ts';
+import type { RayPick } from '../../optics/pick-ray.ts';
+import { rayThrough } from '../../optics/rays/rays.ts';
+import { evaluate } from '../../optics/transfer/transfer-function.ts';
+import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
+import { writeColor } from '../../optics/transfer/write-transfer-function.ts';
+import { finestSpacing, longestDiagonal, unitToWorld } from '../../volume/grid.ts';
+import { transformPoint } from '../../volume/matrix.ts';
+import { isPolar } from '../../volume/volume.ts';
+import { labelOf, layersAt } from './pick-label.ts';
+import { nearestVoxel } from './pick-voxel.ts';
+import { raysOfView } from './view-rays.ts';
+import type { ViewRays } from './view-rays.ts';
+import type { Viewer } from '../view/viewer.ts';
+import type { PickOptions, RadarPlace, VolumePick } from '../model/volume-pick.ts';
+
+/** A ray has no more steps than this, each of which may be cut into substeps. */
+const mostSteps = 1500;
+
+/**
+ * What is at a place of the picture that stands in the page.
+ * @param place - CSS pixels from the left and top edge of the picture
+ * @returns null where nothing shows, outside the picture, and before there is one
+ * @throws {VolumeViewError} `format/unsupported` where a part of the package is not there
+ */
+export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y: number], options?: PickOptions | null): Promise<VolumePick | null> {
+  const at = pickPlaces.find((one) => one === options?.at) ?? 'jump';
+  const polar = viewer?.volume && isPolar(viewer.volume) ? await loadPart(import('./pick-radar.ts'), 'looks into radar volumes') : null;
+  const host = viewer?.place.host;
+  const surfaces = host?._surfaces ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
+  const rays = viewer && (await raysOfView(viewer, null));
+  if (!rays || isPolar(rays.volume) !== (polar !== null)) return null;
+  const { volume, optics, setup } = rays;
+  const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
+  if (!(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
+  const { shown } = viewer.pictures.parts;
+  const stages = rays.stages({ stepLength: Math.max(finestSpacing(volume.grid), longestDiagonal(shown.grid) / mostSteps) });
+  const ray = rayThrough(setup, 2 * across - 1, 1 - 2 * down);
+  const end = surfaces?.endAtSurface(host!, ray, unitToWorld(volume.grid), setup.eyeT);
+  const look = { ...rays, projection: optics.projection, intensityThreshold: optics.intensityThreshold, isClear: rays.hasSurfaces && optics.surfaces?.clear === true };
+  const found = pickRay({ ...stages, intervals: [...stages.intervals, ...(end ? [end.stage] : [])] }, ray, { at, look });
+  if (!found) return null;
+  if (end?.isPicked(ray, found.place)) return surfaces!.describeSurface(volume, end.hit, stages.field, polar?.describePlace);
+  const there = stages.moreFields.reduce((known, stage) => stage(found.place, known), stages.field.sampleAt(found.place));
+  const colors = rays.functions[groupOf(there) - 1] ?? rays.transferFunction;
+  const { value: interpolated } = stages.field.sampleAt(found.place);
+  const radar = polar && isPolar(volume) ? polar.describeRadar(volume, found.place) : null;
+  const { labels, overlay } = shown;
+  const beside = layersAt(overlay, found.place, volume);
+  const described = describe(rays, found, { interpolated, colors, radar, hasLayer: overlay?.shown.blend === 'mix' && typeof beside.layers?.[0].value === 'number' });
+  return described && { ...described, ...labelOf(labels, found.place, described, volume), ...beside };
+}
+
+/** What is known of a place beside the place itself. */
+interface Known {
+  readonly interpolated: number;
+  /** Of the label there, or of the volume. Brightened. */
+  readonly colors: TransferFunction;
+  readonly radar: { readonly value: number; readonly place: RadarPlace } | null;
+  /** Whether a layer shows there what is its own. */
+  readonly hasLayer: boolean;
+}
+
+function describe({ volume, optics }: ViewRays, { place, color, surface }: RayPick, { interpolated, colors, radar, hasLayer }: Known): VolumePick | null {
+  const hasData = !Number.isNaN(interpolated);
+  const voxel = radar || !hasData || isPolar(volume) ? null : nearestVoxel(volume, place);
+  // Of labels what the picture shows there, which need not be the nearest voxel's.
+  const shown = volume.ids ? volume.ids[interpolated] : interpolated;
+  const value = radar?.value ?? (volume.isDiscrete ? shown : (voxel?.value ?? NaN));
+  if ((Number.isNaN(value) || !hasData) && !hasLayer) return null;
+  const { unit, isDiscrete } = volume;
+  const of = optics.surfaces?.surfaces.find(({ value: wanted }) => wanted === surface);
+  const [red, green, blue, opacity] = evaluate(of ? brighten([{ ...of, opacity: 1 }], optics.lightFactor) : colors, interpolated);
+  return {
+    value,
+    interpolated: shown,
+    ...(surface === undefined ? {} : { isoValue: surface }),
+    unit,
+    voxel: voxel && voxel.index,
+    world: transformPoint(unitToWorld(volume.grid), place),
+    ...(isDiscrete && hasData ? { label: String(value) } : {}),
+    opacity: Math.min(1, color[3]),
+    color: opacity > 0 ? writeColor([red / opacity, green / opacity, blue / opacity]) : '#000000',
+    radar: radar && radar.place,
+  };
+}

@@ -1,0 +1,286 @@
+import { VolumeViewError } from '../../errors.ts';
+import type { ScanTarget } from '../../formats/base/choose-scan.ts';
+import type { LoadProgress, LoadProgressListener } from '../../formats/base/load-request.ts';
+import type { LoadOptions } from '../../worker/load.ts';
+import { loadPart } from '../../load-part.ts';
+import { deviceLimits } from '../../renderer/device/device.ts';
+import type { DeviceLimits } from '../../volume/reduce.ts';
+import { probeDevice } from '../../renderer/probes/probe-device.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { ErrorBoard } from '../model/error-board.ts';
+import { loads } from '../loading/load-queue.ts';
+import { openSource } from '../loading/open-source.ts';
+import type { Source, SourceRequest } from '../loading/open-source.ts';
+import type { Playback } from '../loading/playback.ts';
+import type { ScanPlayer } from '../loading/scan-player.ts';
+import type { SceneFactory } from '../model/scene.ts';
+import type { Settings } from '../model/settings.ts';
+import { sharedVolumes } from '../loading/shared-volumes.ts';
+import type { VolumePresenter } from '../view/volume-presenter.ts';
+
+/** Volumes of fewer bytes than this are not made smaller where the GPU's memory is full: it would not help. */
+const minReduced = 2 ** 20;
+
+/** Who wants a source loaded. */
+export interface LoaderHost {
+  readonly settings: Settings;
+  /** Whether there is a page, in which something can be shown. */
+  readonly inPage: boolean;
+  /** Whether it is near enough to be seen soon, asked for, or eager. */
+  readonly awake: boolean;
+  readonly inSight: boolean;
+  readonly scenes: SceneFactory;
+  /** No source is wanted any more, where there was one. */
+  sourceGone(): void;
+  /** What can be seen of loading has changed. */
+  changed(): void;
+  /** The scans, what is known of their times, or whether they play is otherwise. */
+  scansChanged(): void;
+  /** Something happened that pages can listen to. */
+  emit(type: string, detail: unknown): void;
+  /** Work that a script that waits for the picture has to wait for. */
+  track(work: Promise<unknown>): void;
+}
+
+/** With whom a loader works. */
+export interface LoaderParts {
+  readonly presenter: VolumePresenter;
+  readonly errors: ErrorBoard;
+  readonly playback: Playback;
+}
+
+/**
+ * Loads what a source has: at once, or when the element comes near; anew and smaller where the GPU's memory is full; of
+ * several scans the wanted one. A load gives up the one before.
+ */
+export class SourceLoader {
+  #scans: ScanPlayer | null = null;
+  #isCurrent = false;
+  #loading: AbortController | null = null;
+  /** What waits until the element comes near the visible part of the page, or a script asks for its picture. */
+  #putOff: (() => void) | null = null;
+  /** By the attribute `time`, or by a person since. */
+  #wanted: ScanTarget = { index: 0 };
+  #progress: LoadProgress | null = null;
+  /** Bytes of samples that the GPU had memory for, as far as it is known. */
+  #maxBytes = Infinity;
+  /** Settles when the coarse picture of a volume on its way is as good as there. */
+  #standIn: Promise<void> = Promise.resolve();
+
+  constructor(readonly host: LoaderHost, readonly parts: LoaderParts) {}
+
+  /** Goes through several scans; null where the source is a single volume, or not open yet. */
+  get scans(): ScanPlayer | null {
+    return this.#scans;
+  }
+
+  /** Whether the volume is that of the present source, and not one that stays because there is none better. */
+  get isCurrent(): boolean {
+    return this.#isCurrent;
+  }
+
+  get isLoading(): boolean {
+    return this.#loading !== null;
+  }
+
+  /** Whether a load is under way or will be. */
+  get isExpecting(): boolean {
+    return this.#loading !== null || this.#putOff !== null;
+  }
+
+  /** How far loading is, where a person should see it. */
+  get progress(): LoadProgress | null {
+    return this.#progress;
+  }
+
+  /** Load the present source; whatever was loading is given up. */
+  load(): void {
+    this.#giveUp();
+    this.#isCurrent = false;
+    this.#scans?.stop();
+    this.#scans = null;
+    this.parts.playback.forget();
+    const { errors, presenter } = this.parts;
+    errors.clear('source');
+    presenter.forgetModel();
+    const { src, stack } = this.host.settings;
+    if (src === null && (presenter.volume || presenter.viewer?.volume)) {
+      presenter.empty();
+      this.host.sourceGone();
+    }
+    if (!this.host.inPage || !src) return;
+    if (!this.host.awake) {
+      this.#putOff = () => this.load();
+      return;
+    }
+    this.host.scenes.warmUp(); // It comes while the data do.
+    this.#readTime();
+    this.#begin((wanted, signal, onProgress) => {
+      this.#setProgress({ loaded: 0, total: 0, phase: 'fetch' });
+      return this.#open({ src, stack }, wanted, signal, onProgress);
+    });
+  }
+
+  /** Load what failed once more. */
+  reload(): void {
+    if (!this.#scans) return this.load();
+    this.parts.errors.clear('source');
+    this.showWanted();
+  }
+
+  /** Show the scan that the settings name. */
+  showTime(): void {
+    if (!this.#scans && !this.#loading) return; // A source that will be loaded begins with it.
+    const before = this.#wanted;
+    this.#readTime();
+    if (JSON.stringify(before) === JSON.stringify(this.#wanted)) this.#wanted = before;
+    else this.showWanted();
+  }
+
+  /** Show one of several scans, by its number. */
+  showScan(index: number): void {
+    this.#wanted = { index };
+    this.parts.errors.clear('time');
+    this.showWanted();
+  }
+
+  /** Another one of several scans may be wanted. A source that is still being opened looks at its end. */
+  showWanted(): void {
+    const scans = this.#scans;
+    if (!scans || !this.host.inPage) return;
+    if (!this.host.awake) this.#putOff = () => this.showWanted();
+    else this.#begin((wanted, signal, onProgress) => scans.load(wanted, signal, onProgress));
+  }
+
+  /** The element came nearer or went away: what was put off is done now, or what is under way is put off. */
+  followPresence(): void {
+    if (this.host.awake) {
+      const act = this.#putOff;
+      this.#putOff = null;
+      act?.();
+    } else if (this.#loading) {
+      this.stop();
+      this.#putOff = () => (this.#isCurrent ? this.showWanted() : this.load());
+    }
+  }
+
+  /** Nothing of it goes on. */
+  stop(): void {
+    this.#giveUp();
+    this.#scans?.stop();
+  }
+
+  /** The element has left its page. */
+  leave(): void {
+    this.stop();
+    sharedVolumes.release(this);
+  }
+
+  /** What was loading has failed. */
+  fail(): void {
+    this.#loading = null;
+    this.#setProgress(null);
+  }
+
+  #giveUp(): void {
+    this.#loading?.abort();
+    this.#loading = null;
+    this.#putOff = null;
+    this.#setProgress(null);
+  }
+
+  #readTime(): void {
+    this.#wanted = { index: 0 };
+    this.parts.errors.take('time', this.host.settings.time, (wanted) => (this.#wanted = wanted));
+  }
+
+  /** Load a volume and show it; whatever was loading is given up, and the old picture stays meanwhile. */
+  #begin(load: (wanted: ScanTarget, signal: AbortSignal, onProgress: LoadProgressListener) => Promise<Volume>): void {
+    this.#giveUp();
+    const controller = (this.#loading = new AbortController());
+    const { signal } = controller;
+    const wanted = this.#wanted;
+    const loaded = this.parts.errors.run('source', signal, async () => {
+      const volume = await load(wanted, signal, (progress) => this.#onProgress(progress, signal));
+      signal.throwIfAborted();
+      await this.#show(volume, signal).catch((error: unknown) => this.#loadSmaller(volume, error));
+    });
+    this.host.track(loaded.then((done) => this.#end(done, wanted, signal)));
+  }
+
+  async #show(volume: Volume, signal: AbortSignal): Promise<void> {
+    await this.#standIn; // Or it might come later than what it stands in for.
+    signal.throwIfAborted();
+    const { presenter } = this.parts;
+    const optics = await presenter.show(volume, signal);
+    this.#loading = null;
+    this.#isCurrent = true;
+    this.#setProgress(null);
+    presenter.announce(optics);
+  }
+
+  async #end(done: boolean, wanted: ScanTarget, signal: AbortSignal): Promise<void> {
+    if (signal.aborted) return;
+    await this.parts.presenter.endLoad(done);
+    if (!this.#scans) this.parts.playback.giveUp();
+    this.#scans?.settled(done);
+    if (wanted !== this.#wanted) this.showWanted();
+  }
+
+  /** Load a volume anew that the GPU has no memory for, this time reduced to a quarter. */
+  #loadSmaller(volume: Volume, error: unknown): void {
+    const { byteLength } = volume.samples;
+    const isTooLarge = error instanceof VolumeViewError && error.code === 'format/too-large';
+    if (!isTooLarge || isPolar(volume) || byteLength < minReduced) throw error;
+    this.#maxBytes = byteLength / 4;
+    this.load();
+  }
+
+  #open(source: Source, wanted: ScanTarget, signal: AbortSignal, onProgress: LoadProgressListener): Promise<Volume> {
+    return openSource(source, {
+      load: (request, options) => loads.run(() => this.host.inSight, options.signal, (lend) => this.#loadShared(request, {
+        ...options,
+        onProgress: (progress) => (progress.isStill ? lend() : options.onProgress(progress)),
+      })),
+      opened: (player) => {
+        this.#scans = player;
+        this.parts.playback.follow(player, this.host.settings.autoplay);
+      },
+      go: (index) => this.showScan(index),
+      shown: (scan) => this.host.emit('time-change', scan),
+      changed: () => this.host.scansChanged(),
+      giveUp: () => this.parts.playback.pause(),
+    }, { wanted, signal, onProgress, onCoarse: (coarse) => coarse ? void (this.#standIn = this.parts.presenter.showCoarse(coarse, signal)) : this.host.scenes.warmUp(true) });
+  }
+
+  async #loadShared(request: SourceRequest, options: LoadOptions): Promise<Volume> {
+    const { source } = this.host.settings;
+    const reader = source && (await loadPart(import('../loading/read-source.ts'), 'reads attributes of the source'));
+    options.signal.throwIfAborted();
+    const limits = this.#askLimits();
+    limits.catch(() => {}); // Told by who waits for it, if anybody does.
+    return sharedVolumes.get(this, { ...request, ...reader?.readSource(source!), limits, maxBytes: this.#maxBytes }, options);
+  }
+
+  /** In a moment: a first context takes long, and the file is on its way meanwhile. */
+  async #askLimits(): Promise<DeviceLimits> {
+    const maxBytes = this.#maxBytes;
+    await new Promise((resolve) => setTimeout(resolve));
+    return deviceLimits(probeDevice(), maxBytes);
+  }
+
+  #onProgress(progress: LoadProgress, signal: AbortSignal): void {
+    if (signal.aborted) return;
+    // While scans play, nobody wants a bar to come and go with each of them.
+    if (!this.#scans || this.parts.playback.paused) this.#setProgress(progress);
+    this.host.emit('progress', progress);
+  }
+
+  #setProgress(progress: LoadProgress | null): void {
+    if (progress === this.#progress) return;
+    this.#progress = progress;
+    this.parts.presenter.viewer?.expect(progress !== null && (progress.loaded > 0 || progress.phase !== 'fetch'));
+    this.host.changed();
+  }
+}

@@ -1,0 +1,312 @@
+import type { VolumeViewError } from '../../errors.ts';
+import { ErrorBoard } from '../model/error-board.ts';
+import type { Aspect, ErrorListener } from '../model/error-board.ts';
+import { PageVisit } from './page-visit.ts';
+import type { PagePlace, VisitListener } from './page-visit.ts';
+import { PendingWork } from '../model/pending-work.ts';
+import type { RingWriter } from '../cuts/ring-labels.ts';
+import { loadPart } from '../../load-part.ts';
+import { Playback } from '../loading/playback.ts';
+import { Presence } from '../scenes/presence.ts';
+import type { RenderStats } from '../model/render-stats.ts';
+import type { TimeChangeDetail } from '../loading/scan-player.ts';
+import type { SceneFactory } from '../model/scene.ts';
+import { isSameReading } from '../model/settings.ts';
+import type { Settings } from '../model/settings.ts';
+import type { FileGoal } from '../frames/take-picture.ts';
+import { SourceLoader } from './source-loader.ts';
+import type { LoaderHost } from './source-loader.ts';
+import type { Viewer } from '../view/viewer.ts';
+import { VolumePresenter } from '../view/volume-presenter.ts';
+import type { PresenterHost } from '../view/volume-presenter.ts';
+
+/** What a session tells its element. */
+export interface SessionListener {
+  /** Progress, the shown error, the volume or whether there is a picture is otherwise. */
+  changed(): void;
+  /** Something happened that pages can listen to. */
+  emit(type: string, detail: unknown): void;
+  /** The words for a ring around a radar, see ViewerListener. */
+  labelRing: RingWriter;
+  /** Resolves when settings that were changed have been applied; null where none are on their way. */
+  settingsComing(): Promise<unknown> | null;
+}
+
+/**
+ * All that a <volume-view> does, without the element: settings come in by `apply`, and go to those who load
+ * (SourceLoader), bring volumes in with look and cuts (VolumePresenter), play (Playback) and draw (Viewer). What a person
+ * does is their state; nothing is ever written back into the settings.
+ */
+export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, VisitListener {
+  readonly errors = new ErrorBoard(this);
+  readonly presenter: VolumePresenter;
+  readonly playback = new Playback((event) => {
+    this.emit(event, null);
+    this.scansChanged();
+    this.changed();
+  });
+  readonly loader: SourceLoader;
+  #settings: Settings | null = null;
+  #visit: PageVisit | null = null;
+  #stats: RenderStats | null = null;
+  #hasPicture = false;
+  /** Resolves when hands move the camera. */
+  #hands: Promise<void> | null = null;
+  readonly #work = new PendingWork();
+  readonly #presence = new Presence(() => this.#followPresence());
+
+  constructor(readonly host: HTMLElement, readonly scenes: SceneFactory, readonly listener: SessionListener) {
+    this.presenter = new VolumePresenter(this, this.errors);
+    this.loader = new SourceLoader(this, this);
+  }
+
+  labelRing(what: Parameters<RingWriter>[0]): string {
+    return this.listener.labelRing(what);
+  }
+
+  /** null before there is a picture. */
+  get hands(): PageVisit['hands'] {
+    return this.#visit?.hands ?? null;
+  }
+
+  /** null while the element is in no page. */
+  get viewer(): Viewer | null {
+    return this.#visit?.viewer ?? null;
+  }
+
+  /** There are some once `apply` was called. */
+  get settings(): Settings {
+    return this.#settings!;
+  }
+
+  /** The last drawn frame. */
+  get stats(): RenderStats | null {
+    return this.#stats;
+  }
+
+  /** Whether a picture stands in the page. */
+  get hasPicture(): boolean {
+    return this.#hasPicture;
+  }
+
+  /** When the scans of the source began, as far as it is known. */
+  get times(): readonly (string | null)[] {
+    const { scans, isCurrent } = this.loader;
+    const { info } = this.presenter;
+    if (scans) return scans.times;
+    return info && isCurrent ? [info.time ?? null] : [];
+  }
+
+  /** The scan in the picture. */
+  get scan(): TimeChangeDetail | null {
+    const { scans } = this.loader;
+    if (scans) return scans.shown;
+    const [time] = this.times;
+    return time === undefined ? null : { index: 0, time, count: 1 };
+  }
+
+  /** Go through the scans. @throws {DOMException} see Playback */
+  async play(): Promise<void> {
+    const playing = this.playback.play();
+    void this.#refuseToPlayNothing();
+    return playing;
+  }
+
+  async #refuseToPlayNothing(): Promise<void> {
+    await this.listener.settingsComing();
+    if (!this.loader.scans && !this.loader.isExpecting) this.playback.giveUp();
+  }
+
+  /** The settings may be others. @param placed - whether the camera is placed anew, be it where it was placed before */
+  apply(settings: Settings, placed: boolean): void {
+    const before = this.#settings;
+    this.#settings = settings;
+    const changed = (name: 'look' | 'limits' | 'quality' | 'region' | 'rings' | 'playSpeed'): boolean =>
+      !before || !isSameReading(before[name], settings[name]);
+    if (before && before.eager !== settings.eager) this.#followPresence();
+    const [source, sourceBefore] = [settings, before].map((one) => JSON.stringify([one?.src, one?.stack, one?.source]));
+    if (source !== sourceBefore) this.loader.load();
+    else if (changed('look')) this.#readLook();
+    if (settings.autoplay && before?.autoplay === false && this.loader.scans) this.playback.startByItself();
+    if (changed('playSpeed')) this.#readSpeed();
+    if (!this.#visit) return;
+    if (changed('limits')) this.#readLimits();
+    if (placed) this.#readCamera();
+    if (changed('quality')) this.#readQuality();
+    if (changed('region') || changed('rings')) this.presenter.cutAnew();
+    if (before?.controls !== settings.controls && this.#hasPicture) this.#giveHands();
+  }
+
+  /** The element has come into a page. */
+  enter({ picture, container }: PagePlace): void {
+    if (this.#visit) return;
+    const { host, scenes, loader, presenter } = this;
+    this.#visit = new PageVisit(picture, { host, container, scenes, presence: this.#presence }, this);
+    presenter.viewer = this.#visit.viewer;
+    this.#readLimits();
+    this.#readCamera();
+    this.#readQuality();
+    this.#visit.watch(this.#presence);
+    this.motionChanged();
+    if (loader.scans && loader.isCurrent) loader.showWanted();
+    else if (presenter.volume && (loader.isCurrent || !this.settings.src)) presenter.look.readAnew();
+    else loader.load();
+  }
+
+  motionChanged(): void {
+    this.playback.motionChanged(this.settings.autoplay);
+  }
+
+  /** The element has left its page: nothing of it may go on or hold the GPU. */
+  leave(): void {
+    this.loader.leave();
+    this.#visit?.dispose();
+    this.#visit = null;
+    this.presenter.viewer = null;
+    this.#hasPicture = false;
+    this.changed();
+  }
+
+  /** Resolves when the picture for the present settings is final. @throws the error that is shown */
+  whenRendered(): Promise<void> {
+    return this.#presence.ask(() => this.#settle());
+  }
+
+  redraw(): Promise<RenderStats> {
+    return this.#presence.ask(async () => {
+      await this.#workDone();
+      return this.#requireViewer().redraw();
+    });
+  }
+
+  toBlob(goal: FileGoal): Promise<Blob> {
+    return this.#presence.ask(async () => {
+      await this.#settle();
+      return this.#requireViewer().toBlob(goal);
+    });
+  }
+
+  async #settle(): Promise<void> {
+    await this.#workDone();
+    await this.viewer?.settled();
+    await this.#hands;
+    const { first } = this.errors;
+    if (first && first.code !== 'webgl/inaccurate') throw first; // There is a picture all the same.
+  }
+
+  #workDone(): Promise<void> {
+    return this.#work.done(() => this.listener.settingsComing());
+  }
+
+  #requireViewer(): Viewer {
+    const { viewer } = this;
+    if (!viewer?.ready) throw this.errors.first ?? new Error('no volume is loaded yet; wait for the load event');
+    return viewer;
+  }
+
+  #followPresence(): void {
+    this.loader.followPresence();
+    this.viewer?.followPresence();
+  }
+
+  #readLook(): void {
+    const { look } = this.presenter;
+    if (this.loader.isLoading) look.readLater();
+    else look.readAnew();
+  }
+
+  /** Nobody can turn what is not there: the part that takes hands comes with the first picture. */
+  #giveHands(): void {
+    this.#hands = this.#visit!.setControls(this.settings.controls).then(() => this.hands?.follow(this.host), (error: unknown) => this.errors.report('camera', error));
+  }
+
+  #readCamera(): void {
+    this.errors.take('camera', this.settings.camera, (camera) => this.viewer?.setCamera(camera));
+  }
+
+  #readLimits(): void {
+    this.errors.take('limits', this.settings.limits, (limits) => this.viewer?.setLimits(limits));
+  }
+
+  #readQuality(): void {
+    this.errors.take('steps', this.settings.quality, (quality) => this.viewer?.setQuality(quality));
+  }
+
+  #readSpeed(): void {
+    this.errors.take('play', this.settings.playSpeed, (speed) => this.playback.setSpeed(speed));
+    this.scansChanged();
+  }
+
+  // What those who work for it ask and tell.
+
+  get inPage(): boolean {
+    return this.#visit !== null;
+  }
+
+  get awake(): boolean {
+    return this.#presence.awake || this.#settings?.eager === true;
+  }
+
+  get inSight(): boolean {
+    return this.#presence.inSight;
+  }
+
+  get file(): string {
+    return this.settings.src ?? '';
+  }
+
+  /** Without a source there is no picture, as with an image; the poster is back. */
+  sourceGone(): void {
+    this.#stats = null;
+    if (!this.#visit) return;
+    const { picture, viewer } = this.#visit;
+    this.leave();
+    this.enter({ picture, container: viewer.place.container });
+  }
+
+  rendered(stats: RenderStats): void {
+    this.#stats = stats;
+    if (!this.#hasPicture) {
+      this.#hasPicture = true;
+      this.#giveHands();
+    }
+    this.changed();
+    this.errors.clear('scene');
+    this.emit('render', stats);
+    if (this.presenter.isInPicture) this.loader.scans?.drawn();
+  }
+
+  cameraMoved(): void {
+    const camera = this.viewer?.camera;
+    if (camera) this.emit('camera-change', { orbit: camera.orbit, target: camera.target });
+  }
+
+  slicesChanged(isLook?: boolean): void {
+    if (isLook) this.presenter.followNodes(() => loadPart(import('../attachments/read-volume-nodes.ts'), 'reads styles'), () => this.#readLook()); else this.presenter.cutAnew();
+  }
+
+  changed(): void {
+    this.listener.changed();
+  }
+
+  scansChanged(): void {
+    this.emit('scans-change', null);
+  }
+
+  emit(type: string, detail: unknown): void {
+    this.listener.emit(type, detail);
+  }
+
+  track(work: Promise<unknown>): void {
+    this.#work.track(work);
+  }
+
+  drawingFailed(error: unknown): void {
+    this.errors.report('scene', error);
+  }
+
+  failed(aspect: Aspect, { code, message, cause }: VolumeViewError): void {
+    if (aspect === 'source') this.loader.fail();
+    this.emit('error', { code, message, cause });
+  }
+}

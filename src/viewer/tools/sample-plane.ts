@@ -1,0 +1,66 @@
+// Values and gradients of a volume, for a histogram: taken when an editor asks, a few milliseconds at a time.
+import { cartesianGradient } from '../../optics/rays/gradient.ts';
+import { perWorldUnit } from '../../optics/rays/patch-classify.ts';
+import { cartesianField } from '../../optics/rays/ray-field.ts';
+import { polarBeamField, polarField } from '../../radar/polar-field.ts';
+import { polarGradient } from '../../radar/polar-gradient.ts';
+import { length } from '../../volume/matrix.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+
+/** Values (data units) and gradients (data units per world unit) at places of a volume. */
+export interface SampledPlane {
+  readonly values: Float32Array;
+  readonly gradients: Float32Array;
+}
+
+/** Enough for a picture of a few thousand bins. */
+const mostSamples = 120_000;
+
+/** Places that are looked at, of which those without data tell nothing. */
+const mostPlaces = 4 * mostSamples;
+
+/** Places between two looks at the clock. */
+const batch = 64;
+
+/** No longer than this is the page kept waiting, milliseconds. */
+const slice = 8;
+
+/** Evenly spread places of a volume, always the same ones. Source: Roberts 2018, the R3 sequence */
+const steps: Vector3 = [0.8191725133961645, 0.6710436067037893, 0.5497004779019703];
+
+/** The samples, step by step. Volumes of labels have no gradients. @returns null for these */
+export function* samplePlane(volume: Volume, most = mostSamples): Generator<undefined, SampledPlane | null> {
+  if (volume.isDiscrete) return null;
+  const { grid } = volume;
+  const field = isPolar(volume) ? polarField(volume) : cartesianField({ ...volume, dimensions: grid.dimensions });
+  const gradient = isPolar(volume) ? polarGradient(polarBeamField(volume), volume.grid) : cartesianGradient(field, grid);
+  const toWorld = perWorldUnit(grid);
+  const [values, gradients] = [new Float32Array(most), new Float32Array(most)];
+  let count = 0;
+  for (let i = 1; i <= (mostPlaces / mostSamples) * most && count < most; i++) {
+    if (i % batch === 0) yield;
+    const place = steps.map((x) => (i * x) % 1) as unknown as Vector3;
+    const known = field.sampleAt(place);
+    if (!known.valid) continue;
+    values[count] = known.value;
+    gradients[count] = toWorld * length(gradient(place, known).world);
+    count++;
+  }
+  return { values: values.subarray(0, count), gradients: gradients.subarray(0, count) };
+}
+
+/** The same between other work of the page. @returns null too where it is not wanted any more */
+export async function collectSamples(volume: Volume, signal: AbortSignal): Promise<SampledPlane | null> {
+  const work = samplePlane(volume);
+  while (!signal.aborted) {
+    const end = performance.now() + slice;
+    while (performance.now() < end) {
+      const step = work.next();
+      if (step.done) return step.value;
+    }
+    await new Promise((resolve) => setTimeout(resolve));
+  }
+  return null;
+}

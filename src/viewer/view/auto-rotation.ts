@@ -1,0 +1,124 @@
+// The camera goes around a volume by itself: loaded with the first element that has `auto-rotate`.
+import { invalidAttribute } from '../../errors.ts';
+import { isNumber } from '../model/parse-attributes.ts';
+import type { Viewer } from './viewer.ts';
+import type { VolumePresenter } from './volume-presenter.ts';
+
+/** An element whose camera may go around by itself. */
+export interface RotatingView extends HTMLElement {
+  readonly autoRotate: boolean;
+  readonly autoRotateDelay: number | null;
+  readonly rotationPerSecond: string | null;
+  readonly _presenter: VolumePresenter;
+  _rotation: AutoRotation | null;
+  requestUpdate(): void;
+}
+
+/** ms. */
+const defaultDelay = 3000;
+
+/** Radians a second: a turn takes 64 seconds, as in `<model-viewer>`. */
+const usualSpeed = Math.PI / 32;
+
+/** From now on an element obeys its attributes for going around. */
+export function rotate(view: RotatingView): void {
+  view._rotation ??= new AutoRotation(view);
+  view._rotation.follow();
+}
+
+/**
+ * Lets a camera go around by itself: while the element is in sight, no hand is on it or was a moment ago, and neither a person nor
+ * the system's wish for less motion has stopped it.
+ */
+export class AutoRotation {
+  /** What a person said last; null where nobody said anything. */
+  #asked: boolean | null = null;
+  #inSight = false;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  /** Radians a second, and the texts that say so. */
+  #speed = 0;
+  #read = '';
+  readonly #fingers = new Set<number>();
+  readonly #reduced = matchMedia('(prefers-reduced-motion: reduce)');
+  /** The viewer that has been told, and what: radians a millisecond. */
+  #told: { readonly viewer: Viewer; readonly spin: number } | null = null;
+
+  constructor(readonly view: RotatingView) {
+    view.addEventListener('pointerdown', ({ pointerId }) => {
+      this.#fingers.add(pointerId);
+      this.#apply();
+    });
+    for (const type of ['pointerup', 'pointercancel'] as const) {
+      view.ownerDocument.addEventListener(type, ({ pointerId }) => this.#fingers.delete(pointerId) && this.#wait(), { capture: true });
+    }
+    view.addEventListener('camera-change', () => this.#wait());
+    this.#reduced.addEventListener('change', () => {
+      this.#asked = null;
+      this.#apply();
+      view.requestUpdate();
+    });
+    new IntersectionObserver((entries) => {
+      this.#inSight = entries.at(-1)!.isIntersecting;
+      this.#apply();
+    }).observe(view);
+    this.#wait();
+  }
+
+  /** Whether a person, or the system, wants it to stand still. */
+  get stopped(): boolean {
+    return !(this.#asked ?? !this.#reduced.matches);
+  }
+
+  /** A person stops it, or lets it go on: then at once. */
+  toggle(): void {
+    this.#asked = this.stopped;
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+    this.#apply();
+    this.view.requestUpdate();
+  }
+
+  /** The attributes may be others, or there is another viewer. */
+  follow(): void {
+    const { autoRotateDelay, rotationPerSecond, _presenter: { errors } } = this.view;
+    const texts = `${autoRotateDelay} ${rotationPerSecond}`;
+    if (texts !== this.#read) {
+      this.#read = texts;
+      this.#speed = 0;
+      errors.take('rotation', read(this.view), (speed) => (this.#speed = speed));
+    }
+    this.#apply();
+  }
+
+  /** A hand has moved the camera, or it was placed: it stays for a while. */
+  #wait(): void {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => {
+      this.#timer = undefined;
+      this.#apply();
+    }, Math.min(Math.max(0, this.view.autoRotateDelay ?? defaultDelay), 2 ** 31 - 1));
+    this.#apply();
+  }
+
+  #apply(): void {
+    const { autoRotate, _presenter: { viewer } } = this.view;
+    if (!viewer) return;
+    const goes = autoRotate && this.#inSight && !this.stopped && this.#timer === undefined && this.#fingers.size === 0;
+    const spin = goes ? -this.#speed / 1000 : 0; // The volume turns to the right of who looks at it, so the camera goes to the left.
+    if (this.#told?.viewer === viewer && this.#told.spin === spin) return;
+    this.#told = { viewer, spin };
+    viewer.rig.spin = spin;
+    viewer.invalidate();
+  }
+}
+
+/** Radians a second. */
+function read({ autoRotateDelay, rotationPerSecond: text }: RotatingView): { readonly value: number; readonly error?: undefined } | { readonly error: Error } {
+  if (autoRotateDelay !== null && autoRotateDelay < 0) return { error: invalidAttribute('auto-rotate-delay', String(autoRotateDelay), 'a number of milliseconds from 0') };
+  if (text === null || text.trim() === '') return { value: usualSpeed };
+  const [, number, unit] = /^\s*(\S*?)(deg|rad|%)\s*$/i.exec(text) ?? [];
+  const units = new Map([['deg', Math.PI / 180], ['rad', 1], ['%', usualSpeed / 100]]);
+  const speed = isNumber(number ?? '') ? Number(number) * units.get(unit.toLowerCase())! : NaN;
+  // Faster than half a turn in a frame nothing can be seen of it.
+  return Math.abs(speed) <= 20 * Math.PI ? { value: speed } : { error: invalidAttribute('rotation-per-second', text, 'an angle such as 10deg or 0.2rad, or a percentage such as 50%, ten turns at most') };
+}

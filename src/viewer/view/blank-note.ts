@@ -1,0 +1,189 @@
+// Words over a picture at rest that shows nothing: loaded with the first that may.
+import { faint } from '../../quality/error-estimate.ts';
+import type { Pixels } from '../../optics/rays/between-pixels.ts';
+import { english } from '../../words/english-blank.ts';
+import { Words } from '../../words/words.ts';
+import { findBlankCause } from '../frames/blank-cause.ts';
+import type { BlankCause } from '../frames/blank-cause.ts';
+import type { RenderStats } from '../model/render-stats.ts';
+import type { Scene } from '../model/scene.ts';
+import type { Viewer } from './viewer.ts';
+import type { VolumePresenter } from './volume-presenter.ts';
+import { wearSheet } from '../overlays/wear-sheet.ts';
+
+/** Detail of `picture-blank`. */
+export interface BlankPicture {
+  /**
+   * Why nothing is to be seen: no voxel has a value (`noData`), the transfer function is `transparent`, all `values` are where it is, all
+   * `labels` are hidden, all is `cut` away, the volume is out of `sight`, or what is there is too `faint`. Of a radar scan: there are
+   * `noEchoes`, or `weakEchoes` alone; both are right pictures.
+   */
+  readonly cause: BlankCause['cause'];
+  /** The words over the picture. */
+  readonly message: string;
+}
+
+/** An element whose pictures may show nothing. */
+export interface NotedView extends HTMLElement {
+  readonly renderStats: RenderStats | null;
+  readonly paused: boolean;
+  readonly _presenter: VolumePresenter;
+  whenRendered(): Promise<void>;
+  /** Call back after each update of the element. */
+  addController(controller: { hostUpdated(): void }): void;
+}
+
+const styles = `
+.blank {
+  position: absolute;
+  inset: 0;
+  display: grid;
+  place-content: safe center center;
+  justify-items: center;
+  padding: 8px;
+  box-sizing: border-box;
+  overflow: clip;
+  pointer-events: none;
+  text-align: center;
+  text-wrap: balance;
+}
+.blank > p {
+  margin: 0;
+  padding: 0.5em 0.9em;
+  max-inline-size: 34em;
+  border-radius: 8px;
+  overflow-wrap: anywhere;
+  font-size: 13px;
+  background: var(--volume-view-blank-background, rgb(13 16 22 / 0.86));
+  color: var(--volume-view-blank-color, #cdd6e4);
+}
+.blank:empty { display: none; }
+@media (forced-colors: active) {
+  .blank > p {
+    border: 1px solid CanvasText;
+    background: Canvas;
+    color: CanvasText;
+  }
+}
+@media print {
+  .blank { display: none; }
+}`;
+
+const noted = new WeakSet<NotedView>();
+
+/** From now on an element says so where its pictures at rest show nothing. */
+export function noteBlank(view: NotedView): void {
+  if (noted.has(view)) return;
+  noted.add(view);
+  const note = new BlankNote(view);
+  view.addController({ hostUpdated: () => note.follow() });
+  note.follow();
+}
+
+/** Whether the picture is at rest, and nothing else is told of it. Scans that play may be empty. */
+function isFinal({ renderStats, paused, _presenter: { viewer, errors } }: NotedView): boolean {
+  return viewer !== null && paused && renderStats?.converged === true && !viewer.loop.unfinished && !errors.first;
+}
+
+/** The largest opacity in the present picture, 0..1: of the volume and of all that is around it. */
+function largestAlpha({ data }: Pixels): number {
+  let largest = 0;
+  for (let i = 3; i < data.length; i += 4) if (data[i] > largest) largest = data[i];
+  return largest / 255;
+}
+
+class BlankNote {
+  readonly #words: Words<typeof english>;
+  #element: HTMLElement | null = null;
+  #cause: BlankCause | null = null;
+  /** Of which frame it is known whether it shows something. */
+  #judged: RenderStats | null = null;
+  #pending: RenderStats | null = null;
+
+  constructor(readonly view: NotedView) {
+    this.#words = new Words(view as unknown as ConstructorParameters<typeof Words>[0], english);
+  }
+
+  follow(): void {
+    const { view, view: { renderStats } } = this;
+    if (this.#judged !== renderStats || !isFinal(view)) {
+      this.#judged = null;
+      if (this.#cause && !this.#isStillBlank()) this.#say(null);
+      if (renderStats?.converged && !renderStats.error?.rays && this.#pending !== renderStats) void this.#judge(renderStats);
+    } else if (this.#cause) this.#write(); // The language may be another one.
+  }
+
+  /** What shows in motion, before it is final, is no longer nothing. */
+  #isStillBlank(): boolean {
+    const { view: { paused, _presenter: { viewer, errors } } } = this;
+    const scene = viewer?.pictures.parts.keeper.scene;
+    return scene !== null && scene !== undefined && paused && !errors.first && largestAlpha(scene.readPicture()) <= faint;
+  }
+
+  async #judge(stats: RenderStats): Promise<void> {
+    const { view } = this;
+    this.#pending = stats;
+    // Surfaces, labels and shapes that are on their way show something soon.
+    await view.whenRendered().catch(() => {});
+    if (this.#pending === stats) this.#pending = null;
+    const { viewer } = view._presenter;
+    const isCurrent = (): boolean => view.renderStats === stats && view._presenter.viewer === viewer && isFinal(view);
+    const scene = viewer?.pictures.parts.keeper.scene;
+    if (!viewer || !scene || !isCurrent()) return;
+    const alpha = largestAlpha(scene.readPicture());
+    const cause = alpha <= faint ? await this.#findCause(viewer, scene, alpha) : null;
+    if (!isCurrent()) return;
+    this.#judged = stats;
+    this.#say(cause);
+  }
+
+  async #findCause(viewer: Viewer, scene: Scene, alpha: number): Promise<BlankCause | null> {
+    const { seenPixels } = await import('../frames/view-quality.ts');
+    const { pictures: { parts: { shown } }, frames } = viewer;
+    const { volume, optics, cuts, labels } = shown;
+    if (!volume || !optics) return null;
+    const seen = scene.whatIsSeen();
+    const inSight = seen?.cells.includes(1) ? seenPixels(scene, frames.sizeIn(scene)) !== null : null;
+    // Of a volume of labels what is drawn has places in the list of ids, and so has its range.
+    return findBlankCause({ volume, optics, cuts, labels, inSight, isMoved: viewer.leftAttributes, alpha });
+  }
+
+  #say(cause: BlankCause | null): void {
+    const before = this.#cause;
+    this.#cause = cause;
+    if (!cause) this.#element?.replaceChildren();
+    else this.#write();
+    if (JSON.stringify(cause) === JSON.stringify(before)) return; // Another frame, and the same is to be said of it.
+    const detail: BlankPicture | null = cause && { cause: cause.cause, message: this.#describe(cause) };
+    this.view.dispatchEvent(new CustomEvent('picture-blank', { detail }));
+  }
+
+  /** What listens hears what comes into an element that was there before. */
+  #write(): void {
+    const { shadowRoot: root, ownerDocument: document } = this.view;
+    if (!root || !this.#cause) return;
+    if (!this.#element) {
+      wearSheet(root, styles);
+      this.#element = document.createElement('div');
+      this.#element.className = 'blank';
+      this.#element.setAttribute('part', 'blank');
+      this.#element.setAttribute('role', 'status');
+    }
+    if (!this.#element.isConnected) root.append(this.#element);
+    const text = this.#describe(this.#cause);
+    if (this.#element.textContent === text) return;
+    const words = document.createElement('p');
+    words.textContent = text;
+    this.#element.replaceChildren(words);
+  }
+
+  #describe(cause: BlankCause): string {
+    const { blankPicture, blankCauses } = this.#words.terms;
+    const write = (value: number): string => this.#words.number(value, { maximumSignificantDigits: 4 });
+    const unit = this.view._presenter.volume?.unit;
+    const withUnit = (value: number): string => (unit ? `${write(value)} ${unit}` : write(value));
+    if (cause.cause === 'noEchoes') return blankCauses.noEchoes;
+    if (cause.cause === 'weakEchoes') return blankCauses.weakEchoes(withUnit(cause.value));
+    return `${blankPicture} ${cause.cause === 'values' ? blankCauses.values(write(cause.low), withUnit(cause.high)) : blankCauses[cause.cause]}`;
+  }
+}

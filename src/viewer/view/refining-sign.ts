@@ -1,0 +1,76 @@
+// The line at the lower edge of a picture that is being made finer: loaded with the first picture that takes long.
+import type { RenderStats } from '../model/render-stats.ts';
+import type { VolumePresenter } from './volume-presenter.ts';
+import { wearSheet } from '../overlays/wear-sheet.ts';
+
+/** An element whose pictures get finer at rest. */
+export interface RefinedView extends HTMLElement {
+  readonly renderStats: RenderStats | null;
+  readonly paused: boolean;
+  readonly _presenter: VolumePresenter;
+}
+
+const styles = `
+.refining {
+  position: absolute;
+  inset-inline: 0;
+  inset-block-end: 0;
+  block-size: 3px;
+  overflow: hidden;
+  pointer-events: none;
+  background: rgb(128 128 128 / 0.3);
+}
+.refining > div {
+  block-size: 100%;
+  inline-size: calc(100% * var(--_share, 0.25));
+  background: var(--volume-view-refining-color, #9db8de);
+  transition: inline-size 0.2s linear;
+}
+.refining > .unknown {
+  animation: refining 1.6s ease-in-out infinite alternate;
+}
+@keyframes refining {
+  to { margin-inline-start: 75%; }
+}
+@media (prefers-reduced-motion: reduce) {
+  .refining > div {
+    animation: none;
+    transition: none;
+  }
+}
+@media (forced-colors: active) {
+  .refining {
+    background: Canvas;
+    border-block-start: 1px solid CanvasText;
+  }
+  .refining > div {
+    forced-color-adjust: none;
+    background: Highlight;
+  }
+}
+@media print {
+  .refining { display: none; }
+}`;
+
+/** How often the sign follows the picture, ms: it stays for as long as the picture is coarse, and nothing runs after that. */
+const pace = 100;
+
+/** Show that a picture is being made finer, and how far that is where it is known; resolves when that is over. */
+export async function showSign(view: RefinedView, isRefining: (view: RefinedView) => boolean): Promise<void> {
+  const { shadowRoot: root, ownerDocument: document } = view;
+  if (!root) return;
+  wearSheet(root, styles);
+  const sign = document.createElement('div');
+  sign.className = 'refining';
+  sign.setAttribute('part', 'refining');
+  sign.ariaHidden = 'true'; // Who listens is told of what is there, and that does not change.
+  const line = sign.appendChild(document.createElement('div'));
+  root.append(sign);
+  for (; isRefining(view); await new Promise((resolve) => setTimeout(resolve, pace))) {
+    const { gathered } = view._presenter.viewer!.pictures;
+    line.classList.toggle('unknown', gathered === null);
+    if (gathered === null) line.style.removeProperty('--_share');
+    else line.style.setProperty('--_share', gathered.toFixed(3));
+  }
+  sign.remove();
+}

@@ -1,0 +1,37 @@
+import { wholeSteps } from '../../optics/cells/substeps.ts';
+import { stepLengthOf } from '../../quality/steps.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { Cuts } from '../cuts/cuts.ts';
+import type { Scene } from '../model/scene.ts';
+import { ShownVolume } from '../cuts/shown-volume.ts';
+import type { Viewer } from './viewer.ts';
+import { styleOf } from '../model/volume-info.ts';
+import type { VolumeOptics } from '../model/volume-info.ts';
+
+/** What is about to be shown. */
+export interface Foretold {
+  readonly volume: Volume;
+  readonly optics: VolumeOptics;
+  readonly cuts: Cuts;
+}
+
+/**
+ * Have a viewer's scene that waits for its volume compile what draws it, by a picture of one pixel that is wiped away before anybody sees it.
+ * Of a radar that takes as long as all else before its first picture.
+ */
+export function rehearse(viewer: Viewer | null, foretold: Foretold): void {
+  viewer?.pictures.parts.keeper.rehearse((scene) => draw(scene, foretold).catch(() => {})); // What is wrong is told when the picture is drawn.
+}
+
+async function draw(scene: Scene, { volume, optics, cuts }: Foretold): Promise<void> {
+  await scene.prepare(volume, optics);
+  await scene.setStyle(styleOf(optics));
+  if (!(await scene.bringVolume(volume, () => false))) return;
+  const shown = new ShownVolume();
+  Object.assign(shown, { volume, optics, cuts }).furnish(scene);
+  scene.resize(1, 1); // Seen from anywhere: an author's viewpoint stays as it is.
+  scene.setSubsteps(wholeSteps);
+  scene.draw(stepLengthOf(volume.grid, 1));
+  scene.resize(1, 2); // Nothing is left on a canvas of another size.
+  await scene.finished();
+}

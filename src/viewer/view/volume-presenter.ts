@@ -1,0 +1,183 @@
+import type { CoarseVolume } from '../../formats/base/load-request.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { FileNotices } from '../model/beside-notices.ts';
+import { CutReader } from '../cuts/cuts.ts';
+import type { Cuts } from '../cuts/cuts.ts';
+import type { ErrorBoard } from '../model/error-board.ts';
+import { LookReader } from '../appearance/look-reader.ts';
+import type { LookHost, VolumeNodeReader } from '../appearance/look-reader.ts';
+import { followModel } from '../model/scan-model.ts';
+import type { ScanModel } from '../model/scan-model.ts';
+import type { Settings } from '../model/settings.ts';
+import type { Viewer } from './viewer.ts';
+import { describeVolume } from '../model/volume-info.ts';
+import type { VolumeInfo, VolumeOptics } from '../model/volume-info.ts';
+
+/** Whose volumes are presented. */
+export interface PresenterHost {
+  /** Its children may be slices. */
+  readonly host: Element;
+  readonly settings: Settings;
+  /** Whether the picture is near enough to be seen soon, asked for, or eager. */
+  readonly awake: boolean;
+  /** Something happened that pages can listen to. */
+  emit(type: string, detail: unknown): void;
+  /** What the element shows beside the picture is otherwise. */
+  changed(): void;
+  /** Work that a script that waits for the picture has to wait for. */
+  track(work: Promise<unknown>): void;
+}
+
+/** Brings volumes into the picture, each with the look and the cuts that the settings ask for. It keeps them when there is no viewer. */
+export class VolumePresenter implements LookHost {
+  /** null while the element is in no page. */
+  viewer: Viewer | null = null;
+  readonly look: LookReader;
+  readonly #cuts: CutReader;
+  #volume: Volume | null = null;
+  /** What of several scans stays from one to the next. */
+  #model: ScanModel | null = null;
+  #info: VolumeInfo | null = null;
+  /** What of the files of what is beside the volume is not shown, by who shows it; see `tellBeside`. */
+  readonly besideNotices = new Map<object, readonly FileNotices[]>();
+
+  constructor(readonly user: PresenterHost, readonly errors: ErrorBoard) {
+    this.look = new LookReader(this, errors);
+    this.#cuts = new CutReader(user.host, errors, () => user.settings);
+  }
+
+  /** The last good volume, which may be that of a source before. */
+  get volume(): Volume | null {
+    return this.#volume;
+  }
+
+  get info(): VolumeInfo | null {
+    return this.#info;
+  }
+
+  /** Whether something of the files is not in the picture, or not as it is there. */
+  get hasNotices(): boolean {
+    return this.besideNotices.size > 0 || !!(this.#info?.notices?.length || this.#info?.reduced);
+  }
+
+  get settings(): Settings {
+    return this.user.settings;
+  }
+
+  get model(): ScanModel | null {
+    return this.#model ?? this.#volume;
+  }
+
+  /** Whether the last good volume is the one in the last picture. */
+  get isInPicture(): boolean {
+    return this.viewer?.drawn === this.#volume;
+  }
+
+  /** Another source is wanted: what follows has nothing to do with the scans before. */
+  forgetModel(): void {
+    this.#model = null;
+  }
+
+  /** There is no volume any more. */
+  empty(): void {
+    this.#volume = null;
+    this.#info = null;
+    this.look.interrupt();
+    this.look.tell(null);
+  }
+
+  /**
+   * Bring a volume into the picture; until all of it is there the one before stays.
+   * @returns its look, with which the page is to be told of it
+   * @throws what drawing throws, and the signal's reason
+   */
+  async show(volume: Volume, signal: AbortSignal): Promise<VolumeOptics> {
+    const viewer = this.viewer!;
+    this.look.interrupt();
+    const model = followModel(this.#model, volume);
+    const read = (model === this.#model && this.look.current) || (await this.look.readFirst(model));
+    signal.throwIfAborted();
+    // A look that the coarse picture has already is the same object, so that no table is made again.
+    const optics = !volume.ids && JSON.stringify(viewer.optics) === JSON.stringify(read) ? viewer.optics! : read;
+    this.#model = model;
+    await this.#cuts.prepare(volume);
+    signal.throwIfAborted();
+    await viewer.show(volume, optics, () => this.#readCuts(volume), signal);
+    signal.throwIfAborted();
+    this.#volume = volume;
+    this.#info = describeVolume(volume);
+    if (!this.#cuts.isReady(volume)) this.cutAnew(); // One came while the volume was on its way.
+    return optics;
+  }
+
+  /** Tell the page of the volume that came. */
+  announce(optics: VolumeOptics): void {
+    this.user.emit('load', this.#info);
+    this.look.tell(optics);
+  }
+
+  /** A picture of a small volume until the large one is there; of a radar, what draws it is made ready. What is wrong with its attributes is told then. */
+  async showCoarse({ volume, of }: CoarseVolume, signal: AbortSignal): Promise<void> {
+    try {
+      const optics = await this.look.read(of);
+      await this.#cuts.prepare(volume);
+      if (signal.aborted) return;
+      if (isPolar(volume)) (await import('./rehearse.ts')).rehearse(this.viewer, { volume, optics, cuts: this.#cuts.read(volume, of) });
+      else await this.viewer?.show(volume, optics, () => this.#cuts.read(volume, of), signal);
+    } catch {
+      // The large one follows, and fails in the same way.
+    }
+  }
+
+  /** A load has ended. Where a coarse picture was shown of what did not come, what was there before is back. */
+  async endLoad(done: boolean): Promise<void> {
+    const [volume, optics, viewer] = [this.#volume, this.look.current, this.viewer];
+    if (!done && volume && optics && viewer?.volume?.coarse) {
+      this.#model = null;
+      await viewer.show(volume, optics, () => this.#readCuts(volume));
+    }
+    this.look.catchUp();
+  }
+
+  async wear(optics: VolumeOptics, signal: AbortSignal): Promise<void> {
+    const [viewer, volume] = [this.viewer, this.#volume];
+    if (viewer?.ready) await viewer.setOptics(optics);
+    else if (viewer && volume) {
+      await this.#cuts.prepare(volume);
+      await viewer.show(volume, optics, () => this.#readCuts(volume), signal);
+    }
+  }
+
+  /** There are volume nodes of X3D's. @param load - what reads them, @param readLook - reads the look anew */
+  followNodes(load: () => Promise<VolumeNodeReader>, readLook: () => void): void {
+    const { look } = this;
+    // What was loaded then follows them.
+    if (!look.nodes) this.track((look.nodes = load()).then((nodes) => nodes.follow(this, readLook), readLook));
+  }
+
+  lookChanged(optics: VolumeOptics | null): void {
+    this.user.emit('optics-change', optics);
+  }
+
+  track(work: Promise<unknown>): void {
+    this.user.track(work);
+  }
+
+  /** The region, a slice or the rings are others. A volume that is on its way reads them when it is there. */
+  cutAnew(): void {
+    const shown = this.viewer?.volume;
+    if (!shown) return;
+    const apply = (): void => {
+      const volume = this.viewer?.volume;
+      if (volume && !volume.coarse) this.viewer!.setCuts(this.#readCuts(volume));
+    };
+    if (this.#cuts.isReady(shown)) apply();
+    // What they tell is not taken back by the end of the loading.
+    else this.track(this.errors.run('slices', null, () => this.#cuts.prepare(shown, true)).then((isLoaded) => isLoaded && apply()));
+  }
+
+  #readCuts(volume: Volume): Cuts {
+    return this.#cuts.read(volume, this.#model ?? volume);
+  }
+}

@@ -1,0 +1,52 @@
+import type { Camera, Orbit } from '../../optics/rays/camera.ts';
+import { length, scale, subtract } from '../../volume/matrix.ts';
+import type { TimeChangeDetail } from '../loading/scan-player.ts';
+
+/** What a view is besides its camera. */
+export interface SeenView {
+  readonly camera: CameraState | null;
+  readonly scan: TimeChangeDetail | null;
+}
+
+/** All of a camera. */
+export interface CameraState extends Camera {
+  /** As `camera-change` tells it: around the author's viewpoint, where there is one. */
+  readonly orbit: Orbit;
+}
+
+/** The attributes that place a camera. It stands upright, so that what is tilted by the author's viewpoint is not. */
+export interface CameraTexts {
+  readonly 'camera-orbit': string;
+  readonly 'camera-target': string;
+  readonly 'field-of-view': string;
+}
+
+/** A camera as attributes: to a thousandth of a degree, and a millionth of its distance. */
+export function writeCamera({ eye, target, up, fieldOfView }: Camera): CameraTexts {
+  const radius = length(subtract(eye, target));
+  const [x, y, z] = scale(subtract(eye, target), 1 / radius);
+  // Straight above and below only the up vector tells the angle around the axis: this sum of both does everywhere.
+  const flat = Math.hypot(x, y);
+  const theta = Math.atan2(up[0] * z - x * flat, y * flat - up[1] * z);
+  const digits = Math.min(100, Math.max(0, 6 - Math.floor(Math.log10(radius))));
+  const write = (number: number, decimals = digits): number => Number(number.toFixed(decimals));
+  const writeAngle = (angle: number): string => `${write((angle * 180) / Math.PI, 3)}deg`;
+  return {
+    'camera-orbit': `${writeAngle(theta)} ${writeAngle(Math.atan2(flat, z))} ${write(radius)}`,
+    'camera-target': target.map((one) => write(one)).join(' '),
+    'field-of-view': writeAngle(fieldOfView),
+  };
+}
+
+/** What a person changes of the look. */
+const edited: readonly string[] = ['transfer-function', 'transfer-function-2d', 'opacity-factor', 'light-factor'];
+
+/** The attributes that show a view again. @param read - the text of an attribute as it stands; null where it is absent */
+export function writeView({ camera, scan }: SeenView, read: (attribute: string) => string | null): Record<string, string> {
+  const looks = edited.map((name) => [name, read(name)]).filter(([, text]) => text !== null);
+  return {
+    ...(camera && writeCamera(camera)),
+    ...(Object.fromEntries(looks) as Record<string, string>),
+    ...(scan && scan.count > 1 ? { time: `${scan.index}` } : {}),
+  };
+}

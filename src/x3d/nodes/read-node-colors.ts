@@ -1,0 +1,76 @@
+// Colours and opacities that X3D's volume nodes give a volume.
+import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
+import { meantChildren } from '../../unclosed.ts';
+import { readOpacityMap } from './read-opacity-map.ts';
+import { defaultReferenceLength, longestEdgeShare } from '../../volume/reference-length.ts';
+import type { Grid } from '../../volume/volume.ts';
+import type { VolumeOptics } from '../../viewer/model/volume-info.ts';
+import { textureOfField } from './volume-textures.ts';
+import { X3dFields } from './x3d-fields.ts';
+
+/** A byte of an atlas that X3D calls 1. */
+export const atlasUnit = 255;
+
+/** What X3DOM multiplies opacities by in an OpacityMapVolumeStyle that does not say, and in scenes without one. */
+const [ofMaps, ofOthers] = [6, 10];
+
+/**
+ * A projection shows the value itself: all components of a colour are the same, and without alpha in the data that is 1. Colours that are
+ * as opaque as they are bright would be darkened twice. Source: ISO/IEC 19775-1, 41.4, ProjectionVolumeStyle
+ */
+const intensities = '0% black 100%, 100% white 100%';
+
+const nameOf = (node: Node): string => node.nodeName.toLowerCase();
+export const isStyle = (node: Node): boolean => /volumestyle$/i.test(node.nodeName);
+export const isEnabled = (style: Element): boolean => new X3dFields(style, `<${style.localName}>`).flag('enabled', true);
+
+/** The voxels of a second volume. */
+export function voxelsOf(blend: Element): Element | undefined {
+  const children = meantChildren(blend);
+  return textureOfField(children, 'voxels') ?? children.find(({ localName }) => /^imagetexture(atlas|3d)$/i.test(localName));
+}
+
+/**
+ * By what opacities are multiplied in X3DOM's measure; null where they are those of a reference length: where the volume is no
+ * scene's atlas, and X3DOM's field is not written.
+ */
+export function readOpacityFactor(host: Element, isScene: boolean): number | null {
+  const styles = stylesOfFirst(host);
+  const map = styles.find((one) => nameOf(one) === 'opacitymapvolumestyle' && isEnabled(one));
+  const fields = map && new X3dFields(map, 'OpacityMapVolumeStyle');
+  if (fields && fields.text('opacityFactor') !== '') return fields.number('opacityFactor', ofMaps);
+  return !isScene ? null : map || !styles.some(isStyle) ? ofMaps : ofOthers;
+}
+
+/**
+ * A look in the colours of an OpacityMapVolumeStyle's texture, or in X3D's own where the volume is a scene's atlas. Those of attributes go before.
+ * @throws {VolumeViewError} `attribute/invalid`
+ */
+export async function withNodeColors(host: Element, look: VolumeOptics, { isScene, grid }: { readonly isScene: boolean; readonly grid: Grid }): Promise<VolumeOptics> {
+  if (host.hasAttribute('transfer-function') || look.patches) return look;
+  const isSegmented = host.querySelector('segmentedvolumedata') !== null;
+  const texture = (!isSegmented && textureIn(stylesOfFirst(host))) || null;
+  const factor = readOpacityFactor(host, isScene);
+  if (!texture && factor === null) return look;
+  const isProjected = look.projection !== null || stylesOfFirst(host).some((one) => nameOf(one) === 'projectionvolumestyle' && isEnabled(one));
+  const window = isScene && !host.hasAttribute('value-window') ? ([0, atlasUnit] as const) : look.window;
+  // X3DOM knows no thin volumes.
+  const isMeasured = factor !== null && look.referenceLength === defaultReferenceLength(grid) && !host.hasAttribute('reference-length');
+  return { ...look, window, ...(isMeasured && { referenceLength: longestEdgeShare(grid) }), transferFunction: await resolveTransferFunction(!texture && isProjected ? intensities : await readOpacityMap(texture, factor), window) };
+}
+
+/** All but those of a second volume. */
+function stylesOfFirst(host: Element): Element[] {
+  const all = [...host.querySelectorAll('*')];
+  const blend = all.find((one) => nameOf(one) === 'blendedvolumestyle' && voxelsOf(one));
+  return blend ? all.filter((one) => one === blend || !blend.contains(one)) : all;
+}
+
+/** The texture of the first of some styles that has one, or of what is composed in it. */
+export function textureIn(styles: readonly Element[]): Element | undefined {
+  const [first, ...rest] = styles.filter((one) => isStyle(one) && isEnabled(one));
+  if (!first) return undefined;
+  const children = meantChildren(first);
+  const own = nameOf(first) === 'opacitymapvolumestyle' ? children.find(({ localName }) => /texture/i.test(localName)) : nameOf(first) === 'composedvolumestyle' ? textureIn(children) : undefined;
+  return own ?? textureIn(rest);
+}

@@ -1,0 +1,60 @@
+// X3D's SegmentedVolumeData: what it says of its segments, which a volume's labels are then.
+import { VolumeViewError } from '../../errors.ts';
+import { readVoxelTexture, textureOfField } from './volume-textures.ts';
+import type { VoxelTexture } from './volume-textures.ts';
+import { X3dFields } from './x3d-fields.ts';
+
+/** The texture that says to which segment each voxel belongs. */
+export interface Identifiers extends VoxelTexture {
+  /** X3DOM spreads its numbers over 0 to 1; null where a pixel's number is that of its segment. */
+  readonly most: number | null;
+}
+
+/** One segment, by its style: the n-th one is that of segment n. */
+export interface Segment {
+  /** The element's name, for messages. */
+  readonly node: string;
+  /** What it draws, beside colours and opacities of values; '' of what is nothing else. */
+  readonly key: string;
+  /** Its own colours and opacities of values. */
+  readonly texture: Element | null;
+}
+
+/** @throws {VolumeViewError} `attribute/invalid` */
+export function readIdentifiers(node: Element): Identifiers {
+  const texture = textureOfField(node.getElementsByTagName('*'), 'segmentidentifiers');
+  if (!texture) {
+    throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got no segment identifiers; expected an <ImageTextureAtlas containerField="segmentIdentifiers" url="…"> in it, with the number of a segment in each voxel.');
+  }
+  const fields = new X3dFields(node, 'SegmentedVolumeData');
+  const most = fields.text('numberOfMaxSegments') === '' ? null : fields.whole('numberOfMaxSegments', 10, [1, 255]);
+  return { ...readVoxelTexture(texture), most };
+}
+
+/** Which segments are drawn, by number; of further ones all are. @throws {VolumeViewError} `attribute/invalid` */
+export function readEnabled(node: Element): boolean[] {
+  const fields = new X3dFields(node, 'SegmentedVolumeData');
+  return fields.text('segmentEnabled').toLowerCase().split(/[\s,]+/).filter(Boolean).map((word) => {
+    if (word !== 'true' && word !== 'false') throw fields.error('segmentEnabled', '"true" or "false" for each segment, like "false true true"');
+    return word === 'true';
+  });
+}
+
+/** Whether a segment is drawn: of those that nothing is said of all are. */
+export function isDrawn(enabled: readonly boolean[], id: number): boolean {
+  return !(id in enabled) || enabled[id];
+}
+
+/** The segment that all are drawn like, as a volume has one style: the first one that is drawn and has a style; -1 where none has. */
+export function leadOf(segments: readonly Segment[], enabled: readonly boolean[]): number {
+  return segments.findIndex(({ key }, id) => key !== '' && isDrawn(enabled, id));
+}
+
+/** What can't be drawn as it is said, in words; null where all of it is drawn. @param ids - of the segments that there are */
+export function tellStyles(segments: readonly Segment[], enabled: readonly boolean[], ids: readonly number[]): VolumeViewError | null {
+  const lead = leadOf(segments, enabled);
+  const other = lead < 0 ? undefined : ids.find((id) => isDrawn(enabled, id) && (segments[id]?.key ?? '') !== segments[lead].key);
+  if (other === undefined) return null;
+  const got = segments[other] ? `<${segments[other].node}>` : 'no style';
+  return new VolumeViewError('attribute/invalid', `<SegmentedVolumeData> got ${got} for segment ${other} and <${segments[lead].node}> for segment ${lead}; expected one style for all segments that are drawn. All of them have that of segment ${lead} now. Segments may differ in segmentEnabled, and in the textures of OpacityMapVolumeStyles.`);
+}

@@ -1,0 +1,73 @@
+import type { VolumeViewError } from '../../errors.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import { invalid, isNumber, split } from '../../viewer/model/parse-attributes.ts';
+
+/** The fields of an author's X3D node, by their names in the standard, however HTML writes these. What it throws names field and node. */
+export class X3dFields {
+  constructor(readonly element: Element, readonly node: string) {}
+
+  /** Blank where absent. */
+  text(field: string): string {
+    return (this.element.getAttribute(field) ?? this.element.getAttribute(field.toLowerCase()) ?? '').trim();
+  }
+
+  flag(field: string, otherwise: boolean): boolean {
+    const word = this.text(field).toLowerCase();
+    if (word === '') return otherwise;
+    if (word !== 'true' && word !== 'false') throw this.error(field, '"true" or "false"');
+    return word === 'true';
+  }
+
+  /** One number, not below `least`, and not above `most`. */
+  number(field: string, otherwise: number, [least, most]: readonly [number, number] = [0, 1e6]): number {
+    const text = this.text(field);
+    if (text === '') return otherwise;
+    const number = isNumber(text) ? Number(text) : NaN;
+    if (!(number >= least && number <= most)) throw this.error(field, `a number from ${least} to ${Number(most.toFixed(4))}`);
+    return number;
+  }
+
+  whole(field: string, otherwise: number, range: readonly [number, number]): number {
+    const number = this.number(field, otherwise, range);
+    if (!Number.isInteger(number)) throw this.error(field, `a whole number from ${range[0]} to ${range[1]}`);
+    return number;
+  }
+
+  numbers(field: string): number[] {
+    const words = split(field, this.text(field));
+    if (!words.every(isNumber)) throw this.error(field, 'numbers, separated by blanks');
+    return words.map(Number);
+  }
+
+  /** Three shares of red, green and blue; a fourth number, which the standard gives no meaning, may follow. */
+  color(field: string, otherwise: Vector3): Vector3 {
+    if (this.text(field) === '') return otherwise;
+    const words = split(field, this.text(field));
+    const color = words.slice(0, 3).map((word) => (isNumber(word) ? Number(word) : NaN));
+    if (words.length < 3 || words.length > 4 || !color.every((x) => x >= 0 && x <= 1)) throw this.error(field, 'three numbers from 0 to 1, "red green blue"');
+    return color as unknown as Vector3;
+  }
+
+  word<const Word extends string>(field: string, otherwise: Word, words: readonly Word[]): Word {
+    const text = this.text(field).toUpperCase();
+    if (text === '') return otherwise;
+    const word = words.find((one) => one.toUpperCase() === text);
+    if (word === undefined) throw this.error(field, words.join(' or '));
+    return word;
+  }
+
+  error(field: string, expected: string): VolumeViewError {
+    return invalid(`${field} of ${this.node}`, this.text(field), expected);
+  }
+}
+
+/** The first of a texture's URLs, which X3D writes in quotation marks where there are several; '' where there is none. */
+export function urlOf(fields: X3dFields): string {
+  const text = fields.text('url');
+  return (/^["'](.*?)["']/.exec(text)?.[1] ?? text).replace(/\s/g, '%20');
+}
+
+/** What a texture is to the node around it, in small letters. */
+export function containerFieldOf(texture: Element): string {
+  return new X3dFields(texture, '').text('containerField').toLowerCase();
+}
