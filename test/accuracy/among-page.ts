@@ -1,5 +1,5 @@
 // In the browser: small things in an element's pictures at rest, where the volume is cut, shapes stand in it, or slices.
-import type { VolumeView } from '../../components/volume-view.ts';
+import type { VolumeView } from '../../components/volume-view/volume-view.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { exactView } from './among-rays.ts';

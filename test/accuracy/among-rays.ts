@@ -1,5 +1,5 @@
 // The rays of an element's picture in float64, with what ends them: no tables, no textures, no graphics processor.
-import type { VolumeView } from '../../components/volume-view.ts';
+import type { VolumeView } from '../../components/volume-view/volume-view.ts';
 import { castRay } from '../../src/optics/rays/cast-ray.ts';
 import { shapeInterval } from '../../src/optics/rays/ray-intervals.ts';
 import { rayThrough } from '../../src/optics/rays/rays.ts';

@@ -1,5 +1,5 @@
 // In the browser: an element that shows a volume, and the bytes that it shows at rest.
-import type { VolumeView } from '../../components/volume-view.ts';
+import type { VolumeView } from '../../components/volume-view/volume-view.ts';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

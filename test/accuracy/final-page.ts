@@ -1,6 +1,6 @@
 // In the browser: whether a view has one final picture, whatever was shown before.
 import { decode } from 'fast-png';
-import type { VolumeView } from '../../components/volume-view.ts';
+import type { VolumeView } from '../../components/volume-view/volume-view.ts';
 import { canvasOf, placeElement, setSight, setSize, takeAtRest } from './element-picture.ts';
 import type { ElementSetup, Sight } from './element-picture.ts';
 import { loadHere, serveVolume, sightOf } from './small-page.ts';

@@ -1,5 +1,5 @@
 // In the browser: what is stated of scenes that were made to break it, and what is true of them.
-import { fieldProviders } from '../../components/field-providers.ts';
+import { fieldProviders } from '../../components/internal/field-providers.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { measureAtRest } from '../helpers/at-rest.ts';

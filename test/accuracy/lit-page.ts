@@ -1,5 +1,5 @@
 // In the browser: what is stated of lit scenes with some steps, and at rest, and what is true of them.
-import { fieldProviders } from '../../components/field-providers.ts';
+import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { maxSubsteps } from '../../src/optics/transfer/substep-limits.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';

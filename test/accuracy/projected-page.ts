@@ -1,5 +1,5 @@
 // In the browser: what is stated of projections, and what is true by all of their rays in float64, in which nothing is missed.
-import { fieldProviders } from '../../components/field-providers.ts';
+import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import { projectionGather } from '../../src/optics/rays/projection.ts';
 import { setUpRays } from '../../src/optics/rays/rays.ts';

@@ -1,6 +1,6 @@
 // In the browser: small things in an element's pictures at rest, and what the element says of their errors.
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
-import type { VolumeView } from '../../components/volume-view.ts';
+import type { VolumeView } from '../../components/volume-view/volume-view.ts';
 import { loadVolume } from '../../src/worker/load.ts';
 import { boundingSphere, finestSpacing } from '../../src/volume/grid.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';

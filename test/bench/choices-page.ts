@@ -1,5 +1,5 @@
 // In the browser, whichever it is: what each of our choices brings on this renderer. Frames of one view, in turns.
-import { fieldProviders } from '../../components/field-providers.ts';
+import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { loadVolume } from '../../src/worker/load.ts';
 import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';

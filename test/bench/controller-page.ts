@@ -1,5 +1,5 @@
 // In the browser: a scripted orbit of an element, and how far its frames were from what they stand for.
-import type { VolumeView } from '../../components/volume-view.ts';
+import type { VolumeView } from '../../components/volume-view/volume-view.ts';
 import { CameraRig } from '../../src/viewer/camera/camera-rig.ts';
 import { loadVolume } from '../../src/worker/load.ts';
 import type { Orbit } from '../../src/optics/rays/camera.ts';

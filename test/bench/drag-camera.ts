@@ -1,4 +1,4 @@
-import type { VolumeView } from '../../components/volume-view.ts';
+import type { VolumeView } from '../../components/volume-view/volume-view.ts';
 
 /**
  * Drag an element's camera as a mouse of 60 movements a second does.

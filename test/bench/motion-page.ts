@@ -1,5 +1,5 @@
 // In the browser: pictures in motion that cost the same, with many pixels or with many steps, against the full picture of the same camera.
-import { fieldProviders } from '../../components/field-providers.ts';
+import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { allSubsteps, wholeSteps } from '../../src/optics/cells/substeps.ts';

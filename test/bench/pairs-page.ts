@@ -1,6 +1,6 @@
 // In the browser: pictures of an element under several policies, what they take and how far they are from the view in full.
-import type { VolumeView } from '../../components/volume-view.ts';
-import type { CameraChangeDetail } from '../../components/volume-view-events.ts';
+import type { VolumeView } from '../../components/volume-view/volume-view.ts';
+import type { CameraChangeDetail } from '../../components/internal/volume-view-events.ts';
 import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
 import '../../src/index.ts';
 import { compareCovered } from '../helpers/covered-error.ts';

@@ -1,5 +1,5 @@
 // In the browser: a radar volume in its own geometry against the usual resampling to cartesian cells.
-import { fieldProviders } from '../../components/field-providers.ts';
+import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { loadVolume } from '../../src/worker/load.ts';
 import { orbitCamera, framingDistance } from '../../src/optics/rays/camera.ts';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';

@@ -1,5 +1,5 @@
 // In the browser: frames with shapes among a volume against those without.
-import { fieldProviders } from '../../components/field-providers.ts';
+import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { loadVolume } from '../../src/worker/load.ts';
 import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
 import type { PlaneSlice } from '../../src/optics/attachments/plane-slices.ts';

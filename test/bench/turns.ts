@@ -1,5 +1,5 @@
 // In the browser: scenes of which frames are taken in turns.
-import { fieldProviders } from '../../components/field-providers.ts';
+import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import '../../components/define/volume-legend.ts';
 import '../../components/define/volume-transfer-function.ts';
-import type { VolumeLegend } from '../../components/volume-legend.ts';
+import type { VolumeLegend } from '../../components/volume-legend/volume-legend.ts';
 
 /** As much of a <volume-view> as its companions look at. */
 class FakeView extends HTMLElement {

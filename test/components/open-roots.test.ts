@@ -1,7 +1,7 @@
 // Companions inside shadow roots: their code is fetched, and they find the volume, wherever the two are.
 import { expect } from '@esm-bundle/chai';
 import '../../components/define/volume-view.ts';
-import type { VolumeLegend } from '../../components/volume-legend.ts';
+import type { VolumeLegend } from '../../components/volume-legend/volume-legend.ts';
 import { english } from '../../src/messages/english-companions.ts';
 
 /** Put HTML into an element's new shadow root. */

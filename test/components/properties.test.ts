@@ -1,17 +1,17 @@
 // Properties and attributes of the elements: each says what the other says, at once.
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewAttributes } from '../../components/volume-view-attributes.ts';
-import { VolumeClip } from '../../components/volume-clip.ts';
-import { VolumeLayer } from '../../components/volume-layer.ts';
-import { VolumeLegend } from '../../components/volume-legend.ts';
-import { VolumeMeasure } from '../../components/volume-measure.ts';
-import { VolumeSlice } from '../../components/volume-slice.ts';
-import { VolumeSliceView } from '../../components/volume-slice-view.ts';
-import { VolumeSurface } from '../../components/volume-surface.ts';
-import { VolumeTerrain } from '../../components/volume-terrain.ts';
-import { VolumeTimeline } from '../../components/volume-timeline.ts';
-import { VolumeTransferFunction } from '../../components/volume-transfer-function.ts';
-import type { ReflectingElement } from '../../components/reflecting-element.ts';
+import { VolumeViewAttributes } from '../../components/volume-view/volume-view-attributes.ts';
+import { VolumeClip } from '../../components/volume-clip/volume-clip.ts';
+import { VolumeLayer } from '../../components/volume-layer/volume-layer.ts';
+import { VolumeLegend } from '../../components/volume-legend/volume-legend.ts';
+import { VolumeMeasure } from '../../components/volume-measure/volume-measure.ts';
+import { VolumeSlice } from '../../components/volume-slice/volume-slice.ts';
+import { VolumeSliceView } from '../../components/volume-slice-view/volume-slice-view.ts';
+import { VolumeSurface } from '../../components/volume-surface/volume-surface.ts';
+import { VolumeTerrain } from '../../components/volume-terrain/volume-terrain.ts';
+import { VolumeTimeline } from '../../components/volume-timeline/volume-timeline.ts';
+import { VolumeTransferFunction } from '../../components/volume-transfer-function/volume-transfer-function.ts';
+import type { ReflectingElement } from '../../components/internal/reflecting-element.ts';
 
 /** The attributes of <volume-view>, with nothing that acts on them. */
 class TestView extends VolumeViewAttributes {

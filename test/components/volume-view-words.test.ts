@@ -1,7 +1,7 @@
 // <volume-view> itself: its states for CSS, and its words in the language of the page.
 import { expect } from '@esm-bundle/chai';
 import { render } from 'lit';
-import { renderError } from '../../components/volume-view-parts.ts';
+import { renderError } from '../../components/volume-view/volume-view-parts.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import { VolumeView } from '../../components/define/volume-view.ts';
 import { english } from '../../src/messages/english-view.ts';

@@ -4,8 +4,8 @@ import '../../components/define/volume-legend.ts';
 import '../../components/define/volume-slice-view.ts';
 import '../../components/define/volume-timeline.ts';
 import '../../components/define/volume-transfer-function.ts';
-import type { VolumeLegend } from '../../components/volume-legend.ts';
-import type { VolumeTimeline } from '../../components/volume-timeline.ts';
+import type { VolumeLegend } from '../../components/volume-legend/volume-legend.ts';
+import type { VolumeTimeline } from '../../components/volume-timeline/volume-timeline.ts';
 import { english } from '../../src/messages/english-companions.ts';
 import { registerTranslation } from '../../src/messages/words.ts';
 

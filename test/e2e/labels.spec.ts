@@ -1,6 +1,6 @@
 // <volume-labels>, <volume-label-list>: an atlas over a volume, in 3D and in a pane, by list, script and attributes.
 import type { Page } from '@playwright/test';
-import type { VolumeLabels } from '../../components/volume-labels.ts';
+import type { VolumeLabels } from '../../components/volume-labels/volume-labels.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';

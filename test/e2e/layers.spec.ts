@@ -1,6 +1,6 @@
 // <volume-layer> and color-moment: a second volume in the picture, in panes, under the pointer and in a legend; what is told of bad ones.
 import type { Page } from '@playwright/test';
-import type { VolumeLayer } from '../../components/volume-layer.ts';
+import type { VolumeLayer } from '../../components/volume-layer/volume-layer.ts';
 import type { VolumeView } from '../../src/index.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';

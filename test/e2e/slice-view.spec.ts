@@ -1,6 +1,6 @@
 // <volume-slice-view>: panes with slices, alone and beside a <volume-view>, by mouse, touch and keys.
 import type { Page } from '@playwright/test';
-import type { VolumeSliceView } from '../../components/volume-slice-view.ts';
+import type { VolumeSliceView } from '../../components/volume-slice-view/volume-slice-view.ts';
 import { findFaults } from './helpers/axe.ts';
 import { expect, fieldUrl, networkLines, open, settle, takeScreenshot, keptTest as test, test as newPageTest } from './helpers/harness.ts';
 

@@ -1,7 +1,7 @@
 // What modules say of their order of convergence, against what their twins in float64 do: each in rays of which all else
 // is exact at any step.
 import { expect } from '@esm-bundle/chai';
-import { fieldProviders } from '../../components/field-providers.ts';
+import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import { castRay } from '../../src/optics/rays/cast-ray.ts';

@@ -39,7 +39,7 @@ import { createPlanes } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { createClip } from '../../src/renderer/ray/modules/clip.ts';
 import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
 import type { Optics, RayCut } from '../../src/renderer/ray/ray-module.ts';
-import { fieldProviders } from '../../components/field-providers.ts';
+import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { asPolar } from './synthetic-radar.ts';
 import { keyOf } from './key-of.ts';
 import { readPixels } from './read-pixels.ts';

@@ -1,7 +1,7 @@
 // What stands beside a volume, in the course of its life: errors that come and go, and files that come late.
 import { expect } from '@esm-bundle/chai';
 import { childrenOf } from '../../src/page-children.ts';
-import { BesideElement } from '../../components/beside-element.ts';
+import { BesideElement } from '../../components/internal/beside-element.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import { colorsOf } from '../../src/viewer/attachments/color-moment.ts';
 import type { ColoredView } from '../../src/viewer/attachments/color-moment.ts';

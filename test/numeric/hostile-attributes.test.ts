@@ -9,7 +9,7 @@ import { readSource } from '../../src/viewer/loading/read-source.ts';
 import type { GivenAttributes } from '../../src/viewer/model/settings.ts';
 import { parseMosaicSize } from '../../src/volume/mosaic-size.ts';
 import { readSlices } from '../../src/viewer/cuts/read-cuts.ts';
-import * as kinds from '../../components/property-kinds.ts';
+import * as kinds from '../../components/internal/property-kinds.ts';
 import { cloudVolume } from '../helpers/polar-cloud.ts';
 
 /** For a megabyte, ms: what grows with the square would take an hour, and a busy machine is not to fail it. */

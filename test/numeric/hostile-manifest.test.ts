@@ -7,7 +7,7 @@ import { readManifest } from '../../src/formats/manifest/manifest.ts';
 import { ScanSequence } from '../../src/viewer/loading/scan-sequence.ts';
 import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';
 import { plainLook } from '../../src/viewer/model/settings.ts';
-import { VolumeTimeline } from '../../components/volume-timeline.ts';
+import { VolumeTimeline } from '../../components/volume-timeline/volume-timeline.ts';
 import { decodeBytes, expectError, fetchFile } from '../helpers/decode.ts';
 import { errorOf } from '../helpers/error-of.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';

@@ -1,6 +1,6 @@
 // <volume-measure>: what attributes say, in which units it is told, which lines show it, and the crosshair of panes in 3D.
 import { expect } from '@esm-bundle/chai';
-import { listMeasure, writeMeasure } from '../../components/volume-measure-rows.ts';
+import { listMeasure, writeMeasure } from '../../components/volume-measure/volume-measure-rows.ts';
 import { crosshairLines } from '../../src/viewer/attachments/crosshair-in-view.ts';
 import { linesOf, textPlace } from '../../src/viewer/tools/measure-lines.ts';
 import { fromDrawn, measure, readMeasurePoints, readMeasureType, toDrawn } from '../../src/viewer/tools/measuring.ts';

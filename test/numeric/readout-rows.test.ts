@@ -1,6 +1,6 @@
 // What a readout says, word for word.
 import { expect } from '@esm-bundle/chai';
-import { listRows } from '../../components/volume-readout-rows.ts';
+import { listRows } from '../../components/internal/volume-readout-rows.ts';
 import { nearestVoxel } from '../../src/viewer/picking/pick-voxel.ts';
 import { projectPlace } from '../../src/viewer/camera/project-place.ts';
 import { describeVolume } from '../../src/viewer/model/volume-info.ts';

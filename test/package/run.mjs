@@ -139,7 +139,7 @@ await check('an element imported alone is defined, without <volume-view>', async
 });
 
 await check('the version of the elements is that of the package', async () => {
-  assert.equal((await load('dist/esm/components/version.js')).version, manifest.version);
+  assert.equal((await load('dist/esm/components/internal/version.js')).version, manifest.version);
 });
 
 await check('consumers\' bundlers can see the worker and x3dom, and those that do not look for them beside the bundle', () => {

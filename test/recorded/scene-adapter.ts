@@ -1,6 +1,6 @@
 // The one file that knows the package's inside: scenes are described in words of this program's own, and drawn here.
 import { allSubsteps } from '../../src/optics/cells/substeps.ts';
-import { fieldProviders } from '../../components/field-providers.ts';
+import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';

@@ -1,0 +1,23 @@
+import type { LitElement } from 'lit';
+import type { AutoRotation } from '../../src/viewer/view/auto-rotation.ts';
+import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
+import type { CameraState } from '../../src/viewer/view/write-camera.ts';
+
+/** What the controls need of the element that they are over. */
+export interface ControlledView extends LitElement {
+  readonly controls: boolean;
+  readonly autoRotate: boolean;
+  readonly orientationMarker: boolean;
+  readonly _rotation: AutoRotation | null;
+  readonly camera: CameraState | null;
+  readonly src: string | null;
+  readonly controlslist: string | null;
+  readonly interaction: string | null;
+  readonly volume: VolumeInfo | null;
+  readonly times: readonly (string | null)[];
+  readonly paused: boolean;
+  play(): Promise<void>;
+  pause(): void;
+  toBlob(): Promise<Blob>;
+  getView(): Record<string, string>;
+}

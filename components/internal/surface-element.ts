@@ -1,0 +1,45 @@
+import type { VolumeViewError } from '../../src/errors.ts';
+import { SurfaceKeeper } from '../../src/viewer/attachments/surface-keeper.ts';
+import type { WantedSurface } from '../../src/viewer/attachments/surface-attributes.ts';
+import { noSurfaceTarget, SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';
+import type { Surface } from '../../src/volume/surface.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { BesideElement } from './beside-element.ts';
+import type { VolumeHolder } from './held-volume.ts';
+import { tell } from './volume-view-events.ts';
+
+/** An element that puts a surface into the scene of the `<volume-view>` around it. */
+export abstract class SurfaceElement extends BesideElement<SurfaceTarget> {
+  protected override readonly keeper = new SurfaceKeeper({
+    localName: this.localName,
+    wanted: (volume) => (this.hasAttribute('hidden') ? null : this.readWanted((name) => this.readText(name), volume)),
+    target: () => this.target,
+    came: (surface) => tell(this, 'load', this.describe(surface)),
+    progress: ({ loaded, total, phase }) => tell(this, 'progress', { loaded, total, phase }),
+    failed: (error) => this.tellError(error),
+  });
+
+  constructor() {
+    super();
+    new MutationObserver(() => this.requestUpdate()).observe(this, { attributes: true, attributeFilter: ['hidden'] });
+  }
+
+  /** What its attributes ask for. @throws {VolumeViewError} */
+  protected abstract readWanted(read: (name: string) => string | null, volume: Volume | null): WantedSurface;
+
+  /** What pages are told of a surface. */
+  protected abstract describe(surface: Surface): unknown;
+
+  /** What is shown. */
+  protected get surface(): Surface | null {
+    return this.keeper.surface;
+  }
+
+  protected override refuse(around: HTMLElement | null): VolumeViewError | null {
+    return around?.localName === 'volume-view' ? null : noSurfaceTarget(this.localName);
+  }
+
+  protected override join(view: HTMLElement): SurfaceTarget {
+    return new SurfaceTarget((view as unknown as VolumeHolder)._presenter, this);
+  }
+}

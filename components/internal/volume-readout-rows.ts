@@ -1,0 +1,84 @@
+import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
+import type { RadarPlace, VolumePick } from '../../src/viewer/model/volume-pick.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import { isInMillimetres, isPatient } from '../../src/volume/world-axes.ts';
+import type { Language } from '../src/messages/language.ts';
+import type { ReadoutTerms } from '../src/messages/readout-terms.ts';
+
+/** What something is, and how much of it. */
+export interface Row {
+  readonly name: string;
+  readonly text: string;
+}
+
+/** How rows are written. */
+export interface RowStyle {
+  readonly language: Language;
+  readonly terms: ReadoutTerms;
+  /** As an author says it: `patient` or `xyz`; null for what suits the volume. */
+  readonly coordinates: string | null;
+  /** Whether labels lie over the volume. */
+  readonly hasLabels?: boolean;
+  /** What the layer over the volume is called; '' where nobody says, null where there is none. */
+  readonly layer?: string | null;
+}
+
+/** Digits of a value: all that 16 bits have. */
+const valueDigits = 6;
+
+/**
+ * What is known of a place, in words. A volume has the same rows wherever somebody points.
+ * @param pick - null for nothing
+ */
+export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: RowStyle): Row[] {
+  const { terms, language } = style;
+  const none = '–';
+  const write = (text: (known: VolumePick) => string): string => (pick ? text(pick) : none);
+  const writeValue = (number: number, unit: string): string => `${language.number(number, valueDigits)}${unit && ` ${unit}`}`;
+  const value: Row = { name: terms.value, text: write(({ value: number, unit }) => (Number.isNaN(number) ? none : writeValue(number, unit))) };
+  const layers: Row[] = typeof style.layer !== 'string' ? [] : [{
+    name: style.layer || terms.layer,
+    text: write(({ layers: [first] = [] }) => (first && first.value !== null ? writeValue(first.value, first.unit) : none)),
+  }];
+  if (isRadar(volume)) return [value, ...layers, ...listRadarRows(pick?.radar ?? pick?.surface?.radar ?? null, volume, style)];
+  const label: Row = { name: terms.label, text: pick?.labelName ?? pick?.label ?? none };
+  return [
+    ...(style.hasLabels ? [label, value] : [pick?.label === undefined ? value : label]),
+    ...layers,
+    { name: terms.place, text: write(({ world }) => writePlace(world, volume, style)) },
+    { name: terms.voxel, text: write(({ voxel }) => voxel?.map((index) => language.fixed(index, 0)).join(', ') ?? none) },
+  ];
+}
+
+export function isRadar({ moment, site }: VolumeInfo): boolean {
+  return moment !== undefined || site !== undefined;
+}
+
+function listRadarRows(place: Omit<RadarPlace, 'gate'> | null, { site }: VolumeInfo, { language, terms }: RowStyle): Row[] {
+  const row = (name: string, write: (known: Omit<RadarPlace, 'gate'>) => string): Row => ({ name, text: place ? write(place) : '–' });
+  const degrees = (angle: number, decimals: number): string => `${language.fixed(angle, decimals)}°`;
+  return [
+    row(terms.beamRange, ({ range }) => terms.kilometres(language.fixed(range / 1000, 2))),
+    row(terms.beamAzimuth, ({ azimuth }) => degrees(azimuth, 1)),
+    row(terms.beamElevation, ({ elevation }) => degrees(elevation, 2)),
+    ...(site?.height === undefined ? [] : [row(terms.aboveSea, ({ heightAboveSea }) => terms.metres(language.fixed(heightAboveSea!, 0)))]),
+    row(terms.aboveAntenna, ({ heightAboveAntenna }) => terms.metres(language.fixed(heightAboveAntenna, 0))),
+    ...(site?.latitude === undefined || site.longitude === undefined ? [] : [row(terms.latitudeLongitude, ({ latitude, longitude }) =>
+      `${degrees(Math.abs(latitude!), 3)} ${latitude! < 0 ? terms.south : terms.north} ${degrees(Math.abs(longitude!), 3)} ${longitude! < 0 ? terms.west : terms.east}`)]),
+  ];
+}
+
+/** A place in words, to a tenth of a voxel or so. */
+export function writePlace(world: Vector3, volume: VolumeInfo, { language, terms, coordinates }: RowStyle): string {
+  const decimals = Math.min(6, Math.max(0, Math.round(1 - Math.log10(Math.min(...volume.spacing)))));
+  const asked = coordinates?.trim().toLowerCase();
+  if (asked === 'patient' || (asked !== 'xyz' && isPatient(volume))) {
+    const { right, left, anterior, posterior, superior, inferior } = terms.patient;
+    const signs = [[left, right], [posterior, anterior], [inferior, superior]];
+    const parts = world.map((length, axis) => `${signs[axis][length < 0 ? 0 : 1]} ${language.fixed(Math.abs(length), decimals)}`);
+    return terms.millimetres(parts.join(' '));
+  }
+  const plain = world.map((length, axis) => `${'xyz'[axis]} ${language.fixed(length, decimals)}`).join(' ');
+  // Whose axes they are, nobody says; the unit, the format does.
+  return asked !== 'xyz' && isInMillimetres(volume) ? terms.millimetres(plain) : plain;
+}

@@ -1,0 +1,120 @@
+import { html, nothing } from 'lit';
+import type { PropertyValues } from 'lit';
+import { state } from 'lit/decorators.js';
+import { live } from 'lit/directives/live.js';
+import { repeat } from 'lit/directives/repeat.js';
+import { english as companions } from '../src/messages/english-companions.ts';
+import { english } from '../src/messages/english-labels.ts';
+import { Language } from '../src/messages/language.ts';
+import { Words } from '../src/messages/words.ts';
+import { property, ReflectingElement } from '../internal/reflecting-element.ts';
+import { styles } from './volume-label-list-styles.ts';
+import type { VolumeLabelInfo, VolumeLabels } from '../volume-labels/volume-labels.ts';
+import { companionGap, withViewWidth } from '../internal/view-width.ts';
+import { VolumeLink } from '../internal/volume-link.ts';
+
+/** Rows at most: who has more labels searches. */
+const mostRows = 2000;
+
+/**
+ * The labels of a volume, with their colours and names: a box to show or hide each, a button that shows it alone, and a field that finds
+ * one by name. What is chosen is kept by the `<volume-labels>`; attributes stay as they are.
+ *
+ * Without `for` it speaks of the nearest `<volume-view>`: the one around it, else the first in the smallest element that
+ * holds both.
+ *
+ * @tag volume-label-list
+ * @csspart list - all of it
+ * @csspart search - the field that finds labels
+ * @csspart button - each button
+ * @csspart row - a label
+ * @csspart swatch - its colour
+ * @csspart name - what it is called
+ * @csspart count - how many are shown
+ * @csspart hint - what is said where there are no labels
+ * @cssproperty --volume-label-list-height - of the rows at most, which scroll then; 20rem by default
+ * @cssproperty --volume-label-list-accent - colour of the boxes
+ * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
+ */
+export class VolumeLabelList extends ReflectingElement {
+  static override readonly styles = [companionGap, styles];
+
+  /** The id of the `<volume-view>`; by default the nearest one. */
+  @property({ attribute: 'for' }) htmlFor!: string | null;
+
+  @state() private _search = '';
+
+  readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'labels-change']));
+  readonly #words = new Words(this, { ...companions, ...english });
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
+  }
+
+  get #labels(): VolumeLabels | null {
+    return this.#link.view?.querySelector('volume-labels') ?? null;
+  }
+
+  protected override render(): unknown {
+    const { terms } = this.#words;
+    const { view } = this.#link;
+    const all = this.#labels?.labels ?? [];
+    if (!view?.optics) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(terms)}</span></p>`;
+    if (all.length === 0) return html`<p class="hint" part="hint"><span dir="auto">${this.#labels && !this.#labels.hidden ? terms.labelsComing : terms.noLabels}</span></p>`;
+    const found = all.filter(finder(this._search, terms.otherParts));
+    return html`<div class="list" part="list" role="group" aria-label=${terms.labelList}>
+      <div class="tools">
+        <input type="search" part="search" aria-label=${terms.findLabel} placeholder=${terms.findLabel} .value=${live(this._search)} @input=${this.#onSearch} />
+        <button type="button" part="button" ?disabled=${all.every(({ hidden }) => !hidden)} @click=${() => this.#labels?.showAll()}>${terms.allLabels}</button>
+      </div>
+      ${found.length > 0 ? html`<ul>${repeat(found.slice(0, mostRows), ({ id }) => id, (label) => this.#renderRow(label))}</ul>` : nothing}
+      ${found.length > mostRows ? html`<p class="hint" part="hint"><span dir="auto">${terms.moreLabels(this.#number(found.length - mostRows))}</span></p>` : nothing}
+      <p class="count" part="count" role="status"><span dir="auto">${found.length > 0 ? this.#count(all) : terms.noSuchLabel}</span></p>
+    </div>`;
+  }
+
+  #renderRow({ id, name, color, hidden }: VolumeLabelInfo): unknown {
+    const { onlyThis, onlyLabel, otherParts } = this.#words.terms;
+    const called = name || otherParts;
+    return html`<li part="row">
+      <label>
+        <input type="checkbox" .checked=${live(!hidden)} @change=${(event: Event) => this.#labels?._show(id, (event.target as HTMLInputElement).checked)} />
+        ${id === 0 ? nothing : html`<span class="swatch" part="swatch" .style=${`background: ${color}`}></span>`}
+        <bdi part="name">${called}</bdi>
+      </label>
+      <button type="button" class="only" part="button" aria-label=${onlyLabel(called)} @click=${() => this.#labels?.showOnly([id], 'ghost')}>${onlyThis}</button>
+    </li>`;
+  }
+
+  #count(all: readonly VolumeLabelInfo[]): string {
+    const things = all.filter(({ id }) => id !== 0);
+    return this.#words.terms.labelsShown(this.#number(things.filter(({ hidden }) => !hidden).length), this.#number(things.length));
+  }
+
+  #number(count: number): string {
+    return new Language(this.#words.lang(), this.#words.terms).number(count, 6);
+  }
+
+  readonly #onSearch = ({ target }: Event): void => {
+    this._search = (target as HTMLInputElement).value;
+  };
+}
+
+/** Whether a label is what somebody looks for: all words are in its name, whatever their case and accents; or it is its number. */
+function finder(search: string, otherParts: string): (label: VolumeLabelInfo) => boolean {
+  const words = fold(search).split(/[\s_-]+/).filter(Boolean);
+  return ({ id, name }) => {
+    const text = fold(name || otherParts);
+    return words.every((word) => text.includes(word) || String(id) === word);
+  };
+}
+
+function fold(text: string): string {
+  return text.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase();
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-label-list': VolumeLabelList;
+  }
+}

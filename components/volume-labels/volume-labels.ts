@@ -1,0 +1,143 @@
+import type { PropertyValues } from 'lit';
+import type { VolumeViewError } from '../../src/errors.ts';
+import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts';
+import { childrenOf } from '../../src/page-children.ts';
+import type { PaneLabels } from '../../src/panes/pane-labels.ts';
+import { readLabelChildren } from '../../src/viewer/attachments/label-children.ts';
+import { LabelKeeper } from '../../src/viewer/attachments/label-keeper.ts';
+import { isOwnPane, noTarget, PresenterTarget } from '../../src/viewer/attachments/label-target.ts';
+import type { LabelTarget } from '../../src/viewer/attachments/label-target.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { BesideElement } from '../internal/beside-element.ts';
+import type { LabelledSlices, VolumeHolder } from '../internal/held-volume.ts';
+import { property } from '../internal/reflecting-element.ts';
+import { tell } from '../internal/volume-view-events.ts';
+
+/** One label of a volume, as pages and companions see it. */
+export interface VolumeLabelInfo {
+  /** The id in the file; 0 is what has no label. */
+  readonly id: number;
+  /** Its number where nobody names it; '' of what has no label. */
+  readonly name: string;
+  /** '#rrggbb' */
+  readonly color: string;
+  /** 0..1 */
+  readonly opacity: number;
+  readonly hidden: boolean;
+}
+
+/**
+ * The names of a volume's parts: an atlas or a segmentation beside the scan, with its table of names and colours. It colours what
+ * the `<volume-view>` around it shows, in 3D and in its panes, and names what somebody points at.
+ *
+ * With `hidden` the volume is shown without them.
+ *
+ * `<volume-view src="head.nii.gz"><volume-labels src="atlas.nii.gz" table="dseg.tsv"></volume-labels></volume-view>`
+ *
+ * @tag volume-labels
+ * @slot - `<volume-label>` elements, which say more of a label than the table does
+ * @fires {CustomEvent<null>} labels-change - there are other labels, or they look otherwise; it bubbles
+ * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good labels stay
+ */
+export class VolumeLabels extends BesideElement<LabelTarget> {
+  /** A file with a label for each voxel, a whole number: NIfTI, NRRD or MetaImage. Without it, the volume itself is the labels. */
+  @property() src!: string | null;
+
+  /** A table of names and colours, as BIDS, FreeSurfer, ITK-SNAP or NiiVue write them. */
+  @property() table!: string | null;
+
+  /** What the values of all labels look like of which no `<volume-label>` says it: a preset's name, or stops. By default as all of the volume. */
+  @property({ attribute: 'transfer-function' }) transferFunction!: string | null;
+
+  readonly #watcher = new MutationObserver((records) => this.#follow(records));
+  protected override readonly keeper = new LabelKeeper({
+    said: () => readLabelChildren(this),
+    wanted: () => ({ src: this.src, table: this.table, hidden: this.hasAttribute('hidden'), transferFunction: this.transferFunction }),
+    target: () => this.target,
+    changed: () => this.dispatchEvent(new CustomEvent('labels-change', { detail: null, bubbles: true })),
+    failed: (error) => this.tellError(error),
+  });
+
+  /** The labels in the file, what has none (id 0) first, unless the volume itself is the labels; none before they are there. */
+  get labels(): readonly VolumeLabelInfo[] {
+    return this.keeper.entries.map(({ id, name, color, opacity, hidden }) => ({ id, name, color: writeColor(color), opacity, hidden }));
+  }
+
+  /** The ids of those that are not shown. To set it shows all others. */
+  get hiddenLabels(): readonly number[] {
+    return this.keeper.entries.filter(({ hidden }) => hidden).map(({ id }) => id);
+  }
+
+  set hiddenLabels(ids: readonly number[]) {
+    this.keeper.choose(ids, false);
+  }
+
+  /**
+   * Show some labels and nothing else, what has no label neither.
+   * @param ids - of the labels
+   * @param rest - `ghost` leaves all else as a grey trace around them, until `showAll()` or `hiddenLabels` is set
+   */
+  showOnly(ids: readonly number[], rest?: 'ghost'): void {
+    const shown = new Set(ids);
+    this.keeper.choose(this.keeper.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id), rest === 'ghost');
+  }
+
+  /** Hide one label, or show it; what else is hidden stays as it is, a ghost or not. @internal */
+  _show(id: number, isShown: boolean): void {
+    const others = this.hiddenLabels.filter((other) => other !== id);
+    this.keeper.choose(isShown ? others : [...others, id]);
+  }
+
+  /** Show all labels, and what has none. */
+  showAll(): void {
+    this.hiddenLabels = [];
+  }
+
+  /** The labels of a volume as a pane has them; null where there are none. @internal */
+  _inPane(volume: Volume | null, opacity: number): PaneLabels | null {
+    return this.keeper.inPane(volume, opacity);
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#watcher.observe(this, { childList: true, subtree: true, attributes: true, attributeFilter: ['value', 'name', 'color', 'opacity', 'hidden', 'transfer-function'] });
+  }
+
+  protected override updated(changed: PropertyValues<this>): void {
+    if (changed.has('src') || changed.has('table')) this.keeper.refresh();
+    else if (changed.has('transferFunction')) this.keeper.restyle();
+  }
+
+  protected override get file(): string {
+    return this.src ?? this.table ?? '';
+  }
+
+  protected override refuse(around: HTMLElement | null): VolumeViewError | null {
+    const canBe = isOwnPane(around) || around?.localName === 'volume-view';
+    return canBe && childrenOf(around!, 'volume-labels')[0] === this ? null : noTarget(around);
+  }
+
+  protected override join(around: HTMLElement, signal: AbortSignal): LabelTarget {
+    around.addEventListener('optics-change', () => this.keeper.rewindow(), { signal });
+    return isOwnPane(around) ? (around as unknown as LabelledSlices)._labelTarget : new PresenterTarget((around as unknown as VolumeHolder)._presenter);
+  }
+
+  /** The companions of a view that it leaves hear it no longer from here. */
+  protected override left(around: HTMLElement): void {
+    tell(around, 'labels-change', null);
+  }
+
+  #follow(records: readonly MutationRecord[]): void {
+    for (const { target, attributeName } of records) {
+      if (attributeName === 'hidden' && target !== this) this.keeper.forgetChoice(Number((target as Element).getAttribute('value')));
+    }
+    if (records.some(({ target, attributeName }) => target === this && attributeName === 'hidden')) this.keeper.refresh();
+    else if (records.some(({ type, target }) => type === 'childList' || target !== this)) this.keeper.restyle();
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-labels': VolumeLabels;
+  }
+}

@@ -1,0 +1,122 @@
+import { html, nothing } from 'lit';
+import type { PropertyValues } from 'lit';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import { describeScale, legendDomain } from '../../src/editor/describe-scale.ts';
+import { boxHeight, boxLength, drawArea, paintStops } from '../../src/editor/paint-curve.ts';
+import { labelTicks } from '../../src/editor/tick-labels.ts';
+import { thinStops } from '../../src/editor/transfer-function-edits.ts';
+import { labelShift } from '../../src/editor/ticks.ts';
+import { toShare } from '../../src/editor/transfer-function-axes.ts';
+import type { Language } from '../src/messages/language.ts';
+import { CompanionWords } from '../src/messages/companion-words.ts';
+import { renderGradientStops } from '../internal/color-gradient.ts';
+import { flag } from '../internal/property-kinds.ts';
+import { property, ReflectingElement } from '../internal/reflecting-element.ts';
+import { styles } from './volume-legend-styles.ts';
+import { companionGap, withViewWidth } from '../internal/view-width.ts';
+import { VolumeLink } from '../internal/volume-link.ts';
+import type { VolumeView } from '../volume-view/volume-view.ts';
+
+/** Stops that are all drawn: as many as an author may write. Labels may have more, of which some are. */
+const mostDrawn = 1024;
+
+/** Numbers along the scale, at most. */
+const maxTicks = 9;
+
+/**
+ * The colours of a volume and what values they stand for. The band shows them as on an opaque ground; what stands on it
+ * is the higher, the more opaque the value is.
+ *
+ * Without `for` it speaks of the nearest `<volume-view>`: the one around it, else the first in the smallest element that
+ * holds both.
+ *
+ * @tag volume-legend
+ * @csspart title - what the values are, and their unit
+ * @csspart bar - the colours
+ * @csspart ticks - the numbers
+ * @csspart offset - what all numbers are to be added to, where only their last digits differ
+ * @csspart hint - what is said where there is no volume
+ * @cssproperty --volume-legend-background - what is behind the colours; dark by default, as behind a volume
+ * @cssproperty --volume-legend-length - length of the scale where it is upright; 14rem by default
+ */
+export class VolumeLegend extends ReflectingElement {
+  static override readonly styles = [companionGap, styles];
+
+  /** The id of the `<volume-view>`; by default the nearest one. */
+  @property({ attribute: 'for' }) htmlFor!: string | null;
+
+  /** What the values are, `Reflectivity` for instance; by default the volume's title. An empty one shows none. */
+  @property() label!: string | null;
+
+  /** The scale of the `<volume-layer>` over the volume, or of a radar's `color-moment`, instead of the volume's own. */
+  @property({ kind: flag }) layer!: boolean;
+
+  /**
+   * `horizontal` (by default), or `vertical`.
+   * @default horizontal
+   */
+  @property() orientation!: string | null;
+
+  readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'layer-change']));
+  readonly #words = new CompanionWords(this);
+
+  /** @internal The view that it speaks of. */
+  get _view(): VolumeView | null {
+    return this.#link.view;
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
+  }
+
+  protected override render(): unknown {
+    const { language } = this.#words;
+    const volume = this.#link.view?.volume;
+    const optics = this.#link.view?.optics;
+    if (!volume || !optics) return html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`;
+    const over = this.layer ? this.#link.view?._presenter?.viewer?.pictures.parts.shown.overlay : null;
+    if (this.layer && !over) return nothing; // It is on its way, or hidden.
+    const { unit, range } = over?.shown.volume ?? volume;
+    const title = over?.name ?? volume.title ?? '';
+    const stops = over?.shown.transferFunction ?? optics.transferFunction;
+    const domain = legendDomain(stops, range);
+    const label = this.label ?? title;
+    const upright = this.orientation?.trim().toLowerCase() === 'vertical';
+    return html`<div class="legend ${upright ? 'upright' : 'flat'}" role="img" aria-label=${describeScale({ stops, domain, label, unit }, language)}>
+      ${label || unit ? html`<div class="title" part="title">${label}${unit ? html`<span class="unit">${unit}</span>` : nothing}</div>` : nothing}
+      <div class="scale">${renderBar(stops, domain, upright)}${renderTicks(domain, language)}</div>
+    </div>`;
+  }
+}
+
+function renderBar(stops: TransferFunction, domain: readonly [number, number], upright: boolean): unknown {
+  const points = paintStops(stops.length > mostDrawn ? thinStops(stops, mostDrawn / 4) : stops, domain);
+  const [width, height] = upright ? [boxHeight, boxLength] : [boxLength, boxHeight];
+  const [x2, y1] = upright ? [0, boxLength] : [boxLength, 0];
+  return html`<div class="bar" part="bar">
+    <svg class="opacity" viewBox="0 0 ${width} ${height}" preserveAspectRatio="none">
+      <defs><linearGradient id="colors" gradientUnits="userSpaceOnUse" x1="0" y1=${y1} x2=${x2} y2="0">${renderGradientStops(points)}</linearGradient></defs>
+      <path fill="url(#colors)" d=${drawArea(points, upright)}></path>
+    </svg>
+    <svg class="colors" viewBox="0 0 ${width} ${height}" preserveAspectRatio="none">
+      <path fill="url(#colors)" d="M0 0H${width}V${height}H0Z"></path>
+    </svg>
+  </div>`;
+}
+
+function renderTicks(domain: readonly [number, number], language: Language): unknown {
+  const { ticks, offset } = labelTicks(domain, maxTicks, language);
+  return html`<div class="ticks" part="ticks">
+    ${ticks.map(({ value, text }) => {
+      const share = toShare(value, domain);
+      return html`<span .style=${`--at: ${share}; --shift: ${labelShift(share)}`}>${text}</span>`;
+    })}
+  </div>
+  ${offset ? html`<div class="offset" part="offset"><bdi dir="ltr">${offset}</bdi></div>` : nothing}`;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-legend': VolumeLegend;
+  }
+}

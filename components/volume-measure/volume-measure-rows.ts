@@ -1,0 +1,83 @@
+// What a measure comes to, in words.
+import type { MeasureResult } from '../../src/viewer/tools/measuring.ts';
+import type { Statistics } from '../../src/volume/statistics.ts';
+import type { Language } from '../src/messages/language.ts';
+import type { MeasureWordTerms } from '../src/messages/measure-words.ts';
+import type { Row } from '../internal/volume-readout-rows.ts';
+
+/** In which words and numbers a measure is told. */
+export interface MeasureTongue {
+  readonly language: Language;
+  readonly terms: MeasureWordTerms;
+}
+
+/** Digits of a value: all that 16 bits have. */
+const valueDigits = 6;
+
+/** Lengths from here on are written in the larger unit. */
+const large = { m: 1000, mm: Infinity, '': Infinity };
+
+/** The number of a measure, with what it may be off. */
+export function writeMeasure(result: MeasureResult, { language, terms }: MeasureTongue): string {
+  const { type, value, uncertainty, lengthUnit } = result;
+  if (type === 'angle') return terms.plusMinus(`${writeRounded(value, uncertainty, language)}°`, `${writeUncertainty(uncertainty, language)}°`);
+  const { factor, unit } = type === 'distance' ? lengthScale(value, lengthUnit) : volumeScale(value, lengthUnit);
+  return `${terms.plusMinus(writeRounded(value / factor, uncertainty / factor, language), writeUncertainty(uncertainty / factor, language))}${unit && ` ${unit}`}`;
+}
+
+/** What of it is known, one line each. @param isRadar - whether gates are inside and not voxels */
+export function listMeasure(result: MeasureResult, isRadar: boolean, tongue: MeasureTongue): Row[] {
+  const { terms } = tongue;
+  const { type, lengths, lengthUnit } = result;
+  const number = writeMeasure(result, tongue);
+  if (type === 'distance' || type === 'angle') return [{ name: terms.measure[type], text: number }];
+  const { factor, unit } = lengthScale(Math.max(...lengths), lengthUnit);
+  const written = lengths.map((one) => tongue.language.number(one / factor)).join(' × ');
+  return [
+    { name: type === 'box' ? terms.measureSize : terms.measureRadius, text: `${written}${unit && ` ${unit}`}` },
+    { name: terms.measureVolume, text: number },
+    ...listStatistics(result, isRadar, tongue),
+  ];
+}
+
+function listStatistics({ statistics, unit }: MeasureResult, isRadar: boolean, { language, terms }: MeasureTongue): Row[] {
+  const inside = isRadar ? terms.measureGates : terms.measureVoxels;
+  if (!statistics) return [{ name: inside, text: terms.measureSummingUp }];
+  const rows: Row[] = [{ name: inside, text: writeCount(statistics, { language, terms }) }];
+  const { mean, standardError, deviation, least, largest } = statistics;
+  if (mean === null || least === null || largest === null) return rows;
+  const value = (known: number, digits = valueDigits): string => `${language.number(known, digits)}${unit && ` ${unit}`}`;
+  rows.unshift({ name: terms.measureMean, text: standardError === null ? value(mean) : terms.measureWithError(`${writeRounded(mean, standardError, language)}${unit && ` ${unit}`}`, writeUncertainty(standardError, language)) });
+  if (deviation !== null) rows.splice(1, 0, { name: terms.measureDeviation, text: value(deviation, 4) });
+  rows.splice(-1, 0, { name: terms.measureRange, text: terms.range(language.number(least, valueDigits), value(largest)) });
+  return rows;
+}
+
+function writeCount({ count, withoutData, cut }: Statistics, { language, terms }: MeasureTongue): string {
+  if (count === 0 && withoutData === 0) return terms.measureNothing;
+  const whole = (number: number): string => language.fixed(number, 0);
+  const text = cut === null || count === 0 ? whole(count) : terms.measureCut(whole(count), whole(cut));
+  return withoutData > 0 ? terms.measureWithoutData(text, whole(withoutData)) : text;
+}
+
+function lengthScale(length: number, unit: MeasureResult['lengthUnit']): { factor: number; unit: string } {
+  return Math.abs(length) >= large[unit] ? { factor: 1000, unit: 'km' } : { factor: 1, unit };
+}
+
+function volumeScale(volume: number, unit: MeasureResult['lengthUnit']): { factor: number; unit: string } {
+  if (unit === '') return { factor: 1, unit };
+  return volume >= 1000 && unit === 'mm' ? { factor: 1000, unit: 'cm³' } : unit === 'm' && volume >= 1e8 ? { factor: 1e9, unit: 'km³' } : { factor: 1, unit: `${unit}³` };
+}
+
+/** Decimals after which a number says nothing more: two digits of its uncertainty. */
+function decimalsOf(uncertainty: number): number {
+  return uncertainty > 0 ? Math.min(9, Math.max(0, 1 - Math.floor(Math.log10(uncertainty)))) : 3;
+}
+
+function writeRounded(value: number, uncertainty: number, language: Language): string {
+  return language.fixed(value, decimalsOf(uncertainty));
+}
+
+function writeUncertainty(uncertainty: number, language: Language): string {
+  return language.fixed(uncertainty, decimalsOf(uncertainty));
+}

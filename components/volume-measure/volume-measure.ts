@@ -1,0 +1,260 @@
+import { html, nothing } from 'lit';
+import type { PropertyValues } from 'lit';
+import { asVolumeViewError, invalidAttribute } from '../../src/errors.ts';
+import type { VolumeViewError } from '../../src/errors.ts';
+import { parseCssColor } from '../../src/optics/transfer/css-color.ts';
+import { MeasureModel } from '../../src/viewer/tools/measure-model.ts';
+import { MeasureStage } from '../../src/viewer/tools/measure-stage.ts';
+import { pointCounts } from '../../src/viewer/tools/measuring.ts';
+import type { MeasureResult } from '../../src/viewer/tools/measuring.ts';
+import type { LineColor } from '../../src/viewer/tools/view-lines.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import { MeasureWords } from '../src/messages/measure-words.ts';
+import { places } from '../internal/places-kind.ts';
+import { property, ReflectingElement, writeSafely } from '../internal/reflecting-element.ts';
+import { companionGap, withViewWidth } from '../internal/view-width.ts';
+import { VolumeLink } from '../internal/volume-link.ts';
+import { namePoints } from './volume-measure-names.ts';
+import { listMeasure, writeMeasure } from './volume-measure-rows.ts';
+import type { MeasureTongue } from './volume-measure-rows.ts';
+import { styles } from './volume-measure-styles.ts';
+import { isRadar } from '../internal/volume-readout-rows.ts';
+import type { Row } from '../internal/volume-readout-rows.ts';
+
+/** A screen reader is told what stands there for so long, ms. */
+const restMs = 500;
+
+const usualColor = '#3ec1ff';
+
+/**
+ * A distance, an angle, or the values inside a box or a sphere, measured in the picture of a `<volume-view>`: with lines in the scene
+ * and handles to drag, by mouse, finger and keys. Each number says how exactly the voxels let one know it.
+ *
+ * Without `for` it measures in the nearest `<volume-view>`: the one around it, else the first in the smallest element that
+ * holds both.
+ *
+ * With `hidden` nothing of it is seen, in the picture neither.
+ *
+ * `<volume-measure for="head" type="distance" points="-40 10 20, 35 10 20"></volume-measure>`
+ *
+ * @tag volume-measure
+ * @csspart measure - all of it
+ * @csspart name - what is measured
+ * @csspart row - a name and what belongs to it
+ * @csspart button - each button
+ * @csspart hint - what is said beside them
+ * @csspart error - what is said where something is wrong
+ * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
+ * @cssproperty --volume-view-error-background - what is behind the words that say what is wrong
+ * @cssproperty --volume-view-error-color - their colour
+ * @fires {CustomEvent<MeasureResult | null>} measure-change - something else is measured, or values inside have been added up; null where there is nothing any more
+ * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good measure stays
+ */
+export class VolumeMeasure extends ReflectingElement {
+  static override readonly styles = [companionGap, styles];
+
+  /** The id of the `<volume-view>`; by default the nearest one. */
+  @property({ attribute: 'for' }) htmlFor!: string | null;
+
+  /**
+   * `distance` between two points, `angle` at the second of three, `box` with two opposite corners along the axes of the
+   * world, or `sphere` with its centre and a point on it.
+   * @default distance
+   */
+  @property() type!: string | null;
+
+  /** What it is called; by default its type. */
+  @property() label!: string | null;
+
+  /** CSS colour of its lines and handles. */
+  @property() color!: string | null;
+
+  readonly #link = withViewWidth(new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'time-change']));
+  readonly #words = new MeasureWords(this);
+  readonly #model = new MeasureModel({
+    volume: () => this.#link.view?._volume ?? null, // It may not be defined yet.
+    changed: () => {
+      this.requestUpdate();
+      this.#speakLater();
+    },
+    measured: (result) => this.#emit('measure-change', result),
+  });
+  #stage: MeasureStage | null = null;
+  #color: { css: string; rgb: LineColor } = { css: usualColor, rgb: parseCssColor(usualColor)!.color };
+  #error: VolumeViewError | null = null;
+  /** What a screen reader is told, and when. */
+  #told = '';
+  #timer = 0;
+
+  /**
+   * Where it is measured, `x y z, x y z`, in world units (of medical files mm; of a radar metres east, north and above the antenna,
+   * whatever the exaggeration of heights). Without, a person places the points. To read it tells where they are now.
+   */
+  @property({ kind: places })
+  get points(): readonly Vector3[] | null {
+    return this.#model.isWhole ? this.#model.points : places.read(this.readText('points'));
+  }
+
+  set points(points: readonly Vector3[] | null) {
+    this.writeText('points', writeSafely(places.write, points));
+  }
+
+  constructor() {
+    super();
+    new MutationObserver(() => this.#hide()).observe(this, { attributes: true, attributeFilter: ['hidden'] });
+  }
+
+  /** What was measured; null before. While values inside are added up its `statistics` are null. */
+  get result(): MeasureResult | null {
+    return this.#model.result;
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#model.stop();
+    clearTimeout(this.#timer);
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
+    if (changed.has('type') || changed.has('points') || changed.has('color')) this.#read(changed.has('points'));
+  }
+
+  protected override updated(): void {
+    this.#show();
+  }
+
+  #read(pointsAreNew: boolean): void {
+    try {
+      const css = this.color?.trim() || usualColor;
+      const rgb = parseCssColor(css)?.color;
+      if (!rgb) throw invalidAttribute('color of <volume-measure>', css, 'a colour as CSS writes it, like "#3ec1ff"');
+      this.#model.read(this.type, this.readText('points'), pointsAreNew);
+      this.#color = { css, rgb };
+      this.#error = null;
+    } catch (thrown) {
+      this.#error = asVolumeViewError(thrown, 'volume-measure');
+      const { code, message, cause } = this.#error;
+      this.#emit('error', { code, message, cause });
+    }
+  }
+
+  /** Another view, or none, or another volume in it. */
+  #follow(): void {
+    const { view } = this.#link;
+    const picture = view?.shadowRoot?.querySelector('.picture');
+    if (this.#stage && this.#stage.view !== view) {
+      this.#stage.dispose();
+      this.#stage = null;
+    }
+    if (view && picture && view._volume) {
+      this.#stage ??= new MeasureStage(view, picture, {
+        moved: (index, to) => this.#model.move(index, to),
+        picked: (at) => (at ? this.#model.add(at) : this.#say(this.#words.terms.nothingThere)),
+        key: (event) => this.#onKey(event),
+      });
+    }
+    this.#model.refresh();
+  }
+
+  readonly #onKey = (event: KeyboardEvent): void => {
+    if (event.key !== 'Escape' || !this.#model.placing) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#model.cancel();
+  };
+
+  /** Nobody can place what isn't seen. */
+  #hide(): void {
+    if (this.hidden) this.#model.cancel();
+    this.requestUpdate();
+  }
+
+  readonly #toggle = (): void => (this.#model.placing ? this.#model.cancel() : this.#model.begin());
+
+  readonly #placeInMiddle = async (): Promise<void> => {
+    const volume = this.#link.view?._volume;
+    const points = volume && this.#stage?.placesInTheMiddle(volume, this.#model.type);
+    if (!points) return;
+    this.#model.complete(points);
+    await this.updateComplete;
+    this.#stage?.focus(0); // Keys move it at once.
+  };
+
+  #show(): void {
+    const { type, points, placing, result } = this.#model;
+    const [volume, info] = [this.#link.view?._volume, this.#link.view?.volume];
+    if (!this.#stage) return;
+    this.#stage.placing = placing;
+    if (!volume || !info || this.hidden) return this.#stage.show(null);
+    const tongue = this.#tongue;
+    this.#stage.show({
+      volume, type, points,
+      color: this.#color,
+      text: result ? writeMeasure(result, tongue) : '',
+      names: namePoints({ points, count: pointCounts[type], name: this.#name }, info, tongue),
+    });
+  }
+
+  /** What is there is told once it is still. */
+  #speakLater(): void {
+    clearTimeout(this.#timer);
+    this.#timer = window.setTimeout(() => this.#say(this.#model.placing ? this.#prompt : this.#rows.map(({ name, text }) => `${name} ${text}`).join(', ')), restMs);
+  }
+
+  #say(text: string): void {
+    this.#told = text;
+    this.requestUpdate();
+  }
+
+  get #tongue(): MeasureTongue {
+    const { language, terms } = this.#words;
+    return { language, terms };
+  }
+
+  get #name(): string {
+    return this.label?.trim() || this.#words.terms.measure[this.#model.type];
+  }
+
+  get #rows(): Row[] {
+    const info = this.#link.view?.volume;
+    const { result } = this.#model;
+    return result && info ? listMeasure(result, isRadar(info), this.#tongue) : [];
+  }
+
+  get #prompt(): string {
+    const { language, terms } = this.#words;
+    return terms.measurePlace(language.number(this.#model.points.length + 1), language.number(pointCounts[this.#model.type]));
+  }
+
+  protected override render(): unknown {
+    const { terms } = this.#words;
+    const info = this.#link.view?.volume;
+    const problem = this.#error ? html`<p class="problem" part="error" role="alert">${this.#error.message}</p>` : nothing;
+    if (!this.#stage || !info) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(terms)}</span></p>${problem}`;
+    const { placing: isPlacing, result } = this.#model;
+    return html`<div class="measure" part="measure" role="group" aria-label=${this.#name} @keydown=${this.#onKey}>
+      <p class="name" part="name"><span class="swatch" .style=${`background: ${this.#color.css}`}></span><bdi>${this.#name}</bdi></p>
+      <dl>${this.#rows.map(({ name, text }) => html`<div class="row" part="row"><dt><span dir="auto">${name}</span></dt><dd><bdi>${text}</bdi></dd></div>`)}</dl>
+      ${result && info.reduced ? html`<p class="hint" part="hint"><span dir="auto">${terms.measureReduced}</span></p>` : nothing}
+      ${isPlacing || !result ? html`<p class="hint" part="hint"><span dir="auto">${isPlacing ? this.#prompt : terms.measureHint}</span></p>` : nothing}
+      <div class="tools">
+        <button type="button" part="button" aria-pressed=${isPlacing ? 'true' : 'false'} @click=${this.#toggle}>${isPlacing ? terms.measureCancel : terms.measureButton}</button>
+        ${isPlacing || !result ? html`<button type="button" part="button" @click=${this.#placeInMiddle}>${terms.measureMiddle}</button>` : nothing}
+      </div>
+      ${problem}
+      <div class="spoken" role="status">${this.#told}</div>
+    </div>`;
+  }
+
+  #emit(type: string, detail: unknown): void {
+    const event = new CustomEvent(type, { detail });
+    this.dispatchEvent(event);
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-measure': VolumeMeasure;
+  }
+}

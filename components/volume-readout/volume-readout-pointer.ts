@@ -1,0 +1,148 @@
+import { placeInElement } from '../../src/pointer-place.ts';
+import { clicksOn, isOnPicture } from '../../src/viewer/picking/pick-clicks.ts';
+import { projectPlace } from '../../src/viewer/camera/project-place.ts';
+import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import { Marker } from './volume-readout-marker.ts';
+import type { VolumeView } from '../volume-view/volume-view.ts';
+
+type Place = readonly [x: number, y: number];
+
+/** At these the same place may have another value. */
+const changes = ['load', 'optics-change', 'time-change'];
+
+/**
+ * What somebody points at in a view: with the mouse over it, by a click or a tap, which keeps the place, and by a
+ * crosshair that keys move.
+ */
+export class ReadoutPointer {
+  readonly #abort = new AbortController();
+  readonly #marker: Marker;
+  readonly #release: () => void;
+  #mouse: Place | null = null;
+  #crosshair: Place | null = null;
+  /** Where somebody clicked last, and what is there. */
+  #kept: { readonly world: Vector3; readonly pick: VolumePick | null } | null = null;
+  /** How often somebody or something asked what is at the place that is kept: the last answer counts. */
+  #asked = 0;
+  #frame = 0;
+  /** From where the picture is seen, and how large it is. */
+  #seen = '';
+
+  /** @param listener - called with what is there, and whether somebody points at anything */
+  constructor(readonly view: VolumeView, picture: Element, readonly listener: (pick: VolumePick | null, points: boolean) => void) {
+    const { signal } = this.#abort;
+    this.#marker = new Marker(picture);
+    const clicks = clicksOn(view);
+    this.#release = clicks.hold();
+    view.addEventListener('pointermove', (event) => this.#move(event), { signal });
+    view.addEventListener('pointerdown', () => this.#leave(), { signal });
+    view.addEventListener('pointerleave', () => this.#leave(), { signal });
+    view.addEventListener('volume-pick', ({ detail }) => this.#keep(detail), { signal });
+    for (const type of changes) view.addEventListener(type, () => this.#lookAgain(), { signal });
+    view.addEventListener('render', () => this.#follow(), { signal });
+  }
+
+  /** What is there is named in the picture too: the readout may be out of sight. */
+  told(pick: VolumePick | null, points: boolean): void {
+    this.#marker.tell(pick?.labelName ?? null);
+    this.listener(pick, points);
+  }
+
+  dispose(): void {
+    this.#abort.abort();
+    this.#release();
+    this.#marker.remove();
+    cancelAnimationFrame(this.#frame);
+  }
+
+  get hasCrosshair(): boolean {
+    return this.#crosshair !== null;
+  }
+
+  /** Put a crosshair where somebody pointed last, or else into the middle; or take it away. */
+  setCrosshair(on: boolean): void {
+    const { clientWidth: width, clientHeight: height } = this.view;
+    this.#crosshair = on ? (this.#keptPlace() ?? [width / 2, height / 2]) : null;
+    this.#request();
+  }
+
+  /** @param by - CSS pixels to the right and down */
+  moveCrosshair(by: Place): void {
+    if (!this.#crosshair) return;
+    this.#mouse = null;
+    const most = [this.view.clientWidth, this.view.clientHeight];
+    const [x, y] = this.#crosshair.map((at, axis) => Math.min(most[axis], Math.max(0, at + by[axis])));
+    this.#crosshair = [x, y];
+    this.#request();
+  }
+
+  /** Tell the page what is at the crosshair, as a click would. */
+  clickCrosshair(): void {
+    if (this.#crosshair) void clicksOn(this.view).fire(this.#crosshair);
+  }
+
+  #move(event: PointerEvent): void {
+    if (event.pointerType === 'touch' || event.buttons !== 0 || !isOnPicture(event)) return this.#leave();
+    this.#mouse = placeInElement(this.view, event);
+    this.#request();
+  }
+
+  #leave(): void {
+    if (!this.#mouse) return;
+    this.#mouse = null;
+    this.#request();
+  }
+
+  #keep(pick: VolumePick | null): void {
+    this.#asked++; // What is on its way is of an older place.
+    this.#kept = pick && { world: pick.world, pick };
+    this.#request();
+  }
+
+  #lookAgain(): void {
+    const place = this.#keptPlace();
+    if (place) void this.#pickAgain(place);
+    this.#request();
+  }
+
+  async #pickAgain(place: Place): Promise<void> {
+    const asked = ++this.#asked;
+    const pick = await this.view.pick(...place).catch(() => null);
+    if (asked !== this.#asked || !this.#kept || this.#abort.signal.aborted) return;
+    this.#kept = { world: pick?.world ?? this.#kept.world, pick };
+    this.#request();
+  }
+
+  /** The picture may be seen from elsewhere, or have another size. */
+  #follow(): void {
+    const { camera, clientWidth, clientHeight } = this.view;
+    const seen = JSON.stringify([camera, clientWidth, clientHeight]);
+    if (seen === this.#seen) return;
+    this.#seen = seen;
+    this.#request();
+  }
+
+  #keptPlace(): Place | null {
+    const { view: { camera, clientWidth: width, clientHeight: height } } = this;
+    const place = this.#kept && camera && projectPlace(camera, this.#kept.world, { width, height });
+    return place && place[0] >= 0 && place[1] >= 0 && place[0] <= width && place[1] <= height ? place : null;
+  }
+
+  /** Look once a frame, whatever happens meanwhile. */
+  #request(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = requestAnimationFrame(() => void this.#look());
+  }
+
+  async #look(): Promise<void> {
+    const place = this.#mouse ?? this.#crosshair;
+    if (!place) {
+      this.#marker.show(this.#keptPlace());
+      return this.told(this.#kept?.pick ?? null, this.#kept !== null);
+    }
+    this.#marker.show(place);
+    const pick = await this.view.pick(...place).catch(() => null);
+    if (place === (this.#mouse ?? this.#crosshair) && !this.#abort.signal.aborted) this.told(pick, true);
+  }
+}

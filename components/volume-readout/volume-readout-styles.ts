@@ -1,0 +1,42 @@
+import { css } from 'lit';
+import { factsStyles } from '../internal/facts-styles.ts';
+import { spokenStyles } from '../internal/spoken-styles.ts';
+
+const ownStyles = css`
+  .swatch {
+    display: inline-block;
+    margin-inline-end: 0.5em;
+    border-radius: 50%; /* No box to tick. */
+  }
+
+  .swatch[hidden] {
+    visibility: hidden;
+  }
+
+  .tools {
+    align-items: center;
+    gap: 0.75em;
+  }
+
+  .hint {
+    margin: 0;
+  }
+
+  .keys {
+    border-radius: 5px;
+    padding: 0.25em 0.5em;
+    box-shadow: inset 0 0 0 1px var(--_line);
+  }
+
+  .keys:focus-visible {
+    outline: 2px solid var(--volume-view-focus-color, currentColor);
+    outline-offset: 2px;
+  }
+
+  /* In a page written from right to left, English sentences and numbers with units keep their own direction. */
+  .hint {
+    unicode-bidi: plaintext;
+  }
+`;
+
+export const styles = [factsStyles, ownStyles, spokenStyles];

@@ -1,0 +1,112 @@
+// What stands on a slice: letters, place, window, value, scale bar, crosshair.
+import { html, nothing } from 'lit';
+import type { LoadProgress } from '../../src/formats/base/load-request.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import { scale } from '../../src/volume/matrix.ts';
+import { joinPaneLabels } from '../../src/panes/join-pane-labels.ts';
+import type { PaneLabels } from '../../src/panes/pane-labels.ts';
+import type { SlicePane } from '../../src/panes/slice-pane.ts';
+import { roundLength } from '../../src/panes/pane-frame.ts';
+import { sideLetters, toPlane } from '../../src/panes/slice-plane.ts';
+import { nameInFile } from '../../src/volume/labels.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { isInMillimetres, isPatient } from '../../src/volume/world-axes.ts';
+import type { Language } from '../src/messages/language.ts';
+import type { SliceTerms } from '../src/messages/terms.ts';
+import type { VolumeView } from '../volume-view/volume-view.ts';
+
+/** Detail of `cursor-change`. */
+export interface SliceCursorDetail {
+  /** Where the crosshair is, world units: of medical files mm to the patient's right, front and head. */
+  readonly cursor: Vector3;
+  /** The value of the voxel there; null where there is none. */
+  readonly value: number | null;
+  /** What `<volume-labels>` calls the part there; null where there is none. */
+  readonly label: string | null;
+}
+
+/** In which words and numbers a slice is told. */
+export interface SliceTongue {
+  readonly language: Language;
+  readonly terms: SliceTerms;
+}
+
+/** Longest bar, as a share of the pane's width. */
+const longestBar = 0.3;
+
+/** A length in a volume's world, with its unit where its format has one. */
+function writeLength(length: number, volume: Volume, { language, terms }: SliceTongue): string {
+  const written = language.number(length);
+  return isInMillimetres(volume) ? terms.millimetres(written) : written;
+}
+
+/** Where the slice is: `S 23.5 mm`, or a number where nobody knows whose world it is. */
+export function describePlace(pane: SlicePane, tongue: SliceTongue): string {
+  const { normal } = pane.plane;
+  const d = Number(toPlane(pane.plane, pane.place).d.toFixed(2));
+  if (!pane.sliced) return tongue.language.number(d);
+  const { volume } = pane.sliced;
+  if (!isPatient(volume)) return writeLength(d, volume, tongue);
+  return `${sideLetters(d < 0 ? scale(normal, -1) : normal)} ${writeLength(Math.abs(d), volume, tongue)}`;
+}
+
+/** What the label under the crosshair is called, and the value there, with its unit. */
+export function describeValue(pane: SlicePane, { language, terms }: SliceTongue): string {
+  const value = pane.sliced?.valueAt(pane.place) ?? null;
+  if (value === null) return terms.noValue;
+  const { unit, isDiscrete } = pane.sliced!.volume;
+  const name = pane.labels?.nameAt(pane.place) ?? (isDiscrete ? nameInFile(pane.sliced!.volume, value) : null);
+  if (isDiscrete && name !== null) return name; // The value is nothing but its number.
+  return `${name === null ? '' : `${name} · `}${language.value(value, unit)}`;
+}
+
+/** The window in words: what `W 400  L 40` means. */
+export function describeWindow(pane: SlicePane, { language, terms }: SliceTongue): string {
+  const [low, high] = pane.window;
+  const { unit } = pane.sliced!.volume;
+  const [width, level] = [high - low, (low + high) / 2].map((value) => language.number(value, 3));
+  const [black, white] = [low, high].map((value) => language.value(Number(value.toPrecision(3)), unit));
+  return terms.windowWords({ width, level, black, white });
+}
+
+export function renderTexts(pane: SlicePane, tongue: SliceTongue): unknown {
+  const { language, terms } = tongue;
+  const look = pane.look!;
+  const [low, high] = pane.window;
+  const length = (value: number): string => writeLength(value, pane.sliced!.volume, tongue);
+  return html`
+    <div class="text top left" part="place">${describePlace(pane, tongue)}${look.thickness > 0 ? html`<br />${terms.slab[look.projection](length(look.thickness))}` : nothing}</div>
+    ${look.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, tongue)}>${terms.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
+    <div class="text bottom left" part="scale">${renderBar(pane, length)}</div>
+    <div class="text bottom right" part="value"><span class="told">${describeValue(pane, tongue)}</span></div>
+  `;
+}
+
+function renderBar(pane: SlicePane, write: (length: number) => string): unknown {
+  const { frame, size: { width } } = pane;
+  if (!frame || !(width > 0)) return nothing;
+  const length = roundLength(frame.scale * width * longestBar);
+  return html`${write(length)}<div class="bar" .style=${`inline-size: ${length / frame.scale}px`}></div>`;
+}
+
+/** The letters of the patient's sides at the four edges. */
+export function renderSides({ plane: { right, up } }: SlicePane): unknown {
+  const sides = [['l', scale(right, -1)], ['r', right], ['t', up], ['b', scale(up, -1)]] as const;
+  return sides.map(([edge, direction]) => html`<div class="side ${edge}" part="side">${sideLetters(direction)}</div>`);
+}
+
+export function renderCrosshair({ point }: SlicePane): unknown {
+  if (!point) return nothing;
+  return html`<div class="line across" part="crosshair" .style=${`top: ${point[1] - 0.5}px`}></div><div class="line up" part="crosshair" .style=${`left: ${point[0] - 0.5}px`}></div>`;
+}
+
+/** What lies over the greys of a view's volume: its layer, and its labels. @param opacity - of labels */
+export function labelsOf(view: VolumeView | null, volume: Volume | null, opacity: number): PaneLabels | null {
+  const overlay = view?._presenter?.viewer?.pictures.parts.shown.overlay;
+  return joinPaneLabels([overlay?.inPane(volume) ?? null, view?.querySelector('volume-labels')?._inPane?.(volume, opacity) ?? null]);
+}
+
+/** How much of a file is there, 0..1; undefined where nobody knows. */
+export function shareOf({ loaded, total, phase }: LoadProgress): number | undefined {
+  return phase === 'fetch' && total > 0 ? Math.min(1, loaded / total) : undefined;
+}

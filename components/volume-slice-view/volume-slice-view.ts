@@ -1,0 +1,320 @@
+import { html, nothing } from 'lit';
+import type { PropertyValues } from 'lit';
+import { query, state } from 'lit/decorators.js';
+import { live } from 'lit/directives/live.js';
+import type { LoadProgress } from '../../src/formats/base/load-request.ts';
+import type { SlicedVolume } from '../../src/panes/slice-field.ts';
+import { toPlane } from '../../src/panes/slice-plane.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { isPatient } from '../../src/volume/world-axes.ts';
+import { CompanionWords } from '../src/messages/companion-words.ts';
+import { english } from '../src/messages/english-slices.ts';
+import { Words } from '../src/messages/words.ts';
+import type { VolumeHolder } from '../internal/held-volume.ts';
+import { number, pair, vector } from '../internal/property-kinds.ts';
+import { property, ReflectingElement, writeSafely } from '../internal/reflecting-element.ts';
+import { PaneTarget } from '../../src/viewer/attachments/pane-label-target.ts';
+import { SlicePresenter } from '../../src/viewer/attachments/slice-presenter.ts';
+import type { Shown } from '../../src/viewer/attachments/slice-presenter.ts';
+import { describeVolume } from '../../src/viewer/model/volume-info.ts';
+import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
+import { SliceSource } from '../../src/viewer/attachments/slice-source.ts';
+import { LazyPart } from '../volume-view/lazy-part.ts';
+import { VolumeLink } from '../internal/volume-link.ts';
+import { tell } from '../internal/volume-view-events.ts';
+import { describePlace, describeValue, describeWindow, labelsOf, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
+import type { SliceCursorDetail, SliceTongue } from './volume-slice-view-parts.ts';
+import { styles } from './volume-slice-view-styles.ts';
+
+export type { SliceCursorDetail } from './volume-slice-view-parts.ts';
+
+/**
+ * A slice of a volume in a pane of its own, as radiology shows it, with letters of the patient's sides, a scale bar and a
+ * crosshair. It is drawn from the samples themselves, in 64-bit floats, without a graphics processor.
+ *
+ * With `src` it stands alone. Else it shows the volume of the `<volume-view>` that `for` names, or of the nearest one. All panes
+ * of one volume, or of one `group`, have one crosshair.
+ *
+ * `<volume-slice-view for="head" type="coronal"></volume-slice-view>`
+ *
+ * @tag volume-slice-view
+ * @csspart picture - the picture, which takes the focus
+ * @csspart place - where the slice is
+ * @csspart window - width and level of the window
+ * @csspart scale - the scale bar and its length
+ * @csspart value - the value at the crosshair
+ * @csspart side - each letter of a patient's side
+ * @csspart crosshair - each of its two lines
+ * @csspart slider - goes through the slices
+ * @csspart hint - what is said where there is no volume
+ * @csspart notice-sign - the sign that something of the file of `src` is not in the picture, or not as it is there
+ * @csspart notice-text - what it says
+ * @csspart error - what is said where something is wrong
+ * @cssproperty --volume-slice-crosshair-color - colour of the crosshair
+ * @cssproperty --volume-slice-accent - colour of the slider
+ * @cssproperty --volume-view-notice-color - colour of the sign for what of a file is not in the picture, and of its words
+ * @cssproperty --volume-view-notice-background - what is behind both
+ * @cssproperty --volume-view-focus-color - colour of the frame around what has the focus
+ * @cssproperty --volume-view-error-background - what is behind the words that say what is wrong
+ * @cssproperty --volume-view-error-color - their colour
+ * @fires {CustomEvent<SliceCursorDetail>} cursor-change - where the crosshair is: at first, and when it has moved, in this pane or in one that it follows
+ * @fires {CustomEvent<{ window: readonly [number, number] }>} window-change - a person has chosen another window
+ * @fires {CustomEvent<null>} load - the file of `src` has been loaded
+ * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good picture stays
+ */
+export class VolumeSliceView extends ReflectingElement {
+  static override readonly styles = styles;
+
+  /** The id of the `<volume-view>`; by default the nearest one. */
+  @property({ attribute: 'for' }) htmlFor!: string | null;
+
+  /** A file to show without any `<volume-view>`. */
+  @property() src!: string | null;
+
+  /**
+   * `axial`, `coronal`, `sagittal`, or `oblique`.
+   * @default axial
+   */
+  @property() type!: string | null;
+
+  /** Of an oblique slice: the direction a person looks in, `x y z`, from the patient's left to right, back to front and feet to head. */
+  @property({ kind: vector }) normal!: Vector3 | null;
+
+  /** Which slice: its place in world units (mm) along the axis that it cuts. By default the crosshair's. */
+  @property({ kind: number }) at!: number | null;
+
+  /**
+   * How thick the slice is, in world units (mm).
+   * @default 0
+   */
+  @property({ kind: number }) thickness!: number | null;
+
+  /**
+   * What of a thick slice's values is shown: `average`, `max` or `min`.
+   * @default average
+   */
+  @property() projection!: string | null;
+
+  /** Data values of black and white, `low high`. By default that of the `<volume-view>`, soft tissue of a CT, or what suits the values. */
+  @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [number, number] | null;
+
+  /**
+   * `linear-exact`, or `linear`: DICOM's two ways to read a window, which differ by half a value.
+   * @default linear-exact
+   */
+  @property({ attribute: 'window-function' }) windowFunction!: string | null;
+
+  /**
+   * `linear`, or `nearest`: each voxel as a block. Labels are always shown so.
+   * @default linear
+   */
+  @property() interpolation!: string | null;
+
+  /** `gray`, or `volume`: the colours of the transfer function. By default those only of labels and of maps of both signs. */
+  @property() colors!: string | null;
+
+  /**
+   * What a drag moves: the `cursor`, or the `window`. The right button moves the other.
+   * @default cursor
+   */
+  @property() drag!: string | null;
+
+  /**
+   * Of the colours of `<volume-labels>` over the grey, 0 to 1.
+   * @default 0.5
+   */
+  @property({ attribute: 'label-opacity', kind: number }) labelOpacity!: number | null;
+
+  /** Panes of one group have one crosshair, whatever they show. By default that are all panes of one volume. */
+  @property() group!: string | null;
+
+  /** What the picture is, in words; by default the kind of slice and its place. */
+  @property() alt!: string | null;
+
+  @query('canvas') private readonly _canvas!: HTMLCanvasElement;
+  @query('.picture') private readonly _picture!: HTMLElement;
+  @state() private _progress: LoadProgress | null = null;
+  /** What a screen reader is told. */
+  @state() private _said = '';
+
+  readonly #words = new CompanionWords(this);
+  readonly #terms = new Words(this, english);
+  readonly #link = new VolumeLink(this, () => this.#presenter.refresh(() => false), ['load', 'optics-change', 'time-change', 'labels-change', 'layer-change']);
+  readonly #resizing = new ResizeObserver(() => this.#resize());
+  /** The volume of `src`, and what is known of it. */
+  #own: Volume | null = null;
+  #info: VolumeInfo | null = null;
+  /** Of a file of its own: of another one's, that one's view tells. */
+  readonly #notices = new LazyPart(this, async () => new (await import('../volume-view/view-notices.ts')).ViewNotices(this, () => ({ info: this.#info, besideNotices: this._labelTarget.besideNotices })));
+  #saying = 0;
+
+  readonly #presenter: SlicePresenter = new SlicePresenter({
+    isThere: () => this.isConnected,
+    shown: () => this.#shown,
+    text: (name) => this.readText(name),
+    changed: () => this.requestUpdate(),
+    moved: (what) => this.#onMoved(what),
+    failed: ({ code, message, cause }) => tell(this, 'error', { code, message, cause }),
+  });
+
+  readonly #source = new SliceSource({
+    progress: (progress) => (this._progress = progress),
+    loaded: (volume) => this.#take(volume),
+    failed: (error) => this.#presenter.fail(error),
+  });
+
+  /** @internal */
+  readonly _labelTarget = new PaneTarget({
+    volume: () => this.#own,
+    file: () => this.src ?? '',
+    changed: () => this.#presenter.refresh(() => false),
+    take: (volume) => this.#take(volume),
+  });
+
+  /** Where the crosshair is, world units; null before there is a volume. To set it writes the attribute `cursor`. */
+  @property({ kind: vector })
+  get cursor(): Vector3 | null {
+    const { sliced, place } = this.#presenter.pane;
+    return sliced ? place : vector.read(this.readText('cursor'));
+  }
+
+  set cursor(cursor: Vector3 | null) {
+    this.writeText('cursor', writeSafely(vector.write, cursor));
+  }
+
+  /** Resolves when the picture for the present attributes is there, as fine as it gets; at once where nothing is to be shown. */
+  async whenRendered(): Promise<void> {
+    await this.updateComplete;
+    await this.#source.loaded;
+    await this._labelTarget.done;
+    await this.#presenter.drawn();
+    await this.updateComplete;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    if (this.hasUpdated) this.#enter();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#presenter.leave();
+    this.#resizing.disconnect();
+    this.#source.stop();
+    clearTimeout(this.#saying);
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
+  }
+
+  protected override firstUpdated(): void {
+    if (this.isConnected) this.#enter();
+  }
+
+  protected override updated(changed: PropertyValues<this>): void {
+    this.#notices.follow(this._labelTarget.besideNotices.size > 0 || !!(this.#info?.notices?.length || this.#info?.reduced));
+    if (changed.has('src') && this.isConnected) this.#follow();
+    // What this element itself is told of is no attribute.
+    if ([...changed.keys()].some((name) => !String(name).startsWith('_'))) this.#presenter.refresh((name) => changed.has(name));
+  }
+
+  protected override render(): unknown {
+    const { pane } = this.#presenter;
+    const error = this.#presenter.error ?? this._labelTarget.error;
+    const { sliced, look } = pane;
+    const { language } = this.#words;
+    const tongue: SliceTongue = { language, terms: this.#terms.terms };
+    const { slice, sliceAt, sliceKeys, loading } = tongue.terms;
+    const label = this.alt ?? (sliced && look ? sliceAt(slice[look.type], describePlace(pane, tongue)) : slice.axial);
+    return html`
+      <div class="picture" part="picture" role="img" tabindex="0" aria-label=${label} aria-describedby="window keys">
+        <canvas aria-hidden="true"></canvas>
+        ${sliced && look ? html`${renderCrosshair(pane)}${isPatient(sliced.volume) ? renderSides(pane) : nothing}${renderTexts(pane, tongue)}` : nothing}
+      </div>
+      ${sliced && look ? this.#renderSlider(sliced, slice[look.type], describePlace(pane, tongue)) : nothing}
+      ${sliced ? this.#notices.render() : nothing}
+      ${this._progress ? html`<div class="loading">${loading}<progress aria-label=${loading} max="1" value=${shareOf(this._progress) ?? nothing}></progress></div>` : nothing}
+      ${sliced || this._progress || error || this.src ? nothing : html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`}
+      ${error ? html`<p class="problem" part="error" role="alert" tabindex="0">${error.message}</p>` : nothing}
+      <div class="spoken" id="window">${sliced && look && !look.colors ? describeWindow(pane, tongue) : nothing}</div>
+      <div class="spoken" id="keys">${sliceKeys}</div>
+      <div class="spoken" role="status">${this._said}</div>
+    `;
+  }
+
+  #renderSlider(sliced: SlicedVolume, label: string, place: string): unknown {
+    const { plane, ends: [low, high], place: at } = this.#presenter.pane;
+    return html`<input type="range" part="slider" aria-label=${label} aria-valuetext=${place} min=${low} max=${high} step=${sliced.stepAlong(plane.normal)}
+      .value=${live(String(toPlane(plane, at).d))} @input=${this.#onSlide} />`;
+  }
+
+  get #shown(): Shown {
+    const { view } = this.#link;
+    const { group } = this;
+    if (this.src) return { volume: this.#own, owner: this, group, shared: null, look: this._labelTarget.look, labels: (opacity) => this.querySelector('volume-labels')?._inPane?.(this.#own, opacity) ?? null };
+    const held = (view as VolumeHolder | null)?._volume ?? null; // It may not be defined yet.
+    return { volume: held, owner: view ?? this, group, shared: view && held ? { optics: view.optics, window: view.valueWindow } : null, labels: (opacity) => labelsOf(view, held, opacity) };
+  }
+
+  #enter(): void {
+    // Its size is known before anything is drawn: the observer tells it a frame later.
+    this.#resize();
+    this.#presenter.enter(this._picture, this._canvas);
+    this.#resizing.observe(this);
+    this.#follow();
+  }
+
+  #take(volume: Volume | null): void {
+    this.#setOwn(volume);
+    this.#presenter.refresh(() => false);
+    tell(this, 'load', null);
+  }
+
+  /** Load what `src` names. */
+  #follow(): void {
+    const { src } = this;
+    if (src) return this.#source.load(src);
+    this.#source.stop();
+    this.#setOwn(null);
+    this._progress = null;
+  }
+
+  #setOwn(volume: Volume | null): void {
+    this.#own = volume;
+    this.#info = volume && describeVolume(volume);
+    this.requestUpdate();
+  }
+
+  #resize(): void {
+    const { clientWidth: width, clientHeight: height } = this;
+    this.#presenter.pane.setSize({ width, height }, window.devicePixelRatio);
+    this.#presenter.redraw();
+  }
+
+  #onMoved(what: 'cursor' | 'window'): void {
+    const { sliced, place, window, labels } = this.#presenter.pane;
+    if (what === 'window') tell(this, 'window-change', { window });
+    else tell(this, 'cursor-change', { cursor: place, value: sliced?.valueAt(place) ?? null, label: labels?.nameAt(place) ?? null } satisfies SliceCursorDetail);
+    if (this.shadowRoot?.activeElement === this._picture) this.#sayLater(what);
+  }
+
+  /** Place and value, or the window, are told once a hand is still. */
+  #sayLater(what: 'cursor' | 'window'): void {
+    clearTimeout(this.#saying);
+    this.#saying = setTimeout(() => {
+      const { pane } = this.#presenter;
+      const tongue: SliceTongue = { language: this.#words.language, terms: this.#terms.terms };
+      this._said = what === 'window' ? describeWindow(pane, tongue) : `${describePlace(pane, tongue)}: ${describeValue(pane, tongue)}`;
+    }, 500) as unknown as number;
+  }
+
+  readonly #onSlide = ({ target }: Event): void => this.#presenter.pane.goTo((target as HTMLInputElement).valueAsNumber);
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-slice-view': VolumeSliceView;
+  }
+}

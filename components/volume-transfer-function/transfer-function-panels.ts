@@ -1,0 +1,129 @@
+// What surrounds the editor's chart: fields of a stop, bands, factors, buttons.
+import { html, nothing } from 'lit';
+import { live } from 'lit/directives/live.js';
+import type { Stop } from '../../src/optics/transfer/transfer-function.ts';
+import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts';
+import { roundTo } from '../../src/editor/ticks.ts';
+import { toHeight } from '../../src/editor/transfer-function-axes.ts';
+import type { Band } from '../../src/editor/transfer-function-bands.ts';
+import type { Language } from '../src/messages/language.ts';
+import type { CompanionTerms } from '../src/messages/terms.ts';
+
+/** Parts of a range input from 0 to 1: finer than a hand is. */
+const fineStep = 0.001;
+
+const valueOf = (event: Event): string => (event.target as HTMLInputElement).value;
+
+/** What the fields of a stop tell: a colour while it is picked, `done` once a field is left. */
+export interface StopFieldsListener {
+  change(change: { value?: number; opacity?: number; color?: string }): void;
+  done(): void;
+  add(): void;
+  remove(): void;
+}
+
+/**
+ * Value, opacity and colour of the chosen stop, exactly.
+ * @param step - what values are rounded to when they are dragged; the field shows a digit more
+ */
+export function renderStopFields(
+  { stop, unit, step, removable, terms }: { stop: Stop; unit: string; step: number; removable: boolean; terms: CompanionTerms },
+  listener: StopFieldsListener,
+): unknown {
+  // Not live(): the volume may answer an earlier edit while a person types, and what is typed has to stay.
+  const field = (name: 'value' | 'opacity', shown: string, scale: number): unknown => {
+    const enter = ({ target }: Event): void => {
+      const input = target as HTMLInputElement;
+      const number = input.valueAsNumber;
+      input.value = shown; // What is no number, or no further than it was, shows what holds.
+      if (Number.isFinite(number)) listener.change({ [name]: number * scale });
+      listener.done();
+    };
+    const [min, max] = name === 'opacity' ? [0, 100] : [nothing, nothing];
+    return html`<input type="number" step="any" min=${min} max=${max} .style=${`--digits: ${shown.length}`} .value=${shown} @change=${enter} />`;
+  };
+  return html`<div class="fields" part="fields">
+    <label>${terms.valueIn(unit)} ${field('value', String(roundTo(stop.value, step / 10)), 1)}</label>
+    <label>${terms.opacityPercent} ${field('opacity', String(Number((stop.opacity * 100).toPrecision(4))), 0.01)}</label>
+    <label class="color">${terms.color} ${renderColor(writeColor(stop.color), terms.colorOfStop, (color) => listener.change({ color }), () => listener.done())}</label>
+    <div class="buttons">
+      <button type="button" title=${terms.addTip} @click=${() => listener.add()}>${terms.add}</button>
+      <button type="button" title=${terms.removeTip} ?disabled=${!removable} @click=${() => listener.remove()}>${terms.remove}</button>
+    </div>
+  </div>`;
+}
+
+function renderColor(color: string, label: string, change: (color: string) => void, done: () => void): unknown {
+  return html`<input type="color" aria-label=${label} .value=${live(color)} @input=${(event: Event) => change(valueOf(event))} @change=${done} />`;
+}
+
+/** What the bands tell. */
+export interface BandsListener {
+  /** @param change - height: 0..1 of a slider, as in the chart */
+  change(index: number, change: { color?: string; height?: number }): void;
+  done(): void;
+}
+
+/** A colour and a slider for every band, from the lowest. */
+export function renderBands({ bands, unit, language }: { bands: readonly Band[]; unit: string; language: Language }, listener: BandsListener): unknown {
+  const { terms } = language;
+  return html`<ul class="bands" part="bands">
+    ${bands.map(({ low, high, color, opacity }, i) => {
+      const range = language.range(low, high, unit);
+      return html`<li>
+        ${renderColor(writeColor(color), terms.colorOfBand(range), (color) => listener.change(i, { color }), () => listener.done())}
+        <span class="range" aria-hidden="true"><bdi dir="ltr">${language.number(low)} – ${language.number(high)}</bdi></span>
+        <input type="range" min="0" max="1" step=${fineStep} aria-label=${terms.opacityOfBand(range)} aria-valuetext=${language.opacity(opacity)}
+          .value=${live(String(toHeight(opacity)))}
+          @input=${(event: Event) => listener.change(i, { height: Number(valueOf(event)) })} @change=${() => listener.done()} />
+        <span class="told" aria-hidden="true"><bdi dir="ltr">${language.opacity(opacity)}</bdi></span>
+      </li>`;
+    })}
+  </ul>`;
+}
+
+/** Powers of two that a factor's slider reaches to either side of 1. */
+const reachOf = { opacityFactor: 4, lightFactor: 2 } as const;
+
+/** A slider of one factor, whose middle is 1. */
+export function renderFactor(
+  { name, label, factor, language }: { name: keyof typeof reachOf; label: string; factor: number; language: Language },
+  change: (factor: number) => void,
+  done: () => void,
+): unknown {
+  const reach = reachOf[name];
+  const words = `× ${language.number(factor, 3)}`;
+  return html`<label class="factor">${label}
+    <input type="range" min=${-reach} max=${reach} step="0.05" aria-valuetext=${words}
+      .value=${live(String(factor > 0 ? Math.log2(factor) : -reach))}
+      @input=${(event: Event) => change(Number((2 ** Number(valueOf(event))).toPrecision(3)))} @change=${done} />
+    <span class="told" aria-hidden="true"><bdi dir="ltr">${words}</bdi></span>
+  </label>`;
+}
+
+/** What the buttons can do at the moment, and what they tell. */
+export interface ToolbarState {
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
+  readonly canReset: boolean;
+  undo(): void;
+  redo(): void;
+  reset(): void;
+  copy(): void;
+}
+
+export function renderToolbar(state: ToolbarState, terms: CompanionTerms): unknown {
+  return html`<div class="buttons" part="toolbar">
+    <button type="button" title=${terms.undoTip} ?disabled=${!state.canUndo} @click=${() => state.undo()}>${terms.undo}</button>
+    <button type="button" title=${terms.redoTip} ?disabled=${!state.canRedo} @click=${() => state.redo()}>${terms.redo}</button>
+    <button type="button" title=${terms.resetTip} ?disabled=${!state.canReset} @click=${() => state.reset()}>${terms.reset}</button>
+    <button type="button" title=${terms.copyTip} @click=${() => state.copy()}>${terms.copy}</button>
+  </div>`;
+}
+
+/** The text to be copied by hand, where the page may not write to the clipboard. */
+export function renderCopyText(text: string | null, terms: CompanionTerms): unknown {
+  return text === null ? nothing : html`<label class="by-hand">${terms.copyByHand}
+    <textarea readonly rows="3" .value=${text} @focus=${(event: Event) => (event.target as HTMLTextAreaElement).select()}></textarea>
+  </label>`;
+}

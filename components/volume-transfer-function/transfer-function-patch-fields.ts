@@ -1,0 +1,69 @@
+// The fields of the chosen box or Gaussian.
+import { html, nothing } from 'lit';
+import { live } from 'lit/directives/live.js';
+import type { Patch } from '../../src/optics/transfer/patches.ts';
+import { roundedNumbersOf } from '../../src/optics/transfer/write-patches.ts';
+import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts';
+import type { Language } from '../src/messages/language.ts';
+import type { PlaneTerms } from '../src/messages/plane-terms.ts';
+
+/** What the fields tell: a colour while it is picked, `done` once a field is left. */
+export interface PatchFieldsListener {
+  /** @param which - of `numbersOf` */
+  number(which: number, number: number): void;
+  look(look: { readonly color?: string; readonly opacity?: number }): void;
+  done(): void;
+  add(kind: Patch['kind']): void;
+  remove(): void;
+}
+
+interface PatchFields {
+  /** Undefined where there is none. */
+  readonly patch: Patch | undefined;
+  readonly hasRoom: boolean;
+  readonly terms: PlaneTerms;
+  readonly language: Language;
+}
+
+export function renderPatchFields({ patch, hasRoom, terms, language }: PatchFields, listener: PatchFieldsListener): unknown {
+  return html`<div class="fields" part="fields">
+    ${patch ? renderNumbers(patch, terms, listener) : nothing}
+    ${patch ? renderLook(patch, terms, language, listener) : nothing}
+    <div class="buttons">
+      <button type="button" ?disabled=${!hasRoom} @click=${() => listener.add('box')}>${terms.addBox}</button>
+      <button type="button" ?disabled=${!hasRoom} @click=${() => listener.add('gaussian')}>${terms.addGaussian}</button>
+      <button type="button" title=${terms.removePatchTip} ?disabled=${!patch} @click=${() => listener.remove()}>${language.terms.remove}</button>
+    </div>
+  </div>`;
+}
+
+function renderNumbers(patch: Patch, terms: PlaneTerms, { number, done }: PatchFieldsListener): unknown {
+  const names = patch.kind === 'box'
+    ? [terms.valueFrom, terms.valueTo, terms.gradientFrom, terms.gradientTo]
+    : [terms.middleValue, terms.middleGradient, terms.valueWidth, terms.gradientWidth];
+  return roundedNumbersOf(patch).map((x, i) => renderNumber(names[i], x, (entered) => {
+    number(i, entered);
+    done();
+  }));
+}
+
+/** What is no number, or can't be, shows what holds. Not live(): what is being typed stays. */
+function renderNumber(label: string, shown: number, enter: (number: number) => void): unknown {
+  const text = String(shown);
+  const onChange = ({ target }: Event): void => {
+    const input = target as HTMLInputElement;
+    const number = input.valueAsNumber;
+    input.value = text;
+    if (Number.isFinite(number)) enter(number);
+  };
+  return html`<label>${label} <input type="number" step="any" .style=${`--digits: ${text.length}`} .value=${text} @change=${onChange} /></label>`;
+}
+
+function renderLook(patch: Patch, terms: PlaneTerms, { terms: common }: Language, { look, done }: PatchFieldsListener): unknown {
+  return html`${renderNumber(common.opacityPercent, Number((patch.opacity * 100).toPrecision(4)), (percent) => {
+    look({ opacity: percent / 100 });
+    done();
+  })}
+  <label class="color">${common.color} <input type="color" aria-label=${terms.colorOfPatch} .value=${live(writeColor(patch.color))}
+    @input=${({ target }: Event) => look({ color: (target as HTMLInputElement).value })} @change=${done} /></label>`;
+}

@@ -1,0 +1,47 @@
+// The code of a frame that shows a view in another page: loaded when a person asks for it.
+import { findX3domUrl } from '../../src/x3d/x3dom-url.ts';
+import type { ControlledView } from '../internal/controlled-view.ts';
+import { findCompanion } from '../internal/find-companion.ts';
+
+/** Attributes that a frame's address has no use for: they are for scripts, or for the page around. */
+const left = new Set(['crosshair', 'cursor', 'height', 'pickable', 'poster', 'width', 'loading']);
+
+/** Between the parts of the frame, CSS pixels. */
+const gap = 16;
+
+/**
+ * The code of a frame with a view as it is seen now, its attributes, and its legend and timeline.
+ * @param lang - of its words
+ * @returns `missing`: where the page for frames was looked for, and is not
+ */
+export async function writeEmbedCode(view: ControlledView, lang: string): Promise<{ readonly code: string } | { readonly missing: string }> {
+  // It lies where the package's other files are.
+  const page = new URL('embed.html', new URL(findX3domUrl(), document.baseURI));
+  const isThere = await fetch(page, { method: 'HEAD' }).then(({ ok }) => ok, () => false);
+  if (!isThere) return { missing: page.href };
+  const given = new Map<string, string>();
+  for (const { name, value } of view.attributes) if (isOwn(view, name)) given.set(name, value);
+  for (const [name, value] of Object.entries(view.getView())) given.set(name, value);
+  given.set('src', view.src!.trim().split(/\s+/).map((file) => new URL(file, document.baseURI).href).join(' '));
+  if (!/^en\b/i.test(lang)) given.set('lang', lang);
+  let height = view.clientHeight;
+  for (const name of ['legend', 'timeline']) {
+    const companion = findCompanion(view, `volume-${name}`);
+    if (!companion) continue;
+    given.set(name, '');
+    height += companion.offsetHeight + gap;
+  }
+  const query = [...given].map(([name, value]) => (value === '' ? name : `${name}=${encodeURIComponent(value)}`)).join('&');
+  const attributes = { src: `${page.href}?${query}`, title: view.getAttribute('alt') ?? '', width: String(view.clientWidth), height: String(height), allow: 'fullscreen', style: 'border: 0' };
+  return { code: `<iframe ${Object.entries(attributes).map(([name, value]) => `${name}="${escape(value)}"`).join(' ')}></iframe>` };
+}
+
+/** Attributes of HTML's own, of styles and of scripts stay in the page. */
+function isOwn(view: ControlledView, name: string): boolean {
+  const { observedAttributes } = view.constructor as unknown as { observedAttributes: readonly string[] };
+  return observedAttributes.includes(name) && !left.has(name);
+}
+
+function escape(text: string): string {
+  return text.replace(/&/g, '&amp;').replace(/"/g, '&quot;').replace(/</g, '&lt;');
+}

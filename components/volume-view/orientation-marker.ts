@@ -1,0 +1,36 @@
+import { html, svg } from 'lit';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import { listSides, placeMarks } from '../../src/viewer/camera/orientation-marks.ts';
+import type { OrientationMark } from '../../src/viewer/camera/orientation-marks.ts';
+import type { StandardView } from '../../src/viewer/camera/standard-views.ts';
+import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
+import type { ControlTerms } from '../src/messages/terms.ts';
+
+/** From the middle to a letter, of the marker's side. */
+const reach = 0.37;
+
+/** A letter nearer than this to the middle, of the reach, is hidden where another one is before it. */
+const covered = 0.3;
+
+/** Letters around a point, as they lie in the picture; each turns to its side. Nothing where nobody knows the sides. */
+export function renderMarker(volume: VolumeInfo, camera: Camera, terms: ControlTerms, turn: (view: StandardView) => void): unknown {
+  const marks = placeMarks(camera, listSides(volume));
+  if (marks.length === 0) return '';
+  const button = ({ view, x, y, towards }: OrientationMark): unknown => html`<button
+    type="button"
+    part="marker-side"
+    class="${towards < -0.05 ? 'back' : ''} ${towards < 0 && Math.hypot(x, y) < covered ? 'covered' : ''} ${view.name}"
+    .style=${`left: ${percent(x)}; top: ${percent(-y)}; z-index: ${Math.round(4 + 4 * towards)}`}
+    aria-label=${terms.view[view.name]}
+    title=${terms.view[view.name]}
+    @click=${() => turn(view)}
+  >${terms.letter[view.name]}</button>`;
+  return html`<div class="marker" part="marker" role="group" aria-label=${terms.orientation}>
+    <svg viewBox="-50 -50 100 100" aria-hidden="true">${marks.map(({ x, y, towards }) => svg`<line x2=${100 * reach * x} y2=${-100 * reach * y} class=${towards < -0.05 ? 'back' : ''}></line>`)}</svg>
+    ${marks.map(button)}
+  </div>`;
+}
+
+function percent(share: number): string {
+  return `${(50 + 100 * reach * share).toFixed(2)}%`;
+}

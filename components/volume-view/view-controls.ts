@@ -1,0 +1,254 @@
+import { html, nothing } from 'lit';
+import { listStandardViews } from '../../src/viewer/camera/standard-views.ts';
+import type { StandardView } from '../../src/viewer/camera/standard-views.ts';
+import { zoomFrom } from '../../src/viewer/camera/camera-moves.ts';
+import type { Viewer } from '../../src/viewer/view/viewer.ts';
+import { english } from '../src/messages/english-controls.ts';
+import type { ControlTerms } from '../src/messages/terms.ts';
+import { Words } from '../src/messages/words.ts';
+import { readControls } from '../../src/viewer/model/settings.ts';
+import { findCompanion } from '../internal/find-companion.ts';
+import type * as MarkerPart from './orientation-marker.ts';
+import { renderBar, renderCopied, renderHelp, renderHint, renderMore, renderViews } from './view-controls-parts.ts';
+import type { Act, ControlName } from './view-controls-parts.ts';
+import { styles as markerStyles } from './orientation-marker-styles.ts';
+import { styles } from './view-controls-styles.ts';
+import type { ControlledView } from '../internal/controlled-view.ts';
+
+/** What is open above the bar. */
+type Panel = 'views' | 'more' | 'help' | 'copied' | 'failed';
+
+/** What a press of a zoom button does to the distance. */
+const zoomPerPress = 1.25;
+
+/** Longer addresses are refused by servers, and by what people paste them into. */
+const longestSource = 8000;
+
+/** A hint is for those who have not yet turned anything in this page. */
+let isHintNeeded = true;
+
+/**
+ * The controls over a picture: the element draws them as a part of itself. Loaded when one has `controls`, or one of them alone: `auto-rotate`, which
+ * a person has to be able to stop, or `orientation-marker`.
+ */
+export class ViewControls {
+  readonly #words: Words<ControlTerms>;
+  readonly #abort = new AbortController();
+  #panel: Panel | null = null;
+  /** What stands in the panel that is open: a sentence, and what a person may copy by hand. */
+  #told = { sentence: '', text: '' };
+  #marker: typeof MarkerPart | null = null;
+
+  /** @param hand - moves the camera, while there is a picture */
+  constructor(readonly view: ControlledView, readonly hand: () => Pick<Viewer, 'resetCamera' | 'turnTo' | 'invalidate' | 'rig'> | null) {
+    this.#words = new Words(view, english);
+    const root = view.renderRoot as ShadowRoot;
+    root.adoptedStyleSheets = [...root.adoptedStyleSheets, ...sheets];
+    const { signal } = this.#abort;
+    view.addEventListener('camera-change', () => this.#endHint(), { signal });
+    document.addEventListener('fullscreenchange', () => view.requestUpdate(), { signal });
+    void customElements.whenDefined('volume-timeline').then(() => view.requestUpdate()); // It has a button for playing, too.
+    // A press anywhere else closes what is open, as menus do.
+    document.addEventListener('pointerdown', (event) => {
+      if (this.#panel && !event.composedPath().some((part) => part instanceof Element && part.matches('.controls'))) this.#open(null);
+    }, { signal, capture: true });
+  }
+
+  /** The attribute is gone. */
+  dispose(): void {
+    this.#abort.abort();
+    const root = this.view.renderRoot as ShadowRoot;
+    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((sheet) => !sheets.includes(sheet));
+    this.view.removeController(this.#words);
+  }
+
+  render(): unknown {
+    return html`${this.#renderMarker()}${this.view.controls || (this.view.autoRotate && this.#has('rotate')) ? this.#renderControls() : nothing}`;
+  }
+
+  #renderMarker(): unknown {
+    const { orientationMarker, volume, camera } = this.view;
+    if (!orientationMarker || !volume || !camera) return nothing;
+    if (this.#marker) return this.#marker.renderMarker(volume, camera, this.#words.terms, this.#turn);
+    void import('./orientation-marker.ts').then((part) => {
+      this.#marker = part;
+      this.view.requestUpdate();
+    }, console.warn);
+    return nothing;
+  }
+
+  readonly #turn = ({ theta, phi }: StandardView): void => {
+    this.hand()?.turnTo(theta, phi);
+    this.#endHint();
+  };
+
+  #has(name: ControlName): boolean {
+    if (this.#left.has(`no${name}`)) return false;
+    if (!this.view.controls) return name === 'rotate';
+    return name !== 'embed' || isEmbeddable(this.view);
+  }
+
+  #renderControls(): unknown {
+    const { view } = this;
+    const { terms } = this.#words;
+    const has = (name: ControlName): boolean => this.#has(name);
+    const isPlayable = has('play') && view.times.length > 1 && !findCompanion(view, 'volume-timeline');
+    const isLong = isPlayable || view.autoRotate;
+    const hint = isHintNeeded && this.#panel === null && has('hint') && readControls(view.interaction);
+    return html`<div class="controls ${isLong ? 'long' : ''} ${hint ? 'hinted' : ''}" part="controls" role="group" aria-label=${terms.controls} @keydown=${this.#onKey}>
+      ${this.#renderPanel(terms, has)}
+      <div class="row">
+        ${hint ? renderHint(terms) : nothing}
+        ${renderBar(terms, {
+          open: this.#panel,
+          playing: isPlayable ? !view.paused : null,
+          rotating: view.autoRotate && has('rotate') ? !view._rotation?.stopped : null,
+          isFull: isFullscreen(view),
+          has: (name) => has(name) && (name !== 'fullscreen' || document.fullscreenEnabled),
+        }, this.#act)}
+      </div>
+    </div>`;
+  }
+
+  get #left(): ReadonlySet<string> {
+    return new Set(this.view.controlslist?.toLowerCase().split(/\s+/));
+  }
+
+  #renderPanel(terms: ControlTerms, has: (name: ControlName) => boolean): unknown {
+    switch (this.#panel) {
+      case 'views':
+        return renderViews(terms, listStandardViews(this.view.volume ?? {}), this.#turn);
+      case 'more':
+        return renderMore(terms, has, this.#act);
+      case 'help':
+        return renderHelp(terms);
+      case 'copied':
+        return renderCopied(this.#told);
+      case 'failed':
+        return html`<div class="panel" part="controls-panel" role="alert"><p>${this.#told.sentence}</p></div>`;
+      case null:
+        return nothing;
+    }
+  }
+
+  readonly #act: Act = (action) => {
+    switch (action) {
+      case 'views':
+      case 'more':
+      case 'help':
+        return this.#open(this.#panel === action ? null : action);
+      case 'play':
+        if (this.view.paused) this.view.play().catch(() => undefined); // What stands in the way, the view shows itself.
+        else this.view.pause();
+        return;
+      case 'rotate':
+        return this.view._rotation?.toggle();
+      case 'zoomin':
+      case 'zoomout':
+        return this.#zoom(action === 'zoomin' ? 1 / zoomPerPress : zoomPerPress);
+      case 'reset':
+        this.#open(null);
+        return this.hand()?.resetCamera();
+      case 'fullscreen':
+        this.#open(null);
+        return void toggleFullscreen(this.view);
+      case 'save':
+        return void this.#save();
+      case 'copy':
+        return void this.#copy();
+      case 'embed':
+        return void this.#embed();
+      case 'hint':
+        return this.#endHint();
+    }
+  };
+
+  #open(panel: Panel | null): void {
+    this.#panel = panel;
+    this.view.requestUpdate();
+  }
+
+  #endHint(): void {
+    isHintNeeded = false;
+    this.view.requestUpdate();
+  }
+
+  #zoom(factor: number): void {
+    const hand = this.hand();
+    if (!hand) return;
+    zoomFrom(hand.rig, factor, [0, 0]);
+    hand.invalidate();
+  }
+
+  #fail(sentence: string): void {
+    this.#told = { sentence, text: '' };
+    this.#open('failed');
+  }
+
+  async #save(): Promise<void> {
+    try {
+      const link = document.createElement('a');
+      link.href = URL.createObjectURL(await this.view.toBlob());
+      link.download = `${nameOfPicture(this.view)}.png`;
+      link.click();
+      // The browser has taken what it needs when the page next has time.
+      setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+      this.#open(null);
+    } catch {
+      this.#fail(this.#words.terms.saveFailed);
+    }
+  }
+
+  async #copy(): Promise<void> {
+    const text = Object.entries(this.view.getView()).map(([name, value]) => `${name}="${value}"`).join(' ');
+    const { copied, copyByHand } = this.#words.terms;
+    await this.#offer(text, copied, copyByHand);
+  }
+
+  async #embed(): Promise<void> {
+    const { copiedEmbed, copyEmbedByHand, embedMissing, embedFailed } = this.#words.terms;
+    const written = await import('./embed-code.ts').then(({ writeEmbedCode }) => writeEmbedCode(this.view, this.#words.lang())).catch(() => null);
+    if (!written) this.#fail(embedFailed);
+    else if ('missing' in written) this.#fail(embedMissing(written.missing));
+    else await this.#offer(written.code, copiedEmbed, copyEmbedByHand);
+  }
+
+  /** Into the clipboard, or, where the page may not, into a field from which a person copies it. */
+  async #offer(text: string, copied: string, byHand: string): Promise<void> {
+    const isCopied = await Promise.resolve().then(() => navigator.clipboard.writeText(text)).then(() => true, () => false);
+    this.#told = isCopied ? { sentence: copied, text: '' } : { sentence: byHand, text };
+    this.#open('copied');
+  }
+
+  readonly #onKey = (event: KeyboardEvent): void => {
+    if (event.key !== 'Escape' || this.#panel === null) return;
+    event.stopPropagation();
+    const opener = this.#panel === 'views' ? 'views' : 'more';
+    this.#open(null);
+    (this.view.renderRoot as ShadowRoot).querySelector<HTMLElement>(`.bar [data-action="${opener}"]`)?.focus();
+  };
+}
+
+const sheets = [styles.styleSheet!, markerStyles.styleSheet!];
+
+/** Whether another page can load what a view shows. What lies on a person's own computer it can't. */
+function isEmbeddable({ src }: ControlledView): boolean {
+  return location.protocol !== 'file:' && src !== null && src.trim() !== '' && src.length < longestSource && !/(^|\s)(blob|file):/i.test(src);
+}
+
+function isFullscreen(view: ControlledView): boolean {
+  const root = view.getRootNode();
+  return (root instanceof ShadowRoot ? root : document).fullscreenElement === view;
+}
+
+/** A frame without the permission refuses; the button is then hidden, or a person sees that nothing happens. */
+async function toggleFullscreen(view: ControlledView): Promise<void> {
+  await (isFullscreen(view) ? document.exitFullscreen() : view.requestFullscreen()).catch(() => undefined);
+}
+
+/** A file's name without its ending, of letters that all systems take. */
+function nameOfPicture({ src }: ControlledView): string {
+  const path = (src ?? '').trim().split(/\s+/)[0].replace(/[?#].*$/, '');
+  const name = path.startsWith('data:') || path.startsWith('blob:') ? '' : path.slice(path.lastIndexOf('/') + 1);
+  return name.replace(/\.[^.]*$/, '').replace(/[^\w.-]+/g, '-').slice(0, 60) || 'volume';
+}

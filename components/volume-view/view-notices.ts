@@ -1,0 +1,102 @@
+import { html, nothing } from 'lit';
+import type { LitElement } from 'lit';
+import type { FileNotices } from '../../src/viewer/model/beside-notices.ts';
+import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
+import { wearSheet } from '../../src/viewer/overlays/wear-sheet.ts';
+import { english } from '../src/messages/english-notices.ts';
+import type { NoticeTerms } from '../src/messages/notice-terms.ts';
+import { Words } from '../src/messages/words.ts';
+import type { DrawnPart } from './lazy-part.ts';
+import { noticeStyles } from './view-notices-styles.ts';
+
+/** What is told of. */
+export interface NoticeSource {
+  readonly info: Pick<VolumeInfo, 'notices' | 'reduced'> | null;
+  /** Of files beside the volume, by who shows them. */
+  readonly besideNotices: ReadonlyMap<object, readonly FileNotices[]>;
+}
+
+/** More lines than this nobody reads: `left` of the volume has them all. */
+const mostLines = 40;
+
+/**
+ * A sign in a corner of a picture that something of a file is not in it, or not as it is there, and what. It tells it where a mouse is over it, where it has
+ * the focus of the keys, and where it was pressed; Escape, or a press elsewhere, closes it. Loaded where there is something to tell.
+ */
+export class ViewNotices implements DrawnPart {
+  readonly #words: Words<NoticeTerms>;
+  readonly #abort = new AbortController();
+  /** Why it is open. */
+  readonly #open = new Set<'pointed' | 'focused' | 'pressed'>();
+
+  constructor(readonly host: LitElement, readonly source: () => NoticeSource) {
+    this.#words = new Words(host, english);
+    document.addEventListener('pointerdown', (event) => {
+      if (this.#open.has('pressed') && !event.composedPath().some((part) => part instanceof Element && part.matches('.notice'))) this.#close();
+    }, { signal: this.#abort.signal, capture: true });
+  }
+
+  dispose(): void {
+    this.#abort.abort();
+    this.host.removeController(this.#words);
+  }
+
+  render(): unknown {
+    const lines = this.#list();
+    if (lines.length === 0) return nothing;
+    wearSheet(this.host.renderRoot as ShadowRoot, noticeStyles);
+    const { terms } = this.#words;
+    const isOpen = this.#open.size > 0;
+    return html`<div class="notice" @keydown=${this.#onKey} @pointerenter=${this.#onEnter} @pointerleave=${this.#onLeave} @focusin=${this.#onFocus} @focusout=${this.#onBlur}>
+      <button type="button" part="notice-sign" aria-label=${terms.notices(this.#words.number(lines.length))} aria-expanded=${String(isOpen)} aria-controls="notices" @click=${this.#onPress}>
+        <svg viewBox="0 0 24 24" aria-hidden="true"><circle cx="12" cy="12" r="9"></circle><path d="M12 11v5.5M12 7.5h.01"></path></svg>
+      </button>
+      <div class="told" id="notices" part="notice-text" ?hidden=${!isOpen} tabindex=${isOpen ? '0' : nothing} role="group" aria-label=${terms.noticesAre}>
+        <p>${terms.noticesAre}</p>
+        <ul>${lines.slice(0, mostLines).map(({ text, lang }) => html`<li lang=${lang ?? nothing}>${text}</li>`)}</ul>
+      </div>
+    </div>`;
+  }
+
+  /** What readers wrote is English, as their errors are. */
+  #list(): { text: string; lang?: string }[] {
+    const { info, besideNotices } = this.source();
+    const own = info?.notices ?? [];
+    const beside = [...besideNotices.values()].flat().flatMap(({ name, notices }) => notices.filter((notice) => !own.includes(notice)).map((notice) => (name ? `${name}: ${notice}` : notice)));
+    const told = new Set([...own, ...beside]);
+    const size = (axes: readonly number[]): string => axes.map((n) => this.#words.number(n)).join(' × ');
+    const smaller = info?.reduced ? [{ text: this.#words.terms.madeSmaller(size(info.reduced.from), size(info.reduced.to)) }] : [];
+    return [...smaller, ...[...told].map((text) => ({ text, lang: 'en' }))];
+  }
+
+  readonly #onPress = (): void => (this.#open.has('pressed') ? this.#close() : this.#set('pressed', true));
+
+  readonly #onEnter = ({ pointerType }: PointerEvent): void => this.#set('pointed', pointerType === 'mouse');
+
+  readonly #onLeave = (): void => this.#set('pointed', false);
+
+  readonly #onFocus = ({ target }: FocusEvent): void => this.#set('focused', (target as Element).matches(':focus-visible'));
+
+  readonly #onBlur = ({ relatedTarget, currentTarget }: FocusEvent): void => {
+    if (!(currentTarget as Element).contains(relatedTarget as Node | null)) this.#set('focused', false);
+  };
+
+  readonly #onKey = (event: KeyboardEvent): void => {
+    if (event.key !== 'Escape' || this.#open.size === 0) return;
+    event.stopPropagation();
+    (event.currentTarget as Element).querySelector('button')!.focus();
+    this.#close();
+  };
+
+  #set(why: 'pointed' | 'focused' | 'pressed', isSo: boolean): void {
+    if (isSo === this.#open.has(why)) return;
+    if (isSo) this.#open.add(why);
+    else this.#open.delete(why);
+    this.host.requestUpdate();
+  }
+
+  #close(): void {
+    this.#open.clear();
+    this.host.requestUpdate();
+  }
+}
