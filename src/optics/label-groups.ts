@@ -35,7 +35,7 @@ export function groupStages(stages: RayStages, others: readonly ClassifyStage[])
 /**
  * A piece of a ray in one group has its function's means. Steps are cut by the function that wants more of them.
  * @param all - by group from 0
- * Twin: shaders/chunks/label-functions.glsl
+ * Twin: shaders/chunks/classify/label-functions.glsl
  */
 export function groupClassify(all: readonly ClassifyStage[]): ClassifyStage {
   return {
@@ -47,7 +47,7 @@ export function groupClassify(all: readonly ClassifyStage[]): ClassifyStage {
 
 /**
  * Where the ends of a piece of a ray are of different groups, each half is classified by itself: its values run to the middle of both.
- * Twin: shaders/chunks/label-looks.glsl
+ * Twin: shaders/chunks/attachments/label-looks.glsl
  */
 function groupShade(classify: ClassifyStage, field: FieldStage): ShadeStage {
   return (segment, seen, ray) => {

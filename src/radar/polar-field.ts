@@ -6,7 +6,7 @@ import type { BeamField } from './polar-gradient.ts';
 
 type PolarSamples = Pick<PolarVolume, 'samples' | 'grid' | 'slope' | 'intercept'>;
 
-/** Samples on a radar's polar grid, which velocities fold on. Twin: shaders/chunks/volume-polar.glsl */
+/** Samples on a radar's polar grid, which velocities fold on. Twin: shaders/chunks/radar/volume-polar.glsl */
 export function polarField(volume: PolarSamples): FieldStage {
   return storedField(polarSampler(volume), volume, volume.grid.foldFrom);
 }

@@ -37,7 +37,7 @@ function spacingOf(azimuths: Float64Array): number {
 /**
  * Of a field in a radar's coordinates: differences along range, azimuth and elevation, as far apart as the beam is wide
  * there, and then the exact derivatives of the beam's formula, with heights as they are displayed.
- * Twin: shaders/chunks/gradient-polar.glsl
+ * Twin: shaders/chunks/radar/gradient-polar.glsl
  */
 export function polarGradient(field: BeamField, grid: PolarGrid): GradientStage {
   const taps = beamTaps(grid);

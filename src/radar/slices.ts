@@ -111,7 +111,7 @@ export function sliceMeeter(
 }
 
 /**
- * The nearest slice ends a ray, and stands behind what is before it. One on a cut face is seen from both of its sides. Twin: shaders/chunks/slices.glsl
+ * The nearest slice ends a ray, and stands behind what is before it. One on a cut face is seen from both of its sides. Twin: shaders/chunks/radar/slices.glsl
  * @param meet - see sliceMeeter
  */
 export function sliceInterval(meet: ReturnType<typeof sliceMeeter>): IntervalStage {

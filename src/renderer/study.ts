@@ -1,12 +1,12 @@
-import box from '../../shaders/chunks/box.glsl?raw';
-import decode from '../../shaders/chunks/decode.glsl?raw';
-import ray from '../../shaders/chunks/ray.glsl?raw';
-import volume3d from '../../shaders/chunks/volume-3d.glsl?raw';
+import box from '../../shaders/chunks/walk/box.glsl?raw';
+import decode from '../../shaders/chunks/field/decode.glsl?raw';
+import ray from '../../shaders/chunks/walk/ray.glsl?raw';
+import volume3d from '../../shaders/chunks/field/volume-3d.glsl?raw';
 import asPrinted from '../../shaders/study/as-printed.frag.glsl?raw';
 import fetchedSamples from '../../shaders/study/fetched-samples.frag.glsl?raw';
 import plainSamples from '../../shaders/study/plain-samples.frag.glsl?raw';
 import shownSamples from '../../shaders/study/shown-samples.frag.glsl?raw';
-import values from '../../shaders/chunks/values.glsl?raw';
+import values from '../../shaders/chunks/field/values.glsl?raw';
 import { composeStage } from './device/compose-stage.ts';
 import type { Defines, ShaderTexts } from './device/compose-stage.ts';
 import { composeRay, composeRays, fieldChunks, maxSteps } from './ray/compose-ray.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import chunk from '../../shaders/chunks/between-pixels.glsl?raw';
+import chunk from '../../shaders/chunks/depth/between-pixels.glsl?raw';
 import { emptyQuad, interpolateQuad } from '../../src/optics/rays/between-pixels.ts';
 import { bytesAttachment, DrawTarget } from '../../src/renderer/device/draw-target.ts';
 import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';

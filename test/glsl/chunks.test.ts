@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import box from '../../shaders/chunks/box.glsl?raw';
-import decode from '../../shaders/chunks/decode.glsl?raw';
-import interval from '../../shaders/chunks/interval.glsl?raw';
-import ray from '../../shaders/chunks/ray.glsl?raw';
-import sceneDepth from '../../shaders/chunks/scene-depth.glsl?raw';
+import box from '../../shaders/chunks/walk/box.glsl?raw';
+import decode from '../../shaders/chunks/field/decode.glsl?raw';
+import interval from '../../shaders/chunks/walk/interval.glsl?raw';
+import ray from '../../shaders/chunks/walk/ray.glsl?raw';
+import sceneDepth from '../../shaders/chunks/depth/scene-depth.glsl?raw';
 import { projectionMatrix } from '../../src/optics/rays/camera.ts';
 import { intersectUnitCube } from '../../src/optics/rays/rays.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import columnMeans from '../../shaders/chunks/column-means.glsl?raw';
-import values from '../../shaders/chunks/values.glsl?raw';
+import columnMeans from '../../shaders/chunks/classify/column-means.glsl?raw';
+import values from '../../shaders/chunks/field/values.glsl?raw';
 import { cutColumns, meanOverColumns } from '../../src/optics/transfer/columns.ts';
 import { domainOf } from '../../src/optics/transfer/emission.ts';
 import { attenuate } from '../../src/optics/rays/segment.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import sceneDepth from '../../shaders/chunks/scene-depth.glsl?raw';
+import sceneDepth from '../../shaders/chunks/depth/scene-depth.glsl?raw';
 import { depthSlope } from '../../src/optics/rays/depth-slope.ts';
 import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import spanTable from '../../shaders/chunks/span-table.glsl?raw';
-import countSubstepsChunk from '../../shaders/chunks/count-substeps.glsl?raw';
-import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
+import spanTable from '../../shaders/chunks/classify/span-table.glsl?raw';
+import countSubstepsChunk from '../../shaders/chunks/classify/count-substeps.glsl?raw';
+import transferFunction from '../../shaders/chunks/classify/transfer-function.glsl?raw';
 import { buildSubstepTable } from '../../src/optics/transfer/substep-table.ts';
 import type { SubstepTable } from '../../src/optics/transfer/substep-table.ts';
 import { attenuate, countSubsteps, maxSubsteps } from '../../src/optics/rays/segment.ts';

@@ -1,6 +1,6 @@
 // Normals are looked for only where something shows: the shaders of lit and styled volumes, over a field that counts what is read of it.
 import { expect } from '@esm-bundle/chai';
-import segmentChunk from '../../shaders/chunks/segment.glsl?raw';
+import segmentChunk from '../../shaders/chunks/walk/segment.glsl?raw';
 import { sampleStruct } from '../../src/renderer/ray/generate-chains.ts';
 import { cartesianTapsOf, litText, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
 import { styledText } from '../../src/renderer/ray/modules/styled.ts';

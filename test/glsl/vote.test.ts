@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import vote from '../../shaders/chunks/vote.glsl?raw';
+import vote from '../../shaders/chunks/field/vote.glsl?raw';
 import { voteOfCorners } from '../../src/optics/rays/vote.ts';
 import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';

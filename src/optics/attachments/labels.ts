@@ -19,7 +19,7 @@ export function labelStages(labels: ShownLabels, projects: boolean): Pick<RaySta
 /**
  * The label of each place, by the vote of the eight voxels around it.
  * @param hides - what is hidden counts as without data, as it does to projections
- * Twin: shaders/chunks/labels.glsl
+ * Twin: shaders/chunks/attachments/labels.glsl
  */
 export function labelField({ map, styles }: ShownLabels, hides = false): SecondFieldStage {
   return (place, known): LabelledSample => {
@@ -32,7 +32,7 @@ export function labelField({ map, styles }: ShownLabels, hides = false): SecondF
 /**
  * Labels colour what is seen, and multiply its extinction. Where the ends of a piece of a ray have different looks, its front
  * half has that of its front end and its back half that of its back end. Beside a place without data there is one half alone.
- * Twin: shaders/chunks/label-looks.glsl
+ * Twin: shaders/chunks/attachments/label-looks.glsl
  */
 export const labelShade: ShadeStage = ({ front, back }, seen) => {
   const [first, last] = labelledEnds(front, back).map(({ style }) => style);

@@ -70,7 +70,7 @@ export interface OverlaidSample extends Sample {
   readonly overlay: number;
 }
 
-/** What rays meet of a layer, by places of the volume's unit cube. Twin: shaders/chunks/overlay-cartesian.glsl */
+/** What rays meet of a layer, by places of the volume's unit cube. Twin: shaders/chunks/attachments/overlay-cartesian.glsl */
 export function cartesianOverlay({ volume, over }: ShownOverlay): FieldStage {
   const field = cartesianField({ ...volume, dimensions: volume.grid.dimensions });
   const toUnit = toOverlay(over.grid, volume.grid);
@@ -98,7 +98,7 @@ export function overlayStages(
   };
 }
 
-/** See shaders/chunks/overlay.glsl, overlayShade, its twin. */
+/** See shaders/chunks/attachments/overlay.glsl, overlayShade, its twin. */
 export function overlayShade(
   overlay: ShownOverlay, field: Pick<FieldStage, 'isFolded'>, { lightFactor, opticalScale }: { readonly lightFactor: number; readonly opticalScale: number },
 ): ShadeStage {

@@ -35,7 +35,7 @@ export function outlinesOf(planes: readonly (Plane & { readonly within?: readonl
 /**
  * Whether an edge runs through a rectangle, by its separating axes.
  * @param middle - and half its sides, device coordinates
- * Twin: shaders/chunks/outlines.glsl
+ * Twin: shaders/chunks/attachments/outlines.glsl
  */
 export function meetsOutline([fromX, fromY, toX, toY]: Outline, middle: readonly [number, number], reach: readonly [number, number]): boolean {
   const [ax, ay, bx, by] = [fromX - middle[0], fromY - middle[1], toX - middle[0], toY - middle[1]];

@@ -42,7 +42,7 @@ export function straightColor(transferFunction: TransferFunction, value: number)
  * the volume, is seen from both of its sides.
  * @param field - what is there
  * @param colors - of the transfer function, brightened
- * Twin: shaders/chunks/plane-slices.glsl
+ * Twin: shaders/chunks/attachments/plane-slices.glsl
  */
 export function planeInterval(planes: readonly PlaneSlice[], field: FieldStage, colors: TransferFunction): IntervalStage {
   return (ray, interval) => {
@@ -64,7 +64,7 @@ export function planeInterval(planes: readonly PlaneSlice[], field: FieldStage, 
   };
 }
 
-/** What a thick plane shows at a place: exact between planes of voxels' centres. Twin: shaders/chunks/plane-slices.glsl */
+/** What a thick plane shows at a place: exact between planes of voxels' centres. Twin: shaders/chunks/attachments/plane-slices.glsl */
 export function sampleSlab(field: FieldStage, place: Vector3, { way, kind }: PlaneSlab): Sample {
   const from = add(place, scale(way, -0.5));
   const [entry, exit] = intersectUnitCube(from, way).map((share) => Math.min(1, Math.max(0, share)));

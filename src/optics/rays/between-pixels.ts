@@ -24,7 +24,7 @@ export function emptyQuad(): Quad {
  * middle of four from twelve. Both are exact for polynomials of third degree.
  * @param picture - one of these pixels, every `stride`th along each axis is taken
  * @param quad - filled, in the picture's own unit
- * Twin: shaders/chunks/between-pixels.glsl
+ * Twin: shaders/chunks/depth/between-pixels.glsl
  */
 export function interpolateQuad({ data, width, height }: Pixels, stride: number, [x, y]: readonly [number, number], quad: Quad): void {
   const columns = Math.ceil(width / stride);

@@ -10,7 +10,7 @@ import type { Premultiplied } from '../transfer/transfer-function.ts';
 /**
  * One ray in plain float64: cut into steps from where it enters, the last one being what is left, and steps on which
  * more has to be seen into substeps. On each the data value is taken to run in a straight line between those at its ends.
- * No early termination, no skipping, no tables. Twin: shaders/ray-caster.frag.glsl
+ * No early termination, no skipping, no tables. Twin: shaders/programs/ray-caster.frag.glsl
  */
 export function castRay(stages: RayStages, ray: Ray): Premultiplied {
   const interval = enterVolume(stages, ray);
@@ -64,7 +64,7 @@ function walk(stages: RayStages, path: Path, gathering: Gathering): void {
   }
 }
 
-/** Go through a piece of a path from kink to kink. Twin: shaders/chunks/walk-voxels.glsl */
+/** Go through a piece of a path from kink to kink. Twin: shaders/chunks/walk/walk-voxels.glsl */
 export function walkKinks({ sampleAt, kinksAlong }: Path, [begin, end]: readonly [number, number], add: (piece: CubicPiece) => void): void {
   let [from, front] = [begin, sampleAt(begin)];
   for (const to of [...kinksAlong!(begin, end), end]) {

@@ -25,7 +25,7 @@ export const maxHalfSpaces = 12;
 /** Below this a ray runs along a plane, as in `intersectUnitCube`. */
 const parallel = 1e-9;
 
-/** Rays run where all half-spaces are. Twin: shaders/chunks/clip.glsl */
+/** Rays run where all half-spaces are. Twin: shaders/chunks/walk/clip.glsl */
 export function clipInterval(kept: readonly HalfSpace[]): IntervalStage {
   return (ray, interval) => {
     const left = kept.reduce((before, one) => keep(one, ray, before), interval);
@@ -40,7 +40,7 @@ function keep({ normal, offset }: HalfSpace, { point, direction }: Ray, interval
   return slope > 0 ? { ...interval, entry: Math.max(interval.entry, t) } : { ...interval, exit: Math.min(interval.exit, t) };
 }
 
-/** A box is cut out of rays: they begin behind it, end before it, or have a gap. Twin: shaders/chunks/cutout.glsl */
+/** A box is cut out of rays: they begin behind it, end before it, or have a gap. Twin: shaders/chunks/walk/cutout.glsl */
 export function cutoutInterval({ unitToBox }: Cutout): IntervalStage {
   return (ray, interval) => {
     const { point, direction } = ray;

@@ -17,7 +17,7 @@ function cubicOf([a, b, c, d]: CubicValues): Cubic {
 
 /**
  * Where a cubic has its local maximum, and where its local minimum, which comes with sign -1: at most one of each. NaN where it has none.
- * Twin: shaders/chunks/cubic.glsl
+ * Twin: shaders/chunks/field/cubic.glsl
  */
 export function turnOfCubic(values: CubicValues, sign: 1 | -1): number {
   const { linear: c, square: b, cube } = cubicOf(values);

@@ -33,7 +33,7 @@ export function changePerVoxel(normal: Vector3, dimensions: Vector3): number {
 
 /**
  * How far light holds at a place: 0 at a cut and beyond, 1 from a voxel inside on. A cut shows values, and taps of gradients
- * beyond it would show what is not there. Source: Weiskopf, Engel and Ertl 2003. Twin: shaders/chunks/lit.glsl, fadeAtCuts
+ * beyond it would show what is not there. Source: Weiskopf, Engel and Ertl 2003. Twin: shaders/chunks/shade/lit.glsl, fadeAtCuts
  */
 export function fadeAtCuts({ unitToRegion, halfSpaces, unitToCutout }: CutFaces, dimensions: Vector3): (place: Vector3) => number {
   const boxes = [identity, unitToRegion].map((one) => measureBox(one, dimensions));

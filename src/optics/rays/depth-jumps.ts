@@ -26,7 +26,7 @@ export const nearestEnd = 1e-6;
 /**
  * @param entry - where the ray would run if there were no shapes, t
  * @param surfaceT - where the nearest shape stands, t; Infinity where there is none
- * Twin: shaders/chunks/depth-jumps.glsl
+ * Twin: shaders/chunks/depth/depth-jumps.glsl
  */
 export function rayEnd([entry, exit]: readonly [number, number], surfaceT: number, { planeDepth, stepLength }: EndScale): RayEnd {
   const t = Math.max(entry, Math.min(exit, surfaceT));
@@ -55,7 +55,7 @@ export interface EndsAround {
   readonly own: readonly [RayEnd, RayEnd, RayEnd, RayEnd];
 }
 
-/** Twin: shaders/chunks/depth-jumps.glsl */
+/** Twin: shaders/chunks/depth/depth-jumps.glsl */
 export function findJump({ known, own }: EndsAround): number {
   const all = [...known, ...own];
   if (!all.some(({ isCut, isMiss }) => isCut && !isMiss)) return jumps.none;
@@ -71,7 +71,7 @@ export function findJump({ known, own }: EndsAround): number {
  * Which of a quad's rays end at lines and points.
  * @param own - of its pixels; solid - where they would end without lines and points
  * @returns the sum of 1, 2, 4 and 8 for the pixel at its lower left, right of it, above it, and right above
- * Twin: shaders/chunks/depth-jumps.glsl
+ * Twin: shaders/chunks/depth/depth-jumps.glsl
  */
 export function findThin(own: EndsAround['own'], solid: EndsAround['own']): number {
   return own.reduce((sum, { place, slack }, i) => sum + (solid[i].place - place > slack ? 2 ** i : 0), 0);
@@ -84,7 +84,7 @@ export const faint = 1.5 / 255;
  * Whether a quad's pixels get rays because of shapes, whatever the curvature.
  * @param jump - of its ends, as bytes keep it
  * @param brightest - channel of the four known pixels, 0..1
- * Twin: shaders/chunks/needs-rays.glsl
+ * Twin: shaders/chunks/walk/needs-rays.glsl
  */
 export function needsRays(jump: number, brightest: number): boolean {
   return jump > (brightest > faint ? jumps.nearer / 2 : (jumps.nearer + jumps.farther) / 2);

@@ -31,7 +31,7 @@ export function differ(known: Sample, tapAt: (axis: number, side: -1 | 1) => Sam
   return [change(0), change(1), change(2)];
 }
 
-/** Of a field on a cartesian grid. Inside the grid it is what interpolated central differences are. Twin: shaders/chunks/gradient-cartesian.glsl */
+/** Of a field on a cartesian grid. Inside the grid it is what interpolated central differences are. Twin: shaders/chunks/field/gradient-cartesian.glsl */
 export function cartesianGradient(field: FieldStage, grid: GridFrame): GradientStage {
   const toWorld = normalsToWorld(grid);
   return (place, known) => {

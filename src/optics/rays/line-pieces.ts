@@ -7,7 +7,7 @@ import type { CubicPiece, Sample } from './ray-stages.ts';
  * if that is above what is known. All are samples of the line, so that nothing is found that is not there.
  * @param sign - -1 for the smallest value
  * @param take - is given what was found where, @returns the largest value so far, times the sign
- * Twin: shaders/chunks/extreme.glsl, gatherPiece
+ * Twin: shaders/chunks/gather/extreme.glsl, gatherPiece
  */
 export function searchPiece(
   { from, to, front, back }: CubicPiece, sign: 1 | -1, sampleAt: (at: number) => Sample, take: (found: Sample, at: number) => number,

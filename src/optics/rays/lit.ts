@@ -23,13 +23,13 @@ export interface LitScene {
   readonly cuts?: CutFaces;
 }
 
-/** Where a sample is: what the shading of a piece of a ray needs of its ends. Twin: shaders/chunks/points.glsl */
+/** Where a sample is: what the shading of a piece of a ray needs of its ends. Twin: shaders/chunks/walk/points.glsl */
 export const pointField: SecondFieldStage = (place, known) => ({ ...known, point: place });
 
 /** What light makes of a place's colour. @param toEye - of length 1, world */
 export type LightStage = (known: Sample, toEye: Vector3) => Shade;
 
-/** Twin: shaders/chunks/lit-sample.glsl, shadeSample */
+/** Twin: shaders/chunks/shade/lit-sample.glsl, shadeSample */
 export function lightAt({ grid, gradient, flat, lights = headlightAlone, material = plainMaterial, cuts = uncut }: LitScene): LightStage {
   const toWorld = unitToWorld(grid);
   const fade = fadeAtCuts(cuts, grid.dimensions);
@@ -52,7 +52,7 @@ export function towardsEye(grid: GridFrame, ray: Ray): Vector3 {
 /**
  * Light on the surfaces that a field has everywhere: where values change. The colour is multiplied by diffuse light, and white
  * is added by the opacity; each is the mean of both ends. Flat places keep their colour, and so does what is next to a cut.
- * Source: Lum, Wilson and Ma 2004. Twin: shaders/chunks/lit.glsl
+ * Source: Lum, Wilson and Ma 2004. Twin: shaders/chunks/shade/lit.glsl
  */
 export function litShade(scene: LitScene): ShadeStage {
   const light = lightAt({ material: fogMaterial, ...scene, flat: fogFlat * scene.flat });

@@ -33,7 +33,7 @@ export function lightPatches(patches: readonly Patch[], lightFactor: number): re
 /**
  * What values and gradients look like: pre-integration in closed form, value and gradient running straight between samples that know where they are.
  * All else is as by the transfer function that `usual` is of.
- * Twin: shaders/chunks/patches.glsl
+ * Twin: shaders/chunks/classify/patches.glsl
  */
 export function patchClassify(usual: ClassifyStage, { patches, grid, gradient, field, opticalScale }: PatchScene): ClassifyStage {
   const toWorld = perWorldUnit(grid);

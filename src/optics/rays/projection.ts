@@ -7,7 +7,7 @@ export const refinements = 2;
 
 /**
  * A value of each ray in the transfer function's colours, where the largest opacity counts as 1: neither reference length
- * nor steps matter. A ray without data is clear. Twin: shaders/chunks/extreme.glsl and average.glsl
+ * nor steps matter. A ray without data is clear. Twin: shaders/chunks/gather/extreme.glsl and average.glsl
  * @param threshold - see `RayStyle.intensityThreshold`
  */
 export function projectionGather(kind: ProjectionKind, threshold?: number): GatherStage {

@@ -28,7 +28,7 @@ export function prepareOptics(transferFunction: TransferFunction, voxelRatio: nu
 /**
  * A transfer function's means over spans of values: pre-integration.
  * @param opticalScale - reference lengths per bounding diameter, times the opacity factor
- * Twin: shaders/chunks/classify.glsl
+ * Twin: shaders/chunks/classify/classify.glsl
  */
 export function transferFunctionClassify({ transferFunction, means, substeps }: RayOptics, field: FieldStage, opticalScale: number): ClassifyStage {
   const largest = largestOpacity(transferFunction);

@@ -12,7 +12,7 @@ interface Scaling {
   readonly intercept: number;
 }
 
-/** Samples on a cartesian grid. @param isDiscrete - as a volume's. Twin: shaders/chunks/sample-volume.glsl */
+/** Samples on a cartesian grid. @param isDiscrete - as a volume's. Twin: shaders/chunks/field/sample-volume.glsl */
 export function cartesianField(
   { samples, dimensions, isDiscrete, ...scaling }: Scaling & { readonly samples: Samples; readonly dimensions: Vector3; readonly isDiscrete?: boolean },
 ): FieldStage {
@@ -31,7 +31,7 @@ const mostVoxels = 1.01;
 
 /**
  * Where a way of no more than a voxel along each axis passes planes of voxels' centres, as shares of it: there tri-linear values kink, and
- * nowhere else. Planes at its ends are left out, and on longer ways all. Twin: shaders/chunks/surface-crossings.glsl
+ * nowhere else. Planes at its ends are left out, and on longer ways all. Twin: shaders/chunks/gather/surface-crossings.glsl
  */
 export function kinksBetween(dimensions: Vector3, from: Vector3, to: Vector3): number[] {
   const ways = dimensions.map((n, axis) => (to[axis] - from[axis]) * n);

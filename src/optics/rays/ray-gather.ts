@@ -3,7 +3,7 @@ import type { GatherStage } from './ray-stages.ts';
 import { composite } from './segment.ts';
 import type { Premultiplied } from '../transfer/transfer-function.ts';
 
-/** Emission and absorption, front to back. Twin: shaders/chunks/composite.glsl */
+/** Emission and absorption, front to back. Twin: shaders/chunks/gather/composite.glsl */
 export const compositeGather: GatherStage = ({ classify, seeSegment }) => {
   const gathered: Premultiplied = [0, 0, 0, 0];
   return {

@@ -2,7 +2,7 @@ import type { IntervalStage } from './ray-stages.ts';
 import { crossVolume } from './rays.ts';
 import type { Ray, RaySetup } from './rays.ts';
 
-/** Rays run through the unit cube, and the region in it. Twin: shaders/chunks/region.glsl */
+/** Rays run through the unit cube, and the region in it. Twin: shaders/chunks/walk/region.glsl */
 export function boxInterval(setup: RaySetup): IntervalStage {
   return (ray, { entry, exit, behind }) => {
     const [from, to] = crossVolume(setup, ray);
@@ -13,7 +13,7 @@ export function boxInterval(setup: RaySetup): IntervalStage {
 /**
  * Opaque shapes end rays; they are drawn by another.
  * @param surfaceT - t at which the nearest one stands, Infinity where there is none
- * Twin: shaders/chunks/scene-depth.glsl
+ * Twin: shaders/chunks/depth/scene-depth.glsl
  */
 export function shapeInterval(surfaceT: (ray: Ray) => number): IntervalStage {
   return (ray, interval) => ({ ...interval, exit: Math.min(interval.exit, surfaceT(ray)) });

@@ -11,7 +11,7 @@ export interface Sample {
   readonly [more: string]: unknown;
 }
 
-/** Where a ray runs, in its t; entry >= exit where it does not. Twin: shaders/chunks/interval.glsl */
+/** Where a ray runs, in its t; entry >= exit where it does not. Twin: shaders/chunks/walk/interval.glsl */
 export interface Interval {
   readonly entry: number;
   readonly exit: number;
@@ -21,7 +21,7 @@ export interface Interval {
   readonly gap?: readonly [number, number];
 }
 
-/** A piece of a ray between two samples. Twin: shaders/chunks/segment.glsl */
+/** A piece of a ray between two samples. Twin: shaders/chunks/walk/segment.glsl */
 export interface Segment {
   readonly front: Sample;
   readonly back: Sample;

@@ -3,7 +3,7 @@ import type { Ray } from './rays.ts';
 /** What floats make of places in the unit cube, and more; far less than a voxel. */
 const rounding = 1e-5;
 
-/** Where two things that end a ray are nearer to each other than this, in its t, they are at one place. Twin: shaders/chunks/slack.glsl */
+/** Where two things that end a ray are nearer to each other than this, in its t, they are at one place. Twin: shaders/chunks/walk/slack.glsl */
 export function slackOf({ direction }: Pick<Ray, 'direction'>): number {
   return rounding / Math.max(...direction.map(Math.abs));
 }

@@ -63,7 +63,7 @@ export function perGradientReach(styles: readonly VolumeStyle[], flat: number, r
   return reach > 0 ? Math.min(largestFactor, flat / (flatShare * referenceLength * reach)) : 0;
 }
 
-/** What the styles do at places of a ray. Twin: shaders/chunks/styled-sample.glsl */
+/** What the styles do at places of a ray. Twin: shaders/chunks/shade/styled-sample.glsl */
 export function stylesAt(scene: StyledPlaces): (ray: Ray) => (known: Sample) => Styled {
   const { grid, gradient, flat, lights = headlightAlone, cuts = uncut, chains, referenceLength } = scene;
   const toWorld = unitToWorld(grid);
@@ -97,7 +97,7 @@ export function stylesAt(scene: StyledPlaces): (ray: Ray) => (known: Sample) => 
 /**
  * X3D's rendering styles, of a piece of a ray: colour and opacity are changed by the mean of what the styles do at both ends. Opacities are
  * those over a reference length, whatever the length of the piece: t' = -ln(1 - k (1 - exp(-t))), so that steps do not matter.
- * Source: ISO/IEC 19775-1, 41. Twin: shaders/chunks/styled.glsl
+ * Source: ISO/IEC 19775-1, 41. Twin: shaders/chunks/shade/styled.glsl
  */
 export function styledShade(scene: StyledScene): ShadeStage {
   const { opticalScale } = scene;

@@ -8,7 +8,7 @@ import type { Samples } from '../../volume/volume.ts';
  * @param place - in the unit cube; voxel centres are at (i + 0.5) / n, and the outer half voxels are as their voxels
  * @returns the value; NaN for no data
  * Source: Hadwiger, Berger and Hauser, *High-quality two-level volume rendering of segmented data sets on consumer graphics
- * hardware*, 2003. Twin: shaders/chunks/vote.glsl
+ * hardware*, 2003. Twin: shaders/chunks/field/vote.glsl
  */
 export function voteOfCorners(samples: Samples, [nx, ny, nz]: Vector3, place: Vector3): number {
   const [i, up, iUp] = locate(place[0], nx);

@@ -9,7 +9,7 @@ const drift = 1e-9;
  * @param from - in voxels, whole numbers at centres
  * @param way - of the line, in the same measure
  * @param shift - 0.5 for the planes between voxels, at which the nearest one changes
- * Twin: shaders/chunks/walk-voxels.glsl
+ * Twin: shaders/chunks/walk/walk-voxels.glsl
  */
 export function meetVoxelPlanes(from: Vector3, way: Vector3, dimensions: Vector3, shift = 0): number[] {
   const shares: number[] = [];

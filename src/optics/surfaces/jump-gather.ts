@@ -19,7 +19,7 @@ const nothing = 1e-3;
 /**
  * Emission and absorption that finds what is opaque at once wherever a ray touches it. Between two planes of voxels' centres a tri-linear value is a cubic of the length. So each piece is
  * cut into parts, as many as samples a voxel are wanted, and of each part the cubic tells whether it passes one of the values of `findOpaqueJumps`, however shortly. Where it does, and where
- * much is hidden, the part is cut where the cubic turns, and what is left is halved until nothing more can be told. Twin: shaders/chunks/jumps.glsl
+ * much is hidden, the part is cut where the cubic turns, and what is left is halved until nothing more can be told. Twin: shaders/chunks/gather/jumps.glsl
  * @param values - ascending
  * @param voxel - length of a voxel, in bounding diameters
  */

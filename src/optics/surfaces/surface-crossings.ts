@@ -39,7 +39,7 @@ export interface Looking {
 /**
  * The surfaces that a leg crosses, in the order of the ray. Values above or at that of a surface are on one side of it, so that each
  * crossing counts once, whatever the steps.
- * Source: regula falsi with the weights of Dowell and Jarratt 1971 ("Illinois"). Twin: shaders/chunks/surface-crossings.glsl
+ * Source: regula falsi with the weights of Dowell and Jarratt 1971 ("Illinois"). Twin: shaders/chunks/gather/surface-crossings.glsl
  */
 export function crossSurfaces(values: readonly number[], leg: Leg, look: Looking, refinements = surfaceRefinements): Crossing[] {
   const crossings: Crossing[] = [];
@@ -113,7 +113,7 @@ export interface Turn {
  * Where a ray grazes a surface between samples, of which no two lie on different sides of it: the place where values turn, if there they are
  * beyond a surface. Values that turn may go on as far as they came: a single voxel is steepest next to its top. It is looked for where values
  * kink, as a thin edge is a kink, and then at the tops of parabolas, as all else is smooth.
- * Twin: shaders/chunks/surface-crossings.glsl, findTurn
+ * Twin: shaders/chunks/gather/surface-crossings.glsl, findTurn
  */
 export function findTurn(
   values: readonly number[], { front, back, span }: Segment, { sample, span: spanBefore, isShown }: Around, { sampleAt, kinksBetween }: Looking,
@@ -149,7 +149,7 @@ export function findTurn(
 
 /**
  * Whether values next to those of a step may be beyond a surface that is not met on it: as far on as they came, on the step or before it.
- * Only there it takes more samples to find where a ray grazes one. Twin: shaders/chunks/surfaces.glsl
+ * Only there it takes more samples to find where a ray grazes one. Twin: shaders/chunks/gather/surfaces.glsl
  * @param before - by how much values changed on a step before
  */
 export function mayGraze(values: readonly number[], [from, to]: readonly [number, number], before: number): boolean {

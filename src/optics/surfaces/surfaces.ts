@@ -54,7 +54,7 @@ export interface SurfaceScene {
 
 /**
  * Emission and absorption with surfaces in it, all front to back: between two samples the value is taken to run straight, and where it
- * passes that of a surface the piece is cut. Samples have to know their `point`. Twin: shaders/chunks/surfaces.glsl
+ * passes that of a surface the piece is cut. Samples have to know their `point`. Twin: shaders/chunks/gather/surfaces.glsl
  */
 export function surfaceGather(scene: SurfaceScene): GatherStage {
   const { surfaces, isClear } = scene;

@@ -152,7 +152,7 @@ interface Place {
   readonly sum: Premultiplied;
 }
 
-/** Twin: shaders/chunks/columns.glsl, columnsField */
+/** Twin: shaders/chunks/classify/columns.glsl, columnsField */
 export function locateShare({ edges, starts, ends, sumsAtStart, sumsAtEnd }: Columns, share: number): Place {
   let column = 0;
   while (column < edges.length - 2 && share >= edges[column + 1]) column++;
@@ -164,7 +164,7 @@ export function locateShare({ edges, starts, ends, sumsAtStart, sumsAtEnd }: Col
   return { column, emission: at, sum };
 }
 
-/** Mean of emission over shares from one to another. Twin: shaders/chunks/columns.glsl, meanOfSamples */
+/** Mean of emission over shares from one to another. Twin: shaders/chunks/classify/columns.glsl, meanOfSamples */
 export function meanOverColumns(columns: Columns, from: number, to: number): Premultiplied {
   const [a, b] = [locateShare(columns, from), locateShare(columns, to)];
   if (a.column === b.column) return a.emission.map((x, c) => 0.5 * (x + b.emission[c])) as Premultiplied;

@@ -68,7 +68,7 @@ export interface Shade {
  * Two-sided light of Blinn and Phong: the side that faces the eye is seen.
  * @param normal - of length 1, world
  * @param toEye - of length 1, world
- * Source: Blinn 1977; attenuation and spot as in ISO/IEC 19775-1, 17.2.2. Twin: shaders/chunks/lit.glsl and lights.glsl
+ * Source: Blinn 1977; attenuation and spot as in ISO/IEC 19775-1, 17.2.2. Twin: shaders/chunks/shade/lit.glsl and lights.glsl
  */
 export function shadeSurface({ headlight, lights }: SceneLights, material: LitMaterial, at: { readonly place: Vector3; readonly normal: Vector3; readonly toEye: Vector3 }): Shade {
   const facing = dot(at.normal, at.toEye);

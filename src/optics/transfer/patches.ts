@@ -67,7 +67,7 @@ export function depthOfPatches(patches: readonly Patch[]): JumpDepth {
 /**
  * Mean of extinction times colour, and of extinction, per reference length, over a straight way through the plane: both value and gradient are
  * taken to run straight. Where patches overlap, extinctions add.
- * Source: Kniss, Premoze, Ikits, Lefohn, Hansen and Praun 2003. Twin: shaders/chunks/patches.glsl
+ * Source: Kniss, Premoze, Ikits, Lefohn, Hansen and Praun 2003. Twin: shaders/chunks/classify/patches.glsl
  */
 export function meanOverWay(patches: readonly Patch[], from: ValueAndGradient, to: ValueAndGradient): Premultiplied {
   const mean: Premultiplied = [0, 0, 0, 0];

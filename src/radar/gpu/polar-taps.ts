@@ -1,4 +1,4 @@
-import polarTaps from '../../../shaders/chunks/gradient-polar.glsl?raw';
+import polarTaps from '../../../shaders/chunks/radar/gradient-polar.glsl?raw';
 import type { FieldTaps } from '../../renderer/ray/modules/lit.ts';
 import { beamTaps } from '../polar-gradient.ts';
 import { stretchOf } from '../polar-geometry.ts';

@@ -1,6 +1,6 @@
-import cutOut from '../../../shaders/chunks/cut-out.glsl?raw';
-import slicesChunk from '../../../shaders/chunks/slices.glsl?raw';
-import slack from '../../../shaders/chunks/slack.glsl?raw';
+import cutOut from '../../../shaders/chunks/walk/cut-out.glsl?raw';
+import slicesChunk from '../../../shaders/chunks/radar/slices.glsl?raw';
+import slack from '../../../shaders/chunks/walk/slack.glsl?raw';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import type { Gl } from '../../renderer/device/device.ts';
 import { outlinesText, outlineUniforms } from '../../renderer/ray/outline-uniforms.ts';

@@ -1,7 +1,7 @@
-import betweenPixels from '../../../shaders/chunks/between-pixels.glsl?raw';
-import betweenPixelsStage from '../../../shaders/between-pixels.frag.glsl?raw';
-import gathered from '../../../shaders/gathered.frag.glsl?raw';
-import wholePicture from '../../../shaders/whole-picture.vert.glsl?raw';
+import betweenPixels from '../../../shaders/chunks/depth/between-pixels.glsl?raw';
+import betweenPixelsStage from '../../../shaders/programs/between-pixels.frag.glsl?raw';
+import gathered from '../../../shaders/programs/gathered.frag.glsl?raw';
+import wholePicture from '../../../shaders/programs/whole-picture.vert.glsl?raw';
 import { composeStage } from './compose-stage.ts';
 import type { ShaderTexts } from './compose-stage.ts';
 

@@ -1,5 +1,5 @@
-import language100 from '../../../shaders/chunks/language-100.glsl?raw';
-import language300 from '../../../shaders/chunks/language-300.glsl?raw';
+import language100 from '../../../shaders/chunks/walk/language-100.glsl?raw';
+import language300 from '../../../shaders/chunks/walk/language-300.glsl?raw';
 
 /** The texts of one shader program. */
 export interface ShaderTexts {

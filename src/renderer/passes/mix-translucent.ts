@@ -1,5 +1,5 @@
-import translucent from '../../../shaders/translucent.frag.glsl?raw';
-import wholePicture from '../../../shaders/whole-picture.vert.glsl?raw';
+import translucent from '../../../shaders/programs/translucent.frag.glsl?raw';
+import wholePicture from '../../../shaders/programs/whole-picture.vert.glsl?raw';
 import { composeStage } from '../device/compose-stage.ts';
 import type { ShaderTexts } from '../device/compose-stage.ts';
 import { isWebGl2 } from '../device/device.ts';

@@ -1,10 +1,10 @@
-import sceneDepth from '../../../shaders/chunks/scene-depth.glsl?raw';
-import edgeSplit from '../../../shaders/chunks/edge-split.glsl?raw';
-import interval from '../../../shaders/chunks/interval.glsl?raw';
-import ray from '../../../shaders/chunks/ray.glsl?raw';
-import otherSides from '../../../shaders/other-sides.frag.glsl?raw';
-import shapeEdges from '../../../shaders/shape-edges.frag.glsl?raw';
-import wholePicture from '../../../shaders/whole-picture.vert.glsl?raw';
+import sceneDepth from '../../../shaders/chunks/depth/scene-depth.glsl?raw';
+import edgeSplit from '../../../shaders/chunks/depth/edge-split.glsl?raw';
+import interval from '../../../shaders/chunks/walk/interval.glsl?raw';
+import ray from '../../../shaders/chunks/walk/ray.glsl?raw';
+import otherSides from '../../../shaders/programs/other-sides.frag.glsl?raw';
+import shapeEdges from '../../../shaders/programs/shape-edges.frag.glsl?raw';
+import wholePicture from '../../../shaders/programs/whole-picture.vert.glsl?raw';
 import type { DeviceRectangle } from '../../optics/cells/bound-seen-cells.ts';
 import { composeStage } from '../device/compose-stage.ts';
 import type { ShaderTexts } from '../device/compose-stage.ts';

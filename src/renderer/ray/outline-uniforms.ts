@@ -1,5 +1,5 @@
-import outlines from '../../../shaders/chunks/outlines.glsl?raw';
-import quadPlace from '../../../shaders/chunks/quad-place.glsl?raw';
+import outlines from '../../../shaders/chunks/attachments/outlines.glsl?raw';
+import quadPlace from '../../../shaders/chunks/walk/quad-place.glsl?raw';
 import type { Outline } from '../../optics/attachments/plane-outlines.ts';
 import type { Uniforms } from '../device/inputs.ts';
 import type { BetweenText } from './ray-module.ts';

@@ -1,7 +1,7 @@
 /**
  * A ray has five stages: **interval** (where it runs) -> **field** (what is there) -> **classify** (what that looks like) ->
  * **shade** (how light or style changes it) -> **gather** (what all of it comes to). A stage holds modules; a module is one
- * place: a file in `modules/` and its chunk of GLSL. `shaders/ray-caster.frag.glsl` walks the ray and calls the stages.
+ * place: a file in `modules/` and its chunk of GLSL. `shaders/programs/ray-caster.frag.glsl` walks the ray and calls the stages.
  *
  * To add a module, a shading module `tint` say:
  *

@@ -1,5 +1,5 @@
-import count from '../../../shaders/chunks/count-substeps.glsl?raw';
-import walk from '../../../shaders/chunks/walk-substeps.glsl?raw';
+import count from '../../../shaders/chunks/classify/count-substeps.glsl?raw';
+import walk from '../../../shaders/chunks/walk/walk-substeps.glsl?raw';
 import { integrateForTable } from '../../optics/transfer/preintegration-table.ts';
 import type { RunningIntegral } from '../../optics/transfer/running-integral.ts';
 import { substepsPerRoot, substepTableDomain, substepTableSize } from '../../optics/transfer/substep-limits.ts';

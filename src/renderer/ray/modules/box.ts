@@ -1,5 +1,5 @@
-import box from '../../../../shaders/chunks/box.glsl?raw';
-import region from '../../../../shaders/chunks/region.glsl?raw';
+import box from '../../../../shaders/chunks/walk/box.glsl?raw';
+import region from '../../../../shaders/chunks/walk/region.glsl?raw';
 import type { RayModule } from '../ray-module.ts';
 
 export { boxInterval as twin } from '../../../optics/rays/ray-intervals.ts';

@@ -1,6 +1,6 @@
-import decode from '../../../../shaders/chunks/decode.glsl?raw';
-import sampleVolume from '../../../../shaders/chunks/sample-volume.glsl?raw';
-import volume3d from '../../../../shaders/chunks/volume-3d.glsl?raw';
+import decode from '../../../../shaders/chunks/field/decode.glsl?raw';
+import sampleVolume from '../../../../shaders/chunks/field/sample-volume.glsl?raw';
+import volume3d from '../../../../shaders/chunks/field/volume-3d.glsl?raw';
 import { VolumeViewError } from '../../../errors.ts';
 import { atlasLayout, packAtlas } from '../../../volume/atlas.ts';
 import type { AtlasLayout } from '../../../volume/atlas.ts';

@@ -1,5 +1,5 @@
-import clip from '../../../../shaders/chunks/clip.glsl?raw';
-import slack from '../../../../shaders/chunks/slack.glsl?raw';
+import clip from '../../../../shaders/chunks/walk/clip.glsl?raw';
+import slack from '../../../../shaders/chunks/walk/slack.glsl?raw';
 import type { HalfSpace } from '../../../optics/rays/clip-intervals.ts';
 import type { RayText, SliceModule } from '../ray-module.ts';
 

@@ -21,7 +21,7 @@ const binsAcross = 512;
 /** Columns in a row of theirs: as many texels fit any device. Labels have tens of thousands. */
 const mostAcross = 2048;
 
-/** Rows of a function's columns: see shaders/chunks/columns.glsl. */
+/** Rows of a function's columns: see shaders/chunks/classify/columns.glsl. */
 const columnRows = 7;
 
 /** What columns depend on. */

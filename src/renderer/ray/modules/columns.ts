@@ -1,8 +1,8 @@
-import columnMeans from '../../../../shaders/chunks/column-means.glsl?raw';
-import columnBins from '../../../../shaders/chunks/column-bins.glsl?raw';
-import columnSamples from '../../../../shaders/chunks/column-samples.glsl?raw';
-import columnSearch from '../../../../shaders/chunks/column-search.glsl?raw';
-import columnsChunk from '../../../../shaders/chunks/columns.glsl?raw';
+import columnMeans from '../../../../shaders/chunks/classify/column-means.glsl?raw';
+import columnBins from '../../../../shaders/chunks/classify/column-bins.glsl?raw';
+import columnSamples from '../../../../shaders/chunks/classify/column-samples.glsl?raw';
+import columnSearch from '../../../../shaders/chunks/classify/column-search.glsl?raw';
+import columnsChunk from '../../../../shaders/chunks/classify/columns.glsl?raw';
 import type { Gl } from '../../device/device.ts';
 import type { ProgramInputs } from '../../device/inputs.ts';
 import type { FieldModule, RayModule, RayText } from '../ray-module.ts';

@@ -1,6 +1,6 @@
-import compositeChunk from '../../../../shaders/chunks/composite.glsl?raw';
-import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
-import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
+import compositeChunk from '../../../../shaders/chunks/gather/composite.glsl?raw';
+import compositeWalk from '../../../../shaders/chunks/walk/composite-walk.glsl?raw';
+import emptySpace from '../../../../shaders/chunks/walk/empty-space.glsl?raw';
 import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/cells/empty-space-distance.ts';
 import { powerOfSteps } from '../../../optics/transfer/power-of-steps.ts';
 import { uploadCells } from '../../textures/cell-texture.ts';

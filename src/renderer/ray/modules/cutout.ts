@@ -1,6 +1,6 @@
-import box from '../../../../shaders/chunks/box.glsl?raw';
-import cutout from '../../../../shaders/chunks/cutout.glsl?raw';
-import slack from '../../../../shaders/chunks/slack.glsl?raw';
+import box from '../../../../shaders/chunks/walk/box.glsl?raw';
+import cutout from '../../../../shaders/chunks/walk/cutout.glsl?raw';
+import slack from '../../../../shaders/chunks/walk/slack.glsl?raw';
 import type { Cutout } from '../../../optics/rays/clip-intervals.ts';
 import type { RayText, SliceModule } from '../ray-module.ts';
 

@@ -1,8 +1,8 @@
-import decode from '../../../../shaders/chunks/decode.glsl?raw';
-import discrete from '../../../../shaders/chunks/discrete-field.glsl?raw';
-import volume3d from '../../../../shaders/chunks/volume-3d.glsl?raw';
-import volumeMosaic from '../../../../shaders/chunks/volume-mosaic.glsl?raw';
-import vote from '../../../../shaders/chunks/vote.glsl?raw';
+import decode from '../../../../shaders/chunks/field/decode.glsl?raw';
+import discrete from '../../../../shaders/chunks/field/discrete-field.glsl?raw';
+import volume3d from '../../../../shaders/chunks/field/volume-3d.glsl?raw';
+import volumeMosaic from '../../../../shaders/chunks/field/volume-mosaic.glsl?raw';
+import vote from '../../../../shaders/chunks/field/vote.glsl?raw';
 import type { Volume } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import type { Upload } from '../../textures/fill-texture.ts';

@@ -1,10 +1,10 @@
-import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
-import cubic from '../../../../shaders/chunks/cubic.glsl?raw';
-import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
-import jumpsChunk from '../../../../shaders/chunks/jumps.glsl?raw';
-import surfaceValuesChunk from '../../../../shaders/chunks/surface-values.glsl?raw';
-import voxelPlanes from '../../../../shaders/chunks/voxel-planes.glsl?raw';
-import walkParts from '../../../../shaders/chunks/walk-parts.glsl?raw';
+import compositeWalk from '../../../../shaders/chunks/walk/composite-walk.glsl?raw';
+import cubic from '../../../../shaders/chunks/field/cubic.glsl?raw';
+import emptySpace from '../../../../shaders/chunks/walk/empty-space.glsl?raw';
+import jumpsChunk from '../../../../shaders/chunks/gather/jumps.glsl?raw';
+import surfaceValuesChunk from '../../../../shaders/chunks/gather/surface-values.glsl?raw';
+import voxelPlanes from '../../../../shaders/chunks/walk/voxel-planes.glsl?raw';
+import walkParts from '../../../../shaders/chunks/walk/walk-parts.glsl?raw';
 import { mostHalvings, mostHidden, mostLooks } from '../../../optics/surfaces/jump-gather.ts';
 import { maxSurfaces } from '../../../optics/transfer/surface-limits.ts';
 import { finestSpacing } from '../../../volume/grid.ts';

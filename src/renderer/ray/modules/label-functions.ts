@@ -1,6 +1,6 @@
 // Transfer functions of groups of labels: loaded with the first of them.
-import columnMeans from '../../../../shaders/chunks/column-means.glsl?raw';
-import labelFunctions from '../../../../shaders/chunks/label-functions.glsl?raw';
+import columnMeans from '../../../../shaders/chunks/classify/column-means.glsl?raw';
+import labelFunctions from '../../../../shaders/chunks/classify/label-functions.glsl?raw';
 import { brighten } from '../../../optics/transfer/brighten.ts';
 import { domainOf } from '../../../optics/transfer/emission.ts';
 import { contributionOf } from '../../../optics/cells/empty-space-distance.ts';

@@ -1,5 +1,5 @@
-import depths from '../../../../shaders/chunks/depths.glsl?raw';
-import looks from '../../../../shaders/chunks/label-looks.glsl?raw';
+import depths from '../../../../shaders/chunks/depth/depths.glsl?raw';
+import looks from '../../../../shaders/chunks/attachments/label-looks.glsl?raw';
 import type { RayModule } from '../ray-module.ts';
 
 export { labelShade as twin } from '../../../optics/attachments/labels.ts';

@@ -1,7 +1,7 @@
-import labels from '../../../../shaders/chunks/labels.glsl?raw';
-import labels3d from '../../../../shaders/chunks/labels-3d.glsl?raw';
-import labelsMosaic from '../../../../shaders/chunks/labels-mosaic.glsl?raw';
-import vote from '../../../../shaders/chunks/vote.glsl?raw';
+import labels from '../../../../shaders/chunks/attachments/labels.glsl?raw';
+import labels3d from '../../../../shaders/chunks/attachments/labels-3d.glsl?raw';
+import labelsMosaic from '../../../../shaders/chunks/attachments/labels-mosaic.glsl?raw';
+import vote from '../../../../shaders/chunks/field/vote.glsl?raw';
 import type { RayText } from '../ray-module.ts';
 
 export { labelField as twin } from '../../../optics/attachments/labels.ts';

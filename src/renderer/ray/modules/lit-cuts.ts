@@ -23,7 +23,7 @@ export function cutsOf(cuts: readonly RayCut[]): CutsOfRays {
 /** Farther inside, or outside, than any volume. */
 const far = 1e9;
 
-/** What shaders/chunks/lit-cuts.glsl reads. */
+/** What shaders/chunks/shade/lit-cuts.glsl reads. */
 export function cutUniforms({ halfSpaces, unitToCutout, unitToRegion }: CutFaces, { grid: { dimensions } }: Volume): Uniforms {
   const planes = Array.from({ length: maxHalfSpaces }, (_, i) => {
     const plane = halfSpaces[i];

@@ -11,7 +11,7 @@ const kinds: readonly SceneLight['kind'][] = ['directional', 'point', 'spot'];
 /** Farther than anything. */
 const everywhere = 1e30;
 
-/** What shaders/chunks/lights.glsl reads. Places are told from the volume's centre: far from the world's origin float32 has no digits left. */
+/** What shaders/chunks/shade/lights.glsl reads. Places are told from the volume's centre: far from the world's origin float32 has no digits left. */
 export function lightUniforms({ headlight, lights }: SceneLights, { grid }: Volume): Uniforms {
   const uHeadlight = Number(headlight);
   if (lights.length === 0) return { uHeadlight };

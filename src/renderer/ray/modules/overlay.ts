@@ -1,12 +1,12 @@
-import depths from '../../../../shaders/chunks/depths.glsl?raw';
-import overlay from '../../../../shaders/chunks/overlay.glsl?raw';
-import overlay3d from '../../../../shaders/chunks/overlay-3d.glsl?raw';
-import overlayCartesian from '../../../../shaders/chunks/overlay-cartesian.glsl?raw';
-import overlayField from '../../../../shaders/chunks/overlay-field.glsl?raw';
-import overlayGrid from '../../../../shaders/chunks/overlay-grid.glsl?raw';
-import overlayMosaic from '../../../../shaders/chunks/overlay-mosaic.glsl?raw';
-import overlayPolar from '../../../../shaders/chunks/overlay-polar.glsl?raw';
-import polarFolds from '../../../../shaders/chunks/polar-folds.glsl?raw';
+import depths from '../../../../shaders/chunks/depth/depths.glsl?raw';
+import overlay from '../../../../shaders/chunks/attachments/overlay.glsl?raw';
+import overlay3d from '../../../../shaders/chunks/attachments/overlay-3d.glsl?raw';
+import overlayCartesian from '../../../../shaders/chunks/attachments/overlay-cartesian.glsl?raw';
+import overlayField from '../../../../shaders/chunks/attachments/overlay-field.glsl?raw';
+import overlayGrid from '../../../../shaders/chunks/attachments/overlay-grid.glsl?raw';
+import overlayMosaic from '../../../../shaders/chunks/attachments/overlay-mosaic.glsl?raw';
+import overlayPolar from '../../../../shaders/chunks/attachments/overlay-polar.glsl?raw';
+import polarFolds from '../../../../shaders/chunks/radar/polar-folds.glsl?raw';
 import { deepest, edgeSlack } from '../../../optics/attachments/overlay.ts';
 import type { RayText } from '../ray-module.ts';
 

@@ -1,4 +1,4 @@
-import patchesChunk from '../../../../shaders/chunks/patches.glsl?raw';
+import patchesChunk from '../../../../shaders/chunks/classify/patches.glsl?raw';
 import { lightPatches, perWorldUnit } from '../../../optics/rays/patch-classify.ts';
 import { densityOf, gaussianFloor, gaussianReach, gaussianScale, maxPatches, shortWay } from '../../../optics/transfer/patches.ts';
 import type { Patch } from '../../../optics/transfer/patches.ts';

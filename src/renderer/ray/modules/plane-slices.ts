@@ -1,8 +1,8 @@
-import cutOut from '../../../../shaders/chunks/cut-out.glsl?raw';
-import cubic from '../../../../shaders/chunks/cubic.glsl?raw';
-import planes from '../../../../shaders/chunks/plane-slices.glsl?raw';
-import slack from '../../../../shaders/chunks/slack.glsl?raw';
-import voxelPlanes from '../../../../shaders/chunks/voxel-planes.glsl?raw';
+import cutOut from '../../../../shaders/chunks/walk/cut-out.glsl?raw';
+import cubic from '../../../../shaders/chunks/field/cubic.glsl?raw';
+import planes from '../../../../shaders/chunks/attachments/plane-slices.glsl?raw';
+import slack from '../../../../shaders/chunks/walk/slack.glsl?raw';
+import voxelPlanes from '../../../../shaders/chunks/walk/voxel-planes.glsl?raw';
 import type { ProjectionKind } from '../../../optics/rays/ray-style.ts';
 import { minSliceOpacity } from '../../../optics/attachments/plane-slices.ts';
 import type { PlaneSlice } from '../../../optics/attachments/plane-slices.ts';

@@ -1,9 +1,9 @@
-import average from '../../../../shaders/chunks/average.glsl?raw';
-import cubic from '../../../../shaders/chunks/cubic.glsl?raw';
-import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
-import extreme from '../../../../shaders/chunks/extreme.glsl?raw';
-import voxelPlanes from '../../../../shaders/chunks/voxel-planes.glsl?raw';
-import walkVoxels from '../../../../shaders/chunks/walk-voxels.glsl?raw';
+import average from '../../../../shaders/chunks/classify/average.glsl?raw';
+import cubic from '../../../../shaders/chunks/field/cubic.glsl?raw';
+import emptySpace from '../../../../shaders/chunks/walk/empty-space.glsl?raw';
+import extreme from '../../../../shaders/chunks/gather/extreme.glsl?raw';
+import voxelPlanes from '../../../../shaders/chunks/walk/voxel-planes.glsl?raw';
+import walkVoxels from '../../../../shaders/chunks/walk/walk-voxels.glsl?raw';
 import { measureCellLimits } from '../../../optics/cells/cell-limits.ts';
 import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/cells/empty-space-distance.ts';
 import { refinements } from '../../../optics/rays/projection.ts';

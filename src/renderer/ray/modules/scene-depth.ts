@@ -1,6 +1,6 @@
-import needsRays from '../../../../shaders/chunks/needs-rays.glsl?raw';
-import quadPlace from '../../../../shaders/chunks/quad-place.glsl?raw';
-import sceneDepth from '../../../../shaders/chunks/scene-depth.glsl?raw';
+import needsRays from '../../../../shaders/chunks/walk/needs-rays.glsl?raw';
+import quadPlace from '../../../../shaders/chunks/walk/quad-place.glsl?raw';
+import sceneDepth from '../../../../shaders/chunks/depth/scene-depth.glsl?raw';
 import { faint } from '../../../optics/rays/depth-jumps.ts';
 import { DepthJumps } from '../../passes/depth-jumps.ts';
 import type { Gl } from '../../device/device.ts';

@@ -1,5 +1,5 @@
-import styled from '../../../../shaders/chunks/styled.glsl?raw';
-import styledSample from '../../../../shaders/chunks/styled-sample.glsl?raw';
+import styled from '../../../../shaders/chunks/shade/styled.glsl?raw';
+import styledSample from '../../../../shaders/chunks/shade/styled-sample.glsl?raw';
 import { mostOpacity, perGradientReach, perReferenceLength, splitMaterial } from '../../../optics/rays/styled.ts';
 import { flatChange } from '../../../optics/rays/gradient.ts';
 import { domainOf } from '../../../optics/transfer/emission.ts';

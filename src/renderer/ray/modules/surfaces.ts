@@ -1,9 +1,9 @@
-import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
-import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
-import gatheredPieces from '../../../../shaders/chunks/gathered-pieces.glsl?raw';
-import surfaceValuesChunk from '../../../../shaders/chunks/surface-values.glsl?raw';
-import crossings from '../../../../shaders/chunks/surface-crossings.glsl?raw';
-import surfacesChunk from '../../../../shaders/chunks/surfaces.glsl?raw';
+import compositeWalk from '../../../../shaders/chunks/walk/composite-walk.glsl?raw';
+import emptySpace from '../../../../shaders/chunks/walk/empty-space.glsl?raw';
+import gatheredPieces from '../../../../shaders/chunks/gather/gathered-pieces.glsl?raw';
+import surfaceValuesChunk from '../../../../shaders/chunks/gather/surface-values.glsl?raw';
+import crossings from '../../../../shaders/chunks/gather/surface-crossings.glsl?raw';
+import surfacesChunk from '../../../../shaders/chunks/gather/surfaces.glsl?raw';
 import type { IsoSurface } from '../../../optics/rays/ray-style.ts';
 import { grazingProbes, kinkedSubsteps, surfaceRefinements } from '../../../optics/surfaces/surface-crossings.ts';
 import { maxSurfaces } from '../../../optics/transfer/surface-limits.ts';

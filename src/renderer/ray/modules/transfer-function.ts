@@ -1,6 +1,6 @@
-import classify from '../../../../shaders/chunks/classify.glsl?raw';
-import spanTable from '../../../../shaders/chunks/span-table.glsl?raw';
-import transferFunctionChunk from '../../../../shaders/chunks/transfer-function.glsl?raw';
+import classify from '../../../../shaders/chunks/classify/classify.glsl?raw';
+import spanTable from '../../../../shaders/chunks/classify/span-table.glsl?raw';
+import transferFunctionChunk from '../../../../shaders/chunks/classify/transfer-function.glsl?raw';
 import { brighten } from '../../../optics/transfer/brighten.ts';
 import { contributionOf } from '../../../optics/cells/empty-space-distance.ts';
 import type { Contribution } from '../../../optics/cells/empty-space-distance.ts';
