@@ -7,5 +7,5 @@ export type { PickOptions, RadarGate, RadarPlace, VolumePick } from './viewer/mo
 export { VolumeViewError } from './errors.ts';
 export type { ErrorCode } from './errors.ts';
 export { presetNames } from './optics/transfer/preset-names.ts';
-export { registerTranslation } from './words/words.ts';
-export type { Terms } from './words/terms.ts';
+export { registerTranslation } from './messages/words.ts';
+export type { Terms } from './messages/terms.ts';

@@ -1,5 +1,5 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import type { CompanionTerms } from '../src/messages/terms.ts';
+import type { CompanionTerms } from '../../src/messages/terms.ts';
 import { openRoots } from './open-roots.ts';
 import type { VolumeView } from '../volume-view/volume-view.ts';
 

@@ -2,8 +2,8 @@ import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import type { RadarPlace, VolumePick } from '../../src/viewer/model/volume-pick.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { isInMillimetres, isPatient } from '../../src/volume/world-axes.ts';
-import type { Language } from '../src/messages/language.ts';
-import type { ReadoutTerms } from '../src/messages/readout-terms.ts';
+import type { Language } from '../../src/messages/language.ts';
+import type { ReadoutTerms } from '../../src/messages/readout-terms.ts';
 
 /** What something is, and how much of it. */
 export interface Row {

@@ -8,7 +8,7 @@ import { Handles } from '../../src/viewer/overlays/handles.ts';
 import type { Handle } from '../../src/viewer/overlays/handles.ts';
 import { corners } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { ClipWords } from '../src/messages/clip-words.ts';
+import { ClipWords } from '../../src/messages/clip-words.ts';
 import { box, number, vector } from '../internal/property-kinds.ts';
 import { property, ReflectingElement, writeSafely } from '../internal/reflecting-element.ts';
 import { VolumeLink } from '../internal/volume-link.ts';

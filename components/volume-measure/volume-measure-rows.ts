@@ -1,8 +1,8 @@
 // What a measure comes to, in words.
 import type { MeasureResult } from '../../src/viewer/tools/measuring.ts';
 import type { Statistics } from '../../src/volume/statistics.ts';
-import type { Language } from '../src/messages/language.ts';
-import type { MeasureWordTerms } from '../src/messages/measure-words.ts';
+import type { Language } from '../../src/messages/language.ts';
+import type { MeasureWordTerms } from '../../src/messages/measure-words.ts';
 import type { Row } from '../internal/volume-readout-rows.ts';
 
 /** In which words and numbers a measure is told. */

@@ -9,7 +9,7 @@ import { pointCounts } from '../../src/viewer/tools/measuring.ts';
 import type { MeasureResult } from '../../src/viewer/tools/measuring.ts';
 import type { LineColor } from '../../src/viewer/tools/view-lines.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { MeasureWords } from '../src/messages/measure-words.ts';
+import { MeasureWords } from '../../src/messages/measure-words.ts';
 import { places } from '../internal/places-kind.ts';
 import { property, ReflectingElement, writeSafely } from '../internal/reflecting-element.ts';
 import { companionGap, withViewWidth } from '../internal/view-width.ts';

@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
 import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
-import { ReadoutWords } from '../src/messages/readout-words.ts';
+import { ReadoutWords } from '../../src/messages/readout-words.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { ReadoutPointer } from './volume-readout-pointer.ts';
 import { listRows } from '../internal/volume-readout-rows.ts';

@@ -11,8 +11,8 @@ import { sideLetters, toPlane } from '../../src/panes/slice-plane.ts';
 import { nameInFile } from '../../src/volume/labels.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { isInMillimetres, isPatient } from '../../src/volume/world-axes.ts';
-import type { Language } from '../src/messages/language.ts';
-import type { SliceTerms } from '../src/messages/terms.ts';
+import type { Language } from '../../src/messages/language.ts';
+import type { SliceTerms } from '../../src/messages/terms.ts';
 import type { VolumeView } from '../volume-view/volume-view.ts';
 
 /** Detail of `cursor-change`. */

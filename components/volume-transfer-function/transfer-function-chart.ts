@@ -10,7 +10,7 @@ import { labelTicks } from '../../src/editor/tick-labels.ts';
 import { labelShift } from '../../src/editor/ticks.ts';
 import { opacityTicks, toHeight, toShare } from '../../src/editor/transfer-function-axes.ts';
 import { stopBounds } from '../../src/editor/transfer-function-edits.ts';
-import type { Language } from '../src/messages/language.ts';
+import type { Language } from '../../src/messages/language.ts';
 import { renderGradientStops } from '../internal/color-gradient.ts';
 
 /** What a chart shows. */

@@ -6,8 +6,8 @@ import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts
 import { roundTo } from '../../src/editor/ticks.ts';
 import { toHeight } from '../../src/editor/transfer-function-axes.ts';
 import type { Band } from '../../src/editor/transfer-function-bands.ts';
-import type { Language } from '../src/messages/language.ts';
-import type { CompanionTerms } from '../src/messages/terms.ts';
+import type { Language } from '../../src/messages/language.ts';
+import type { CompanionTerms } from '../../src/messages/terms.ts';
 
 /** Parts of a range input from 0 to 1: finer than a hand is. */
 const fineStep = 0.001;

@@ -4,8 +4,8 @@ import { live } from 'lit/directives/live.js';
 import type { Patch } from '../../src/optics/transfer/patches.ts';
 import { roundedNumbersOf } from '../../src/optics/transfer/write-patches.ts';
 import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts';
-import type { Language } from '../src/messages/language.ts';
-import type { PlaneTerms } from '../src/messages/plane-terms.ts';
+import type { Language } from '../../src/messages/language.ts';
+import type { PlaneTerms } from '../../src/messages/plane-terms.ts';
 
 /** What the fields tell: a colour while it is picked, `done` once a field is left. */
 export interface PatchFieldsListener {

@@ -15,8 +15,8 @@ import type { Patch } from '../../src/optics/transfer/patches.ts';
 import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts';
 import { collectSamples } from '../../src/viewer/tools/sample-plane.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import type { Language } from '../src/messages/language.ts';
-import { PlaneWords } from '../src/messages/plane-words.ts';
+import type { Language } from '../../src/messages/language.ts';
+import { PlaneWords } from '../../src/messages/plane-words.ts';
 import { renderValueScale } from './transfer-function-chart.ts';
 import { renderPatchFields } from './transfer-function-patch-fields.ts';
 

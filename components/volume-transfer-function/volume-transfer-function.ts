@@ -6,9 +6,9 @@ import { writeTransferFunction } from '../../src/optics/transfer/write-transfer-
 import { dragStep } from '../../src/editor/transfer-function-axes.ts';
 import { bandsFromStops, chooseBandEdges } from '../../src/editor/transfer-function-bands.ts';
 import { TransferFunctionEditor } from '../../src/editor/transfer-function-editor.ts';
-import type { Language } from '../src/messages/language.ts';
-import type { CompanionTerms } from '../src/messages/terms.ts';
-import { CompanionWords } from '../src/messages/companion-words.ts';
+import type { Language } from '../../src/messages/language.ts';
+import type { CompanionTerms } from '../../src/messages/terms.ts';
+import { CompanionWords } from '../../src/messages/companion-words.ts';
 import { number, numbers } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { renderChart, renderHandles, renderOpacityScale, renderPicture } from './transfer-function-chart.ts';

@@ -4,7 +4,7 @@ import { listSides, placeMarks } from '../../src/viewer/camera/orientation-marks
 import type { OrientationMark } from '../../src/viewer/camera/orientation-marks.ts';
 import type { StandardView } from '../../src/viewer/camera/standard-views.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
-import type { ControlTerms } from '../src/messages/terms.ts';
+import type { ControlTerms } from '../../src/messages/terms.ts';
 
 /** From the middle to a letter, of the marker's side. */
 const reach = 0.37;

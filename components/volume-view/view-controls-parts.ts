@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
 import type { StandardView } from '../../src/viewer/camera/standard-views.ts';
-import type { ControlTerms } from '../src/messages/terms.ts';
+import type { ControlTerms } from '../../src/messages/terms.ts';
 
 /** What may be left out. */
 export type ControlName = 'play' | 'rotate' | 'views' | 'zoom' | 'reset' | 'fullscreen' | 'save' | 'copy' | 'embed' | 'help' | 'hint';

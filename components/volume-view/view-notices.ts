@@ -3,9 +3,9 @@ import type { LitElement } from 'lit';
 import type { FileNotices } from '../../src/viewer/model/beside-notices.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import { wearSheet } from '../../src/viewer/overlays/wear-sheet.ts';
-import { english } from '../src/messages/english-notices.ts';
-import type { NoticeTerms } from '../src/messages/notice-terms.ts';
-import { Words } from '../src/messages/words.ts';
+import { english } from '../../src/messages/english-notices.ts';
+import type { NoticeTerms } from '../../src/messages/notice-terms.ts';
+import { Words } from '../../src/messages/words.ts';
 import type { DrawnPart } from './lazy-part.ts';
 import { noticeStyles } from './view-notices-styles.ts';
 

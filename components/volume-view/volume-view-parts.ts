@@ -2,8 +2,8 @@ import { html, nothing } from 'lit';
 import type { VolumeViewError } from '../../src/errors.ts';
 import type { LoadProgress } from '../../src/formats/base/load-request.ts';
 import type { RingWriter } from '../../src/viewer/cuts/ring-labels.ts';
-import type { ViewTerms } from '../src/messages/terms.ts';
-import type { Words } from '../src/messages/words.ts';
+import type { ViewTerms } from '../../src/messages/terms.ts';
+import type { Words } from '../../src/messages/words.ts';
 
 /** What stands in the picture's place until there is one. */
 export function renderPoster(poster: string | null): unknown {

@@ -1,5 +1,5 @@
 import type { Color } from '../optics/transfer/transfer-function.ts';
-import type { ColorName, CompanionTerms } from '../words/terms.ts';
+import type { ColorName, CompanionTerms } from '../messages/terms.ts';
 
 /** Where each name of a hue ends, degrees. */
 const hues: readonly (readonly [end: number, name: ColorName])[] = [

@@ -1,6 +1,6 @@
 import { spanAround } from '../optics/transfer/span-around.ts';
 import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
-import type { Language } from '../words/language.ts';
+import type { Language } from '../messages/language.ts';
 import { nameColor } from './color-names.ts';
 import { colorAt } from './transfer-function-edits.ts';
 

@@ -1,5 +1,5 @@
-import { mostDigits } from '../words/language.ts';
-import type { Language } from '../words/language.ts';
+import { mostDigits } from '../messages/language.ts';
+import type { Language } from '../messages/language.ts';
 import { listTicks } from './ticks.ts';
 
 /** Numbers along a scale. */

@@ -1,4 +1,4 @@
-import type { StandardViewName } from '../../words/terms.ts';
+import type { StandardViewName } from '../../messages/terms.ts';
 import type { VolumeInfo } from '../model/volume-info.ts';
 
 /** Where the camera stands, radians: around the vertical axis, 0 being the front, and from straight above. */

@@ -1,8 +1,8 @@
 // Words over a picture at rest that shows nothing: loaded with the first that may.
 import { faint } from '../../quality/error-estimate.ts';
 import type { Pixels } from '../../optics/rays/between-pixels.ts';
-import { english } from '../../words/english-blank.ts';
-import { Words } from '../../words/words.ts';
+import { english } from '../../messages/english-blank.ts';
+import { Words } from '../../messages/words.ts';
 import { findBlankCause } from '../frames/blank-cause.ts';
 import type { BlankCause } from '../frames/blank-cause.ts';
 import type { RenderStats } from '../model/render-stats.ts';
