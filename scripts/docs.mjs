@@ -103,7 +103,7 @@ function describeInterface(name) {
 
 /** The codes of errors with their comments. */
 function describeErrors() {
-  const text = readFileSync(join(projectRoot, 'src/errors.ts'), 'utf8');
+  const text = readFileSync(join(projectRoot, 'src/core/errors.ts'), 'utf8');
   return writeTable('Codes', ['code', 'meaning'],
     [...text.matchAll(/\/\*\*([^/]*?)\*\/\s*\| '([^']+)'/g)].map(([, comment, name]) => [code(name), plain(comment)]));
 }

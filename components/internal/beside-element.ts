@@ -1,6 +1,6 @@
-import { asVolumeViewError } from '../../src/errors.ts';
-import type { VolumeViewError } from '../../src/errors.ts';
-import { childrenOf, hostOf } from '../../src/page-children.ts';
+import { asVolumeViewError } from '../../src/core/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
+import { childrenOf, hostOf } from '../../src/page/page-children.ts';
 import { ReflectingElement } from './reflecting-element.ts';
 import { tell } from './volume-view-events.ts';
 

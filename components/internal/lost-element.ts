@@ -1,5 +1,5 @@
-import { VolumeViewError } from '../../src/errors.ts';
-import { hostOf } from '../../src/page-children.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
+import { hostOf } from '../../src/page/page-children.ts';
 import { tell } from './volume-view-events.ts';
 
 /** Say of an element that nothing is around it which it could speak to. @param host - the name of what it belongs in */

@@ -1,4 +1,4 @@
-import type { VolumeViewError } from '../../src/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import { SurfaceKeeper } from '../../src/viewer/attachments/surface-keeper.ts';
 import type { WantedSurface } from '../../src/viewer/attachments/surface-attributes.ts';
 import { noSurfaceTarget, SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';

@@ -1,4 +1,4 @@
-import type { VolumeViewError } from '../../src/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import type { Orbit } from '../../src/optics/rays/camera.ts';
 import type { PictureCheck } from '../../src/quality/compare-rays.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

@@ -1,7 +1,7 @@
 import type { PropertyValues } from 'lit';
-import type { VolumeViewError } from '../../src/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts';
-import { childrenOf } from '../../src/page-children.ts';
+import { childrenOf } from '../../src/page/page-children.ts';
 import type { PaneLabels } from '../../src/panes/pane-labels.ts';
 import { readLabelChildren } from '../../src/viewer/attachments/label-children.ts';
 import { LabelKeeper } from '../../src/viewer/attachments/label-keeper.ts';

@@ -1,7 +1,7 @@
-import type { VolumeViewError } from '../../src/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import type { Stop } from '../../src/optics/transfer/transfer-function.ts';
 import { OverlayKeeper } from '../../src/viewer/attachments/overlay-keeper.ts';
-import { childrenOf } from '../../src/page-children.ts';
+import { childrenOf } from '../../src/page/page-children.ts';
 import { noPlace, OverlayTarget } from '../../src/viewer/attachments/overlay-target.ts';
 import { describeVolume } from '../../src/viewer/model/volume-info.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';

@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
-import { asVolumeViewError, invalidAttribute } from '../../src/errors.ts';
-import type { VolumeViewError } from '../../src/errors.ts';
+import { asVolumeViewError, invalidAttribute } from '../../src/core/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import { parseCssColor } from '../../src/optics/transfer/css-color.ts';
 import { MeasureModel } from '../../src/viewer/tools/measure-model.ts';
 import { MeasureStage } from '../../src/viewer/tools/measure-stage.ts';

@@ -1,4 +1,4 @@
-import { placeInElement } from '../../src/pointer-place.ts';
+import { placeInElement } from '../../src/page/pointer-place.ts';
 import { clicksOn, isOnPicture } from '../../src/viewer/picking/pick-clicks.ts';
 import { projectPlace } from '../../src/viewer/camera/project-place.ts';
 import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';

@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
-import { invalidAttribute } from '../../src/errors.ts';
-import type { VolumeViewError } from '../../src/errors.ts';
+import { invalidAttribute } from '../../src/core/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import { Language } from '../../src/messages/language.ts';
 import { describeScan, scanLabeller } from '../../src/messages/name-scans.ts';
 import { CompanionWords } from '../../src/messages/companion-words.ts';

@@ -1,7 +1,7 @@
 import { html } from 'lit';
 import type { PropertyValues } from 'lit';
 import { query, state } from 'lit/decorators.js';
-import { invalidAttribute, VolumeViewError } from '../../src/errors.ts';
+import { invalidAttribute, VolumeViewError } from '../../src/core/errors.ts';
 import { writeTransferFunction } from '../../src/optics/transfer/write-transfer-function.ts';
 import { dragStep } from '../../src/editor/transfer-function-axes.ts';
 import { bandsFromStops, chooseBandEdges } from '../../src/editor/transfer-function-bands.ts';

@@ -1,5 +1,5 @@
 import { html, nothing } from 'lit';
-import type { VolumeViewError } from '../../src/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import type { LoadProgress } from '../../src/formats/base/load-request.ts';
 import type { RingWriter } from '../../src/viewer/cuts/ring-labels.ts';
 import type { ViewTerms } from '../../src/messages/terms.ts';

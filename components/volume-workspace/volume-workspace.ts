@@ -1,8 +1,8 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { state } from 'lit/decorators.js';
-import { invalidAttribute } from '../../src/errors.ts';
-import type { VolumeViewError } from '../../src/errors.ts';
+import { invalidAttribute } from '../../src/core/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import type { VolumeView } from '../volume-view/volume-view.ts';
 import { tell } from '../internal/volume-view-events.ts';

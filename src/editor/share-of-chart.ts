@@ -1,5 +1,5 @@
-import { placeInElement } from '../pointer-place.ts';
-import type { PagePoint } from '../pointer-place.ts';
+import { placeInElement } from '../page/pointer-place.ts';
+import type { PagePoint } from '../page/pointer-place.ts';
 
 /** A place of a chart, each 0..1 of its width and, from below, height. */
 export interface ChartPlace {

@@ -1,5 +1,5 @@
 // Bands as in the paper of 2011: between two values one colour and one opacity.
-import { invalidAttribute } from '../errors.ts';
+import { invalidAttribute } from '../core/errors.ts';
 import { spanAround } from '../optics/transfer/span-around.ts';
 import { evaluate } from '../optics/transfer/transfer-function.ts';
 import type { Color, Stop, TransferFunction } from '../optics/transfer/transfer-function.ts';

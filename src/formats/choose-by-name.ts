@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../errors.ts';
+import { VolumeViewError } from '../core/errors.ts';
 import type { DecodeInput } from './base/decoded-volume.ts';
 import { findForeign } from './base/foreign-formats.ts';
 import type { FileStart, Format } from './base/format.ts';

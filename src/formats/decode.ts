@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../errors.ts';
+import { VolumeViewError } from '../core/errors.ts';
 import { isSoundGrid } from '../volume/sound-grid.ts';
 import { Budget } from './base/budget.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './base/decoded-volume.ts';

@@ -1,4 +1,4 @@
-import { asVolumeViewError, VolumeViewError } from '../errors.ts';
+import { asVolumeViewError, VolumeViewError } from '../core/errors.ts';
 import { nameOf } from './base/name-of.ts';
 
 /** How engines say that there is no memory for a buffer or an array. Other RangeErrors are of reading beyond some bytes. */

@@ -1,5 +1,5 @@
 import { encode } from 'fast-png';
-import { VolumeViewError } from '../errors.ts';
+import { VolumeViewError } from '../core/errors.ts';
 import { findFormat } from './sniff.ts';
 import { hdf5, netcdf3, nexrad, radarKinds } from './radar/radar-formats.ts';
 import { openRadar } from './radar/read-radar.ts';

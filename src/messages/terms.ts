@@ -1,4 +1,4 @@
-import type { ErrorCode } from '../errors.ts';
+import type { ErrorCode } from '../core/errors.ts';
 import type { BlankTerms } from './blank-terms.ts';
 import type { ClipTerms } from './clip-terms.ts';
 import type { HandleTerms } from './handle-terms.ts';

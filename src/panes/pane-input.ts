@@ -1,4 +1,4 @@
-import { placeInElement } from '../pointer-place.ts';
+import { placeInElement } from '../page/pointer-place.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { SlicePane } from './slice-pane.ts';
 

@@ -2,7 +2,7 @@ import { emptyQuad, interpolateQuad } from '../optics/rays/between-pixels.ts';
 import type { Pixels } from '../optics/rays/between-pixels.ts';
 import { needsRays } from '../optics/rays/depth-jumps.ts';
 import type { SamplingOutcome } from './sampling-outcome.ts';
-import type { Waiting } from '../waiting.ts';
+import type { Waiting } from '../core/waiting.ts';
 import { withoutThin } from './without-thin.ts';
 
 /** Curvature limits that are tried, 1/255. */

@@ -6,8 +6,8 @@ import type { Premultiplied, TransferFunction } from '../optics/transfer/transfe
 import { offLine } from '../volume/cell-size.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import { maxSubsteps } from '../optics/transfer/substep-limits.ts';
-import { atOnce } from '../waiting.ts';
-import type { Waiting } from '../waiting.ts';
+import { atOnce } from '../core/waiting.ts';
+import type { Waiting } from '../core/waiting.ts';
 import { keptError } from './error-estimate.ts';
 import type { ErrorEstimate, PictureError } from './error-estimate.ts';
 

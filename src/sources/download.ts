@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../errors.ts';
+import { VolumeViewError } from '../core/errors.ts';
 import type { DecodeInput, ProgressListener } from '../formats/base/decoded-volume.ts';
 
 /** Maximum number of bytes of a file: what engines allow for one buffer. */

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../errors.ts';
+import { VolumeViewError } from '../core/errors.ts';
 import type { Download } from './download.ts';
 import { readRetryAfter } from './retry-after.ts';
 

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../errors.ts';
+import { VolumeViewError } from '../core/errors.ts';
 import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import { explainFetch } from './explain-fetch.ts';
 import type { Download } from './download.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../errors.ts';
+import { VolumeViewError } from '../core/errors.ts';
 import type { Vector3 } from './matrix.ts';
 import type { Samples } from './samples.ts';
 

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../errors.ts';
+import { VolumeViewError } from '../core/errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import { Budget } from '../formats/base/budget.ts';
 import { decodeRequest } from './decode-request.ts';

@@ -1,5 +1,5 @@
 // The worker's entry: one order and the device's limits in, reports out. It is stopped by being terminated.
-import { asVolumeViewError } from '../errors.ts';
+import { asVolumeViewError } from '../core/errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import { decodeRequest } from './decode-request.ts';
 import { loadReader } from '../formats/base/load-reader.ts';

@@ -1,6 +1,6 @@
 import type { Surface } from '../volume/surface.ts';
-import { VolumeViewError } from '../errors.ts';
-import { loadPart } from '../load-part.ts';
+import { VolumeViewError } from '../core/errors.ts';
+import { loadPart } from '../core/load-part.ts';
 import { workOff } from './load.ts';
 import type { LoadOptions } from './load.ts';
 import { NeedsMainThread } from '../formats/base/needs-main-thread.ts';

@@ -1,5 +1,5 @@
-import { VolumeViewError } from '../errors.ts';
-import { loadPart } from '../load-part.ts';
+import { VolumeViewError } from '../core/errors.ts';
+import { loadPart } from '../core/load-part.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { CoarseListener, LoadProgressListener, LoadRequest, ScansListener } from '../formats/base/load-request.ts';
 import { listWorkerStarts } from './worker-client.ts';

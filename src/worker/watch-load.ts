@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../errors.ts';
+import { VolumeViewError } from '../core/errors.ts';
 import type { LoadProgressListener } from '../formats/base/load-request.ts';
 
 /** Seconds without a byte after which others may load meanwhile, and after which a load is given up. */

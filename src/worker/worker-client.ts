@@ -1,4 +1,4 @@
-import { trust } from '../trust.ts';
+import { trust } from '../core/trust.ts';
 import { createWorker } from './create-worker.ts';
 import { isTextSurer, listWorkerTexts } from './worker-source.ts';
 

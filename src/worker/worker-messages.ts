@@ -1,4 +1,4 @@
-import type { ErrorCode } from '../errors.ts';
+import type { ErrorCode } from '../core/errors.ts';
 import type { Surface } from '../volume/surface.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ScanTimes } from '../formats/base/choose-scan.ts';

@@ -1,5 +1,5 @@
-import { isWrapper } from '../page-children.ts';
-import { meantChildren, meantParent, swallowedBy } from '../unclosed.ts';
+import { isWrapper } from '../page/page-children.ts';
+import { meantChildren, meantParent, swallowedBy } from '../page/unclosed.ts';
 
 /**
  * X3D's volume nodes, the frame of a scene, what an editor of pages wraps it in and the groups around a volume are read apart from the scene: what else they hold, because a page

@@ -1,5 +1,5 @@
 import { fieldOf, isAllowedField, isAllowedNode, isHandler, isUrlField, sortUrls } from './author-allowed.ts';
-import { meantChildren, meantParent, meantWithin } from '../unclosed.ts';
+import { meantChildren, meantParent, meantWithin } from '../page/unclosed.ts';
 import type { X3dOwned } from './x3dom-types.ts';
 
 /** Is told what of an author's element is left out, and why. */

@@ -3,7 +3,7 @@ import { authorChildren, isAround, withoutFrame } from './author-children.ts';
 import { AuthorCopies } from './author-copies.ts';
 import { explainInfinite, hasNoDirection, isFiniteField } from './finite-field.ts';
 import { LeftOut } from './left-out.ts';
-import { meantParent } from '../unclosed.ts';
+import { meantParent } from '../page/unclosed.ts';
 import type { X3dBindable, X3dDocument, X3dNode, X3dOwned, X3dViewpoint, X3dom } from './x3dom-types.ts';
 import { keepFromX3dom } from './own-scenes.ts';
 

@@ -1,4 +1,4 @@
-import type { VolumeViewError } from '../errors.ts';
+import type { VolumeViewError } from '../core/errors.ts';
 import { raysOfLattice } from '../optics/rays/rays.ts';
 import type { PixelLattice } from '../optics/rays/rays.ts';
 import type { Gl } from '../renderer/device/device.ts';

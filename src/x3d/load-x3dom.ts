@@ -1,5 +1,5 @@
-import { VolumeViewError } from '../errors.ts';
-import { trust } from '../trust.ts';
+import { VolumeViewError } from '../core/errors.ts';
+import { trust } from '../core/trust.ts';
 import type { X3dom } from './x3dom-types.ts';
 import { injectOwnText } from './x3dom-source.ts';
 import { findX3domUrl } from './x3dom-url.ts';

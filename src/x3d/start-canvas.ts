@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../errors.ts';
+import { VolumeViewError } from '../core/errors.ts';
 import { probeDevice } from '../renderer/probes/probe-device.ts';
 import type { X3dCanvas, X3dDocument, X3dElement, X3dNode, X3dom } from './x3dom-types.ts';
 

@@ -3,7 +3,7 @@ import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { foretellSampling } from '../../src/quality/adaptive-sampling.ts';
-import { atOnce } from '../../src/waiting.ts';
+import { atOnce } from '../../src/core/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';

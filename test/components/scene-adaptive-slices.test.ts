@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import { foretellSampling } from '../../src/quality/adaptive-sampling.ts';
-import { atOnce } from '../../src/waiting.ts';
+import { atOnce } from '../../src/core/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import type { RayCut } from '../../src/renderer/ray/ray-module.ts';
 import type { Slice } from '../../src/radar/slices.ts';

@@ -4,7 +4,7 @@ import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { maxSubsteps } from '../../src/optics/rays/segment.ts';
 import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { foretellSampling } from '../../src/quality/adaptive-sampling.ts';
-import { atOnce } from '../../src/waiting.ts';
+import { atOnce } from '../../src/core/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { createClip } from '../../src/renderer/ray/modules/clip.ts';
 import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';

@@ -9,7 +9,7 @@ import type { LabelMap, ShownLabels } from '../../src/volume/labels.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import type { VolumeViewError } from '../../src/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import { LabelLayer } from '../../src/renderer/layers/label-layer.ts';
 import { compareWithTwin } from '../helpers/compare-with-twin.ts';
 import { blocks, labelMap, mixedGroups, mixedLooks, plainLook } from '../helpers/labels.ts';

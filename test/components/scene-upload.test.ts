@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

@@ -1,6 +1,6 @@
 // The viewer with scenes that draw nothing: what it asks of them, and when.
 import { expect } from '@esm-bundle/chai';
-import { asVolumeViewError, VolumeViewError } from '../../src/errors.ts';
+import { asVolumeViewError, VolumeViewError } from '../../src/core/errors.ts';
 import { Presence } from '../../src/viewer/scenes/presence.ts';
 import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import type { RenderStats } from '../../src/viewer/model/render-stats.ts';

@@ -266,9 +266,9 @@ test.describe('an editor', () => {
   });
 });
 
-// Files that listen to pointers, or ask where something stands in the page, and don't ask src/pointer-place.ts. Each with what it needs no place for.
+// Files that listen to pointers, or ask where something stands in the page, and don't ask src/page/pointer-place.ts. Each with what it needs no place for.
 const placeless: Readonly<Record<string, string>> = {
-  'src/pointer-place.ts': 'it is what all others ask',
+  'src/page/pointer-place.ts': 'it is what all others ask',
   'src/viewer/camera/right-button.ts': 'how far a hand has gone, in the pixels of the page; the menu opens where the browser says',
   'src/viewer/scenes/presence.ts': 'whether the mouse is over an element',
   'src/viewer/view/auto-rotation.ts': 'whether a hand is on the picture',
@@ -298,8 +298,8 @@ test('all files that listen to pointers ask one place where they are, or need no
     const text = readFileSync(join(projectRoot, file), 'utf8').replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '');
     if (!listens.test(text) && !measures.test(text)) continue;
     listening.push(file);
-    expect.soft(asks.test(text) || file in placeless, `${file} listens to pointers, or measures in the page: use placeInElement of src/pointer-place.ts, or say above why it needs no place`).toBe(true);
-    if (/getBoundingClientRect|getClientRects|elements?FromPoint|\b(?:page|offset|layer|screen)[XY]\b/.test(text)) expect.soft(file, 'measures in the page by itself').toBe('src/pointer-place.ts');
+    expect.soft(asks.test(text) || file in placeless, `${file} listens to pointers, or measures in the page: use placeInElement of src/page/pointer-place.ts, or say above why it needs no place`).toBe(true);
+    if (/getBoundingClientRect|getClientRects|elements?FromPoint|\b(?:page|offset|layer|screen)[XY]\b/.test(text)) expect.soft(file, 'measures in the page by itself').toBe('src/page/pointer-place.ts');
   }
   expect(listening.length).toBeGreaterThan(15);
   expect(Object.keys(placeless).filter((file) => !listening.includes(file)), 'said of files that do not listen any more').toEqual([]);

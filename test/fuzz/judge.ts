@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { decodeFile } from '../../src/formats/decode.ts';
 import type { DecodeContext } from '../../src/formats/decode.ts';
 import { fetchInOrder } from '../../src/sources/fetch-files.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { measureSlowness } from './machine-speed.ts';
 
 /** Milliseconds of the processor's time, on a quiet machine. */

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { fieldChunks } from '../../src/renderer/ray/compose-ray.ts';
 import { beamToLocal, localToBeam } from '../../src/radar/polar-geometry.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

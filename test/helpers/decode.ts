@@ -3,7 +3,7 @@ import type { DecodeContext } from '../../src/formats/decode.ts';
 import type { DecodeSettings } from '../../src/formats/base/decoded-volume.ts';
 import { fetchInOrder } from '../../src/sources/fetch-files.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import type { DeviceLimits } from '../../src/volume/reduce.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 
 /** The error that a call ends with. Throws where there is none, and what is no VolumeViewError. */
 export function errorOf(run: () => unknown): VolumeViewError {

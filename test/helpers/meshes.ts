@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { finishMesh } from '../../src/formats/meshes/finish-mesh.ts';
 import type { MeshSpace } from '../../src/formats/meshes/mesh.ts';
 import { readMesh } from '../../src/formats/meshes/read-mesh.ts';

@@ -1,8 +1,8 @@
 // What stands beside a volume, in the course of its life: errors that come and go, and files that come late.
 import { expect } from '@esm-bundle/chai';
-import { childrenOf } from '../../src/page-children.ts';
+import { childrenOf } from '../../src/page/page-children.ts';
 import { BesideElement } from '../../components/internal/beside-element.ts';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { colorsOf } from '../../src/viewer/attachments/color-moment.ts';
 import type { ColoredView } from '../../src/viewer/attachments/color-moment.ts';
 import { ErrorBoard } from '../../src/viewer/model/error-board.ts';

@@ -1,6 +1,6 @@
 // What touches nothing of a scan is hidden: for rays, picks, and all that reads values.
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import type { Cleaning } from '../../src/formats/base/clean-volume.ts';
 import type { DecodedCartesianVolume } from '../../src/formats/base/decoded-volume.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 

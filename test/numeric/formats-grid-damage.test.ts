@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { zlibSync } from 'fflate';
 import { decodeFile } from '../../src/formats/decode.ts';
 import { fetchInOrder } from '../../src/sources/fetch-files.ts';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { decodeBytes, expectError, fetchFixture, fixtureContext, urlOf, valuesOf } from '../helpers/decode.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 

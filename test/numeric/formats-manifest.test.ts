@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { Validator } from '@cfworker/json-schema';
 import type { Schema } from '@cfworker/json-schema';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { readManifest } from '../../src/formats/manifest/manifest.ts';
 import { decodeBytes, expectError, fetchFile, fetchFixture, valuesOf } from '../helpers/decode.ts';
 

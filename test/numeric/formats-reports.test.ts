@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { loadVolume } from '../../src/worker/load.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { roomyLimits, valuesOf } from '../helpers/decode.ts';

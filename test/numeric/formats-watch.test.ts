@@ -3,7 +3,7 @@ import type { LoadProgress } from '../../src/formats/base/load-request.ts';
 import { loadVolume } from '../../src/worker/load.ts';
 import { startFromText } from '../../src/worker/worker-client.ts';
 import type { WorkerReport } from '../../src/worker/worker-messages.ts';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { roomyLimits } from '../helpers/decode.ts';
 
 /** A worker that says what it is told to, and nothing else. */

@@ -1,6 +1,6 @@
 // Texts of strangers in attributes: each is read, or refused in words, in a time that grows with its length.
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { parseCssColor } from '../../src/optics/transfer/css-color.ts';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { readTransferFunction } from '../../src/optics/transfer/presets.ts';

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { encode as encodePng } from 'fast-png';
 import { gzipSync } from 'fflate';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { Budget } from '../../src/formats/base/budget.ts';
 import { decodeFile } from '../../src/formats/decode.ts';
 import type { DecodedVolume, DecodeSettings } from '../../src/formats/base/decoded-volume.ts';

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { zlibSync } from 'fflate';
 import { decode } from 'fast-png';
-import type { VolumeViewError } from '../../src/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import { Budget } from '../../src/formats/base/budget.ts';
 import { readImagePixels } from '../../src/formats/images/image-pixels.ts';
 import { readImageSize } from '../../src/formats/images/image-size.ts';

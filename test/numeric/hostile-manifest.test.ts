@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { Validator } from '@cfworker/json-schema';
 import type { Schema } from '@cfworker/json-schema';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { readManifest } from '../../src/formats/manifest/manifest.ts';
 import { ScanSequence } from '../../src/viewer/loading/scan-sequence.ts';
 import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import type { LabelTable } from '../../src/formats/label-tables/label-table.ts';
 import { maxTableBytes, readLabelTable } from '../../src/formats/label-tables/read-label-table.ts';
 

@@ -7,7 +7,7 @@ import { cellsAtOnce, detailCodes, findDetail, measureMissable, seekDetail } fro
 import type { SeenVolume } from '../../src/optics/cells/cell-detail.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { offLine } from '../../src/volume/cell-size.ts';
-import type { Waiting } from '../../src/waiting.ts';
+import type { Waiting } from '../../src/core/waiting.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
 function see(field: (x: number, y: number, z: number) => number, text: string): SeenVolume {

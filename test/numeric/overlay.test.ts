@@ -1,6 +1,6 @@
 // A second field: how two media are one, where it lies, what is told of bad ones, and what skips empty space knows of it.
 import { expect } from '@esm-bundle/chai';
-import type { VolumeViewError } from '../../src/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import { emission } from '../../src/optics/transfer/emission.ts';
 import { cartesianOverlay, overlayShade } from '../../src/optics/attachments/overlay.ts';
 import { listOverlayCells, shownByOverlay } from '../../src/optics/cells/overlay-cells.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { parseGradientOpacity } from '../../src/optics/transfer/parse-gradient-opacity.ts';
 import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';
 import { plainLook } from '../../src/viewer/model/settings.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { parseSurfaces, readSurfaces } from '../../src/optics/surfaces/parse-surfaces.ts';
 
 const window = [-100, 300] as const;

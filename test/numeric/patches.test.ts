@@ -1,6 +1,6 @@
 // Transfer functions of value and gradient against quadrature, and against what a linear field comes to.
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { orbitCamera, viewMatrix } from '../../src/optics/rays/camera.ts';
 import { castRay } from '../../src/optics/rays/cast-ray.ts';
 import { contributionOf } from '../../src/optics/cells/empty-space-distance.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { readCfradial1 } from '../../src/formats/radar/cfradial1.ts';
 import { readHdf5Radar } from '../../src/formats/radar/hdf5-radar.ts';
 import type { RadarFile } from '../../src/formats/radar/radar-file.ts';

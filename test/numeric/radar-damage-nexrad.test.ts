@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { bunzip2 } from '../../src/formats/codecs/bunzip2.ts';
 import { readNexrad } from '../../src/formats/radar/nexrad.ts';
 import { fetchFixture } from '../helpers/decode.ts';

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { arrangeRadials } from '../../src/formats/radar/arrange-radials.ts';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { boxIndexToWorld, standardEarthRadius } from '../../src/radar/polar-geometry.ts';
 import { evenAzimuths, radarVolume, syntheticRadar } from '../helpers/synthetic-radar.ts';
 

@@ -5,7 +5,7 @@ import { readRings } from '../../src/viewer/cuts/read-rings.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 
 const square: Rectangle = [[-1, 1], [-1, 1]];

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { placeLabels } from '../../src/viewer/attachments/place-labels.ts';
 import { labelsIn } from '../../src/viewer/loading/label-files.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';

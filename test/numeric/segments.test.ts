@@ -1,6 +1,6 @@
 // X3D's SegmentedVolumeData: which segments are drawn, and with what; and what can't be drawn, in words.
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { leadOf, readEnabled, readIdentifiers, tellStyles } from '../../src/x3d/nodes/read-segments.ts';
 import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
 import { segmentOf } from '../../src/viewer/attachments/segment-keeper.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
 import type { Aspect } from '../../src/viewer/model/error-board.ts';
 import { isSameReading, readSettings } from '../../src/viewer/model/settings.ts';

@@ -1,7 +1,7 @@
 // The ground under a radar: tiles of heights, where they lie, and how they are thinned.
 import { expect } from '@esm-bundle/chai';
 import { readSurface, readTerrain } from '../../src/viewer/attachments/surface-attributes.ts';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { cornerOf, readHgt } from '../../src/formats/terrain/hgt.ts';
 import type { HgtTile } from '../../src/formats/terrain/hgt.ts';
 import { makeTerrain } from '../../src/formats/terrain/make-terrain.ts';

@@ -4,7 +4,7 @@ import { drawArea, drawCurve, paintStops } from '../../src/editor/paint-curve.ts
 import { labelShift, listTicks, roundStep, roundTo } from '../../src/editor/ticks.ts';
 import { chooseDomain, toHeight, toOpacity, toShare, toValue } from '../../src/editor/transfer-function-axes.ts';
 import { bandsFromStops, chooseBandEdges, stopsFromBands } from '../../src/editor/transfer-function-bands.ts';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { authorChildren } from '../../src/x3d/author-children.ts';
 import { AuthorCopies } from '../../src/x3d/author-copies.ts';
-import { meantChildren, meantParent } from '../../src/unclosed.ts';
+import { meantChildren, meantParent } from '../../src/page/unclosed.ts';
 
 function hostOf(html: string): HTMLElement {
   const host = document.createElement('div');

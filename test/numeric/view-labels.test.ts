@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import type { VolumeViewError } from '../../src/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
 import type { LabelRow } from '../../src/formats/label-tables/label-table.ts';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { evaluate } from '../../src/optics/transfer/transfer-function.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
+import { VolumeViewError } from '../../src/core/errors.ts';
 import { atlasLayout, packAtlas } from '../../src/volume/atlas.ts';
 import { parseMosaicSize } from '../../src/volume/mosaic-size.ts';
 import { checkMosaicLayout, cutMosaic, mosaicDimensions } from '../../src/volume/mosaic.ts';

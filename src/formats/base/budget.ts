@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 
 // A file's own numbers say how much memory and how many steps it takes, and the file comes from a stranger. So each load has
 // one budget, and a reader draws on it before it allocates or loops.

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 
 /** Most files of one volume: more slices than any scanner makes, and few enough to list. */
 export const maxFiles = 2 ** 13;

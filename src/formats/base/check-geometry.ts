@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { longest, maxVoxelsPerAxis } from '../../volume/grid-limits.ts';
 import { isSoundGrid } from '../../volume/sound-grid.ts';
 import { isPolar } from '../../volume/volume.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 
 /** Which of several scans is wanted: by its number, from 0, or the last one that is not after a time (ms since 1970, UTC). */
 export type ScanTarget = { readonly index: number } | { readonly time: number };

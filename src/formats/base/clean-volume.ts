@@ -1,7 +1,7 @@
 // Hides what touches nothing of a scan, as a head rest: loaded with the first volume that is to be cleaned.
 import { defaultPreset } from '../../optics/transfer/default-preset.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
-import { invalidAttribute } from '../../errors.ts';
+import { invalidAttribute } from '../../core/errors.ts';
 import { findSmallParts, maxRuns } from '../../volume/connected-parts.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Samples, Volume } from '../../volume/volume.ts';

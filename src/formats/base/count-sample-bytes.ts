@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { NumberType } from './number-types.ts';
 
 /** Most bytes of samples that are read at all: what engines allow for one buffer. */

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 
 // One view of files that describe themselves, HDF5 and NetCDF: groups, attributes and arrays, whatever lies beneath.
 

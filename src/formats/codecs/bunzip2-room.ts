@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { Budget } from '../base/budget.ts';
 
 // Where bunzip2.ts keeps what it works on.

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { Adler32 } from './adler32.ts';
 import { DeflateError, Inflater } from './inflate.ts';
 import { startsWith } from '../base/starts-with.ts';

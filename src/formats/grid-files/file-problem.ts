@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 
 // What readers of a header with samples beside it or after it say; `what` is such as 'the NRRD header'.
 

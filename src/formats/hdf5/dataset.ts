@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { countElements, refuseTooMany } from '../base/data-tree.ts';
 import type { AttributeValue, DataArray, ElementType, Numbers } from '../base/data-tree.ts';
 import { decodeNumbers } from '../base/decode-numbers.ts';

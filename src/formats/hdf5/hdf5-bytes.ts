@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { Budget } from '../base/budget.ts';
 import { adviceOf } from './advice.ts';
 import type { Remedy } from './advice.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { Budget } from '../base/budget.ts';
 import { findHdf5 } from '../base/hdf-signature.ts';
 import { corruptHdf5, Cursor, Hdf5Bytes, noAddress, unsupportedHdf5 } from './hdf5-bytes.ts';

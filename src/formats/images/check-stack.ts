@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { checkFileCount } from '../base/check-file-count.ts';
 import type { DecodeInput } from '../base/decoded-volume.ts';
 import type { Format } from '../base/format.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
 import { combineChannels, describeLoss } from '../base/channels.ts';
 import type { ChannelUse } from '../base/channels.ts';

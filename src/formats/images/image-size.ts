@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 
 // The size that a JPEG or a WebP says it has, read before a browser decodes it: there it takes what it says.
 

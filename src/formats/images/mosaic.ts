@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { checkMosaicLayout, cutMosaic, measureTile, mosaicDimensions } from '../../volume/mosaic.ts';

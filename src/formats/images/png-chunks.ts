@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 
 /** What a PNG's first chunk says. */
 export interface PngHeader {

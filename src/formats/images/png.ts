@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
 import { Budget } from '../base/budget.ts';
 import { combineChannels, describeLoss } from '../base/channels.ts';

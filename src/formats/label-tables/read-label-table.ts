@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { isBidsTable, readBidsTable } from './bids-table.ts';
 import { isFreeSurferTable, readFreeSurferTable } from './freesurfer-table.ts';
 import { isItkSnapTable, readItkSnapTable } from './itk-snap-table.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import type { ChannelUse } from '../base/channels.ts';
 import { affine, ascendingPair, channelUse, count, Expected, filledShortText, filledText, filledTexts, finite, mosaicText, nonZero, nonZeroTriple, shortText, text } from './manifest-checks.ts';

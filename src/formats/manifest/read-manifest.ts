@@ -1,5 +1,5 @@
 import { isPolar } from '../../volume/volume.ts';
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { checkFileCount } from '../base/check-file-count.ts';
 import { chooseScan } from '../base/choose-scan.ts';
 import { isRadar } from '../base/decoded-volume.ts';

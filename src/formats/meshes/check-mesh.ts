@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { corrupt, farthest } from './mesh-limits.ts';
 import type { Mesh } from './mesh.ts';
 

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { unzlib } from '../codecs/unzlib.ts';
 import { decodeBase64 } from './base64.ts';
 import { corrupt } from './mesh-limits.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { decodeArray } from './gifti-array.ts';
 import type { GiftiArray } from './gifti-array.ts';
 import { giftiTransform } from './gifti-transform.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { identity, multiply } from '../../volume/matrix.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
 import { checkCounts, corrupt } from './mesh-limits.ts';

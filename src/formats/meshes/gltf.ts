@@ -1,5 +1,5 @@
 // Surfaces of glTF files: loaded with the first of them.
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { cross, determinant, dot, transformPoint } from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import { numbersReader } from './gltf-numbers.ts';

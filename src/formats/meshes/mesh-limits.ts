@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 
 /** Triangles of a surface at most: more than a picture has pixels. */
 export const maxTriangles = 5_000_000;

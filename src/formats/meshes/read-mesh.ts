@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { gunzip, isGzip } from '../codecs/gunzip.ts';
 import { loadReader } from '../base/load-reader.ts';
 import { isGifti, readGifti } from './gifti.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { Budget } from '../base/budget.ts';
 import { countElements, refuseTooMany } from '../base/data-tree.ts';
 import type { AttributeValue, DataArray, DataGroup, ElementType, Numbers, NumberType } from '../base/data-tree.ts';

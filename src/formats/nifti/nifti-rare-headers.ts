@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { findForeign } from '../base/foreign-formats.ts';
 import { isGzip } from '../codecs/gunzip.ts';
 import { headerSizes, list, viewOf } from './nifti-header.ts';

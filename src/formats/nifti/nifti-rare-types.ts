@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { floats, hostIsLittleEndian, niftiTypes, viewAs } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
 

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { cartesianGrid } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Budget } from '../base/budget.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { countElements, numberOf, readAll, textOf } from '../base/data-tree.ts';
 import type { AttributeValue, DataArray, DataGroup, Numbers, NumberType } from '../base/data-tree.ts';
 import { packGates } from './gate-samples.ts';

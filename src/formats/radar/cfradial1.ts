@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { Budget } from '../base/budget.ts';
 import { countElements, numberOf, textOf } from '../base/data-tree.ts';
 import type { DataArray, DataGroup } from '../base/data-tree.ts';

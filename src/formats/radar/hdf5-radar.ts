@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { Budget } from '../base/budget.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import { isCfradial1, readCfradial1Tree } from './cfradial1.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { badStatus, checkRadial, corruptRadial, partOf, timeOf } from './nexrad-radial.ts';
 import type { NexradGates, NexradRadial, NexradSite } from './nexrad-radial.ts';
 

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 
 /** In front of each message: 12 bytes of the line that it came over, then a header of 16. */
 const lineHeader = 12;

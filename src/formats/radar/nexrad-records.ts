@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { Budget } from '../base/budget.ts';
 import { bunzip2, isBzip2 } from '../codecs/bunzip2.ts';
 import { Bunzip2Room } from '../codecs/bunzip2-room.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { Budget } from '../base/budget.ts';
 import { gunzip, isGzip } from '../codecs/gunzip.ts';
 import { isoTime } from './cf-time.ts';

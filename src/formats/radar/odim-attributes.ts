@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { numberOf, textOf } from '../base/data-tree.ts';
 import type { AttributeValue, DataGroup } from '../base/data-tree.ts';
 import { refuseManySweeps } from './radar-limits.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { Budget } from '../base/budget.ts';
 import type { AttributeValue, DataArray, DataGroup } from '../base/data-tree.ts';
 import { packGates } from './gate-samples.ts';

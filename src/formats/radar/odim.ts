@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { Budget } from '../base/budget.ts';
 import { textOf } from '../base/data-tree.ts';
 import type { DataGroup } from '../base/data-tree.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { checkMosaicLayout } from '../../volume/mosaic.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
 import type { ManifestSite, ManifestSweep } from '../manifest/manifest-radar.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { SweepData, SweepGates } from './radar-file.ts';
 
 // More than any radar makes, and little enough to be held: what a damaged or hostile file may not exceed.

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
 import type { Budget } from '../base/budget.ts';
 import type { DecodedVolume, DecodeSettings } from '../base/decoded-volume.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { unpackAll } from '../meshes/read-mesh.ts';
 import { isGzip } from '../codecs/gunzip.ts';
 

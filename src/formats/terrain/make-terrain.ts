@@ -5,7 +5,7 @@ import { boundsOf } from '../meshes/finish-mesh.ts';
 import { makeNormals } from '../meshes/make-normals.ts';
 import { floatList, wholeList } from '../meshes/number-list.ts';
 import { splitMesh } from '../meshes/split-mesh.ts';
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { noHeight } from './hgt.ts';
 import { makeLattice } from './lattice.ts';
 import type { Lattice } from './lattice.ts';

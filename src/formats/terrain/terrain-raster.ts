@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { EarthPoint } from '../../radar/place-on-earth.ts';
 import { meanEarthRadius } from '../../radar/polar-geometry.ts';
 import { noHeight } from './hgt.ts';

@@ -1,8 +1,8 @@
 import { finestSpacing } from '../../volume/grid.ts';
 import { offLine } from '../../volume/cell-size.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { atOnce } from '../../waiting.ts';
-import type { Waiting } from '../../waiting.ts';
+import { atOnce } from '../../core/waiting.ts';
+import type { Waiting } from '../../core/waiting.ts';
 import { rangeEmission } from '../transfer/emission-range.ts';
 import type { EmissionRange, RangeKind } from '../transfer/emission-range.ts';
 import type { StyleRange } from './style-detail.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { parseCssColor } from '../transfer/css-color.ts';
 import { maxWord, parseOpacity, parseValue, splitOutsideBrackets } from '../transfer/parse-transfer-function.ts';
 import type { IsoSurface, Shading, SurfaceStyle } from '../rays/ray-style.ts';

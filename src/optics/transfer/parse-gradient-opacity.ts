@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { maxWord, parseOpacity, parseValue, splitOutsideBrackets } from './parse-transfer-function.ts';
 import type { GradientStop } from './volume-styles.ts';
 

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { parseCssColor } from './css-color.ts';
 import { largestValue } from './transfer-function.ts';
 import type { Stop, TransferFunction } from './transfer-function.ts';

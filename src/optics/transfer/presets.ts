@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { parseTransferFunction } from './parse-transfer-function.ts';
 import { colorTables, presetNames } from './preset-names.ts';
 import type { writtenPresets } from './preset-names.ts';

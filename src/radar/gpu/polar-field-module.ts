@@ -2,7 +2,7 @@ import decode from '../../../shaders/chunks/field/decode.glsl?raw';
 import polarFolds from '../../../shaders/chunks/radar/polar-folds.glsl?raw';
 import polarGates from '../../../shaders/chunks/radar/polar-gates.glsl?raw';
 import volumePolar from '../../../shaders/chunks/radar/volume-polar.glsl?raw';
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { highestElevation, lowestElevation } from '../polar-box.ts';
 import type { PolarGrid } from '../../volume/polar-grid.ts';
 import { isPolar } from '../../volume/volume.ts';

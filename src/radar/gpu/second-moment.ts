@@ -1,7 +1,7 @@
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import type { Samples, Volume } from '../../volume/volume.ts';
 import { isPolar } from '../../volume/volume.ts';
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { Device, Gl } from '../../renderer/device/device.ts';
 import { allocatePlane, fillPlane } from '../../renderer/textures/fill-plane.ts';
 import type { Upload } from '../../renderer/textures/fill-texture.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { ShaderTexts } from './compose-stage.ts';
 import type { Gl } from './device.ts';
 import type { ProgramInputs } from './inputs.ts';

@@ -1,5 +1,5 @@
 // What is known of a layer's volume beside it: labels, and a second field. Loaded with the first of them.
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';

@@ -1,5 +1,5 @@
 // Labels of a layer's volume, and volumes of labels: loaded with the first of them.
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';

@@ -1,4 +1,4 @@
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import { domainOf } from '../../optics/transfer/emission.ts';
 import { fullColor, isOver, overlayColors, toOverlay } from '../../optics/attachments/overlay.ts';

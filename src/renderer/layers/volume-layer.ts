@@ -1,5 +1,5 @@
 import type { ProjectedRays, RayStyle } from '../../optics/rays/ray-style.ts';
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
 import { domainOf } from '../../optics/transfer/emission.ts';
 import { isUsual } from '../../optics/transfer/usual-columns.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { PixelLattice, RaySetup } from '../../optics/rays/rays.ts';
 import type { Gl } from '../device/device.ts';
 import { bytesAttachment, DrawTarget } from '../device/draw-target.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { isWebGl2 } from '../device/device.ts';
 import type { Device, Gl } from '../device/device.ts';
 

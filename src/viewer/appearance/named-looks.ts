@@ -1,5 +1,5 @@
 // Looks by one word: loaded with the first page that names one.
-import { invalidAttribute } from '../../errors.ts';
+import { invalidAttribute } from '../../core/errors.ts';
 import { otsuBin } from '../../optics/transfer/window.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { ScanModel } from '../model/scan-model.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { overlayBlends } from '../../optics/attachments/overlay.ts';
 import type { OverlayBlend } from '../../optics/attachments/overlay.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';

@@ -1,4 +1,4 @@
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import { defaultPreset } from '../../optics/transfer/default-preset.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
 import { spanAround } from '../../optics/transfer/span-around.ts';

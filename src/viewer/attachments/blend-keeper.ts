@@ -1,7 +1,7 @@
 // The second volume of X3D's BlendedVolumeStyle as a layer over the first: loaded with the first of them.
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
-import { childrenOf } from '../../page-children.ts';
+import { childrenOf } from '../../page/page-children.ts';
 import { deviceLimits } from '../../renderer/device/device.ts';
 import { probeDevice } from '../../renderer/probes/probe-device.ts';
 import { cartesianGrid, unitToWorld } from '../../volume/grid.ts';

@@ -2,7 +2,7 @@
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
 import type { Color } from '../../optics/transfer/transfer-function.ts';
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { secondMomentField } from '../../radar/polar-field.ts';
 import { deviceLimits } from '../../renderer/device/device.ts';
 import { probeDevice } from '../../renderer/probes/probe-device.ts';

@@ -1,6 +1,6 @@
 // The crosshair that panes of a view share, over the view's picture: loaded with the first pane that belongs to a view.
-import { asVolumeViewError } from '../../errors.ts';
-import type { VolumeViewError } from '../../errors.ts';
+import { asVolumeViewError } from '../../core/errors.ts';
+import type { VolumeViewError } from '../../core/errors.ts';
 import type { Camera } from '../../optics/rays/camera.ts';
 import type { Crosshair } from '../../panes/crosshair.ts';
 import { corners } from '../../volume/grid.ts';

@@ -1,7 +1,7 @@
 import { parseCssColor } from '../../optics/transfer/css-color.ts';
-import { invalidAttribute } from '../../errors.ts';
-import type { VolumeViewError } from '../../errors.ts';
-import { childrenOf } from '../../page-children.ts';
+import { invalidAttribute } from '../../core/errors.ts';
+import type { VolumeViewError } from '../../core/errors.ts';
+import { childrenOf } from '../../page/page-children.ts';
 import { isNumber, parseFactor } from '../model/parse-attributes.ts';
 import type { LabelOverride } from '../model/view-labels.ts';
 

@@ -1,4 +1,4 @@
-import { invalidAttribute, VolumeViewError } from '../../errors.ts';
+import { invalidAttribute, VolumeViewError } from '../../core/errors.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { mostGroups } from '../../volume/labels.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { LabelRow, LabelTable } from '../../formats/label-tables/label-table.ts';
 import { paneLabels } from '../../panes/pane-labels.ts';
 import type { PaneLabels } from '../../panes/pane-labels.ts';

@@ -1,4 +1,4 @@
-import { asVolumeViewError, VolumeViewError } from '../../errors.ts';
+import { asVolumeViewError, VolumeViewError } from '../../core/errors.ts';
 import type { Stop, TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { asLabels } from '../../volume/label-volume.ts';
 import type { Volume } from '../../volume/volume.ts';

@@ -1,5 +1,5 @@
-import { VolumeViewError } from '../../errors.ts';
-import { loadPart } from '../../load-part.ts';
+import { VolumeViewError } from '../../core/errors.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import { deviceLimits } from '../../renderer/device/device.ts';
 import { probeDevice } from '../../renderer/probes/probe-device.ts';

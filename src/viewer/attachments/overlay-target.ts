@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { PresenterPlace } from './presenter-place.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
 import type { VolumePresenter } from '../view/volume-presenter.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../volume/grid.ts';
 import type { CartesianGrid } from '../../volume/grid.ts';
 import type { LabelMap } from '../../volume/labels.ts';

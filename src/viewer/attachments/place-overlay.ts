@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { toOverlay } from '../../optics/attachments/overlay.ts';
 import { longestDiagonal } from '../../volume/grid.ts';
 import type { CartesianGrid } from '../../volume/grid.ts';

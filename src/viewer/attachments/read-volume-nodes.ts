@@ -1,7 +1,7 @@
 // X3D's volume nodes among the children of an element: loaded with the first of them.
-import { isWrapper } from '../../page-children.ts';
-import { VolumeViewError } from '../../errors.ts';
-import { loadPart } from '../../load-part.ts';
+import { isWrapper } from '../../page/page-children.ts';
+import { VolumeViewError } from '../../core/errors.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type { ProjectionKind } from '../../optics/rays/ray-style.ts';
 import type { StyleChain, VolumeStyle } from '../../optics/transfer/volume-styles.ts';
 import { readIsoSurfaces } from '../../x3d/nodes/read-iso-surfaces.ts';
@@ -16,7 +16,7 @@ import type { VolumeOptics } from '../model/volume-info.ts';
 import type { VolumePresenter } from '../view/volume-presenter.ts';
 import { readVoxelTexture } from '../../x3d/nodes/volume-textures.ts';
 import type { SecondVolume } from '../../x3d/nodes/volume-textures.ts';
-import { meantChildren } from '../../unclosed.ts';
+import { meantChildren } from '../../page/unclosed.ts';
 import { containerFieldOf, X3dFields } from '../../x3d/nodes/x3d-fields.ts';
 
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();

@@ -1,7 +1,7 @@
 // X3D's segments as labels of the volume: loaded with the first SegmentedVolumeData.
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { Color } from '../../optics/transfer/transfer-function.ts';
-import { childrenOf } from '../../page-children.ts';
+import { childrenOf } from '../../page/page-children.ts';
 import { LabelKeeper } from './label-keeper.ts';
 import { labelFileOf } from '../loading/label-files.ts';
 import type { LabelFile } from '../loading/label-files.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { dragKinds } from '../../panes/pane-input.ts';

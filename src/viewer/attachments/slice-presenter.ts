@@ -1,5 +1,5 @@
-import { asVolumeViewError } from '../../errors.ts';
-import type { VolumeViewError } from '../../errors.ts';
+import { asVolumeViewError } from '../../core/errors.ts';
+import type { VolumeViewError } from '../../core/errors.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { findCrosshair } from '../../panes/crosshair.ts';
 import type { PaneLabels } from '../../panes/pane-labels.ts';

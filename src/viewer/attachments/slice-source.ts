@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { LoadProgress } from '../../formats/base/load-request.ts';
 import { loads } from '../loading/load-queue.ts';
 import { sharedVolumes } from '../loading/shared-volumes.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { resolveUrl } from '../../worker/load.ts';
 import type { MeshSpace } from '../../formats/meshes/mesh.ts';
 import type { MeshRequest, SurfaceRequest, TerrainRequest } from '../../worker/surface-request.ts';

@@ -1,5 +1,5 @@
-import { VolumeViewError } from '../../errors.ts';
-import { loadPart } from '../../load-part.ts';
+import { VolumeViewError } from '../../core/errors.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type { ShownSurface, SurfacedElement } from '../../renderer/layers/shown-surfaces.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { tellBeside } from '../model/beside-notices.ts';

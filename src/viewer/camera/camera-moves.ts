@@ -1,6 +1,6 @@
 // What hands do to a camera. Places in the picture are in half its height, from its middle, to the right and up.
-import { placeInElement } from '../../pointer-place.ts';
-import type { PagePoint } from '../../pointer-place.ts';
+import { placeInElement } from '../../page/pointer-place.ts';
+import type { PagePoint } from '../../page/pointer-place.ts';
 import { add, cross, length, normalize, scale, subtract } from '../../volume/matrix.ts';
 import type { CameraRig } from './camera-rig.ts';
 

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { framingDistance, orbitCamera } from '../../optics/rays/camera.ts';
 import type { Camera, Orbit } from '../../optics/rays/camera.ts';
 import type { FramedView } from '../../optics/rays/frame-places.ts';

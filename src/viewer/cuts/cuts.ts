@@ -1,4 +1,4 @@
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ClippedElement } from '../model/clip-source.ts';
 import type { ErrorBoard } from '../model/error-board.ts';

@@ -1,5 +1,5 @@
-import { isWrapper } from '../../page-children.ts';
-import { VolumeViewError } from '../../errors.ts';
+import { isWrapper } from '../../page/page-children.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { Cutout, HalfSpace } from '../../optics/rays/clip-intervals.ts';
 import { stretchOf } from '../../radar/polar-geometry.ts';
 import { createClip, createClipOfSlices } from '../../renderer/ray/modules/clip.ts';
@@ -11,7 +11,7 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { boundsBetween, sidesOf } from '../../volume/world-cut.ts';
 import type { Bounds, HalfWorld, WorldCut } from '../../volume/world-cut.ts';
-import { meantParent } from '../../unclosed.ts';
+import { meantParent } from '../../page/unclosed.ts';
 import type { ClippedElement, ClipShape, ClipSource } from '../model/clip-source.ts';
 import { invalid, parseNumbers } from '../model/parse-attributes.ts';
 import { middleAlong, planeInCube } from './plane-in-cube.ts';

@@ -1,6 +1,6 @@
-import { VolumeViewError } from '../../errors.ts';
-import { loadPart } from '../../load-part.ts';
-import { childrenOf } from '../../page-children.ts';
+import { VolumeViewError } from '../../core/errors.ts';
+import { loadPart } from '../../core/load-part.ts';
+import { childrenOf } from '../../page/page-children.ts';
 import { stretchOf } from '../../radar/polar-geometry.ts';
 import { maxSlices } from '../../radar/slices.ts';
 import type { Slice } from '../../radar/slices.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { PlaneSlab, PlaneSlice } from '../../optics/attachments/plane-slices.ts';
 import { grayRange } from '../../panes/gray-levels.ts';
 import { planeOf } from '../../panes/slice-plane.ts';

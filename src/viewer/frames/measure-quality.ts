@@ -14,8 +14,8 @@ import { isWorthSearch, moreProbes, placeAround, placeProbes } from '../../quali
 import type { PixelLattice } from '../../optics/rays/rays.ts';
 import type { PixelRectangle } from '../../quality/place-probes.ts';
 import { autoSteps, stepLengthOf, voxelsAlong } from '../../quality/steps.ts';
-import { atOnce } from '../../waiting.ts';
-import type { Waiting } from '../../waiting.ts';
+import { atOnce } from '../../core/waiting.ts';
+import type { Waiting } from '../../core/waiting.ts';
 import { finestSpacing } from '../../volume/grid.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import { isPolar } from '../../volume/volume.ts';

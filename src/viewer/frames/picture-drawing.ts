@@ -1,4 +1,4 @@
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import { countSamples } from '../../optics/rays/count-samples.ts';
 import type { SamplingOutcome } from '../../quality/sampling-outcome.ts';
 import type { FramePlan } from '../../quality/frame-plan.ts';

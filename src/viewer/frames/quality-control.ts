@@ -8,7 +8,7 @@ import type { SteadyTime } from '../../quality/steady-time.ts';
 import { autoSteps, maxAutoSteps, voxelsAlong } from '../../quality/steps.ts';
 import { FrameTimer } from '../../quality/time-model.ts';
 import type { GridFrame } from '../../volume/grid.ts';
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type { Scene, Size } from '../model/scene.ts';
 import type * as viewQuality from './view-quality.ts';
 import type { QualityFinding } from './view-quality.ts';

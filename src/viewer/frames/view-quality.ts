@@ -8,7 +8,7 @@ import { cutSteps, listLevels } from '../../quality/levels.ts';
 import type { Level } from '../../quality/levels.ts';
 import type { ErrorModel } from '../../quality/frame-plan.ts';
 import { autoSteps, voxelsAlong } from '../../quality/steps.ts';
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import { AdaptivePicture } from '../../renderer/pictures/adaptive-picture.ts';
 import { provideCoarsePictures } from '../../renderer/pictures/adaptive-provider.ts';
 import { provideSubsteps } from '../../renderer/ray/substep-provider.ts';

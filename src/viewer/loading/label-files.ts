@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { fetchBytes } from '../../sources/fetch-bytes.ts';
 import type { LoadRequest } from '../../formats/base/load-request.ts';
 import type { LabelTable } from '../../formats/label-tables/label-table.ts';

@@ -1,7 +1,7 @@
 import type { ScanTimes, ScanTarget } from '../../formats/base/choose-scan.ts';
 import type { LoadOptions } from '../../worker/load.ts';
 import type { CoarseListener, LoadProgressListener, LoadRequest } from '../../formats/base/load-request.ts';
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ScanHost, ScanPlayer } from './scan-player.ts';
 import type { ScanSource } from './scan-sequence.ts';

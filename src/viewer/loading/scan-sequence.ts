@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { chooseScan } from '../../formats/base/choose-scan.ts';
 import type { ScanTimes, ScanTarget } from '../../formats/base/choose-scan.ts';
 import type { LoadProgressListener, LoadRequest } from '../../formats/base/load-request.ts';

@@ -1,5 +1,5 @@
-import { asVolumeViewError } from '../../errors.ts';
-import type { VolumeViewError } from '../../errors.ts';
+import { asVolumeViewError } from '../../core/errors.ts';
+import type { VolumeViewError } from '../../core/errors.ts';
 import type { Reading } from './settings.ts';
 
 /** What of an element can fail independently, and what it is called, in the order in which it is shown. */

@@ -1,4 +1,4 @@
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type * as labelStops from '../../optics/transfer/label-stops.ts';
 import type { VolumeOptics } from './volume-info.ts';
 

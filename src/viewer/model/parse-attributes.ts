@@ -1,4 +1,4 @@
-import { invalidAttribute as invalid } from '../../errors.ts';
+import { invalidAttribute as invalid } from '../../core/errors.ts';
 import type { ScanTarget } from '../../formats/base/choose-scan.ts';
 import { largestValue } from '../../optics/transfer/transfer-function.ts';
 import type { Vector3 } from '../../volume/matrix.ts';

@@ -1,6 +1,6 @@
 // Small buttons over a picture, each at a place of the world, which move it: loaded by the elements that have some.
 import type { Camera } from '../../optics/rays/camera.ts';
-import { placeInElement } from '../../pointer-place.ts';
+import { placeInElement } from '../../page/pointer-place.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { moveByKey, placeInPlane, placeOnLine } from '../camera/drag-place.ts';
 import type { Pixel, SeenPicture } from '../camera/drag-place.ts';

@@ -1,6 +1,6 @@
 import { viewMatrix } from '../../optics/rays/camera.ts';
 import type { Camera } from '../../optics/rays/camera.ts';
-import { middleInElement } from '../../pointer-place.ts';
+import { middleInElement } from '../../page/pointer-place.ts';
 import { add, scale, subtract, transformPoint } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Pixel, SeenPicture } from '../camera/drag-place.ts';

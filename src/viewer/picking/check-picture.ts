@@ -1,5 +1,5 @@
 // Holds what the GPU draws against rays that are cast on the processor: loaded when somebody asks.
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import { castRay } from '../../optics/rays/cast-ray.ts';
 import { leastSubsteps } from '../../optics/cells/least-substeps.ts';
 import { headlightAlone } from '../../optics/transfer/lights.ts';

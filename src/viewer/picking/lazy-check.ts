@@ -1,4 +1,4 @@
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type { PictureCheck } from '../../quality/compare-rays.ts';
 import type { CheckedView } from './self-check.ts';
 import type * as SelfCheckPart from './self-check.ts';

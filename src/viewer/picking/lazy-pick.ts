@@ -1,4 +1,4 @@
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type { PickedView } from './pick-clicks.ts';
 import type { Viewer } from '../view/viewer.ts';
 import type { PickOptions, VolumePick } from '../model/volume-pick.ts';

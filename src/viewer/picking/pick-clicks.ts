@@ -1,5 +1,5 @@
 // Clicks and taps on a picture, which pick what is there: loaded where an element is `pickable` or has a readout.
-import { placeInElement } from '../../pointer-place.ts';
+import { placeInElement } from '../../page/pointer-place.ts';
 import type { VolumePick } from '../model/volume-pick.ts';
 
 /** An element in which somebody points at something. */

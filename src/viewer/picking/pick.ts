@@ -1,5 +1,5 @@
 // What is at a place of a picture: loaded when somebody asks.
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import { groupOf } from '../../optics/attachments/labels.ts';
 import { pickPlaces, pickRay } from '../../optics/pick-ray.ts';

@@ -1,5 +1,5 @@
 // Checks each picture at rest of an element with `self-check`: loaded with the first of them.
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { PictureCheck } from '../../quality/compare-rays.ts';
 import { checkPicture } from './check-picture.ts';
 import type { RenderStats } from '../model/render-stats.ts';

@@ -1,5 +1,5 @@
 // The rays of a viewer's picture in plain float64: loaded when somebody points at it, or checks it.
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import { viewMatrix } from '../../optics/rays/camera.ts';
 import { clipInterval, cutoutInterval } from '../../optics/rays/clip-intervals.ts';

@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import type { ShownLabels } from '../../volume/labels.ts';
 import type { Volume } from '../../volume/volume.ts';

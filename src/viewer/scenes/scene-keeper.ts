@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { SurfacedElement } from '../../renderer/layers/shown-surfaces.ts';
 import { buildScene, contextLost } from './build-scene.ts';
 import type { SceneContents } from './build-scene.ts';

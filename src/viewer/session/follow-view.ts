@@ -1,4 +1,4 @@
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import type * as BlankPart from '../view/blank-note.ts';
 import type * as ColorPart from '../attachments/color-moment.ts';
 import { followChecks } from '../picking/lazy-check.ts';

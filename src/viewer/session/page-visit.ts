@@ -1,4 +1,4 @@
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import { watchSlices } from '../cuts/cuts.ts';
 import type * as Hands from './hands.ts';
 import { PageWatcher } from '../scenes/page-watcher.ts';

@@ -1,8 +1,8 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { ScanTarget } from '../../formats/base/choose-scan.ts';
 import type { LoadProgress, LoadProgressListener } from '../../formats/base/load-request.ts';
 import type { LoadOptions } from '../../worker/load.ts';
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import { deviceLimits } from '../../renderer/device/device.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import { probeDevice } from '../../renderer/probes/probe-device.ts';

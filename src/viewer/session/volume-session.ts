@@ -1,11 +1,11 @@
-import type { VolumeViewError } from '../../errors.ts';
+import type { VolumeViewError } from '../../core/errors.ts';
 import { ErrorBoard } from '../model/error-board.ts';
 import type { Aspect, ErrorListener } from '../model/error-board.ts';
 import { PageVisit } from './page-visit.ts';
 import type { PagePlace, VisitListener } from './page-visit.ts';
 import { PendingWork } from '../model/pending-work.ts';
 import type { RingWriter } from '../cuts/ring-labels.ts';
-import { loadPart } from '../../load-part.ts';
+import { loadPart } from '../../core/load-part.ts';
 import { Playback } from '../loading/playback.ts';
 import { Presence } from '../scenes/presence.ts';
 import type { RenderStats } from '../model/render-stats.ts';

@@ -1,7 +1,7 @@
 // What <volume-measure> says of a volume. Points are in world units, of a radar in metres whatever the exaggeration of heights, as `region` is.
 import { stretchOf } from '../../radar/polar-geometry.ts';
 import { edgesOfGate, sumUpGates } from '../../radar/gates-inside.ts';
-import { invalidAttribute } from '../../errors.ts';
+import { invalidAttribute } from '../../core/errors.ts';
 import { longest } from '../../volume/grid-limits.ts';
 import { length, subtract } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';

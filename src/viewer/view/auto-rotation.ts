@@ -1,5 +1,5 @@
 // The camera goes around a volume by itself: loaded with the first element that has `auto-rotate`.
-import { invalidAttribute } from '../../errors.ts';
+import { invalidAttribute } from '../../core/errors.ts';
 import { isNumber } from '../model/parse-attributes.ts';
 import type { Viewer } from './viewer.ts';
 import type { VolumePresenter } from './volume-presenter.ts';

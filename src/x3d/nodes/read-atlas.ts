@@ -1,6 +1,6 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { ErrorBoard } from '../../viewer/model/error-board.ts';
-import { meantParent } from '../../unclosed.ts';
+import { meantParent } from '../../page/unclosed.ts';
 import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
 
 type Atlas = Readonly<Record<string, string | null>>;

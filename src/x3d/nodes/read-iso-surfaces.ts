@@ -2,7 +2,7 @@ import type { IsoSurface, SurfaceStyle } from '../../optics/rays/ray-style.ts';
 import { maxSurfaces } from '../../optics/transfer/surface-limits.ts';
 import { evaluate } from '../../optics/transfer/transfer-function.ts';
 import type { Color, TransferFunction } from '../../optics/transfer/transfer-function.ts';
-import { meantChildren } from '../../unclosed.ts';
+import { meantChildren } from '../../page/unclosed.ts';
 import { X3dFields } from './x3d-fields.ts';
 
 /** Values that no data have. */

@@ -1,6 +1,6 @@
 // Colours and opacities that X3D's volume nodes give a volume.
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
-import { meantChildren } from '../../unclosed.ts';
+import { meantChildren } from '../../page/unclosed.ts';
 import { readOpacityMap } from './read-opacity-map.ts';
 import { defaultReferenceLength, longestEdgeShare } from '../../volume/reference-length.ts';
 import type { Grid } from '../../volume/volume.ts';

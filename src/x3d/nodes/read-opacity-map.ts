@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { urlOf, X3dFields } from './x3d-fields.ts';
 
 /** A row of colours: RGBA, 0 to 255. */

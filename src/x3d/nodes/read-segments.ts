@@ -1,5 +1,5 @@
 // X3D's SegmentedVolumeData: what it says of its segments, which a volume's labels are then.
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import { readVoxelTexture, textureOfField } from './volume-textures.ts';
 import type { VoxelTexture } from './volume-textures.ts';
 import { X3dFields } from './x3d-fields.ts';

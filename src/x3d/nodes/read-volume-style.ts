@@ -1,6 +1,6 @@
-import { VolumeViewError } from '../../errors.ts';
+import { VolumeViewError } from '../../core/errors.ts';
 import type { StyleMaterial, VolumeStyle } from '../../optics/transfer/volume-styles.ts';
-import { meantChildren } from '../../unclosed.ts';
+import { meantChildren } from '../../page/unclosed.ts';
 import { X3dFields } from './x3d-fields.ts';
 
 /** Each of X3D's styles that change what is seen at a place, with the standard's defaults. Source: ISO/IEC 19775-1, 41.4 */

@@ -1,4 +1,4 @@
-import type { VolumeViewError } from '../../errors.ts';
+import type { VolumeViewError } from '../../core/errors.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { invalid, isNumber, split } from '../../viewer/model/parse-attributes.ts';
 

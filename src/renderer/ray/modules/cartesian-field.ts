@@ -1,7 +1,7 @@
 import decode from '../../../../shaders/chunks/field/decode.glsl?raw';
 import sampleVolume from '../../../../shaders/chunks/field/sample-volume.glsl?raw';
 import volume3d from '../../../../shaders/chunks/field/volume-3d.glsl?raw';
-import { VolumeViewError } from '../../../errors.ts';
+import { VolumeViewError } from '../../../core/errors.ts';
 import { atlasLayout, packAtlas } from '../../../volume/atlas.ts';
 import type { AtlasLayout } from '../../../volume/atlas.ts';
 import type { Samples, Volume } from '../../../volume/volume.ts';
@@ -11,7 +11,7 @@ import { allocateTexture3d, fillTexture3d, slowBytes, texelsOf } from '../../tex
 import type { Texels, Upload } from '../../textures/fill-texture.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 import { textureUnit } from '../../device/texture-unit.ts';
-import { loadPart } from '../../../load-part.ts';
+import { loadPart } from '../../../core/load-part.ts';
 import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
 import type * as Chunks from './cartesian-chunks.ts';
 

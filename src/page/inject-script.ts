@@ -1,4 +1,4 @@
-import { trust } from './trust.ts';
+import { trust } from '../core/trust.ts';
 
 /** Run a classic script of this package. @param url - absolute @returns resolves when it has run; rejected where it could not be loaded */
 export function injectScript(url: string): Promise<void> {
