@@ -31,7 +31,7 @@ export function adaptForBundlers({ worker, x3dom, cssColor }) {
   const at = (/** @type {string} */ name) => join(projectRoot, 'src', name);
   /** @type {Record<string, string>} */
   const modules = {
-    [at('formats/worker-as-text.ts')]: `export const text = ${JSON.stringify(worker)};`,
+    [at('worker/worker-as-text.ts')]: `export const text = ${JSON.stringify(worker)};`,
     [at('x3d/x3dom-as-text.ts')]: `
 import { injectText } from './inject-text.ts';
 const text = ${JSON.stringify(x3dom)};

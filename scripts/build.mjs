@@ -199,7 +199,7 @@ for (const name of companions) {
   await bundle({ entry, format: 'es', output: { entryFileNames: `${name}.js`, chunkFileNames: 'chunks/[name]-[hash].js' } });
 }
 // What every reader of a grid needs is one file, too.
-const gridSamples = { name: 'grid-samples', test: /src.(formats.(number-types|count-sample-bytes|list-left|piece-reader|place-volume|respace|store-samples)|volume.detail-offset)\.ts$/ };
+const gridSamples = { name: 'grid-samples', test: /src.(formats.base.(number-types|count-sample-bytes|list-left|piece-reader|place-volume|respace|store-samples)|volume.detail-offset)\.ts$/ };
 await bundle({
   entry: worker,
   format: 'es',

@@ -4,49 +4,82 @@ import { dirname, relative, resolve, sep } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
 
 /**
- * Each module, and the modules it may import from besides itself. `errors` is open to all.
+ * Each module, and the modules it may import from besides itself. `viewer/model`: that folder alone.
  * @type {Record<string, string[]>}
  */
 const MAY_IMPORT = {
-  errors: [],
-  'load-part': ['errors'],
-  'trust': [],
-  unclosed: [],
-  'page-children': [],
-  'pointer-place': [],
-  waiting: [],
-  'inject-script': ['trust'],
-  words: ['errors'],
-  volume: ['errors'],
-  optics: ['errors', 'waiting', 'volume'],
-  radar: ['errors', 'volume', 'optics'],
-  quality: ['errors', 'waiting', 'volume', 'optics'],
-  formats: ['errors', 'load-part', 'trust', 'volume', 'optics', 'radar'],
-  renderer: ['errors', 'load-part', 'volume', 'optics', 'quality', 'shaders'],
-  'radar/gpu': ['errors', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
-  x3d: ['errors', 'page-children', 'trust', 'unclosed', 'volume', 'optics', 'radar', 'renderer'],
-  viewer: ['errors', 'page-children', 'pointer-place', 'waiting', 'load-part', 'unclosed', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'panes', 'words'],
-  editor: ['errors', 'pointer-place', 'volume', 'optics', 'words'],
-  panes: ['errors', 'pointer-place', 'volume', 'optics'],
-  components: ['errors', 'page-children', 'pointer-place', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor', 'panes', 'words'],
-  index: ['errors', 'optics', 'quality', 'viewer', 'words', 'components'],
-  demos: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'components', 'index'],
+  core: [],
+  page: ['core'],
+  messages: ['core'],
+  volume: ['core'],
+  optics: ['core', 'volume'],
+  radar: ['core', 'volume', 'optics'],
+  quality: ['core', 'volume', 'optics'],
+  formats: ['core', 'volume', 'optics', 'radar'],
+  sources: ['core', 'formats'],
+  worker: ['core', 'volume', 'optics', 'radar', 'formats', 'sources'],
+  renderer: ['core', 'volume', 'optics', 'quality', 'shaders'],
+  'radar/gpu': ['core', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
+  'x3d/nodes': ['core', 'page', 'volume', 'optics', 'formats', 'worker', 'viewer/model'],
+  x3d: ['core', 'page', 'volume', 'optics', 'radar', 'renderer'],
+  panes: ['core', 'page', 'volume', 'optics'],
+  editor: ['core', 'page', 'volume', 'optics', 'messages'],
+  viewer: ['core', 'page', 'volume', 'optics', 'radar', 'quality', 'formats', 'sources', 'worker', 'renderer', 'x3d/nodes', 'panes', 'messages'],
+  components: ['core', 'page', 'volume', 'optics', 'radar', 'quality', 'formats', 'worker', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor', 'panes', 'messages'],
+  index: ['core', 'optics', 'quality', 'viewer', 'messages', 'components'],
+  demos: ['core', 'volume', 'optics', 'radar', 'quality', 'formats', 'worker', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'components', 'index'],
+};
+
+/**
+ * The folders of a module, in their order: a file imports from its own folder and from those before it. `.` are the files
+ * that lie in the module itself.
+ * @type {Record<string, string[]>}
+ */
+const FOLDERS = {
+  optics: ['transfer', 'rays', 'attachments', 'cells', 'surfaces', '.'],
+  formats: ['base', 'codecs', 'appearance', 'grid-files', 'hdf5', 'netcdf', 'manifest', 'radar', 'images', 'nifti', 'nrrd', 'metaimage', 'meshes', 'terrain', 'label-tables', '.'],
+  renderer: ['device', 'textures', 'probes', 'ray', 'passes', 'ray/modules', 'ray/styles', 'layers', 'pictures', '.'],
+  viewer: ['model', 'camera', 'appearance', 'cuts', 'overlays', 'scenes', 'loading', 'frames', 'view', 'picking', 'attachments', 'tools', 'session'],
 };
 
 /**
  * Packages that one module alone knows.
  * @type {Record<string, string>}
  */
-const OWNED_PACKAGES = { lit: 'components', x3dom: 'x3d', '@shoelace-style': 'words' };
+const OWNED_PACKAGES = { lit: 'components', x3dom: 'x3d', '@shoelace-style': 'messages' };
+
+/** Modules that lie in the folder of another one. */
+const NESTED = ['radar/gpu', 'x3d/nodes'];
 
 /**
- * The module of a file, or undefined for files outside of all (tests, scripts).
+ * The module of a file, and its folder there; undefined for files outside of all (tests, scripts).
  * @param {string} file - absolute
  */
-function findModule(file) {
-  const [top, second, third] = relative(projectRoot, file).split(sep);
-  if (top !== 'src') return top;
-  return second === 'radar' && third === 'gpu' ? 'radar/gpu' : second?.replace(/\.ts$/, '');
+function findPlace(file) {
+  const parts = relative(projectRoot, file).split(sep);
+  if (parts[0] === 'src') parts.shift();
+  const nested = NESTED.find((name) => parts.slice(0, 2).join('/') === name);
+  const folder = parts.slice(nested ? 2 : 1, -1).join('/') || '.';
+  return { name: nested ?? parts[0].replace(/\.ts$/, ''), folder };
+}
+
+/**
+ * What is wrong with an import of one folder from another of the same module, or null.
+ * @param {string} name - of the module @param {string} from @param {string} to - folders @param {boolean} isType
+ */
+function findBackArrow(name, from, to, isType) {
+  if (from === to) return null;
+  if (name === 'components') {
+    // An element is a folder of its own. What several need lies in internal; of another element only its type is known.
+    if (isType || from === 'define' || to === 'internal' || to === 'define') return null;
+    return `components/${from} may not import from components/${to}; it may from: internal, and types from all`;
+  }
+  const order = FOLDERS[name];
+  if (!order) return null;
+  const [here, there] = [from, to].map((folder) => order.indexOf(folder));
+  if (here >= 0 && there >= 0 && there < here) return null;
+  if (here < 0 || there < 0) return `${name}/${here < 0 ? from : to} is not among the folders of ${name}: add it to FOLDERS`;
+  return `${name}/${from} may not import from ${name}/${to}; it may from: ${order.slice(0, here).join(', ') || 'nowhere'}`;
 }
 
 // oxlint hands over ESTree nodes; its own types for them are not public under a stable name, hence `any`.
@@ -56,18 +89,20 @@ const oneWay = {
   /** @param {any} context */
   create(context) {
     const file = context.filename;
-    const own = findModule(file);
+    const { name: own, folder } = findPlace(file);
     const allowed = MAY_IMPORT[own];
     if (!allowed) return {};
-    /** @param {any} source - the string literal, or null for an export without one */
-    const check = (source) => {
+    /** @param {any} source - the string literal, or null for an export without one @param {boolean} isType */
+    const check = (source, isType = false) => {
       if (typeof source?.value !== 'string') return;
       const name = source.value;
       if (name.startsWith('.')) {
-        const target = findModule(resolve(dirname(file), name.replace(/\?.*$/, '')));
-        if (target !== own && !allowed.includes(target)) {
-          context.report({ node: source, message: `${own} may not import from ${target}; it may from: ${allowed.join(', ') || 'nowhere'}` });
+        const target = findPlace(resolve(dirname(file), name.replace(/\?.*$/, '')));
+        if (target.name !== own && !allowed.includes(target.name) && !allowed.includes(`${target.name}/${target.folder}`)) {
+          context.report({ node: source, message: `${own} may not import from ${target.name}; it may from: ${allowed.join(', ') || 'nowhere'}` });
         }
+        const problem = target.name === own && findBackArrow(own, folder, target.folder, isType);
+        if (problem) context.report({ node: source, message: problem });
         return;
       }
       const owner = OWNED_PACKAGES[name.replace(/^@lit\//, 'lit/').split('/')[0]];
@@ -76,11 +111,11 @@ const oneWay = {
       }
     };
     return {
-      ImportDeclaration: (/** @type {any} */ node) => check(node.source),
-      ExportNamedDeclaration: (/** @type {any} */ node) => check(node.source),
+      ImportDeclaration: (/** @type {any} */ node) => check(node.source, node.importKind === 'type'),
+      ExportNamedDeclaration: (/** @type {any} */ node) => check(node.source, node.exportKind === 'type'),
       ExportAllDeclaration: (/** @type {any} */ node) => check(node.source),
       ImportExpression: (/** @type {any} */ node) => check(node.source),
-      TSImportType: (/** @type {any} */ node) => check(node.source ?? node.argument?.literal ?? node.argument),
+      TSImportType: (/** @type {any} */ node) => check(node.source ?? node.argument?.literal ?? node.argument, true),
     };
   },
 };

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { defaultTargets, QualityControl } from '../../src/viewer/frames/quality-control.ts';
+import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
+import { defaultTargets } from '../../src/viewer/model/quality-targets.ts';
 import type { FramePlan } from '../../src/quality/frame-plan.ts';
 import { allSubsteps, wholeSteps } from '../../src/optics/cells/substeps.ts';
 import { allRays } from '../../src/quality/sampling-outcome.ts';

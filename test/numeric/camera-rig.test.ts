@@ -1,7 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { frameViewpoint } from '../../src/optics/rays/viewpoint-frame.ts';
 import { pan, rotate, zoom, zoomAt, zoomFrom } from '../../src/viewer/camera/camera-moves.ts';
-import { CameraRig, defaultLimits } from '../../src/viewer/camera/camera-rig.ts';
+import { CameraRig } from '../../src/viewer/camera/camera-rig.ts';
+import { defaultLimits } from '../../src/viewer/model/camera-attributes.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { length, normalize, subtract } from '../../src/volume/matrix.ts';
 

@@ -3,7 +3,7 @@ import { readManifest } from '../../src/formats/manifest/manifest.ts';
 import { readPng } from '../../src/formats/images/png.ts';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import { readPolarMosaic } from '../../src/formats/radar/polar-mosaic.ts';
-import type { PolarMosaicSettings } from '../../src/formats/radar/polar-mosaic.ts';
+import type { PolarMosaicSettings } from '../../src/formats/base/radar-settings.ts';
 import { encodePng } from '../../src/formats/radar-mosaic-tool.ts';
 import type { RadarFile } from '../../src/formats/radar/radar-file.ts';
 import { readCfradial1 } from '../../src/formats/radar/cfradial1.ts';

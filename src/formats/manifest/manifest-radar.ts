@@ -1,30 +1,8 @@
 import { count, Expected, finite, isFinite, maxList, shortText } from './manifest-checks.ts';
 import type { Check } from './manifest-checks.ts';
+import type { ManifestSite, ManifestSweep } from '../base/radar-settings.ts';
 
 // The fields of a manifest that speak of a radar's mosaic.
-
-/** Degrees north, degrees east, metres of the antenna above sea level. */
-export interface ManifestSite {
-  readonly name?: string;
-  readonly latitude?: number;
-  readonly longitude?: number;
-  readonly height?: number;
-}
-
-/** What a tile has of its own; what is absent is as for all. */
-export interface ManifestSweep {
-  /** Radials and gates in the tile, from its top left; the whole tile if absent. */
-  readonly rays?: number;
-  readonly gates?: number;
-  readonly range?: readonly [number, number];
-  readonly azimuth?: readonly [number, number];
-  /** Middle of each radial, degrees clockwise from north, if they are not evenly spaced. */
-  readonly azimuths?: readonly number[];
-  /** Elevation of each radial, degrees, if they differ from the tile's. */
-  readonly elevations?: readonly number[];
-  readonly nyquist?: number;
-  readonly time?: string;
-}
 
 export const positive: Check<number> = (value) => {
   if (!isFinite(value) || value <= 0) throw new Expected('a number above 0');

@@ -4,7 +4,7 @@ import type { ChannelUse } from '../base/channels.ts';
 import { affine, ascendingPair, channelUse, count, Expected, filledShortText, filledText, filledTexts, finite, mosaicText, nonZero, nonZeroTriple, shortText, text } from './manifest-checks.ts';
 import type { Check } from './manifest-checks.ts';
 import { angles, azimuthPair, positive, rangePair, site, sweeps, utcTime } from './manifest-radar.ts';
-import type { ManifestSite, ManifestSweep } from './manifest-radar.ts';
+import type { ManifestSite, ManifestSweep } from '../base/radar-settings.ts';
 
 /** A JSON manifest, checked. Documented by schema/manifest.json, which a test holds against this file. */
 export interface Manifest {

@@ -1,39 +1,10 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import { checkMosaicLayout } from '../../volume/mosaic.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
-import type { ManifestSite, ManifestSweep } from '../manifest/manifest-radar.ts';
+import type { ManifestSweep, PolarMosaicSettings } from '../base/radar-settings.ts';
 import { momentKindOf } from './moment-kind.ts';
 import type { RadarFile, RadarSweep } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
-
-/** What attributes or a manifest say of a radar's mosaic. */
-export interface PolarMosaicSettings {
-  /** Tiles per row and column, a sweep a tile, row by row from the top left. */
-  readonly mosaic?: { readonly columns: number; readonly rows: number };
-  /** Tiles in use; as many as there are elevations where undefined. */
-  readonly slices?: number;
-  /** Degrees, one a tile. */
-  readonly elevations: readonly number[];
-  /** Metres to the middle of the first gate, and from gate to gate. */
-  readonly range?: readonly [number, number];
-  /** Middle of the first radial and step to the next one, degrees clockwise from north; around from north where undefined. */
-  readonly azimuth?: readonly [number, number];
-  /** Data value = slope * pixel + intercept. */
-  readonly slope: number;
-  readonly intercept: number;
-  readonly unit: string;
-  /** What was measured. */
-  readonly moment?: string;
-  /** Degrees. */
-  readonly beamWidth?: number;
-  /** m/s: the values are velocities that fold over beyond. */
-  readonly nyquist?: number;
-  readonly site?: ManifestSite;
-  /** ISO 8601 in UTC. */
-  readonly time?: string;
-  /** What is another for single tiles. */
-  readonly sweeps?: readonly ManifestSweep[];
-}
 
 /** Metres that no radar sees. */
 const farthest = 1e9;

@@ -1,6 +1,6 @@
 import type { GrayImage } from '../../volume/mosaic.ts';
 import type { Manifest } from '../manifest/manifest.ts';
-import type { ManifestSweep } from '../manifest/manifest-radar.ts';
+import type { ManifestSweep } from '../base/radar-settings.ts';
 import { ownElevations } from './arrange-elevations.ts';
 import { checkBeamWidth } from './build-polar-volume.ts';
 import { chooseMoment, chooseSweeps } from './choose-sweeps.ts';

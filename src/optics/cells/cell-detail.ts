@@ -5,6 +5,7 @@ import { atOnce } from '../../core/waiting.ts';
 import type { Waiting } from '../../core/waiting.ts';
 import { rangeEmission } from '../transfer/emission-range.ts';
 import type { EmissionRange, RangeKind } from '../transfer/emission-range.ts';
+import type { JumpDepth } from '../transfer/jump-depth.ts';
 import type { StyleRange } from './style-detail.ts';
 import type { TransferFunction } from '../transfer/transfer-function.ts';
 
@@ -33,9 +34,6 @@ export interface SeenVolume {
   /** What light and styles make of it. */
   readonly style?: StyleRange;
 }
-
-/** @param low, high - values that may be there @param length - of what may be missed, reference lengths */
-export type JumpDepth = (low: number, high: number, length: number) => number;
 
 /** Voxels that a thing may be long which lies between the samples of a step: the tent that one voxel makes. */
 const thingLength = 2;

@@ -1,4 +1,4 @@
-import type { JumpDepth } from '../cells/cell-detail.ts';
+import type { JumpDepth } from '../transfer/jump-depth.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { brighten } from '../transfer/brighten.ts';
 import { dataEnds } from '../rays/cast-ray.ts';

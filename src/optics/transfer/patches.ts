@@ -1,4 +1,4 @@
-import type { JumpDepth } from '../cells/cell-detail.ts';
+import type { JumpDepth } from './jump-depth.ts';
 import { extinction } from './opacity.ts';
 import { opaqueExtinction } from './emission.ts';
 import type { Color, Premultiplied, Stop, TransferFunction } from './transfer-function.ts';

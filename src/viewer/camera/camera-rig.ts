@@ -5,7 +5,9 @@ import type { FramedView } from '../../optics/rays/frame-places.ts';
 import type { ViewpointFrame } from '../../optics/rays/viewpoint-frame.ts';
 import { add, length, scale, subtract } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import type { OrbitAttribute, Radius } from '../model/parse-attributes.ts';
+import { defaultLimits } from '../model/camera-attributes.ts';
+import type { CameraAttributes, CameraLimits } from '../model/camera-attributes.ts';
+import type { Radius } from '../model/parse-attributes.ts';
 
 /** What the camera looks at. */
 export interface Subject {
@@ -22,24 +24,6 @@ export interface Subject {
 
 /** Where a camera of a direction stands that has all in its picture that is to be seen; null where nothing is. @param target - null where it may be chosen */
 export type Framing = (view: FramedView, target: Vector3 | null) => { target: Vector3; radius: number } | null;
-
-/** How an author places the camera; every part may be left out. */
-export interface CameraAttributes extends OrbitAttribute {
-  readonly target?: Vector3;
-  /** Vertical, radians. */
-  readonly fieldOfView?: number;
-}
-
-/** How far a camera may be turned and moved away, and how it gets there. */
-export interface CameraLimits {
-  /** Angles and distances that no camera goes below, or above; what is absent has limits that follow from what is seen. */
-  readonly min: OrbitAttribute;
-  readonly max: OrbitAttribute;
-  /** Time in which the camera makes up for 63 % of a way that the page or a button sends it, ms; 0 for at once. */
-  readonly decay: number;
-}
-
-export const defaultLimits: CameraLimits = { min: {}, max: {}, decay: 120 };
 
 /** From the patient's front left, a little from above: three faces of a volume are seen. */
 const defaults = { theta: Math.PI / 6, phi: (75 * Math.PI) / 180, fieldOfView: Math.PI / 6 };

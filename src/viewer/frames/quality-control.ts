@@ -9,21 +9,11 @@ import { autoSteps, maxAutoSteps, voxelsAlong } from '../../quality/steps.ts';
 import { FrameTimer } from '../../quality/time-model.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import { loadPart } from '../../core/load-part.ts';
+import { defaultTargets } from '../model/quality-targets.ts';
+import type { QualityTargets } from '../model/quality-targets.ts';
 import type { Scene, Size } from '../model/scene.ts';
 import type * as viewQuality from './view-quality.ts';
 import type { QualityFinding } from './view-quality.ts';
-
-/** What an author asks of pictures. */
-export interface QualityTargets {
-  /** Steps along the longest ray; auto leaves them to the control. */
-  readonly steps: number | 'auto';
-  /** The error that a picture at rest may have, 1/255: see `keptError` of quality/error-estimate.ts. */
-  readonly maxError: number;
-  /** Frames a second while something moves. */
-  readonly targetFps: number;
-}
-
-export const defaultTargets: QualityTargets = { steps: 'auto', maxError: 1, targetFps: 30 };
 
 /** What measures the error of pictures is loaded when the first one is there. */
 function loadTools(): Promise<typeof viewQuality> {

@@ -2,14 +2,14 @@ import type { ScanTarget } from '../../formats/base/choose-scan.ts';
 import { projectionKinds, shadings } from '../../optics/rays/ray-style.ts';
 import type { ProjectionKind, Shading } from '../../optics/rays/ray-style.ts';
 import { maxSteps } from '../../renderer/ray/compose-ray.ts';
-import { defaultLimits } from '../camera/camera-rig.ts';
-import type { CameraAttributes, CameraLimits } from '../camera/camera-rig.ts';
+import { defaultLimits } from './camera-attributes.ts';
+import type { CameraAttributes, CameraLimits } from './camera-attributes.ts';
 import { pickSource } from './given-source.ts';
 import type { GivenSource, SourceName } from './given-source.ts';
 import * as parse from './parse-attributes.ts';
 import type { RingSetting } from './parse-attributes.ts';
-import { defaultTargets } from '../frames/quality-control.ts';
-import type { QualityTargets } from '../frames/quality-control.ts';
+import { defaultTargets } from './quality-targets.ts';
+import type { QualityTargets } from './quality-targets.ts';
 
 /** The attributes of a view, by property: texts as they stand in HTML, null where absent. */
 export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;

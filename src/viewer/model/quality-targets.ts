@@ -1,0 +1,11 @@
+/** What an author asks of pictures. */
+export interface QualityTargets {
+  /** Steps along the longest ray; auto leaves them to the control. */
+  readonly steps: number | 'auto';
+  /** The error that a picture at rest may have, 1/255: see `keptError` of quality/error-estimate.ts. */
+  readonly maxError: number;
+  /** Frames a second while something moves. */
+  readonly targetFps: number;
+}
+
+export const defaultTargets: QualityTargets = { steps: 'auto', maxError: 1, targetFps: 30 };
