@@ -95,7 +95,7 @@ export function adaptModules({ workerTexts }) {
       if (/\/src\/(renderer\/ray\/modules|radar\/gpu)\//.test(id)) return { code: code.replace(/^export \{ ?\w+ as twin ?\} from .*$/gm, ''), map: null };
       if (id.endsWith('-styles.ts')) return { code: stripCss(code), map: null };
       // It runs before any lazy part does.
-      if (id === main && isClassic) return { code: `export { scriptUrl } from '${SCRIPT_URL_MODULE}';\nexport { injectScript } from './inject-script.ts';\n${code}`, map: null };
+      if (id === main && isClassic) return { code: `export { scriptUrl } from '${SCRIPT_URL_MODULE}';\nexport { injectScript } from './page/inject-script.ts';\n${code}`, map: null };
       if (id.endsWith('/src/worker/create-worker.ts')) return replaceUrl(code, WORKER_EXPRESSION, WORKER_MARK, 'decode-worker.js');
       if (id.endsWith('/src/x3d/x3dom-url.ts')) return replaceUrl(code, X3DOM_EXPRESSION, X3DOM_MARK, 'x3dom.js');
       return null;
