@@ -12,6 +12,7 @@ import { spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { join, posix } from 'node:path';
 import { build } from 'vite';
+import { buildPrepare } from '../packages/prepare/build.mjs';
 import { adaptForBundlers, adaptModules, WORKER_MARK, withoutRareParts, X3DOM_MARK } from './adapt-modules.mjs';
 import { AT_ONCE, atOnce } from './at-once.mjs';
 import { writeClassic } from './classic/build-classic.mjs';
@@ -26,7 +27,6 @@ const dist = join(projectRoot, `dist-next-${process.pid}`);
 const main = join(projectRoot, 'src/index.ts');
 const companions = ['volume-clip', 'volume-label', 'volume-label-list', 'volume-labels', 'volume-layer', 'volume-legend', 'volume-measure', 'volume-readout', 'volume-slice', 'volume-slice-view', 'volume-surface', 'volume-terrain', 'volume-timeline', 'volume-transfer-function', 'volume-workspace'];
 const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/define/${name}.ts`));
-const radarTool = join(projectRoot, 'src/formats/radar-mosaic-tool.ts'); // scripts/write-polar-mosaic.mjs loads it.
 const worker = join(projectRoot, 'src/worker/decode-worker.ts');
 
 // Of the modules for bundlers these lie in dist itself. A bundler that leaves the expression as it is makes it mean a file
@@ -84,7 +84,7 @@ async function buildUnbundled(workerSource) {
   // Bare imports stay, but for the compiler's own helper of decorators, which no consumer has.
   const isBare = (/** @type {string} */ id) => !/^([./\0]|@oxc-project\/runtime)/.test(id) && !id.startsWith(projectRoot);
   await bundle({
-    entry: [main, ...definitions, radarTool, withoutUrl],
+    entry: [main, ...definitions, withoutUrl],
     format: 'es',
     plugins: [adaptForBundlers({ worker: workerSource, x3dom: readX3dom(), cssColor: await buildText(join(projectRoot, 'src/optics/transfer/css-color.ts'), 'es') })],
     extra: {
@@ -221,4 +221,5 @@ writeFileSync(join(dist, 'x3dom.js'), readX3dom());
 copyPages();
 writeLicences();
 replaceServed();
+await buildPrepare();
 console.log('dist/ is built');

@@ -14,7 +14,6 @@ import { writeIsland, writeWhiteMatter } from './demo-surfaces.mjs';
 import { paintTorso } from './demo-torso.mjs';
 import { joinScans } from './join-scans.mjs';
 import { projectRoot, sharedDataFolder } from './shared-data.mjs';
-import { formatManifest, loadTool } from './write-polar-mosaic.mjs';
 
 const target = join(projectRoot, 'demos/data');
 const shared = process.argv[2] ? resolve(process.argv[2]) : sharedDataFolder;
@@ -28,7 +27,8 @@ async function importSource(path) {
 }
 
 /** @param {string} name @param {object} manifest */
-function writeManifest(name, manifest) {
+async function writeManifest(name, manifest) {
+  const { formatManifest } = await importSource('packages/prepare/src/format-manifest.ts');
   writeFileSync(join(target, name), formatManifest(manifest));
 }
 
@@ -55,7 +55,7 @@ async function makeHead() {
   writeFileSync(join(target, 'mni152-t1.png'), encode({ width: columns * nx, height: rows * ny, data, channels: 1, depth: 8 }, { zlib: { level: 9 } }));
   // The file's axes are x, y, z, 1 mm apart: turned about, the first voxel lies at the other end of x and y.
   const [x, y, z] = [indexToWorld[3] + nx - 1, indexToWorld[7] + ny - 1, indexToWorld[11]];
-  writeManifest('mni152-t1.json', {
+  await writeManifest('mni152-t1.json', {
     image: 'mni152-t1.png', mosaic: `${columns}x${rows}`, slices: nz, indexToWorld: [-1, 0, 0, x, 0, -1, 0, y, 0, 0, 1, z],
     slope: volume.slope, intercept: volume.intercept, title: 'Average of 152 heads, T1 MRI', credit: headCredit,
   });
@@ -96,7 +96,8 @@ function writeNifti(name, painter, { slope, intercept, units, description }) {
 /** Reflectivity and velocity of the storm as a radar sees it, each a mosaic with a sweep a tile, and one manifest for all times. */
 async function makeRadarScans() {
   const geometry = await importSource('src/radar/polar-geometry.ts');
-  const { encodePng, writePolarMosaic } = await loadTool();
+  const { encodePng } = await importSource('src/prepare/radar-mosaic.ts');
+  const { writePolarMosaic } = await importSource('src/prepare/write-polar-mosaic.ts');
   const parts = [
     { moment: 'DBZH', suffix: '', words: 'reflectivity', look: { transferFunction: 'radar-dbz' } },
     { moment: 'VRADH', suffix: '-velocity', words: 'radial velocity', look: {} },
@@ -104,7 +105,7 @@ async function makeRadarScans() {
   ];
   /** @type {Record<string, Record<string, unknown>[]>} */
   const manifests = {};
-  scanTimes.forEach((time, i) => {
+  for (const [i, time] of scanTimes.entries()) {
     const scan = scanStorm(i, geometry);
     const clock = time.slice(11, 16);
     for (const { moment, suffix, words, look } of parts) {
@@ -115,23 +116,23 @@ async function makeRadarScans() {
       writeFileSync(join(target, `${name}.png`), png);
       const title = `Thunderstorms (synthetic), ${words}, ${clock} UTC`;
       const whole = { image: `${name}.png`, ...manifest, ...look, title, credit: 'Made by scripts/demo-radar.mjs of volume-view; MIT' };
-      writeManifest(`${name}.json`, whole);
+      await writeManifest(`${name}.json`, whole);
       (manifests[suffix] ??= []).push(whole);
       console.log(`${name}.png: ${image.width} x ${image.height}, ${png.length} bytes`);
     }
-  });
+  }
   // The first scan again, over an island that does not exist.
   const [first] = manifests[''];
-  writeManifest('storm-radar-island.json', { ...first, site: { name: 'No island (synthetic)', latitude: 0, longitude: 0, height: 450 }, title: `${String(first.title)}, over an island that does not exist` });
-  for (const { suffix } of parts.slice(0, 2)) writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
+  await writeManifest('storm-radar-island.json', { ...first, site: { name: 'No island (synthetic)', latitude: 0, longitude: 0, height: 450 }, title: `${String(first.title)}, over an island that does not exist` });
+  for (const { suffix } of parts.slice(0, 2)) await writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
 }
 
 mkdirSync(target, { recursive: true });
 writeNifti('ct-phantom.nii.gz', paintTorso(), { slope: 1, intercept: 0, units: 2, description: 'synthetic torso, HU, volume-view' });
-writeManifest('ct-phantom.json', { image: 'ct-phantom.nii.gz', unit: 'HU', title: 'Torso (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
+await writeManifest('ct-phantom.json', { image: 'ct-phantom.nii.gz', unit: 'HU', title: 'Torso (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
 // Units 0: NIfTI's metres would be read as millimetres; a radar's world is in metres.
 writeNifti('storm-synthetic.nii.gz', paintStorm(), { slope: 0.5, intercept: noEcho, units: 0, description: 'synthetic storm, dBZ, metres, volume-view' });
-writeManifest('storm-synthetic.json', { image: 'storm-synthetic.nii.gz', unit: 'dBZ', transferFunction: 'radar-dbz', title: 'Thunderstorm (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
+await writeManifest('storm-synthetic.json', { image: 'storm-synthetic.nii.gz', unit: 'dBZ', transferFunction: 'radar-dbz', title: 'Thunderstorm (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
 await makeRadarScans();
 await makeHead();
 copyFileSync(join(shared, 'medical/ch2_mricron/ch2.nii.gz'), join(target, 'colin27-t1.nii.gz'));

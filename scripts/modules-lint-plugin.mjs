@@ -18,6 +18,8 @@ const MAY_IMPORT = {
   formats: ['core', 'volume', 'optics', 'radar'],
   sources: ['core', 'formats'],
   worker: ['core', 'volume', 'optics', 'radar', 'formats', 'sources'],
+  prepare: ['core', 'volume', 'optics', 'radar', 'formats'],
+  packages: ['core', 'prepare'],
   renderer: ['core', 'volume', 'optics', 'quality', 'shaders'],
   'radar/gpu': ['core', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
   'x3d/nodes': ['core', 'page', 'volume', 'optics', 'formats', 'worker', 'viewer/model'],

@@ -9,7 +9,6 @@ import { createContext, runInContext } from 'node:vm';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { projectRoot } from '../../scripts/shared-data.mjs';
-import { nameMosaic } from '../../scripts/write-polar-mosaic.mjs';
 import { measureBytes, measureClassic, sumOwnBytes } from '../bench/measure-bytes.mjs';
 import { check, finish } from './checks.mjs';
 import { checkTagData } from './tag-data.mjs';
@@ -66,7 +65,7 @@ await check('npm pack finds every file that the package names', () => {
 });
 
 await check('npm pack leaves sources, tests and demos at home', () => {
-  const allowed = /^(dist\/|schema\/|package\.json$|README\.md$|LICENSE$|CREDITS\.md$|custom-elements\.json$|vscode\.html-custom-data\.json$|web-types\.json$|scripts\/write-polar-mosaic\.mjs$)/; // The last one is the package's program.
+  const allowed = /^(dist\/|schema\/|package\.json$|README\.md$|LICENSE$|CREDITS\.md$|custom-elements\.json$|vscode\.html-custom-data\.json$|web-types\.json$)/;
   assert.deepEqual(files.map((file) => file.path).filter((path) => !allowed.test(path)), []);
 });
 
@@ -168,14 +167,6 @@ await check('x3dom is in no module and in no script but its own', () => {
 await check('declarations import .js, not .ts', () => {
   const wrong = files.filter((file) => file.path.endsWith('.d.ts') && /(from|import)\s*\(?\s*['"]\.[^'"]*\.ts['"]/.test(read(file.path)));
   assert.deepEqual(wrong, []);
-});
-
-await check('the program names its files without folders, whatever a radar file calls its quantity', () => {
-  assert.equal(nameMosaic('/data/scan.h5.gz', 'DBZH'), 'scan-DBZH');
-  for (const moment of ['../../etc/cron', '..', '/tmp/x', 'a\\b', 'C:x', 'a\0b', '\u001b[2J']) assert.match(nameMosaic('scan.h5', moment), /^scan-[\w.-]+$/);
-  assert.doesNotMatch(nameMosaic('scan.h5', '../x'), /\.\.\//);
-  assert.equal(nameMosaic('.h5', '.x').startsWith('.'), false);
-  assert.ok(nameMosaic('s'.repeat(4000), 'm'.repeat(4000)).length < 250);
 });
 
 await check('the custom-elements manifest describes <volume-view>', () => {

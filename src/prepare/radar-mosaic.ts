@@ -1,14 +1,12 @@
 import { encode } from 'fast-png';
 import { VolumeViewError } from '../core/errors.ts';
-import { findFormat } from './sniff.ts';
-import { hdf5, netcdf3, nexrad, radarKinds } from './radar/radar-formats.ts';
-import { openRadar } from './radar/read-radar.ts';
-import { writePolarMosaic } from './radar/write-polar-mosaic.ts';
-import type { WrittenMosaic } from './radar/write-polar-mosaic.ts';
+import { findFormat } from '../formats/sniff.ts';
+import { hdf5, netcdf3, nexrad, radarKinds } from '../formats/radar/radar-formats.ts';
+import { openRadar } from '../formats/radar/read-radar.ts';
+import { writePolarMosaic } from './write-polar-mosaic.ts';
+import type { WrittenMosaic } from './write-polar-mosaic.ts';
 
-export { writePolarMosaic };
-
-// What the program volume-view-radar-mosaic (scripts/write-polar-mosaic.mjs) needs of the package; no page loads it.
+// Loaded by packages/prepare; no page loads it.
 
 export interface RadarMosaicFiles {
   readonly png: Uint8Array;

@@ -1,12 +1,12 @@
-import type { GrayImage } from '../../volume/mosaic.ts';
-import type { Manifest } from '../manifest/manifest.ts';
-import type { ManifestSweep } from '../base/radar-settings.ts';
-import { ownElevations } from './arrange-elevations.ts';
-import { checkBeamWidth } from './build-polar-volume.ts';
-import { chooseMoment, chooseSweeps } from './choose-sweeps.ts';
-import type { ChosenSweep } from './choose-sweeps.ts';
-import { isFolding } from './moment-kind.ts';
-import type { RadarFile, RadarMoment, RadarSweep, SweepData } from './radar-file.ts';
+import type { GrayImage } from '../volume/mosaic.ts';
+import type { Manifest } from '../formats/manifest/manifest.ts';
+import type { ManifestSweep } from '../formats/base/radar-settings.ts';
+import { ownElevations } from '../formats/radar/arrange-elevations.ts';
+import { checkBeamWidth } from '../formats/radar/build-polar-volume.ts';
+import { chooseMoment, chooseSweeps } from '../formats/radar/choose-sweeps.ts';
+import type { ChosenSweep } from '../formats/radar/choose-sweeps.ts';
+import { isFolding } from '../formats/radar/moment-kind.ts';
+import type { RadarFile, RadarMoment, RadarSweep, SweepData } from '../formats/radar/radar-file.ts';
 
 /** Angles that are written are this much off at most, degrees. */
 const finestAngle = 1e-5;

@@ -1,0 +1,31 @@
+// `npm run build` here: the program and its modules, from TypeScript and the readers of the element, as JavaScript for Node.
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+
+const folder = dirname(fileURLToPath(import.meta.url));
+
+/** Build dist. @returns {Promise<void>} */
+export async function buildPrepare() {
+  await build({
+    configFile: false,
+    root: folder,
+    publicDir: false,
+    logLevel: 'warn',
+    ssr: { noExternal: /^(?!fast-png$|node:)/ },
+    build: {
+      ssr: true,
+      outDir: join(folder, 'dist'),
+      emptyOutDir: true,
+      minify: false,
+      target: 'node20',
+      rolldownOptions: {
+        input: { index: join(folder, 'src/index.ts'), 'volume-view-prepare': join(folder, 'src/volume-view-prepare.ts') },
+        external: ['fast-png'],
+        output: { entryFileNames: '[name].js', chunkFileNames: 'parts/[name]-[hash].js' },
+      },
+    },
+  });
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) await buildPrepare();

@@ -1,0 +1,27 @@
+/** Bytes of the largest file that a page may hold: some browsers open no larger pages. */
+export const maxPageBytes = 64 * 2 ** 20;
+
+const entities: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
+const escape = (text: string): string => text.replace(/[&<>"]/g, (sign) => entities[sign]);
+
+/**
+ * A page that holds a volume and works from disk, beside `volume-view.iife.js`.
+ * @param bytes - of a file that <volume-view> reads, at most `maxPageBytes`
+ * @param alt - what the volume shows, in words
+ * @throws {RangeError} where the file is larger
+ */
+export function writePage(bytes: Uint8Array, alt: string): string {
+  if (bytes.length > maxPageBytes) {
+    throw new RangeError(`the file has ${Math.round(bytes.length / 2 ** 20)} MiB; expected at most ${maxPageBytes / 2 ** 20}: put it on a web server`);
+  }
+  const url = `data:application/octet-stream;base64,${Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength).toString('base64')}`;
+  return `<!doctype html>
+<html lang="en">
+  <meta charset="utf-8">
+  <meta name="viewport" content="width=device-width">
+  <title>${escape(alt)}</title>
+  <script src="volume-view.iife.js"></script>
+  <volume-view controls alt="${escape(alt)}" src="${url}"></volume-view>
+</html>
+`;
+}

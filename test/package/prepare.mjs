@@ -1,0 +1,109 @@
+// volume-view-prepare as npm would publish it: packed, unpacked, and run where nothing of this checkout is but its dependencies.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { decode } from 'fast-png';
+import { projectRoot } from '../../scripts/shared-data.mjs';
+import { check, finish } from './checks.mjs';
+
+const folder = join(projectRoot, 'packages/prepare');
+const consumer = realpathSync(mkdtempSync(join(tmpdir(), 'volume-view-prepare-')));
+const installed = join(consumer, 'node_modules/volume-view-prepare');
+const work = join(consumer, 'work');
+mkdirSync(installed, { recursive: true });
+mkdirSync(work);
+
+/** Run the packed program. @param {...string} args */
+function run(...args) {
+  const { bin } = JSON.parse(readFileSync(join(installed, 'package.json'), 'utf8'));
+  const program = join(installed, bin['volume-view-prepare']);
+  return spawnSync(process.execPath, [program, ...args], { cwd: work, encoding: 'utf8' });
+}
+
+/** @param {string} name */
+const fixture = (name) => join(projectRoot, 'test/fixtures', name);
+
+await check('npm pack takes what the program needs, and no source', () => {
+  const npm = spawnSync('npm', ['pack', '--json', '--ignore-scripts', '--pack-destination', consumer], { cwd: folder, encoding: 'utf8', shell: process.platform === 'win32' });
+  assert.equal(npm.status, 0, npm.stderr);
+  const [pack] = Object.values(JSON.parse(npm.stdout));
+  const paths = pack.files.map((/** @type {{ path: string }} */ { path }) => path);
+  assert.deepEqual(paths.filter((/** @type {string} */ path) => !/^(dist\/|package\.json$|README\.md$|LICENSE$)/.test(path)), []);
+  for (const path of ['dist/index.js', 'dist/volume-view-prepare.js', 'README.md', 'LICENSE']) assert.ok(paths.includes(path), path);
+  assert.equal(spawnSync('tar', ['-xzf', join(consumer, pack.filename), '-C', installed, '--strip-components=1']).status, 0);
+  for (const name of Object.keys(JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')).dependencies)) linkDependency(name);
+  return `${pack.size} bytes`;
+});
+
+/** A dependency, and what that one needs, from this checkout. @param {string} name */
+function linkDependency(name) {
+  const target = join(consumer, 'node_modules', name);
+  if (existsSync(target)) return;
+  symlinkSync(join(projectRoot, 'node_modules', name), target, 'junction');
+  const { dependencies = {} } = JSON.parse(readFileSync(join(projectRoot, 'node_modules', name, 'package.json'), 'utf8'));
+  for (const inner of Object.keys(dependencies)) if (existsSync(join(projectRoot, 'node_modules', inner))) linkDependency(inner);
+}
+
+// The numbers of the file are those of test/fixtures/make-radar-fixtures.py, which h5py wrote: 16 radials in the first sweep.
+await check('a radar file becomes an image and its manifest', () => {
+  const { status, stdout, stderr } = run(fixture('radar/odim-2.2.h5'));
+  assert.equal(status, 0, stderr);
+  const json = readdirSync(work).find((name) => name.endsWith('.json')) ?? '';
+  const manifest = JSON.parse(readFileSync(join(work, json), 'utf8'));
+  const png = decode(readFileSync(join(work, manifest.image)));
+  const [columns, rows] = manifest.mosaic.split('x').map(Number);
+  assert.ok(columns * rows >= manifest.slices && manifest.slices > 1, stdout);
+  assert.equal(png.width % columns, 0);
+  assert.equal(png.height % rows, 0);
+  assert.ok(stdout.includes(`${manifest.slices} sweeps`), stdout);
+});
+
+await check('the modules are there for scripts too', async () => {
+  const { makeRadarMosaic } = await import(pathToFileURL(join(installed, 'dist/index.js')).href);
+  const { manifest, png } = await makeRadarMosaic(new Uint8Array(readFileSync(fixture('radar/cfradial1-nc4.nc'))), 'scan.nc');
+  assert.ok(manifest.slices > 0 && png.length > 100);
+});
+
+await check('any file becomes a page that holds its bytes', () => {
+  const name = 'nifti/' + readdirSync(fixture('nifti')).filter((one) => /\.nii(\.gz)?$/.test(one))[0];
+  const { status, stderr } = run(fixture(name), '--as', 'page', '--out', 'head', '--alt', 'A "head" <b>&');
+  assert.equal(status, 0, stderr);
+  const page = readFileSync(join(work, 'head.html'), 'utf8');
+  const [, base64] = /src="data:application\/octet-stream;base64,([^"]*)"/.exec(page) ?? [];
+  assert.ok(Buffer.from(base64, 'base64').equals(readFileSync(fixture(name))));
+  assert.ok(page.includes('alt="A &quot;head&quot; &lt;b&gt;&amp;"'), 'no markup comes from the words');
+});
+
+await check('what can not be done is said in words, with exit status 1', () => {
+  writeFileSync(join(work, 'text.h5'), 'no radar file');
+  for (const [args, words] of /** @type {[string[], RegExp][]} */ ([
+    [[], /got 0 files; expected one/],
+    [['absent.h5'], /absent\.h5/],
+    [['text.h5'], /text\.h5 is no radar file/],
+    [[fixture('radar/odim-2.2.h5'), '--moment', 'NONE'], /NONE/],
+    [[fixture('radar/odim-2.2.h5'), '--as', 'film'], /got --as film; expected mosaic or page/],
+  ])) {
+    const { status, stderr } = run(...args);
+    assert.equal(status, 1, args.join(' '));
+    assert.match(stderr, words);
+    assert.doesNotMatch(stderr, /^\s+at /m, 'no stack');
+  }
+  const large = join(work, 'large.nii');
+  writeFileSync(large, Buffer.alloc(64 * 2 ** 20 + 1));
+  assert.match(run(large, '--as', 'page').stderr, /64 MiB; expected at most 64/);
+});
+
+await check('files are named without folders, whatever a radar file calls its quantity', async () => {
+  const { nameFiles } = await import(pathToFileURL(join(installed, 'dist/index.js')).href);
+  assert.equal(nameFiles('/data/scan.h5.gz', 'DBZH'), 'scan-DBZH');
+  for (const moment of ['../../etc/cron', '..', '/tmp/x', 'a\\b', 'C:x', 'a\0b', '\u001b[2J']) assert.match(nameFiles('scan.h5', moment), /^scan-[\w.-]+$/);
+  assert.doesNotMatch(nameFiles('scan.h5', '../x'), /\.\.\//);
+  assert.equal(nameFiles('.h5', '.x').startsWith('.'), false);
+  assert.ok(nameFiles('s'.repeat(4000), 'm'.repeat(4000)).length < 250);
+});
+
+rmSync(consumer, { recursive: true });
+finish();
