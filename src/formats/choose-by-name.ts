@@ -5,8 +5,9 @@ import type { FileStart, Format } from './base/format.ts';
 import { nameOf } from './base/name-of.ts';
 
 /**
- * What a file is by its name, where its bytes are of no known format.
- * @throws {VolumeViewError} `format/unknown`, `format/unsupported`, `format/corrupt`, in words that fit what came instead
+ * Chooses a file's format by its name, if its bytes match no known format.
+ * @throws {VolumeViewError} `format/unknown`, `format/unsupported`, `format/corrupt`, with a message about what was
+ * received
  */
 export function chooseByName({ bytes, url, contentType }: DecodeInput, start: FileStart, formats: readonly Format[]): Format {
   const name = nameOf(url);
@@ -15,7 +16,7 @@ export function chooseByName({ bytes, url, contentType }: DecodeInput, start: Fi
   if (foreign) throw new VolumeViewError('format/unsupported', `${name} is ${foreign.name}, which volume-view does not read; convert it ${foreign.advice}`);
   if (text.startsWith('<')) throw unknown(`the server answered ${name} with a web page or XML instead of data; check the URL`);
   if (bytes.length === 0) throw unknown(`${name} is empty; check the file`);
-  // A file that the name calls one of ours and the bytes do not is a damaged or cut one, which its reader explains.
+  // If the name has one of our endings and the bytes don't match, the file is damaged or cut. Its reader explains that.
   const ending = /\.([^.]+)$/.exec(name)?.[1].toLowerCase() ?? '';
   const named = formats.find(({ endings }) => endings.includes(ending));
   if (named && named.beginning === null) return named;

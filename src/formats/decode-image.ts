@@ -11,7 +11,7 @@ import { readMosaic } from './images/mosaic.ts';
 import { nameOf } from './base/name-of.ts';
 import { sniffFile } from './sniff.ts';
 
-/** An image is a mosaic: its tiles are slices, or a radar's sweeps. */
+/** Reads an image as a mosaic: its tiles are slices, or a radar's sweeps. */
 export async function readImage(
   format: ImageFormat,
   bytes: Uint8Array<ArrayBuffer>,
@@ -32,8 +32,9 @@ interface ImageStack {
 }
 
 /**
- * Several images are a slice each, or a radar's sweep: tiles of one column.
- * @throws {VolumeViewError} `mosaic/layout` where there is a mosaic too, `format/unsupported`, `format/corrupt`, `format/too-large`
+ * Reads several images, each one slice or one of a radar's sweeps: tiles of one column.
+ * @throws {VolumeViewError} `mosaic/layout` if a mosaic is set too, `format/unsupported`, `format/corrupt`,
+ * `format/too-large`
  */
 export async function readImageStack(stack: ImageStack, settings: DecodeSettings, access: FileAccess & Pick<ReadContext, 'budget'>): Promise<DecodedVolume> {
   if (settings.mosaic) {
@@ -45,7 +46,7 @@ export async function readImageStack(stack: ImageStack, settings: DecodeSettings
   return { ...volume, format: `${format.name} stack` };
 }
 
-/** One image after another; what has been read is let go. */
+/** Reads one image after another, and releases each after it was used. */
 async function* readSlices({ first, files, formats }: ImageStack, settings: DecodeSettings, { budget, fetchFiles }: FileAccess & Pick<ReadContext, 'budget'>): AsyncGenerator<Slice> {
   const readOne = async (input: DecodeInput): Promise<Slice> => {
     const format = await sniffFile(input, formats);

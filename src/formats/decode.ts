@@ -13,18 +13,22 @@ export interface DecodeContext extends FileAccess {
   readonly onProgress: ProgressListener;
   readonly onScans?: ScansListener;
   readonly onRadar?: () => void;
-  /** Absolute URLs of a stack, the files of one volume in their order, the first one included; undefined where it is none. */
+  /**
+   * Absolute URLs of a stack, the files of one volume in their order, the first one included; undefined if it is not a
+   * stack.
+   */
   readonly files?: readonly string[];
-  /** Formats that are known; all where undefined. */
+  /** The known formats; all if undefined. */
   readonly formats?: readonly Format[];
-  /** What the load may take; where undefined, what is usual. The files that are fetched are added to it here. */
+  /** The limits of the load; the usual ones if undefined. Files that are fetched are added to it here. */
   readonly budget?: Budget;
 }
 
 /**
- * Turn a file's bytes, and those of the other files of a stack, into a volume. A format's reader is loaded when it is needed.
+ * Turns a file's bytes, and those of the other files of a stack, into a volume. A format's reader is loaded when it is
+ * needed.
  * @throws {VolumeViewError} `format/…`, `mosaic/layout`, `manifest/invalid`, `internal`, and what fetching throws
- * @throws {NeedsMainThread} in a worker that can not do it
+ * @throws {NeedsMainThread} in a worker that can't do it
  */
 export async function decodeFile(input: DecodeInput, settings: DecodeSettings, context: DecodeContext): Promise<DecodedVolume> {
   try {
@@ -38,7 +42,7 @@ export async function decodeFile(input: DecodeInput, settings: DecodeSettings, c
   }
 }
 
-/** The budget of a load, which grows with each file that is fetched. */
+/** The context with the budget of a load, which grows with each file that is fetched. */
 function withBudget(input: DecodeInput, { budget = new Budget(), fetchFile, fetchFiles }: DecodeContext): FileAccess & { readonly budget: Budget } {
   const count = (file: DecodeInput): DecodeInput => {
     budget.addFile(file.bytes.length);
@@ -75,7 +79,10 @@ async function decodeData(
   });
 }
 
-/** Whatever was thrown as an error with a code; but what stops or moves the work as it is. @param url - of the file */
+/**
+ * Turns whatever was thrown into an error with a code. What stops the work, or moves it to the main thread, is returned
+ * as it is. @param url - of the file
+ */
 export async function explain(cause: unknown, url: string): Promise<unknown> {
   if (cause instanceof VolumeViewError || cause instanceof NeedsMainThread) return cause;
   if (cause instanceof DOMException && cause.name === 'AbortError') return cause;

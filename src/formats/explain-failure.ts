@@ -1,10 +1,13 @@
 import { asVolumeViewError, VolumeViewError } from '../core/errors.ts';
 import { nameOf } from './base/name-of.ts';
 
-/** How engines say that there is no memory for a buffer or an array. Other RangeErrors are of reading beyond some bytes. */
+/**
+ * How browsers say that there is no memory for a buffer or an array. Other RangeErrors come from reading beyond some
+ * bytes.
+ */
 const lacksMemory = /memory|allocat|array length|too large/i;
 
-/** What something that nobody expected while a file was read means for the author of a page. @param url - of the file */
+/** Explains an unexpected error during the reading of a file to the author of a page. @param url - of the file */
 export function explainFailure(cause: unknown, url: string): VolumeViewError {
   const name = nameOf(url);
   if (!(cause instanceof RangeError)) return asVolumeViewError(cause, `the file ${name}`);

@@ -1,4 +1,5 @@
-// Volumes of labels that have to be made smaller, or have more of them, or larger ids, than a transfer function of values tells apart.
+// For volumes of labels that have to be made smaller, or that have more labels, or larger ids, than a transfer function
+// of values can tell apart.
 import { cartesianGrid } from '../volume/grid.ts';
 import { summarize } from '../volume/histogram.ts';
 import { indexLabels, summarizeLabels } from '../volume/label-volume.ts';
@@ -12,13 +13,13 @@ import type { SuggestedLook } from './appearance/suggested-look.ts';
 
 interface Labels {
   readonly decoded: DecodedCartesianVolume;
-  /** All but samples, with the look that was found. */
+  /** The volume without its samples, with the appearance that was found. */
   readonly outline: CoarseVolume['of'];
-  /** As large as the device holds. */
+  /** Reduces a block to the size that the device holds. */
   fit(block: Block): Promise<Block>;
 }
 
-/** Of labels there are no means: each of the larger voxels has the one that most of it has. */
+/** Labels have no mean: each of the larger voxels gets the label that most of it has. */
 export async function finishLabels({ decoded, outline, fit }: Labels): Promise<Volume> {
   const { reduced: _made, ...rest } = outline;
   const isSmall = outline.transferFunction !== undefined && !decoded.indexed && !(decoded.samples instanceof Float32Array);
@@ -40,10 +41,13 @@ export async function finishLabels({ decoded, outline, fit }: Labels): Promise<V
   };
 }
 
-/** The file says that its values are labels, and they are not whole, or too many: they are shown as they are. */
+/**
+ * For files that call their values labels, although they are not whole numbers, or too many: the values are shown as
+ * they are.
+ */
 async function finishOthers(outline: CoarseVolume['of'], { grid, samples: all }: DecodedCartesianVolume, fit: Labels['fit']): Promise<Volume> {
   const plain: SuggestedLook = { window: outline.range, transferFunction: undefined, isDiscrete: undefined };
   const { samples, dimensions } = await fit({ ...grid, samples: all });
-  const told = [...(outline.left ?? []), 'it says that its values are labels, but they are not whole numbers, at most 65,536 different ones up to 9,007,199,254,740,991: they are shown as measured values'];
-  return { ...outline, ...plain, left: told, samples, macrocells: buildMacrocells(samples, dimensions) };
+  const notes = [...(outline.left ?? []), 'it says that its values are labels, but they are not whole numbers, at most 65,536 different ones up to 9,007,199,254,740,991: they are shown as measured values'];
+  return { ...outline, ...plain, left: notes, samples, macrocells: buildMacrocells(samples, dimensions) };
 }

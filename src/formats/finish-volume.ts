@@ -15,10 +15,10 @@ import { suggestLook } from './appearance/suggest-look.ts';
 /** Volumes of more bytes than this get a coarse one that stands in for them. */
 export const minForCoarse = 2 ** 22;
 
-/** Those of more bytes than this get one of means. */
+/** For volumes of more bytes than this, the coarse one is averaged. */
 export const minForMeans = 2 ** 25;
 
-/** Maximum number of bytes of that: 128 x 128 x 128 voxels of 16 bits. */
+/** Maximum bytes of a coarse volume: 128 x 128 x 128 voxels of 16 bits. */
 export const maxCoarse = 2 ** 22;
 
 type CoarseTold = (coarse: CoarseVolume) => void;
@@ -36,12 +36,12 @@ export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits,
   const { outlinePolar, foretellPolar } = await loadReader(() => import('./radar/finish-polar.ts'));
   const outline = outlinePolar(decoded);
   await checkRange(outline);
-  const foretold = onCoarse && foretellPolar(outline);
-  if (foretold) onCoarse(foretold);
+  const preview = onCoarse && foretellPolar(outline);
+  if (preview) onCoarse(preview);
   return { ...outline, macrocells: decoded.makeMacrocells() };
 }
 
-/** Samples of float32 and a slope of float64 may give more than float64 holds. */
+/** Samples of float32 times a slope of float64 may be larger than float64 holds. */
 async function checkRange(volume: Pick<Volume, 'range' | 'format'>): Promise<void> {
   if (!Number.isFinite(volume.range[1] - volume.range[0])) (await loadReader(() => import('./base/check-geometry.ts'))).refuseRange(volume);
 }
@@ -90,8 +90,9 @@ async function fitBlock(block: Block, limits: DeviceLimits): Promise<Block> {
 }
 
 /**
- * It lies where the large one lies, and has its range and histogram: so it gets the same camera and the same colours. Of what is there
- * in a moment every other voxel along each axis is enough; what takes longer is averaged.
+ * Makes the coarse volume. It has the place, the range and the histogram of the large one: so it gets the same camera
+ * and the same colours. For a volume that is ready in a moment, every other voxel along each axis is enough; one that
+ * takes longer is averaged.
  */
 async function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits: DeviceLimits): Promise<CoarseVolume> {
   const block = { ...of.grid, samples: all };
@@ -106,7 +107,7 @@ async function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits
   return { volume, of };
 }
 
-/** Every other voxel along each axis. The outer faces of the volume stay where they are in the world. */
+/** Takes every other voxel along each axis. The outer faces of the volume stay where they are in the world. */
 function halve({ dimensions, samples: all, indexToWorld }: Block): Block {
   const [nx, ny] = dimensions;
   const to = dimensions.map((n) => Math.ceil(n / 2)) as unknown as Vector3;

@@ -7,7 +7,7 @@ import { nrrd } from './nrrd/nrrd-format.ts';
 import { hdf5, netcdf3, nexrad } from './radar/radar-formats.ts';
 
 /**
- * Every format that can be read, in any order. A new one comes from a file of its own, which says how its files are
- * recognised and loads its reader when one is there. format.ts has the words for that.
+ * Every format that can be read, in any order. A new format has its own file, which says how to recognize its files and
+ * loads its reader when it is needed. format.ts explains the terms.
  */
 export const allFormats: readonly Format[] = [nifti, niftiGzip, nrrd, metaImage, png, jpeg, webp, manifest, hdf5, netcdf3, nexrad];

@@ -4,9 +4,9 @@ import { gunzip, isGzip } from './codecs/gunzip.ts';
 import { loadReader } from './base/load-reader.ts';
 
 /**
- * What a file is: its bytes say so first, then its name.
- * @param formats - those that are known
- * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, in words that fit what came instead
+ * Finds a file's format: by its bytes, then by its name.
+ * @param formats - the known ones
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, with a message about what was received
  */
 export async function sniffFile(input: DecodeInput, formats: readonly Format[]): Promise<Format> {
   const start = await lookAt(input.bytes);
@@ -16,7 +16,7 @@ export async function sniffFile(input: DecodeInput, formats: readonly Format[]):
   return chooseByName(input, start, formats);
 }
 
-/** What a file is by its bytes alone, or null. */
+/** The format of a file by its bytes alone, or null. */
 export async function findFormat<F extends Format>(bytes: Uint8Array<ArrayBuffer>, formats: readonly F[]): Promise<F | null> {
   return findByBytes(await lookAt(bytes), formats);
 }
@@ -34,7 +34,7 @@ async function lookAt(bytes: Uint8Array<ArrayBuffer>): Promise<FileStart> {
   };
 }
 
-/** The beginning of what a gzip file holds; nothing where it is damaged, which its reader explains. */
+/** The first bytes that a gzip file holds; none if it is damaged, which its reader explains. */
 async function firstPiece(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
   try {
     for await (const piece of gunzip(bytes.subarray(0, 1 << 16))) return piece;

@@ -48,7 +48,7 @@ describe('radar files that ask for more than they hold', () => {
     const bytes = unwritten(64, [1000, 4000], (i) => ({ elangle: i, rscale: 250 }));
     const error = await expectError(decodeBytes(bytes, 'scan.h5'));
     expect(error.code).to.equal('format/too-large');
-    expect(error.message).to.contain('of memory beside');
+    expect(error.message).to.contain('of memory in addition to');
   });
 
   it('of scans at one elevation one is read', () => {

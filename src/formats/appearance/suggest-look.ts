@@ -6,16 +6,19 @@ import { loadReader } from '../base/load-reader.ts';
 import { presetOfUnit } from './suggested-look.ts';
 import type { SuggestedLook } from './suggested-look.ts';
 
-/** Of labels most values between the least and the largest one are missing. */
+/** In a volume of labels most values between the smallest and the largest one are missing. */
 const fewBins = 128;
 
-/** Where fewer than this share of the values lie above an eighth of their range, others may count as well. */
+/**
+ * Where fewer than this share of the values lies above an eighth of their range, rules for unusual values are tried
+ * too.
+ */
 const fewHigh = 0.05;
 
-/** Samples that are looked at for runs. */
+/** The number of samples that are searched for runs. */
 const lookedAt = 2 ** 16;
 
-/** Whether values are seldom others than just before: in a scan they are nearly everywhere. */
+/** Whether two changes of the value seldom follow each other directly. In a scan the value changes nearly everywhere. */
 function hasRuns(samples: Samples): boolean {
   let [changes, next] = [0, 0];
   for (let i = (samples.length >> 1) - (lookedAt >> 1), changed = false; i < (samples.length >> 1) + (lookedAt >> 1); i++) {
@@ -27,7 +30,10 @@ function hasRuns(samples: Samples): boolean {
   return next < 0.3 * changes;
 }
 
-/** What its values suggest, where a file and its manifest say nothing. What knows all but plain pictures is loaded when there may be others. */
+/**
+ * The appearance that the values suggest, for files and manifests that give none. The code for everything except plain
+ * pictures is loaded only when it may be needed.
+ */
 export async function suggestLook(decoded: DecodedCartesianVolume, histogram: Histogram): Promise<SuggestedLook> {
   const { window, transferFunction, unit } = decoded;
   const { low, counts } = histogram;

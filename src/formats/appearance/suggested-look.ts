@@ -1,9 +1,9 @@
 import type { Volume } from '../../volume/volume.ts';
 
-/** What a volume looks like where its file does not say. */
+/** The appearance of a volume whose file gives none. */
 export type SuggestedLook = Pick<Volume, 'window' | 'transferFunction' | 'isDiscrete'>;
 
-/** Some units have a scale that everybody knows. */
+/** The colour preset of units that have a well-known scale. */
 export function presetOfUnit(unit: string): string | undefined {
   return unit === 'HU' ? 'ct-bone' : unit === 'dBZ' ? 'radar-dbz' : undefined;
 }

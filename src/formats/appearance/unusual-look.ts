@@ -6,7 +6,10 @@ import { longTailLook } from './long-tail-look.ts';
 import { presetOfUnit } from './suggested-look.ts';
 import type { SuggestedLook } from './suggested-look.ts';
 
-/** The look of Hounsfield units, of labels, of a mask, of values on both sides of 0, and of few that are far above all others; null for anything else. */
+/**
+ * The appearance of Hounsfield units, of labels, of a mask, of values on both sides of 0, and of a few values far above
+ * all others; null for anything else.
+ */
 export function findUnusualLook(decoded: DecodedCartesianVolume, histogram: Histogram): SuggestedLook | null {
   if (isCt(histogram)) return { transferFunction: presetOfUnit('HU') };
   if (statistics.includes(decoded.intent ?? 0)) return statisticLook(decoded, histogram);
@@ -14,26 +17,29 @@ export function findUnusualLook(decoded: DecodedCartesianVolume, histogram: Hist
 }
 
 /**
- * NIfTI's codes for maps in which 0 is no effect: correlation, t, F, z, chi squared, and logarithms of p. In one of p itself 0 is the
- * strongest. Source: nifti1.h, NIFTI_INTENT
+ * NIfTI's codes for maps in which 0 means no effect: correlation, t, F, z, chi squared, and logarithms of p. Maps of p
+ * itself are not listed: there 0 is the strongest effect. Source: nifti1.h, NIFTI_INTENT
  */
 const statistics: readonly number[] = [2, 3, 4, 5, 6, 23, 24];
 
-/** Of a map that says that it is one of statistics: 0 is clear, whichever signs there are; both ends are as far from it. A window in the file, from a threshold on as a rule, says how far. */
+/**
+ * The appearance of a map that its file calls a statistic: 0 is transparent, whichever signs occur, and both ends are
+ * equally far from 0. The file's window, which mostly starts at a threshold, gives that distance.
+ */
 function statisticLook({ window }: DecodedCartesianVolume, { low, high }: Histogram): SuggestedLook {
   const farthest = Math.max(...(window ?? [low, high]).map(Math.abs)) || 1;
   return { window: [-farthest, farthest], transferFunction: 'diverging' };
 }
 
 /**
- * Whether values are Hounsfield units: some air, about -1000, some soft tissue or water, about 0, fewer between them, and next to
- * nothing below the air but one value that stands for what was not scanned.
+ * Whether values are Hounsfield units: some air, about -1000; some soft tissue or water, about 0; fewer values between
+ * them; and almost nothing below the air except one value that marks what was not scanned.
  */
 function isCt({ low, high, counts }: Histogram): boolean {
   if (low > -900 || high < 150) return false;
   const width = (high - low) / counts.length;
   const total = counts.reduce((sum, count) => sum + count, 0);
-  /** Share of the values from one to another, for each 100 units. */
+  /** Share of the values between two numbers, for each 100 units. */
   const density = (from: number, to: number): number => {
     const bins = counts.subarray(Math.max(0, Math.round((from - low) / width)), Math.max(0, Math.round((to - low) / width)));
     return (bins.reduce((sum, count) => sum + count, 0) / total) * (100 / (to - from));
@@ -42,22 +48,34 @@ function isCt({ low, high, counts }: Histogram): boolean {
   return air > 0.01 && tissue > 0.01 && Math.min(air, tissue) > 2 * between && density(low + width, -1150) < 0.05;
 }
 
-/** Rows of voxels that are looked at to find out whether these are labels. */
+/** The number of rows of voxels that are examined to find out whether these are labels. */
 const rowsLookedAt = 2048;
 
-/** Values of labels that are not said to be labels are no more spread than this, where few. */
-const mostSpread = 32;
+/**
+ * If the file does not call a few different values labels: as labels, the largest value is at most this times their
+ * number.
+ */
+const maxSpread = 32;
 
-/** Of more values than this, those next to each other in size seldom meet where they are labels; a smooth scan has few other changes. */
+/**
+ * If a volume has more values than this: in labels, neighbours in space seldom have values that are next to each other
+ * in size. In a smooth scan most changes are of that kind.
+ */
 const fewLabels = 8;
 
-/** Of more values than this, the same ones meet again and again where they are labels: each thing has few neighbours. */
+/**
+ * In a volume of labels with more values than this, the same values meet again and again: each thing has few
+ * neighbours.
+ */
 const manyLabels = 256;
 
-/** Whether whole numbers lie in patches: next to where one ends, another seldom ends, and it may be any that begins. */
+/**
+ * Whether whole numbers lie in patches along the rows: two changes of the value seldom follow each other directly, and
+ * any value may follow any other.
+ */
 function areLabels({ samples: all, slope, intercept, indexed, grid: { dimensions: [nx, ny, nz] } }: DecodedCartesianVolume): boolean {
   const samples = indexed?.samples ?? all;
-  const values = new Map<number, number>(); // Each with its number, in the order of being met.
+  const values = new Map<number, number>(); // Value to its number, in the order in which they were found.
   const changes = new Map<number, number>();
   let [met, steps] = [0, 0];
   const apart = Math.ceil((ny * nz) / rowsLookedAt);
@@ -93,16 +111,19 @@ function areLabels({ samples: all, slope, intercept, indexed, grid: { dimensions
   const arePatches = steps < 0.3 * met && (values.size <= fewLabels || near < 0.5 * met);
   if (!arePatches) return false;
   if (values.size > manyLabels) return changes.size < 0.5 * met;
-  return values.size > fewLabels || indexed !== undefined || rising[rising.length - 1] <= mostSpread * values.size;
+  return values.size > fewLabels || indexed !== undefined || rising[rising.length - 1] <= maxSpread * values.size;
 }
 
-/** Of a map of both signs, such as a t statistic: 0 has no colour, and both ends are as far from it. A window in the file, from a threshold on as a rule, says how far. */
+/**
+ * The appearance of a map of both signs, such as a t statistic: 0 has no colour, and both ends are equally far from it.
+ * The file's window, which mostly starts at a threshold, gives that distance.
+ */
 function signedLook({ low, high, counts }: Histogram): SuggestedLook | null {
-  const least = Math.min(-low, high);
+  const smaller = Math.min(-low, high);
   const farthest = Math.max(-low, high);
-  if (!(least > 0.1 * farthest)) return null;
+  if (!(smaller > 0.1 * farthest)) return null;
   const zero = Math.floor((-low / (high - low)) * counts.length);
-  // Around 0 there are more than elsewhere: nothing there, or noise.
+  // Values around 0 are more frequent than elsewhere: they are background or noise.
   const around = counts.subarray(Math.max(0, zero - 8), zero + 9).reduce((sum, count) => sum + count, 0);
   const total = counts.reduce((sum, count) => sum + count, 0);
   return around > (2 * 17 / counts.length) * total ? { window: [-farthest, farthest], transferFunction: 'diverging' } : null;

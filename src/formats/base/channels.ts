@@ -2,8 +2,8 @@ import { VolumeViewError } from '../../core/errors.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
 
 /**
- * How an image's channels make one number per pixel: as gray (which colours are turned into), or as 16 bits, the high
- * byte in red and the low byte in green.
+ * How an image's channels make one number per pixel: as gray (colours are converted), or as 16 bits, with the high byte
+ * in red and the low byte in green.
  */
 export type ChannelUse = 'gray' | 'high-low';
 
@@ -34,9 +34,9 @@ export function combineChannels(data: GrayImage['data'] | Uint8ClampedArray, cha
 }
 
 /**
- * Gray stored as colours, which most tools write, gives the red channel exactly. Where the channels differ it is a
- * colour picture, and the nearest to one number per voxel is its luma, Rec. ITU-R BT.709 weights on the values as
- * stored, rounded. Alpha is ignored.
+ * Most tools store gray as colours: then the red channel has the exact value. Where the channels differ it is a colour
+ * picture, and the best single number per voxel is its luma: Rec. ITU-R BT.709 weights on the values as stored,
+ * rounded. Alpha is ignored.
  */
 function luma(data: GrayImage['data'] | Uint8ClampedArray, channels: number): GrayImage['data'] {
   if (channels === 1 && !(data instanceof Uint8ClampedArray)) return data;

@@ -1,11 +1,11 @@
 import { VolumeViewError } from '../../core/errors.ts';
 
-/** Most files of one volume: more slices than any scanner makes, and few enough to list. */
+/** Maximum number of files of one volume: more slices than any scanner makes, and few enough to list. */
 export const maxFiles = 2 ** 13;
 
 /**
- * @param what - who names the files, for messages
- * @throws {VolumeViewError} `format/too-large`, `format/corrupt` where there are none
+ * @param what - what names the files, for messages
+ * @throws {VolumeViewError} `format/too-large`, or `format/corrupt` if there are none
  */
 export function checkFileCount(what: string, count: number): void {
   if (!(count >= 1)) throw new VolumeViewError('format/corrupt', `${what} got no files; expected at least one`);

@@ -6,7 +6,7 @@ import type { Volume } from '../../volume/volume.ts';
 import type { DecodedVolume } from './decoded-volume.ts';
 
 /**
- * Says what is wrong with where a volume lies, and with how its values are scaled.
+ * Throws if a volume's position or the scaling of its values is invalid.
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
 export function checkGeometry(volume: DecodedVolume): void {

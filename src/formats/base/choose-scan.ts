@@ -1,20 +1,20 @@
 import { VolumeViewError } from '../../core/errors.ts';
 
-/** Which of several scans is wanted: by its number, from 0, or the last one that is not after a time (ms since 1970, UTC). */
+/** Which of several scans to load: by its number, from 0, or the last one that is not after a time (ms since 1970, UTC). */
 export type ScanTarget = { readonly index: number } | { readonly time: number };
 
-/** When scans began, one a scan, in this order: ISO 8601; null for one without a time, undefined where it is not known yet. */
+/** When each scan began, in the scans' order: ISO 8601; null for one without a time, undefined if it is not known yet. */
 export type ScanTimes = readonly (string | null | undefined)[];
 
 export interface ScanChoice {
   readonly index: number;
-  /** False where this scan's time has to be known first; then choose again. */
+  /** False if this scan's time has to be known first. Look it up, then choose again. */
   readonly certain: boolean;
 }
 
 /**
- * The scan that is wanted. Before all of them it is the first one; scans without a time are passed over. Of unknown times
- * it asks for as few as it can, by halves.
+ * Chooses a scan. A time before all scans gives the first one; scans without a time are skipped. Where times are
+ * unknown, it asks for as few as it can, by bisection.
  * @throws {VolumeViewError} `attribute/invalid`
  */
 export function chooseScan(times: ScanTimes, wanted: ScanTarget): ScanChoice {

@@ -1,12 +1,12 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import type { NumberType } from './number-types.ts';
 
-/** Most bytes of samples that are read at all: what engines allow for one buffer. */
+/** Maximum number of bytes of samples: what browsers allow for one buffer. */
 export const maxFileSamplesBytes = 2 ** 31 - 1;
 
 /**
- * Bytes of a grid's samples, to be asked before anything is allocated.
- * @param what - who asks for them, for messages
+ * Bytes of a grid's samples. Call this before anything is allocated.
+ * @param what - what needs them, for messages
  * @param lengths - samples along each axis
  * @throws {VolumeViewError} `format/too-large`
  */

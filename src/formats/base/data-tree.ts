@@ -1,22 +1,22 @@
 import { VolumeViewError } from '../../core/errors.ts';
 
-// One view of files that describe themselves, HDF5 and NetCDF: groups, attributes and arrays, whatever lies beneath.
+// One interface to files that describe themselves, HDF5 and NetCDF: groups, attributes and arrays.
 
-/** A group: attributes, groups and arrays under names. A NetCDF-3 file is one group. */
+/** A group: attributes, groups and arrays by name. A NetCDF-3 file is one group. */
 export interface DataGroup {
   /** From the file's root, such as '/dataset1/what'. */
   readonly path: string;
-  /** Attributes of types that mean nothing here (references, compounds) are left out. */
+  /** Attributes of types that are not used here (references, compounds) are left out. */
   readonly attributes: ReadonlyMap<string, AttributeValue>;
-  /** Names of all that lies in the group, in the file's order. */
+  /** Names of everything in the group, in the file's order. */
   readonly names: readonly string[];
-  /** The group of this name; null where there is none. */
+  /** The group of this name; null if there is none. */
   group(name: string): DataGroup | null;
-  /** The array of this name; null where there is none. */
+  /** The array of this name; null if there is none. */
   array(name: string): DataArray | null;
 }
 
-/** Text, texts, or one or more numbers in double precision. */
+/** A text, several texts, or one or more numbers in double precision. */
 export type AttributeValue = string | readonly string[] | Float64Array;
 
 /** An array of numbers or of texts. */
@@ -28,14 +28,14 @@ export interface DataArray {
   readonly type: ElementType;
   readonly attributes: ReadonlyMap<string, AttributeValue>;
   /**
-   * Numbers of a range of the first axis: [from, from + count) of it, and all of the others, last axis fastest. An array
-   * without axes is one row. 64-bit integers come as doubles. The load's budget counts them only while they are read: who
-   * keeps them takes for them.
+   * Numbers of a range of the first axis, [from, from + count), and all of the others, last axis fastest. An array
+   * without axes is one row. 64-bit integers come as doubles. The load's budget counts the numbers only while they are
+   * read: callers that keep them take the bytes themselves.
    * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large`
    */
   readRows(from: number, count: number): Numbers;
   /**
-   * All texts. Where each character is an element of its own (NetCDF's way), those of the last axis make a text.
+   * All texts. Where each character is an element of its own (as in NetCDF), the last axis makes a text.
    * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
    */
   readTexts(): readonly string[];
@@ -72,7 +72,7 @@ export function readAll(array: DataArray): Numbers {
   return array.readRows(0, array.shape[0] ?? 1);
 }
 
-/** The first number of an attribute; undefined where it is absent or a text that is no number. */
+/** The first number of an attribute; undefined if the attribute is absent, or a text that is not a number. */
 export function numberOf(value: AttributeValue | undefined): number | undefined {
   if (value === undefined) return undefined;
   // Some writers store numbers as text ('0.5', '1.000000').
@@ -80,14 +80,14 @@ export function numberOf(value: AttributeValue | undefined): number | undefined 
   return Number.isNaN(number) && typeof value[0] !== 'number' ? undefined : number;
 }
 
-/** The text of an attribute; undefined where it is absent or a number. */
+/** The text of an attribute; undefined if it is absent or a number. */
 export function textOf(value: AttributeValue | undefined): string | undefined {
   if (typeof value === 'string') return value;
   const first = value?.[0];
   return typeof first === 'string' ? first : undefined;
 }
 
-/** @throws {VolumeViewError} `format/too-large`, where an array is not sane to read */
+/** @throws {VolumeViewError} `format/too-large`, if an array has too many elements to read */
 export function refuseTooMany(path: string, elements: number): void {
   if (elements <= maxElements) return;
   throw new VolumeViewError(

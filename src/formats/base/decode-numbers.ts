@@ -6,8 +6,8 @@ export const bytesOfNumber: Readonly<Record<NumberType, number>> = {
 };
 
 /**
- * Numbers of a file.
- * @param bytes - the numbers alone; taken over: the caller must not use them again
+ * Decodes the numbers of a file.
+ * @param bytes - the numbers alone. The function takes the buffer over: the caller must not use it again
  */
 export function decodeNumbers(bytes: Uint8Array<ArrayBuffer>, type: NumberType, littleEndian: boolean): Numbers {
   const size = bytesOfNumber[type];

@@ -7,7 +7,7 @@ import type { ChannelUse } from './channels.ts';
 import type { ScanTarget } from './choose-scan.ts';
 import type { MosaicValues, RadarSettings } from './radar-settings.ts';
 
-/** What a format reads out of a file: a volume, but for what follows from its samples. */
+/** What a format's reader returns: a volume, except for what is computed from its samples. */
 export type DecodedVolume = DecodedCartesianVolume | DecodedPolarVolume;
 
 type Decoded = Omit<Volume, 'grid' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced' | 'coarse' | 'isDiscrete' | 'referenceLength'>;
@@ -16,42 +16,42 @@ export type DecodedCartesianVolume = Decoded & {
   readonly grid: CartesianGrid;
   /** Whether the file says that its values are labels: whole numbers that stand for things. */
   readonly isLabels?: boolean;
-  /** NIfTI's code for what the values are. */
+  /** NIfTI's intent code: what the values are. */
   readonly intent?: number;
 };
 
-/** Only what reads radar files knows how to make its macrocells, which takes long. */
+/** Making a sweep's macrocells takes long, and only the radar code knows how. */
 export type DecodedPolarVolume = Decoded & { readonly grid: PolarGrid; readonly makeMacrocells: () => Macrocells };
 
-/** What attributes or a manifest say of a file's data. */
+/** What attributes or a manifest say about a file's data. */
 export interface DecodeSettings extends RadarSettings {
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   readonly slices?: number;
-  /** Of a manifest with scans: which one; the first where undefined. */
+  /** Which scan of a manifest to load; the first if undefined. */
   readonly scan?: ScanTarget;
-  /** How an image's channels make one number; gray where undefined. */
+  /** How an image's channels make one number; gray if undefined. */
   readonly channels?: ChannelUse;
-  /** Of a radar's mosaic: what its pixels stand for, from a manifest. */
+  /** What the pixels of a radar's mosaic stand for, from a manifest. */
   readonly values?: MosaicValues;
   /** World units per voxel of the file; of a mosaic, per pixel of its image along i and j. */
   readonly spacing?: Vector3;
-  /** Row-major; wins over spacing and over the file's own. */
+  /** Row-major; overrides spacing and the file's own. */
   readonly indexToWorld?: Matrix4;
 }
 
-/** Bytes to decode, and where they came from. */
+/** Bytes to decode, and their origin. */
 export interface DecodeInput {
-  /** Taken over: the caller must not use them again. */
+  /** The reader takes the buffer over: the caller must not use it again. */
   readonly bytes: Uint8Array<ArrayBuffer>;
   /** Absolute. */
   readonly url: string;
-  /** MIME type that the server or the data: URL gave, '' where none. */
+  /** MIME type from the server or the data: URL, '' if there is none. */
   readonly contentType: string;
 }
 
 export type ProgressListener = (loaded: number, total: number) => void;
 
-/** Whether an image is a radar's mosaic. */
+/** Whether these settings say that an image is a radar's mosaic. */
 export function isRadar({ spherical, elevations }: DecodeSettings): boolean {
   return spherical ?? elevations !== undefined;
 }

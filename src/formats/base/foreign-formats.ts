@@ -1,12 +1,13 @@
 import type { FileStart } from './format.ts';
 import { startsWith } from './starts-with.ts';
 
-// Files that are well known and not read here: who has one is told what it is, and what makes a file of it that is read.
+// Well-known files that are not read here. The message says what such a file is, and how to convert it to a file that
+// is read.
 
 interface ForeignFormat {
   /** With its article. */
   readonly name: string;
-  /** What its author can do: the rest of 'convert it …'. */
+  /** What its author can do: the end of a sentence that begins 'convert it …'. */
   readonly advice: string;
   matches(start: FileStart, bytes: Uint8Array): boolean;
 }
@@ -14,12 +15,13 @@ interface ForeignFormat {
 const begins = (...signatures: readonly string[]): ForeignFormat['matches'] => (_, bytes) => signatures.some((one) => startsWith(bytes, one));
 const asPng = 'to PNG, one file for each slice, and list them in src with the attribute stack';
 
-/** Sources: each format's own description, as its tools' manuals give it. */
+/** Sources: each format's own description, in the manuals of its tools. */
 const foreign: readonly ForeignFormat[] = [
   {
     name: 'a DICOM file',
     advice: 'with all files of its series to NIfTI: dcm2niix -z y folder',
-    // Behind a preamble, or, in old files, from the first group on (0002 or 0008, with a value representation of two letters).
+    // After a preamble, or, in old files, from the first group on (0002 or 0008, with a value representation of two
+    // letters).
     matches: (_, bytes) => startsWith(bytes.subarray(128), 'DICM') ||
       ([2, 8].includes(bytes[0]) && bytes[1] === 0 && bytes[3] === 0 && /^[A-Z]{2}$/.test(latin(bytes.subarray(4), 2))),
   },
@@ -40,7 +42,7 @@ const foreign: readonly ForeignFormat[] = [
   { name: 'a zip archive', advice: 'into the files that it holds: unpack it', matches: begins('PK\x03\x04') },
 ];
 
-/** What a file of no known format is, and what to do with it; null where nobody knows. */
+/** Names a file of an unsupported format and says what to do with it; null if the format is unknown. */
 export function findForeign(start: FileStart): Pick<ForeignFormat, 'name' | 'advice'> | null {
   const bytes = start.unpacked ?? start.bytes;
   return foreign.find((format) => format.matches(start, bytes)) ?? null;

@@ -4,72 +4,81 @@ import type { ChannelUse } from './channels.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
 import type { ScansListener } from './load-request.ts';
 
-// What a format tells of itself. registry.ts lists them all.
+// How a format describes itself. registry.ts lists all formats.
 
-/** A file as formats look at it, to say whether it is theirs. */
+/** The part of a file by which a format recognizes its own files. */
 export interface FileStart {
   /** The whole file. */
   readonly bytes: Uint8Array;
-  /** Of a gzip file the first bytes that it holds, none where it is damaged; null for any other file. */
+  /** The first bytes that a gzip file holds, none if it is damaged; null for any other file. */
   readonly unpacked: Uint8Array | null;
-  /** The first 512 bytes as text, without byte order mark and white space before it. */
+  /** The first 512 bytes as text, without the byte order mark and white space at its start. */
   readonly text: string;
 }
 
-/** How a reader gets at other files. Both throw {VolumeViewError} as fetchBytes does. */
+/** How a reader fetches other files. Both methods throw {VolumeViewError} as fetchBytes does. */
 export interface FileAccess {
   /** @param url - absolute */
   fetchFile(url: string): Promise<DecodeInput>;
-  /** Several files, in their order; a few are fetched ahead. */
+  /** Fetches several files and yields them in their order; a few are fetched ahead. */
   fetchFiles(urls: readonly string[]): AsyncIterable<DecodeInput>;
 }
 
 export interface ReadContext extends FileAccess {
   readonly onProgress: ProgressListener;
-  /** To be drawn on before anything is allocated. */
+  /** Readers take their bytes from it before they allocate anything. */
   readonly budget: Budget;
   readonly onScans?: ScansListener;
-  /** To be told as soon as it is known that the file is a radar's. */
+  /** Readers call it as soon as they know that the file is a radar's. */
   readonly onRadar?: () => void;
   /** Absolute URLs of the other files of a stack, after this one, in their order. */
   readonly further: readonly string[];
   /** Whether a manifest named this file. */
   readonly isPart: boolean;
-  /** Decode what this file names. @param files - absolute URLs of a stack, `first` included; undefined where it is none */
+  /**
+   * Decodes a file that this one names. @param files - absolute URLs of a stack, `first` included; undefined if it is
+   * not a stack
+   */
   decode(first: DecodeInput, files: readonly string[] | undefined, settings: DecodeSettings): Promise<DecodedVolume>;
 }
 
-/** Makes a volume of a file; throws {VolumeViewError} `format/…`. */
+/** Makes a volume from a file; throws {VolumeViewError} `format/…`. */
 export type FormatReader = (input: DecodeInput, settings: DecodeSettings, context: ReadContext) => Promise<DecodedVolume>;
 
-/** What an image's reader is told. */
+/** The settings that an image's reader receives. */
 export interface ImageSettings {
-  /** Gray where undefined. */
+  /** Gray if undefined. */
   readonly channels?: ChannelUse;
   readonly budget: Budget;
 }
 
-/** Makes one channel of an image file; throws {VolumeViewError} `format/…`. */
+/** Makes one channel from an image file; throws {VolumeViewError} `format/…`. */
 export type ImageReader = (bytes: Uint8Array<ArrayBuffer>, settings: ImageSettings) => GrayImage | Promise<GrayImage>;
 
 interface FormatBase {
   /** Such as 'NRRD'. */
   readonly name: string;
-  /** What an author would call it, with its file name endings: 'NRRD (.nrrd, .nhdr)'. The same words are said once. */
+  /**
+   * What an author would call it, with its file name endings: 'NRRD (.nrrd, .nhdr)'. A list names formats of the same
+   * words only once.
+   */
   readonly words: string;
-  /** Endings of file names, without the dot, by which alone a file is called one of these. */
+  /** Endings of file names, without the dot, that are enough to call a file one of these. */
   readonly endings: readonly string[];
-  /** What a file with such an ending begins with; null where its reader says what is wrong with one that does not. */
+  /**
+   * The bytes that a file with such an ending must begin with; null if the reader itself explains what is wrong with
+   * other files.
+   */
   readonly beginning: string | null;
-  /** Whether a file is one of these, by its bytes. Must be quick, and must not match files of another format, unless `last`. */
+  /** Recognizes a file by its bytes. It must be quick, and must not match files of another format, unless `last` is set. */
   matches(start: FileStart): boolean;
-  /** Set where a file that matches may be of another format, which is asked first. */
+  /** Set if a file that matches may be of another format: the other formats are tried first. */
   readonly last?: true;
 }
 
 /** A file that holds, or names, a volume. */
 export interface VolumeFormat extends FormatBase {
-  /** Whether the reader takes the other files of a stack, as `further`. */
+  /** Whether the reader accepts the other files of a stack, as `further`. */
   readonly takesFiles?: true;
   load(): Promise<FormatReader>;
 }

@@ -1,8 +1,8 @@
 import type { Budget } from './budget.ts';
 
 /**
- * Parts of one array, each from a file of its own. The array is allocated when the files that have come allow for it: until
- * then the parts wait, so that a first file alone can not ask for the room of thousands.
+ * Joins the parts of one array, each from a file of its own. It allocates the array once the received files justify its
+ * size. Until then it keeps the parts, so that one small file can't claim the memory of thousands.
  */
 export class PartGatherer {
   #all: Uint8Array<ArrayBuffer> | null = null;
@@ -12,25 +12,28 @@ export class PartGatherer {
   readonly #what: string;
   readonly #budget: Budget;
 
-  /** @param size - bytes of all parts @param what - for messages */
+  /**
+   * @param size - bytes of all parts
+   * @param what - for messages
+   */
   constructor(size: number, what: string, budget: Budget) {
     this.#size = size;
     this.#what = what;
     this.#budget = budget;
   }
 
-  /** Bytes that have come. */
+  /** Bytes received so far. */
   get length(): number {
     return this.#at + this.#waiting.reduce((sum, { length }) => sum + length, 0);
   }
 
-  /** @param part - of bytes that are taken from the budget; they are given back when they are copied */
+  /** @param part - bytes that the caller took from the budget; they are given back when they are copied */
   add(part: Uint8Array): void {
     this.#waiting.push(part);
     if (this.#all || this.#size <= this.#budget.leftBytes) this.#move();
   }
 
-  /** All parts, zeros where there were fewer. @throws {VolumeViewError} `format/too-large` */
+  /** All parts, followed by zeros if some are missing. @throws {VolumeViewError} `format/too-large` */
   finish(): Uint8Array<ArrayBuffer> {
     return this.#move();
   }

@@ -1,6 +1,6 @@
 import { NeedsMainThread } from './needs-main-thread.ts';
 
-/** Load code. A worker whose page lets it load no further script leaves the work to the main thread. */
+/** Loads a reader's code. In a worker whose page blocks further scripts it throws, and the main thread does the work. */
 export async function loadReader<T>(load: () => Promise<T>): Promise<T> {
   try {
     return await load();

@@ -7,17 +7,17 @@ import type { RadarSettings } from './radar-settings.ts';
 
 export type { DeviceLimits };
 
-/** What to load: a `src`, and what the element's other attributes say of it. They win over the file and a manifest. */
+/** What to load: a `src`, and what the element's other attributes say about it. They override the file and a manifest. */
 export interface LoadRequest extends RadarSettings {
-  /** http(s), data: or blob:; a relative one is taken from the page's base URL. */
+  /** http(s), data: or blob:; a relative URL is resolved against the page's base URL. */
   readonly url: string;
   /**
-   * A stack: all files of **one** volume in their order, `url` the first of them. Images are a slice each (and one alone is
-   * a volume of one slice); a header comes before the files of its data. Undefined where `url` is all that is loaded.
+   * A stack: all files of **one** volume in their order, with `url` as the first. Each image is one slice (a single
+   * image is a volume of one slice); a header comes before the files of its data. Undefined if `url` is the only file.
    */
   readonly files?: readonly string[];
   readonly mosaic?: { readonly columns: number; readonly rows: number };
-  /** Tiles of a mosaic that are in use; all where undefined. */
+  /** Number of tiles of a mosaic that are in use; all if undefined. */
   readonly slices?: number;
   /** World units per voxel of the file, per pixel (i, j) and slice (k) of a mosaic. */
   readonly spacing?: Vector3;
@@ -25,36 +25,42 @@ export interface LoadRequest extends RadarSettings {
   readonly clean?: Cleaning;
   /** Of a manifest with scans: which one; the first where undefined. */
   readonly scan?: ScanTarget;
-  /** What the volume must fit. To ask the device takes a while: the file is fetched and decoded meanwhile. */
+  /**
+   * The device's limits, which the volume must fit. Asking the device takes a while: the file is fetched and decoded
+   * meanwhile.
+   */
   readonly limits: DeviceLimits | Promise<DeviceLimits>;
-  /** Most bytes of samples, where the GPU had no memory for more: it is in `limits` too, and tells requests apart. */
+  /**
+   * Maximum bytes of samples, set after the GPU ran out of memory. `limits` has it too; here it makes this request
+   * differ from earlier ones.
+   */
   readonly maxBytes?: number;
 }
 
 export interface LoadProgress {
   /** Bytes. */
   readonly loaded: number;
-  /** Bytes; 0 where it is not known. */
+  /** Bytes; 0 if unknown. */
   readonly total: number;
   readonly phase: 'fetch' | 'decode';
-  /** Nothing came for a while: others may load meanwhile. Pages are not told. */
+  /** No bytes came for a while, so other loads may start. Pages don't receive this. */
   readonly isStill?: boolean;
 }
 
 export type LoadProgressListener = (progress: LoadProgress) => void;
 
-/** Is told what scans a manifest lists, before one of them is loaded. */
+/** Receives the scans that a manifest lists, before one of them is loaded. */
 export type ScansListener = (times: ScanTimes) => void;
 
 /**
- * A small volume that stands in for a large one until that is there. Of a radar all of it but for its macrocells, which hold nothing: it is not
- * shown, but what draws it can be made ready meanwhile.
+ * A small volume that stands in for a large one until that is ready. For a radar it has everything except the
+ * macrocells, which are empty: it is not shown, but it allows the renderer to prepare its programs.
  */
 export interface CoarseVolume {
   readonly volume: Volume;
-  /** The large one, but for what takes memory. */
+  /** The large volume, without its large arrays. */
   readonly of: Omit<Volume, 'samples' | 'macrocells'>;
 }
 
-/** @param coarse - null as soon as it is known that the volume is a radar's, before anything of it is */
+/** @param coarse - null as soon as the load knows that the volume is a radar's, before any of its data are known */
 export type CoarseListener = (coarse: CoarseVolume | null) => void;

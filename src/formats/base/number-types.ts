@@ -2,9 +2,9 @@
 export interface NumberType {
   readonly name: string;
   readonly bytesPerSample: number;
-  /** Bytes that are swapped together in the other byte order. */
+  /** Bytes that are swapped together to change the byte order. */
   readonly bytesPerNumber: number;
-  /** Integers, to be stored exactly, or numbers to be read as doubles. */
+  /** How to read them: as integers, which are stored exactly, or as doubles. */
   readonly read:
     | { readonly kind: 'integers'; readonly view: View<Integers> }
     | { readonly kind: 'bigints'; readonly view: View<BigInt64Array | BigUint64Array> }
@@ -15,7 +15,7 @@ export interface NumberType {
 
 export type Integers = Uint8Array | Int8Array | Uint16Array | Int16Array | Uint32Array | Int32Array;
 
-/** Numbers as they lie in a file's bytes, which begin at a multiple of 8 in their buffer. */
+/** Views a file's bytes as numbers. The bytes begin at a multiple of 8 in their buffer. */
 type View<T> = (bytes: Uint8Array<ArrayBuffer>) => T;
 
 interface NumberArray<T> {
@@ -69,7 +69,7 @@ export const numberTypes = {
   float64: floats('float64', 8, viewAs(Float64Array)),
 } as const;
 
-/** NIfTI's datatype codes, but for those in nifti-rare-types.ts. Source: nifti1.h. */
+/** NIfTI's datatype codes, except those in nifti-rare-types.ts. Source: nifti1.h. */
 export const niftiTypes: ReadonlyMap<number, NumberType> = new Map([
   [2, numberTypes.uint8],
   [4, numberTypes.int16],
@@ -83,10 +83,10 @@ export const niftiTypes: ReadonlyMap<number, NumberType> = new Map([
   [1280, numberTypes.uint64],
 ]);
 
-/** True where this machine stores the low byte first, as every one that runs a browser does. */
+/** True if this machine stores the low byte first, as every machine that runs a browser does. */
 export const hostIsLittleEndian = new Uint8Array(new Uint16Array([1]).buffer)[0] === 1;
 
-/** Reverse the bytes of every number of `size` bytes, in place. */
+/** Reverses the bytes of every number of `size` bytes, in place. */
 export function swapBytes(bytes: Uint8Array, size: number): void {
   for (let start = 0; start + size <= bytes.length; start += size) {
     for (let low = start, high = start + size - 1; low < high; low++, high--) {

@@ -1,9 +1,9 @@
-/** A range that is at least this share of a piece is not copied: the rest of the piece then stays in memory with it. */
+/** A range that is at least this share of a piece is not copied. The rest of the piece then stays in memory with it. */
 const minShare = 7 / 8;
 
-/** Reads a file's start and then one range of its bytes out of pieces that come one after another. */
+/** Reads a file's start, and then one range of its bytes, from a stream of pieces. */
 export class PieceReader {
-  /** Bytes that have come so far. */
+  /** Bytes received so far. */
   total = 0;
   readonly #iterator: AsyncIterator<Uint8Array<ArrayBuffer>>;
   #start = new Uint8Array(0);
@@ -12,7 +12,7 @@ export class PieceReader {
     this.#iterator = pieces[Symbol.asyncIterator]();
   }
 
-  /** The first `length` bytes, or fewer where there are no more. */
+  /** The first `length` bytes, or fewer if the file is shorter. */
   async readStart(length: number): Promise<Uint8Array<ArrayBuffer>> {
     while (this.#start.length < length) {
       const piece = await this.#next();
@@ -30,9 +30,9 @@ export class PieceReader {
   }
 
   /**
-   * Bytes `offset` to `offset + length`, or fewer where there are no more, from a buffer's first byte on. Where the start
-   * holds nearly nothing else (a file that is not packed), they are moved to its front: of a large one there is no second
-   * copy. Else they get a buffer of their own.
+   * Bytes `offset` to `offset + length`, or fewer if the file is shorter, in a buffer that begins with them. If the
+   * start holds almost nothing else (a file that is not packed), the bytes are moved to its front: a large file is not
+   * copied. Else they get a buffer of their own.
    */
   async readRange(
     offset: number,
@@ -57,13 +57,13 @@ export class PieceReader {
     return bytes.subarray(0, Math.max(0, Math.min(length, at - offset)));
   }
 
-  /** Read to the end, but at most about `most` bytes. */
-  async drain(most: number): Promise<void> {
-    const end = this.total + most;
+  /** Reads to the end, but at most about `maxBytes` bytes. */
+  async drain(maxBytes: number): Promise<void> {
+    const end = this.total + maxBytes;
     while (this.total < end && (await this.#next()));
   }
 
-  /** Let the source go. */
+  /** Stops the source. */
   async stop(): Promise<void> {
     await this.#iterator.return?.();
   }
@@ -76,7 +76,7 @@ export class PieceReader {
   }
 }
 
-/** Bytes that are there already, as one piece. */
+/** Yields bytes that are already in memory, as one piece. */
 export async function* yieldOnce(bytes: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   yield bytes;
 }

@@ -1,22 +1,22 @@
-/** What attributes say of a radar file. */
+/** What attributes say about a radar file. */
 export interface PolarSettings {
-  /** As the file names it; of the reflectivities the one that most sweeps hold where undefined. */
+  /** The file's name of the moment. If undefined: the reflectivity that most sweeps hold. */
   readonly moment?: string;
-  /** How beams run: bent by the standard atmosphere over a round Earth, or straight over a flat one. */
+  /** How beams travel: bent by the standard atmosphere over a round Earth, or straight over a flat one. */
   readonly beamModel?: 'standard' | 'straight';
-  /** World heights = this times the heights; what suits the radar's reach where undefined. */
+  /** World heights = this factor times the heights. If undefined: a factor that suits the radar's reach. */
   readonly verticalExaggeration?: number;
 }
 
-/** What attributes say of radar scans, and of mosaics that hold one. */
+/** What attributes say about radar scans, and about mosaics that hold one. */
 export interface RadarSettings extends PolarSettings {
   /** The mosaic is a radar's. */
   readonly spherical?: boolean;
-  /** Degrees, one a tile; a mosaic that has some is a radar's. */
+  /** Degrees, one per tile. A mosaic that has elevations is a radar's. */
   readonly elevations?: readonly number[];
   /** Metres to the middle of the first gate, and from gate to gate. */
   readonly range?: readonly [number, number];
-  /** Middle of the first radial and step to the next one, degrees clockwise from north. */
+  /** Middle of the first radial, and the step to the next one, degrees clockwise from north. */
   readonly azimuth?: readonly [number, number];
 }
 
@@ -28,7 +28,7 @@ export interface ManifestSite {
   readonly height?: number;
 }
 
-/** What a tile has of its own; what is absent is as for all. */
+/** The values of one tile; what is absent is the same as for all tiles. */
 export interface ManifestSweep {
   /** Radials and gates in the tile, from its top left; the whole tile if absent. */
   readonly rays?: number;
@@ -43,17 +43,20 @@ export interface ManifestSweep {
   readonly time?: string;
 }
 
-/** What attributes or a manifest say of a radar's mosaic. */
+/** What attributes or a manifest say about a radar's mosaic. */
 export interface PolarMosaicSettings {
-  /** Tiles per row and column, a sweep a tile, row by row from the top left. */
+  /** Tiles per row and column, one sweep per tile, row by row from the top left. */
   readonly mosaic?: { readonly columns: number; readonly rows: number };
-  /** Tiles in use; as many as there are elevations where undefined. */
+  /** Number of tiles in use; if undefined, the number of elevations. */
   readonly slices?: number;
-  /** Degrees, one a tile. */
+  /** Degrees, one per tile. */
   readonly elevations: readonly number[];
   /** Metres to the middle of the first gate, and from gate to gate. */
   readonly range?: readonly [number, number];
-  /** Middle of the first radial and step to the next one, degrees clockwise from north; around from north where undefined. */
+  /**
+   * Middle of the first radial, and the step to the next one, degrees clockwise from north. If undefined, the radials
+   * go evenly around, from north.
+   */
   readonly azimuth?: readonly [number, number];
   /** Data value = slope * pixel + intercept. */
   readonly slope: number;
@@ -63,14 +66,14 @@ export interface PolarMosaicSettings {
   readonly moment?: string;
   /** Degrees. */
   readonly beamWidth?: number;
-  /** m/s: the values are velocities that fold over beyond. */
+  /** m/s. If set, the values are velocities that fold at this speed. */
   readonly nyquist?: number;
   readonly site?: ManifestSite;
   /** ISO 8601 in UTC. */
   readonly time?: string;
-  /** What is another for single tiles. */
+  /** Values of single tiles that differ. */
   readonly sweeps?: readonly ManifestSweep[];
 }
 
-/** What a manifest alone says of a radar's mosaic. */
+/** What only a manifest can say about a radar's mosaic. */
 export type MosaicValues = Partial<Pick<PolarMosaicSettings, 'slope' | 'intercept' | 'unit' | 'beamWidth' | 'nyquist' | 'site' | 'time' | 'sweeps' | 'moment'>>;

@@ -3,7 +3,7 @@ import { multiply, scaleAndTranslate, subtract, transformPoint } from '../../vol
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 
 /**
- * Give an affine's axes other lengths. Their directions stay, and so does the middle of the volume.
+ * Gives an affine's axes other lengths. Their directions and the middle of the volume stay.
  * @param spacing - world length of one voxel step along i, j and k
  */
 export function respace(indexToWorld: Matrix4, dimensions: Vector3, spacing: Vector3): Matrix4 {

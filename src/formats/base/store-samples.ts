@@ -7,29 +7,32 @@ import { hostIsLittleEndian, swapBytes } from './number-types.ts';
 import type { Integers, NumberType } from './number-types.ts';
 import type { chooseWhole as ChooseWhole } from './whole-numbers.ts';
 
-/** Samples in one of the three stored types, and how to get the file's own numbers back. */
+/** Samples in one of the three stored types, and how to compute the file's own numbers from them. */
 export interface StoredSamples {
   readonly samples: Samples;
   /** File's value = scale * sample + offset. */
   readonly scale: number;
   readonly offset: number;
-  /** Whole numbers that float32 rounds, as they are in the file; absent where none is rounded, or too many differ. */
+  /** The file's exact values of whole numbers that float32 rounds; absent if none is rounded, or too many differ. */
   readonly indexed?: IndexedSamples;
   /** Whole numbers that are rounded and not indexed: how many, and by how much at most. */
   readonly rounded?: Rounded;
 }
 
 interface Rescale {
-  /** The file's, needed here for complex numbers only, before their magnitude is taken. */
+  /** The file's slope. Only complex numbers need it here, before their magnitude is taken. */
   readonly slope: number;
   readonly intercept: number;
-  /** From which the bytes are taken already, and second copies are to be. */
+  /** The load's budget. The bytes are taken from it already; a second copy has to be taken too. */
   readonly budget?: Budget;
   /** See `wholeNumbersOf`. */
   readonly chooseWhole?: typeof ChooseWhole;
 }
 
-/** What keeps whole numbers of a type that float32 may round. 32-bit floats need none: as they are, none is rounded. */
+/**
+ * Loads what keeps whole numbers of a type that float32 may round. 32-bit floats don't need it: they are stored as they
+ * are.
+ */
 export async function wholeNumbersOf({ bytesPerNumber, read }: NumberType): Promise<typeof ChooseWhole | undefined> {
   const mayRound = bytesPerNumber === 8 || (bytesPerNumber === 4 && read.kind === 'integers');
   return mayRound ? (await loadReader(() => import('./whole-numbers.ts'))).chooseWhole : undefined;
@@ -39,10 +42,12 @@ export async function wholeNumbersOf({ bytesPerNumber, read }: NumberType): Prom
 const exactInFloat32 = 2 ** 24;
 
 /**
- * Bring a file's samples to the stored type that keeps their precision: 8 or 16 bits where the values' range fits,
- * after a shift; else float32, less an offset that is taken off in double precision where detail lies far from 0. Of whole numbers it is
- * the one that rounds fewer of them. Infinities become NaN, no data.
- * @param bytes - the samples alone, in the file's byte order; taken over: the caller must not use them again
+ * Converts a file's samples to the stored type that keeps their precision: 8 or 16 bits if the range of values fits
+ * after a shift. Else float32, less an offset that is subtracted in double precision if the detail lies far from 0. For
+ * whole numbers the function compares offsets, and takes the one that rounds fewer of them. Infinities become NaN, no
+ * data.
+ * @param bytes - the samples alone, in the file's byte order. The function takes the buffer over: the caller must not
+ * use it again
  * @throws {VolumeViewError} `format/too-large`
  */
 export function storeSamples(
@@ -60,7 +65,7 @@ export function storeSamples(
     case 'bigints':
       return storeBigInts(type.read.view(own), rescale);
     case 'floats': {
-      // Numbers that this machine has not are copied as doubles.
+      // Numbers of types that this machine lacks are copied as doubles.
       if (type.bytesPerNumber > 8) take(budget, own.length);
       const values = type.read.view(own);
       return storeFloats(type.complex ? magnitudes(values, rescale) : values, rescale);
@@ -76,7 +81,7 @@ function storeIntegers(values: Integers, { budget, chooseWhole }: Rescale): Stor
   const whole = from === 'detail' ? chooseWhole?.(values, detail, Number, budget) : null;
   const offset = whole?.offset ?? (from === 'low' ? low : detail);
   if (values instanceof Store && offset === 0) return { samples: values as Samples, scale: 1, offset };
-  // Numbers of the same width overwrite the file's: there is no second copy of a large volume.
+  // Numbers of the same width overwrite the file's: a large volume is not copied.
   const isAsWide = Store.BYTES_PER_ELEMENT === values.BYTES_PER_ELEMENT;
   if (!isAsWide) take(budget, values.length * Store.BYTES_PER_ELEMENT);
   const samples = isAsWide ? new Store(values.buffer as ArrayBuffer, values.byteOffset, values.length) : new Store(values.length);
@@ -93,16 +98,16 @@ function storeBigInts(values: BigInt64Array | BigUint64Array, { budget, chooseWh
     if (value > high) high = value;
   }
   const { store: Store, from } = chooseStore({ low: Number(low), high: Number(high), range: Number(high - low) });
-  // Subtracted as whole numbers of 64 bits, because doubles can not tell 2^60 from 2^60 + 1.
+  // Subtracted as 64-bit integers, because doubles can't tell 2^60 from 2^60 + 1.
   const detail = from === 'detail' ? low + BigInt(chooseOffset(Float64Array.from(values, (value) => Number(value - low)))) : 0n;
   const whole = from === 'detail' ? chooseWhole?.(values, detail, BigInt, budget) : null;
   const offset = whole?.offset ?? (from === 'low' ? low : detail);
   const samples = new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = Number(values[i] - offset);
-  // In steps that doubles do not have, they are told wrong.
-  const told = (i: number): bigint => BigInt(Number(offset) + samples[i]);
-  const errors = from === 'low' && !Number.isSafeInteger(Number(high)) ? Array.from(values, (value, i) => Math.abs(Number(told(i) - value))).filter((error) => error > 0) : [];
-  const rounded = errors.length > 0 ? { count: errors.length, by: errors.reduce((most, error) => Math.max(most, error)) } : undefined;
+  // A double can't hold offset + sample exactly for such large values, so some are rounded.
+  const stored = (i: number): bigint => BigInt(Number(offset) + samples[i]);
+  const errors = from === 'low' && !Number.isSafeInteger(Number(high)) ? Array.from(values, (value, i) => Math.abs(Number(stored(i) - value))).filter((error) => error > 0) : [];
+  const rounded = errors.length > 0 ? { count: errors.length, by: errors.reduce((max, error) => Math.max(max, error)) } : undefined;
   return { samples, scale: 1, rounded, ...whole, offset: Number(offset) };
 }
 
@@ -110,7 +115,10 @@ function take(budget: Budget | undefined, bytes: number): void {
   budget?.take(bytes, 'the samples');
 }
 
-/** The smallest type that holds whole numbers of a range exactly (as exactly as float32 can), and what to take off. */
+/**
+ * The smallest type that holds whole numbers of a range exactly (as exactly as float32 can), and the offset to
+ * subtract.
+ */
 function chooseStore(values: { low: number; high: number; range: number }): {
   store: typeof Uint8Array | typeof Uint16Array | typeof Float32Array;
   from: 'zero' | 'low' | 'detail';
@@ -122,7 +130,7 @@ function chooseStore(values: { low: number; high: number; range: number }): {
   return { store: Float32Array, from: exact ? 'zero' : 'detail' };
 }
 
-/** Floats from here on are stored as shares of a power of two: a GPU takes the inverse of their span for 0. */
+/** Floats from here on are stored as shares of a power of two: a GPU rounds the inverse of their span to 0. */
 const largestAsIs = 2 ** 100;
 
 function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array, { budget, chooseWhole }: Rescale): StoredSamples {
@@ -131,7 +139,7 @@ function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array, { budget,
   const detail = chooseOffset(values);
   const farthest = Math.max(-low, high);
   const whole = chooseWhole && farthest > exactInFloat32 && farthest < 2 ** 64 && low < high && values.every(isWhole) ? chooseWhole(values, detail, Number, budget) : null;
-  // What 32 bits told is not to be rounded by a shift. A double that all of them are is told exactly, in units as large as the window around it.
+  // A shift must not round values that 32 bits hold exactly. If all values are the same double, that one is the offset, and is kept exactly.
   const isHarmed = isFloat32 && detail !== 0 && values.some((value) => Math.abs(Math.fround(value - detail) + detail - value) > 0);
   const offset = whole?.offset ?? (low === high && !isFloat32 ? low : isHarmed ? 0 : detail);
   const largest = low === high ? Math.max(1, Math.abs(low)) : Math.max(offset - low, high - offset);
@@ -145,12 +153,12 @@ function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array, { budget,
   return { samples, ...whole, scale, offset };
 }
 
-/** What has no data is no fraction. */
+/** No data (NaN) does not count as a fraction. */
 function isWhole(value: number): boolean {
   return value % 1 === 0 || !Number.isFinite(value);
 }
 
-/** A power of two that brings the largest magnitude near 1 where float32 could not hold it (or the GPU not well). */
+/** A power of two that brings the largest magnitude near 1, if float32 (or a GPU) could not hold it well. */
 function chooseScale(largest: number): number {
   if (!(largest > 0) || (largest > 2 ** -60 && largest < 2 ** 60)) return 1;
   return 2 ** Math.max(-1022, Math.floor(Math.log2(largest)));

@@ -1,8 +1,9 @@
 import type { Budget } from './budget.ts';
 
 /**
- * Take bytes while something is read. What is returned is not counted any more: who keeps it takes for it.
- * @param bytes - and for whom, as `Budget.take` has it
+ * Takes bytes from the budget while something is read. The result is not counted any longer: callers that keep it take
+ * its bytes themselves.
+ * @param bytes - and what needs them, as in `Budget.take`
  */
 export function takeDuring<Result>(budget: Budget, { bytes, what }: { bytes: number; what: string }, read: () => Result): Result {
   budget.take(bytes, what);

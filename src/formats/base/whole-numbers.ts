@@ -3,7 +3,7 @@ import { indexNumbers } from '../../volume/index-numbers.ts';
 import type { IndexedSamples, Rounded } from '../../volume/index-numbers.ts';
 import type { Budget } from './budget.ts';
 
-/** How they are stored. */
+/** The offset that was chosen, and what is kept or rounded. */
 export interface WholeNumbers<T> {
   readonly offset: T;
   readonly indexed?: IndexedSamples;
@@ -11,9 +11,10 @@ export interface WholeNumbers<T> {
 }
 
 /**
- * Of whole numbers that become float32: what is taken off so that fewer are rounded, and what is rounded all the same.
- * @param detail - what suits most of those that differ by little from their neighbours
- * @param of - makes a number of the values' own kind
+ * For whole numbers that become float32: the offset to subtract so that fewer are rounded, and the numbers that are
+ * rounded all the same.
+ * @param detail - the offset that suits most of the values that differ little from their neighbours
+ * @param of - converts a number to the values' own type
  */
 export function chooseWhole<T extends number | bigint>(values: ArrayLike<T>, detail: T, of: (value: number) => T, budget?: Budget): WholeNumbers<T> {
   const roundedBy = (offset: T): Rounded => {
@@ -37,12 +38,12 @@ export function chooseWhole<T extends number | bigint>(values: ArrayLike<T>, det
   return { offset, indexed };
 }
 
-/** Of two numbers of one kind. */
+/** Subtracts two numbers of one type. */
 function subtract<T extends number | bigint>(a: T, b: T): T {
   return ((a as number) - (b as number)) as T;
 }
 
-/** What a page is told of it. */
+/** The sentence about rounding that a page receives. */
 export function tellRounded({ count, by }: Rounded): string {
   return `${count.toLocaleString('en')} whole numbers are rounded, by up to ${by.toLocaleString('en')}: beyond 16,777,216 at most 65,536 different ones are kept exactly, and none beyond 9,007,199,254,740,991`;
 }

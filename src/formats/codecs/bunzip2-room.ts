@@ -1,11 +1,11 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import type { Budget } from '../base/budget.ts';
 
-// Where bunzip2.ts keeps what it works on.
+// The memory that bunzip2.ts works in.
 
 /**
- * What unpacking needs beside its output. Streams that are unpacked one after another share it: one without any block takes 14
- * bytes of a file.
+ * The memory that unpacking needs besides its output. Streams that are unpacked one after another share it: a stream
+ * without any block takes only 14 bytes of a file.
  */
 export class Bunzip2Room {
   readonly budget: Budget;
@@ -15,7 +15,7 @@ export class Bunzip2Room {
     this.budget = budget;
   }
 
-  /** Room for the largest block of a stream, made when there is one. */
+  /** Memory for the largest block of a stream, allocated with the first block. */
   links(length: number): Uint32Array<ArrayBuffer> {
     if (this.#links.length < length) {
       this.budget.take(4 * (length - this.#links.length), 'a bzip2 block');
@@ -24,17 +24,17 @@ export class Bunzip2Room {
     return this.#links.subarray(0, length);
   }
 
-  /** Give all of it back. */
+  /** Gives all of it back to the budget. */
   release(): void {
     this.budget.giveBack(this.#links.byteLength);
     this.#links = new Uint32Array(0);
   }
 }
 
-/** Bytes that the output begins with, when there are some. */
+/** The first size of the output buffer, bytes. It is allocated with the first byte. */
 const firstOutput = 2 ** 16;
 
-/** Bytes as they come, their checksum, and a limit. */
+/** The output, its checksum, and its limit. */
 export class Bunzip2Output {
   private bytes = new Uint8Array(0);
   private length = 0;
@@ -68,7 +68,7 @@ export class Bunzip2Output {
     return this.bytes.slice(0, this.length);
   }
 
-  /** What it holds is not needed any more. */
+  /** Gives the output's memory back to the budget. */
   release(): void {
     this.budget.giveBack(this.bytes.length);
   }

@@ -1,9 +1,9 @@
 import { Budget } from '../base/budget.ts';
 import { Bunzip2Output, Bunzip2Room, corruptBzip2 as corrupt } from './bunzip2-room.ts';
 
-// A bzip2 decoder of our own: of those that npm has, seek-bzip needs Node's Buffer and reads its package.json at run
-// time, bz2 sorts every block with a comparator (seconds per megabyte) and takes what lies beyond the end for NaN, and
-// the WebAssembly builds need a page that allows WASM. None has a limit of size.
+// Our own bzip2 decoder. Of those on npm, seek-bzip needs Node's Buffer and reads its package.json at run time, bz2
+// sorts every block with a comparator (seconds per megabyte) and reads NaN beyond the end, and the WebAssembly builds
+// need a page that allows WASM. None of them limits the size of the output.
 // Source: bzip2's own manual (Julian Seward, 1.0.8) and Joe Tsai's "BZIP2: Format Specification" (2016).
 
 const blockMagic = 0x314159265359;
@@ -16,19 +16,21 @@ export function isBzip2(bytes: Uint8Array): boolean {
   return bytes.length > 3 && bytes[0] === 0x42 && bytes[1] === 0x5a && bytes[2] === 0x68 && bytes[3] >= 0x31 && bytes[3] <= 0x39;
 }
 
-/** Bytes of a block that are put in order in the time of a step. */
+/** Sorting so many bytes of a block counts as one step. */
 const blockPerStep = 4;
 
-/** What a stream without any blocks takes, of 14 bytes. */
+/** The steps of a stream without any blocks, 14 bytes. */
 const stepsPerStream = 64;
 
-/** A file whose budget is as large as any, for callers that have none: `atMost` is their limit. */
+/** A file length that gives the largest useful budget, for callers without a budget: `atMost` is their limit. */
 const anyFileBytes = 2 ** 22;
 
 /**
- * Unpack bzip2 data, checksums included: all streams that follow each other, as pbzip2 and cat make them. What follows and is none is left alone.
- * @param atMost - bytes that may come out
- * @param room - shared with streams before; while it works, the output and what is copied to make it longer are taken from its budget
+ * Unpacks bzip2 data and checks the checksums: all streams that follow each other, as pbzip2 and cat write them. Other
+ * data after them are ignored.
+ * @param atMost - maximum bytes of output
+ * @param room - shared with earlier streams. During the work, the output and the copy that extends it are taken from
+ * its budget
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
 export function bunzip2(bytes: Uint8Array, atMost: number, room = new Bunzip2Room(Budget.ofFile(anyFileBytes))): Uint8Array<ArrayBuffer> {
@@ -66,14 +68,14 @@ function unpackBlocks(bits: BitReader, output: Bunzip2Output, makeRoom: () => Ui
   }
 }
 
-/** Numbers of some bits each, the highest bit first. */
+/** Reads numbers of some bits each, the highest bit first. */
 class BitReader {
   private pending = 0;
   private count = 0;
 
   constructor(private readonly bytes: Uint8Array, private position: number) {}
 
-  /** Where the bytes begin of which nothing was consumed. */
+  /** Index of the first byte of which no bit was read. */
   get end(): number {
     return this.position - (this.count >> 3);
   }
@@ -101,9 +103,10 @@ class BitReader {
 }
 
 /**
- * One block after its checksum, with the Burrows-Wheeler transform undone.
+ * Reads one block after its checksum, and undoes the Burrows-Wheeler transform.
  * @param links - as long as the largest block
- * @returns links: in the low byte a byte of the block, above it where the next one is; and where the first one is
+ * @returns links: the low byte is a byte of the block, the bits above it are the index of the next one; and the index
+ * of the first one
  */
 function readBlock(bits: BitReader, links: Uint32Array): { links: Uint32Array; first: number } {
   if (bits.read(1)) throw corrupt('has a randomised block, which bzip2 has not written since 1999');
@@ -135,7 +138,7 @@ function readAlphabet(bits: BitReader): Uint8Array {
   return Uint8Array.from(alphabet);
 }
 
-/** Which code each 50 symbols are in, themselves written as moves to the front. */
+/** Which code each 50 symbols use. The file writes the codes as moves to the front. */
 function readSelectors(bits: BitReader, count: number, codeCount: number): Uint8Array {
   const recent = Uint8Array.from({ length: codeCount }, (_, i) => i);
   const selectors = new Uint8Array(count);
@@ -158,7 +161,7 @@ function moveToFront(list: Uint8Array, place: number): number {
 /** A canonical Huffman code. */
 interface Code {
   readonly shortest: number;
-  /** For each length: the first of the next `longestCode` bits that belongs to a longer code. */
+  /** For each length: the first value of the next `longestCode` bits that belongs to a longer code. */
   readonly ends: Uint32Array;
   /** For each length: code - offset is an index into `symbols`. */
   readonly offsets: Int32Array;
@@ -204,8 +207,9 @@ function readSymbol(bits: BitReader, { shortest, ends, offsets, symbols }: Code)
 }
 
 /**
- * The bytes of a block in their sorted order, into the low bytes of `links`, and how often each occurs.
- * Symbols 0 and 1 are the digits, lowest first, of a run's length; the last one is the end; others are moves to the front.
+ * Reads the bytes of a block in their sorted order into the low bytes of `links`, and counts how often each occurs.
+ * Symbols 0 and 1 are the digits, lowest first, of a run's length; the last symbol is the end; others are moves to the
+ * front.
  * @returns bytes in the block
  */
 function readSymbols(
@@ -243,7 +247,7 @@ function readSymbols(
   throw corrupt('has a block without an end');
 }
 
-/** A block's bytes in their own order: four that are the same are followed by how many more there are. */
+/** Writes a block's bytes in their own order. After four equal bytes, the next byte says how many more of them follow. */
 function writeRuns({ links, first }: { links: Uint32Array; first: number }, output: Bunzip2Output): void {
   let place = first;
   let [previous, same] = [-1, 0];

@@ -1,6 +1,6 @@
 import { loadReader } from '../base/load-reader.ts';
 
-/** Deflate can not do better than this, so a small file can not ask for much memory. Source: zlib's technical notes. */
+/** Deflate can't compress better than this, so a small file can't claim much memory. Source: zlib's technical notes. */
 export const maxDeflateRatio = 1032;
 
 /** True where bytes begin with gzip's signature and the deflate method (RFC 1952). */
@@ -9,16 +9,17 @@ export function isGzip(bytes: Uint8Array): boolean {
 }
 
 /**
- * Unpack a gzip file piece by piece, all its members, so that a reader can read a header before it allocates, and stop when it has
- * enough. What follows the members and is none is passed over.
- * @throws {VolumeViewError} `format/corrupt` while being read, where the file ends early or its checksum is wrong
+ * Unpacks a gzip file, all its members, piece by piece, so that a reader can read a header before it allocates, and
+ * stop when it has enough. Other data after the members are ignored.
+ * @throws {VolumeViewError} `format/corrupt` during reading, if the file ends early or its checksum is wrong
  */
 export function gunzip(bytes: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   return unpack(bytes, 'gzip', `the gzip file of ${bytes.length} bytes`);
 }
 
 /**
- * The browser's own decompressor unpacks one stream, checksum included. Where it fails, as it does where anything follows, ours goes on.
+ * The browser's own decompressor unpacks one stream and checks it. It fails if anything follows the stream; then our
+ * own decoder continues.
  * @param what - for messages
  */
 export async function* unpack(bytes: Uint8Array<ArrayBuffer>, form: 'gzip' | 'deflate', what: string): AsyncGenerator<Uint8Array<ArrayBuffer>> {
@@ -32,7 +33,7 @@ export async function* unpack(bytes: Uint8Array<ArrayBuffer>, form: 'gzip' | 'de
       yield value;
     }
   } catch {
-    // It has thrown away what it did not give.
+    // The browser's decompressor threw away what it had not yielded.
   } finally {
     // A reader that stops early leaves the stream open; one that failed has nothing left to cancel.
     await reader.cancel().catch(() => undefined);

@@ -1,40 +1,40 @@
-// A decoder of our own for deflate, for what follows the end of a stream: the browser's DecompressionStream takes bytes after it for damage
-// and throws away what it had unpacked, and fflate does not say where a stream ends.
+// Our own deflate decoder, for files with data after the end of a stream. The browser's DecompressionStream treats such
+// data as damage and throws away what it had unpacked, and fflate does not say where a stream ends.
 // Source: RFC 1951
 
-/** Farthest that a stream refers back. */
+/** How far back a stream can refer, bytes. */
 const windowBytes = 2 ** 15;
 const bufferBytes = 2 ** 17;
-/** Longest that one word of a stream gives. */
+/** The longest copy that one code of a stream can make. */
 const longestCopy = 258;
 const longestCode = 15;
 
-/** Lengths of copies, their smallest and how many bits are added. Source: RFC 1951, 3.2.5 */
+/** Lengths of copies: the base of each code, and the number of extra bits. Source: RFC 1951, 3.2.5 */
 const lengthBases = [3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 15, 17, 19, 23, 27, 31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258];
 const lengthBits = [0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0];
 const distanceBases = [1, 2, 3, 4, 5, 7, 9, 13, 17, 25, 33, 49, 65, 97, 129, 193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577];
 const distanceBits = [0, 0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 9, 9, 10, 10, 11, 11, 12, 12, 13, 13];
 
-/** In which order a block gives the lengths of the code for its codes. */
+/** The order in which a block lists the lengths of the code for its codes. */
 const orderOfLengths = [16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15];
 
-/** What is wrong with a stream: it ends early, or it is none. */
+/** What is wrong with a stream: it ends early, or it is not deflate data. */
 export class DeflateError extends Error {
   constructor(readonly isCut: boolean) {
     super(isCut ? 'ends early' : 'is damaged');
   }
 }
 
-/** For the next `bits` bits: which symbol they begin with, times 16, plus its length. */
+/** Indexed by the next `bits` bits: the symbol that they begin with, times 16, plus its length. */
 interface Code {
   readonly bits: number;
   readonly table: Uint16Array;
 }
 
-/** Unpacks streams one after another with the same memory: a file may hold millions of short ones. */
+/** Unpacks streams one after another in the same memory: a file may hold millions of short ones. */
 export class Inflater {
   readonly #buffer = new Uint8Array(bufferBytes);
-  /** Bytes in the buffer, and those of them that were given out. */
+  /** Bytes in the buffer, and how many of them were yielded. */
   #length = 0;
   #given = 0;
   #bytes = new Uint8Array(0);
@@ -43,9 +43,10 @@ export class Inflater {
   #pendingBits = 0;
 
   /**
-   * Unpack one stream.
-   * @param start - where it begins
-   * @returns pieces, each for its caller to keep; then where the stream ends
+   * Unpacks one stream.
+   * @param start - index of its first byte
+   * @yields pieces, which the caller may keep
+   * @returns index of the first byte after the stream
    * @throws {DeflateError}
    */
   *unpack(bytes: Uint8Array<ArrayBuffer>, start: number): Generator<Uint8Array<ArrayBuffer>, number> {
@@ -63,7 +64,7 @@ export class Inflater {
     return this.#position - (this.#pendingBits >> 3);
   }
 
-  /** Bytes as they are. */
+  /** Copies a block that is stored without compression. */
   *#copyStored(): Generator<Uint8Array<ArrayBuffer>> {
     this.#read(this.#pendingBits & 7);
     const length = this.#read(16);
@@ -103,7 +104,7 @@ export class Inflater {
     }
   }
 
-  /** Give out what is there, and keep what may be referred to. */
+  /** Yields the bytes in the buffer, and keeps those that later copies may refer to. */
   *#make(): Generator<Uint8Array<ArrayBuffer>> {
     yield* this.#give();
     this.#buffer.copyWithin(0, this.#length - windowBytes, this.#length);
@@ -115,7 +116,7 @@ export class Inflater {
     this.#given = this.#length;
   }
 
-  /** The codes of a block that brings its own. */
+  /** Reads the codes of a block that has its own. */
   #readCodes(): [literals: Code, distances: Code] {
     const literals = 257 + this.#read(5);
     const distances = 1 + this.#read(5);
@@ -138,7 +139,7 @@ export class Inflater {
     return [makeCode(lengths.subarray(0, literals)), makeCode(lengths.subarray(literals))];
   }
 
-  /** At least `count` bits, zeros beyond the end. */
+  /** Reads ahead until at least `count` bits are there, zeros beyond the end. */
   #fill(count: number): void {
     while (this.#pendingBits < count) {
       this.#pending |= (this.#position < this.#bytes.length ? this.#bytes[this.#position] : 0) << this.#pendingBits;
@@ -178,7 +179,10 @@ function fixedCodes(): [literals: Code, distances: Code] {
   return (fixed ??= [makeCode(Uint8Array.from({ length: 288 }, (_, symbol) => lengthOf(symbol))), makeCode(new Uint8Array(32).fill(5))]);
 }
 
-/** @param lengths - of each symbol's word, 0 where it has none @throws {DeflateError} where there are more words than fit */
+/**
+ * @param lengths - of each symbol's code word, 0 if it has none
+ * @throws {DeflateError} if there are more words than fit
+ */
 function makeCode(lengths: Uint8Array): Code {
   const bits = Math.max(1, ...lengths);
   const counts = new Uint16Array(longestCode + 2);
@@ -197,7 +201,7 @@ function makeCode(lengths: Uint8Array): Code {
   return { bits, table };
 }
 
-/** A word is written from its highest bit on, where all other numbers are from their lowest. */
+/** Code words are written from their highest bit on, all other numbers from their lowest. */
 function reverse(word: number, length: number): number {
   let turned = 0;
   for (let bit = 0; bit < length; bit++) turned |= ((word >> bit) & 1) << (length - 1 - bit);

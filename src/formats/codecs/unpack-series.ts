@@ -3,17 +3,17 @@ import { Adler32 } from './adler32.ts';
 import { DeflateError, Inflater } from './inflate.ts';
 import { startsWith } from '../base/starts-with.ts';
 
-// What the browser's own decompressor does not take: several members in one gzip file (RFC 1952, 2.2; bgzip, mgzip and cat make them), and
-// bytes after the data, such as the zeros that fill a tape's block.
+// What the browser's own decompressor does not accept: several members in one gzip file (RFC 1952, 2.2; bgzip, mgzip
+// and cat write them), and bytes after the data, such as the zeros that fill a tape's block.
 
-/** Members one after another that hold nothing: more than any file has. */
+/** Maximum number of empty members in a row: more than any file has. */
 const maxEmptyMembers = 2 ** 16;
 
 /**
- * Unpack all members of a gzip file, or zlib data, with their checksums. Zeros after a member are passed over, as gzip and Python do it; what follows
- * and is no member ends the data, as it does for gzip.
+ * Unpacks all members of a gzip file, or zlib data, and checks their checksums. Zeros after a member are skipped, as
+ * gzip and Python do. Anything else that is not a member ends the data, as with gzip.
  * @param what - for messages: 'the gzip file of 992 bytes'
- * @throws {VolumeViewError} `format/corrupt`, after what is whole was given
+ * @throws {VolumeViewError} `format/corrupt`, after the valid part was yielded
  */
 export function* unpackSeries(bytes: Uint8Array<ArrayBuffer>, form: 'gzip' | 'deflate', what: string): Generator<Uint8Array<ArrayBuffer>> {
   try {
@@ -48,10 +48,10 @@ function* unpackMembers(bytes: Uint8Array<ArrayBuffer>): Generator<Uint8Array<Ar
   throw new DeflateError(false);
 }
 
-/** Where the data of a member begin. Source: RFC 1952, 2.3 */
+/** Index of the first byte of a member's data. Source: RFC 1952, 2.3 */
 function findData(bytes: Uint8Array, start: number): number {
   const flags = bytes[start + 3];
-  // Bits that are not yet given any meaning.
+  // Reserved bits: no meaning is defined yet.
   if (flags & 0xe0) throw new DeflateError(false);
   let at = start + 10;
   if (flags & 4) at += 2 + bytes[at] + 256 * bytes[at + 1];
@@ -62,7 +62,7 @@ function findData(bytes: Uint8Array, start: number): number {
     at = end + 1;
   }
   if (flags & 2) at += 2;
-  // Also where a length beyond the end made it no number.
+  // This is also true if a length beyond the end made it NaN.
   if (!(at < bytes.length)) throw new DeflateError(true);
   return at;
 }

@@ -3,11 +3,11 @@ import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import { corruptFile } from './file-problem.ts';
 
 /**
- * Voxel index to world, of what one step along each axis is in the world. Axes that a line or a flat image lacks stand
- * upright on it, one world unit long.
+ * Voxel index to world, from the world step along each axis. An axis that a line or a flat image lacks is made
+ * perpendicular to the others, one world unit long.
  * @param steps - one to three
  * @param origin - centre of the first voxel
- * @throws {VolumeViewError} `format/corrupt` where they do not span a volume
+ * @throws {VolumeViewError} `format/corrupt` if they do not span a volume
  */
 export function completeAxes(what: string, steps: readonly Vector3[], origin: Vector3): Matrix4 {
   const [a, b = findUpright(a), c = normalize(cross(a, b))] = steps;
@@ -16,7 +16,7 @@ export function completeAxes(what: string, steps: readonly Vector3[], origin: Ve
   throw corruptFile(what, `got the axes ${steps.map((step) => `(${step.join(', ')})`).join(' ')}; expected finite lengths above 0, and directions that do not lie in one plane`);
 }
 
-/** Across a line, and along a world axis where the line itself is. */
+/** A direction perpendicular to a line; along a world axis if the line is. */
 function findUpright(a: Vector3): Vector3 {
   const along: Vector3 = Math.abs(a[1]) < 0.5 * length(a) ? [0, 1, 0] : [0, 0, 1];
   return normalize(cross(cross(a, along), a));

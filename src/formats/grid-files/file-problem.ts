@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../core/errors.ts';
 
-// What readers of a header with samples beside it or after it say; `what` is such as 'the NRRD header'.
+// Errors of readers of a header with samples after it or in other files; `what` is for example 'the NRRD header'.
 
 export function corruptFile(what: string, problem: string): VolumeViewError {
   return new VolumeViewError('format/corrupt', `${what} ${problem}`);

@@ -4,12 +4,15 @@ import type { ReadContext } from '../base/format.ts';
 import { nameOf } from '../base/name-of.ts';
 import { corruptFile, unsupportedFile } from './file-problem.ts';
 
-/** The names that a pattern stands for: 'slice%03d.raw 1 20 1' has one number of C's printf, its first and last value and the step. */
+/**
+ * The names that a pattern stands for: 'slice%03d.raw 1 20 1' has one number in the syntax of C's printf, its first and
+ * last value, and the step.
+ */
 export function expandPattern(what: string, text: string): string[] | null {
   const words = text.trim().split(/\s+/);
   const numbers = countNumbers(words);
   if (numbers < 2 || text.length > 4096) return null;
-  // A fourth number is the dimension of each file, which the header says anyhow.
+  // A fourth number is the dimension of each file, which the header gives too.
   const [first, last, step = 1] = words.slice(-Math.min(numbers, words.length - 1)).map(Number);
   const pattern = text.trim().slice(0, endOfName(text.trim(), Math.min(numbers, words.length - 1)));
   const place = findPlace(pattern);
@@ -21,21 +24,21 @@ export function expandPattern(what: string, text: string): string[] | null {
   return Array.from({ length: count }, (_, i) => place.before + pad(first + i * step, place.width, place.fill) + place.after);
 }
 
-/** Whole numbers at a text's end, four at most. */
+/** Counts the whole numbers at a text's end, four at most. */
 function countNumbers(words: readonly string[]): number {
   let count = 0;
   while (count < 4 && /^-?\d+$/.test(words.at(-1 - count) ?? '')) count++;
   return count;
 }
 
-/** Where what stands before the last words ends. */
+/** The index at which the part before the last words ends. */
 function endOfName(text: string, words: number): number {
   let end = text.length;
   for (let word = 0; word < words; word++) end = text.slice(0, end).trimEnd().search(/\S+$/);
   return text.slice(0, end).trimEnd().length;
 }
 
-/** The first number of C's printf in a name. */
+/** Finds the first number of C's printf in a name. */
 function findPlace(name: string): { before: string; width: number; fill: '0' | ' '; after: string } | null {
   for (let at = name.indexOf('%'); at >= 0; at = name.indexOf('%', at + 1)) {
     const [all, zero, width] = /^%(0?)(\d{0,9})[diu]/.exec(name.slice(at, at + 16)) ?? [];
@@ -44,7 +47,7 @@ function findPlace(name: string): { before: string; width: number; fill: '0' | '
   return null;
 }
 
-/** As C's printf does it: the sign comes before zeros. */
+/** Pads a number as C's printf does: the sign comes before zeros. */
 function pad(value: number, width: number, fill: '0' | ' '): string {
   const sign = value < 0 ? '-' : '';
   const digits = String(Math.abs(value));
@@ -52,10 +55,10 @@ function pad(value: number, width: number, fill: '0' | ' '): string {
 }
 
 /**
- * URLs of the files that a header names: the stack's own where there is a stack, whatever they are called there; else
- * beside the header.
- * @param names - as they stand in the header; null where the data follow it in its own file
- * @returns null where the data follow the header
+ * URLs of the files that a header names. If the page gave a stack, its files are used, whatever their names; else the
+ * names are resolved relative to the header.
+ * @param names - as the header has them; null if the data follow it in its own file
+ * @returns null if the data follow the header
  * @throws {VolumeViewError} `format/unsupported`, `format/too-large`, `format/corrupt`
  */
 export function findDataFiles(
@@ -71,10 +74,10 @@ export function findDataFiles(
   checkFileCount(what, names.length);
   if (further.length === 0) return names.map((name) => resolveName(what, name, input.url));
   if (further.length === names.length) return further;
-  throw unsupportedFile(what, `names ${names.length} data file${names.length > 1 ? 's' : ''} and the stack has ${further.length} beside it; expected them all, in the header's order`);
+  throw unsupportedFile(what, `names ${names.length} data file${names.length > 1 ? 's' : ''} and the stack has ${further.length} other files; expected all of them, in the header's order`);
 }
 
-/** Bytes of samples in each file. @throws {VolumeViewError} `format/corrupt` where they do not hold equal parts */
+/** Bytes of samples in each file. @throws {VolumeViewError} `format/corrupt` if the files can't hold equal parts */
 export function shareBytes(what: string, bytesInAll: number, bytesPerSample: number, files: readonly string[] | null): number {
   const each = bytesInAll / (files?.length ?? 1);
   if (Number.isInteger(each / bytesPerSample)) return each;
@@ -82,8 +85,8 @@ export function shareBytes(what: string, bytesInAll: number, bytesPerSample: num
 }
 
 /**
- * The URL of a file that is named from its header's place. A name is no URL: '#', '?' and '%' in it are characters. Those
- * with a root or a scheme are paths of the machine where the header was written, and are not followed.
+ * The URL of a file whose name is relative to its header. A name is not a URL: '#', '?' and '%' in it are characters.
+ * Names with a root or a scheme are paths of the machine that wrote the header, and are not followed.
  */
 function resolveName(what: string, name: string, base: string): string {
   if (name === '') throw corruptFile(what, 'names no data file; expected a file name');

@@ -3,9 +3,9 @@ import type { ReadContext } from '../base/format.ts';
 import { yieldOnce } from '../base/piece-reader.ts';
 
 /**
- * The bytes of the files that hold samples, one after another.
- * @param urls - absolute; null where the header's own file has them
- * @param count - files that are needed: the first ones
+ * Yields the bytes of the files that hold samples, one after another.
+ * @param urls - absolute; null if the samples are in the header's own file
+ * @param count - number of files that are needed: the first ones
  */
 export function listDataFiles(urls: readonly string[] | null, header: DecodeInput, context: ReadContext, count: number): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   return urls ? fetchBytesOf(urls.slice(0, count), context) : yieldOnce(header.bytes);

@@ -1,7 +1,7 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 
 /**
- * Samples of one volume out of an array that holds more, packed together, i fastest.
+ * Copies the samples of one volume out of an array that holds more. They are packed together, i fastest.
  * @param bytes - from the volume's first sample on
  * @param strides - samples from one voxel to the next along i, j and k
  */

@@ -1,19 +1,19 @@
 import { corruptFile } from './file-problem.ts';
 
-/** More than a header of thousands of file names takes; what is longer is no header. */
+/** More than a header with thousands of file names takes; anything longer is not a header. */
 const maxHeaderBytes = 2 ** 21;
 
 export interface HeaderLine {
-  /** Without its end. */
+  /** Without the line's end. */
   readonly text: string;
   /** Where the next line begins, bytes from the file's start. */
   readonly next: number;
 }
 
 /**
- * The lines at the beginning of a file, for as long as they are asked for.
+ * Yields the lines at the beginning of a file, as long as the caller asks for more.
  * @param what - for messages, such as 'the NRRD header'
- * @throws {VolumeViewError} `format/corrupt` where a header does not end
+ * @throws {VolumeViewError} `format/corrupt` if a header does not end
  */
 export function* readHeaderLines(what: string, bytes: Uint8Array): Generator<HeaderLine> {
   const decoder = new TextDecoder();
@@ -28,9 +28,9 @@ export function* readHeaderLines(what: string, bytes: Uint8Array): Generator<Hea
 }
 
 /**
- * A line cut where its first sign of some stands; without expressions, which take long for lines of blanks.
+ * Cuts a line at the first of some signs. It uses no regular expression: those take long for lines of blanks.
  * @param signs - single characters
- * @returns what stands before and after it, without blanks around; null where there is none
+ * @returns the text before and after the sign, without blanks around; null if there is no sign
  */
 export function cutLine(text: string, signs: string): { name: string; sign: string; value: string } | null {
   const places = Array.from(signs, (sign) => text.indexOf(sign)).filter((at) => at >= 0);
@@ -39,7 +39,7 @@ export function cutLine(text: string, signs: string): { name: string; sign: stri
   return { name: text.slice(0, at).trim(), sign: text[at], value: text.slice(at + 1).trim() };
 }
 
-/** Longest value of a field that is looked into: room for matrices, lists of sizes and paths. */
+/** Maximum length of a field's value: enough for matrices, lists of sizes and paths. */
 const maxValueLength = 4096;
 
 /** @throws {VolumeViewError} `format/corrupt` */

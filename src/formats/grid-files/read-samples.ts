@@ -8,30 +8,33 @@ import { PieceReader, yieldOnce } from '../base/piece-reader.ts';
 import { corruptFile } from './file-problem.ts';
 import { readTextNumbers } from './read-text-numbers.ts';
 
-/** Where a header says its samples are, and how they are written. */
+/** Where a header says that its samples are, and how they are written. */
 export interface SampleLayout {
   /** For messages, such as 'the NRRD file'. */
   readonly what: string;
   readonly type: NumberType;
-  /** 'deflate' is gzip or zlib, which their first bytes tell apart; 'text' gives numbers in this machine's byte order. */
+  /** 'deflate' is gzip or zlib: their first bytes differ. 'text' gives numbers in this machine's byte order. */
   readonly encoding: 'raw' | 'deflate' | 'bzip2' | 'text';
-  /** Bytes of samples in each file, as numbers. */
+  /** Bytes of samples in each file, after decoding. */
   readonly bytesPerFile: number;
-  /** Of the first file: where to begin, bytes; other files begin at 0. */
+  /** Offset of the samples in the first file, bytes; 0 in other files. */
   readonly start?: number;
-  /** Of each file, from there on: lines to leave out, then bytes; 'all before' leaves out all but the end, raw only. */
+  /**
+   * Of each file, after `start`: first the lines to skip, then the bytes to skip. 'all before' skips everything except
+   * the end, for raw only.
+   */
   readonly skipLines?: number;
   readonly skipBytes?: number | 'all before';
-  /** Of each file, bytes to leave out of what it unpacks to. */
+  /** Of each file, bytes to skip of what it unpacks to. */
   readonly skipUnpacked?: number;
 }
 
 /**
- * Read samples out of one file after another, no more of them than are wanted.
- * @param files - their bytes; taken over
+ * Reads samples from one file after another, until it has as many as wanted.
+ * @param files - their bytes; the buffers are taken over
  * @param wanted - bytes, from the first sample on
- * @returns `wanted` bytes, which are taken from the budget
- * @throws {VolumeViewError} `format/corrupt` before memory is taken that the files can not fill, `format/too-large`
+ * @returns `wanted` bytes, taken from the budget
+ * @throws {VolumeViewError} `format/corrupt` before it takes memory that the files can't fill, `format/too-large`
  */
 export async function readSamples(
   files: AsyncIterable<Uint8Array<ArrayBuffer>>,
@@ -87,7 +90,7 @@ async function readFile(file: Uint8Array<ArrayBuffer>, { layout, start, budget }
       return unpacked.subarray(skipUnpacked, skipUnpacked + wanted);
     }
     case 'text': {
-      // No more than a few times as many bytes as there are characters.
+      // The bytes are at most a few times as many as the characters.
       const numbers = readTextNumbers(what, file.subarray(from), wanted / type.bytesPerSample, type);
       budget.take(wanted, what);
       return numbers;
@@ -95,7 +98,10 @@ async function readFile(file: Uint8Array<ArrayBuffer>, { layout, start, budget }
   }
 }
 
-/** The bytes from `from` on; where they are all that a packed file holds, its end is read too: there is the checksum. */
+/**
+ * The bytes from `from` on. If they are all that a packed file holds, its end is read too, because the checksum is
+ * there.
+ */
 async function readPieces(
   pieces: AsyncIterable<Uint8Array<ArrayBuffer>>,
   { layout, from, wanted }: { layout: SampleLayout; from: number; wanted: number },

@@ -4,13 +4,13 @@ import { corruptFile } from './file-problem.ts';
 const longestNumber = 64;
 
 /**
- * Numbers written as text, separated by white space or commas.
- * @param count - numbers that are wanted; more are left alone
+ * Reads numbers written as text, separated by white space or commas.
+ * @param count - numbers that are wanted; further ones are ignored
  * @returns their bytes, in this machine's order
  * @throws {VolumeViewError} `format/corrupt`
  */
 export function readTextNumbers(what: string, text: Uint8Array, count: number, type: NumberType): Uint8Array<ArrayBuffer> {
-  // A number and what parts it from the next one are two characters: fewer can not fill what is asked for.
+  // A number and its separator take two characters: a shorter text can't hold `count` numbers.
   if (count > (text.length + 1) / 2) throw corruptFile(what, `asks for ${count} numbers, and ${text.length} characters follow; the file is cut short`);
   const bytes = new Uint8Array(count * type.bytesPerSample);
   const values = type.read.view(bytes);
@@ -31,7 +31,7 @@ function isGap(code: number): boolean {
   return code <= 0x20 || code === 0x2c;
 }
 
-/** False where the text is no number of the type. */
+/** Stores a number; false if the text is not a number of the type. */
 function setNumber(values: ReturnType<NumberType['read']['view']>, i: number, token: string): boolean {
   if (values instanceof BigInt64Array || values instanceof BigUint64Array) {
     if (!/^[+-]?\d+$/.test(token)) return false;

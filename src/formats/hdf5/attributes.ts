@@ -12,7 +12,7 @@ import type { Message } from './object-header.ts';
 import { readDataType, readShape } from './types.ts';
 import type { DataType } from './types.ts';
 
-/** Bytes that an attribute takes beside its name and its value, and a text beside its characters. */
+/** Bytes that an attribute takes in addition to its name and its value, and a text in addition to its characters. */
 const overhead = 128;
 
 /**
@@ -51,7 +51,7 @@ function listInHeap(file: Hdf5Bytes, info: Message): Place[] {
   return places;
 }
 
-/** @param end - of its message: what it refers to beyond belongs to others */
+/** @param end - of its message: what it refers to beyond belongs to other messages */
 function readAttribute(cursor: Cursor, end: number): { name: string; value: AttributeValue | null } {
   const version = cursor.expectVersion('an attribute', 1, 2, 3);
   const flags = cursor.u8();

@@ -1,21 +1,21 @@
 import { corruptHdf5, noAddress } from './hdf5-bytes.ts';
 import type { Cursor, Hdf5Bytes } from './hdf5-bytes.ts';
 
-/** What an entry takes in memory, its key included. */
+/** Memory for an entry and its key, bytes. */
 const bytesPerEntry = 200;
 
 /**
- * Walk a version 1 B-tree, in order.
+ * Walks a version 1 B-tree, in order.
  * @param nodeType - 0 for groups, 1 for chunks
- * @param readKey - reads the key before a child; what it returns goes with the child
- * @returns of each entry of the leaves its key and the address that it leads to
+ * @param readKey - reads the key before a child; its result is returned with the child
+ * @returns the key and the target address of each entry of the leaves
  * Source: HDF5 File Format Specification 3.0, III.A.1
  */
 export function readTree<Key>(file: Hdf5Bytes, root: number, nodeType: number, readKey: (cursor: Cursor) => Key): { key: Key; address: number }[] {
   const found: { key: Key; address: number }[] = [];
   const visited = new Set<number>();
   const visit = (address: number, parentLevel: number): void => {
-    // Each node has one parent; one that is met twice belongs to a damaged tree.
+    // Each node has one parent: if a node occurs twice, the tree is damaged.
     if (visited.has(address)) throw corruptHdf5('has a B-tree that leads back into itself');
     visited.add(address);
     const cursor = file.at(address);

@@ -1,21 +1,21 @@
 import { bytesToHold, corruptHdf5, noAddress } from './hdf5-bytes.ts';
 import type { Cursor, Hdf5Bytes } from './hdf5-bytes.ts';
 
-/** What is made of a record. */
+/** Memory for what is made of a record, bytes. */
 const bytesPerRecord = 64;
 
-/** What a version 2 B-tree says of its nodes. */
+/** What a version 2 B-tree says about its nodes. */
 interface Tree {
   readonly file: Hdf5Bytes;
   readonly recordBytes: number;
   readonly readRecord: (cursor: Cursor) => void;
-  /** Bytes of the count of a child's records, and by level of the count of all below it. */
+  /** Bytes of the count of a child's records, and for each level bytes of the count of all records below it. */
   readonly countBytes: number;
   readonly totalBytes: readonly number[];
 }
 
 /**
- * Walk a version 2 B-tree: `readRecord` is called with a cursor at each record.
+ * Walks a version 2 B-tree and calls `readRecord` with a cursor at each record.
  * Source: HDF5 File Format Specification 3.0, III.A.2
  */
 export function readTree2(file: Hdf5Bytes, address: number, readRecord: (cursor: Cursor) => void): void {

@@ -10,24 +10,24 @@ export interface Chunk {
   readonly position: number;
   /** Bytes as stored, before the filters are undone. */
   readonly bytes: number;
-  /** Bit i is set where filter i was not applied. */
+  /** Bit i is set if filter i was not applied. */
   readonly skipped: number;
 }
 
-/** What a chunk takes in a list. */
+/** Memory for a chunk in a list, bytes. */
 const bytesPerChunk = 200;
 
 export interface ChunkedArray {
   readonly layout: ChunkedLayout;
   readonly shape: readonly number[];
-  /** Lengths that the array may grow to: an index has a place for each chunk that may come. */
-  readonly most: readonly number[];
+  /** Lengths that the array may grow to: an index has a place for each chunk that may be written later. */
+  readonly maxShape: readonly number[];
   readonly elementBytes: number;
   readonly isFiltered: boolean;
 }
 
 /**
- * All chunks that were ever written.
+ * Lists all chunks that were ever written.
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  */
 export function listChunks(file: Hdf5Bytes, array: ChunkedArray): Chunk[] {
@@ -101,7 +101,7 @@ function listInFixedArray(cursor: Cursor, array: ChunkedArray, unfiltered: numbe
   const chunks: Chunk[] = [];
   for (let i = 0; i < entries; i++) {
     const page = Math.floor(i / pageEntries);
-    if (isPaged && i > 0 && i % pageEntries === 0) block.skip(4); // The checksum of the page before.
+    if (isPaged && i > 0 && i % pageEntries === 0) block.skip(4); // The checksum of the previous page.
     const next = block.position + entryBytes;
     const address = block.address();
     const stored = array.isFiltered ? { bytes: block.unsigned(sizeBytes), skipped: block.u32() } : { bytes: unfiltered, skipped: 0 };
@@ -113,8 +113,8 @@ function listInFixedArray(cursor: Cursor, array: ChunkedArray, unfiltered: numbe
 }
 
 /**
- * Chunks that lie in the array, each once: two at one position, or one off the lattice, would be damage, and much of it
- * would be much to unpack.
+ * Keeps the chunks that lie in the array. Two chunks at one position, or a chunk that is not on the lattice, are
+ * damage, and a damaged list could make the reader unpack far too much.
  */
 function keepSane(chunks: Chunk[], { layout, shape }: ChunkedArray): Chunk[] {
   const places = new Set<string>();
@@ -128,22 +128,22 @@ function keepSane(chunks: Chunk[], { layout, shape }: ChunkedArray): Chunk[] {
   });
 }
 
-/** Chunks that are there for what the array may grow to hold nothing yet. */
-function keepInside(chunks: Chunk[], { shape, most }: ChunkedArray): Chunk[] {
-  return shape.every((length, axis) => length === most[axis]) ? chunks : chunks.filter(({ start }) => start.every((at, axis) => at < shape[axis]));
+/** Removes chunks beyond the array's present shape: they belong to what it may grow to, and hold nothing yet. */
+function keepInside(chunks: Chunk[], { shape, maxShape }: ChunkedArray): Chunk[] {
+  return shape.every((length, axis) => length === maxShape[axis]) ? chunks : chunks.filter(({ start }) => start.every((at, axis) => at < shape[axis]));
 }
 
-/** Chunks that the array may grow to. */
-function countChunks({ layout, most }: ChunkedArray): number {
-  return most.reduce((product, length, axis) => product * Math.ceil(length / layout.chunk[axis]), 1);
+/** The number of chunks that the array may grow to. */
+function countChunks({ layout, maxShape }: ChunkedArray): number {
+  return maxShape.reduce((product, length, axis) => product * Math.ceil(length / layout.chunk[axis]), 1);
 }
 
-/** Where chunk number i begins, counted along the last axis first. */
-function startOf({ layout, most }: ChunkedArray, i: number): number[] {
-  const start = most.map(() => 0);
+/** The start of chunk number i, counted along the last axis first. */
+function startOf({ layout, maxShape }: ChunkedArray, i: number): number[] {
+  const start = maxShape.map(() => 0);
   let rest = i;
-  for (let axis = most.length - 1; axis >= 0; axis--) {
-    const along = Math.ceil(most[axis] / layout.chunk[axis]);
+  for (let axis = maxShape.length - 1; axis >= 0; axis--) {
+    const along = Math.ceil(maxShape[axis] / layout.chunk[axis]);
     start[axis] = (rest % along) * layout.chunk[axis];
     rest = Math.floor(rest / along);
   }

@@ -5,8 +5,9 @@ export interface Box {
 }
 
 /**
- * Copy one array into another.
- * @param start - where the source's first element goes along each axis of the target; elements beyond its edges are left out
+ * Copies one array into another.
+ * @param start - where the source's first element goes along each axis of the target; elements beyond its edges are
+ * left out
  */
 export function copyBox(source: Box, target: Box, start: readonly number[], elementBytes: number): void {
   const last = target.shape.length - 1;

@@ -21,14 +21,20 @@ import type { Message } from './object-header.ts';
 import { readDataType, readExtent } from './types.ts';
 import type { DataType } from './types.ts';
 
-/** Bytes of unpacked chunks that are kept: sweeps of one array are read one after another, and may share a chunk. */
+/**
+ * Maximum bytes of unpacked chunks that are kept: sweeps of one array are read one after another, and may share a
+ * chunk.
+ */
 const maxKeptBytes = 2 ** 26;
 
-/** A chunk may be larger than its array, which is to grow; how much, and up to how many bytes that does not matter. */
+/**
+ * A chunk may be larger than an array that will grow. This is the maximum ratio, and the size below which the ratio
+ * does not matter.
+ */
 const maxChunkShare = 8;
 const anyChunkBytes = 2 ** 24;
 
-/** What a text takes beside its characters. */
+/** Memory for a text in addition to its characters, bytes. */
 const bytesPerText = 64;
 
 /** An array of an HDF5 file. */
@@ -37,7 +43,7 @@ export class Hdf5Dataset implements DataArray {
   readonly shape: readonly number[];
   readonly type: ElementType;
   /** Lengths that it may grow to. */
-  readonly #most: readonly number[];
+  readonly #maxShape: readonly number[];
   readonly #file: Hdf5Bytes;
   readonly #messages: readonly Message[];
   readonly #dataType: DataType;
@@ -59,9 +65,9 @@ export class Hdf5Dataset implements DataArray {
     this.#file = file;
     this.#messages = messages;
     this.#dataType = readDataType(new Cursor(file, find(messageTypes.datatype).position));
-    const { shape, most } = readExtent(new Cursor(file, find(messageTypes.dataspace).position)) ?? { shape: [0], most: [0] };
+    const { shape, maxShape } = readExtent(new Cursor(file, find(messageTypes.dataspace).position)) ?? { shape: [0], maxShape: [0] };
     this.shape = shape;
-    this.#most = most;
+    this.#maxShape = maxShape;
     this.type = elementTypeOf(this.#dataType);
     this.#layout = readLayout(file, find(messageTypes.layout));
     const filters = findMessage(messages, messageTypes.filters);
@@ -115,11 +121,11 @@ export class Hdf5Dataset implements DataArray {
 
   #readChunked(layout: ChunkedLayout, rows: { from: number; count: number; bytes: number }): Uint8Array<ArrayBuffer> {
     const elementBytes = this.#dataType.bytes;
-    this.#chunks ??= listChunks(this.#file, { layout, shape: this.shape, elementBytes, isFiltered: this.#filters.length > 0, most: this.#most });
+    this.#chunks ??= listChunks(this.#file, { layout, shape: this.shape, elementBytes, isFiltered: this.#filters.length > 0, maxShape: this.#maxShape });
     const chunkBytes = countElements(layout.chunk) * elementBytes;
     this.#checkChunk(chunkBytes);
     const shape = [rows.count, ...this.shape.slice(1)];
-    // Copying goes by runs along the last axis.
+    // Copying works in runs along the last axis.
     const runs = countElements(shape.slice(0, -1)) * Math.ceil(shape.at(-1)! / (layout.chunk.at(-1) ?? 1));
     this.#file.budget.step(this.#chunks.length + runs, this.path);
     const target = this.#makeFilled(rows.bytes);
@@ -150,7 +156,7 @@ export class Hdf5Dataset implements DataArray {
     const { budget } = this.#file;
     const isPlain = layout.hasPlainEdges && chunk.start.some((at, axis) => at + layout.chunk[axis] > this.shape[axis]);
     const filters = isPlain ? [] : this.#filters;
-    // What the stored bytes can not swell to is refused before it is believed.
+    // Refuse a size that the stored bytes can't expand to before memory is allocated.
     if (expected > maxDeflateRatio * chunk.bytes) throw corruptHdf5(`has a chunk of ${chunk.bytes} bytes for ${expected} of ${this.path}`);
     const bytes = undoFilters(this.#file.slice(chunk.position, chunk.bytes), filters, { skipped: chunk.skipped, expected, budget });
     if (this.#keptBytes + bytes.length > maxKeptBytes) {
@@ -164,7 +170,7 @@ export class Hdf5Dataset implements DataArray {
     return bytes;
   }
 
-  /** Bytes where nothing is written yet: the fill value, or 0. */
+  /** Bytes for parts that were never written: the fill value, or 0. */
   #makeFilled(bytes: number): Uint8Array<ArrayBuffer> {
     const filled = new Uint8Array(bytes);
     const fill = this.#layout.kind === 'chunked' || this.#layout.position === noAddress ? readFillValue(this.#file, this.#messages) : null;
@@ -175,7 +181,7 @@ export class Hdf5Dataset implements DataArray {
   }
 }
 
-/** Bytes that are there for an element until its number is: as stored and, where the type is another, as a number. */
+/** Bytes of memory per element during decoding: as stored and, if the type differs, as a number. */
 function bytesOfDecoding({ type, bytes }: Extract<DataType, { kind: 'number' }>): number {
   return type === 'int64' || type === 'uint64' || type === 'float16' ? 3 * bytes : bytes;
 }

@@ -20,13 +20,13 @@ const shuffle = 2;
 const fletcher32 = 3;
 const names = new Map([[4, 'SZIP'], [5, 'N-bit'], [6, 'scale-offset'], [307, 'bzip2'], [32000, 'LZF'], [32001, 'Blosc'], [32004, 'LZ4'], [32015, 'Zstandard']]);
 
-/** Those that h5repack itself undoes, and one that h5py alone knows; all others are plugins. */
+/** Filters that h5repack can undo, and one that only h5py knows; all others are plugins. */
 const remedies = new Map<number, Remedy>([[4, 'repack'], [5, 'repack'], [6, 'repack'], [32000, 'h5py']]);
 
-/** Bytes that are unpacked in the time of a step. */
+/** Unpacking so many bytes counts as one step. */
 const bytesPerStep = 16;
 
-/** As many as HDF5 itself allows: a chunk has a bit for each. */
+/** The maximum that HDF5 itself allows: a chunk has a bit for each filter. */
 const maxFilters = 32;
 
 /**
@@ -52,10 +52,10 @@ export function readFilters(file: Hdf5Bytes, message: Message): Filter[] {
 }
 
 /**
- * Undo the filters of a chunk.
- * @param skipped - bit i is set where filter i was not applied
+ * Undoes the filters of a chunk.
+ * @param skipped - bit i is set if filter i was not applied
  * @param expected - bytes that the chunk must have in the end
- * @param budget - what each step makes is taken from it and given back
+ * @param budget - the output of each step is taken from it and given back
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  */
 export function undoFilters(
@@ -69,7 +69,7 @@ export function undoFilters(
     const { id, name, parameters } = filters[i];
     const made = id === deflate ? Math.min(expected + 4, maxDeflateRatio * bytes.length) : bytes.length;
     budget.take(made, 'a compressed chunk');
-    // What comes out beyond what is expected is thrown away, and still takes its time.
+    // Output beyond the expected size is thrown away, but it still takes time.
     if (id === deflate) budget.step((maxDeflateRatio * bytes.length) / bytesPerStep, 'a compressed chunk');
     // A checksum may come before the last deflate: four bytes more.
     if (id === deflate) bytes = inflate(bytes, expected + 4);
@@ -83,18 +83,18 @@ export function undoFilters(
 }
 
 /**
- * Unpack a zlib stream into bytes that are there already, so that one that swells beyond `most` takes no more: what is over is lost,
- * and the checksum is wrong. Source: RFC 1950
+ * Unpacks a zlib stream into a buffer of fixed size, so that a stream that expands beyond `maxBytes` takes no more memory:
+ * the rest is dropped, and the checksum is wrong. Source: RFC 1950
  */
-function inflate(bytes: Uint8Array<ArrayBuffer>, most: number): Uint8Array<ArrayBuffer> {
+function inflate(bytes: Uint8Array<ArrayBuffer>, maxBytes: number): Uint8Array<ArrayBuffer> {
   const [method, flags] = bytes;
   const isZlib = bytes.length >= 6 && (method & 0x0f) === 8 && (method * 256 + flags) % 31 === 0 && (flags & 0x20) === 0;
   if (!isZlib) throw corruptHdf5('has a chunk that is not compressed as it says');
-  const whole = unpackInto(bytes.subarray(2, bytes.length - 4), new Uint8Array(Math.min(most, maxDeflateRatio * bytes.length)));
+  const whole = unpackInto(bytes.subarray(2, bytes.length - 4), new Uint8Array(Math.min(maxBytes, maxDeflateRatio * bytes.length)));
   const sum = new Adler32();
   sum.add(whole);
   const checksumAt = (end: number): number => new DataView(bytes.buffer, bytes.byteOffset + end, 4).getUint32(0);
-  // zlib passes over what follows a stream, and so HDF5's own library does.
+  // zlib ignores what follows a stream, and so does HDF5's own library.
   if (checksumAt(bytes.length - 4) !== sum.value && checksumAt(Math.min(findEnd(bytes), bytes.length - 4)) !== sum.value) throw corruptHdf5('has a chunk with a wrong checksum');
   return whole;
 }
@@ -119,10 +119,10 @@ function unpackInto(bytes: Uint8Array, out: Uint8Array<ArrayBuffer>): Uint8Array
   }
 }
 
-/** First bytes of all elements, then the second ones, and so on: back to elements. */
+/** Puts elements together again: the data have the first bytes of all elements, then the second ones, and so on. */
 function unshuffle(bytes: Uint8Array<ArrayBuffer>, elementBytes: number): Uint8Array<ArrayBuffer> {
   const elements = Math.floor(bytes.length / elementBytes);
-  // Nothing moved where there is one element, or none that is so long.
+  // The filter moves nothing if there is one element, or if no element is complete.
   if (elementBytes < 2 || elements < 2) return bytes;
   const whole = new Uint8Array(bytes.length);
   for (let part = 0; part < elementBytes; part++) {
@@ -132,7 +132,7 @@ function unshuffle(bytes: Uint8Array<ArrayBuffer>, elementBytes: number): Uint8A
   return whole;
 }
 
-/** Sums of 16-bit words, big-endian, an odd last byte as the high one; stored little-endian after the data. */
+/** Sums of 16-bit words, big-endian, with an odd last byte as the high one; stored little-endian after the data. */
 function checkFletcher32(bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
   const end = bytes.length - 4;
   if (end < 0) throw corruptHdf5('has a chunk without its checksum');

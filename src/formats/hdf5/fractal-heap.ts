@@ -2,15 +2,18 @@ import { readTree2 } from './b-tree-2.ts';
 import { bytesToHold, corruptHdf5, noAddress, unsupportedHdf5 } from './hdf5-bytes.ts';
 import type { Cursor, Hdf5Bytes } from './hdf5-bytes.ts';
 
-/** A heap of many small objects: where newer files keep long lists of links and attributes. */
+/** A heap of many small objects: newer files keep long lists of links and attributes in it. */
 export interface FractalHeap {
-  /** Bytes of the identifiers by which others refer to its objects. */
+  /** Bytes of the identifiers by which other structures refer to its objects. */
   readonly idBytes: number;
-  /** Where an object is; null for the sort that nothing here needs. `id` is a cursor at its identifier. */
+  /** Finds an object; null for the kind that nothing here needs. `id` is a cursor at its identifier. */
   find(id: Cursor): { position: number; size: number } | null;
 }
 
-/** The doubling table: rows of blocks, `width` in each, of the first size twice and then of twice the one before. */
+/**
+ * The doubling table: rows of `width` blocks each. The first two rows have blocks of the first size; in each further
+ * row the blocks are twice as large as in the row before.
+ */
 interface Table {
   readonly file: Hdf5Bytes;
   readonly width: number;
@@ -60,7 +63,7 @@ export function readFractalHeap(file: Hdf5Bytes, address: number): FractalHeap {
   };
 }
 
-/** Walk down to the block that holds an offset. */
+/** Walks down to the block that holds an offset. */
 function findManaged(table: Table, block: { address: number; rows: number }, offset: number): number {
   const { file, width } = table;
   const cursor = file.at(block.address);
@@ -83,7 +86,7 @@ function findManaged(table: Table, block: { address: number; rows: number }, off
   throw corruptHdf5('refers to an object beyond the end of its heap');
 }
 
-/** Objects too large for the blocks, such as the angles of 720 radials. */
+/** Finds objects too large for the blocks, such as the angles of 720 radials. */
 function findHuge(file: Hdf5Bytes, tree: number, wanted: number): { position: number; size: number } | null {
   if (tree === noAddress) return null;
   let found: { position: number; size: number } | null = null;

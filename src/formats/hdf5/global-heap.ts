@@ -1,17 +1,17 @@
 import { decodeText } from '../base/decode-text.ts';
 import { corruptHdf5, Cursor, Hdf5Bytes, noAddress } from './hdf5-bytes.ts';
 
-/** What a text takes beside its characters, and an object beside its bytes in the file. */
+/** Memory for a text in addition to its characters, and for an object in addition to its bytes in the file. */
 const bytesPerText = 64;
 const bytesPerObject = 160;
 
-/** Bytes of what leads to a text elsewhere: its length, the address of a heap, its index there. */
+/** Bytes of a reference to a text: its length, the address of a heap, its index there. */
 export function bytesOfTextPlace(file: Hdf5Bytes): number {
   return 8 + file.addressBytes;
 }
 
 /**
- * Texts of lengths of their own, which lie in heaps that objects share.
+ * Reads texts of variable length, which lie in heaps that objects share.
  * @param places - their references, one after another
  * Source: HDF5 File Format Specification 3.0, III.E
  * @throws {VolumeViewError} `format/corrupt`
@@ -31,13 +31,13 @@ export function readTextsElsewhere(file: Hdf5Bytes, places: Uint8Array<ArrayBuff
     file.heaps.set(address, heap);
     const bytes = heap.get(index);
     if (!bytes || bytes.length < length) throw corruptHdf5('refers to a text that it does not hold');
-    // Any number of places may lead to one long text.
+    // Many references may lead to the same long text.
     file.budget.take(2 * length, 'a list of texts');
     return decodeText(bytes.subarray(0, length));
   });
 }
 
-/** Objects of a heap under their indices. */
+/** Objects of a heap by their indices. */
 function readHeap(file: Hdf5Bytes, address: number): Map<number, Uint8Array> {
   const cursor = file.at(address);
   const start = cursor.position;

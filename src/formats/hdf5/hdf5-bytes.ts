@@ -3,13 +3,13 @@ import { Budget } from '../base/budget.ts';
 import { adviceOf } from './advice.ts';
 import type { Remedy } from './advice.ts';
 
-/** What stands for an address where nothing is stored. */
+/** The address that means that nothing is stored. */
 export const noAddress = -1;
 
 /**
- * The bytes of an HDF5 file, with what its superblock says of addresses. Every read is checked against the file's end,
- * and counted: a damaged file can hold loops, which then end in an error. What is made of the bytes is taken from the
- * load's budget by whoever makes it: a small file may refer to the same bytes a thousand times.
+ * The bytes of an HDF5 file, with what its superblock says about addresses. Every read is checked against the file's
+ * end, and counted: a damaged file can hold loops, which then end in an error. Code that makes something of the bytes
+ * takes the memory from the load's budget: a small file may refer to the same bytes a thousand times.
  */
 export class Hdf5Bytes {
   readonly bytes: Uint8Array<ArrayBuffer>;
@@ -18,11 +18,14 @@ export class Hdf5Bytes {
   /** Bytes of an address and of a length. */
   addressBytes = 8;
   lengthBytes = 8;
-  /** Where in the file address 0 is: after the user's own block. */
+  /** Position of address 0 in the file: after the user block. */
   base = 0;
-  /** Objects of the heaps that were read, by address and index: many attributes share one. */
+  /** Objects of the heaps that were read, by address and index: many attributes share one heap. */
   readonly heaps = new Map<number, ReadonlyMap<number, Uint8Array>>();
-  /** Reads of the file's own structure that are left: a sound file takes a hundredth of them. The budget is not asked for each field. */
+  /**
+   * Remaining reads of the file's own structure: a valid file takes a hundredth of them. They are counted here because
+   * asking the budget for each field would be slow.
+   */
   #steps: number;
 
   constructor(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)) {
@@ -32,7 +35,7 @@ export class Hdf5Bytes {
     this.#steps = 4_000_000 + 4 * bytes.length;
   }
 
-  /** Check that bytes [at, at + length) are there. */
+  /** Checks that bytes [at, at + length) are in the file. */
   check(at: number, length: number): void {
     const isThere = at >= 0 && length >= 0 && at + length <= this.bytes.length;
     if (!isThere) throw corruptHdf5(`refers to bytes ${at} to ${at + length}, and has ${this.bytes.length}`);
@@ -63,7 +66,7 @@ export class Cursor {
     this.position = position;
   }
 
-  /** A whole number of 1 to 8 bytes; beyond 2^53 it is no sane size or address. */
+  /** A whole number of 1 to 8 bytes. A number beyond 2^53 is not a valid size or address. */
   unsigned(bytes: number): number {
     const at = this.#take(bytes);
     let value = 0;
@@ -87,7 +90,7 @@ export class Cursor {
     return this.unsigned(this.file.lengthBytes);
   }
 
-  /** An address; `noAddress` where all bits are set. */
+  /** An address; `noAddress` if all bits are set. */
   address(): number {
     const { bytes, addressBytes } = this.file;
     const at = this.position;
@@ -103,13 +106,13 @@ export class Cursor {
     return this.file.slice(this.#take(bytes), bytes);
   }
 
-  /** Check the four characters at the start of a structure. */
+  /** Checks the four characters at the start of a structure. */
   expect(signature: string): void {
     const got = String.fromCharCode(...this.slice(signature.length));
     if (got !== signature) throw corruptHdf5(`has no ${signature} where one belongs (byte ${this.position - signature.length})`);
   }
 
-  /** Check a version. */
+  /** Checks a version. */
   expectVersion(what: string, ...known: number[]): number {
     const version = this.u8();
     if (!known.includes(version)) throw unsupportedHdf5(`${what} of version ${version}; expected ${known.join(', ')}`);
@@ -124,7 +127,7 @@ export class Cursor {
   }
 }
 
-/** Bytes that hold numbers up to a limit. */
+/** How many bytes can hold numbers up to a limit. */
 export function bytesToHold(limit: number): number {
   return limit < 1 ? 1 : Math.floor(Math.floor(Math.log2(limit)) / 8) + 1;
 }
@@ -133,7 +136,7 @@ export function corruptHdf5(what: string): VolumeViewError {
   return new VolumeViewError('format/corrupt', `the HDF5 file ${what}; it is damaged or was cut short: fetch it again`);
 }
 
-/** @param remedy - what makes a file of it that can be read */
+/** @param remedy - what makes a readable file of it */
 export function unsupportedHdf5(what: string, remedy: Remedy = 'repack'): VolumeViewError {
   return new VolumeViewError('format/unsupported', `the HDF5 file has ${what}; ${adviceOf(remedy)}`);
 }

@@ -10,21 +10,22 @@ import { findMessage, messageTypes, readMessages } from './object-header.ts';
 import type { Message } from './object-header.ts';
 import { openBytes } from './superblock.ts';
 
-// A reader of its own, because the bytes come from strangers: libraries that were tried follow a damaged file's circles
-// for ever, allocate what it asks for, or are a megabyte of WebAssembly. It reads what radar files and NetCDF-4 use:
-// superblocks 0 to 3, both forms of groups and attributes, soft links, compact, whole and chunked arrays (B-trees of version 1,
-// single chunks, fixed arrays), deflate, shuffle and checksums. All else is `format/unsupported`, in words.
+// Our own reader, because the bytes come from strangers. The libraries that we tried follow a damaged file's loops
+// forever, allocate whatever it asks for, or are a megabyte of WebAssembly. It reads what radar files and NetCDF-4 use:
+// superblocks 0 to 3, both forms of groups and attributes, soft links, compact, contiguous and chunked arrays (B-trees
+// of version 1, single chunks, fixed arrays), deflate, shuffle and checksums. Everything else is `format/unsupported`,
+// with a message.
 
-/** As many soft links may follow one another as in HDF5's own library. */
+/** Maximum number of soft links in a row, as in HDF5's own library. */
 const maxSoftLinks = 16;
 
-/** What a name on the way of a soft link takes, in steps. */
+/** Steps for each name in the path of a soft link. */
 const stepsPerName = 16;
 
 /**
- * Open an HDF5 file, such as ODIM_H5 or NetCDF-4.
- * @param budget - of the load; one of this file alone where undefined
- * @returns its root; the rest is read on demand, and may then turn out to be damaged
+ * Opens an HDF5 file, such as ODIM_H5 or NetCDF-4.
+ * @param budget - of the load; if undefined, one for this file alone
+ * @returns its root. The rest is read on demand, and may then turn out to be damaged
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`
  * Source: HDF5 File Format Specification 3.0
  */
@@ -33,18 +34,18 @@ export function openHdf5(bytes: Uint8Array<ArrayBuffer>, budget?: Budget): DataG
   return openObject({ file, root, objects: new Map() }, root, '') as Hdf5Group;
 }
 
-/** A file, and what was opened in it. */
+/** A file, and the objects that were opened in it. */
 interface Hdf5File {
   readonly file: Hdf5Bytes;
   /** Address of the root group's header. */
   readonly root: number;
-  /** By the address of its header: any number of names may lead to one object. */
+  /** By the address of its header: many names may lead to one object. */
   readonly objects: Map<number, Hdf5Object>;
 }
 
 type Hdf5Object = Hdf5Group | Hdf5Dataset;
 
-/** @param path - by which it is called if it was not met before */
+/** @param path - the object's path if it was not opened before */
 function openObject(open: Hdf5File, address: number, path: string): Hdf5Object {
   const known = open.objects.get(address);
   if (known) return known;
@@ -85,7 +86,7 @@ class Hdf5Group implements DataGroup {
     return child instanceof Hdf5Group ? child : null;
   }
 
-  /** NetCDF-4 hides a variable under another name where a dimension that it does not run along has its name. */
+  /** NetCDF-4 stores a variable under another name if a dimension that it does not use has its name. */
   array(name: string): DataArray | null {
     const child = this.#find(name);
     if (child instanceof Hdf5Dataset) return child;
@@ -93,7 +94,7 @@ class Hdf5Group implements DataGroup {
     return hidden instanceof Hdf5Dataset ? hidden : null;
   }
 
-  /** @param softLinks - that led here */
+  /** @param softLinks - number of soft links followed so far */
   #find(name: string, softLinks = 0): Hdf5Object | null {
     const link = this.#links.get(name);
     if (link === undefined) return null;
@@ -107,7 +108,7 @@ class Hdf5Group implements DataGroup {
     }
   }
 
-  /** What a path leads to, from the root or from here; null where there is none: links may dangle. */
+  /** The object at a path, from the root or from this group; null if there is none: links may dangle. */
   #follow(path: string, softLinks: number): Hdf5Object | null {
     if (softLinks > maxSoftLinks) throw corruptHdf5(`has more than ${maxSoftLinks} soft links one after another`);
     const names = path.split('/').filter((name) => name !== '' && name !== '.');

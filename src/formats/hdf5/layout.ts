@@ -4,7 +4,7 @@ import type { Message } from './object-header.ts';
 
 /** Where the elements of an array are. */
 export type Layout =
-  /** In one piece; `noAddress` where none was ever written. */
+  /** In one piece; `noAddress` if nothing was ever written. */
   | { readonly kind: 'whole'; readonly position: number; readonly bytes: number }
   | ChunkedLayout;
 
@@ -13,15 +13,15 @@ export interface ChunkedLayout {
   /** Elements of a chunk along each axis, slowest first. */
   readonly chunk: readonly number[];
   readonly index: ChunkIndexKind;
-  /** Chunks that reach beyond the array's end are stored as they are, whatever the filters. */
+  /** Chunks that reach beyond the array's end are stored without filters. */
   readonly hasPlainEdges: boolean;
-  /** Where the index is; `noAddress` where no chunk was ever written. */
+  /** Address of the index; `noAddress` if no chunk was ever written. */
   readonly address: number;
 }
 
 export type ChunkIndexKind =
   | { readonly kind: 'b-tree' }
-  /** One chunk, its stored bytes and skipped filters where it is filtered. */
+  /** One chunk. If it is filtered: its stored bytes and skipped filters. */
   | { readonly kind: 'single'; readonly bytes?: number; readonly skipped: number }
   /** Chunks one after another. */
   | { readonly kind: 'implicit' }
@@ -96,7 +96,7 @@ function readIndexKind(cursor: Cursor, flags: number): ChunkIndexKind {
   }
 }
 
-/** Lengths of a chunk; the last is the bytes of an element, which its type says too. */
+/** Lengths of a chunk. The last one is the bytes of an element, which its type says too. */
 function readChunk(axes: number, readLength: () => number): number[] {
   return Array.from({ length: axes }, readLength).slice(0, -1);
 }

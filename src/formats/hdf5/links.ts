@@ -7,22 +7,22 @@ import type { Hdf5Bytes } from './hdf5-bytes.ts';
 import { findMessage, messageTypes } from './object-header.ts';
 import type { Message } from './object-header.ts';
 
-/** Where a name leads. */
+/** What a name leads to. */
 export type Link =
-  /** To the object whose header is at an address. */
+  /** The object whose header is at an address. */
   | { readonly kind: 'hard'; readonly address: number }
-  /** To another name in the file, from the root or from the group. */
+  /** Another name in the file, from the root or from the group. */
   | { readonly kind: 'soft'; readonly path: string }
-  /** To another file, or in a way of a program's own. */
+  /** Another file, or a link type that some program defines. */
   | { readonly kind: 'elsewhere' };
 
-/** What a link takes in memory beside its name. */
+/** Memory for a link in addition to its name, bytes. */
 const bytesPerLink = 160;
 
-/** More bytes than any name has: names may overlap in the file, and are not believed to be its whole length. */
+/** Longer than any name, bytes. Names may overlap in a damaged file, so each one is cut here. */
 const maxNameBytes = 2 ** 16;
 
-/** Links under names, and where the file keeps it, the order in which they were made. */
+/** Links by name and, if the file stores it, their creation order. */
 class Links {
   readonly #file: Hdf5Bytes;
   readonly #found: { name: string; link: Link; order: number }[] = [];
@@ -31,7 +31,7 @@ class Links {
     this.#file = file;
   }
 
-  /** @param nameBytes - which may go on after the name's end */
+  /** @param nameBytes - may continue after the name's end */
   add(nameBytes: Uint8Array, link: Link, order = this.#found.length): void {
     this.#found.push({ name: this.readText(nameBytes), link, order });
   }
@@ -53,7 +53,7 @@ class Links {
 }
 
 /**
- * What a group holds under names, as they were made where the file says so.
+ * A group's links by name, in the order of their creation if the file stores it.
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  */
 export function readLinks(file: Hdf5Bytes, messages: readonly Message[]): Map<string, Link> {
@@ -113,7 +113,7 @@ function readLink(cursor: Cursor, links: Links): void {
   links.add(name, { kind: 'hard', address }, order);
 }
 
-/** Links that are too many for the header. Source: HDF5 File Format Specification 3.0, IV.A.2.c */
+/** Links that do not fit into the header. Source: HDF5 File Format Specification 3.0, IV.A.2.c */
 function readLinkHeap(cursor: Cursor, links: Links): void {
   const { file } = cursor;
   cursor.expectVersion('link information', 0);

@@ -18,10 +18,10 @@ export const messageTypes = {
   attributeInfo: 0x15,
 } as const;
 
-/** A message of an object's header: what the object is, piece by piece. */
+/** A message of an object's header: each describes one property of the object. */
 export interface Message {
   readonly type: number;
-  /** Where its data begin in the file. */
+  /** Position of its data in the file. */
   readonly position: number;
   readonly size: number;
 }
@@ -31,7 +31,7 @@ interface OwnMessage extends Message {
   readonly isShared: boolean;
 }
 
-/** Bytes of a header that are yet to be read. */
+/** A part of a header that is yet to be read. */
 interface Block {
   readonly position: number;
   readonly size: number;
@@ -39,11 +39,11 @@ interface Block {
 
 const sharedFlag = 0x02;
 
-/** What a message takes in memory. */
+/** Memory for a message, bytes. */
 const bytesPerMessage = 96;
 
 /**
- * All messages of the object at an address, those that it shares with others included.
+ * Reads all messages of the object at an address, also those that it shares with other objects.
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  * Source: HDF5 File Format Specification 3.0, IV.A.1
  */
@@ -77,12 +77,12 @@ function readNewHeader(cursor: Cursor): OwnMessage[] {
   cursor.expectVersion('an object header', 2);
   const flags = cursor.u8();
   if (flags & 0x20) cursor.skip(16); // Times.
-  if (flags & 0x10) cursor.skip(4); // When attributes move out of the header.
+  if (flags & 0x10) cursor.skip(4); // Limits at which attributes move out of the header.
   const size = cursor.unsigned(1 << (flags & 3));
   return readBlocks({ position: cursor.position, size }, cursor, { fixed: flags & 0x04 ? 6 : 4, checksum: 4 });
 }
 
-/** Messages of the first block and of all that continue it; `fixed` are the bytes before a message's data. */
+/** Messages of the first block and of all its continuations; `fixed` is the number of bytes before a message's data. */
 function readBlocks(first: Block, cursor: Cursor, form: { fixed: number; checksum: number }): OwnMessage[] {
   const messages: OwnMessage[] = [];
   const blocks = [first];
@@ -122,8 +122,8 @@ function readContinuation(cursor: Cursor, message: Message, checksum: number): B
 }
 
 /**
- * A message that another object holds, such as a named type.
- * @param cursor - at what refers to it
+ * Finds a message that another object holds, such as a named type.
+ * @param cursor - at the reference to it
  * Source: HDF5 File Format Specification 3.0, IV.A.2, "Shared Message"
  */
 export function followShared(cursor: Cursor, type: number): Message {

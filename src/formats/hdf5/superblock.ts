@@ -4,7 +4,7 @@ import { findHdf5 } from '../base/hdf-signature.ts';
 import { corruptHdf5, Cursor, Hdf5Bytes, noAddress, unsupportedHdf5 } from './hdf5-bytes.ts';
 
 /**
- * Read the superblock, versions 0 to 3.
+ * Reads the superblock, versions 0 to 3.
  * @returns the file, ready to be read, and the address of the root group's header
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`
  * Source: HDF5 File Format Specification 3.0, II.A
@@ -22,7 +22,7 @@ export function openBytes(bytes: Uint8Array<ArrayBuffer>, budget?: Budget): { fi
   file.base = cursor.address();
   cursor.address();
   const end = cursor.address();
-  // In old files the driver's block comes next, and the root's position among the names.
+  // In old files the driver's block follows, and then the root's position among the names.
   cursor.skip(version < 2 ? 2 * file.addressBytes : 0);
   const root = cursor.address();
   if (file.base === noAddress || end === noAddress) throw corruptHdf5('does not say where it begins and ends');

@@ -1,14 +1,14 @@
 import type { NumberType } from '../base/data-tree.ts';
 import { corruptHdf5, Cursor, unsupportedHdf5 } from './hdf5-bytes.ts';
 
-/** What an element is. `bytes` are those of one element. */
+/** The type of an element. `bytes` is the size of one element. */
 export type DataType =
   | { readonly kind: 'number'; readonly bytes: number; readonly type: NumberType; readonly littleEndian: boolean }
   /** Text of a fixed length. */
   | { readonly kind: 'text'; readonly bytes: number }
-  /** Text elsewhere in the file: `bytes` are those of what leads there. */
+  /** Text elsewhere in the file: `bytes` is the size of the reference to it. */
   | { readonly kind: 'text-elsewhere'; readonly bytes: number }
-  /** References, compounds and others that no radar value has. */
+  /** References, compounds and other types that no radar value has. */
   | { readonly kind: 'other'; readonly bytes: number; readonly name: string };
 
 const others = ['', '', 'a time', '', 'a bit field', 'an opaque value', 'a compound', 'a reference', '', 'a sequence', 'an array'];
@@ -39,7 +39,7 @@ export function readDataType(cursor: Cursor): DataType {
   }
 }
 
-/** An enumeration is the integer that it is made of, which is described next. */
+/** An enumeration is stored as an integer, whose type follows. */
 function readEnumeration(cursor: Cursor, bytes: number): DataType {
   const base = new Cursor(cursor.file, cursor.position).u8() & 0x0f;
   return base === 0 ? readDataType(cursor) : { kind: 'other', bytes, name: 'an enumeration of what is no integer' };
@@ -61,15 +61,15 @@ function readFloat(cursor: Cursor, flags: number, bytes: number): DataType {
 }
 
 /**
- * Lengths of the axes, slowest first; empty for a single value; null for none at all.
+ * Lengths of the axes, slowest first; empty for a single value; null for an array without values.
  * Source: HDF5 File Format Specification 3.0, IV.A.2.b
  */
 export function readShape(cursor: Cursor): number[] | null {
   return readExtent(cursor)?.shape ?? null;
 }
 
-/** As `readShape`, with the lengths that the array may grow to: an index of chunks has room for these. */
-export function readExtent(cursor: Cursor): { shape: number[]; most: number[] } | null {
+/** As `readShape`, with the lengths that the array may grow to: an index of chunks has places for these. */
+export function readExtent(cursor: Cursor): { shape: number[]; maxShape: number[] } | null {
   const version = cursor.expectVersion('a dataspace', 1, 2);
   const axes = cursor.u8();
   const flags = cursor.u8();
@@ -78,5 +78,5 @@ export function readExtent(cursor: Cursor): { shape: number[]; most: number[] } 
   else if (kind === 2) return null;
   if (axes > 32) throw unsupportedHdf5(`an array of ${axes} axes`);
   const shape = Array.from({ length: axes }, () => cursor.length());
-  return { shape, most: flags & 1 ? shape.map(() => cursor.length()) : shape };
+  return { shape, maxShape: flags & 1 ? shape.map(() => cursor.length()) : shape };
 }

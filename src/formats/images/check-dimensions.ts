@@ -2,7 +2,10 @@ import { VolumeViewError } from '../../core/errors.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { maxVoxelsPerAxis } from '../../volume/grid-limits.ts';
 
-/** @param what - has them, for messages @throws {VolumeViewError} `format/too-large` */
+/**
+ * @param what - what has the dimensions, for messages
+ * @throws {VolumeViewError} `format/too-large`
+ */
 export function checkDimensions(what: string, dimensions: Vector3): void {
   if (dimensions.every((n) => n <= maxVoxelsPerAxis)) return;
   throw new VolumeViewError(

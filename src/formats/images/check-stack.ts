@@ -5,7 +5,7 @@ import type { Format } from '../base/format.ts';
 import { nameOf } from '../base/name-of.ts';
 
 /**
- * Whether files can be one volume, by how many they are and what the first one is.
+ * Checks whether files can be one volume, by their number and by the format of the first one.
  * @param files - all of the stack
  * @throws {VolumeViewError} `format/too-large`, `format/corrupt`, `format/unsupported`
  */

@@ -12,11 +12,11 @@ import { refusePixels } from './max-pixels.ts';
 const rowsAtOnce = 256;
 
 /**
- * Read a JPEG or WebP as one channel of 8 bits, by the browser's decoder without colour management. A 2D canvas
- * premultiplies, so where a WebP is transparent its values lose precision; mosaics have no use for that.
- * The size that the file says is checked before the browser believes it, and what comes is checked against it.
+ * Reads a JPEG or WebP as one channel of 8 bits, with the browser's decoder and without colour management. A 2D canvas
+ * premultiplies, so a transparent WebP loses precision; mosaics do not use transparency. The size in the file's header
+ * is checked before the browser allocates it, and the decoded image is checked against it.
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, `format/unsupported`
- * @throws {NeedsMainThread} in a worker of an engine that has no canvas there
+ * @throws {NeedsMainThread} in a worker of a browser that has no canvas there
  */
 export async function readImagePixels(
   bytes: Uint8Array<ArrayBuffer>,
@@ -29,7 +29,7 @@ export async function readImagePixels(
   const size = readImageSize(bytes, type);
   const pixels = size.width * size.height;
   refusePixels(`the ${type}`, size);
-  // The browser's bitmap of four bytes a pixel, rows that are read back, and one number of each pixel, which stays.
+  // The browser's bitmap of four bytes a pixel, the rows that are read back, and one number per pixel, which stays.
   const passing = 4 * (pixels + size.width * Math.min(size.height, rowsAtOnce));
   budget.take(passing + pixels * (use === 'gray' ? 1 : 2), `the ${type}`);
   if (typeof OffscreenCanvas === 'undefined' && typeof document === 'undefined') throw new NeedsMainThread();
@@ -52,7 +52,7 @@ export async function readImagePixels(
   }
 }
 
-/** A JPEG may say that it lies on its side: then the browser turns it. */
+/** The browser rotates a JPEG whose header says that it lies on its side. */
 function checkSize({ width, height }: ImageBitmap, said: ImageSize, type: ImageType): void {
   if ((width === said.width && height === said.height) || (width === said.height && height === said.width)) return;
   throw new VolumeViewError('format/corrupt', `this ${type} got ${width} x ${height} pixels; expected ${said.width} x ${said.height} as its header says; save it again`);
@@ -81,7 +81,7 @@ function createContext(width: number, height: number): CanvasRenderingContext2D 
       ? Object.assign(document.createElement('canvas'), { width, height })
       : new OffscreenCanvas(width, height);
   const context = canvas.getContext('2d', settings) as CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | null;
-  // Safari 16.4 to 16.6 knows OffscreenCanvas in workers but gives no 2D context for some.
+  // Safari 16.4 to 16.6 has OffscreenCanvas in workers but gives no 2D context for some.
   if (!context) throw new NeedsMainThread();
   return context;
 }

@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../../core/errors.ts';
 
-// The size that a JPEG or a WebP says it has, read before a browser decodes it: there it takes what it says.
+// The size in the header of a JPEG or a WebP. It is checked before the browser decodes the image, because a browser
+// allocates whatever the header says.
 
 export type ImageType = 'image/jpeg' | 'image/webp';
 
@@ -9,7 +10,7 @@ export interface ImageSize {
   readonly height: number;
 }
 
-/** @throws {VolumeViewError} `format/corrupt` where it says none */
+/** @throws {VolumeViewError} `format/corrupt` if the file has no size */
 export function readImageSize(bytes: Uint8Array<ArrayBuffer>, type: ImageType): ImageSize {
   const size = type === 'image/jpeg' ? findJpegSize(bytes) : findWebpSize(bytes);
   if (size && size.width > 0 && size.height > 0) return size;
@@ -17,14 +18,17 @@ export function readImageSize(bytes: Uint8Array<ArrayBuffer>, type: ImageType): 
   throw new VolumeViewError('format/corrupt', `this ${type} of ${bytes.length} bytes got ${got} in its header: it is damaged or cut short; save or fetch it again`);
 }
 
-/** Markers that begin a frame: 0xC0 to 0xCF but for those of tables and of arithmetic coding. Source: ITU-T T.81, table B.1. */
+/**
+ * Markers that begin a frame: 0xC0 to 0xCF, except those of tables and of arithmetic coding. Source: ITU-T T.81, table
+ * B.1.
+ */
 const isFrame = (marker: number): boolean => marker >= 0xc0 && marker <= 0xcf && marker !== 0xc4 && marker !== 0xc8 && marker !== 0xcc;
 
-/** Marker segments, each with its length, up to the first frame. */
+/** Walks through marker segments, each with its length, up to the first frame. */
 function findJpegSize(bytes: Uint8Array<ArrayBuffer>): ImageSize | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   for (let at = 2; at + 9 <= bytes.length; ) {
-    // Between segments decoders pass over anything that is no marker.
+    // Between segments decoders skip anything that is not a marker.
     if (bytes[at] !== 0xff || bytes[at + 1] === 0xff || bytes[at + 1] === 0) {
       at++;
       continue;
@@ -37,7 +41,10 @@ function findJpegSize(bytes: Uint8Array<ArrayBuffer>): ImageSize | null {
   return null;
 }
 
-/** The first chunk has the size: of the picture, or of the canvas that it lies on. Source: RFC 9649, sections 2.5 to 2.7 and 3.4. */
+/**
+ * The first chunk has the size: of the picture, or of the canvas that it lies on. Source: RFC 9649, sections 2.5 to 2.7
+ * and 3.4.
+ */
 function findWebpSize(bytes: Uint8Array<ArrayBuffer>): ImageSize | null {
   if (bytes.length < 30) return null;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

@@ -13,10 +13,10 @@ export interface Slice {
 }
 
 /**
- * Join images of one size into one, below one another: the mosaic of one column that a stack of slices is.
+ * Joins images of one size into one, below one another: a stack of slices becomes a mosaic of one column.
  * @param slices - `count` of them
- * @param budget - that they are taken from
- * @throws {VolumeViewError} `format/too-large` before anything is allocated, `format/corrupt` where they differ
+ * @param budget - the slices' bytes are taken from it
+ * @throws {VolumeViewError} `format/too-large` before anything is allocated, `format/corrupt` if their sizes differ
  */
 export async function joinSlices(slices: AsyncIterable<Slice>, count: number, budget = new Budget()): Promise<GrayImage> {
   let first: Slice | null = null;

@@ -3,11 +3,14 @@ import { VolumeViewError } from '../../core/errors.ts';
 /** Maximum number of pixels of an image: 2^28 are 16,384 x 16,384, the largest texture of today's devices. */
 export const maxPixels = 2 ** 28;
 
-/** Of an edge, four times what browsers' own images have: each row of a pixel's width takes as much time as a wide one. */
+/**
+ * Maximum length of an edge, four times what browsers allow for images: a row that is one pixel wide takes as much time
+ * as a wide one.
+ */
 const maxEdge = 2 ** 18;
 
 /**
- * To be asked before an image is unpacked.
+ * Call this before an image is unpacked.
  * @param what - 'the PNG'
  * @throws {VolumeViewError} `format/too-large`
  */

@@ -9,7 +9,7 @@ import { checkDimensions } from './check-dimensions.ts';
 import type { DecodedCartesianVolume, DecodeSettings } from '../base/decoded-volume.ts';
 import { respace } from '../base/respace.ts';
 
-/** What an image cannot say, and a picture that is squashed or upside down does not tell. */
+/** An image can't give its spacing, and a wrong spacing is hard to see in a picture that is squashed or upside down. */
 const hint = '<volume-view>: a mosaic got no spacing, so its voxels are shown as cubes and its slices from feet to head. Write spacing="X Y Z", ' +
   'the size of a pixel and the distance of the slices; make Z negative if they run from head to feet.';
 
@@ -21,9 +21,9 @@ function warnOnce(): void {
 }
 
 /**
- * Make a volume of a mosaic's image. Its values are the pixels' own, 0..255 or 0..65535, until a manifest's slope and
- * intercept say otherwise.
- * @param format - what the image was, for the volume's `format`
+ * Makes a volume of a mosaic's image. Its values are the pixels' own, 0..255 or 0..65535, unless a manifest's slope and
+ * intercept scale them.
+ * @param format - the image's format, for the volume's `format`
  * @throws {VolumeViewError} `mosaic/layout`, `format/too-large`
  */
 export function readMosaic(image: GrayImage, format: string, settings: DecodeSettings, budget = Budget.ofFile(image.data.byteLength)): DecodedCartesianVolume {
@@ -37,13 +37,13 @@ export function readMosaic(image: GrayImage, format: string, settings: DecodeSet
   const layout = checkMosaicLayout(image, settings.mosaic, settings.slices);
   const dimensions = mosaicDimensions(image, layout);
   const [tileWidth, tileHeight] = measureTile(image, layout);
-  // `spacing` speaks of pixels; a tile of 409.6 pixels becomes 410 voxels that are a little smaller.
+  // `spacing` is per pixel; a tile of 409.6 pixels becomes 410 voxels that are a little smaller.
   const perVoxel = ([x, y, z]: Vector3): Vector3 => [(x * tileWidth) / dimensions[0], (y * tileHeight) / dimensions[1], z];
   if (!settings.indexToWorld && !settings.spacing) warnOnce();
   const placed = settings.indexToWorld ?? axialIndexToWorld(dimensions, perVoxel([1, 1, 1]));
   return {
     grid: cartesianGrid(dimensions, settings.spacing ? respace(placed, dimensions, perVoxel(settings.spacing)) : placed),
-    // The tiles of one column lie below one another as a volume's slices do: there is no second copy.
+    // The tiles of one column have the order of a volume's slices: no copy is needed.
     samples: isOneColumn(image, layout) ? image.data : cutTiles(image, layout, budget),
     slope: 1,
     intercept: 0,
@@ -53,7 +53,7 @@ export function readMosaic(image: GrayImage, format: string, settings: DecodeSet
   };
 }
 
-/** Steps that a row of voxels takes before its first one. */
+/** Steps for each row of voxels, in addition to those of its voxels. */
 const stepsPerRow = 16;
 
 function cutTiles(image: GrayImage, layout: MosaicLayout, budget: Budget): Samples {
@@ -67,7 +67,7 @@ function cutTiles(image: GrayImage, layout: MosaicLayout, budget: Budget): Sampl
   return samples;
 }
 
-/** Whether whole tiles, all of them in use, make up one column. */
+/** Whether the image is one column of whole tiles that are all in use. */
 function isOneColumn({ height }: GrayImage, { columns, rows, slices }: MosaicLayout): boolean {
   return columns === 1 && slices === rows && height % rows === 0;
 }

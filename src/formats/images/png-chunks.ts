@@ -12,16 +12,16 @@ export interface PngHeader {
   readonly isInterlaced: boolean;
 }
 
-/** Those parts of a PNG that a picture's numbers follow from. */
+/** The parts of a PNG that are needed to compute its pixels. */
 export interface PngParts {
   readonly header: PngHeader;
-  /** Red, green and blue of each colour; empty where there is none. */
+  /** Red, green and blue of each colour; empty if there is no palette. */
   readonly palette: Uint8Array<ArrayBuffer>;
   /** The packed picture, which may lie in many chunks. */
   readonly packed: readonly Uint8Array<ArrayBuffer>[];
 }
 
-/** Channels and depths that go together. Source: the PNG specification, table 12. */
+/** Valid pairs of channels and depth. Source: the PNG specification, table 12. */
 const colorTypes = new Map<number, { channels: number; depths: readonly number[] }>([
   [0, { channels: 1, depths: [1, 2, 4, 8, 16] }],
   [2, { channels: 3, depths: [8, 16] }],
@@ -34,7 +34,7 @@ const signatureBytes = 8;
 /** Length, type and checksum of a chunk. */
 const chunkFrame = 12;
 
-/** The header of a PNG, which always comes first, at a fixed position. @throws {VolumeViewError} `format/corrupt` */
+/** Reads the header of a PNG, which always comes first, at a fixed position. @throws {VolumeViewError} `format/corrupt` */
 export function readPngHeader(bytes: Uint8Array<ArrayBuffer>): PngHeader {
   if (bytes.length < 33) throw corruptPng(`of ${bytes.length} bytes ends before its header does`);
   const view = new DataView(bytes.buffer, bytes.byteOffset);
@@ -50,8 +50,10 @@ export function readPngHeader(bytes: Uint8Array<ArrayBuffer>): PngHeader {
 }
 
 /**
- * Walk through all chunks, without unpacking any. What a picture does not need (profiles, texts, times) is left where it is.
- * @throws {VolumeViewError} `format/corrupt` for a wrong checksum, a second header, a chunk that a reader must know and we don't
+ * Walks through all chunks, without unpacking any. Chunks that a picture does not need (profiles, texts, times) are
+ * skipped.
+ * @throws {VolumeViewError} `format/corrupt` for a wrong checksum, a second header, or a critical chunk that is unknown
+ * here
  */
 export function readPngParts(bytes: Uint8Array<ArrayBuffer>, header: PngHeader): PngParts {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -62,7 +64,7 @@ export function readPngParts(bytes: Uint8Array<ArrayBuffer>, header: PngHeader):
     if (at + chunkFrame + length > bytes.length) throw corruptPng('ends early');
     const type = typeAt(bytes, at);
     const body = bytes.subarray(at + 8, at + 8 + length);
-    // A capital says that the chunk matters to everybody; others are not even checked.
+    // A capital letter marks a critical chunk, which every reader must know; others are not even checked.
     const isCritical = (bytes[at + 4] & 0x20) === 0;
     if (isCritical && checksum(bytes.subarray(at + 4, at + 8 + length)) !== view.getUint32(at + 8 + length)) {
       throw corruptPng(`got a wrong checksum in its part ${type}`);
@@ -84,7 +86,7 @@ export function corruptPng(what: string, options?: { cause: unknown }): VolumeVi
   return new VolumeViewError('format/corrupt', `the PNG ${what}; save or fetch it again`, options);
 }
 
-/** Of the chunk that begins there; letters alone, as it may end up in a message. */
+/** The type of the chunk that begins there. Only letters, as it may end up in a message. */
 function typeAt(bytes: Uint8Array, at: number): string {
   return String.fromCharCode(...bytes.subarray(at + 4, at + 8)).replace(/[^A-Za-z]/g, '?');
 }

@@ -2,10 +2,10 @@ import { loadReader } from '../base/load-reader.ts';
 import { corruptPng } from './png-chunks.ts';
 import type { PngHeader, PngParts } from './png-chunks.ts';
 
-/** Bytes that are unpacked at once: they make 1,032 times as many at most, and unpacking ends when the picture is full. */
+/** Packed bytes per piece. A piece unpacks to at most 1,032 times as many, and unpacking ends when the picture is full. */
 const pieceBytes = 2 ** 14;
 
-/** Every so many pixels of the picture, a picture of its own in an interlaced file. */
+/** In an interlaced file every n-th pixel of the picture forms a picture of its own, a pass. */
 interface Pass {
   readonly x: number;
   readonly y: number;
@@ -32,8 +32,9 @@ export function bytesPerRow({ width, depth, channels }: PngHeader): number {
 }
 
 /**
- * Unpack a picture into its rows. The browser's own decompressor does it, and where that finds damage, ours: a picture that is whole before the
- * damage is read. Nothing but the picture itself is ever held, whatever the packed data would give.
+ * Unpacks a picture into its rows with the browser's own decompressor. If that finds damage, our own decoder repeats
+ * it: a picture that is complete before the damage is still read. The function never holds more than the picture,
+ * whatever the packed data would unpack to.
  * @param packed - in one piece
  * @returns `bytesPerRow` * height bytes, 16-bit numbers in PNG's own order, the high byte first
  * @throws {VolumeViewError} `format/corrupt`
@@ -64,7 +65,7 @@ async function unpack(packed: Uint8Array<ArrayBuffer>, picture: RowWriter): Prom
   }
 }
 
-/** Bytes piece by piece, each when the one before is taken. */
+/** Yields bytes piece by piece, each when the reader asks for it. */
 function pieces(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<ArrayBuffer>> {
   let at = 0;
   return new ReadableStream({
@@ -75,7 +76,7 @@ function pieces(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<Array
   }, { highWaterMark: 0 });
 }
 
-/** Takes unpacked bytes as they come, and puts the rows that they make in their places. */
+/** Receives unpacked bytes, and puts the rows that they make in their places. */
 class RowWriter {
   readonly #header: PngHeader;
   /** Bytes from a pixel to the next, at least one. */
@@ -85,13 +86,13 @@ class RowWriter {
   #rows = 0;
   /** Row of the pass. */
   #row = 0;
-  /** The kind of filter, then the row as it is packed. */
+  /** The filter's number, then the row as it is packed. */
   #line = new Uint8Array(0);
   #filled = 0;
   #above = new Uint8Array(0);
   #isFull = false;
 
-  /** @param data - bytes of all rows, overwritten */
+  /** @param data - bytes of all rows, which are overwritten */
   constructor(header: PngHeader, readonly data = new Uint8Array(bytesPerRow(header) * header.height)) {
     this.#header = header;
     this.#step = Math.max(1, (header.depth * header.channels) / 8);
@@ -113,7 +114,7 @@ class RowWriter {
     }
   }
 
-  /** The next pass that has any pixels. */
+  /** Goes to the next pass that has any pixels. */
   #beginPass(): void {
     for (let pass = this.#passes.shift(); pass; pass = this.#passes.shift()) {
       const { width, height } = this.#header;
@@ -146,7 +147,7 @@ class RowWriter {
     if (++this.#row === this.#rows) this.#beginPass();
   }
 
-  /** Put the pixels of an interlaced row where they belong; they are whole bytes there. */
+  /** Puts the pixels of an interlaced row where they belong; they are whole bytes there. */
   #spread(row: Uint8Array): void {
     const { x, y, xStep, yStep } = this.#pass;
     const step = this.#step;
@@ -158,9 +159,9 @@ class RowWriter {
 }
 
 /**
- * Undo what was done to a row so that it packs better: each byte is what it differs by from its neighbours.
+ * Undoes the filter of a row. Filters store each byte as its difference from its neighbours, so that rows pack better.
  * Source: the PNG specification, section 9.
- * @param line - the kind of filter, then the row
+ * @param line - the filter's number, then the row
  * @param above - the row before, zeros before the first
  * @param step - bytes from a pixel to the next
  */

@@ -12,13 +12,12 @@ import { bytesPerRow, unpackRows } from './png-rows.ts';
 const what = 'the PNG';
 
 /**
- * Read a PNG as one channel of 8 or 16 bits, exactly as stored: no colour management, alpha left out. Gray of 1, 2 or 4
- * bits is spread over 8, as every viewer does. Colours become luma, see channels.ts.
- *
- * Our own reader around the browser's decompressor, because a browser's decoder applies colour profiles and gamma, gives 8 bits of 16 and
- * premultiplies; and because fast-png, which writes this package's mosaics, unpacks all that a file holds, its profile
- * too, before it compares that with the picture's size, and holds it three times.
- * @param budget - the samples that are given back stay taken from it
+ * Reads a PNG as one channel of 8 or 16 bits, exactly as stored: without colour management and alpha. Gray of 1, 2 or 4
+ * bits is scaled to 8, as every viewer does. Colours become luma, see channels.ts.
+ * It is our own reader around the browser's decompressor. A browser's image decoder applies colour profiles and gamma,
+ * gives 8 bits of 16 and premultiplies. fast-png, which writes this package's mosaics, unpacks everything in a file,
+ * its profile too, before it compares that with the picture's size, and holds it three times.
+ * @param budget - the bytes of the returned samples stay taken from it
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, `format/unsupported`
  */
 export async function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 'gray', budget = Budget.ofFile(bytes.length)): Promise<GrayImage> {
@@ -26,7 +25,8 @@ export async function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 
   const unpacked = checkSize(header);
   const parts = readPngParts(bytes, header);
   const packed = joinPacked(parts, budget);
-  // Deflate never grows data by more than a little, so what is longer unpacks to more than the picture: a bomb.
+  // Deflate makes data longer only by a little. So packed data longer than this unpack to more than the picture: a
+  // bomb.
   if (unpacked * 2 + 2 ** 20 < packed.length) throw corruptPng(`holds ${packed.length} bytes for a picture of ${unpacked}`);
   budget.take(unpacked, what);
   const rows = await unpackRows(parts, packed);
@@ -93,7 +93,7 @@ function toOneChannel({ header, palette }: PngParts, rows: Uint8Array<ArrayBuffe
   return combineChannels(data, channels, use);
 }
 
-/** Numbers of 1, 2 or 4 bits, the highest bits of a byte first; each row begins with a new byte. */
+/** Unpacks numbers of 1, 2 or 4 bits, the highest bits of a byte first; each row begins with a new byte. */
 function unpackBits(data: Uint8Array, header: PngHeader): Uint8Array<ArrayBuffer> {
   const { width, height, depth } = header;
   const stride = bytesPerRow(header);

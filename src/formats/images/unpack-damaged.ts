@@ -1,16 +1,16 @@
 import { Unzlib } from 'fflate';
 import { corruptPng } from './png-chunks.ts';
 
-/** What is told of a picture's bytes as they are unpacked. */
+/** Receives a picture's bytes as they are unpacked. */
 interface Taker {
   readonly isFull: boolean;
   take(piece: Uint8Array): void;
 }
 
 /**
- * Unpack what zlib's data hold before the place at which they are damaged, or followed by something else.
- * @param pieceBytes - that are unpacked at once
- * @throws {VolumeViewError} `format/corrupt` where that is less than the picture
+ * Unpacks zlib data up to the place where they are damaged, or where other data follow.
+ * @param pieceBytes - packed bytes per piece
+ * @throws {VolumeViewError} `format/corrupt` if that is less than the picture
  */
 export function unpackDamaged(packed: Uint8Array<ArrayBuffer>, picture: Taker, pieceBytes: number): void {
   try {

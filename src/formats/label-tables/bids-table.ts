@@ -3,15 +3,17 @@ import type { LabelTable } from './label-table.ts';
 
 const isNone = (cell: string | undefined): boolean => cell === undefined || cell.trim() === '' || cell.trim().toLowerCase() === 'n/a';
 
-/** Whether a text begins with the columns of BIDS. */
+/** Whether a text begins with the columns of a BIDS table. */
 export function isBidsTable(text: string): boolean {
   const columns = columnsOf(text.slice(0, 4096).split(/\r\n|\n|\r/, 1)[0]);
   return columns.includes('index') && columns.includes('name');
 }
 
 /**
- * Read a table of BIDS: columns `index`, `name`, `abbreviation`, `color` and `mapping` in any order, separated by tabs; `n/a` is nothing.
- * Source: Brain Imaging Data Structure 1.10, Imaging data derivative, "Custom labels" (`*_dseg.tsv`), and its common principles for tabular files
+ * Reads a BIDS table: columns `index`, `name`, `abbreviation`, `color` and `mapping` in any order, separated by tabs;
+ * `n/a` means no value.
+ * Source: Brain Imaging Data Structure 1.10, Imaging data derivative, "Custom labels" (`*_dseg.tsv`), and its common
+ * principles for tabular files
  */
 export function readBidsTable(text: string): LabelTable {
   const rows = new TableRows();
@@ -30,7 +32,7 @@ export function readBidsTable(text: string): LabelTable {
     }
     const written = isNone(cell('color')) ? null : cell('color')!.trim();
     const color = written === null ? null : readHex(written);
-    if (written !== null && !color) rows.tell(`${where} got the color ${quote(written)}; expected one like "#ff8800". Another one is chosen`);
+    if (written !== null && !color) rows.report(`${where} got the color ${quote(written)}; expected one like "#ff8800". Another one is chosen`);
     const name = [cell('name'), cell('abbreviation')].find((one) => !isNone(one)) ?? '';
     rows.add(where, { id: Number(index), name, color, opacity: 1, hidden: false });
   }

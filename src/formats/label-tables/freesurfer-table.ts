@@ -11,7 +11,10 @@ interface Row {
 
 const isWhole = (word: string): boolean => /^[+-]?\d{1,10}$/.test(word);
 
-/** Id, name, red, green, blue, then alpha, and in some tables the type of tissue. FreeSurfer's names have no blanks; other programs' may. */
+/**
+ * Id, name, red, green, blue, then alpha, and in some tables the tissue type. FreeSurfer's names have no blanks; other
+ * programs' names may.
+ */
 function readRow(line: string): Row | null {
   const words = line.slice(0, 2000).trim().split(/\s+/);
   const first = words.findIndex((_, i) => i >= 2 && words.length - i <= 5 && words.slice(i).every(isWhole));
@@ -27,8 +30,8 @@ export function isFreeSurferTable(text: string): boolean {
 }
 
 /**
- * Read a FreeSurfer colour table: `No. Label-Name R G B A`. Its A is what lets light through: 0 is opaque, 255 is nothing. Some programs
- * write 255 for opaque in the same table (3D Slicer, MRtrix): where all labels have 255 that is what it means.
+ * Reads a FreeSurfer colour table: `No. Label-Name R G B A`. A is transparency: 0 is opaque, 255 is invisible. Some
+ * programs (3D Slicer, MRtrix) write 255 for opaque in the same table: if all labels have 255, it means opaque.
  * Source: FreeSurfer, `FreeSurferColorLUT.txt`, and `CTABreadASCII` of its utils/colortab.cpp: alpha = 255 - t
  */
 export function readFreeSurferTable(text: string): LabelTable {

@@ -14,8 +14,8 @@ export function isItkSnapTable(text: string): boolean {
 }
 
 /**
- * Read a label description file of ITK-SNAP: `IDX R G B A VIS MSH "LABEL"`, with colours from 0 to 255, A from 0 to 1 where 1 is opaque, and
- * whether the label is visible. What its meshes do (MSH) is not looked at.
+ * Reads a label description file of ITK-SNAP: `IDX R G B A VIS MSH "LABEL"`, with colours from 0 to 255, A from 0 to 1
+ * where 1 is opaque, and whether the label is visible. The visibility of its mesh (MSH) is ignored.
  * Source: the comment that ITK-SNAP writes at the beginning of these files, and `ColorLabelTable::LoadFromFile`
  */
 export function readItkSnapTable(text: string): LabelTable {

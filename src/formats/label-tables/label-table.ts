@@ -1,12 +1,12 @@
 import type { Color } from '../../optics/transfer/transfer-function.ts';
 
-/** What a table says of one label. */
+/** One row of a table: one label. */
 export interface LabelRow {
   /** A whole number. */
   readonly id: number;
-  /** '' where the table has none. */
+  /** '' if the table has none. */
   readonly name: string;
-  /** sRGB, 0..1; null where the table has none. */
+  /** sRGB, 0..1; null if the table has none. */
   readonly color: Color | null;
   /** 0..1 */
   readonly opacity: number;
@@ -15,30 +15,30 @@ export interface LabelRow {
 
 /** A table of names and colours. */
 export interface LabelTable {
-  /** Whose table it is: 'BIDS', for instance. */
+  /** The table's format, for example 'BIDS'. */
   readonly format: string;
-  /** By id; of several with one id the first. */
+  /** By id. If several rows have one id, the first counts. */
   readonly rows: ReadonlyMap<number, LabelRow>;
   /** What could not be used, in words, with the line or the number of the entry. */
   readonly problems: readonly string[];
 }
 
-/** Rows of a table at most. */
+/** Maximum number of rows of a table. */
 export const mostRows = 65_536;
 
-/** Problems that are told one by one. */
-const mostProblems = 20;
+/** Maximum number of problems that are listed one by one. */
+const maxProblems = 20;
 
-/** Longest name, and what is shown of a text that can't be read. */
+/** Maximum length of a name, and of the part of an unreadable text that is shown. */
 const longest = { name: 200, shown: 60 };
 
-/** A part of a stranger's text, for a message. */
+/** The beginning of a stranger's text, for a message. */
 export function quote(text: string): string {
   const shown = clean(text, longest.shown);
   return `"${shown}"${text.trim().length > shown.length ? '…' : ''}`;
 }
 
-/** Collects the rows of a table, and what is wrong with it. */
+/** Collects the rows of a table and its problems. */
 export class TableRows {
   readonly rows = new Map<number, LabelRow>();
   readonly problems: string[] = [];
@@ -47,17 +47,17 @@ export class TableRows {
   /** @param where - of the row, in words: 'line 3' */
   add(where: string, row: LabelRow): void {
     if (!Number.isSafeInteger(row.id)) return this.refuse(where, `the id ${row.id}`, 'a whole number');
-    if (this.rows.has(row.id)) return this.tell(`${where}: label ${row.id} is there already, and the first one holds`);
-    if (this.rows.size >= mostRows) return this.tell(`${where}: expected at most ${mostRows.toLocaleString('en')} labels; this one is left out`);
+    if (this.rows.has(row.id)) return this.report(`${where}: label ${row.id} is there already, and the first one holds`);
+    if (this.rows.size >= mostRows) return this.report(`${where}: expected at most ${mostRows.toLocaleString('en')} labels; this one is left out`);
     this.rows.set(row.id, { ...row, name: clean(row.name, longest.name) });
   }
 
   refuse(where: string, got: string, expected: string): void {
-    this.tell(`${where} got ${got}; expected ${expected}. It is left out`);
+    this.report(`${where} got ${got}; expected ${expected}. It is left out`);
   }
 
-  tell(problem: string): void {
-    if (this.problems.length < mostProblems) this.problems.push(problem);
+  report(problem: string): void {
+    if (this.problems.length < maxProblems) this.problems.push(problem);
     else this.#more++;
   }
 
@@ -67,12 +67,12 @@ export class TableRows {
   }
 }
 
-/** A name in one line, without characters that are no text. */
-function clean(text: string, most: number): string {
-  return Array.from(text.slice(0, 4 * most).replace(/[\p{Cc}\p{Zl}\p{Zp}\s]+/gu, ' ').trim()).slice(0, most).join('');
+/** A name in one line, without control characters. */
+function clean(text: string, maxLength: number): string {
+  return Array.from(text.slice(0, 4 * maxLength).replace(/[\p{Cc}\p{Zl}\p{Zp}\s]+/gu, ' ').trim()).slice(0, maxLength).join('');
 }
 
-/** Lines with their numbers, but for empty ones and, where they begin so, comments. */
+/** Lines with their numbers, without empty lines and lines that begin with the comment sign. */
 export function* linesOf(text: string, comment: string | null): Generator<{ readonly where: string; readonly line: string }> {
   let number = 0;
   for (const line of text.split(/\r\n|\n|\r/)) {
@@ -81,7 +81,7 @@ export function* linesOf(text: string, comment: string | null): Generator<{ read
   }
 }
 
-/** A colour of three numbers from 0 to 255; null where they are none. */
+/** A colour of three numbers from 0 to 255; null if they are not in that range. */
 export function colorOf(channels: readonly number[]): Color | null {
   if (channels.length !== 3 || !channels.every((channel) => channel >= 0 && channel <= 255)) return null;
   return channels.map((channel) => channel / 255) as unknown as Color;

@@ -6,10 +6,10 @@ export function isNiiVueTable(text: string): boolean {
 }
 
 /**
- * Read a label colormap of NiiVue: lists `R`, `G`, `B` and, where they are there, `A` (0..255, 255 is opaque), `I` (ids) and `labels` (names).
- * Without `I` ids count from 0; without `A` all are opaque.
+ * Reads a label colormap of NiiVue: lists `R`, `G`, `B` and the optional `A` (0..255, 255 is opaque), `I` (ids) and
+ * `labels` (names). Without `I` ids count from 0; without `A` all are opaque.
  * Source: NiiVue, "Labeled atlases", and `makeLabelLut` of its colortables
- * @throws {SyntaxError} where it is no JSON
+ * @throws {SyntaxError} if the text is not JSON
  */
 export function readNiiVueTable(text: string): LabelTable {
   const parsed: unknown = JSON.parse(text);
@@ -18,7 +18,7 @@ export function readNiiVueTable(text: string): LabelTable {
     const value = (parsed as Readonly<Record<string, unknown>>)[name];
     if (value === undefined) return [];
     if (Array.isArray(value)) return value;
-    rows.tell(`${name} got ${quote(JSON.stringify(value))}; expected a list`);
+    rows.report(`${name} got ${quote(JSON.stringify(value))}; expected a list`);
     return [];
   };
   const [red, green, blue, alphas, ids, names] = ['R', 'G', 'B', 'A', 'I', 'labels'].map(list);
@@ -31,7 +31,7 @@ export function readNiiVueTable(text: string): LabelTable {
       continue;
     }
     const color = colorOf([red[i], green[i], blue[i]].map((channel) => (typeof channel === 'number' ? channel : NaN)));
-    if (!color && red.length > 0) rows.tell(`${where} got no colour from 0 to 255 in "R", "G" and "B". Another one is chosen`);
+    if (!color && red.length > 0) rows.report(`${where} got no colour from 0 to 255 in "R", "G" and "B". Another one is chosen`);
     const alpha = alphas[i];
     const opacity = typeof alpha === 'number' && alpha >= 0 && alpha <= 255 ? alpha / 255 : 1;
     rows.add(where, { id, name: typeof names[i] === 'string' ? (names[i] as string) : '', color, opacity, hidden: false });

@@ -5,10 +5,10 @@ import { isItkSnapTable, readItkSnapTable } from './itk-snap-table.ts';
 import type { LabelTable } from './label-table.ts';
 import { isNiiVueTable, readNiiVueTable } from './niivue-table.ts';
 
-/** Bytes of a table at most. */
+/** Maximum bytes of a table. */
 export const maxTableBytes = 2 ** 22;
 
-/** Whose tables can be read: told apart by what is in them. */
+/** The formats of tables that can be read, recognized by their content. */
 const readers = [
   { matches: isNiiVueTable, read: readNiiVueTable },
   { matches: isBidsTable, read: readBidsTable },
@@ -19,7 +19,7 @@ const readers = [
 const expected = 'expected names and colours of labels as BIDS (columns index, name, color), FreeSurfer (No. Name R G B A), ITK-SNAP (IDX R G B A VIS MSH "LABEL") or NiiVue (JSON with R, G, B, I, labels) write them';
 
 /**
- * Read a table of label names and colours, whoever wrote it.
+ * Reads a table of label names and colours in any of the known formats.
  * @param name - of the file, for messages
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt` or `format/too-large`
  */

@@ -3,17 +3,17 @@ import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import { parseMosaicSize } from '../../volume/mosaic-size.ts';
 import type { ChannelUse } from '../base/channels.ts';
 
-// What the fields of a manifest may hold.
+// Checks for the fields of a manifest.
 
-/** Checks one field's value and brings it to the form that is used; throws what was expected. */
+/** Checks one field's value and converts it to the form that is used; throws what was expected. */
 export type Check<T> = (value: unknown) => T;
 
-/** Says what a field should have been. */
+/** The message says what a field should have been. */
 export class Expected extends Error {}
 
 export const isFinite = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 
-/** Longest text that a page shows, and longest list; more than any of them has a use for. */
+/** Maximum length of a text that a page shows, and of a list; longer than any of them needs. */
 export const maxText = 10_000;
 export const maxList = 100_000;
 
@@ -33,7 +33,7 @@ export const filledShortText: Check<string> = (value) => {
   return shortText(value);
 };
 
-/** URLs, which may hold data, and transfer functions, which say themselves what they allow. */
+/** URLs, which may hold data, and transfer functions, which have their own limits. */
 export const filledText: Check<string> = (value) => {
   if (typeof value !== 'string' || value === '') throw new Expected('a text that is not empty');
   return value;

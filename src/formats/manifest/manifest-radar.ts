@@ -2,20 +2,24 @@ import { count, Expected, finite, isFinite, maxList, shortText } from './manifes
 import type { Check } from './manifest-checks.ts';
 import type { ManifestSite, ManifestSweep } from '../base/radar-settings.ts';
 
-// The fields of a manifest that speak of a radar's mosaic.
+// The fields of a manifest that describe a radar's mosaic.
 
 export const positive: Check<number> = (value) => {
   if (!isFinite(value) || value <= 0) throw new Expected('a number above 0');
   return value;
 };
 
-/** As many sweeps as a radar file may have. */
+/** The maximum number of sweeps, the same as for a radar file. */
 const maxTiles = 4096;
 
-/** Metres and degrees beyond this are no radar's. */
+/** Metres and degrees beyond this do not occur in radar data. */
 const farthest = 1e9;
 
-/** Two numbers; @param expected - in words @param fits - whether the second one will do */
+/**
+ * Two numbers.
+ * @param expected - in words
+ * @param fits - whether the second one is valid
+ */
 const pair = (expected: string, fits: (second: number) => boolean): Check<readonly [number, number]> => (value) => {
   if (!Array.isArray(value) || value.length !== 2 || !value.every((n) => isFinite(n) && Math.abs(n) <= farthest) || !fits(value[1])) throw new Expected(expected);
   return value as unknown as readonly [number, number];
@@ -73,7 +77,7 @@ export const sweeps: Check<readonly ManifestSweep[]> = (value) => {
   });
 };
 
-/** The fields of an object that are known; others are left alone. */
+/** The known fields of an object; others are ignored. */
 function readFields<T extends object>(value: unknown, checks: { readonly [K in keyof T]-?: Check<NonNullable<T[K]>> }): T {
   if (typeof value !== 'object' || value === null || Array.isArray(value)) throw new Expected('an object');
   const given = value as Record<string, unknown>;

@@ -6,11 +6,11 @@ import type { Check } from './manifest-checks.ts';
 import { angles, azimuthPair, positive, rangePair, site, sweeps, utcTime } from './manifest-radar.ts';
 import type { ManifestSite, ManifestSweep } from '../base/radar-settings.ts';
 
-/** A JSON manifest, checked. Documented by schema/manifest.json, which a test holds against this file. */
+/** A JSON manifest, checked. Documented by schema/manifest.json; a test compares that with this file. */
 export interface Manifest {
-  /** URL of the data, relative to the manifest; of one with scans, the first scan's. Undefined where there are `files`. */
+  /** URL of the data, relative to the manifest; if there are scans, the first scan's. Undefined if there are `files`. */
   readonly image?: string;
-  /** URLs of a stack, the files of one volume in their order: images, a slice each, or a header and its data. */
+  /** URLs of a stack, the files of one volume in their order: images, one slice each, or a header and its data. */
   readonly files?: readonly string[];
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   readonly slices?: number;
@@ -18,7 +18,7 @@ export interface Manifest {
   readonly channels?: ChannelUse;
   /** World units per pixel along i and j, per slice along k; per voxel of a NIfTI file. */
   readonly spacing?: Vector3;
-  /** Row-major 4 x 4; wins over spacing. */
+  /** Row-major 4 x 4; overrides spacing. */
   readonly indexToWorld?: Matrix4;
   /** Data value = slope * value in the file + intercept. */
   readonly slope?: number;
@@ -28,37 +28,37 @@ export interface Manifest {
   readonly transferFunction?: string;
   readonly title?: string;
   readonly credit?: string;
-  /** Degrees, one a tile: the mosaic is a radar's, a sweep a tile, rays downwards and gates to the right. */
+  /** Degrees, one per tile. The mosaic is a radar's, one sweep per tile, with rays downwards and gates to the right. */
   readonly elevations?: readonly number[];
   /** Metres to the middle of the first gate, and from gate to gate. */
   readonly range?: readonly [number, number];
-  /** Middle of the first ray and step to the next one, degrees clockwise from north. */
+  /** Middle of the first ray, and the step to the next one, degrees clockwise from north. */
   readonly azimuth?: readonly [number, number];
   /** Degrees. */
   readonly beamWidth?: number;
   /** What was measured, such as 'DBZH'. */
   readonly moment?: string;
-  /** m/s: the values are velocities that fold over beyond. */
+  /** m/s. If set, the values are velocities that fold at this speed. */
   readonly nyquist?: number;
   readonly site?: ManifestSite;
   /** ISO 8601 in UTC, when the scan began. */
   readonly time?: string;
-  /** What is another for single tiles. */
+  /** Values of single tiles that differ. */
   readonly sweeps?: readonly ManifestSweep[];
-  /** One volume after another, in the order of time; each with what is the same for all. */
+  /** Several volumes in the order of time; each includes what is the same for all. */
   readonly scans?: readonly Manifest[];
 }
 
 type Fields = Readonly<Record<string, unknown>>;
 
-/** Longest manifest, bytes: thousands of scans whose sweeps list all their azimuths take a tenth of it. */
+/** Maximum bytes of a manifest: thousands of scans whose sweeps list all their azimuths take a tenth of it. */
 const maxBytes = 2 ** 26;
 
-/** Most scans: a day of them, one every ten seconds, is fewer. */
+/** Maximum number of scans: a day of them, one every ten seconds, is fewer. */
 export const maxScans = 10_000;
 
 /**
- * Read a manifest. Unknown fields are left alone, for later versions and for others' notes.
+ * Reads a manifest. Unknown fields are ignored: they may come from later versions, or be the author's notes.
  * @throws {VolumeViewError} `manifest/invalid`: the message names the field
  */
 export function readManifest(bytes: Uint8Array): Manifest {
@@ -69,13 +69,16 @@ export function readManifest(bytes: Uint8Array): Manifest {
     return { ...empty, ...shared };
   }
   for (const name of ['image', 'files'] as const) {
-    if (fields[name] !== undefined) fail(name, fields[name], 'none beside "scans", each of which has its own');
+    if (fields[name] !== undefined) fail(name, fields[name], 'none together with "scans": each scan has its own');
   }
   const list = readScans(scans, shared);
   return { ...list[0], scans: list };
 }
 
-/** @param shared - what is the same for all scans: it has been checked, and is not checked again for each of them */
+/**
+ * @param shared - fields that are the same for all scans: they have been checked, and are not checked again for each
+ * scan
+ */
 function readScans(scans: unknown, shared: Partial<Manifest>): Manifest[] {
   if (!Array.isArray(scans) || scans.length === 0 || scans.length > maxScans) {
     return fail('scans', scans, `a list of 1 to ${maxScans.toLocaleString('en')} objects, one a scan`);
@@ -95,12 +98,12 @@ function readScans(scans: unknown, shared: Partial<Manifest>): Manifest[] {
   return list;
 }
 
-/** @param where - before a field's name in what is thrown */
+/** @param where - goes before a field's name in an error message */
 function checkSource({ image, files }: Partial<Manifest>, where = ''): void {
   if (image === undefined && files === undefined) {
     failWith(`${where}image`, 'nothing', 'the URL of a mosaic image, a volume\'s file or a radar scan, or "files", a list of URLs');
   }
-  if (image !== undefined && files !== undefined) fail(`${where}files`, files, 'none beside "image"');
+  if (image !== undefined && files !== undefined) fail(`${where}files`, files, 'none together with "image"');
 }
 
 const checks: { readonly [Name in Exclude<keyof Manifest, 'scans'>]: Check<NonNullable<Manifest[Name]>> } = {
@@ -132,7 +135,7 @@ const checks: { readonly [Name in Exclude<keyof Manifest, 'scans'>]: Check<NonNu
 /** All fields, each undefined. */
 const empty: Manifest = Object.fromEntries([...Object.keys(checks), 'scans'].map((name) => [name, undefined]));
 
-/** The fields that are there; others that nobody here knows are left alone. @param where - before a field's name in what is thrown */
+/** Reads the known fields; others are ignored. @param where - goes before a field's name in an error message */
 function readFields(fields: Fields, where = ''): Partial<Manifest> {
   const read: [string, unknown][] = [];
   for (const [name, check] of Object.entries(checks)) {
@@ -178,7 +181,7 @@ function failWith(field: string, got: string, expected: string): never {
   throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got ${short}; expected ${expected}`);
 }
 
-/** The beginning of a value as JSON: all of it may be megabytes, or thousands of lists in one another. */
+/** The beginning of a value as JSON: the whole may be megabytes long, or thousands of nested lists. */
 function describe(value: unknown, depth = 0): string {
   if (typeof value === 'string') return JSON.stringify(value.slice(0, 80));
   if (typeof value !== 'object' || value === null) return String(value);

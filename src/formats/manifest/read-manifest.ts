@@ -9,10 +9,13 @@ import { readManifest } from './manifest.ts';
 import type { Manifest } from './manifest.ts';
 import { nameOf } from '../base/name-of.ts';
 
-/** That are held while a manifest is read: of `[[],[],` every three make a list. */
+/** Memory per character while a manifest is parsed: in `[[],[],` every three characters make a list. */
 const bytesPerCharacter = 32;
 
-/** Read a manifest and what it names. What it says holds where the attributes, which are `settings`, say nothing. */
+/**
+ * Reads a manifest and the files that it names. Its fields are used where the attributes, which are `settings`, set
+ * nothing.
+ */
 export const readManifestVolume: FormatReader = async (input, settings, context) => {
   if (context.isPart) {
     throw new VolumeViewError('manifest/invalid', `the manifest's "image" got another manifest, ${nameOf(input.url)}; expected an image or a NIfTI file`);
@@ -28,7 +31,7 @@ export const readManifestVolume: FormatReader = async (input, settings, context)
   if (isRadar(merged)) context.onRadar?.();
   const first = await context.fetchFile(urls[0]);
   const volume = await context.decode(first, manifest.files && urls, merged);
-  // The values of a radar's mosaic are what its reader made of them already.
+  // The reader of a radar's mosaic has applied slope and intercept already.
   return describeVolume(volume, isPolar(volume) ? { ...manifest, slope: 1, intercept: 0 } : manifest);
 };
 
@@ -64,7 +67,7 @@ function mergeSettings(settings: DecodeSettings, manifest: Manifest): DecodeSett
   };
 }
 
-/** Add to a volume what its manifest says of the values. */
+/** Adds to a volume what its manifest says about the values. */
 function describeVolume(volume: DecodedVolume, manifest: Manifest): DecodedVolume {
   const { slope = 1, intercept = 0, unit, window, transferFunction, title, credit } = manifest;
   const isRescaled = slope !== 1 || intercept !== 0;
@@ -73,7 +76,7 @@ function describeVolume(volume: DecodedVolume, manifest: Manifest): DecodedVolum
     slope: slope * volume.slope,
     intercept: slope * volume.intercept + intercept,
     unit: unit ?? volume.unit,
-    // A file's own window speaks of its own values.
+    // A file's own window is in its own values.
     window: window ?? (isRescaled ? undefined : volume.window),
     transferFunction,
     title,

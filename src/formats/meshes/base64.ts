@@ -5,8 +5,8 @@ const bits = new Uint8Array(128).fill(255);
 for (let i = 0; i < 64; i++) bits[letters.charCodeAt(i)] = i;
 
 /**
- * Bytes of a Base64 text, whose blanks and lines are passed over. Source: RFC 4648, section 4
- * @returns null where it has other letters
+ * Decodes a Base64 text and ignores its blanks and line breaks. Source: RFC 4648, section 4
+ * @returns null if it has other letters
  */
 export function decodeBase64(text: string): Uint8Array<ArrayBuffer> | null {
   const bytes = new Uint8Array(Math.floor((text.length * 3) / 4));

@@ -3,8 +3,9 @@ import { corrupt, farthest } from './mesh-limits.ts';
 import type { Mesh } from './mesh.ts';
 
 /**
- * A mesh without triangles that have two corners in one, and without normals and colours that are none.
- * @throws {VolumeViewError} `format/corrupt`, `format/unsupported` where a triangle has a corner that is no vertex, or nowhere, and where there is none
+ * Checks a mesh. Returns it without triangles that have two equal corners, and without invalid normals and colours.
+ * @throws {VolumeViewError} `format/corrupt`, `format/unsupported` if a triangle refers to a vertex that does not
+ * exist, or whose position is not finite, or if there are no triangles
  */
 export function checkMesh(mesh: Mesh): Mesh {
   const { positions, indices, format } = mesh;
@@ -31,7 +32,7 @@ function checkPlace({ positions, format }: Mesh, vertex: number): void {
   }
 }
 
-/** @returns null where one of them has no direction */
+/** @returns null if one of them has no direction */
 function normalize(normals: Mesh['normals']): Mesh['normals'] {
   if (!normals) return null;
   for (let i = 0; i < normals.length; i += 3) {

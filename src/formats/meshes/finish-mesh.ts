@@ -7,8 +7,8 @@ import { splitMesh } from './split-mesh.ts';
 import { weld } from './weld.ts';
 
 /**
- * From what a file has to what is drawn: checked, joined, with normals, in the world and in parts.
- * @param space - which way its axes run; null for what the file says, or else to the right, front and head
+ * Makes a drawable surface of a file's mesh: checked, joined, with normals, in world coordinates and in parts.
+ * @param space - the directions of its axes; null for what the file says, or else to the right, front and head
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  */
 export function finishMesh(mesh: Mesh, space: MeshSpace | null): Surface {
@@ -32,7 +32,7 @@ function turnAround({ positions, normals }: Mesh): void {
   }
 }
 
-/** From metres with y up, of one who looks to +z, to millimetres to the right, front and head. */
+/** From glTF's space (metres, y up, the subject looks to +z) to millimetres to the right, front and head. */
 function standUp({ positions, normals }: Mesh): void {
   for (const [numbers, unit] of [[positions, 1000], [normals!, 1]] as const) {
     for (let i = 0; i < numbers.length; i += 3) {
@@ -42,7 +42,7 @@ function standUp({ positions, normals }: Mesh): void {
   }
 }
 
-/** The box around places. */
+/** The box around some positions. */
 export function boundsOf(places: readonly Float32Array[]): { low: Vector3; high: Vector3 } {
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];

@@ -4,10 +4,10 @@ import { decodeBase64 } from './base64.ts';
 import { corrupt } from './mesh-limits.ts';
 import { TextScanner } from './text-scanner.ts';
 
-/** One array of a GIfTI file, as it stands there. */
+/** One array of a GIfTI file, as the file has it. */
 export interface GiftiArray {
   readonly attributes: ReadonlyMap<string, string>;
-  /** Numbers that it says it has. */
+  /** The number of values that the file announces. */
   readonly count: number;
   readonly rows: number;
   data: string;
@@ -58,7 +58,7 @@ async function readBytes({ data, attributes, count }: GiftiArray, encoding: stri
   return Float64Array.from({ length: count }, (_, i) => type.read(view, i * type.bytes, isLittle));
 }
 
-/** What GIfTI calls gzip is zlib's. More than there has to be is not unpacked. */
+/** GIfTI's "gzip" data are zlib data. No more is unpacked than the array needs. */
 async function unpackSome(packed: Uint8Array<ArrayBuffer>, length: number): Promise<Uint8Array> {
   const pieces: Uint8Array[] = [];
   let sum = 0;
@@ -76,7 +76,7 @@ async function unpackSome(packed: Uint8Array<ArrayBuffer>, length: number): Prom
   return all;
 }
 
-/** From column after column to row after row. */
+/** From column-major to row-major order. */
 function turn(numbers: Float64Array, rows: number): Float64Array {
   return numbers.map((_, i) => numbers[(i % 3) * rows + Math.floor(i / 3)]);
 }

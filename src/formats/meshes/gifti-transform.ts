@@ -2,13 +2,14 @@ import { transformPoint } from '../../volume/matrix.ts';
 import type { GiftiArray } from './gifti-array.ts';
 import { corrupt } from './mesh-limits.ts';
 
-/** Spaces of NIfTI that are of the world, best first: in these, a surface lies where the volume does. */
+/** NIfTI's spaces that are world coordinates, best first: in these, a surface lies where the volume does. */
 const worlds = ['NIFTI_XFORM_SCANNER_ANAT', 'NIFTI_XFORM_ALIGNED_ANAT', 'NIFTI_XFORM_TALAIRACH', 'NIFTI_XFORM_MNI_152'];
 
 /**
- * What brings the places of a GIfTI file into the world, millimetres to the right, front and head. Most files have them there already,
- * and name their space. Those of FreeSurfer are of its own space, which GIfTI calls unknown, and say how to leave it.
- * @returns null where they are there already
+ * The transform from the positions of a GIfTI file to the world, millimetres to the right, front and head. Most files
+ * have world coordinates already, and name their space. FreeSurfer's files use FreeSurfer's own space, which GIfTI
+ * calls unknown, and contain the transform to the world.
+ * @returns null if they are in world coordinates already
  */
 export function giftiTransform({ transforms }: GiftiArray): ((places: Float64Array) => Float32Array<ArrayBuffer>) | null {
   const from = transforms.map((one) => one.get('DataSpace')?.trim() ?? '');

@@ -11,7 +11,7 @@ export function isGifti(text: string): boolean {
 }
 
 /**
- * Read the surface of a GIfTI file: the first array of places and the first one of triangles.
+ * Reads the surface of a GIfTI file: the first array of positions and the first one of triangles.
  * Source: *Geometry Format (GIfTI)*, version 1.0, NITRC 2008
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large`
  */
@@ -27,7 +27,7 @@ export async function readGifti(bytes: Uint8Array<ArrayBuffer>): Promise<Mesh> {
   const transform = giftiTransform(points);
   return {
     positions: transform ? transform(places) : Float32Array.from(places),
-    // Those of a file that is moved are made anew.
+    // If the file has a transform, its normals are computed again.
     normals: isNormal && !transform ? Float32Array.from(await decodeArray(normals)) : null,
     indices: asIndices(await decodeArray(triangles)),
     colors: null,
@@ -45,7 +45,7 @@ function listLeft(arrays: readonly GiftiArray[]): Pick<Mesh, 'left'> {
 function asIndices(numbers: ArrayLike<number>): Uint32Array<ArrayBuffer> {
   const indices = new Uint32Array(numbers.length);
   for (let i = 0; i < numbers.length; i++) {
-    // A cast would make another vertex of one that is none.
+    // A cast would turn an invalid index into another vertex.
     if (!(numbers[i] >= 0) || !Number.isInteger(numbers[i])) throw corrupt('GIfTI file', `has a triangle with the corner ${numbers[i]}`);
     indices[i] = numbers[i];
   }

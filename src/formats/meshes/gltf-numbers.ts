@@ -1,19 +1,19 @@
-// Numbers of a glTF, which lie in buffers.
+// Reads the numbers of a glTF, which lie in buffers.
 import { decodeBase64 } from './base64.ts';
 import { format, listOf } from './gltf-scene.ts';
 import type { Json } from './gltf-scene.ts';
 import { checkCounts, corrupt } from './mesh-limits.ts';
 
-/** Lists of numbers, of which some belong together. */
+/** A list of numbers or of vectors. */
 export interface Numbers {
   readonly count: number;
-  /** Of each: 3 of a vector. */
+  /** Numbers per element: 3 for a vector of three. */
   readonly size: number;
-  /** Those of all, one after the other; whole numbers that stand for shares are shares already. */
+  /** All numbers, one after the other. Normalized integers are converted to shares. */
   readonly values: Float64Array;
 }
 
-/** Bytes of a number, how it is read, and what stands for 1. */
+/** Bytes of a number, how to read it, and the integer that stands for 1. */
 const types: ReadonlyMap<unknown, readonly [bytes: number, read: (view: DataView, at: number) => number, one: number]> = new Map([
   [5120, [1, (view, at) => view.getInt8(at), 127]],
   [5121, [1, (view, at) => view.getUint8(at), 255]],
@@ -26,16 +26,17 @@ const types: ReadonlyMap<unknown, readonly [bytes: number, read: (view: DataView
 const sizes: ReadonlyMap<unknown, number> = new Map([['SCALAR', 1], ['VEC2', 2], ['VEC3', 3], ['VEC4', 4]]);
 
 /**
- * Reads accessors by their numbers.
+ * Reads accessors by their index.
  * Source: *glTF 2.0 Specification*, Khronos Group, sections 3.6 and 5.1 to 5.11
- * @param chunk - the data beside the JSON of a `.glb`
- * @returns throws {VolumeViewError} `format/corrupt` where they are not as they say, `format/too-large`
+ * @param chunk - the binary chunk of a `.glb`
+ * @returns a function that throws {VolumeViewError} `format/corrupt` if the data do not fit their description, or
+ * `format/too-large`
  */
 export function numbersReader(json: Json, chunk: Uint8Array<ArrayBuffer> | null): (index: number) => Numbers {
   const [accessors, views, buffers] = ['accessors', 'bufferViews', 'buffers'].map((name) => listOf(json, name));
   const data = buffers.map(({ uri }, i) => (uri === undefined && i === 0 ? chunk : typeof uri === 'string' ? decodeUri(uri) : null));
 
-  /** Numbers of a type from a place in a view on. */
+  /** Reads numbers of a type from an offset in a buffer view on. */
   const read = ({ bufferView, byteOffset = 0, componentType, normalized }: Json, count: number, size: number): Float64Array => {
     const view = views[Number(bufferView)];
     const bytes = view && data[Number(view['buffer'])];
@@ -58,7 +59,7 @@ export function numbersReader(json: Json, chunk: Uint8Array<ArrayBuffer> | null)
     const size = sizes.get(accessor['type']);
     if (!size || !(count > 0)) throw corrupt(format, 'has lists of no known kind, or empty ones');
     checkCounts(format, count, 0);
-    // Those that nothing says are 0.
+    // Without a buffer view all values are 0.
     const values = accessor['bufferView'] === undefined ? new Float64Array(count * size) : read(accessor, count, size);
     const sparse = accessor['sparse'] as { readonly count?: unknown; readonly indices?: Json; readonly values?: Json } | undefined;
     if (sparse?.indices && sparse.values) {

@@ -3,30 +3,30 @@ import { identity, multiply } from '../../volume/matrix.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
 import { checkCounts, corrupt } from './mesh-limits.ts';
 
-/** For people. */
+/** The format's name in messages. */
 export const format = 'glTF';
 
-/** An object of a file, of which nothing is sure. */
+/** An object of a file; its fields are not checked yet. */
 export type Json = Readonly<Record<string, unknown>>;
 
-/** Triangles of a scene, and where they are. */
+/** Triangles of a scene, and their place. */
 export interface Primitive {
-  /** From the file's own coordinates to the scene's. */
+  /** From the mesh's own coordinates to the scene's. */
   readonly toScene: Matrix4;
   readonly mode: Mode;
-  /** Numbers of accessors. */
+  /** Indices of accessors. */
   readonly position: number;
   readonly normal: number | null;
   readonly color: number | null;
   readonly indices: number | null;
-  /** Light that its material sends back, linear: red, green and blue. */
+  /** The material's base colour, linear: red, green and blue. */
   readonly light: readonly number[];
 }
 
 /** How corners follow one another: three for each triangle, a strip, or a fan. */
 export type Mode = 4 | 5 | 6;
 
-/** Nodes of a scene at most. */
+/** Maximum number of nodes of a scene. */
 const maxNodes = 100_000;
 
 const isObject = (x: unknown): x is Json => typeof x === 'object' && x !== null && !Array.isArray(x);
@@ -39,7 +39,8 @@ export function listOf(json: Json, name: string): readonly Json[] {
 }
 
 /**
- * The triangles of the scene that is to be shown, each mesh as often as there are nodes with it. They are counted before there is room for them.
+ * Lists the triangles of the default scene, each mesh once for each node that uses it. They are counted before memory
+ * is allocated.
  * Source: *glTF 2.0 Specification*, Khronos Group, sections 3.5 to 3.7
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, `format/unsupported`
  */
@@ -79,7 +80,7 @@ function primitivesOf(json: Json, mesh: Json | undefined, toScene: Matrix4, coun
     const mode = primitive['mode'] ?? 4;
     const attributes = isObject(primitive['attributes']) ? primitive['attributes'] : {};
     const position = accessor(attributes['POSITION']);
-    // Points and lines are no surface.
+    // Points and lines are not surfaces.
     if (position === null || (mode !== 4 && mode !== 5 && mode !== 6)) continue;
     const indices = accessor(primitive['indices']);
     const [vertices, corners] = [position, indices ?? position].map((index) => Number(accessors[index]['count']));
@@ -91,7 +92,7 @@ function primitivesOf(json: Json, mesh: Json | undefined, toScene: Matrix4, coun
   return found;
 }
 
-/** Its pictures are left out, and that it may be translucent. */
+/** Textures and transparency are ignored. */
 function lightOf(json: Json, index: unknown): readonly number[] {
   const material = index === undefined ? {} : (listOf(json, 'materials')[Number(index)] ?? {});
   const matter = material['pbrMetallicRoughness'];
@@ -108,7 +109,7 @@ function matrixOf(node: Json): Matrix4 {
   const [x, y, z, w] = fieldOf(node, 'rotation', [0, 0, 0, 1]);
   const [a, b, c] = fieldOf(node, 'scale', [1, 1, 1]);
   const [right, up, out] = fieldOf(node, 'translation', [0, 0, 0]);
-  // Of a unit quaternion.
+  // The matrix of a unit quaternion.
   return [
     a * (1 - 2 * (y * y + z * z)), b * 2 * (x * y - z * w), c * 2 * (x * z + y * w), right,
     a * 2 * (x * y + z * w), b * (1 - 2 * (x * x + z * z)), c * 2 * (y * z - x * w), up,

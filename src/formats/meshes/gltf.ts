@@ -9,12 +9,12 @@ import type { Json, Primitive } from './gltf-scene.ts';
 import { corrupt } from './mesh-limits.ts';
 import type { Mesh } from './mesh.ts';
 
-/** What a file may need and we do without, as it is of matter and light, or numbers in few bits. */
+/** Required extensions that can be ignored here, because they concern materials and light, or numbers of few bits. */
 const harmless = /^(KHR_mesh_quantization|(KHR|EXT)_(materials|texture|lights)_.*)$/;
 
 /**
- * Read the triangles of a glTF's scene: a `.glb`, or a `.gltf` that holds its data. Colours are those of the vertices times that of the material. Pictures,
- * bones, animations, points and lines are left out.
+ * Reads the triangles of a glTF's scene: a `.glb`, or a `.gltf` that contains its data. A colour is the vertex colour
+ * times the material's. Textures, bones, animations, points and lines are left out.
  * Source: *glTF 2.0 Specification*, Khronos Group
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large`
  */
@@ -40,7 +40,7 @@ function listLeft(json: Json): string[] {
   return left.length > 0 ? [`not shown: ${left.join(', ')}`] : [];
 }
 
-/** "glTF", where JSON has a "{". */
+/** Binary files begin with "glTF", JSON with "{". */
 function isBinary(bytes: Uint8Array): boolean {
   return bytes[0] === 0x67;
 }
@@ -50,11 +50,14 @@ function parseJson(bytes: Uint8Array): Json {
   try {
     const json = JSON.parse(new TextDecoder().decode(bytes)) as unknown;
     if (typeof json === 'object' && json !== null) return json as Json;
-  } catch {} // The same words hold.
+  } catch {} // The error below explains it.
   throw corrupt(format, 'has no JSON that can be read');
 }
 
-/** The two parts of a `.glb`: its JSON, and the data beside it. @throws {VolumeViewError} `format/corrupt`, `format/unsupported` */
+/**
+ * The two parts of a `.glb`: its JSON and its binary chunk. @throws {VolumeViewError} `format/corrupt`,
+ * `format/unsupported`
+ */
 function splitGlb(bytes: Uint8Array<ArrayBuffer>): { readonly json: Json; readonly chunk: Uint8Array<ArrayBuffer> | null } {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   if (bytes.length < 20) throw corrupt(format, 'ends in its header');
@@ -70,7 +73,7 @@ function splitGlb(bytes: Uint8Array<ArrayBuffer>): { readonly json: Json; readon
   return { json: parseJson(first), chunk: chunkAt(20 + first.length) };
 }
 
-/** @throws {VolumeViewError} `format/unsupported` where a file needs what is not here */
+/** @throws {VolumeViewError} `format/unsupported` if a file requires an extension that is not supported */
 function checkNeeds(json: Json): void {
   const { version } = (json['asset'] ?? {}) as Json;
   if (!String(version).startsWith('2.')) throw unsupported(`is of version ${String(version).slice(0, 20)}`, 'version 2.0');
@@ -84,7 +87,7 @@ function unsupported(what: string, expected: string): VolumeViewError {
   return new VolumeViewError('format/unsupported', `the glTF ${what}; expected ${expected}`);
 }
 
-/** All in one mesh. */
+/** Joins all triangles into one mesh. */
 function join(primitives: readonly Primitive[], read: (index: number) => Numbers): Mesh {
   const known = new Map<number, Numbers>();
   const numbers = (index: number): Numbers => {
@@ -123,7 +126,10 @@ function addVectors({ count, values }: Numbers, into: Float32Array, first: numbe
   for (let i = 0; i < count; i++) into.set(map([values[3 * i], values[3 * i + 1], values[3 * i + 2]]), 3 * (first + i));
 }
 
-/** Planes stay planes: the matrix of cofactors, which is the inverse transpose times the determinant; turned back where that is negative. */
+/**
+ * Transforms normals so that they stay perpendicular to their planes: by the matrix of cofactors, which is the inverse
+ * transpose times the determinant, with the sign changed if that is negative.
+ */
 function normalsBy(m: Matrix4): (normal: Vector3) => Vector3 {
   const rows = [0, 4, 8].map((i): Vector3 => [m[i], m[i + 1], m[i + 2]]);
   const [a, b, c] = [cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])];
@@ -140,12 +146,12 @@ function addColors({ light }: Primitive, numbers: Numbers | null, into: Float32A
   }
 }
 
-/** From light to what a screen is told. Source: IEC 61966-2-1 (sRGB) */
+/** From linear light to sRGB. Source: IEC 61966-2-1 (sRGB) */
 function toScreen(light: number): number {
   return light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
 }
 
-/** Corners of triangles, numbered in the whole mesh. */
+/** Corners of triangles, as vertex indices of the whole mesh. */
 function cornersOf({ mode, toScene }: Primitive, numbers: Numbers | null, first: number, vertices: number): Uint32Array {
   const count = numbers ? numbers.count : vertices;
   const at = (i: number): number => {

@@ -1,20 +1,20 @@
 import { VolumeViewError } from '../../core/errors.ts';
 
-/** Triangles of a surface at most: more than a picture has pixels. */
+/** Maximum number of triangles of a surface: more than a picture has pixels. */
 export const maxTriangles = 5_000_000;
 
-/** Vertices at most, which a file of separate triangles has three times as many of. */
+/** Maximum number of vertices: in a file of separate triangles, there are three times as many as triangles. */
 const maxVertices = 3 * maxTriangles;
 
-/** Bytes of a file at most. */
+/** Maximum bytes of a file. */
 export const maxMeshBytes = 2 ** 29;
 
-/** Places farther out than this are no place. */
+/** Coordinates larger than this are invalid. */
 export const farthest = 1e9;
 
 /**
- * Before there is room for them.
- * @param vertices - as many as a file says it has
+ * Call this before memory is allocated.
+ * @param vertices - the number in the file's header
  * @throws {VolumeViewError} `format/too-large`, `format/corrupt`
  */
 export function checkCounts(format: string, vertices: number, triangles: number): void {
@@ -25,12 +25,12 @@ export function checkCounts(format: string, vertices: number, triangles: number)
   refuseMany(format, vertices, maxVertices, 'vertices');
 }
 
-function refuseMany(format: string, count: number, most: number, what: string): void {
-  if (count <= most) return;
-  throw new VolumeViewError('format/too-large', `the ${format} has ${count.toLocaleString('en')} ${what} or more; expected at most ${most.toLocaleString('en')}. Make a copy with fewer triangles ("decimate" in MeshLab, Blender or 3D Slicer)`);
+function refuseMany(format: string, count: number, max: number, what: string): void {
+  if (count <= max) return;
+  throw new VolumeViewError('format/too-large', `the ${format} has ${count.toLocaleString('en')} ${what} or more; expected at most ${max.toLocaleString('en')}. Make a copy with fewer triangles ("decimate" in MeshLab, Blender or 3D Slicer)`);
 }
 
-/** @param what - is wrong with it, as in "ends early" */
+/** @param what - is wrong with it, for example "ends early" */
 export function corrupt(format: string, what: string): VolumeViewError {
   return new VolumeViewError('format/corrupt', `the ${format} ${what}. Fetch the file again, or write it again`);
 }

@@ -1,4 +1,4 @@
-/** Numbers whose count is not known before: twice the room each time that it is full. */
+/** A list of numbers whose count is not known in advance: its memory doubles each time that it is full. */
 export class NumberList<T extends Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>> {
   length = 0;
   #room: T;
@@ -20,7 +20,7 @@ export class NumberList<T extends Float32Array<ArrayBuffer> | Uint32Array<ArrayB
     return this.#room[index];
   }
 
-  /** All of them, in a buffer of just their length. */
+  /** All of them, in a buffer of exactly their length. */
   take(): T {
     return this.#room.slice(0, this.length) as T;
   }

@@ -4,20 +4,20 @@ import { floatList, wholeList } from './number-list.ts';
 import { readSpace } from './space-comment.ts';
 import { TextScanner } from './text-scanner.ts';
 
-/** Whether a text is an OBJ: its first lines that are no comment are of those that it has. */
+/** Whether a text is an OBJ: its first lines that are not comments begin with keywords of that format. */
 export function isObj(text: string): boolean {
   const lines = text.split(/\r?\n/).slice(0, -1).filter((line) => !/^\s*(#.*)?$/.test(line));
   return lines.length > 0 && /^\s*(v|vn|vt|vp|f|o|g|s|mtllib|usemtl)\s/.test(lines[0]) && lines.every((line) => /^\s*[a-z_]+(\s|$)/i.test(line));
 }
 
-/** What of an OBJ has been read. */
+/** The parts of an OBJ that have been read. */
 class Reading {
   readonly places = floatList();
   readonly colors = floatList();
   readonly normals = floatList();
   /** Of each corner of a triangle. */
   readonly corners = wholeList();
-  /** Of each corner its normal, counted from 1; 0 for none. */
+  /** The normal of each corner, counted from 1; 0 for none. */
   readonly cornerNormals = wholeList();
   space: Mesh['space'] = null;
   /** The words that begin lines which are no surface's, or name what colours it. */
@@ -28,8 +28,8 @@ class Reading {
 const leftOut: Readonly<Record<string, string>> = { usemtl: 'materials', map_Kd: 'materials', l: 'lines', p: 'points', curv: 'curves', curv2: 'curves', surf: 'free-form surfaces' };
 
 /**
- * Read the faces of an OBJ: places, normals, and colours that stand behind places. Faces of more than three corners become fans of
- * triangles. Materials, pictures, lines, points and curves are left out.
+ * Reads the faces of an OBJ: positions, normals, and colours that follow positions. Faces of more than three corners
+ * become fans of triangles. Materials, textures, lines, points and curves are left out.
  * Source: *Advanced Visualizer Manual*, Wavefront, appendix B1
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
@@ -52,7 +52,7 @@ function readVertex(scanner: TextScanner, { places, colors }: Reading): void {
   for (let number = scanner.number(); !Number.isNaN(number) && numbers.length < 8; number = scanner.number()) numbers.push(number);
   if (numbers.length < 3) throw corrupt('OBJ', `has no vertex of three numbers in line ${scanner.line}`);
   for (let i = 0; i < 3; i++) places.push(numbers[i]);
-  // Behind the place stand its weight, or its colour, or both.
+  // After the position comes its weight, or its colour, or both.
   const color = numbers.length >= 6 ? numbers.slice(-3) : null;
   if (color && colors.length === places.length - 3) color.forEach((channel) => colors.push(channel));
   checkCounts('OBJ', places.length / 3, 0);
@@ -82,7 +82,7 @@ function readFace(scanner: TextScanner, { places, normals, corners, cornerNormal
   if (count < 3) throw corrupt('OBJ', `has a face of ${count} corners in line ${scanner.line}; expected three or more`);
 }
 
-/** Counted from 0. Negative ones count back from the last. @returns NaN where there is none */
+/** An index from 0. Negative indices count back from the last. @returns NaN if the text is not an index */
 function indexOf(text: string, count: number): number {
   const number = /^-?\d+$/.test(text) ? Number(text) : Number.NaN;
   const index = number < 0 ? count + number : number - 1;

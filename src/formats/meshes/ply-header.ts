@@ -1,6 +1,6 @@
 import { corrupt } from './mesh-limits.ts';
 
-/** Bytes of each of PLY's numbers, by both of its names for them. */
+/** Bytes of each of PLY's number types, under both names. */
 const sizes: Readonly<Record<string, number>> = {
   char: 1, int8: 1, uchar: 1, uint8: 1, short: 2, int16: 2, ushort: 2, uint16: 2, int: 4, int32: 4, uint: 4, uint32: 4, float: 4, float32: 4, double: 8, float64: 8,
 };
@@ -11,7 +11,7 @@ type PlyType = string;
 export interface PlyProperty {
   readonly name: string;
   readonly type: PlyType;
-  /** Of a list: the type of its length. */
+  /** For a list: the type of its length. */
   readonly countType: PlyType | null;
 }
 
@@ -25,11 +25,11 @@ export interface PlyHeader {
   readonly form: 'ascii' | 'binary_little_endian' | 'binary_big_endian';
   readonly elements: readonly PlyElement[];
   readonly comments: string;
-  /** Where the data begin. */
+  /** Where the data begin, bytes. */
   readonly length: number;
 }
 
-/** Bytes of a header at most. */
+/** Maximum bytes of a header. */
 const longest = 2 ** 16;
 
 export function isPly(text: string): boolean {

@@ -2,7 +2,7 @@ import { corrupt } from './mesh-limits.ts';
 import { sizeOf } from './ply-header.ts';
 import { TextScanner } from './text-scanner.ts';
 
-/** Reads the next number, of one of PLY's types. @throws {VolumeViewError} `format/corrupt` where there is none */
+/** Reads the next number, of one of PLY's types. @throws {VolumeViewError} `format/corrupt` if there is none */
 export type NextNumber = (type: string) => number;
 
 export function textNumbers(bytes: Uint8Array, from: number): NextNumber {

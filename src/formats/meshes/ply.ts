@@ -8,18 +8,18 @@ import { binaryNumbers, textNumbers } from './ply-numbers.ts';
 import type { NextNumber } from './ply-numbers.ts';
 import { readSpace } from './space-comment.ts';
 
-/** Corners of a face at most. */
+/** Maximum number of corners of a face. */
 const maxCorners = 1000;
 
-/** What of a vertex is kept, and by which names. */
+/** The properties of a vertex that are kept, by name. */
 const kept = { positions: ['x', 'y', 'z'], normals: ['nx', 'ny', 'nz'], colors: ['red', 'green', 'blue'] } as const;
 
-/** What colours of these types have for full light; those of floats are shares already. */
+/** The largest value of colours of these types; colours of float types are shares already. */
 const whites: Readonly<Record<string, number>> = { uchar: 255, uint8: 255, ushort: 65535, uint16: 65535 };
 
 /**
- * Read a PLY, as text or binary in either order of bytes. Faces of more than three corners become fans of triangles; what else it holds
- * is passed over.
+ * Reads a PLY, as text or binary in either byte order. Faces of more than three corners become fans of triangles; other
+ * elements are skipped.
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
 export function readPly(bytes: Uint8Array): Mesh {
@@ -47,11 +47,11 @@ function listLeft(elements: readonly PlyElement[]): Pick<Mesh, 'left'> {
   return others.length > 0 ? { left: [`not shown: ${others.join(', ')}`] } : {};
 }
 
-/** A file that is too short for what it says that it has is refused before there is room for that. */
+/** Refuses a file that is too short for its own counts, before memory is allocated. */
 function checkRoom(bytes: Uint8Array, { elements, form, length }: PlyHeader): void {
   const smallest = form === 'ascii' ? 2 : 1;
-  const least = elements.reduce((sum, { count, properties }) => sum + count * properties.length * smallest, 0);
-  if (least - 1 > bytes.length - length) throw corrupt('PLY', `ends early: it has ${bytes.length.toLocaleString('en')} bytes; expected at least ${(length + least).toLocaleString('en')}`);
+  const minBytes = elements.reduce((sum, { count, properties }) => sum + count * properties.length * smallest, 0);
+  if (minBytes - 1 > bytes.length - length) throw corrupt('PLY', `ends early: it has ${bytes.length.toLocaleString('en')} bytes; expected at least ${(length + minBytes).toLocaleString('en')}`);
 }
 
 function readVertices({ count, properties }: PlyElement, next: NextNumber): Pick<Mesh, keyof typeof kept> {
@@ -107,7 +107,7 @@ function readFace({ type, countType }: PlyProperty, next: NextNumber, indices: N
   checkCounts('PLY', 0, indices.length / 3);
 }
 
-/** A list of numbers without sign would take -1 for a large one, and a broken one for 0. */
+/** A list of unsigned integers would turn -1 into a large number, and a fraction into 0. */
 function cornerOf(number: number): number {
   if (!Number.isSafeInteger(number) || number < 0 || number >= 2 ** 32) throw corrupt('PLY', `has a face with the corner ${number}; expected numbers of vertices`);
   return number;

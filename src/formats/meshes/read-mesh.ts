@@ -9,7 +9,7 @@ import { isPly } from './ply-header.ts';
 import { readPly } from './ply.ts';
 import { isBinaryStl, isTextStl, readStl } from './stl.ts';
 
-/** Files that people have for surfaces too, and what to do with them. */
+/** Other formats in which people have surfaces, and what to do with such files. */
 const others: readonly (readonly [name: string, is: (text: string, bytes: Uint8Array) => boolean])[] = [
   ['FreeSurfer surface', (_, [a, b, c]) => a === 255 && b === 255 && (c === 254 || c === 255)],
   ['VTK', (text) => /^# vtk DataFile/i.test(text) || /<VTKFile\b/.test(text)],
@@ -18,7 +18,7 @@ const others: readonly (readonly [name: string, is: (text: string, bytes: Uint8A
 ];
 
 /**
- * Read a surface, of whatever format its bytes say; only where these do not, its name does.
+ * Reads a surface. Its bytes decide the format; its name decides only if the bytes do not.
  * @param name - of the file, for messages
  * @throws {VolumeViewError} `format/unknown`, `format/unsupported`, `format/corrupt`, `format/too-large`
  */
@@ -38,7 +38,7 @@ export async function readMesh(bytes: Uint8Array<ArrayBuffer>, name: string): Pr
   throw unknown(name, 'is of no type that is known');
 }
 
-/** Its members come in any order, so that what says it may stand last. */
+/** Members of the JSON come in any order: the one that identifies glTF may be the last. */
 function isGltfJson(text: string, bytes: Uint8Array): boolean {
   if (!/^\s*\{/.test(text)) return false;
   return /"(asset|bufferViews|accessors|meshes)"/.test(text) || new TextDecoder('latin1').decode(bytes.subarray(-4096)).includes('"asset"');
@@ -48,13 +48,13 @@ function unknown(name: string, what: string): VolumeViewError {
   return new VolumeViewError('format/unknown', `${name} ${what}; expected a surface of triangles: STL, OBJ, PLY, GIfTI or glTF. MeshLab, 3D Slicer and Connectome Workbench convert others`);
 }
 
-/** All that a gzip file holds. @throws {VolumeViewError} `format/too-large`, `format/corrupt` */
-export async function unpackAll(bytes: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer>> {
+/** Unpacks a whole gzip file. @throws {VolumeViewError} `format/too-large`, `format/corrupt` */
+export async function unpackAll(bytes: Uint8Array<ArrayBuffer>, maxBytes: number): Promise<Uint8Array<ArrayBuffer>> {
   const pieces: Uint8Array<ArrayBuffer>[] = [];
   let sum = 0;
   for await (const piece of gunzip(bytes)) {
     sum += piece.length;
-    if (sum > most) throw new VolumeViewError('format/too-large', `the gzip file unpacks to ${most.toLocaleString('en')} bytes or more; expected at most so many`);
+    if (sum > maxBytes) throw new VolumeViewError('format/too-large', `the gzip file unpacks to ${maxBytes.toLocaleString('en')} bytes or more; expected at most so many`);
     pieces.push(piece);
   }
   return new Uint8Array(await new Blob(pieces).arrayBuffer());

@@ -1,13 +1,16 @@
 import type { SurfacePart } from '../../volume/surface.ts';
 import type { Mesh } from './mesh.ts';
 
-/** Vertices that short indices reach. */
+/** Maximum number of vertices that 16-bit indices can address. */
 export const maxPartVertices = 65_535;
 
-/** A mesh in parts of no more vertices than short indices reach. Vertices that two parts need are in both. */
+/** Splits a mesh into parts of at most `maxPartVertices` vertices. Vertices that two parts need are in both. */
 export function splitMesh({ positions, normals, indices, colors }: Mesh & { readonly normals: Float32Array }): SurfacePart[] {
   const parts: SurfacePart[] = [];
-  /** Of each vertex: its number in the present part, counted from 1 and from where that part's numbers begin. */
+  /**
+   * For each vertex: its number in the current part, counted from 1, plus the offset at which that part's numbers
+   * begin.
+   */
   const names = new Uint32Array(positions.length / 3);
   const own = new Uint32Array(maxPartVertices);
   let [begin, count, base] = [0, 0, 0];

@@ -4,12 +4,15 @@ import { floatList } from './number-list.ts';
 import { readSpace } from './space-comment.ts';
 import { TextScanner } from './text-scanner.ts';
 
-/** Bytes of a binary STL before its triangles, and of each of these. */
+/** Bytes of a binary STL before its triangles, and of each triangle. */
 const [head, each] = [84, 50];
 
 const keywords = new Set(['', 'solid', 'endsolid', 'facet', 'endfacet', 'outer', 'endloop']);
 
-/** Whether bytes are those of a binary STL: the number of triangles says how long it is. Some of them begin with "solid" too. */
+/**
+ * Whether bytes are those of a binary STL: the file's length must fit its number of triangles. Some binary files begin
+ * with "solid" too.
+ */
 export function isBinaryStl(bytes: Uint8Array): boolean {
   return bytes.length >= head && bytes.length === head + each * countOf(bytes);
 }
@@ -20,8 +23,8 @@ export function isTextStl(text: string): boolean {
 }
 
 /**
- * Read an STL. Its triangles stand apart from each other: those that meet are joined later. Its normals are not used, as the order of
- * the vertices says the same, and many programs write zeros.
+ * Reads an STL. Its triangles are separate: those that meet are joined later. Its normals are not used, because the
+ * order of the vertices says the same, and many programs write zeros.
  * Source: *StereoLithography Interface Specification*, 3D Systems, 1988
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */

@@ -3,10 +3,10 @@ const [newline, backslash, minus, plus, point, zero, nine] = new TextEncoder().e
 /** Powers of ten that are exact. */
 const exact = Array.from({ length: 23 }, (_, i) => Number(`1e${i}`));
 
-/** Digits that a number can hold exactly. */
+/** Number of digits that a double can hold exactly. */
 const maxDigits = 15;
 
-/** Reads words and numbers of a text straight from its bytes: texts of meshes have many millions of numbers. */
+/** Reads words and numbers of a text directly from its bytes: texts of meshes have many millions of numbers. */
 export class TextScanner {
   /** Counted from 1. */
   line = 1;
@@ -17,7 +17,7 @@ export class TextScanner {
     return this.at >= this.bytes.length;
   }
 
-  /** The next word of this line; empty where it has none. A backslash at the end of a line joins the next one to it. */
+  /** The next word of this line; empty if there is none. A backslash at the end of a line joins the next line to it. */
   word(): string {
     this.#skipBlanks();
     const from = this.at;
@@ -35,20 +35,20 @@ export class TextScanner {
     return new TextDecoder('latin1').decode(this.bytes.subarray(from, Math.min(this.at, from + 1000))).trim();
   }
 
-  /** Go to the next line. */
+  /** Goes to the next line. */
   nextLine(): void {
     this.#seekLineEnd();
     this.at++;
     this.line++;
   }
 
-  /** The next number, wherever the line ends. @returns NaN where what comes next is none */
+  /** The next number, also from a later line. @returns NaN if the next word is not a number */
   anyNumber(): number {
     for (; this.at < this.bytes.length && this.bytes[this.at] <= 32; this.at++) if (this.bytes[this.at] === newline) this.line++;
     return this.number();
   }
 
-  /** The next number of this line. @returns NaN where what comes next is none */
+  /** The next number of this line. @returns NaN if the next word is not a number */
   number(): number {
     this.#skipBlanks();
     const { bytes } = this;
@@ -77,7 +77,7 @@ export class TextScanner {
     return isNegative ? -value : value;
   }
 
-  /** @returns NaN where none follows */
+  /** @returns NaN if there is none */
   #exponent(): number {
     this.at++;
     const sign = this.bytes[this.at] === minus ? -1 : 1;

@@ -1,6 +1,6 @@
 import type { Mesh } from './mesh.ts';
 
-/** Vertices of separate triangles that are at the same place become one. */
+/** Joins vertices of separate triangles that are at the same place. */
 export function weld(mesh: Mesh): Mesh {
   const { positions, indices } = mesh;
   const count = positions.length / 3;
@@ -8,7 +8,7 @@ export function weld(mesh: Mesh): Mesh {
   const bits = new Uint32Array(positions.buffer, positions.byteOffset, positions.length);
   let size = 1024;
   while (size < 2 * count) size *= 2;
-  /** Number of the vertex, counted from 1, whose place has a hash; 0 for none. */
+  /** For each hash of a position: the number of its vertex, counted from 1; 0 for none. */
   const table = new Uint32Array(size);
   const places = new Float32Array(positions.length);
   const placeBits = new Uint32Array(places.buffer);
@@ -30,7 +30,7 @@ export function weld(mesh: Mesh): Mesh {
   return { ...mesh, positions: places.slice(0, 3 * found), indices: indices.map((vertex) => renamed[vertex]) };
 }
 
-/** Mixes the bits of three numbers, so that places on a lattice do not fall together. */
+/** Mixes the bits of three numbers, so that positions on a lattice get different hashes. */
 function hash(x: number, y: number, z: number): number {
   let mixed = Math.imul(x, 0x9e3779b1) ^ Math.imul((y << 11) | (y >>> 21), 0x85ebca6b) ^ Math.imul((z << 22) | (z >>> 10), 0xc2b2ae35);
   mixed ^= mixed >>> 15;

@@ -1,21 +1,21 @@
-/** What of an XML text is told, in its order. */
+/** Receives the parts of an XML text, in their order. */
 export interface XmlListener {
   open(name: string, attributes: ReadonlyMap<string, string>): void;
   close(name: string): void;
-  /** Of the element that was opened last; without entities where it is CDATA. */
+  /** Text of the element that was opened last; in CDATA entities are not decoded. */
   text(text: string): void;
 }
 
-/** Elements within elements, at most. */
+/** Maximum depth of nested elements. */
 const maxDepth = 100;
 
 const entities: Readonly<Record<string, string>> = { lt: '<', gt: '>', amp: '&', quot: '"', apos: "'" };
 
 /**
- * Read an XML text, as far as files of data need it: elements, attributes, text, CDATA, comments. A worker has no DOMParser. Entities of
- * a text's own, which can make a small file endless, are left as they stand.
+ * Reads an XML text, as far as data files need it: elements, attributes, text, CDATA, comments. A worker has no
+ * DOMParser. Entities that the text defines itself, which can make a small file endless, are not expanded.
  * Source: *Extensible Markup Language (XML) 1.0*, W3C
- * @throws {SyntaxError} where it is no XML
+ * @throws {SyntaxError} if the text is not valid XML
  */
 export function readXml(text: string, listener: XmlListener): void {
   const open: string[] = [];
@@ -79,7 +79,7 @@ function endOf(text: string, mark: string, from: number): number {
   return end + mark.length;
 }
 
-/** Of a document type, which may have a part of its own in brackets. */
+/** The end of a document type declaration, which may have an internal part in brackets. */
 function endOfDeclaration(text: string, from: number): number {
   const end = endOf(text, '>', from);
   return text.slice(from, end).includes('[') ? endOf(text, ']>', from) : end;

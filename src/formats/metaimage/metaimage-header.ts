@@ -7,15 +7,18 @@ import type { NumberType } from '../base/number-types.ts';
 export const what = 'the MetaImage header';
 
 export interface MetaImageHeader {
-  /** By their names, which are told apart by capitals too, as in MetaIO. */
+  /** By name. Names are case-sensitive, as in MetaIO. */
   readonly fields: ReadonlyMap<string, string>;
-  /** Names of the files that hold the data; null where they follow the header in its own file. */
+  /** Names of the files that hold the data; null if the data follow the header in its own file. */
   readonly dataFiles: readonly string[] | null;
   /** Where the header ends, bytes. */
   readonly end: number;
 }
 
-/** Words for one field, the first of which counts where there are several. Source: MetaIO's metaObject.cxx and metaImage.cxx, with which ITK reads. */
+/**
+ * Synonyms of a field; if a header has several, the first in this list counts. Source: metaObject.cxx and metaImage.cxx
+ * of MetaIO, the reader of ITK.
+ */
 const synonyms = {
   TransformMatrix: ['TransformMatrix', 'Rotation', 'Orientation'],
   Offset: ['Offset', 'Position', 'Origin'],
@@ -23,7 +26,7 @@ const synonyms = {
   BinaryDataByteOrderMSB: ['BinaryDataByteOrderMSB', 'ElementByteOrderMSB'],
 };
 
-/** What a field says; undefined where it is not there. */
+/** The value of a field; undefined if it is absent. */
 function findField({ fields }: Pick<MetaImageHeader, 'fields'>, name: string): string | undefined {
   const names: readonly string[] = Object.hasOwn(synonyms, name) ? synonyms[name as keyof typeof synonyms] : [name];
   const found = names.map((one) => fields.get(one)).find((value) => value !== undefined && value !== '');
@@ -31,7 +34,7 @@ function findField({ fields }: Pick<MetaImageHeader, 'fields'>, name: string): s
 }
 
 /**
- * Read a header: lines `name = value`, of which ElementDataFile is the last.
+ * Reads a header: lines `name = value`, the last of which is ElementDataFile.
  * @throws {VolumeViewError} `format/corrupt`
  */
 export function readMetaImageHeader(bytes: Uint8Array): MetaImageHeader {
@@ -73,23 +76,23 @@ export function readType(header: MetaImageHeader): NumberType {
   throw corruptFile(what, `got the type "${name.slice(0, 40)}"; expected one of ${[...types.keys()].join(', ')}`);
 }
 
-/** A field that must be there. @throws {VolumeViewError} `format/corrupt` */
+/** The value of a required field. @throws {VolumeViewError} `format/corrupt` */
 export function needField(header: MetaImageHeader, name: string): string {
   const value = findField(header, name);
   if (value === undefined) throw corruptFile(what, `lacks ${name}; the file is damaged`);
   return value;
 }
 
-/** True, False, or what their first letters say. */
-export function readFlag(header: MetaImageHeader, name: string, otherwise: boolean): boolean {
+/** True or False, by the first letter. */
+export function readFlag(header: MetaImageHeader, name: string, fallback: boolean): boolean {
   const value = findField(header, name);
-  if (value === undefined) return otherwise;
+  if (value === undefined) return fallback;
   if (/^[ty1]/i.test(value)) return true;
   if (/^[fn0]/i.test(value)) return false;
   throw corruptFile(what, `got ${name} "${value.slice(0, 40)}"; expected True or False`);
 }
 
-/** Finite numbers. @returns null where the field is not there */
+/** Finite numbers. @returns null if the field is absent */
 export function readNumbers(header: MetaImageHeader, name: string, count: number): number[] | null {
   const text = findField(header, name);
   if (text === undefined) return null;

@@ -17,7 +17,7 @@ import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { needField, readFlag, readMetaImageHeader, readNumbers, readType, what } from './metaimage-header.ts';
 import type { MetaImageHeader } from './metaimage-header.ts';
 
-/** Read a MetaImage file, or its header and the files that it names. Of a series, the first volume. */
+/** Reads a MetaImage file, or its header and the files that it names. Of a series, the first volume. */
 export const readMetaImage: FormatReader = async (input, settings, context) => {
   const header = readMetaImageHeader(input.bytes);
   const type = readType(header);
@@ -48,8 +48,8 @@ function readSizes(header: MetaImageHeader): number[] {
 }
 
 /**
- * Voxel index to world (RAS, mm): ITK's world is LPS. A row of the file's matrix is the direction of an axis; the centre of
- * rotation plays no part, and the letters of AnatomicalOrientation say again what the matrix says.
+ * Voxel index to world (RAS, mm): ITK's world is LPS. A row of the file's matrix is the direction of an axis. The
+ * centre of rotation is not used, and the letters of AnatomicalOrientation only repeat the matrix.
  */
 function readAffine(header: MetaImageHeader, axes: number): Matrix4 {
   const used = Math.min(3, axes);
@@ -66,13 +66,13 @@ function readAffine(header: MetaImageHeader, axes: number): Matrix4 {
   return completeAxes(what, steps, toWorld((component) => offset?.[component] ?? 0));
 }
 
-/** Whether the header says which way a patient lies; MetaIO's "???" says that nobody knows. */
+/** Whether the header gives the patient's orientation; MetaIO writes "???" if it is unknown. */
 function isAnatomical({ fields }: MetaImageHeader): boolean {
   const letters = fields.get('AnatomicalOrientation')?.trim();
   return letters ? /^[RLAPSI]{2,3}$/i.test(letters) : ['TransformMatrix', 'Rotation', 'Orientation'].some((name) => fields.get(name));
 }
 
-/** What a header says of values and lengths that ITK leaves alone, and so does this. */
+/** Fields about values and lengths that ITK ignores, and this reader too. */
 function listUnused(header: MetaImageHeader): (string | null)[] {
   const [slope] = readNumbers(header, 'ElementToIntensityFunctionSlope', 1) ?? [1];
   const [intercept] = readNumbers(header, 'ElementToIntensityFunctionOffset', 1) ?? [0];
@@ -99,7 +99,7 @@ async function readData(input: DecodeInput, context: ReadContext, { header, type
   return readSamples(files, describeSource(header, type, bytesPerFile), wanted, context);
 }
 
-/** Of a header with packed data after it, the bytes that are theirs: others may follow. */
+/** For a header with packed data after it: only the bytes of these data; others may follow. */
 function trimToData(input: DecodeInput, header: MetaImageHeader): DecodeInput {
   const [packed] = readNumbers(header, 'CompressedDataSize', 1) ?? [0];
   if (!readFlag(header, 'CompressedData', false) || !(packed > 0)) return input;
@@ -120,7 +120,7 @@ function describeSource(header: MetaImageHeader, type: NumberType, bytesPerFile:
     type,
     encoding: isText ? 'text' : isPacked ? 'deflate' : 'raw',
     bytesPerFile,
-    // In the header's own file MetaIO counts the size of a header from the file's start.
+    // In the header's own file MetaIO's HeaderSize counts from the file's start.
     start: isLocal && headerSize <= 0 ? header.end : 0,
     skipBytes: headerSize === -1 ? 'all before' : headerSize,
   };

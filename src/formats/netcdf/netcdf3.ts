@@ -6,10 +6,10 @@ import { bytesOfNumber, decodeNumbers } from '../base/decode-numbers.ts';
 import { decodeText } from '../base/decode-text.ts';
 import { takeDuring } from '../base/take-during.ts';
 
-// A reader of its own, because the bytes come from strangers: nothing is allocated or looped over that the file's length
-// does not bear out. NetCDF-3 has no compression and one group, so that it is short.
+// Our own reader, because the bytes come from strangers: it allocates and loops only as much as the file's length
+// justifies. It is short, because NetCDF-3 has no compression and one group.
 
-/** Types by their code; the last five are of CDF-5 alone. */
+/** Types by their code; the last five exist only in CDF-5. */
 const types: readonly (ElementType | undefined)[] = [
   undefined, 'int8', 'text', 'int16', 'int32', 'float32', 'float64', 'uint8', 'uint16', 'uint32', 'int64', 'uint64',
 ];
@@ -22,11 +22,11 @@ interface Variable {
   readonly type: ElementType;
   readonly attributes: ReadonlyMap<string, AttributeValue>;
   readonly begin: number;
-  /** Its values come in pieces, one with each record, along the first axis. */
+  /** Its values come in pieces, one in each record, along the first axis. */
   readonly isRecord: boolean;
 }
 
-/** What a text takes beside its characters. */
+/** Memory for a text in addition to its characters, bytes. */
 const bytesPerText = 64;
 
 interface Netcdf3 {
@@ -34,7 +34,7 @@ interface Netcdf3 {
   readonly budget: Budget;
   readonly attributes: ReadonlyMap<string, AttributeValue>;
   readonly variables: ReadonlyMap<string, Variable>;
-  /** From one record to the next. */
+  /** Bytes from one record to the next. */
   readonly recordBytes: number;
 }
 
@@ -44,9 +44,9 @@ export function isNetcdf3(bytes: Uint8Array): boolean {
 }
 
 /**
- * Open a NetCDF-3 file: classic, with 64-bit offsets, or with 64-bit data (CDF-5).
- * @param budget - of the load; one of this file alone where undefined
- * @returns its one group
+ * Opens a NetCDF-3 file: classic, with 64-bit offsets, or with 64-bit data (CDF-5).
+ * @param budget - of the load; if undefined, one for this file alone
+ * @returns its only group
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/too-large`
  * Source: NetCDF Classic Format Specification, NetCDF user's guide, appendix B
  */
@@ -106,7 +106,7 @@ class Netcdf3Array implements DataArray {
     const rowElements = countElements(this.shape.slice(1));
     const rowBytes = rowElements * bytesOf(this.type);
     refuseTooMany(this.path, count * rowElements);
-    if (rowBytes === 0) return new Uint8Array(0); // Rows of nothing: any number of them.
+    if (rowBytes === 0) return new Uint8Array(0); // Empty rows: the file may have any number of them.
     const step = isRecord ? recordBytes : rowBytes;
     const end = begin + (from + count - 1) * step + rowBytes;
     if (count > 0 && !(end <= bytes.length)) throw corrupt(`ends early: got ${bytes.length} bytes; ${this.path} ends at ${end}`);
@@ -132,10 +132,10 @@ function readHeader(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Netcdf3 {
   const variables = cursor.list(tags.variables, () => readVariable(cursor, dimensions));
   const records = variables.filter(({ isRecord }) => isRecord);
   const own = records.map(({ shape, type }) => countElements(shape.slice(1)) * bytesOf(type));
-  // A single record variable is not padded, all others are to 4 bytes.
+  // A single record variable is not padded; all others are padded to 4 bytes.
   const recordBytes = own.length === 1 ? own[0] : own.reduce((sum, n) => sum + pad(n), 0);
-  const first = records.reduce((least, { begin }) => Math.min(least, begin), Infinity);
-  const isOpen = stated === cursor.maxCount; // An unfinished file: as many records as there are.
+  const first = records.reduce((min, { begin }) => Math.min(min, begin), Infinity);
+  const isOpen = stated === cursor.maxCount; // An unfinished file: the reader counts the records that are there.
   const count = isOpen && recordBytes > 0 ? Math.max(0, Math.floor((bytes.length - first) / recordBytes)) : stated;
   const complete = variables.map((variable) => (variable.isRecord ? { ...variable, shape: [count, ...variable.shape.slice(1)] } : variable));
   checkEnd(bytes, complete, recordBytes);
@@ -154,7 +154,7 @@ function readVariable(cursor: HeaderCursor, dimensions: readonly number[]): Vari
   const attributes = readAttributes(cursor);
   const type = types[cursor.u32()];
   if (!type) throw corrupt(`has ${name} of an unknown type`);
-  cursor.count(); // Its bytes, which overflow where they are many: counted anew where they are needed.
+  cursor.count(); // Its size in bytes, which overflows if it is large: it is computed again when it is needed.
   return { name, shape, type, attributes, begin: cursor.begin(), isRecord: shape[0] === 0 };
 }
 
@@ -171,7 +171,7 @@ function readAttributes(cursor: HeaderCursor): Map<string, AttributeValue> {
   );
 }
 
-/** @throws {VolumeViewError} `format/corrupt`, where a variable ends after the file */
+/** @throws {VolumeViewError} `format/corrupt`, if a variable ends after the file */
 function checkEnd(bytes: Uint8Array, variables: readonly Variable[], recordBytes: number): void {
   for (const { name, shape, type, begin, isRecord } of variables) {
     const rowBytes = countElements(shape.slice(1)) * bytesOf(type);
@@ -195,7 +195,7 @@ class HeaderCursor {
     this.#at = at;
   }
 
-  /** What stands for a count that is not known. */
+  /** The value that means that a count is unknown. */
   get maxCount(): number {
     return this.#version === 5 ? Number(2n ** 64n - 1n) : 2 ** 32 - 1;
   }
@@ -229,12 +229,12 @@ class HeaderCursor {
     return this.#bytes.subarray(at, at + length);
   }
 
-  /** A list of things: a tag, how many, and each; two zeros where there are none. */
+  /** A list: a tag, a count, and the items; two zeros if it is empty. */
   list<Item>(tag: number, readItem: () => Item): Item[] {
     const got = this.u32();
     const count = this.count();
     if (got === 0 && count === 0) return [];
-    // Each takes 8 bytes at least, so that no count is believed that the file can not hold.
+    // Each item takes at least 8 bytes, so a count that does not fit into the file is refused.
     if (got !== tag || !(count * 8 <= this.#bytes.length)) throw corrupt(`has a list of ${count} with the tag ${got}; expected the tag ${tag}`);
     return Array.from({ length: count }, readItem);
   }

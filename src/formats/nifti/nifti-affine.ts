@@ -5,16 +5,16 @@ import type { NiftiHeader } from './nifti-header.ts';
 /** Where voxels lie. */
 export interface VoxelPlace {
   readonly indexToWorld: Matrix4;
-  /** Whether the header says that the world is a patient's; the spacing alone does not. */
+  /** Whether the header says that the world is a patient's; the spacing alone does not say it. */
   readonly anatomical: boolean;
 }
 
 /**
- * Voxel index to world (RAS, mm), row-major, chosen as nibabel does: the sform where its code is one that nifti1.h knows,
- * else the qform, else the spacing alone with x flipped, centred on the volume. One that is singular or not finite gives
- * way to the next, which nibabel leaves to its caller.
- * Source: nibabel 5.4 `Nifti1Header.get_best_affine` and `_chk_xform_code`, which takes other codes for 0; the formulas are
- * methods 1 to 3 of nifti1.h.
+ * Voxel index to world (RAS, mm), row-major, chosen as nibabel does: the sform if its code is one that nifti1.h
+ * defines, else the qform, else the spacing alone with x flipped, centred on the volume. A matrix that is singular or
+ * not finite is skipped; nibabel leaves that to its caller.
+ * Source: nibabel 5.4 `Nifti1Header.get_best_affine` and `_chk_xform_code`, which treats other codes as 0; the formulas
+ * are methods 1 to 3 of nifti1.h.
  */
 export function resolveAffine(header: NiftiHeader, dimensions: Vector3): VoxelPlace {
   const candidates = [
@@ -35,7 +35,7 @@ export function resolveAffine(header: NiftiHeader, dimensions: Vector3): VoxelPl
 /** 1 scanner, 2 aligned, 3 Talairach, 4 MNI, 5 another template. */
 const isKnown = (code: number): boolean => code >= 1 && code <= 5;
 
-/** Bits 0 to 2 of xyzt_units: 1 metre, 2 millimetre, 3 micrometre, 0 unknown, which is millimetre in practice. */
+/** Bits 0 to 2 of xyzt_units: 1 metre, 2 millimetre, 3 micrometre, 0 unknown, which means millimetre in practice. */
 function millimetresPer(units: number): number {
   const code = units & 7;
   return code === 1 ? 1000 : code === 3 ? 0.001 : 1;
@@ -78,7 +78,7 @@ function readSpacing(header: NiftiHeader, dimensions: Vector3): Matrix4 {
   return scaleAndTranslate(signed, offset as unknown as Vector3);
 }
 
-/** Spacings, positive; 1 where the header has none. */
+/** Spacings, positive; 1 if the header has none. */
 function readZooms(header: NiftiHeader): Vector3 {
   return [1, 2, 3].map((axis) => {
     const zoom = Math.abs(header.pixdim[axis]);

@@ -13,7 +13,7 @@ export const nifti: VolumeFormat = {
   load,
 };
 
-/** Any gzip file that no other format claims: the reader says what is wrong with one that is damaged. */
+/** Any gzip file that no other format claims: the reader explains what is wrong with a damaged one. */
 export const niftiGzip: VolumeFormat = {
   name: 'NIfTI, gzip',
   words,

@@ -1,10 +1,9 @@
 /**
  * The fields of a NIfTI-1 or -2 header that a picture depends on, as they stand in the file.
  * Sources: nifti1.h and nifti2.h, https://nifti.nimh.nih.gov.
- *
- * Why this is not nifti-reader-js 0.8: it takes the qform over the sform where its code is greater and then loses the
- * sform, ignores the qform in NIfTI-2, has no centred affine for files with neither, and throws TypeError and
- * RangeError on damaged extensions. nibabel, the reference here, does none of that.
+ * Why not nifti-reader-js 0.8: it prefers the qform to the sform if its code is greater and then loses the sform,
+ * ignores the qform in NIfTI-2, has no centred affine for files with neither, and throws TypeError and RangeError on
+ * damaged extensions. nibabel, the reference here, does none of that.
  */
 export interface NiftiHeader {
   readonly version: 1 | 2;
@@ -20,7 +19,7 @@ export interface NiftiHeader {
   readonly offset: number;
   readonly slope: number;
   readonly intercept: number;
-  /** The range that the file wants to be shown in; both 0 where it does not say. */
+  /** The range in which the file should be shown; both 0 if it does not say. */
   readonly calMin: number;
   readonly calMax: number;
   readonly units: number;
@@ -37,7 +36,7 @@ export interface NiftiHeader {
 export const niftiHeaderBytes = 540;
 export const headerSizes = { 1: 348, 2: 540 } as const;
 
-/** What bytes begin with, by their first number and their mark. */
+/** The kind of header that a file begins with, from its first number and its magic string. */
 export interface NiftiStart {
   readonly version: 1 | 2;
   readonly littleEndian: boolean;
@@ -45,8 +44,8 @@ export interface NiftiStart {
 }
 
 /**
- * Which NIfTI (or Analyze) header bytes begin with: its first number is its own length.
- * @returns null where it is none
+ * Which NIfTI (or Analyze) header a file begins with: its first number is its own length.
+ * @returns null if it is none of them
  */
 export function detectNifti(bytes: Uint8Array): NiftiStart | null {
   if (bytes.length < 348) return null;
@@ -61,7 +60,7 @@ export function detectNifti(bytes: Uint8Array): NiftiStart | null {
   return null;
 }
 
-/** What a header of version 1 says. */
+/** Reads a header of version 1. */
 export function readVersion1(bytes: Uint8Array, little: boolean): NiftiHeader {
   const view = viewOf(bytes);
   const short = (at: number): number => view.getInt16(at, little);

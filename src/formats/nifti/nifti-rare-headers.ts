@@ -4,10 +4,10 @@ import { isGzip } from '../codecs/gunzip.ts';
 import { headerSizes, list, viewOf } from './nifti-header.ts';
 import type { NiftiHeader, NiftiStart } from './nifti-header.ts';
 
-// Headers that few files have: version 2, and those that are refused.
+// Rare headers: version 2, and those that are refused.
 
 /**
- * @param found - what the bytes begin with, null where it is no header
+ * @param found - the kind of header; null if it is none
  * @throws {VolumeViewError} `format/unknown`, `format/unsupported` (.hdr/.img pairs, Analyze 7.5), `format/corrupt`
  */
 export function readRareHeader(bytes: Uint8Array, found: NiftiStart | null): NiftiHeader {
@@ -20,7 +20,7 @@ export function readRareHeader(bytes: Uint8Array, found: NiftiStart | null): Nif
   return readVersion2(viewOf(bytes), littleEndian);
 }
 
-/** The beginning of an unpacked gzip file that no format claims. */
+/** The error for an unpacked gzip file that no format claims. */
 function notNifti(bytes: Uint8Array): VolumeViewError {
   if (isGzip(bytes)) return new VolumeViewError('format/unsupported', 'what is packed is a gzip file again, of which volume-view reads one layer; unpack it once: gzip -d file.gz');
   const foreign = findForeign({ bytes, unpacked: null, text: new TextDecoder().decode(bytes.subarray(0, 512)).trimStart() });

@@ -10,14 +10,17 @@ const rareTypes: ReadonlyMap<number, NumberType> = new Map([
   [2048, floats('complex256', 16, readBinary128, true)],
 ]);
 
-/** What is said of the codes that hold something else. */
+/** What an error says about codes of other kinds of data. */
 const refusedTypes: ReadonlyMap<number, string> = new Map([
   [1, 'one bit per voxel (binary), in an order of bits that the standard leaves open'],
   [128, 'colours (RGB24): a transfer function needs one number per voxel'],
   [2304, 'colours (RGBA32): a transfer function needs one number per voxel'],
 ]);
 
-/** The type of a code that is none of the usual ones. @throws {VolumeViewError} `format/unsupported`, `format/corrupt` */
+/**
+ * The type of a code that is not one of the usual ones. @throws {VolumeViewError} `format/unsupported`,
+ * `format/corrupt`
+ */
 export function readRareType(code: number): NumberType {
   const type = rareTypes.get(code);
   if (type) return type;
@@ -29,8 +32,8 @@ export function readRareType(code: number): NumberType {
 }
 
 /**
- * IEEE 754 binary128 to double: sign, 15 bits of exponent, 112 bits of fraction, of which a double keeps 52. (x86's
- * 80-bit numbers padded to 128 are not what the standard means; nibabel refuses those too.)
+ * IEEE 754 binary128 to double: sign, 15 bits of exponent, 112 bits of fraction, of which a double keeps 52. (The
+ * standard does not mean x86's 80-bit numbers padded to 128; nibabel refuses those too.)
  */
 function readBinary128({ buffer, byteOffset, byteLength }: Uint8Array<ArrayBuffer>): Float64Array {
   const view = new DataView(buffer, byteOffset, byteLength);
@@ -43,8 +46,8 @@ function readBinary128({ buffer, byteOffset, byteLength }: Uint8Array<ArrayBuffe
     const exponent = (high >>> 16) & 0x7fff;
     const fraction = ((high & 0xffff) + (words[0] + (words[1] + words[2] / 2 ** 32) / 2 ** 32) / 2 ** 32) / 2 ** 16;
     if (exponent === 0x7fff) values[i] = fraction === 0 ? sign * Infinity : NaN;
-    else if (exponent === 0) values[i] = 0; // Subnormals, below 2^-16382, are 0 as doubles.
-    // In two steps, because 2^exponent alone overflows or vanishes before the product does.
+    else if (exponent === 0) values[i] = 0; // Subnormals, below 2^-16382, become 0 as doubles.
+    // In two steps, because 2^exponent alone may overflow or underflow although the product does not.
     else values[i] = sign * (1 + fraction) * 2 ** Math.floor((exponent - 16383) / 2) * 2 ** Math.ceil((exponent - 16383) / 2);
   }
   return values;

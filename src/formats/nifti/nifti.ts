@@ -17,7 +17,7 @@ import { PieceReader, yieldOnce } from '../base/piece-reader.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 
-/** Bytes that are read after the samples, so that a gzip file's checksum is reached; further ones are ignored. */
+/** Maximum bytes that are read after the samples to reach a gzip file's checksum; the rest is ignored. */
 const maxTrailingBytes = 2 ** 24;
 
 export interface NiftiSource {
@@ -29,7 +29,7 @@ export interface NiftiSource {
   readonly budget: Budget;
 }
 
-/** Read a NIfTI file, packed with gzip or not. */
+/** Reads a NIfTI file, packed with gzip or not. */
 export const readNiftiFile: FormatReader = async ({ bytes }, settings, { onProgress, budget }) => {
   onProgress(0, bytes.length);
   const isPacked = isGzip(bytes);
@@ -38,7 +38,7 @@ export const readNiftiFile: FormatReader = async ({ bytes }, settings, { onProgr
 };
 
 /**
- * Read a NIfTI-1 or -2 file: of a series, its first volume.
+ * Reads a NIfTI-1 or -2 file: of a series, its first volume.
  * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`, `format/too-large`
  */
 export async function readNifti(source: NiftiSource): Promise<DecodedCartesianVolume> {
@@ -65,7 +65,7 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
     samples: stored.samples,
     slope: slope * stored.scale,
     intercept: slope * stored.offset + intercept,
-    // Of scaled numbers nobody expects all digits.
+    // Nobody expects all digits of scaled numbers.
     ...(slope === 1 && intercept === 0 ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
     unit: '',
     format: `NIfTI-${header.version}${volumes * numbers > 1 ? `, volume 1 of ${volumes * numbers}` : ''}`,
@@ -76,7 +76,7 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
   };
 }
 
-/** What is no single file of version 1 is read, or refused, by code of its own. */
+/** Anything except a single file of version 1 is read, or refused, by a part of the code that is loaded then. */
 async function readHeader(bytes: Uint8Array): Promise<NiftiHeader> {
   const found = detectNifti(bytes);
   const header =
@@ -84,13 +84,13 @@ async function readHeader(bytes: Uint8Array): Promise<NiftiHeader> {
       ? readVersion1(bytes, found.littleEndian)
       : (await loadReader(() => import('./nifti-rare-headers.ts'))).readRareHeader(bytes, found);
   // The header is followed by four bytes that say whether extensions follow; some writers leave the offset 0.
-  const least = headerSizes[header.version] + 4;
-  return { ...header, offset: header.offset >= least ? Math.trunc(header.offset) : least };
+  const minOffset = headerSizes[header.version] + 4;
+  return { ...header, offset: header.offset >= minOffset ? Math.trunc(header.offset) : minOffset };
 }
 
 /**
- * Lengths along i, j, k; axes that a file of fewer than three does not have are 1. The fourth, time, makes a series, and those from the sixth on; along the fifth lie
- * the numbers of a voxel (nifti1.h).
+ * Lengths along i, j, k; missing axes have length 1. The fourth axis, time, makes a series, and so do those from the
+ * sixth on; along the fifth lie the numbers of a voxel (nifti1.h).
  */
 function readDimensions(header: NiftiHeader): { dimensions: Vector3; volumes: number; numbers: number } {
   const axes = header.dim[0];
@@ -134,12 +134,12 @@ async function readSamples(
   const { offset } = wanted.header;
   const fail = (got: string): VolumeViewError =>
     new VolumeViewError('format/corrupt', `the NIfTI file ends early: got ${got}; its header asks for ${offset + wanted.bytes} bytes`);
-  // A header that the file can not possibly fill is refused here, before it is believed.
+  // Refuse a header that announces more data than the file can hold, before memory is allocated.
   if (offset + wanted.bytes > source.atMost) throw fail(`at most ${source.atMost} bytes`);
   source.budget.take(wanted.bytes, 'the NIfTI file');
   const got = await reader.readRange(offset, wanted.bytes, source.onProgress);
   if (got.length < wanted.bytes) throw fail(`${reader.total} bytes`);
-  // The end of a gzip file holds the checksum. Of a series only the beginning is read, and there it goes unchecked.
+  // The end of a gzip file holds the checksum. Of a series only the beginning is read, so its checksum is not checked.
   if (!wanted.isSeries) await reader.drain(maxTrailingBytes);
   return got;
 }

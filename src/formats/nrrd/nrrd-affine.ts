@@ -5,7 +5,10 @@ import type { NrrdAxis } from './nrrd-axes.ts';
 import { what } from './nrrd-header.ts';
 import type { NrrdFields } from './nrrd-header.ts';
 
-/** Signs that take a space's x and y to ours, x to the right and y to the front. Spaces that say neither are taken for LPS, as ITK does. */
+/**
+ * Signs that convert a space's x and y to ours, x to the right and y to the front. Spaces that give no direction are
+ * treated as LPS, as in ITK.
+ */
 const spaces = new Map<string, readonly [number, number]>([
   ['ras', [1, 1]], ['rast', [1, 1]], ['rightanteriorsuperior', [1, 1]], ['rightanteriorsuperiortime', [1, 1]],
   ['las', [-1, 1]], ['last', [-1, 1]], ['leftanteriorsuperior', [-1, 1]], ['leftanteriorsuperiortime', [-1, 1]],
@@ -19,8 +22,8 @@ export function isAnatomical(fields: NrrdFields): boolean {
 const nameSpace = (fields: NrrdFields): string => (fields.get('space') ?? '').toLowerCase().replace(/[-\s]/g, '');
 
 /**
- * Voxel index to world (RAS, mm). A sample lies at the centre of its cell, whatever `centers` says: `space origin` is the
- * place of the first sample.
+ * Voxel index to world (RAS, mm). A sample lies at the centre of its cell, whatever `centers` says: `space origin` is
+ * the position of the first sample.
  */
 export function readAffine(fields: NrrdFields, axes: readonly NrrdAxis[]): Matrix4 {
   const [x, y] = spaces.get(nameSpace(fields)) ?? [-1, -1];
@@ -37,13 +40,13 @@ function stepOf({ direction, spacing, unit }: NrrdAxis, axis: number): Vector3 {
   return [axis === 0 ? length : 0, axis === 1 ? length : 0, axis === 2 ? length : 0];
 }
 
-/** Where the first sample lies by the ranges of axes that have no direction. */
+/** The position of the first sample, from the ranges of axes that have no direction. */
 function firstOf(axes: readonly NrrdAxis[]): Vector3 {
   const [x = 0, y = 0, z = 0] = axes.map(({ direction, first, unit }) => (direction ? 0 : first * millimetresPer(unit)));
   return [x, y, z];
 }
 
-/** Millimetres in a unit of length, 1 where it is none that is known. */
+/** Millimetres in a unit of length; 1 if the unit is unknown. */
 function millimetresPer(unit: string): number {
   const name = unit.trim().toLowerCase().replace(/(er|re)s?$/, '');
   return lengths.get(name) ?? 1;

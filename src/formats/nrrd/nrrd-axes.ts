@@ -6,13 +6,13 @@ import type { NrrdFields } from './nrrd-header.ts';
 /** One axis of the array, the fastest first. */
 export interface NrrdAxis {
   readonly size: number;
-  /** '' where the header does not say. */
+  /** '' if the header does not say it. */
   readonly kind: string;
-  /** One step along it in the header's space; null where that is not told, 'none' where it does not lie in space. */
+  /** One step along it in the header's space; null if it is not given, 'none' if the axis does not lie in space. */
   readonly direction: Vector3 | 'none' | null;
-  /** Length of a step, where there is no direction. */
+  /** Length of a step, if there is no direction. */
   readonly spacing: number;
-  /** Where its first sample lies by the axis' own range; 0 where that is not told. */
+  /** Position of its first sample, from the axis' own range; 0 if it is not given. */
   readonly first: number;
   readonly unit: string;
 }
@@ -54,7 +54,7 @@ function readSize(text: string): number {
   throw corruptFile(what, `got the size "${text.slice(0, 40)}"; expected a whole number from 1`);
 }
 
-/** A spacing that is not told, or 'nan', is 1. */
+/** A spacing that is not given, or 'nan', is 1. */
 function readSpacing(text: string | undefined): number {
   if (text === undefined || /^nan$/i.test(text)) return 1;
   const spacing = Number(text);
@@ -63,18 +63,20 @@ function readSpacing(text: string | undefined): number {
 }
 
 /**
- * An axis' own range goes from the first sample to the last one where these are nodes, else around their cells; it says the spacing where nothing else does.
- * Source: *Definition of NRRD File Format*, "axis mins", "centers"; Teem's nrrdOriginCalculate takes samples that do not say for cells
+ * An axis' own range goes from the first sample to the last one if the samples are nodes, else around their cells. It
+ * gives the spacing if nothing else does.
+ * Source: *Definition of NRRD File Format*, "axis mins", "centers"; Teem's nrrdOriginCalculate treats samples of
+ * unknown centering as cells
  */
 function readRange(size: number, spacingText: string | undefined, { min, max, isNode }: { readonly min?: string; readonly max?: string; readonly isNode: boolean }): Pick<NrrdAxis, 'spacing' | 'first'> {
   const [low, high] = [min, max].map((text) => Number(text ?? NaN));
   const isSaid = spacingText !== undefined && !/^nan$/i.test(spacingText);
-  const told = (high - low) / (isNode ? size - 1 : size);
-  const spacing = !isSaid && Number.isFinite(told) && told !== 0 ? told : readSpacing(spacingText);
+  const computed = (high - low) / (isNode ? size - 1 : size);
+  const spacing = !isSaid && Number.isFinite(computed) && computed !== 0 ? computed : readSpacing(spacingText);
   return { spacing, first: Number.isFinite(low) ? low + (isNode ? 0 : spacing / 2) : 0 };
 }
 
-/** What follows a third number is time's. An axis that goes nowhere in space is one of time. */
+/** A fourth number belongs to time and is ignored. An axis without a direction in space is one of time. */
 function readDirection(text: string): Vector3 | 'none' {
   if (/^none$/i.test(text)) return 'none';
   const vector = readVector(text);
@@ -88,7 +90,7 @@ export function readVector(text: string): Vector3 {
   throw corruptFile(what, `got the vector "${text.slice(0, 60)}"; expected numbers such as (1,0,0)`);
 }
 
-/** What stands in a voxel where it is more than one number, and how it is refused. */
+/** The error for voxels of more than one number, or null. */
 function refuseKind(kind: string): string | null {
   if (/color/.test(kind)) return 'colours: a transfer function needs one number per voxel';
   if (/complex|vector|normal|gradient|quaternion|matrix/.test(kind)) return `several numbers per voxel (${kind}): a transfer function needs one`;
@@ -102,12 +104,12 @@ export interface NrrdLayout {
   readonly strides: Vector3;
   /** The axes that lie in space, at most three. */
   readonly axes: readonly NrrdAxis[];
-  /** Volumes that the array holds; the first is shown. */
+  /** Number of volumes in the array; the first is shown. */
   readonly volumes: number;
 }
 
 /**
- * Choose the axes that lie in space. Along the others (lists, time, what is beyond three) the first entry is taken.
+ * Chooses the axes that lie in space. Of the others (lists, time, more than three) the first entry is used.
  * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`
  */
 export function chooseAxes(all: readonly NrrdAxis[]): NrrdLayout {

@@ -6,21 +6,21 @@ import type { NumberType } from '../base/number-types.ts';
 
 export const what = 'the NRRD header';
 
-/** A header's fields, by their names in small letters without blanks: 'space directions' is 'spacedirections'. */
+/** A header's fields by name, in lower case without blanks: 'space directions' is 'spacedirections'. */
 export type NrrdFields = ReadonlyMap<string, string>;
 
 export interface NrrdHeader {
   readonly fields: NrrdFields;
-  /** What it says of segments, by key: 'Segment0_Name'. */
+  /** What it says about segments, by key: 'Segment0_Name'. */
   readonly segments: ReadonlyMap<string, string>;
-  /** Names of the files that hold the data; null where they follow the header in its own file. */
+  /** Names of the files that hold the data; null if the data follow the header in its own file. */
   readonly dataFiles: readonly string[] | null;
   /** Where the header ends, bytes. */
   readonly end: number;
 }
 
 /**
- * Read a header: lines up to an empty one, or to the file's end where the data lie elsewhere.
+ * Reads a header: lines up to an empty one, or to the file's end if the data are in other files.
  * Source: "Definition of NRRD File Format", G. Kindlmann, teem.sourceforge.net/nrrd/format.html, versions 1 to 5.
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  */
@@ -52,7 +52,7 @@ function checkVersion(line: string): void {
   throw unsupportedFile(what, `got the mark "${line.slice(0, 20)}"; expected NRRD0001 to NRRD0005`);
 }
 
-/** `field: value`; of `key:=value` those of segments. All else, and comments, are for others. */
+/** Reads `field: value`, and the segments' lines `key:=value`. Everything else, and comments, are ignored. */
 function readField(line: string, fields: Map<string, string>, segments: Map<string, string>): void {
   if (line.startsWith('#')) return;
   const cut = cutLine(line, ':');
@@ -62,11 +62,11 @@ function readField(line: string, fields: Map<string, string>, segments: Map<stri
     return;
   }
   const name = cut.name.slice(0, 100).toLowerCase().replace(/\s/g, '');
-  // What describes the data to people may be long.
+  // A description of the data for people may be long.
   if (name !== 'content') fields.set(name, checkValue(what, name, cut.value));
 }
 
-/** A field that must be there. @throws {VolumeViewError} `format/corrupt` */
+/** The value of a required field. @throws {VolumeViewError} `format/corrupt` */
 export function needField(fields: NrrdFields, name: string): string {
   const value = fields.get(name);
   if (value === undefined || value === '') throw corruptFile(what, `lacks the field "${name}"; the file is damaged`);
@@ -106,19 +106,19 @@ export function readEncoding(fields: NrrdFields): 'raw' | 'deflate' | 'bzip2' | 
   throw unsupportedFile(what, `got the encoding "${name.slice(0, 40)}"; expected raw, gzip, bzip2 or ascii: write the file again with one of them`);
 }
 
-/** Little where it does not say, as Teem takes it on today's machines. */
+/** Little-endian if the header does not say it, as in Teem on today's machines. */
 export function isLittleEndian(fields: NrrdFields): boolean {
   const name = (fields.get('endian') ?? 'little').toLowerCase();
   if (name !== 'little' && name !== 'big') throw corruptFile(what, `got the endian "${name.slice(0, 40)}"; expected little or big`);
   return name === 'little';
 }
 
-/** A whole number, from `least`. */
-export function readCount(fields: NrrdFields, name: string, least: number): number {
+/** A whole number, from `min`. */
+export function readCount(fields: NrrdFields, name: string, min: number): number {
   const text = fields.get(name) ?? '0';
   const value = Number(text);
-  if (!/^[+-]?\d+$/.test(text) || !Number.isSafeInteger(value) || value < least) {
-    throw corruptFile(what, `got "${text.slice(0, 40)}" as ${name}; expected a whole number from ${least}`);
+  if (!/^[+-]?\d+$/.test(text) || !Number.isSafeInteger(value) || value < min) {
+    throw corruptFile(what, `got "${text.slice(0, 40)}" as ${name}; expected a whole number from ${min}`);
   }
   return value;
 }

@@ -22,7 +22,10 @@ import type { MergedSegments } from './segments.ts';
 import { isLittleEndian, readCount, readEncoding, readNrrdHeader, readType, what } from './nrrd-header.ts';
 import type { NrrdFields, NrrdHeader } from './nrrd-header.ts';
 
-/** Read an NRRD file, or its header and the files that it names. Of lists and series, the first volume; of 3D Slicer's segmentations all layers. */
+/**
+ * Reads an NRRD file, or its header and the files that it names. Of lists and series, the first volume; of 3D Slicer's
+ * segmentations, all layers.
+ */
 export const readNrrd: FormatReader = async (input, settings, context) => {
   const header = readNrrdHeader(input.bytes);
   const { fields } = header;
@@ -66,13 +69,13 @@ async function store(bytes: Uint8Array<ArrayBuffer>, { header: { fields }, type 
 
 type SegmentPart = typeof segmentPart;
 
-/** All layers of a segmentation in one. */
+/** Merges all layers of a segmentation. */
 async function mergeLayers(input: DecodeInput, context: ReadContext, wanted: Wanted, { SegmentMerger, listLayers, readSegments }: SegmentPart): Promise<MergedSegments & Pick<Stored, 'slope' | 'intercept'>> {
   const { header, type, all, layout: { dimensions, strides, volumes }, layout } = wanted;
   const { bytesPerSample } = type;
   const voxels = dimensions.reduce((product, n) => product * n, 1);
   const bytes = await readSpan(input, context, wanted, voxels * volumes);
-  // Of each layer a copy, and what comes of them.
+  // A copy of each layer, and the merged labels.
   context.budget.take(countSampleBytes(what, dimensions, type) + 3 * voxels, what);
   const merger = new SegmentMerger(readSegments(header.segments, volumes), voxels);
   for (const [layer, start] of listLayers(all, layout).entries()) {
@@ -86,7 +89,7 @@ async function mergeLayers(input: DecodeInput, context: ReadContext, wanted: Wan
 /** The first volume's samples, i fastest, as they lie in the file. */
 async function readFirst(input: DecodeInput, context: ReadContext, wanted: Wanted): Promise<Uint8Array<ArrayBuffer>> {
   const { type, layout: { dimensions, strides } } = wanted;
-  // From the first sample of the volume to its last one; others may lie between.
+  // The number of samples from the volume's first one to its last one; samples of other volumes may lie between.
   const span = 1 + dimensions.reduce((sum, n, axis) => sum + (n - 1) * strides[axis], 0);
   const picked = countSampleBytes(what, dimensions, type);
   const bytes = await readSpan(input, context, wanted, span);
@@ -118,7 +121,7 @@ function describeSource({ fields, dataFiles, end }: NrrdHeader, type: NumberType
     bytesPerFile,
     start: dataFiles ? 0 : end,
     skipLines: readCount(fields, 'lineskip', 0),
-    // Of packed data, lines are skipped before and bytes after they are unpacked.
+    // In packed data, lines are skipped before and bytes after unpacking.
     skipBytes: skip < 0 ? 'all before' : isPacked ? 0 : skip,
     skipUnpacked: isPacked ? skip : 0,
   };
@@ -129,7 +132,7 @@ function readSampleUnit(fields: NrrdFields): string {
   return quoted(text)[0] ?? text;
 }
 
-/** Values that were made whole numbers may be told by the range that they had before: no reader applies it. */
+/** Values that were converted to whole numbers may have an `old min` and `old max`: no reader applies them. */
 function describeOldRange(fields: NrrdFields): string | null {
   const [low, high] = ['oldmin', 'oldmax'].map((name) => Number(fields.get(name) ?? NaN));
   return Number.isFinite(high - low) ? `old min and old max: values are shown as they are stored, and not from ${low} to ${high}` : null;

@@ -6,30 +6,30 @@ import type { Samples } from '../../volume/samples.ts';
 import { unsupportedFile } from '../grid-files/file-problem.ts';
 import type { NrrdAxis, NrrdLayout } from './nrrd-axes.ts';
 
-/** One segment, as the header's keys tell it. */
+/** One segment, as the header's keys describe it. */
 export interface Segment {
   readonly name: string;
   readonly color: NamedLabel['color'];
-  /** The value of its voxels in its layer, and which of the file's volumes that is. */
+  /** The value of its voxels in its layer, and the number of that layer among the file's volumes. */
   readonly value: number;
   readonly layer: number;
 }
 
-/** Longest name. */
+/** Maximum length of a name. */
 const longest = 200;
 
 /**
- * The segments of a header, by their numbers. Source: 3D Slicer 5, "Segmentation file format", slicer.readthedocs.io, developer guide; files older
- * than 4.11 have a layer for each segment, and no label values.
- * @param keys - Segment0_Name and the like
- * @param layers - volumes of the file
+ * The segments of a header, in the order of their numbers. Source: 3D Slicer 5, "Segmentation file format",
+ * slicer.readthedocs.io, developer guide; files older than 4.11 have a layer for each segment, and no label values.
+ * @param keys - Segment0_Name and similar
+ * @param layers - number of volumes of the file
  */
 export function readSegments(keys: ReadonlyMap<string, string>, layers: number): Segment[] {
   const numbers = [...new Set(Array.from(keys.keys(), (key) => Number(/^Segment(\d+)_/.exec(key)![1])))];
   numbers.sort((a, b) => a - b);
   return numbers.map((number) => {
     const text = (name: string): string => keys.get(`Segment${number}_${name}`)?.trim() ?? '';
-    const whole = (name: string, otherwise: number): number => (/^-?\d+$/.test(text(name)) ? Number(text(name)) : otherwise);
+    const whole = (name: string, fallback: number): number => (/^-?\d+$/.test(text(name)) ? Number(text(name)) : fallback);
     const channels = text('Color').split(/\s+/).map(Number);
     const isColor = channels.length === 3 && channels.every((channel) => channel >= 0 && channel <= 1);
     return {
@@ -60,21 +60,21 @@ interface Layer {
   readonly ids?: readonly number[];
 }
 
-/** Layers in one grid of labels. */
+/** All layers in one grid of labels. */
 export interface MergedSegments {
   readonly samples: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
   readonly named: readonly NamedLabel[];
-  /** What overlaps hide, in words. */
+  /** Says which voxels are hidden because segments overlap. */
   readonly left: readonly string[];
 }
 
-/** Puts layers on top of each other, the first below: where segments overlap, that of the later layer shows. */
+/** Puts layers on top of each other, the first at the bottom: where segments overlap, the later layer is shown. */
 export class SegmentMerger {
-  /** By layer and value, the id; which is the value where no segment before has it. */
+  /** Id by layer and value. The id is the value, unless an earlier segment uses it. */
   readonly #ids = new Map<string, number>();
   readonly #named = new Map<number, NamedLabel>();
   readonly #voxels = new Map<number, number>();
-  /** By id below and id above: how many voxels. */
+  /** Number of hidden voxels, by the id below and the id above. */
   readonly #hidden = new Map<number, Map<number, number>>();
   #samples: Uint16Array<ArrayBuffer>;
 

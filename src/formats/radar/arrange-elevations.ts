@@ -1,11 +1,11 @@
 import type { RadarSweep } from './radar-file.ts';
 
-/** Radials nearer to their sweep's elevation than this, degrees, have it: that is 8 m at 460 km. */
+/** Radials that differ from their sweep's elevation by less than this, degrees, get the sweep's: it is 8 m at 460 km. */
 const nearestRadials = 0.001;
 
 /**
- * Elevations of the radials of a sweep as the file says them; undefined where they are the sweep's own.
- * @returns degrees, in the file's order; of a radial without any, the sweep's
+ * Elevations of a sweep's radials from the file; undefined if they are equal to the sweep's own.
+ * @returns degrees, in the file's order; for a radial without one, the sweep's
  */
 export function ownElevations({ elevation, elevations }: RadarSweep): Float64Array<ArrayBuffer> | undefined {
   const own = elevations?.map((one) => (Math.abs(one) <= 90 ? one : elevation));
@@ -13,9 +13,9 @@ export function ownElevations({ elevation, elevations }: RadarSweep): Float64Arr
 }
 
 /**
- * Elevations of the radials of a volume's sweep. A radial without data has that of its neighbour, or the mean of both.
+ * Elevations of the radials of a volume's sweep. A radial without data gets that of its neighbour, or the mean of both.
  * @param radials - index of each in the file, by azimuth; -1 for one without data
- * @param limits - degrees: the elevations of the sweeps below and above, beyond which no radial counts as one of this sweep
+ * @param limits - degrees: the elevations of the sweeps below and above. Elevations are clamped to them
  */
 export function arrangeElevations(sweep: RadarSweep, radials: Int32Array, [low, high]: readonly [number, number]): Float64Array<ArrayBuffer> | undefined {
   const own = ownElevations(sweep);

@@ -1,15 +1,15 @@
 import { widestGap } from '../../radar/sweep-elevations.ts';
 
-/** Radials nearer than this share of the normal spacing see the same air: one of them is enough. */
+/** Radials nearer to each other than this share of the normal spacing see the same air: one of them is enough. */
 const nearestShare = 0.25;
 
-/** No antenna tells radials apart that are nearer than this, degrees. */
+/** An antenna can't separate radials that are nearer to each other than this, degrees. */
 const nearestRadials = 0.02;
 
-/** A wider gap than this many normal spacings is a gap: a radial is missing, or the sector ends. */
+/** A distance of more than this many normal spacings is a gap: a radial is missing, or the sector ends. */
 const widestShare = 1.75;
 
-/** From this many normal spacings on, the radials on both sides of a gap keep clear of each other. */
+/** From this many normal spacings on, each side of a gap gets an empty radial of its own. */
 const wideShare = 2.25;
 
 /** Radials of a sweep in the order in which they are stored. */
@@ -26,11 +26,11 @@ interface Radial {
 }
 
 /**
- * Sort a sweep's radials by azimuth, drop those that were scanned again (the last one counts), and put radials without data
- * where the antenna left a gap: one where one is missing, two at the ends of a sector. Interpolation between valid gates
- * only then does by itself what it should: data reach half a radial's spacing beyond the last radial, and no further. Radials that
- * are farther apart than `widestGap` stand alone, half a beam to each side.
- * @param azimuths - degrees, in the file's order; what is no number is left out
+ * Sorts a sweep's radials by azimuth, drops those that were scanned again (the last one counts), and inserts radials
+ * without data into gaps: one where one radial is missing, two at the ends of a sector. Then interpolation between
+ * valid gates is right without special cases: data reach half a radial's spacing beyond the last radial, and no
+ * further. Radials that are farther apart than `widestGap` stand alone, half a beam to each side.
+ * @param azimuths - degrees, in the file's order; NaN is left out
  * @param beamWidth - degrees: the spacing of a radial that has no neighbour
  */
 export function arrangeRadials(azimuths: ArrayLike<number>, beamWidth: number): RadialOrder {
@@ -43,7 +43,7 @@ export function arrangeRadials(azimuths: ArrayLike<number>, beamWidth: number): 
 }
 
 function wrapDegrees(azimuth: number): number {
-  // The second remainder: a hair below 0 is rounded to 360.
+  // The second remainder is needed because an angle slightly below 0 is rounded to 360.
   return (((azimuth % 360) + 360) % 360) % 360;
 }
 
@@ -52,7 +52,7 @@ function gapsOf(radials: readonly Radial[]): number[] {
   return radials.map(({ azimuth }, i) => (i + 1 < radials.length ? radials[i + 1].azimuth - azimuth : radials[0].azimuth + 360 - azimuth));
 }
 
-/** The median gap; one across which nothing is interpolated is no spacing, but what lies outside of a sector. */
+/** The median gap. A gap that is not interpolated is not a spacing, but the outside of a sector. */
 function normalSpacing(radials: readonly Radial[], beamWidth: number): number {
   const gaps = gapsOf(radials).filter((gap) => gap > nearestRadials && gap <= widestGap(beamWidth));
   gaps.sort((a, b) => a - b);

@@ -18,29 +18,29 @@ import type { RadarFile, RadarMoment } from './radar-file.ts';
 import { anyFileBytes, refuseShown } from './radar-limits.ts';
 import type { PolarSettings } from '../base/radar-settings.ts';
 
-/** Degrees: what weather radars have, where a file does not say. */
+/** Degrees: the usual width of weather radars, for files that do not give it. */
 const commonBeamWidth = 1;
 
 /**
- * The weather is a few kilometres high and hundreds wide: true to scale, a weather radar's scan is as flat as a coin. What
- * looks at clouds from near by is not.
+ * The weather is a few kilometres high and hundreds wide: true to scale, a weather radar's scan is as flat as a coin.
+ * Cloud radars, which look at clouds from near by, need no exaggeration.
  */
 const commonExaggeration = { from: 50_000, is: 5 } as const;
 
-/** Gates that are looked through in the time of a step, and steps for a radial that is sorted in. */
+/** Going through so many gates counts as one step; sorting in a radial counts as so many steps. */
 const gatesPerStep = 16;
 const stepsPerRadial = 16;
 
-/** What a radial takes in a volume's grid, besides its gates. */
+/** Memory for a radial in a volume's grid, in addition to its gates, bytes. */
 const bytesPerRadial = 64;
 
 /**
- * Bring one moment of a radar file to a volume on its own polar grid: sweeps by elevation, radials by azimuth, one type and
- * scale for all.
- * @returns world coordinates: metres east, north and up (times the exaggeration) at the antenna
- * @throws {VolumeViewError} `attribute/invalid` for a moment that the file has not, `format/unsupported` where there is
+ * Converts one moment of a radar file to a volume on its own polar grid: sweeps by elevation, radials by azimuth, with
+ * one type and scale for all.
+ * @returns world coordinates: metres east, north and up (times the exaggeration) of the antenna
+ * @throws {VolumeViewError} `attribute/invalid` for a moment that the file lacks, `format/unsupported` if there is
  * nothing to show, `format/too-large`
- * @param budget - of the load; macrocells, which are made later, draw on it too
+ * @param budget - of the load; macrocells, which are made later, take from it too
  */
 export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budget = Budget.ofFile(anyFileBytes)): DecodedPolarVolume {
   const moment = chooseMoment(file, settings.moment);
@@ -99,7 +99,7 @@ function chooseExaggeration(grid: SweepGeometry): number {
   return groundReach(grid) < commonExaggeration.from ? 1 : commonExaggeration.is;
 }
 
-/** A beam width that can be, else the common one. */
+/** The beam width if it is plausible, else the usual one. */
 export function checkBeamWidth(beamWidth: number | undefined): number {
   return beamWidth !== undefined && beamWidth > 0.01 && beamWidth < 20 ? beamWidth : commonBeamWidth;
 }
@@ -115,11 +115,11 @@ function placeSweeps(chosen: readonly ChosenSweep[], orders: readonly RadialOrde
   });
 }
 
-/** Gates of all sweeps; gaps between radials have some, too. */
+/** Gates of all sweeps, including those of the inserted radials without data. */
 function countGates(sweeps: readonly Sweep[]): number {
   const last = sweeps.at(-1)!;
   const gates = last.offset + last.azimuths.length * last.gates;
-  const radials = sweeps.reduce((most, { azimuths }) => Math.max(most, azimuths.length), 0);
+  const radials = sweeps.reduce((max, { azimuths }) => Math.max(max, azimuths.length), 0);
   refuseShown({ sweeps: sweeps.length, radials, gates });
   return gates;
 }
@@ -131,16 +131,18 @@ function copyRadials(joined: JoinedSamples, { data }: ChosenSweep, radials: Int3
 }
 
 /**
- * Velocities wrap around at the Nyquist velocity: two neighbours on both sides of a fold are nearly twice that apart,
- * so more than once that is taken for a fold. Where sweeps differ, the least holds for all.
- * @returns difference of stored values; half way between whole numbers for integers, as equal numbers must not be told apart by rounding
+ * Velocities wrap around at the Nyquist velocity: two neighbours on both sides of a fold differ by nearly twice that,
+ * so a difference of more than once that is treated as a fold. If sweeps differ, the smallest Nyquist velocity is used
+ * for all.
+ * @returns difference of stored values; half way between whole numbers for integers, so that rounding can't separate
+ * equal numbers
  */
 function chooseFold(moment: RadarMoment, chosen: readonly ChosenSweep[], { samples, slope }: JoinedSamples): number | undefined {
   const limits = chosen.map(({ sweep }) => sweep.nyquist ?? Infinity).filter((nyquist) => nyquist > 0);
   const nyquist = Math.min(...limits);
   if (!isFolding(moment) || !Number.isFinite(nyquist)) return undefined;
   const stored = nyquist / Math.abs(slope);
-  // A fold beyond all values is none.
+  // A fold beyond all values is not needed.
   if (!(stored < 3e38)) return undefined;
   return samples instanceof Float32Array ? stored : Math.floor(stored) + 0.5;
 }

@@ -3,9 +3,9 @@ const millisecondsOf = new Map([
 ]);
 
 /**
- * What a time of CF counts from and in.
+ * Reads the origin and the unit of a CF time.
  * @param units - such as 'seconds since 2016-06-01T15:00:25Z'
- * @returns milliseconds since 1970 of the beginning, and in a unit; undefined where the text says something else
+ * @returns milliseconds since 1970 of the origin, and milliseconds per unit; undefined if the text says something else
  * Source: CF conventions 1.11, 4.4; times without a zone are in UTC
  */
 export function parseTimeUnits(units: string): { from: number; unit: number } | undefined {
@@ -17,7 +17,7 @@ export function parseTimeUnits(units: string): { from: number; unit: number } | 
   return { from: Date.UTC(year!, month! - 1, day, hour, minute) + 1000 * second, unit };
 }
 
-/** ISO 8601 in UTC, to the second that has begun; undefined where it is no time. */
+/** ISO 8601 in UTC, rounded down to a second; undefined if it is not a time. */
 export function isoTime(milliseconds: number): string | undefined {
   if (!(Math.abs(milliseconds) < 8.64e15)) return undefined;
   return new Date(milliseconds).toISOString().replace(/\.\d+Z$/, 'Z');

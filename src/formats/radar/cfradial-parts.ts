@@ -7,14 +7,14 @@ import { isoTime, parseTimeUnits } from './cf-time.ts';
 import { momentKindOf, normaliseUnit } from './moment-kind.ts';
 import type { RadarFile, RadarMoment, SweepData } from './radar-file.ts';
 
-// What CfRadial 1 and 2 have in common.
+// Code that CfRadial 1 and 2 share.
 
-/** Where one number is asked for, its row may have so many. */
+/** The maximum length of a row of which only the first number is needed. */
 const maxRowNumbers = 64;
 
 /**
- * All numbers of a variable.
- * @throws {VolumeViewError} `format/corrupt`, where it is absent or has another number of them
+ * Reads all numbers of a variable.
+ * @throws {VolumeViewError} `format/corrupt`, if it is absent or its length differs
  */
 export function requireNumbers(group: DataGroup, name: string, length: number): Float64Array {
   const array = group.array(name);
@@ -25,11 +25,11 @@ export function requireNumbers(group: DataGroup, name: string, length: number): 
   return Float64Array.from(readAll(array));
 }
 
-/** The first number of a variable; undefined where it is absent, its fill value, or no finite number. */
+/** The first number of a variable; undefined if it is absent, its fill value, or not finite. */
 export function firstNumber(group: DataGroup, name: string, at = 0): number | undefined {
   const array = group.array(name);
   if (!array || !isNumeric(array) || !(at < (array.shape[0] ?? 1))) return undefined;
-  // A row of many numbers has no first one that means anything, and would be read for each sweep.
+  // The first number of a long row means nothing here, and the row would be read for each sweep.
   if (countElements(array.shape.slice(1)) > maxRowNumbers) return undefined;
   const [number] = array.readRows(at, 1);
   const isMissing = number === undefined || !Number.isFinite(number) || noDataOf(array).includes(number);
@@ -55,7 +55,7 @@ export function isNumericVariable(array: DataArray): boolean {
   return isNumeric(array) && !textOf(array.attributes.get('NAME'))?.startsWith(dimensionAlone);
 }
 
-/** Where the antenna is. Of a moving one, where it was first. */
+/** Position of the antenna. For a moving one, its first position. */
 export function readSite(root: DataGroup): RadarFile['site'] {
   const name = ['site_name', 'instrument_name'].map((key) => firstText(root, key)).find((text) => text && text !== 'None');
   const latitude = firstNumber(root, 'latitude');
@@ -69,20 +69,20 @@ export function readSite(root: DataGroup): RadarFile['site'] {
   };
 }
 
-/** ISO 8601 of an element of a variable `time`; undefined where it has none. */
+/** ISO 8601 of an element of the variable `time`; undefined if there is none. */
 export function readTime(group: DataGroup, at: number): string | undefined {
   const seconds = firstNumber(group, 'time', at);
   const units = parseTimeUnits(textOf(group.array('time')?.attributes.get('units')) ?? '');
   return seconds === undefined || !units ? undefined : isoTime(units.from + seconds * units.unit);
 }
 
-/** When the scan began, as the file itself says it. */
+/** When the scan began, from the file's own attribute. */
 export function readStart(root: DataGroup): string | undefined {
   const parsed = parseTimeUnits(`seconds since ${firstText(root, 'time_coverage_start') ?? ''}`);
   return parsed ? isoTime(parsed.from) : undefined;
 }
 
-/** What the file says of a moment. */
+/** What the file says about a moment. */
 export function describeMoment(name: string, array: DataArray): RadarMoment {
   const unit = normaliseUnit(textOf(array.attributes.get('units')) ?? '');
   return { name, unit, kind: momentKindOf({ name, unit, standardName: textOf(array.attributes.get('standard_name')) ?? '' }) };
@@ -106,14 +106,14 @@ export function meanElevation(numbers: Numbers, path: string): number {
   return mean;
 }
 
-/** Elevations of radials; undefined where the file has none for them. */
+/** Elevations of radials; undefined if the file has none for them. */
 export function readElevations(array: DataArray | null, radials: { readonly from: number; readonly count: number }): Float64Array<ArrayBuffer> | undefined {
   if (!array || !isNumeric(array)) return undefined;
   const numbers = Float64Array.from(array.readRows(radials.from, radials.count));
   return numbers.length === radials.count ? numbers : undefined;
 }
 
-/** Of each radial, 1 where the antenna was between sweeps; undefined where there is none. Source: CfRadial 1.4, 5.4 */
+/** For each radial 1 if the antenna was between sweeps; undefined if the file does not say it. Source: CfRadial 1.4, 5.4 */
 export function readTransitions(array: DataArray | null, radials: { readonly from: number; readonly count: number }): Uint8Array | undefined {
   if (!array || !isNumeric(array) || array.shape.length !== 1) return undefined;
   const flags = Uint8Array.from(array.readRows(radials.from, radials.count), (flag) => Number(flag === 1));
@@ -138,8 +138,8 @@ export function describePlatform(root: DataGroup): string[] {
 }
 
 /**
- * First gate's middle and gate length of a variable `range`, middles of all gates.
- * @throws {VolumeViewError} `format/corrupt`, `format/unsupported` where the gates are not all of one length
+ * First gate's middle and gate length from the variable `range`, which has the middles of all gates.
+ * @throws {VolumeViewError} `format/corrupt`, `format/unsupported` if the gates have different lengths
  */
 export function readRange(array: DataArray): Pick<SweepData, 'firstGate' | 'gateLength'> {
   const known = ranges.get(array);
@@ -225,7 +225,7 @@ function emptyFlagsOf({ attributes }: DataArray): number[] {
   return values instanceof Float64Array && values.length === meanings.length ? [...values].filter((_, i) => emptyMeaning.test(meanings[i])) : [];
 }
 
-/** What NetCDF leaves where nothing was written. Source: netcdf.h, NC_FILL_…; single bytes have none. */
+/** NetCDF's fill values for parts that were never written. Source: netcdf.h, NC_FILL_…; single bytes have none. */
 const defaultFills: Readonly<Partial<Record<NumberType, number>>> = {
   int16: -32767, uint16: 65535, int32: -2147483647, uint32: 4294967295, float32: 9.969209968386869e36, float64: 9.969209968386869e36,
 };

@@ -14,11 +14,11 @@ import type { PackedGates } from './gate-samples.ts';
 import type { RadarFile, RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
 
-/** What a radial's angles take, and in files whose radials differ in length its place, too. */
+/** Memory for a radial's angles and, in files whose radials differ in length, for its position, bytes. */
 const bytesPerRadial = 16;
 const bytesPerRaggedRadial = 16;
 
-/** Which radials of the file a sweep is. */
+/** The range of the file's radials that make up a sweep. */
 interface Radials {
   readonly sweep: number;
   readonly from: number;
@@ -31,13 +31,14 @@ interface Scan {
   readonly moments: ReadonlyMap<string, DataArray>;
   readonly names: readonly string[];
   readonly budget: Budget;
-  /** Of files whose radials differ in length: of each radial, its first value's index and its gates. */
+  /** For files whose radials differ in length: the index of each radial's first value, and its number of gates. */
   readonly ragged: { readonly starts: Float64Array; readonly gates: Float64Array } | null;
 }
 
 /**
- * Read a CfRadial 1 file, NetCDF-3 or NetCDF-4.
- * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read` of its sweeps
+ * Reads a CfRadial 1 file, NetCDF-3 or NetCDF-4.
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read`
+ * of its sweeps
  * Source: CfRadial data file format 1.4, NCAR
  */
 export async function readCfradial1(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
@@ -49,7 +50,7 @@ export function isCfradial1(root: DataGroup): boolean {
   return root.names.includes('sweep_start_ray_index') && root.names.includes('azimuth');
 }
 
-/** As `readCfradial1`, of a file that is open. */
+/** The same as `readCfradial1`, for a file that is open. */
 export function readCfradial1Tree(root: DataGroup, budget: Budget): RadarFile {
   if (!isCfradial1(root)) {
     throw new VolumeViewError('format/unsupported', 'the NetCDF file has no sweep_start_ray_index and azimuth; expected a radar scan in CfRadial 1');
@@ -60,7 +61,7 @@ export function readCfradial1Tree(root: DataGroup, budget: Budget): RadarFile {
   const cones = all.filter(({ sweep }) => isCone(modes[sweep]));
   if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds no sweeps of constant elevation, but range-height scans or the like; expected some');
   const time = readStart(root) ?? readTime(root, 0);
-  // Up and down first: sweeps reach that far.
+  // The vertical width is preferred, because it determines how far sweeps reach up and down.
   const beamWidth = firstNumber(root, 'radar_beam_width_v') ?? firstNumber(root, 'radar_beam_width_h');
   return {
     format: `CfRadial ${readVersion(root)}`,
@@ -73,7 +74,7 @@ export function readCfradial1Tree(root: DataGroup, budget: Budget): RadarFile {
   };
 }
 
-/** '1.3' of 'CF/Radial instrument_parameters' with version '1.3', or of 'CF-1.7 CfRadial-1.4'. */
+/** Reads '1.3' from 'CF/Radial instrument_parameters' with version '1.3', or '1.4' from 'CF-1.7 CfRadial-1.4'. */
 function readVersion(root: DataGroup): string {
   const stated = `${textOf(root.attributes.get('Conventions')) ?? ''} ${textOf(root.attributes.get('version')) ?? numberOf(root.attributes.get('version')) ?? ''}`;
   return /CF-?\/?Radial-?\s?(1\.\d+)/i.exec(stated)?.[1] ?? /\b(1\.\d)\b/.exec(stated)?.[1] ?? '1';
@@ -165,10 +166,10 @@ function readGates(scan: Scan, array: DataArray, radials: Radials): SweepData {
 
 /** Gates of the longest radial of a sweep. */
 function longestOf({ ragged }: Scan, { from, count }: Radials): number {
-  return ragged?.gates.subarray(from, from + count).reduce((most, length) => Math.max(most, length), 0) ?? 0;
+  return ragged?.gates.subarray(from, from + count).reduce((max, length) => Math.max(max, length), 0) ?? 0;
 }
 
-/** Middle of the first gate and gate length: the file's, or where its radials differ, those of the sweep's first radial. */
+/** Middle of the first gate and gate length: the file's, or if its radials differ, those of the sweep's first radial. */
 function readPlace(root: DataGroup, { from }: Radials): Pick<SweepData, 'firstGate' | 'gateLength'> {
   const firstGate = firstNumber(root, 'ray_start_range', from);
   const gateLength = firstNumber(root, 'ray_gate_spacing', from);
@@ -178,16 +179,16 @@ function readPlace(root: DataGroup, { from }: Radials): Pick<SweepData, 'firstGa
   return readRange(range);
 }
 
-/** Radials of lengths of their own, each of them a run of one long row. */
+/** Reads radials of different lengths. Each of them is a part of one long row. */
 function readRagged({ ragged, budget }: Scan, array: DataArray, { from, count, gates }: Radials & { readonly gates: number }): PackedGates {
   if (!ragged) throw corrupt(`has no ray_start_index for ${array.path}`);
   const lengths = Array.from(ragged.gates.subarray(from, from + count));
   const starts = ragged.starts.subarray(from, from + count);
-  // Radials follow one another in all files that are known; then they are one run.
+  // In all files that are known, radials follow one another; then they are one part of the row.
   const isRun = lengths.every((length, i) => length >= 0 && (i === 0 || starts[i] === starts[i - 1] + lengths[i - 1]));
   if (!isRun) throw new VolumeViewError('format/unsupported', `${array.path} got radials that do not follow one another; expected ray_start_index to ascend without gaps`);
   const values = lengths.reduce((sum, length) => sum + length, 0);
-  // They are there beside the rectangle that is made of them.
+  // The values take memory in addition to the rectangle that is made of them.
   return takeDuring(budget, { bytes: 4 * values, what: array.path }, () => {
     const packed = packArray(array, array.readRows(starts[0], values));
     return { ...packed, samples: padRows(packed.samples, lengths, gates) };

@@ -10,7 +10,7 @@ import {
 import type { RadarFile, RadarMoment, RadarSweep } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
 
-/** What a radial's angles take, and each name of a group that is looked at. */
+/** Memory for a radial's angles, and steps for each name of a group. */
 const bytesPerRadial = 16;
 const stepsPerName = 16;
 
@@ -19,8 +19,9 @@ interface Cfradial2Sweep extends RadarSweep {
 }
 
 /**
- * Read a CfRadial 2 file, which is FM 301 too: NetCDF-4 with a group for each sweep.
- * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read` of its sweeps
+ * Reads a CfRadial 2 file, which is FM 301 too: NetCDF-4 with a group for each sweep.
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read`
+ * of its sweeps
  * Source: CfRadial2 data file format 2.1, NCAR; WMO Manual on Codes I.2, FM 301-XXIV
  */
 export async function readCfradial2(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
@@ -32,7 +33,7 @@ export function isCfradial2(root: DataGroup): boolean {
   return root.names.includes('sweep_group_name') || root.names.some((name) => sweepName.test(name));
 }
 
-/** As `readCfradial2`, of a file that is open. */
+/** The same as `readCfradial2`, for a file that is open. */
 export function readCfradial2Tree(root: DataGroup, budget: Budget): RadarFile {
   const groups = listSweeps(root);
   if (groups.length === 0) throw new VolumeViewError('format/unsupported', 'the NetCDF-4 file has no groups of sweeps; expected a radar scan in CfRadial 2');
@@ -66,7 +67,7 @@ function listSweeps(root: DataGroup): { group: DataGroup; index: number }[] {
   const stated = listed?.type === 'text' ? listed.readTexts() : [];
   const found = root.names.filter((name) => sweepName.test(name));
   found.sort((a, b) => Number(sweepName.exec(a)?.[1]) - Number(sweepName.exec(b)?.[1]));
-  // xradar's list may name groups otherwise than they are called.
+  // The names in xradar's list may differ from the groups' real names.
   const held = new Set(root.names);
   const names = stated.length > 0 && stated.every((name) => held.has(name)) ? stated : found;
   refuseManySweeps(names.length);

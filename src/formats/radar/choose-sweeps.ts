@@ -4,13 +4,13 @@ import type { RadarFile, RadarMoment, RadarSweep, SweepData, SweepGates } from '
 import { skipRadials } from './skip-radials.ts';
 import { anyFileBytes, refuseGates, refuseScale, refuseShown } from './radar-limits.ts';
 
-/** Sweeps nearer than this, degrees, have the same elevation, however narrow the beam. */
+/** Sweeps nearer to each other than this, degrees, have the same elevation, however narrow the beam is. */
 const nearestSweeps = 0.02;
 
-/** Bytes that a gate takes at most, when it is read. */
-const mostBytesPerGate = 4;
+/** Maximum bytes of a gate, when it is read. */
+const maxBytesPerGate = 4;
 
-/** Steps for a sweep that is compared with others, or read. */
+/** Steps for comparing a sweep with others, or for reading it. */
 const stepsPerSweep = 256;
 
 /** A sweep that is shown. */
@@ -22,7 +22,7 @@ export interface ChosenSweep {
 
 interface Candidate {
   readonly sweep: RadarSweep;
-  /** In an author's words. */
+  /** The sweep's name in messages. */
   readonly name: string;
   readonly grid: SweepGates;
 }
@@ -32,9 +32,11 @@ interface Kept extends ChosenSweep {
 }
 
 /**
- * The moment that is shown.
- * @param name - as the file names it; undefined: of its reflectivities the one that most sweeps hold, of several the first; without any, so of all moments
- * @throws {VolumeViewError} `attribute/invalid` where the file has none of that name, `format/unsupported` where it has none
+ * Chooses the moment to show.
+ * @param name - the file's name of it. If undefined: the reflectivity that most sweeps hold, and among equals the
+ * first; if there is no reflectivity, the same among all moments
+ * @throws {VolumeViewError} `attribute/invalid` if the file has no moment of that name, `format/unsupported` if it has
+ * no moments
  */
 export function chooseMoment(file: RadarFile, name: string | undefined): RadarMoment {
   const { moments } = file;
@@ -56,7 +58,7 @@ function countSweeps({ sweeps }: RadarFile, { name }: RadarMoment): number {
   return sweeps.reduce((count, { moments }) => count + Number(moments.includes(name)), 0);
 }
 
-/** What is said of a moment that nobody asked for, where some sweeps lack it and others of its kind are there. */
+/** A note about a moment that was chosen by default, if some sweeps lack it and the file has others of its kind. */
 export function describeChoice(file: RadarFile, moment: RadarMoment): string[] {
   const others = file.moments.filter(({ kind, name }) => kind === moment.kind && name !== moment.name);
   const count = countSweeps(file, moment);
@@ -66,13 +68,14 @@ export function describeChoice(file: RadarFile, moment: RadarMoment): string[] {
 }
 
 /**
- * The sweeps of a moment to show, by ascending elevation. Of several at one elevation (within a fifth of the beam: they
- * see the same air, and an antenna points no better) one is kept: one that holds any data (converted files fill what
- * a surveillance scan did not measure), that reaches farthest, that has the most radials, the first. Of the others no gate is
- * read, unless it takes that to know whether a sweep holds any data; gates are counted, and taken from the budget, before.
+ * The sweeps of a moment to show, by ascending elevation. Of several at one elevation one is kept. (One elevation
+ * means: within a fifth of the beam. Such sweeps see the same air, and an antenna points no more exactly.) The rules,
+ * in this order: a sweep that holds any data (converted files fill what a surveillance scan did not measure), that
+ * reaches farthest, that has the most radials, the first. The gates of other sweeps are read only if it is needed to
+ * know whether they hold data. Gates are counted, and taken from the budget, before they are read.
  * @param beamWidth - degrees
  * @param budget - of the load
- * @throws {VolumeViewError} `format/unsupported` where no sweep holds the moment, `format/corrupt`, `format/too-large`
+ * @throws {VolumeViewError} `format/unsupported` if no sweep holds the moment, `format/corrupt`, `format/too-large`
  */
 export function chooseSweeps(file: RadarFile, moment: string, beamWidth: number, budget = Budget.ofFile(anyFileBytes)): { chosen: ChosenSweep[]; left: string[]; details: string[] } {
   const { candidates, unused, left, details } = listCandidates(file, moment);
@@ -94,7 +97,7 @@ export function chooseSweeps(file: RadarFile, moment: string, beamWidth: number,
     if (data) kept.push({ sweep: one.sweep, name: one.name, data });
     return true;
   };
-  // Sweeps without data stand back for all others.
+  // Sweeps without data are used only if an elevation has no other sweep.
   const empty = candidates.filter((one) => !add(one, false));
   for (const one of empty) add(one, true);
   kept.sort((a, b) => a.sweep.elevation - b.sweep.elevation);
@@ -145,18 +148,18 @@ function listCandidates({ sweeps }: RadarFile, moment: string): Candidates {
   return { candidates, unused, left, details };
 }
 
-/** @param all - the sweeps that are shown, with this one */
+/** @param all - the sweeps that are shown, including this one */
 function readSweep({ sweep, name, grid }: Candidate, moment: string, all: readonly (Candidate | Kept)[], budget: Budget): SweepData | null {
   refuseGates(name, grid);
   const gates = sweep.azimuths.length * grid.gates;
   refuseShown({
     sweeps: all.length,
-    radials: all.reduce((most, { sweep: { azimuths } }) => Math.max(most, azimuths.length), 0),
+    radials: all.reduce((max, { sweep: { azimuths } }) => Math.max(max, azimuths.length), 0),
     gates: all.reduce((sum, one) => sum + one.sweep.azimuths.length * ('grid' in one ? one.grid : one.data).gates, 0),
   });
-  budget.take(mostBytesPerGate * gates, name);
+  budget.take(maxBytesPerGate * gates, name);
   const data = sweep.read(moment);
-  budget.giveBack(mostBytesPerGate * gates - (data?.samples.byteLength ?? 0));
+  budget.giveBack(maxBytesPerGate * gates - (data?.samples.byteLength ?? 0));
   if (data) refuseScale(name, data);
   return data;
 }

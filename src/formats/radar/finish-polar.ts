@@ -7,10 +7,10 @@ import type { CoarseVolume } from '../base/load-request.ts';
 import { suggestRadarLook } from './suggest-radar-look.ts';
 import type { PolarOutline } from './suggest-radar-look.ts';
 
-/** Of a radar of more bytes nothing is told before its macrocells are made: there would be a second copy of it meanwhile. */
-const mostForetold = 2 ** 24;
+/** Larger radar volumes, bytes, are not reported before their macrocells are made: the report would need a second copy. */
+const maxPreviewBytes = 2 ** 24;
 
-/** Radar gates are never averaged: too many of them for a device are an error. */
+/** Radar gates are never averaged: if there are too many of them for a device, it is an error. */
 export function outlinePolar({ makeMacrocells: _later, ...decoded }: DecodedPolarVolume): PolarOutline {
   const { samples, slope, intercept } = decoded;
   const minValid = samples instanceof Float32Array ? -Infinity : 1;
@@ -18,9 +18,9 @@ export function outlinePolar({ makeMacrocells: _later, ...decoded }: DecodedPola
   return { ...outline, ...suggestRadarLook(outline) };
 }
 
-/** The same with macrocells that hold nothing, in memory of its own; null of a large one. */
+/** A copy with empty macrocells, so that the renderer can prepare for this volume; null for a large one. */
 export function foretellPolar({ samples, ...of }: PolarOutline): CoarseVolume | null {
-  if (samples.byteLength > mostForetold) return null;
+  if (samples.byteLength > maxPreviewBytes) return null;
   const cells = of.grid.dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
   return { volume: { ...of, samples: samples.slice(), macrocells: emptyMacrocells(samples, cells), coarse: true }, of };
 }

@@ -2,24 +2,24 @@ import type { Numbers, NumberType } from '../base/data-tree.ts';
 import type { Samples } from '../../volume/volume.ts';
 import type { SweepData } from './radar-file.ts';
 
-/** How numbers of a file are to be understood. */
+/** How to convert numbers of a file to values. */
 export interface Packing {
   readonly type: NumberType;
   /** Data value = slope * number + intercept. */
   readonly slope: number;
   readonly intercept: number;
-  /** Numbers, as stored, that stand for no data: never measured, below the threshold, … */
+  /** Stored numbers that mean no data: never measured, below the threshold, … */
   readonly noData: readonly number[];
   /** Lowest and highest number, as stored, that is no rubbish; absent where all may be. */
   readonly valid?: readonly [number, number];
 }
 
-/** What float32 holds: a larger double would become infinite. */
+/** The largest number for float32: a larger double would become infinite. */
 const highestFloat = 3.4e38;
 
 export type PackedGates = Pick<SweepData, 'samples' | 'slope' | 'intercept' | 'invalid'>;
 
-/** Lowest and highest numbers of the types that stay integers. */
+/** Smallest and largest numbers of the types that stay integers. */
 const limits: Partial<Record<NumberType, readonly [number, number]>> = {
   int8: [-128, 127],
   uint8: [0, 255],
@@ -28,16 +28,16 @@ const limits: Partial<Record<NumberType, readonly [number, number]>> = {
 };
 
 /**
- * Gates as samples of which 0 (integers) or NaN (floats) is no data. Integers of 8 and 16 bits stay such, shifted so that
- * all valid ones lie above 0; slope and intercept depend on the packing alone, so that all sweeps of a moment have the
- * same. Others become data values in float32, with slope 1.
+ * Converts gates to samples, with 0 (integers) or NaN (floats) for no data. Integers of 8 and 16 bits stay integers,
+ * shifted so that all valid ones lie above 0; slope and intercept depend on the packing alone, so that all sweeps of a
+ * moment have the same ones. Other types become data values in float32, with slope 1.
  */
 export function packGates(numbers: Numbers, packing: Packing): PackedGates {
   const range = limits[packing.type];
   if (!range) return packFloats(numbers, packing);
   const [low, high] = range;
   const isNoData = new Set(packing.noData);
-  // Where the lowest number is no data, it becomes 0; else it becomes 1, and the highest may need a wider type.
+  // If the lowest number means no data, it becomes 0; else it becomes 1, and the highest may need a wider type.
   const shift = isNoData.has(low) ? -low : 1 - low;
   const mayOverflow = high + shift > high - low && !isNoData.has(high);
   const isWide = mayOverflow && numbers.includes(high);
@@ -55,7 +55,7 @@ export function packGates(numbers: Numbers, packing: Packing): PackedGates {
   return { samples, slope: packing.slope, intercept: packing.intercept - packing.slope * shift, ...(invalid > 0 ? { invalid } : {}) };
 }
 
-/** What stands for no data among samples. */
+/** The sample value that means no data. */
 export function emptyOf(samples: Samples): number {
   return samples instanceof Float32Array ? NaN : 0;
 }
@@ -81,7 +81,7 @@ function packFloats(numbers: Numbers, { slope, intercept, noData, valid: [least,
 }
 
 /**
- * Rows of lengths of their own as a rectangle, with no data after the end of each.
+ * Copies rows of different lengths into a rectangle, with no data after the end of each row.
  * @param samples - rows one after another, without gaps
  */
 export function padRows(samples: Samples, lengths: readonly number[], longest: number): Samples {

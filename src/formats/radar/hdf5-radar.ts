@@ -7,8 +7,9 @@ import { isOdim, readOdimTree } from './odim.ts';
 import type { RadarFile } from './radar-file.ts';
 
 /**
- * Read a radar file that is HDF5: ODIM_H5, or CfRadial 1 or 2 in NetCDF-4. What it is shows only once it is open.
- * @throws {VolumeViewError} as the readers do; `format/unsupported` where it is none of them
+ * Reads a radar file that is HDF5: ODIM_H5, or CfRadial 1 or 2 in NetCDF-4. The file has to be opened to find out
+ * which.
+ * @throws {VolumeViewError} as the readers do; `format/unsupported` if it is none of them
  */
 export async function readHdf5Radar(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
   const root = openHdf5(bytes, budget);

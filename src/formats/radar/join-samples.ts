@@ -8,14 +8,14 @@ export interface JoinedSamples {
   readonly samples: Samples;
   readonly slope: number;
   readonly intercept: number;
-  /** Copy a radial of one of the sweeps. @param to - index of its first gate in `samples` */
+  /** Copies a radial of one of the sweeps. @param to - index of its first gate in `samples` */
   copyRadial(data: SweepData, radial: number, to: number): void;
 }
 
 /**
- * One type and scale for sweeps that may differ in both: their own where it is the same for all, in the widest of
- * their types; else data values as floats.
- * @param length - samples to make room for, taken from the budget
+ * Chooses one type and scale for sweeps that may differ in both: their own scale if it is the same for all, in the
+ * widest of their types; else data values as floats.
+ * @param length - samples to allocate, taken from the budget
  */
 export function joinSamples(sweeps: readonly SweepData[], length: number, budget: Budget): JoinedSamples {
   const [{ slope, intercept }] = sweeps;

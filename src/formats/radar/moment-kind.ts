@@ -1,8 +1,8 @@
 import type { MomentKind, RadarMoment } from './radar-file.ts';
 
-/** What files say of a quantity; what they do not say is absent. */
+/** What files say about a quantity; what they do not say is absent. */
 export interface MomentNames {
-  /** As the file names it: 'DBZH', 'REF', 'corrected_velocity', … */
+  /** The file's name of it: 'DBZH', 'REF', 'corrected_velocity', … */
   readonly name: string;
   /** CF's name, such as 'equivalent_reflectivity_factor'. */
   readonly standardName?: string;
@@ -10,8 +10,8 @@ export interface MomentNames {
 }
 
 /**
- * CF's names. Sources: CF standard names, CfRadial 1.4 (chapter 6), CfRadial 2.1 (chapter 7).
- * The first that is found counts, so that the specific ones come first.
+ * CF's names. Sources: CF standard names, CfRadial 1.4 (chapter 6), CfRadial 2.1 (chapter 7). The first match counts,
+ * so the specific ones come first.
  */
 const kindsByStandardName: readonly (readonly [RegExp, MomentKind])[] = [
   [/specific_differential_phase/, 'other'],
@@ -24,8 +24,8 @@ const kindsByStandardName: readonly (readonly [RegExp, MomentKind])[] = [
 ];
 
 /**
- * Names of ODIM_H5 (table 16), NEXRAD Level II (ICD 2620002, table XVII-B), and what Py-ART, LROSE and others write into
- * CfRadial. Compared in lower case.
+ * Names of ODIM_H5 (table 16), NEXRAD Level II (ICD 2620002, table XVII-B), and those that Py-ART, LROSE and others
+ * write into CfRadial. Compared in lower case.
  */
 const kindsByName: readonly (readonly [RegExp, MomentKind])[] = [
   [/texture|variance|deviation|error|mask|flag/, 'other'],
@@ -38,7 +38,7 @@ const kindsByName: readonly (readonly [RegExp, MomentKind])[] = [
   [/^u?dbz|^u?t[hvx]$|^ref$|^zh?h?$|^cz$|reflectivity/, 'reflectivity'],
 ];
 
-/** What a quantity is: by CF's name, else by the file's, as far as the unit does not speak against it. */
+/** The kind of a quantity: by CF's name, else by the file's, unless the unit contradicts it. */
 export function momentKindOf({ name, standardName = '', unit = '' }: MomentNames): MomentKind {
   const lower = name.toLowerCase();
   const found =
@@ -51,7 +51,7 @@ export function momentKindOf({ name, standardName = '', unit = '' }: MomentNames
 }
 
 /**
- * What velocities are called that have been unfolded already. Sources: ODIM_H5 2.3 (VRADDH, VRADDV), Py-ART's default field
+ * Names of velocities that have been unfolded already. Sources: ODIM_H5 2.3 (VRADDH, VRADDV), Py-ART's default field
  * names (corrected_velocity), and words that others use for it.
  */
 const unfoldedNames = /^u?vradd[hv]?$|^(corrected|dealiased|unfolded|unwrapped)_|(dealias|unfold|unwrap)/i;
@@ -72,7 +72,7 @@ const units: readonly (readonly [RegExp, string])[] = [
   [/^(unit_?less|dimensionless|ratio|none|1|-)?$/i, ''],
 ];
 
-/** A unit in one spelling: 'm/s' for 'meters_per_second'; '' for none; as it is where it is not known here. */
+/** A unit in one spelling: 'm/s' for 'meters_per_second'; '' for none; unchanged if it is unknown here. */
 export function normaliseUnit(unit: string): string {
   const trimmed = unit.trim();
   return units.find(([pattern]) => pattern.test(trimmed))?.[1] ?? trimmed;

@@ -1,10 +1,10 @@
-/** A volume coverage pattern's head, and each of its cuts. */
+/** Bytes of a volume coverage pattern's header, and of each of its cuts. */
 const headLength = 22;
 const cutLength = 46;
 
 /**
- * The elevations that a volume coverage pattern asks for, message 5 or 7.
- * @returns degrees, by cut; none where the message is empty, as in old files
+ * The elevations of a volume coverage pattern, message 5 or 7.
+ * @returns degrees, by cut; none if the message is empty, as in old files
  * Source: Interface Control Document for the RDA/RPG, 2620002, tables XI and III-A (angles: 0x8000 is 180 degrees)
  */
 export function readCuts(body: DataView<ArrayBuffer>): number[] {

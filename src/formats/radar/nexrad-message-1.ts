@@ -3,12 +3,12 @@ import type { NexradGates, NexradRadial } from './nexrad-radial.ts';
 
 const headerLength = 100;
 
-/** Angles are in parts of a half turn. */
+/** Angles are integers; 32,768 is half a turn. */
 const degreesPerUnit = 180 / 32768;
 
 /**
- * A radial of message 1, "digital radar data", which radars sent until 2008: reflectivity (REF, 1 km), velocity and
- * spectrum width (VEL, SW, 250 m), one byte a gate. It does not say where the radar is.
+ * Reads a radial of message 1, "digital radar data", which radars sent until 2008: reflectivity (REF, 1 km), velocity
+ * and spectrum width (VEL, SW, 250 m), one byte a gate. It does not contain the radar's position.
  * @throws {VolumeViewError} `format/corrupt`
  * Source: Interface Control Document for the RDA/RPG, 2620002G, table III
  */
@@ -24,7 +24,7 @@ export function readMessage1(body: DataView<ArrayBuffer>): NexradRadial {
     moments.set(name, { firstGate, gateLength, ...packing, bits: 8, codes: partOf(body, pointer, gates, `${gates} gates of ${name}`) });
   };
   addMoment('REF', 36, surveillance, { scale: 2, offset: 66 });
-  // Velocity comes in steps of half a metre per second, or of one.
+  // Velocity has steps of half a metre per second, or of one.
   addMoment('VEL', 38, doppler, { scale: header.getUint16(42) === 4 ? 1 : 2, offset: 129 });
   addMoment('SW', 40, doppler, { scale: 2, offset: 129 });
   const elevation = header.getUint16(14) * degreesPerUnit;

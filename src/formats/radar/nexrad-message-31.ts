@@ -10,12 +10,12 @@ const momentLength = 28;
 /** Spot blanking: the transmitter was off for this radial. Source: ICD 2620002, table XVII-A */
 const radialBlanked = 1;
 
-/** Blocks that a radial may have: 3 of constants and 7 moments, and room for what is to come. */
+/** Maximum blocks of a radial: 3 of constants and 7 moments, and some for future ones. */
 const maxBlocks = 32;
 
 /**
- * A radial of message 31, "digital radar data generic format": constants of volume, elevation and radial, and a block
- * for each moment, which says itself where its gates lie and how its values are packed.
+ * Reads a radial of message 31, "digital radar data generic format": constants of volume, elevation and radial, and a
+ * block for each moment, which says itself where its gates lie and how its values are packed.
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  * Source: Interface Control Document for the RDA/RPG, 2620002, tables XVII-A to XVII-I
  */
@@ -60,7 +60,7 @@ function readName(block: DataView): string {
 function readSite(block: DataView): NexradSite | undefined {
   const [latitude, longitude] = [block.getFloat32(8), block.getFloat32(12)];
   if (!(Math.abs(latitude) <= 90 && Math.abs(longitude) <= 360)) return undefined;
-  // The tower's foot above sea level, and the antenna's feedhorn above that.
+  // The tower's foot above sea level, and the antenna's feedhorn above the foot.
   return { latitude, longitude, height: block.getInt16(16) + block.getUint16(18) };
 }
 

@@ -1,13 +1,13 @@
 import { VolumeViewError } from '../../core/errors.ts';
 
-/** In front of each message: 12 bytes of the line that it came over, then a header of 16. */
+/** Before each message: 12 bytes of the transmission line, then a header of 16. */
 const lineHeader = 12;
 const messageHeader = 16;
 
-/** All messages but radials of type 31 (and models, 29) fill a frame of this many bytes, however short they are. */
+/** All messages except radials of type 31 (and models, 29) fill a frame of this many bytes, however short they are. */
 const frameLength = 2432;
 
-/** A message's type and what it says, after its header. */
+/** A message's type and its content after the header. */
 export interface NexradMessage {
   readonly type: number;
   /** Number of this part of a long message, from 1. */
@@ -16,8 +16,8 @@ export interface NexradMessage {
 }
 
 /**
- * The messages of a record, one after another.
- * @param onCut - called where the record ends within a message, with the bytes that are missing
+ * Yields the messages of a record, one after another.
+ * @param onCut - called if the record ends within a message, with the number of missing bytes
  * @throws {VolumeViewError} `format/corrupt`
  * Source: Interface Control Document for the RDA/RPG, 2620002 (NOAA/NWS Radar Operations Center), table II
  */
@@ -30,7 +30,7 @@ export function* splitMessages(record: Uint8Array<ArrayBuffer>, onCut: (missing:
     const length = readLength(view, header);
     const isFramed = type !== 31 && type !== 29;
     const end = isFramed ? position + frameLength : header + length;
-    // The last frame may lack what fills it up.
+    // The last frame may lack its padding.
     const needed = isFramed ? Math.min(end, header + Math.max(length, messageHeader)) : end;
     if (needed > record.length) return onCut(needed - record.length);
     if (!isFramed && length < messageHeader) {
@@ -43,7 +43,10 @@ export function* splitMessages(record: Uint8Array<ArrayBuffer>, onCut: (missing:
   if (position < record.length) onCut(lineHeader + messageHeader - (record.length - position));
 }
 
-/** Bytes of a message with its header; those that are longer than 65,534 halfwords count bytes where others count parts. */
+/**
+ * Bytes of a message with its header. In messages longer than 65,534 halfwords, the fields that normally count segments
+ * hold the length in bytes.
+ */
 function readLength(view: DataView, header: number): number {
   const halfwords = view.getUint16(header);
   return halfwords === 65535 ? view.getUint32(header + 12) : 2 * halfwords;

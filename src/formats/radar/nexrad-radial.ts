@@ -7,12 +7,12 @@ export interface NexradRadial {
   readonly elevation: number;
   /** Milliseconds since 1970, UTC. */
   readonly time: number;
-  /** Number of the cut, from 1: elevations that are scanned twice have two. */
+  /** Number of the cut, from 1: an elevation that is scanned twice has two cuts. */
   readonly cut: number;
   readonly status: number;
   /** Marked as bad data, or its transmitter was off: it has no moments. */
   readonly isBad?: boolean;
-  /** m/s; absent where the cut measures no velocity. */
+  /** m/s; absent if the cut measures no velocity. */
   readonly nyquist?: number;
   readonly moments: ReadonlyMap<string, NexradGates>;
   readonly site?: NexradSite;
@@ -37,20 +37,21 @@ export interface NexradGates {
   readonly codes: DataView<ArrayBuffer>;
 }
 
-/** What a radial's status says of its place in the volume. Source: ICD 2620002, tables III and XVII-A */
+/** The radial's place in the volume, from its status. Source: ICD 2620002, tables III and XVII-A */
 export const radialStatus = { cutStarts: 0, volumeStarts: 3, volumeEnds: 4, lastCutStarts: 5 } as const;
 
-/** Of a status: the radial's data are bad. Source: ICD 2620002, tables III and XVII-A */
+/** A status bit: the radial's data are bad. Source: ICD 2620002, tables III and XVII-A */
 export const badStatus = 0x80;
 
-/** @param days - from 1, which is the first of January 1970 @param milliseconds - since midnight */
+/**
+ * @param days - from 1, which is the first of January 1970
+ * @param milliseconds - since midnight
+ */
 export function timeOf(days: number, milliseconds: number): number {
   return (days - 1) * 86_400_000 + milliseconds;
 }
 
-/**
- * @throws {VolumeViewError} `format/corrupt` for a direction or a grid that no radar has
- */
+/** @throws {VolumeViewError} `format/corrupt` for a direction or a grid that no radar has */
 export function checkRadial(radial: NexradRadial): NexradRadial {
   const { azimuth, elevation, moments } = radial;
   if (!(azimuth >= 0 && azimuth <= 360 && elevation >= -90 && elevation <= 90)) {
@@ -71,7 +72,7 @@ export function corruptRadial(got: string, expected: string): VolumeViewError {
 
 /**
  * A part of a message.
- * @throws {VolumeViewError} `format/corrupt` where the message ends before
+ * @throws {VolumeViewError} `format/corrupt` if the message is too short
  */
 export function partOf(body: DataView<ArrayBuffer>, start: number, length: number, what: string): DataView<ArrayBuffer> {
   if (start + length > body.byteLength) throw corruptRadial(`${what} to byte ${start + length}`, `at most ${body.byteLength}, the length of its message`);

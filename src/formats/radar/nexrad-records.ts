@@ -3,28 +3,28 @@ import type { Budget } from '../base/budget.ts';
 import { bunzip2, isBzip2 } from '../codecs/bunzip2.ts';
 import { Bunzip2Room } from '../codecs/bunzip2-room.ts';
 
-/** Bytes of the header of the file, and of the number in front of each compressed record. */
+/** Bytes of the file's header, and of the length before each compressed record. */
 const headerLength = 24;
 const controlLength = 4;
 
-/** More than any radar's, and little enough to be held. */
+/** Maximum bytes of an unpacked record: more than any radar's, and few enough for memory. */
 const maxRecordBytes = 2 ** 26;
 const maxBytes = 2 ** 30;
 
-/** Volumes of one file that are looked at. */
+/** Maximum number of volumes of one file that are examined. */
 const maxVolumes = 64;
 
 /** 'A' of 'AR2V' and 'ARCHIVE2'. */
 const firstOfHeader = 0x41;
 
-/** What a record takes beside its bytes. */
+/** Memory for a record in addition to its bytes. */
 const bytesPerRecord = 256;
 
-/** A volume of Archive II without its packing. */
+/** An Archive II volume, unpacked. */
 export interface NexradRecords {
-  /** Of the radar, four letters; '' in files before 2003. */
+  /** The radar's station code, four letters; '' in files before 2003. */
   readonly station: string;
-  /** Each a row of whole messages. */
+  /** Each is a sequence of whole messages. */
   readonly records: readonly Uint8Array<ArrayBuffer>[];
   /** What is missing at the end, in words. */
   readonly cut?: string;
@@ -36,10 +36,11 @@ export function isNexrad(bytes: Uint8Array): boolean {
 }
 
 /**
- * Take a file of Archive II apart: a header, and records that are packed with bzip2 one by one, or messages as they are.
- * A file that was cut short gives what is whole. A radar that began again wrote another header, with a volume of its own.
+ * Splits an Archive II file into a header and records. The records are packed with bzip2 one by one, or are messages
+ * without packing. For a file that was cut short, it returns the complete part. A radar that restarted wrote another
+ * header, with a volume of its own.
  * @returns at least one volume
- * @param budget - what records unpack to is taken from it
+ * @param budget - the unpacked records are taken from it
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/too-large`
  * Source: Interface Control Document for the Archive II/User, 2620010 (NOAA/NWS Radar Operations Center), 7
  */
@@ -64,7 +65,7 @@ export function splitRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Ne
   return volumes;
 }
 
-/** Where the next header begins; the length where there is none. */
+/** Where the next header begins; the file's length if there is none. */
 function findHeader(bytes: Uint8Array, from: number): number {
   for (let at = bytes.indexOf(firstOfHeader, from); at >= 0; at = bytes.indexOf(firstOfHeader, at + 1)) {
     if (bytes[at + 1] === 0x52 && isNexrad(bytes.subarray(at, at + 9))) return at;
@@ -83,7 +84,7 @@ function unpackRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Pick<Nex
       room.release();
       return { records, next: position };
     }
-    // The last one's is negative.
+    // The length of the last record is negative.
     const length = Math.abs(view.getInt32(position));
     const start = position + controlLength;
     const end = start + length;

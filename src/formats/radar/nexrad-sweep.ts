@@ -4,19 +4,19 @@ import type { NexradGates, NexradRadial } from './nexrad-radial.ts';
 import type { RadarSweep, SweepData, SweepGates } from './radar-file.ts';
 import { refuseSweep } from './radar-limits.ts';
 
-/** Codes below are no values: 0 is below the threshold, 1 folded in range. */
+/** Smaller codes are not values: 0 is below the threshold, 1 is range folded. */
 const firstValid = 2;
 
-/** Of CFP, which is no negative number, the lower ones say which filter was at work. */
+/** CFP has no negative values; its lower codes say which filter was used. */
 const firstValidOf: Readonly<Record<string, number>> = { CFP: 8 };
 
-/** A pattern's angle that is farther from the radials than this, degrees, is of another cut. */
+/** If a pattern's angle differs from the radials' by more than this, degrees, it belongs to another cut. */
 const farthestPlan = 0.7;
 
 /**
- * One cut of a volume: radials in the file's order.
+ * Makes a sweep of one cut of a volume: radials in the file's order.
  * @param radials - at least one
- * @param planned - elevation that the volume coverage pattern gives the cut, degrees
+ * @param planned - elevation of the cut in the volume coverage pattern, degrees
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
 export function makeNexradSweep(radials: readonly NexradRadial[], planned: number | undefined): RadarSweep {
@@ -38,7 +38,7 @@ export function makeNexradSweep(radials: readonly NexradRadial[], planned: numbe
   };
 }
 
-/** The radials of a cut differ in nothing but the number of their gates. */
+/** The radials of a cut may differ only in their number of gates. */
 function checkGrid(radials: readonly NexradRadial[], name: string): void {
   const all = radials.flatMap((radial) => radial.moments.get(name) ?? []);
   const [first] = all;
@@ -54,9 +54,9 @@ function isSameGrid(a: NexradGates, b: NexradGates): boolean {
   return a.firstGate === b.firstGate && a.gateLength === b.gateLength && a.scale === b.scale && a.offset === b.offset && a.bits === b.bits;
 }
 
-/** Radials may have gates of their own number: all are filled up to the longest. */
+/** Radials may have different numbers of gates: all are padded to the longest. */
 function longestOf(all: readonly (NexradGates | undefined)[]): number {
-  return all.reduce((most, gates) => (gates ? Math.max(most, countGates(gates)) : most), 0);
+  return all.reduce((max, gates) => (gates ? Math.max(max, countGates(gates)) : max), 0);
 }
 
 function describeGrid({ firstGate, gateLength, scale, offset, bits }: NexradGates): string {

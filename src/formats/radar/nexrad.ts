@@ -14,13 +14,16 @@ import { makeNexradSweep } from './nexrad-sweep.ts';
 import type { RadarFile, RadarMoment } from './radar-file.ts';
 import { refuseManySweeps } from './radar-limits.ts';
 
-/** Bytes that a gzip file may unpack to. */
+/** Maximum bytes that a gzip file may unpack to. */
 const maxBytes = 2 ** 30;
 
 /** Degrees, of a WSR-88D: 0.96 at 2.7 GHz and 0.88 at 3 GHz. Source: Federal Meteorological Handbook 11, part B */
 const beamWidth = 0.95;
 
-/** What a radial takes in memory and in its sweep, each of its moments beside its gates, and steps of a message that is looked at. */
+/**
+ * Memory for a radial and its part of the sweep; for each of its moments in addition to the gates; and the steps for
+ * each message.
+ */
 const bytesPerRadial = 512;
 const bytesPerMoment = 320;
 const stepsPerMessage = 64;
@@ -32,19 +35,20 @@ const units: Readonly<Record<string, string>> = { REF: 'dBZ', VEL: 'm/s', SW: 'm
 interface Contents {
   readonly radials: NexradRadial[];
   readonly station: string;
-  /** Elevations that the volume coverage pattern asks for, degrees. */
+  /** Elevations of the volume coverage pattern, degrees. */
   cuts: number[];
   cut?: string;
 }
 
 /**
- * Read a volume of NEXRAD Level II (Archive II), as WSR-88D radars send it: message 31 since 2008, message 1 before;
- * with records packed by bzip2 or not, the file packed by gzip or not. Cuts stay as they were scanned: the lowest
- * elevations twice, once far (surveillance) and once for velocity (Doppler).
- *
- * A reader of our own, as those of npm know message 31 only (nexrad-level-2-data 2.4).
- * A file may hold more than one volume: its radar began again, with another header or in the middle. The first whole one with the most radials is shown.
- * @returns `left` says which volumes and radials are not used, `partial` says what is missing of a file that was cut short, or of a volume that its radar did not end
+ * Reads a volume of NEXRAD Level II (Archive II), as WSR-88D radars send it: message 31 since 2008, message 1 before;
+ * with or without bzip2 in the records and gzip around the file. Cuts stay as they were scanned: the lowest elevations
+ * twice, once far (surveillance) and once for velocity (Doppler).
+ * It is our own reader, because those on npm read only message 31 (nexrad-level-2-data 2.4).
+ * A file may hold several volumes, because its radar restarted, with another header or in the middle. The first
+ * complete one with the most radials is shown.
+ * @returns `left` lists the volumes and radials that are not used; `partial` says what is missing in a file that was
+ * cut short, or in a volume that its radar did not finish
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`
  * Sources: Interface Control Documents for the RDA/RPG, 2620002, and for the Archive II/User, 2620010
  */
@@ -78,7 +82,7 @@ export async function readNexrad(bytes: Uint8Array<ArrayBuffer>, budget = Budget
   };
 }
 
-/** All that comes out of a gzip file before it breaks off. */
+/** Unpacks a gzip file as far as it is complete. */
 async function unpackGzip(packed: Uint8Array<ArrayBuffer>, budget: Budget): Promise<{ bytes: Uint8Array<ArrayBuffer>; cut?: string }> {
   const pieces: Uint8Array<ArrayBuffer>[] = [];
   let length = 0;
@@ -122,7 +126,7 @@ function readRecord(record: Uint8Array<ArrayBuffer>, contents: Contents, budget:
   }
 }
 
-/** Where a radial says that a volume starts, another one does; none where there are no radials. */
+/** Splits the contents at each radial that starts a volume; empty if there are no radials. */
 function splitVolumes({ radials, ...of }: Contents): Contents[] {
   const parts: NexradRadial[][] = [];
   radials.forEach((radial, i) => {
@@ -130,17 +134,17 @@ function splitVolumes({ radials, ...of }: Contents): Contents[] {
     if (i === 0 || begins) parts.push([]);
     parts.at(-1)!.push(radial);
   });
-  // What is missing at the end is missing of the last one.
+  // What is missing at the end of the file is missing in the last volume.
   return parts.map((part, i) => ({ ...of, radials: part, cut: i === parts.length - 1 ? of.cut : undefined }));
 }
 
-/** Whether a volume is whole and another one is not, or, of two that are alike in this, has more radials. */
+/** Whether a volume is complete and the other one is not; if both are or both are not: whether it has more radials. */
 function isMoreComplete(one: Contents, other: Contents): boolean {
   const [isWhole, isOtherWhole] = [one, other].map((volume) => describeMissing(volume) === undefined);
   return isWhole === isOtherWhole ? one.radials.length > other.radials.length : isWhole;
 }
 
-/** Of a file with several volumes. */
+/** Notes about the other volumes of a file. */
 function describeOthers(all: readonly Contents[], shown: Contents): string[] {
   if (all.length === 1) return [];
   const describe = ({ radials }: Contents): string => `that of ${isoTime(radials[0].time) ?? 'no time'} with ${groupByCut(radials).length} sweeps`;

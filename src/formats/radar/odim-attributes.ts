@@ -3,12 +3,12 @@ import { numberOf, textOf } from '../base/data-tree.ts';
 import type { AttributeValue, DataGroup } from '../base/data-tree.ts';
 import { refuseManySweeps } from './radar-limits.ts';
 
-/** From the most particular group to the root: what a data group does not say, its dataset says, or the file. */
+/** From the most specific group to the root: if a data group lacks an attribute, its dataset or the file may have it. */
 export type Lineage = readonly DataGroup[];
 
 export type Section = 'what' | 'where' | 'how';
 
-/** The first of several names that the groups' `what`, `where` or `how` has, the most particular group first. */
+/** The first of several attribute names that the groups' `what`, `where` or `how` has, the most specific group first. */
 export function findAttribute(lineage: Lineage, section: Section, names: readonly string[]): AttributeValue | undefined {
   for (const group of lineage) {
     const attributes = group.group(section)?.attributes;
@@ -28,7 +28,7 @@ export function findText(lineage: Lineage, section: Section, ...names: string[])
   return textOf(findAttribute(lineage, section, names));
 }
 
-/** @throws {VolumeViewError} `format/corrupt`, where the number is absent or not in the range */
+/** @throws {VolumeViewError} `format/corrupt`, if the number is absent or out of range */
 export function requireNumber(lineage: Lineage, section: Section, name: string, range: readonly [number, number]): number {
   const value = findNumber(lineage, section, name);
   if (value !== undefined && value >= range[0] && value <= range[1]) return value;
@@ -38,13 +38,13 @@ export function requireNumber(lineage: Lineage, section: Section, name: string, 
   );
 }
 
-/** Whether a file is of version 2.4 or later, which counts in SI units what was in km, cm and µs before. */
+/** Whether a file is of version 2.4 or later, which uses SI units where earlier versions used km, cm and µs. */
 export function isInMetres(version: string): boolean {
   const [major, minor = 0] = version.split('.').map(Number);
   return major > 2 || (major === 2 && minor >= 4);
 }
 
-/** A date 'YYYYMMDD' and a time 'HHMMSS' as ISO 8601; undefined where they are none. */
+/** A date 'YYYYMMDD' and a time 'HHMMSS' as ISO 8601; undefined if they are invalid. */
 export function joinTime(date: string | undefined, time: string | undefined): string | undefined {
   const day = /^(\d{4})(\d\d)(\d\d)/.exec(date ?? '');
   const clock = /^(\d\d)(\d\d)(\d\d)?/.exec(time ?? '');
@@ -53,7 +53,7 @@ export function joinTime(date: string | undefined, time: string | undefined): st
   return Number.isNaN(Date.parse(iso)) ? undefined : iso;
 }
 
-/** Groups called 'dataset1', 'dataset2', … by their numbers. */
+/** Groups called 'dataset1', 'dataset2', … in the order of their numbers. */
 export function listGroups(parent: DataGroup, prefix: string): DataGroup[] {
   const pattern = new RegExp(`^${prefix}(\\d+)$`);
   const found = parent.names.map((name) => ({ name, number: Number(pattern.exec(name)?.[1] ?? NaN) })).filter(({ number }) => !Number.isNaN(number));

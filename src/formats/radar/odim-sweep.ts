@@ -9,7 +9,10 @@ import type { Lineage } from './odim-attributes.ts';
 import type { RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
 import { anyFileBytes, refuseSweep } from './radar-limits.ts';
 
-/** What a radial's angles take while they are read, as numbers or as text, and characters of the two that a text has for each. */
+/**
+ * Memory for a radial's angles while they are read, as numbers or as text; and the maximum number of characters for the
+ * two angles in such a text.
+ */
 const bytesPerRadial = 128;
 const longestPair = 64;
 
@@ -24,7 +27,7 @@ interface Stored {
 }
 
 /**
- * One scan: a group 'dataset…' of a file; null where it holds no moments.
+ * Reads one scan: a group 'dataset…' of a file; null if it holds no moments.
  * @param version - of ODIM_H5, such as '2.2': units depend on it
  * @param budget - the angles of its radials are taken from it
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
@@ -60,7 +63,7 @@ export function readOdimSweep(root: DataGroup, dataset: DataGroup, version = '2.
   };
 }
 
-/** The arrays of a scan under the names of their quantities; of two with one name, the first. */
+/** The arrays of a scan by their quantity; of two with one name, the first. */
 function findMoments(root: DataGroup, dataset: DataGroup): Map<string, Stored> {
   const stored = new Map<string, Stored>();
   for (const group of listGroups(dataset, 'data')) {
@@ -96,8 +99,8 @@ function describe(name: string, version: string): RadarMoment {
 }
 
 /**
- * Middles of the radials: between the angles at which each starts and stops, where the file has them; else in equal steps
- * from north or from `astart`, where the first radial starts.
+ * Middles of the radials: between each one's start and stop angles, if the file has them; else in equal steps from
+ * north or from `astart`, where the first radial starts.
  */
 function readAzimuths(lineage: Lineage, radials: number): Float64Array<ArrayBuffer> {
   const [starts, stops] = readAngles(lineage, radials) ?? [];
@@ -110,7 +113,7 @@ function readAzimuths(lineage: Lineage, radials: number): Float64Array<ArrayBuff
   return azimuths;
 }
 
-/** Angles of each radial's start and stop; of version 2.0 as a text, '0:1,1:2,…'. */
+/** Angles at which each radial starts and stops; in version 2.0 as a text, '0:1,1:2,…'. */
 function readAngles(lineage: Lineage, radials: number): readonly [Float64Array, Float64Array] | null {
   const starts = findAttribute(lineage, 'how', ['startazA']);
   const stops = findAttribute(lineage, 'how', ['stopazA']);
@@ -123,7 +126,7 @@ function readAngles(lineage: Lineage, radials: number): readonly [Float64Array, 
   return both.every((angles) => isAngles(angles, radials)) ? [both[0], both[1]] : null;
 }
 
-/** Elevations of the radials: as the file says them, or half way between those at which each starts and stops. */
+/** Elevations of the radials: the file's, or half way between those at which each starts and stops. */
 function readElevations(lineage: Lineage, radials: number): Float64Array<ArrayBuffer> | undefined {
   const stated = findAttribute(lineage, 'how', ['elangles']);
   if (isAngles(stated, radials)) return Float64Array.from(stated, turnTo);
@@ -133,7 +136,7 @@ function readElevations(lineage: Lineage, radials: number): Float64Array<ArrayBu
   return Float64Array.from(starts, (start, radial) => turnTo(start + turnTo(stops[radial] - start) / 2));
 }
 
-/** Where the file says only where radials start, each stops where the next starts; the last is as wide as the one before. */
+/** If the file has only start angles, each radial stops where the next starts; the last is as wide as the one before. */
 function nextStarts(starts: Float64Array): Float64Array {
   const last = starts.length - 1;
   return starts.map((start, radial) => (radial < last ? starts[radial + 1] : start + (last > 0 ? turnTo(start - starts[last - 1]) : 360)));
@@ -143,7 +146,7 @@ function isAngles(value: AttributeValue | undefined, radials: number): value is 
   return value instanceof Float64Array && value.length === radials && value.every((angle) => Number.isFinite(angle) && Math.abs(angle) <= 720);
 }
 
-/** Where the first radial starts and how far all go: around, or of an AZIM object over its sector. */
+/** Where the first radial starts, and the angle that all cover: the whole circle, or the sector of an AZIM object. */
 function readSector(lineage: Lineage): { from: number; width: number } {
   const from = findNumber(lineage, 'where', 'startaz');
   const to = findNumber(lineage, 'where', 'stopaz');
@@ -153,8 +156,8 @@ function readSector(lineage: Lineage): { from: number; width: number } {
 }
 
 /**
- * The speed at which velocities fold: as the file says it, or from its wavelength (cm) and pulse rates (Hz), of which two
- * widen it. Source: Doviak and Zrnić, Doppler Radar and Weather Observations, 1993, chapters 3 and 7
+ * The speed at which velocities fold: the file's, or computed from its wavelength (cm) and pulse rates (Hz); a second
+ * pulse rate increases it. Source: Doviak and Zrnić, Doppler Radar and Weather Observations, 1993, chapters 3 and 7
  */
 function readNyquist(lineage: Lineage): number | undefined {
   const stated = findNumber(lineage, 'how', 'NI');
@@ -169,7 +172,7 @@ function readNyquist(lineage: Lineage): number | undefined {
 
 const lightSpeed = 299_792_458;
 
-/** Metres: of the frequency (Hz), which took its place in 2.4, or in centimetres. */
+/** Wavelength in metres: from the frequency (Hz), which replaced it in 2.4, or from centimetres. */
 function readWavelength(lineage: Lineage): number {
   const frequency = findNumber(lineage, 'how', 'frequency');
   const centimetres = findNumber(lineage, 'how', 'wavelength');
@@ -177,7 +180,7 @@ function readWavelength(lineage: Lineage): number {
   return frequency !== undefined && frequency > 0 ? lightSpeed / frequency : NaN;
 }
 
-/** Degrees from a start to a stop, -180 to 180: radars turn either way. */
+/** Degrees from a start to a stop, -180 to 180: radars turn in either direction. */
 function turnTo(degrees: number): number {
   return wrap(degrees + 180) - 180;
 }
@@ -201,23 +204,27 @@ function readGrid({ array, lineage }: Stored, version: string): SweepGates {
 /** Metres: no radar's first gate begins farther away. */
 const farthestStart = 1e6;
 
-/** A first gate that begins so many kilometres away or farther was written in metres; one so few metres away, in kilometres. */
+/**
+ * A first gate this many kilometres away or more was written in metres; one this few metres away or less, in
+ * kilometres.
+ */
 const implausible = { kilometres: 100, metres: 10 } as const;
 
-/** A start in kilometres falls on a part of a gate: this many of them make one. */
+/** A start in kilometres is a multiple of the gate length divided by this. */
 const partsOfGate = 4;
 
 /** Where the first gate begins. */
 interface Start {
   readonly metres: number;
   readonly stated: number;
-  /** Whether the file's version says another unit. */
+  /** Whether this contradicts the unit of the file's version. */
   readonly isAssumed: boolean;
 }
 
 /**
- * `rstart` is in kilometres up to ODIM_H5 2.3 and in metres from 2.4 on. Some programs write one and say the other: a value that makes sense in the other
- * unit alone is taken so. Sources: ODIM_H5 2.3 and 2.4, table 5; xradar 0.12 goes by the version alone, Py-ART 2.3 and wradlib 2.9 take all for kilometres
+ * `rstart` is in kilometres up to ODIM_H5 2.3 and in metres from 2.4 on. Some programs write one and declare the other
+ * version: a value that is plausible only in the other unit is read in that unit. Sources: ODIM_H5 2.3 and 2.4, table
+ * 5; xradar 0.12 goes by the version alone, Py-ART 2.3 and wradlib 2.9 always assume kilometres
  */
 function readStart(lineage: Lineage, version: string, gateLength: number): Start {
   const stated = findNumber(lineage, 'where', 'rstart') ?? 0;

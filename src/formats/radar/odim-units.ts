@@ -1,12 +1,12 @@
-/** Of a quantity, '' where unknown. @param inMetres - see `isInMetres`: heights (HGHT) were in km before */
+/** The unit of a quantity, '' if unknown. @param inMetres - see `isInMetres`: heights (HGHT) were in km before */
 export function odimUnit(quantity: string, inMetres: boolean): string {
   const unit = odimUnits.get(quantity) ?? '';
   return unit === 'km' && inMetres ? 'm' : unit;
 }
 
 /**
- * Units of ODIM_H5's quantities, which its files do not hold. Source: ODIM_H5 2.4, table 16; radial winds that are
- * unfolded (VRADDH, VRADDV) after 2.3.
+ * Units of ODIM_H5's quantities, which its files do not contain. Source: ODIM_H5 2.4, table 16; radial winds that are
+ * unfolded (VRADDH, VRADDV) from 2.3.
  */
 const odimUnits: ReadonlyMap<string, string> = new Map(
   Object.entries({

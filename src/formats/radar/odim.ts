@@ -9,7 +9,7 @@ import { readOdimSweep } from './odim-sweep.ts';
 import type { OdimSweep } from './odim-sweep.ts';
 import type { RadarFile } from './radar-file.ts';
 
-/** Objects that are no scans of cones, in words. */
+/** Objects that are not scans of cones, in words. */
 const otherObjects: Readonly<Record<string, string>> = {
   CVOL: 'a cartesian volume',
   COMP: 'a composite of radars',
@@ -22,21 +22,22 @@ const otherObjects: Readonly<Record<string, string>> = {
 };
 
 /**
- * Read a polar volume (PVOL) or a single scan (SCAN, AZIM) of ODIM_H5, versions 2.0 to 2.4.
- * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read` of its sweeps
+ * Reads a polar volume (PVOL) or a single scan (SCAN, AZIM) of ODIM_H5, versions 2.0 to 2.4.
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read`
+ * of its sweeps
  * Source: EUMETNET OPERA weather radar information model for implementation with the HDF5 file format, 2.0 to 2.4
  */
 export async function readOdim(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
   return readOdimTree(openHdf5(bytes, budget), budget);
 }
 
-/** Whether an HDF5 file says that it is one of ODIM_H5. xradar lets CfRadial 2 that it made of ODIM_H5 say so, too. */
+/** Whether an HDF5 file says that it is ODIM_H5. CfRadial 2 files that xradar made from ODIM_H5 may say so too. */
 export function isOdim(root: DataGroup): boolean {
   const saysSo = /^ODIM/i.test(textOf(root.attributes.get('Conventions')) ?? '');
   return (saysSo && !isCfradial2(root)) || root.group('what')?.attributes.has('object') === true;
 }
 
-/** As `readOdim`, of a file that is open. */
+/** The same as `readOdim`, for a file that is open. */
 export function readOdimTree(root: DataGroup, budget: Budget): RadarFile {
   checkObject(root);
   const groups = listGroups(root, 'dataset');
@@ -47,7 +48,7 @@ export function readOdimTree(root: DataGroup, budget: Budget): RadarFile {
   const sweeps = scans.map((group) => readOdimSweep(root, group, version, budget)).filter((sweep) => sweep !== null);
   if (sweeps.length === 0) throw new VolumeViewError('format/corrupt', `the ODIM_H5 file holds no scan; expected groups dataset1, dataset2, … with data${details.length > 0 ? `; ${details[0]}` : ''}`);
   const time = firstTime(sweeps) ?? joinTime(findText([root], 'what', 'date'), findText([root], 'what', 'time'));
-  // Up and down first: sweeps reach that far.
+  // The vertical width is preferred, because it determines how far sweeps reach up and down.
   const beamWidth = ['beamwV', 'beamwidth', 'beamwH'].map((name) => findNumber([root, ...groups], 'how', name)).find((width) => width !== undefined && width > 0);
   const moments = new Map(sweeps.flatMap((sweep) => sweep.found).map((moment) => [moment.name, moment]));
   return {
@@ -91,14 +92,14 @@ function firstTime(sweeps: readonly OdimSweep[]): string | undefined {
   return times.length > 0 ? times.reduce((first, next) => (next < first ? next : first)) : undefined;
 }
 
-/** '2.2' of 'ODIM_H5/V2_2' or 'H5rad 2.2'. */
+/** Reads '2.2' from 'ODIM_H5/V2_2' or 'H5rad 2.2'. */
 function readVersion(root: DataGroup): string {
   const stated = `${textOf(root.attributes.get('Conventions')) ?? ''} ${findText([root], 'what', 'version') ?? ''}`;
   const found = /V(\d+)_(\d+)|H5rad (\d+)\.(\d+)/.exec(stated);
   return found ? `${found[1] ?? found[3]}.${found[2] ?? found[4]}` : '2';
 }
 
-/** What `where` says, and of `source`, 'WMO:06477,PLC:Wideumont,NOD:bewid', the most readable name. */
+/** Reads the position from `where`, and the most readable name from `source`, 'WMO:06477,PLC:Wideumont,NOD:bewid'. */
 function readSite(root: DataGroup): RadarFile['site'] {
   const source = new Map(
     (findText([root], 'what', 'source') ?? '').split(',').map((part) => {

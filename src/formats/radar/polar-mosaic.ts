@@ -6,7 +6,7 @@ import { momentKindOf } from './moment-kind.ts';
 import type { RadarFile, RadarSweep } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
 
-/** Metres that no radar sees. */
+/** Metres: farther than any radar sees. */
 const farthest = 1e9;
 
 /** Columns and rows of pixels, from the image's top left. */
@@ -18,9 +18,10 @@ interface Tile {
 }
 
 /**
- * Read a radar's mosaic: a sweep a tile, radials downwards, clockwise from north, and gates to the right. Pixels of 0 are no
- * data. It is the form of the 2011 paper, but for the direction of the azimuth and the elevations, which it leaves open.
- * @param format - what the image was, for the file's `format`
+ * Reads a radar's mosaic: one sweep per tile, radials downwards, clockwise from north, and gates to the right. Pixels
+ * of 0 are no data. It is the form of the 2011 paper, which does not define the direction of the azimuth and the
+ * elevations.
+ * @param format - the image's format, for the file's `format`
  * @throws {VolumeViewError} `mosaic/layout`: the message says what to add or to change
  */
 export function readPolarMosaic(image: GrayImage, format: string, settings: PolarMosaicSettings): RadarFile {
@@ -63,7 +64,7 @@ function cutTiles(image: GrayImage, { mosaic, slices, elevations }: PolarMosaicS
   return elevations.map((_, i) => ({ left: (i % columns) * width, top: Math.floor(i / columns) * height, width, height }));
 }
 
-/** What holds for one tile: its own, else what is said of all. */
+/** The settings of one tile: its own, else those for all tiles. */
 function describeTile(settings: PolarMosaicSettings, index: number): Omit<PolarMosaicSettings, 'elevations'> & ManifestSweep & { elevation: number } {
   const { sweeps = [], elevations, ...all } = settings;
   if (sweeps.length > elevations.length) {
@@ -111,7 +112,7 @@ function readAzimuths({ azimuths, azimuth }: ManifestSweep, radials: number, whe
 }
 
 function wrapDegrees(angle: number): number {
-  // The second remainder: a hair below 0 is rounded to 360.
+  // The second remainder is needed because an angle slightly below 0 is rounded to 360.
   return (((angle % 360) + 360) % 360) % 360;
 }
 

@@ -37,7 +37,7 @@ export const nexrad: VolumeFormat = {
   load: load('nexrad'),
 };
 
-/** What the reader calls each of them. */
+/** The reader's name for each of them. */
 export const radarKinds = new Map<object, RadarKind>([[hdf5, 'hdf5'], [netcdf3, 'netcdf3'], [nexrad, 'nexrad']]);
 
 /** The volume header of an Archive II file; older ones say ARCHIVE2. */

@@ -1,22 +1,22 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import type { SweepData, SweepGates } from './radar-file.ts';
 
-// More than any radar makes, and little enough to be held: what a damaged or hostile file may not exceed.
+// Limits for damaged or hostile files: more than any radar makes, and little enough for memory.
 
-/** A file whose budget is as large as any: what was read before, and what was made by hand, has no bytes. */
+/** A file length that gives the largest useful budget, for files that are in memory already, or were made by hand. */
 export const anyFileBytes = 2 ** 22;
 
 const maxGates = 2 ** 26;
 const maxSweeps = 4096;
 const maxRadials = 100_000;
 
-/** Sweeps that are shown at most: ten times as many as radars make. Those of a file may be many more. */
+/** Maximum number of sweeps that are shown: ten times as many as radars make. A file may have many more. */
 const maxShownSweeps = 512;
 
-/** Most sweeps times radials of the sweep with the most: a table on the GPU has room for these. */
+/** Maximum number of sweeps times radials of the sweep with the most: the size of a table on the GPU. */
 const maxShownRadials = 2 ** 19;
 
-/** Most gates that a volume may have: what browsers let a page allocate at once, as floats. */
+/** Maximum number of gates of a volume: what browsers let a page allocate at once, as floats. */
 const maxShownGates = 2 ** 28;
 
 /** Metres: farther than any radar on Earth sees. */
@@ -27,7 +27,7 @@ export function refuseManySweeps(sweeps: number, what = 'sweeps'): void {
   if (sweeps > maxSweeps) throw tooLarge(`${sweeps} ${what}`, `at most ${maxSweeps}`);
 }
 
-/** @throws {VolumeViewError} `format/too-large` for a sweep that is no sane one, `format/corrupt` for an empty one */
+/** @throws {VolumeViewError} `format/too-large` for an implausibly large sweep, `format/corrupt` for an empty one */
 export function refuseSweep(where: string, radials: number, gates: number): void {
   if (!(radials >= 1 && gates >= 1)) {
     throw new VolumeViewError('format/corrupt', `${where} got ${radials} radials of ${gates} gates; expected at least one of each`);
@@ -37,8 +37,8 @@ export function refuseSweep(where: string, radials: number, gates: number): void
 }
 
 /**
- * To be asked before the gates of each sweep that is shown are read.
- * @param all - those of the sweeps that were read before, and of this one
+ * Call this before the gates of each shown sweep are read.
+ * @param all - totals of the sweeps that were read before, and of this one
  * @throws {VolumeViewError} `format/too-large`
  */
 export function refuseShown(all: { readonly sweeps: number; readonly radials: number; readonly gates: number }): void {
@@ -51,7 +51,7 @@ export function refuseShown(all: { readonly sweeps: number; readonly radials: nu
 }
 
 /**
- * @param where - the sweep, in an author's words
+ * @param where - the sweep's name in messages
  * @throws {VolumeViewError} `format/corrupt` for gates that lie where no radar sees
  */
 export function refuseGates(where: string, { firstGate, gateLength, gates }: SweepGates): void {
@@ -64,7 +64,7 @@ export function refuseGates(where: string, { firstGate, gateLength, gates }: Swe
 }
 
 /**
- * @param where - the sweep, in an author's words
+ * @param where - the sweep's name in messages
  * @throws {VolumeViewError} `format/corrupt` for a scale whose values are beyond float32
  */
 export function refuseScale(where: string, { slope, intercept }: Pick<SweepData, 'slope' | 'intercept'>): void {

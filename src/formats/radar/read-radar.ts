@@ -9,7 +9,7 @@ import type { RadarFile } from './radar-file.ts';
 /** Radar files; HDF5 may hold ODIM_H5 or CfRadial. */
 export type RadarKind = 'hdf5' | 'netcdf3' | 'nexrad';
 
-/** Reads a radar file and brings the moment that is asked for to a volume on its polar grid. */
+/** Reads a radar file and converts the chosen moment to a volume on its polar grid. */
 export function radarReader(kind: RadarKind): FormatReader {
   return async ({ bytes }, settings, { onProgress, onRadar, budget }) => {
     onRadar?.();
@@ -31,8 +31,8 @@ export async function openRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>,
 }
 
 /**
- * Make a volume of a radar's mosaic.
- * @param format - what the image was
+ * Makes a volume of a radar's mosaic.
+ * @param format - the image's format
  * @param budget - of the load
  * @throws {VolumeViewError} `mosaic/layout`
  */
@@ -42,7 +42,7 @@ export async function readRadarMosaic(image: GrayImage, format: string, settings
     throw new VolumeViewError('mosaic/layout', 'coordinates="spherical" got a mosaic without elevations; expected elevations="0.5 1.2 …", degrees, one for each tile');
   }
   const { readPolarMosaic } = await import('./polar-mosaic.ts');
-  const { mosaic, slices, range, azimuth } = settings; // Of attributes, or where these say nothing, of the manifest.
+  const { mosaic, slices, range, azimuth } = settings; // From attributes, else from the manifest.
   const { slope = 1, intercept = 0, unit = '', moment = settings.moment } = values;
   const file = readPolarMosaic(image, format, { ...values, mosaic, slices, elevations, range, azimuth, slope, intercept, unit, moment });
   return buildPolarVolume(file, settings, budget);

@@ -2,9 +2,9 @@ import { emptyOf } from './gate-samples.ts';
 import type { RadarSweep } from './radar-file.ts';
 
 /**
- * A sweep without the radials that its file says are not part of it: those that the antenna swept on its way to another elevation.
- * Where all of them are, they stay: an antenna that is always on its way is on none.
- * @param skipped - of each radial, in the file's order, not 0 where it is left out
+ * Removes the radials that the file marks as not part of the sweep: those that the antenna measured while it moved to
+ * another elevation. If all are marked, they stay: then the mark means nothing.
+ * @param skipped - for each radial, in the file's order, not 0 if it is left out
  */
 export function skipRadials(sweep: RadarSweep, skipped: ArrayLike<number>): RadarSweep {
   const kept = Array.from(sweep.azimuths.keys()).filter((radial) => !skipped[radial]);

@@ -5,13 +5,13 @@ import type { Histogram } from '../../volume/histogram.ts';
 import type { Sweep } from '../../volume/polar-grid.ts';
 import type { PolarVolume } from '../../volume/volume.ts';
 
-/** A radar volume, but for its macrocells. */
+/** A radar volume without its macrocells. */
 export type PolarOutline = Omit<PolarVolume, 'macrocells'>;
 
-/** How a scan is shown where neither its author nor a manifest says. */
+/** How a scan is shown if neither its author nor a manifest says it. */
 type RadarLook = Pick<PolarVolume, 'window' | 'transferFunction' | 'referenceLength'>;
 
-/** Preset, and about what it makes of a share of the window, or of a value: opacity per reference length. */
+/** A preset, and approximately its opacity per reference length, for a share of the window or for a value. */
 interface Scale {
   readonly preset: string;
   readonly window: readonly [number, number];
@@ -35,7 +35,7 @@ function chooseScale({ unit, range, histogram }: PolarOutline): Scale {
   return ownScale(histogram);
 }
 
-/** What a weather radar's scale begins with, dBZ, and the share of the echoes that lie above it in rain. */
+/** Where a weather radar's scale begins, dBZ, and the share of the echoes above it in rain. */
 const rain = { from: 5, share: 0.3 };
 
 const rainScale = (range: readonly [number, number]): Scale => ({
@@ -44,7 +44,7 @@ const rainScale = (range: readonly [number, number]): Scale => ({
   opacityOf: (value) => (value < 3 ? 0 : 0.015 + 0.9 * Math.min(1, (value - 3) / 72) ** 2.3),
 });
 
-/** As far from 0 on both sides; few gates, often noise, are faster than all the rest. */
+/** Equally far from 0 on both sides. The few fastest gates, often noise, are cut off. */
 function velocityScale(histogram: Histogram, range: readonly [number, number]): Scale {
   const fastest = Math.max(...range.map(Math.abs));
   const usual = 1.15 * Math.max(Math.abs(quantile(histogram, 0.01)), Math.abs(quantile(histogram, 0.99)));
@@ -52,7 +52,10 @@ function velocityScale(histogram: Histogram, range: readonly [number, number]): 
   return { preset: 'radar-velocity', window: [-limit, limit], opacityOf: (value) => 0.015 + 0.2 * Math.min(1, Math.abs(value) / limit) ** 1.5 };
 }
 
-/** What a scan in clear air or of clouds has, and moments without a scale that everybody knows: the colours span its own values. */
+/**
+ * The scale of scans in clear air or of clouds, and of moments without a well-known scale: the colours span the
+ * volume's own values.
+ */
 function ownScale(histogram: Histogram): Scale {
   const [low, high] = [quantile(histogram, 0.02), quantile(histogram, 0.998)];
   const window: [number, number] = high > low ? [low, high] : [histogram.low, histogram.high];
@@ -72,18 +75,18 @@ function shareFrom({ low, high, counts }: Histogram, value: number): number {
   return sum(counts.subarray(Math.max(0, first))) / sum(counts);
 }
 
-/** Radials and gates of a sweep that are looked at. */
+/** Number of radials and gates of a sweep that are examined. */
 const lookedAt = { radials: 72, gates: 100 };
 
-/** Through a column of usual echoes so much of the light is lost, as an optical depth. */
+/** The optical depth of a column of usual echoes. */
 const usualDepth = 1.5;
 
-/** A length is no smaller than this share of the common one, 1 % of the longest edge. */
-const least = 1 / 60;
+/** The minimum length as a share of the common one, which is 1 % of the longest edge. */
+const minShare = 1 / 60;
 
 /**
- * The reference length with which columns of echoes are neither hidden in haze nor walls: echoes of a clear day are as thin as
- * the beam, those of a storm many kilometres high.
+ * The reference length with which columns of echoes are neither hidden in haze nor opaque walls: echoes of a clear day
+ * are as thin as the beam, those of a storm many kilometres high.
  */
 function suggestLength(volume: PolarOutline, { opacityOf }: Scale): number {
   const { grid } = volume;
@@ -98,7 +101,7 @@ function suggestLength(volume: PolarOutline, { opacityOf }: Scale): number {
   }
   if (depths.length === 0) return common;
   depths.sort((a, b) => a - b);
-  return Math.min(common, Math.max(least * common, depths[Math.floor(0.7 * depths.length)] / usualDepth));
+  return Math.min(common, Math.max(minShare * common, depths[Math.floor(0.7 * depths.length)] / usualDepth));
 }
 
 /** World length times extinction, from the lowest sweep up. */
@@ -109,7 +112,7 @@ function depthOfColumn(volume: PolarOutline, azimuth: number, range: number, opa
   return sweeps.reduce((sum, sweep, i) => {
     const stored = samples[indexOf(sweep, azimuth, range)];
     if (!(stored >= lowestStored)) return sum;
-    // Half way to the sweeps around it, where they are near enough.
+    // Half way to the next sweeps above and below, if they are near enough.
     const width = [sweeps[i - 1], sweeps[i + 1]].reduce((sum, next) => {
       const gap = next ? Math.abs(next.elevation - sweep.elevation) : Infinity;
       return sum + (gap <= widestGap(beamWidth) ? gap : beamWidth) / 2;

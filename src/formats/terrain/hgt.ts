@@ -2,26 +2,26 @@ import { VolumeViewError } from '../../core/errors.ts';
 import { unpackAll } from '../meshes/read-mesh.ts';
 import { isGzip } from '../codecs/gunzip.ts';
 
-/** Samples along a side of a tile of a degree: of 3 and of 1 second of arc. */
+/** Samples along a side of a tile of one degree: of 3 and of 1 second of arc. */
 const sides = [1201, 3601];
 
-/** What stands where there is no height. */
+/** The value of a sample without a height. */
 export const noHeight = -32_768;
 
-/** A degree of latitude and longitude, as SRTM cuts the Earth. */
+/** One degree of latitude and longitude, a tile of SRTM. */
 export interface HgtTile {
   /** Degrees north and east of its south-west corner. */
   readonly south: number;
   readonly west: number;
-  /** Samples along a side; those of two tiles that meet are the same there. */
+  /** Samples along a side; neighbouring tiles share their border samples. */
   readonly side: number;
   /** Metres above the sea, from the north-west corner row by row to the east. */
   readonly heights: DataView;
 }
 
 /**
- * The south-west corner of a tile by its file's name, such as N46E007.hgt.
- * @returns degrees north and east; null where the name does not say
+ * The south-west corner of a tile from its file's name, such as N46E007.hgt.
+ * @returns degrees north and east; null if the name does not say it
  */
 export function cornerOf(name: string): readonly [south: number, west: number] | null {
   const [, ns, latitude, ew, longitude] = /(?:^|[^a-z])([ns])(\d{2})([ew])(\d{3})(?!\d)/i.exec(name) ?? [];
@@ -35,9 +35,9 @@ export function isOnEarth([south, west]: readonly [number, number]): boolean {
 }
 
 /**
- * Read a tile of heights.
+ * Reads a tile of heights.
  * Source: *SRTM Topography*, NASA/JPL, section 3: big-endian numbers of 16 bits, voids -32768
- * @param corner - degrees north and east; null for what the name says
+ * @param corner - degrees north and east; null to take it from the name
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `attribute/invalid`
  */
 export async function readHgt(bytes: Uint8Array<ArrayBuffer>, name: string, corner: readonly [number, number] | null): Promise<HgtTile> {

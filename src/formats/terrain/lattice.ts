@@ -1,15 +1,18 @@
 import { noHeight } from './hgt.ts';
 import type { TerrainRaster } from './terrain-raster.ts';
 
-/** A square of 2^k + 1 heights a side: every so-manieth one of a raster, with nothing where that ends or should not be seen. */
+/**
+ * A square of 2^k + 1 heights a side: every n-th height of a raster, without heights where the raster ends or is
+ * hidden.
+ */
 export interface Lattice {
   readonly size: number;
-  /** Samples of the raster from one to the next. */
+  /** The distance of neighbours, in samples of the raster. */
   readonly stride: number;
   readonly heights: Int16Array;
 }
 
-/** @param isSeen - whether a sample of the raster takes part, by its row and column */
+/** @param isSeen - whether a sample of the raster is used, by its row and column */
 export function makeLattice({ rows, columns, heights }: TerrainRaster, stride: number, isSeen: (row: number, column: number) => boolean): Lattice {
   const [down, across] = [rows, columns].map((count) => Math.floor((count - 1) / stride) + 1);
   let size = 3;

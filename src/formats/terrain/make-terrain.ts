@@ -15,13 +15,13 @@ import { terrainColor } from './terrain-colors.ts';
 import type { TerrainRaster } from './terrain-raster.ts';
 import { eachTriangle, findError, latticeErrors } from './thin-lattice.ts';
 
-/** Samples along a side that are looked at, at most. */
+/** Maximum number of samples along a side that are examined. */
 const maxSide = 2049;
 
-/** Under which radar terrain lies, and how it is shown. */
+/** The radar over the terrain, and how it is shown. */
 export interface TerrainRadar {
   readonly site: EarthPoint;
-  /** Metres of the antenna above the sea; null where nobody knows: then it stands on the ground. */
+  /** Metres of the antenna above the sea; null if unknown: then it stands on the ground. */
   readonly height: number | null;
   /** Metres along the ground. */
   readonly reach: number;
@@ -30,12 +30,12 @@ export interface TerrainRadar {
 }
 
 /**
- * A surface of no more triangles than a number, in a radar's world: metres east and north along the ground's arc, heights above the
- * antenna, exaggerated as the radar's. It says by how much its heights are off.
- * @throws {VolumeViewError} `format/unsupported` where there are no heights within reach
+ * Makes a surface of at most so many triangles in a radar's world: metres east and north along the ground's arc,
+ * heights above the antenna, with the radar's exaggeration. The surface states the error of its heights.
+ * @throws {VolumeViewError} `format/unsupported` if there are no heights within reach
  */
-export function makeTerrain(raster: TerrainRaster, radar: TerrainRadar, mostTriangles: number): Surface {
-  const { lattice, errors, error, seen } = thin(raster, radar, mostTriangles);
+export function makeTerrain(raster: TerrainRaster, radar: TerrainRadar, maxTriangles: number): Surface {
+  const { lattice, errors, error, seen } = thin(raster, radar, maxTriangles);
   const heights = floatList();
   const [places, colors, indices] = [floatList(), floatList(), wholeList()];
   const names = new Uint32Array(lattice.size ** 2);
@@ -69,8 +69,8 @@ export function makeTerrain(raster: TerrainRaster, radar: TerrainRadar, mostTria
   return { parts, ...boundsOf(parts.map((part) => part.positions)), triangles: mesh.indices.length / 3, format: 'HGT', notes: noteOn(terrain, radar, antenna), terrain };
 }
 
-/** Thinned until there are few triangles: by a larger error, and then by fewer samples. */
-function thin(raster: TerrainRaster, { site, reach }: TerrainRadar, most: number): { lattice: Lattice; errors: Float32Array; error: number; seen: { all: number; voids: number } } {
+/** Simplifies until there are few triangles: with a larger error, and then with fewer samples. */
+function thin(raster: TerrainRaster, { site, reach }: TerrainRadar, max: number): { lattice: Lattice; errors: Float32Array; error: number; seen: { all: number; voids: number } } {
   const seen = { all: 0, voids: 0 };
   const isSeen = (row: number, column: number): boolean => {
     const [east, north] = placeFromEarth(site, { latitude: raster.north - row * raster.spacing, longitude: raster.west + column * raster.spacing });
@@ -81,7 +81,7 @@ function thin(raster: TerrainRaster, { site, reach }: TerrainRadar, most: number
   for (; ; stride *= 2) {
     const lattice = makeLattice(raster, stride, isSeen);
     const errors = latticeErrors(lattice);
-    const error = findError(lattice, errors, most);
+    const error = findError(lattice, errors, max);
     if (error !== null || lattice.size <= 3) return { lattice, errors, error: error ?? Infinity, seen };
   }
 }
@@ -100,7 +100,7 @@ function pointOf({ north, west, spacing }: TerrainRaster, { size, stride }: Latt
   return { latitude: north - Math.floor(corner / size) * stride * spacing, longitude: west + (corner % size) * stride * spacing };
 }
 
-/** Metres above the sea of the sample nearest to a place; 0 where there is none. */
+/** Metres above the sea of the sample nearest to a place; 0 if there is none. */
 export function heightAt({ north, west, spacing, rows, columns, heights }: TerrainRaster, { latitude, longitude }: EarthPoint): number {
   const [row, column] = [Math.round((north - latitude) / spacing), Math.round((longitude - west) / spacing)];
   const height = row >= 0 && row < rows && column >= 0 && column < columns ? heights[row * columns + column] : noHeight;

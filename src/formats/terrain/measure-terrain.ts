@@ -2,7 +2,7 @@ import { noHeight } from './hgt.ts';
 import type { Lattice } from './lattice.ts';
 import type { TerrainRaster } from './terrain-raster.ts';
 
-/** What the heights of all samples below some triangles are off by. */
+/** The error of some triangles at all samples below them. */
 export interface TerrainError {
   /** Metres. */
   largest: number;
@@ -10,7 +10,7 @@ export interface TerrainError {
   count: number;
 }
 
-/** Add what one triangle of a lattice is off by. Its corners are indices in the lattice. */
+/** Adds the error of one triangle of a lattice. Its corners are indices in the lattice. */
 export function addError(raster: TerrainRaster, { size, stride, heights }: Lattice, corners: readonly [number, number, number], sum: TerrainError): void {
   const [xs, ys] = [corners.map((corner) => (corner % size) * stride), corners.map((corner) => Math.floor(corner / size) * stride)];
   const [ha, hb, hc] = corners.map((corner) => heights[corner]);

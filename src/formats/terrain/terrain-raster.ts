@@ -4,7 +4,7 @@ import { meanEarthRadius } from '../../radar/polar-geometry.ts';
 import { noHeight } from './hgt.ts';
 import type { HgtTile } from './hgt.ts';
 
-/** Samples of all tiles together that are within reach, at most. */
+/** Maximum number of samples within reach, of all tiles together. */
 const maxSamples = 2 ** 26;
 
 const degrees = 180 / Math.PI;
@@ -14,7 +14,7 @@ export interface TerrainRaster {
   /** Degrees north of the first row, and east of the first column, which may be more than 180. */
   readonly north: number;
   readonly west: number;
-  /** Degrees from one to the next. */
+  /** Degrees from one sample to the next. */
   readonly spacing: number;
   readonly rows: number;
   readonly columns: number;
@@ -23,9 +23,10 @@ export interface TerrainRaster {
 }
 
 /**
- * What of some tiles lies within a radar's reach, as one.
+ * Joins the parts of tiles that lie within a radar's reach.
  * @param reach - metres along the ground
- * @throws {VolumeViewError} `attribute/invalid` where tiles are not of one kind, or none is within reach; `format/too-large`
+ * @throws {VolumeViewError} `attribute/invalid` if tiles are not of one kind, or none is within reach;
+ * `format/too-large`
  */
 export function joinTiles(tiles: readonly HgtTile[], radar: EarthPoint, reach: number): TerrainRaster {
   const [{ side }] = tiles;
@@ -34,7 +35,8 @@ export function joinTiles(tiles: readonly HgtTile[], radar: EarthPoint, reach: n
   const north = (reach / meanEarthRadius) * degrees;
   const polar = Math.cos(Math.min(90, Math.abs(radar.latitude) + north) / degrees);
   const east = polar > 1e-3 ? Math.asin(Math.min(1, Math.sin(Math.min(90, north) / degrees) / polar)) * degrees : 180;
-  // Rows and columns are counted from the equator and from the radar's own meridian on, so that the date line is no border.
+  // Rows and columns are counted from the equator and from the radar's own meridian, so that the date line is not a
+  // border.
   const near = tiles.map((tile) => ({ ...tile, west: radar.longitude + turnTo(radar.longitude, tile.west + 0.5) - 0.5 }));
   const low = (values: readonly number[], limit: number): number => Math.max(Math.min(...values) * per, Math.floor(limit * per));
   const high = (values: readonly number[], limit: number): number => Math.min(Math.max(...values) * per, Math.ceil(limit * per));

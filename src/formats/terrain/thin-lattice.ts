@@ -2,10 +2,10 @@ import { noHeight } from './hgt.ts';
 import type { Lattice } from './lattice.ts';
 
 /**
- * For each place of a lattice: how far off heights become, in metres, where triangles are not split there, or below it. Infinity where
- * one would reach over places without heights.
- * Source: Evans, Kirkpatrick and Townsend, *Right-Triangulated Irregular Networks*, Algorithmica 30, 2001; worked out level by level,
- * the finest one first
+ * For each point of a lattice: the error of heights, in metres, if triangles are not split there or below it. Infinity
+ * if a triangle would cover points without heights.
+ * Source: Evans, Kirkpatrick and Townsend, *Right-Triangulated Irregular Networks*, Algorithmica 30, 2001; computed
+ * level by level, the finest one first
  */
 export function latticeErrors({ size, heights }: Lattice): Float32Array {
   const errors = new Float32Array(size * size);
@@ -45,11 +45,14 @@ export function latticeErrors({ size, heights }: Lattice): Float32Array {
 const diagonals = [[-1, -1], [1, -1], [-1, 1], [1, 1]] as const;
 const sides = [[-1, 0], [1, 0], [0, -1], [0, 1]] as const;
 
-/** Is told the corners of each triangle, as indices in the lattice, counterclockwise seen from above with the first row in the north. */
-type TellTriangle = (a: number, b: number, c: number) => void;
+/**
+ * Receives the corners of each triangle, as indices in the lattice, counterclockwise seen from above with the first row
+ * in the north.
+ */
+type TriangleListener = (a: number, b: number, c: number) => void;
 
-/** Cut a lattice into triangles that are no farther off than an error. Those with a corner without height are left out. */
-export function eachTriangle({ size, heights }: Lattice, errors: Float32Array, error: number, tell: TellTriangle): void {
+/** Cuts a lattice into triangles whose error is at most `error`. Triangles with a corner without height are left out. */
+export function eachTriangle({ size, heights }: Lattice, errors: Float32Array, error: number, onTriangle: TriangleListener): void {
   const split = (a: number, b: number, c: number): void => {
     const middle = (a + b) / 2;
     const leg = Math.abs(a - c);
@@ -58,7 +61,7 @@ export function eachTriangle({ size, heights }: Lattice, errors: Float32Array, e
       split(b, c, middle);
       return;
     }
-    if (heights[a] !== noHeight && heights[b] !== noHeight && heights[c] !== noHeight) tell(a, b, c);
+    if (heights[a] !== noHeight && heights[b] !== noHeight && heights[c] !== noHeight) onTriangle(a, b, c);
   };
   const [last, end] = [size - 1, size * size - 1];
   split(0, end, last);
@@ -66,14 +69,14 @@ export function eachTriangle({ size, heights }: Lattice, errors: Float32Array, e
 }
 
 /**
- * The smallest error, metres, with which a lattice becomes no more triangles than a number.
- * @returns null where it always becomes more
+ * The smallest error, metres, with which a lattice becomes at most so many triangles.
+ * @returns null if there are always more
  */
-export function findError(lattice: Lattice, errors: Float32Array, most: number): number | null {
+export function findError(lattice: Lattice, errors: Float32Array, maxTriangles: number): number | null {
   const isFew = (error: number): boolean => {
     let count = 0;
     eachTriangle(lattice, errors, error, () => count++);
-    return count <= most;
+    return count <= maxTriangles;
   };
   let [low, high] = [0.5, 8192];
   if (isFew(low)) return low;
