@@ -1,39 +1,39 @@
 import { VolumeViewError } from '../core/errors.ts';
 import type { DecodeInput, ProgressListener } from '../formats/base/decoded-volume.ts';
 
-/** Maximum number of bytes of a file: what engines allow for one buffer. */
+/** Maximum number of bytes of a file: what browsers allow for one buffer. */
 export const maxFileBytes = 2 ** 31 - 1;
 
-/** Bytes that are allocated on a server's word alone. */
+/** Maximum bytes that are allocated because a server announces them. */
 const bytesOnTrust = 2 ** 24;
 
-/** What came of an announced length by the time that more is allocated: one part of so many. */
+/** A buffer grows by this factor, when 1 / growth of the announced length has been received. */
 const growth = 8;
 
 export interface FetchOptions {
   readonly signal?: AbortSignal;
-  /** Origin of the page: a worker made from a blob has one of its own. */
+  /** Origin of the page. A worker made from a blob has a different origin of its own. */
   readonly pageOrigin: string;
-  /** Of `fetch`; where undefined, its own: cookies and logins for the page's own server alone. */
+  /** `credentials` of `fetch`. If undefined, the default of `fetch`: cookies and logins only for the page's own server. */
   readonly credentials?: RequestCredentials;
-  /** That a file may have at most. */
+  /** Maximum bytes of a file. */
   readonly maxBytes?: number;
-  /** `total` is 0 where it is not known. */
+  /** `total` is 0 if it is unknown. */
   readonly onProgress: ProgressListener;
 }
 
-/** A file on its way, and what came of it. */
+/** A file that is being downloaded, and the bytes received so far. */
 export class Download {
-  /** The last answer; null where there is none. */
+  /** The last response; null if there is none. */
   response: Response | null = null;
-  /** The answer that began what came. */
+  /** The response with which the received bytes began. */
   origin: Response | null = null;
-  /** Bytes that came. */
+  /** Bytes received. */
   loaded = 0;
   #announced = 0;
-  /** What came, as far as it fits. */
+  /** The received bytes, as far as they fit. */
   #room = new Uint8Array();
-  /** What came beyond the announced length. */
+  /** Received bytes beyond the announced length. */
   #pieces: Uint8Array<ArrayBuffer>[] = [];
 
   constructor(readonly url: string, readonly options: FetchOptions) {}
@@ -44,30 +44,31 @@ export class Download {
     return (this.response = await fetch(this.url, { signal, credentials, headers }));
   }
 
-  /** @param isRest - whether it follows on what came already */
+  /** @param isRest - whether the response continues the bytes that were received before */
   async read(response: Response, isRest = false): Promise<DecodeInput> {
     const reader = response.body?.getReader();
     try {
       if (!response.ok) throw new Error(`status ${response.status}`);
       if (!isRest) this.#begin(response);
-      this.tell();
+      this.report();
       for (;;) {
         const { done, value } = (await reader?.read()) ?? { done: true, value: undefined };
         if (done || !value) break;
         this.#add(value);
-        this.tell();
+        this.report();
       }
     } finally {
       reader?.cancel().catch(() => undefined);
     }
-    // A response to a blob: URL has lost its fragment, by which messages call the file.
+    // A response to a blob: URL has lost its fragment, which messages use as the file's name.
     const url = this.url.startsWith('blob:') ? this.url : response.url || this.url;
     return { bytes: this.#join(), url, contentType: response.headers.get('content-type') ?? '' };
   }
 
-  /** Say how far it is. */
-  tell(): void {
-    // A length that was passed was of something else, such as the packed form: no total is better than a wrong one.
+  /** Reports the progress. */
+  report(): void {
+    // If more bytes came than announced, the announced length was for something else, such as the packed form: no total
+    // is better than a wrong one.
     this.options.onProgress(this.loaded, this.loaded > this.#announced ? 0 : this.#announced);
   }
 
@@ -78,8 +79,9 @@ export class Download {
     this.#announced = announced;
     this.#pieces = [];
     this.loaded = 0;
-    // What is said and does not come costs little. What comes ends up in a buffer of just its length, and was copied on
-    // the way when there was an eighth of it: joining pieces at the end would take twice the memory.
+    // An announced length that never arrives costs little. The received bytes end up in a buffer of exactly their
+    // length: they were copied to it when an eighth had arrived, because joining pieces at the end would take twice the
+    // memory.
     let length = announced;
     while (length > bytesOnTrust) length = Math.ceil(length / growth);
     this.#room = new Uint8Array(length);
@@ -113,12 +115,15 @@ export class Download {
   #check(bytes: number): void {
     const { maxBytes = maxFileBytes } = this.options;
     if (bytes <= maxBytes) return;
-    const [has, most] = [bytes, maxBytes].map((count) => count.toLocaleString('en'));
-    throw new VolumeViewError('format/too-large', `${this.url.slice(0, 300)} has ${has} bytes or more; expected at most ${most}`);
+    const [has, max] = [bytes, maxBytes].map((count) => count.toLocaleString('en'));
+    throw new VolumeViewError('format/too-large', `${this.url.slice(0, 300)} has ${has} bytes or more; expected at most ${max}`);
   }
 }
 
-/** Content-Length, where it is the length of what arrives: with a content encoding it is that of the packed form. */
+/**
+ * Content-Length, if it is the length of the received data: with a content encoding it is the length of the packed
+ * form.
+ */
 function announcedLength({ headers }: Response): number {
   const length = headers.has('content-encoding') ? 0 : Number(headers.get('content-length'));
   return Number.isSafeInteger(length) && length > 0 ? length : 0;

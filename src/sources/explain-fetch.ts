@@ -2,7 +2,7 @@ import { VolumeViewError } from '../core/errors.ts';
 import type { Download } from './download.ts';
 import { readRetryAfter } from './retry-after.ts';
 
-/** Why a file did not come, in the words of the author of a page. */
+/** Explains to the author of a page why a file could not be fetched. */
 export function explainFetch({ url, response, loaded, options }: Download, cause: unknown): VolumeViewError {
   const file = shorten(url);
   if (!response) return explainNoAnswer(url, options.pageOrigin, cause);
@@ -22,7 +22,7 @@ export function explainFetch({ url, response, loaded, options }: Download, cause
   return new VolumeViewError('source/not-found', `${got}; ${what}`, { cause });
 }
 
-/** `fetch` says only "failed", by design, so that pages can not explore networks; the origins tell the likely reason. */
+/** `fetch` says only "failed", by design, so that pages can't explore networks; the origins suggest the likely reason. */
 function explainNoAnswer(url: string, pageOrigin: string, cause: unknown): VolumeViewError {
   const file = shorten(url);
   const target = new URL(url);
@@ -43,7 +43,10 @@ function explainNoAnswer(url: string, pageOrigin: string, cause: unknown): Volum
   );
 }
 
-/** What the author of a page in a sandbox can do, or of one from disk. No header but this one lets it read anything. */
+/**
+ * What the author of a sandboxed page, or of a page opened from disk, can do. Only this header lets such a page read
+ * anything.
+ */
 const adviceWithoutOrigin =
   'this page, which has no origin: its frame is sandboxed, or it is not served. Expected the server to answer with the header "Access-Control-Allow-Origin: *" (CORS); ' +
   'set it there, give the data as a data: URL, or, if you trust the page in the frame, write allow-same-origin into its sandbox';

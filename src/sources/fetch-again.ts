@@ -4,22 +4,22 @@ import { explainFetch } from './explain-fetch.ts';
 import type { Download } from './download.ts';
 import { readRetryAfter } from './retry-after.ts';
 
-// Loaded when a file did not come at once.
+// Loaded when the first attempt to fetch a file failed.
 
-/** Times that it is tried again. */
+/** Number of retries. */
 const rounds = 3;
 
-/** Milliseconds before the first of them; each following one waits twice as long. */
+/** Milliseconds before the first retry; the wait doubles with each one. */
 const firstWaitMs = 500;
 
-/** A server that asks for more patience than this is not waited for: the reader decides. */
+/** If a server asks for a longer wait than this, the retries end, and the reader decides. */
 const longestWaitMs = 20_000;
 
-/** HTTP statuses that pass: too many requests, and servers that are not up, or not reached by those before them. */
+/** HTTP statuses that may pass: too many requests, and servers that are down, or that a proxy can't reach. */
 const passing = [429, 502, 503, 504];
 
 /**
- * Fetch the rest of a file, or all of it anew, where its failure may pass.
+ * Fetches the rest of a file, or all of it again, if the failure may pass.
  * @param failure - what was thrown
  * @throws {VolumeViewError} `source/…`, `format/too-large`
  */
@@ -29,9 +29,9 @@ export async function fetchAgain(download: Download, failure: unknown): Promise<
   for (let round = 0; round < rounds; round++) {
     const wait = chooseWait(download, round);
     if (wait === null) break;
-    download.tell(); // A sign of life: the page waits only so long without one.
+    download.report(); // A sign of life: the page ends a load that reports nothing for too long.
     await pause(wait, signal);
-    download.tell();
+    download.report();
     try {
       return await goOn(download);
     } catch (next) {
@@ -43,19 +43,19 @@ export async function fetchAgain(download: Download, failure: unknown): Promise<
   throw explainFetch(download, cause);
 }
 
-/** Milliseconds to wait; null where it is in vain. */
+/** Milliseconds to wait; null if a retry is useless. */
 function chooseWait({ url, response, options }: Download, round: number): number | null {
   if (!navigator.onLine) return null;
-  // At random, so that those who failed together do not come back together.
+  // Random, so that clients that failed together do not retry together.
   const wait = firstWaitMs * 2 ** round * (0.75 + Math.random() / 2);
-  if (!response) return new URL(url).origin === options.pageOrigin && url.startsWith('http') ? wait : null; // Else CORS, most likely.
+  if (!response) return new URL(url).origin === options.pageOrigin && url.startsWith('http') ? wait : null; // Else the reason is probably CORS.
   if (response.ok) return wait;
   if (!passing.includes(response.status)) return null;
   const asked = readRetryAfter(response);
   return asked > longestWaitMs ? null : Math.max(wait, asked);
 }
 
-/** The part that is missing where the server can be trusted to send just that, else all. */
+/** Fetches the missing part if the server can be trusted to send exactly that, else the whole file. */
 async function goOn(download: Download): Promise<DecodeInput> {
   const { loaded } = download;
   const tag = readTag(download);
@@ -68,8 +68,8 @@ async function goOn(download: Download): Promise<DecodeInput> {
 }
 
 /**
- * What names the very bytes of which some came; null where the server gave no such name, may not send parts, or packs what it
- * sends. Another origin would first have to allow the header If-Range, which few do.
+ * The tag that identifies the bytes received so far. Null if the server gave none, may not send parts, or packs what it
+ * sends. A server of another origin would have to allow the header If-Range first, which few do.
  */
 function readTag({ origin, url, options }: Download): string | null {
   const tag = origin?.headers.get('etag');

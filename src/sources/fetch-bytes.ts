@@ -4,7 +4,7 @@ import { Download } from './download.ts';
 import type { FetchOptions } from './download.ts';
 
 /**
- * Fetch a file whole. What may have been bad luck is tried again, and goes on where it broke off.
+ * Fetches a whole file. If the failure may pass, it tries again, and continues where the first attempt broke off.
  * @param url - absolute; http(s), data: or blob:
  * @throws {VolumeViewError} `source/not-found`, `source/unavailable`, `source/cross-origin`, `format/too-large`
  */

@@ -1,15 +1,15 @@
 import type { DecodeInput, ProgressListener } from '../formats/base/decoded-volume.ts';
 
-/** Files that are fetched at once: so many that the way to the server costs little, so few that little memory is taken. */
+/** Number of files that are fetched at once: enough to hide the server's latency, and few enough to take little memory. */
 const ahead = 6;
 
 /** Fetches one file. */
 export type FetchOne = (url: string, onProgress: ProgressListener) => Promise<DecodeInput>;
 
 /**
- * Fetch files, and hand them on in their order.
+ * Fetches files, and yields them in their order.
  * @param urls - absolute
- * @param onProgress - of several files it is told the bytes of all that have come, and no total, which nobody knows
+ * @param onProgress - for several files it receives the bytes of all together, and no total, which is unknown
  */
 export async function* fetchInOrder(urls: readonly string[], fetchOne: FetchOne, onProgress: ProgressListener): AsyncGenerator<DecodeInput> {
   const loaded = new Float64Array(urls.length);
@@ -24,7 +24,7 @@ export async function* fetchInOrder(urls: readonly string[], fetchOne: FetchOne,
   for (let next = 0, given = 0; given < urls.length; given++) {
     for (; next < urls.length && next < given + ahead; next++) {
       const file = fetchOne(urls[next], listen(next));
-      file.catch(() => undefined); // It is told when its turn comes.
+      file.catch(() => undefined); // The error is thrown when the file's turn comes.
       coming.push(file);
     }
     yield await coming.shift()!;

@@ -1,4 +1,4 @@
-/** Milliseconds that a server wants to be left in peace. */
+/** Milliseconds that a server asks clients to wait, from Retry-After. */
 export function readRetryAfter({ headers }: Response): number {
   const text = headers.get('retry-after') ?? '0';
   const wait = /^\s*\d+\s*$/.test(text) ? Number(text) * 1000 : Date.parse(text) - Date.now();

@@ -12,19 +12,20 @@ export interface AtlasLayout {
 }
 
 /**
- * Arrange a volume's slices as tiles of a near-square image, for devices without 3D textures.
- * @param maxSize - longest edge that the device takes, texels
- * @returns null where no arrangement fits
+ * Arranges a volume's slices as tiles of a near-square image, for devices without 3D textures.
+ * @param maxSize - longest edge that the device supports, texels
+ * @returns null if no arrangement fits
  */
 export function atlasLayout(dimensions: Vector3, maxSize: number): AtlasLayout | null {
   const [nx, ny, nz] = dimensions;
-  const most = Math.min(nz, Math.floor(maxSize / nx));
+  const maxColumns = Math.min(nz, Math.floor(maxSize / nx));
   let best: AtlasLayout | null = null;
-  for (let columns = 1; columns <= most; columns++) {
+  for (let columns = 1; columns <= maxColumns; columns++) {
     const rows = Math.ceil(nz / columns);
     const layout = { columns, rows, width: columns * nx, height: rows * ny };
     if (layout.height > maxSize) continue;
-    // First the shorter longest edge: it matters for limits of devices and for the texture cache. Then fewer texels.
+    // The best layout has the shortest longer edge, because of devices' limits and the texture cache. Among equals, the
+    // fewest texels.
     const edge = Math.max(layout.width, layout.height) - (best ? Math.max(best.width, best.height) : Infinity);
     if (!best || edge < 0 || (edge === 0 && layout.width * layout.height < best.width * best.height)) best = layout;
   }
@@ -32,8 +33,8 @@ export function atlasLayout(dimensions: Vector3, maxSize: number): AtlasLayout |
 }
 
 /**
- * Write a volume's samples as an atlas.
- * @param band - rows of the atlas's texels to write; all of them where absent
+ * Writes a volume's samples as an atlas.
+ * @param band - rows of the atlas's texels to write; all of them if absent
  * @returns `layout.width * band.count` values of the samples' own type; unused tiles are 0
  */
 export function packAtlas(

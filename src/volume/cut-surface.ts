@@ -2,30 +2,35 @@ import type { Surface, SurfacePart } from './surface.ts';
 import { sidesOf } from './world-cut.ts';
 import type { HalfWorld, WorldCut } from './world-cut.ts';
 
-/** x, y and z of a place, its normal, and its colour where there is one. */
+/** x, y and z of a point, its normal, and its colour if it has one. */
 type Corner = readonly number[];
 
-/** Flat and convex, its corners in turn. */
+/** A flat and convex polygon, its corners in order. */
 type Polygon = readonly Corner[];
 
-/** Bits of a vertex's code: the first six say at or beyond which side of the removed box it is, the others outside of which half that is kept. */
+/**
+ * Bits of a vertex's code. Each of the first six is set if the vertex lies at or beyond one side of the removed box;
+ * each of the others if it lies outside of one of the halves that are kept.
+ */
 const boxBits = 0b111111;
 const keptFrom = 6;
 
-/** Halves that a code has bits for. Volumes are cut by 18 at most: six planes, a box, and the region. */
+/** The number of halves that a code has bits for. A volume is cut by 18 at most: six planes, a box, and the region. */
 export const maxHalves = 32 - keptFrom;
 
-/** Vertices that short indices reach. */
+/** Maximum number of vertices that 16-bit indices can address. */
 const maxVertices = 65_535;
 
-/** One for each vertex of a part. */
+/** One code for each vertex of a part. */
 const codes = new Uint32Array(65_536);
 
 /**
- * Cut a surface. Triangles through which a cut goes are divided, with normals and colours interpolated along their edges, in float64. All others,
- * and the vertices of their parts, stay the same arrays. Two triangles of an edge are given the same place on it.
- * @param cut - at most `maxHalves`; what is no number, a normal of length zero and a box without a volume cut nothing
- * @returns the surface itself where nothing of it is cut away, null where all of it is. The box around it stays that of the whole
+ * Cuts a surface. Triangles that cross a cut are divided, with normals and colours interpolated along their edges, in
+ * float64. All others, and the vertices of their parts, stay the same arrays. Two triangles that share an edge get the
+ * same point on it.
+ * @param cut - at most `maxHalves`; a NaN, a normal of length zero and a box without a volume cut nothing
+ * @returns the surface itself if nothing of it is cut away, null if all of it is. The box around it stays that of the
+ * whole surface
  * Source: Sutherland and Hodgman, *Reentrant Polygon Clipping*, 1974
  */
 export function cutSurface(surface: Surface, cut: WorldCut): Surface | null {
@@ -37,9 +42,9 @@ export function cutSurface(surface: Surface, cut: WorldCut): Surface | null {
 
 class Cutter {
   readonly #kept: readonly HalfWorld[];
-  /** Of the removed box, whose inside they have in common. */
+  /** The halves whose intersection is the removed box. */
   readonly #sides: readonly HalfWorld[];
-  /** Indices of the triangles that stay as they are; as long as those of the largest part. */
+  /** Indices of the triangles that are not divided; as long as those of the largest part. */
   #whole = new Uint16Array(0);
 
   constructor({ kept, removed }: WorldCut) {
@@ -47,7 +52,7 @@ class Cutter {
     this.#sides = removed?.every(([low, high]) => high > low) ? sidesOf([removed]) : [];
   }
 
-  /** What is left of a part: the part itself, or what of its triangles is whole, and what is divided. */
+  /** What is left of a part: the part itself, or a part of its whole triangles and parts of the divided ones. */
   cut(part: SurfacePart): SurfacePart[] {
     const { indices } = part;
     const all = this.#encode(part.positions);
@@ -77,7 +82,7 @@ class Cutter {
     return [...(count > 0 ? [{ ...part, indices: whole.slice(0, count) }] : []), ...divided.finish()];
   }
 
-  /** Write the codes of vertices. @returns bits that any and that every one of them has */
+  /** Writes the codes of vertices. @returns bits that any vertex has, and bits that every one has */
   #encode(positions: Float32Array): { any: number; every: number } {
     const count = positions.length / 3;
     codes.fill(0, 0, count);
@@ -97,12 +102,12 @@ class Cutter {
     return { any, every };
   }
 
-  /** Whether nothing is cut away of what lies between vertices with these bits. */
+  /** Whether nothing is cut away of triangles whose vertices have these bits. */
   #isWhole(any: number, every: number): boolean {
     return (any & ~boxBits) === 0 && (this.#sides.length === 0 || (every & boxBits) !== 0);
   }
 
-  /** Whether all of it is. */
+  /** Whether everything is cut away of them. */
   #isGone(any: number, every: number): boolean {
     return (every & ~boxBits) !== 0 || (this.#sides.length > 0 && (any & boxBits) === 0);
   }
@@ -128,7 +133,7 @@ class Cutter {
 
 const hasArea = (polygon: Polygon): boolean => polygon.length > 2;
 
-/** The two sides of a polygon at a plane. What lies on it is in both. */
+/** Divides a polygon by a plane. What lies on the plane is in both parts. */
 function divide(polygon: Polygon, { normal: [a, b, c], at }: HalfWorld): [within: Polygon, beyond: Polygon] {
   const distances = polygon.map(([x, y, z]) => a * x + b * y + c * z - at);
   const [within, beyond]: [Corner[], Corner[]] = [[], []];
@@ -138,7 +143,7 @@ function divide(polygon: Polygon, { normal: [a, b, c], at }: HalfWorld): [within
     if (here >= 0) within.push(corner);
     if (here <= 0) beyond.push(corner);
     if (!(here > 0 && there < 0) && !(here < 0 && there > 0)) return;
-    // From within, whichever triangle of an edge asks: to the last digit the same place.
+    // Always computed from the inside, so that both triangles of an edge get the same point, to the last digit.
     const met = here > 0 ? between(corner, polygon[next], here / (here - there)) : between(polygon[next], corner, there / (there - here));
     within.push(met);
     beyond.push(met);
@@ -146,7 +151,7 @@ function divide(polygon: Polygon, { normal: [a, b, c], at }: HalfWorld): [within
   return [within, beyond];
 }
 
-/** Linear, but for the normal, which keeps its length of 1. */
+/** Linear, except for the normal, which keeps its length of 1. */
 function between(from: Corner, to: Corner, share: number): Corner {
   const met = from.map((x, i) => x + share * (to[i] - x));
   const length = Math.hypot(met[3], met[4], met[5]);
@@ -166,10 +171,10 @@ class PartBuilder {
   #corners: Corner[] = [];
   #indices: number[] = [];
 
-  /** @param like - has colours, or none */
+  /** @param like - a part that shows whether there are colours */
   constructor(readonly like: SurfacePart) {}
 
-  /** As a fan of triangles. */
+  /** Adds a polygon as a fan of triangles. */
   add(polygon: Polygon): void {
     if (this.#corners.length + polygon.length > maxVertices) this.#close();
     const first = this.#corners.length;

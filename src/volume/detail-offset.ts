@@ -1,18 +1,21 @@
-/** Pairs of neighbours that are looked at: enough to see where most of them lie. */
-const mostPairs = 4096;
+/** Maximum number of pairs of neighbours that are examined: enough to see where most of them lie. */
+const maxPairs = 4096;
 
-/** What two neighbours differ by matters to the picture if it is this share of their value or less: half of float32's 24 bits. */
+/**
+ * The difference of two neighbours counts as small if it is this share of their value or less: half of float32's 24
+ * bits.
+ */
 const fine = 2 ** -12;
 
 /**
- * What to take off values before they become float32, which tells values best near 0: the median of those that differ
- * from their neighbours by little. It is 0 where hardly any do. A few values that lie far away do not matter to it. Doubles have all
- * of its digits taken off: the last of theirs would be lost to a rounded one.
+ * The offset to subtract from values before they become float32, which resolves values best near 0. It is the median of
+ * those that differ from their neighbours by little, and 0 if hardly any do. A few values that lie far away do not
+ * matter. The offset is not rounded: then the last digits of double values would be lost.
  */
 export function chooseOffset(values: ArrayLike<number>): number {
   const detail: number[] = [];
   let pairs = 0;
-  for (let i = 1, stride = Math.max(1, Math.floor(values.length / mostPairs)); i < values.length; i += stride) {
+  for (let i = 1, stride = Math.max(1, Math.floor(values.length / maxPairs)); i < values.length; i += stride) {
     const difference = Math.abs(values[i] - values[i - 1]);
     if (!(difference > 0 && difference < Infinity)) continue;
     pairs++;

@@ -2,11 +2,11 @@ import { length, multiply, scaleAndTranslate, transformPoint } from './matrix.ts
 import type { Matrix4, Vector3 } from './matrix.ts';
 
 /**
- * A block of cells and where it lies in the world: what cameras, steps and macrocells go by. Samples lie at the cells'
+ * A block of cells and its place in the world, for cameras, step lengths and macrocells. Samples lie at the cells'
  * centres only on a cartesian grid.
  */
 export interface GridFrame {
-  /** Cells along i (fastest), j and k; of a region they need not be whole numbers. */
+  /** Cells along i (fastest), j and k; for a region they need not be whole numbers. */
   readonly dimensions: Vector3;
   /**
    * Row-major 4 x 4: cell index (i, j, k), integers at cell *centres*, to world coordinates. The world is x right,
@@ -37,9 +37,9 @@ export function spacingOf(indexToWorld: Matrix4): Vector3 {
 }
 
 /**
- * The world of a volume whose file says nothing of its place: centred at the origin, image columns run to -x, image
- * rows to -y and slices to +z, which is the axial DICOM order (left, posterior, superior) in RAS coordinates. Seen
- * from the front (+y), columns run to the right.
+ * The world of a volume whose file gives no position: centred at the origin. Image columns run to -x, image rows to -y
+ * and slices to +z, which is the axial DICOM order (left, posterior, superior) in RAS coordinates. Seen from the front
+ * (+y), columns run to the right.
  */
 export function axialIndexToWorld(dimensions: Vector3, spacing: Vector3): Matrix4 {
   const signed: Vector3 = [-spacing[0], -spacing[1], spacing[2]];
@@ -63,13 +63,13 @@ export function finestSpacing(grid: GridFrame): number {
   return Math.min(...grid.spacing);
 }
 
-/** World length of the longest of the grid's four space diagonals: the longest ray there can be. */
+/** World length of the longest of the grid's four space diagonals: the maximum length of a ray. */
 export function longestDiagonal(grid: GridFrame): number {
   const c = corners(grid);
   return Math.max(...[0, 1, 2, 3].map((i) => length([c[i][0] - c[7 - i][0], c[i][1] - c[7 - i][1], c[i][2] - c[7 - i][2]])));
 }
 
-/** Centre of the grid, and the radius of the sphere around it that holds the grid. */
+/** Centre of the grid, and the radius of the sphere around the grid. */
 export function boundingSphere(grid: GridFrame): { center: Vector3; radius: number } {
   return { center: transformPoint(unitToWorld(grid), [0.5, 0.5, 0.5]), radius: longestDiagonal(grid) / 2 };
 }

@@ -7,12 +7,12 @@ export interface Histogram {
   readonly counts: Uint32Array;
 }
 
-/** Bins: one for every 16 values of a 12-bit CT, and few enough to scan at once. */
+/** Number of bins: one for every 16 values of a 12-bit CT, and few enough to scan at once. */
 export const histogramBins = 256;
 
 /**
- * Count samples in data units. NaN and infinities are left out.
- * @param minValid - stored values below this are no data, and left out too
+ * Counts samples in data units. NaN and infinities are left out.
+ * @param minValid - smaller stored values are no data, and left out too
  * @returns histogram over the range of the valid values, that range, and whether any sample was left out
  */
 export function summarize(
@@ -32,7 +32,7 @@ export function summarize(
   return { histogram: { low: ends[0], high: ends[1], counts }, range: [ends[0], ends[1]], hasNoData };
 }
 
-/** Statistics of stored values: their range, counts in equal bins over it, whether any was no data. */
+/** Statistics of stored values: their range, counts in equal bins over it, and whether any sample was no data. */
 interface Count {
   readonly low: number;
   readonly high: number;
@@ -61,7 +61,7 @@ function countFloats(samples: Float32Array, minValid: number): Count {
   return { low, high, counts, hasNoData: valid < samples.length };
 }
 
-/** There are few different values: one pass counts each, and the counts go into bins afterwards. */
+/** Integers have few different values: one pass counts each, and the counts go into bins afterwards. */
 function countIntegers(samples: Uint8Array | Uint16Array, minValid: number): Count {
   const exact = new Uint32Array(samples instanceof Uint8Array ? 256 : 65536);
   for (let i = 0; i < samples.length; i++) exact[samples[i]]++;
@@ -78,7 +78,7 @@ function countIntegers(samples: Uint8Array | Uint16Array, minValid: number): Cou
   return { low, high, counts, hasNoData: valid < samples.length };
 }
 
-/** @returns the bin of a value from `low` to `high`, the last one for `high` itself */
+/** @returns a function that gives the bin of a value from `low` to `high`, the last one for `high` itself */
 function chooseBins(low: number, high: number): (value: number) => number {
   const toBin = high > low ? histogramBins / (high - low) : 0;
   return (value) => Math.min(histogramBins - 1, Math.floor((value - low) * toBin));

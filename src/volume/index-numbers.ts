@@ -1,24 +1,25 @@
-/** Whole numbers that stand for things, as places in a list of them. */
+/** Whole numbers that stand for things, stored as indices into a list of them. */
 export interface IndexedSamples {
-  /** Of each voxel: where its number stands in `ids`. */
+  /** For each voxel the index of its number in `ids`. */
   readonly samples: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
-  /** The different numbers, rising. */
+  /** The different numbers, ascending. */
   readonly ids: readonly number[];
 }
 
-/** What float32 makes of whole numbers: how many are rounded, and by how much at most. */
+/** The error of whole numbers in float32: how many are rounded, and by how much at most. */
 export interface Rounded {
   readonly count: number;
   readonly by: number;
 }
 
-/** Labels that can be told apart at most: as many as two bytes hold. */
+/** Maximum number of different labels: two bytes can index so many. */
 export const mostLabels = 65_536;
 
 /**
- * Put whole numbers into a list, and their places in it in their stead: so each keeps all of its digits, however large it is.
+ * Puts whole numbers into a list, and replaces them by their indices: so each keeps all of its digits, however large it
+ * is.
  * @param idOf - the number that a stored value stands for
- * @returns null where one is no whole number that float64 holds, or there are more than 65,536
+ * @returns null if one is not a whole number that float64 holds exactly, or there are more than 65,536
  */
 export function indexNumbers<T extends number | bigint>(stored: ArrayLike<T>, idOf: (value: T) => number): IndexedSamples | null {
   const found = new Map<T, number>();

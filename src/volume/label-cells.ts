@@ -1,18 +1,18 @@
 import { cellSize } from './cell-size.ts';
 import type { LabelMap } from './labels.ts';
 
-/** Which labels any place of each cell may have. */
+/** The labels that may occur at any point of each cell. */
 export interface LabelCells {
-  /** Where the numbers of each cell begin, i fastest, and where the last one's end. */
+  /** Where the numbers of each cell begin, i fastest; the last entry is the end of the last cell. */
   readonly starts: Uint32Array;
-  /** Each number once a cell. */
+  /** Each number once per cell. */
   readonly numbers: Uint16Array;
 }
 
 /**
- * List the labels of each cell's own voxels, and of those next to it, which vote too.
- * @param edge - voxels along the edge of a cell; those of a macrocell where absent
- * @yields the voxels that were looked at, after each row of cells
+ * Lists the labels of each cell's own voxels, and of those next to it, which vote too.
+ * @param edge - voxels along the edge of a cell; those of a macrocell if absent
+ * @yields the number of voxels that were examined, after each row of cells
  */
 export function* listLabels({ numbers, dimensions, ids }: LabelMap, edge = cellSize): Generator<number, LabelCells, void> {
   const [nx, ny] = dimensions;
@@ -58,7 +58,7 @@ function grow(numbers: Uint16Array): Uint16Array<ArrayBuffer> {
   return larger;
 }
 
-/** The label of all of each cell; -1 where it has several. */
+/** The label of each cell that has only one; -1 if it has several. */
 export function findUniform({ starts, numbers }: LabelCells): Float32Array<ArrayBuffer> {
   return Float32Array.from({ length: starts.length - 1 }, (_, cell) => (starts[cell + 1] - starts[cell] === 1 ? numbers[starts[cell]] : -1));
 }

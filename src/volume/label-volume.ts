@@ -8,7 +8,7 @@ import type { Samples } from './samples.ts';
 import { isPolar } from './volume.ts';
 import type { Volume } from './volume.ts';
 
-/** A volume's values as labels, by places in a list; null where they are no labels. */
+/** A volume's values as indices into a list of labels; null if they are not labels. */
 export function indexLabels({ samples, slope, intercept, indexed }: { readonly samples: Samples; readonly slope: number; readonly intercept: number; readonly indexed?: IndexedSamples }): IndexedSamples | null {
   if (indexed) return indexed;
   return indexNumbers<number>(samples, (stored) => {
@@ -26,7 +26,7 @@ export function summarizeLabels(samples: IndexedSamples['samples'], ids: readonl
   return { histogram: { low, high, counts }, range: [low, high], hasNoData: false };
 }
 
-/** A volume that was taken for intensities as one of labels. */
+/** Converts a volume that was read as intensities to one of labels. */
 export function asLabels(volume: Volume): Volume {
   const found = volume.ids || isPolar(volume) ? null : indexLabels(volume);
   if (!found) return { ...volume, isDiscrete: true };
@@ -38,7 +38,7 @@ export function asLabels(volume: Volume): Volume {
   };
 }
 
-/** Labels as values of their own, for what reads no lists of ids. */
+/** Labels as plain values, for code that does not read lists of ids. */
 export function withoutIds(volume: Volume): Volume {
   const { ids, samples, ...rest } = volume;
   if (!ids) return volume;

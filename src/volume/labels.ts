@@ -1,36 +1,39 @@
 import type { Vector3 } from './matrix.ts';
 
-/** Which thing each voxel of a volume is of: an atlas, a segmentation. On the volume's own grid. */
+/** The label of each voxel of a volume, from an atlas or a segmentation. On the volume's own grid. */
 export interface LabelMap {
   /** Voxels along i, j and k: the volume's own. */
   readonly dimensions: Vector3;
-  /** Of each voxel, in the order of the volume's samples: where its label stands in `ids`. At most 65,536 labels. */
+  /** For each voxel, in the order of the volume's samples: the index of its label in `ids`. At most 65,536 labels. */
   readonly numbers: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
-  /** The file's ids, whole numbers that rise, negative ones among them. The first is of what has no label, 0 as a rule. */
+  /**
+   * The file's ids: whole numbers, ascending, possibly negative. The first one is for voxels without a label, normally
+   * 0.
+   */
   readonly ids: readonly number[];
 }
 
-/** What a file says of one of its labels. */
+/** What a file says about one of its labels. */
 export interface NamedLabel {
   readonly id: number;
-  /** '' where it says none. */
+  /** '' if the file gives none. */
   readonly name: string;
-  /** sRGB, 0..1; null where it says none. */
+  /** sRGB, 0..1; null if the file gives none. */
   readonly color: readonly [number, number, number] | null;
 }
 
-/** What a file calls one of its labels; null where it says nothing. */
+/** The file's name of one of its labels; null if it gives none. */
 export function nameInFile({ named }: { readonly named?: readonly NamedLabel[] }, id: number | null): string | null {
   return named?.find((label) => label.id === id)?.name || null;
 }
 
-/** What a label looks like. */
+/** The appearance of a label. */
 export interface LabelStyle {
-  /** Red, green, blue from 0 to 1, by which the volume's own colours are multiplied. */
+  /** Red, green, blue from 0 to 1. The volume's own colours are multiplied by it. */
   readonly color: readonly [number, number, number];
   /** The volume's own extinction is multiplied by it: 0 hides, 1 changes nothing. */
   readonly opacityFactor: number;
-  /** Which of the labels' transfer functions it has, from 1; 0, or absent: the volume's own. */
+  /** The number of one of the labels' transfer functions, from 1; 0, or absent: the volume's own. */
   readonly group?: number;
 }
 
@@ -41,14 +44,14 @@ export interface LabelStop {
   readonly opacity: number;
 }
 
-/** Transfer functions of labels, beside the volume's own. */
+/** Maximum number of transfer functions of labels, in addition to the volume's own. */
 export const mostGroups = 4;
 
-/** Labels as they are to be seen. */
+/** Labels with the appearance in which they are drawn. */
 export interface ShownLabels {
   readonly map: LabelMap;
   /** One for each of the map's ids. */
   readonly styles: readonly LabelStyle[];
-  /** Transfer functions of groups of labels, at most `mostGroups`. Kept while they are the same. */
+  /** Transfer functions of groups of labels, at most `mostGroups`. The same array while they do not change. */
   readonly functions?: readonly (readonly LabelStop[])[];
 }

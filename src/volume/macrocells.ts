@@ -6,7 +6,7 @@ import { allocateLike } from './samples.ts';
 import type { Samples } from './samples.ts';
 
 /**
- * The range of stored values in each block of voxels, in the samples' own type: as floats, those of a radar's box
+ * The range of stored values in each block of voxels, in the samples' own type: as floats, the ranges of a radar's box
  * would take more than half as much memory as its samples. In a cell without data `low` lies above `high`.
  */
 export interface Macrocells {
@@ -17,28 +17,28 @@ export interface Macrocells {
   /** Largest stored value of each cell. */
   readonly high: Samples;
   /**
-   * How far each cell's samples are from lying in straight lines with those next to them: their largest second difference
+   * How far each cell's samples are from lying in straight lines with their neighbours: their largest second difference
    * along any axis, or more; stored units. See `buildMacrocells`.
    */
   readonly roughness: Float32Array<ArrayBuffer>;
 }
 
-/** A cell that is this rough, as a share of its range, is said to be as rough as makes all of its range count. */
+/** A cell that is this rough, as a share of its range, gets a roughness that makes its whole range count. */
 const enough = 0.6;
 
 /** Cells without any value yet. */
 export function emptyMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
   const cells = dimensions[0] * dimensions[1] * dimensions[2];
-  const [least, most] = samples instanceof Float32Array ? [-Infinity, Infinity] : [0, 2 ** (8 * samples.BYTES_PER_ELEMENT) - 1];
-  return { dimensions, low: allocateLike(samples, cells).fill(most), high: allocateLike(samples, cells).fill(least), roughness: new Float32Array(cells) };
+  const [min, max] = samples instanceof Float32Array ? [-Infinity, Infinity] : [0, 2 ** (8 * samples.BYTES_PER_ELEMENT) - 1];
+  return { dimensions, low: allocateLike(samples, cells).fill(max), high: allocateLike(samples, cells).fill(min), roughness: new Float32Array(cells) };
 }
 
 /**
- * The range of every value that interpolation can give at a point of a cell: of its own voxels, and of the voxels
- * next to it. And how far its values are from lying in straight lines: the largest second difference along any axis,
- * |v(i - 1) - 2 v(i) + v(i + 1)|, stored units; beyond the grid the last sample goes on. It counts where it bends values of
- * the cell: at the cell's own planes of voxels along that axis, and across it up to one voxel outside, so that what stands at a
- * corner is seen by all cells that meet there. Places without data (NaN) are left out.
+ * The range of every value that interpolation can give at a point of a cell: of its own voxels, and of the voxels next
+ * to it. Also, how far its values are from lying in straight lines: the largest second difference along any axis, |v(i
+ * - 1) - 2 v(i) + v(i + 1)|, stored units; beyond the grid the last sample is repeated. A difference counts if it bends
+ * values of the cell: at the cell's own planes of voxels along that axis, and across it up to one voxel outside, so
+ * that a voxel at a corner counts for all cells that meet there. Samples without data (NaN) are left out.
  */
 export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
   const [nx, ny, nz] = dimensions;
@@ -72,7 +72,7 @@ export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocel
   return cells;
 }
 
-/** Voxels along an axis that count for the same cells, each for its own and those where two cells meet for both. */
+/** Voxels along an axis that count for the same cells: each voxel for its own cell, and those at a border for both. */
 interface Part {
   readonly from: number;
   readonly to: number;
@@ -88,39 +88,40 @@ function splitAxis(voxels: number): Part[] {
     const begin = cell * cellSize;
     const part = { from: cell > 0 ? begin + 1 : 0, to: cell < cells - 1 ? begin + cellSize - 1 : voxels, cell, last: cell };
     if (part.to > part.from) parts.push(part);
-    // Where two meet comes after what is in both: it seldom has more then, which processors are quick to see.
+    // The part at the border comes after the parts in both cells: it then seldom changes their maximum, which
+    // processors predict well.
     if (cell > 0) parts.push({ from: begin - 1, to: begin + 1, cell: cell - 1, last: cell });
   }
   return parts;
 }
 
-/** A row of cells that rows of voxels count for. */
+/** A row of cells for which rows of voxels count. */
 interface Place {
   /** The first of the cells. */
   readonly at: number;
-  /** Which of the measures along y and z are those of its own voxels: 0, or 1 for the second. */
+  /** Which of the measures along y and z belong to its own voxels: 0, or 1 for the second. */
   readonly ofY: number;
   readonly ofZ: number;
 }
 
-/** Measures to begin with: what all of these cells have already. */
+/** The initial measures: what all of these cells have already. */
 function beginWith(found: Measures, { low, high, roughness }: Macrocells, places: readonly Place[]): void {
   let before = 0;
   for (let i = 0, x = 0; i < found.length; i += perCell, x++) {
     let cell = places[0].at + x;
-    let least = low[cell];
-    let most = high[cell];
+    let min = low[cell];
+    let max = high[cell];
     let rough = roughness[cell];
     for (let n = 1; n < places.length; n++) {
       cell = places[n].at + x;
-      if (low[cell] > least) least = low[cell];
-      if (high[cell] < most) most = high[cell];
+      if (low[cell] > min) min = low[cell];
+      if (high[cell] < max) max = high[cell];
       if (roughness[cell] < rough) rough = roughness[cell];
     }
-    found[i + lowOf] = least;
-    found[i + highOf] = most;
+    found[i + lowOf] = min;
+    found[i + highOf] = max;
     found[i + alongX] = rough;
-    // What is between this and the one before counts for both.
+    // What lies between this cell and the one before counts for both.
     const both = rough < before ? rough : before;
     for (let side = i + alongY; side < i + alongY + 4; side++) {
       found[side] = rough;

@@ -19,13 +19,13 @@ export function multiply(a: Matrix4, b: Matrix4): Matrix4 {
   return product;
 }
 
-/** Map a point through an affine matrix. */
+/** Maps a point through an affine matrix. */
 export function transformPoint(m: Matrix4, p: Vector3): Vector3 {
   const d = transformDirection(m, p);
   return [d[0] + m[3], d[1] + m[7], d[2] + m[11]];
 }
 
-/** Map a direction (no translation) through an affine matrix. */
+/** Maps a direction (no translation) through an affine matrix. */
 export function transformDirection(m: Matrix4, d: Vector3): Vector3 {
   return [
     m[0] * d[0] + m[1] * d[1] + m[2] * d[2],
@@ -34,7 +34,7 @@ export function transformDirection(m: Matrix4, d: Vector3): Vector3 {
   ];
 }
 
-/** Scale, then translate: the affine map x -> scale * x + offset, per axis. */
+/** Scales, then translates: the affine map x -> scale * x + offset, per axis. */
 export function scaleAndTranslate(scale: Vector3, offset: Vector3): Matrix4 {
   return [scale[0], 0, 0, offset[0], 0, scale[1], 0, offset[1], 0, 0, scale[2], offset[2], 0, 0, 0, 1];
 }
@@ -49,7 +49,7 @@ export function determinant(m: Matrix4): number {
 /**
  * Inverse of an affine matrix, by cofactors of its columns scaled to unit length, so that spacings of 1e-9 or 1e9 do
  * not under- or overflow.
- * @returns null where the matrix is singular
+ * @returns null if the matrix is singular
  */
 export function invertAffine(m: Matrix4): Matrix4 | null {
   const columns = [0, 1, 2].map((c): Vector3 => [m[c], m[4 + c], m[8 + c]]);

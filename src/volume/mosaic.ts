@@ -24,7 +24,7 @@ export interface GrayImage {
  * The layout of a mosaic, checked against its image.
  * @param size - image in pixels
  * @param tiles - tiles per row and column
- * @param slices - tiles in use; all of them where undefined
+ * @param slices - tiles in use; all of them if undefined
  * @throws {VolumeViewError} `mosaic/layout`
  */
 export function checkMosaicLayout(
@@ -58,7 +58,8 @@ export function measureTile(size: { width: number; height: number }, layout: Mos
 }
 
 /**
- * Voxels of the volume that a mosaic holds. Tiles that are not whole pixels give the nearest whole number of voxels.
+ * Voxels of the volume that a mosaic holds. If a tile is not a whole number of pixels, its voxels are rounded to the
+ * nearest whole number.
  * @returns nx, ny, nz
  */
 export function mosaicDimensions(size: { width: number; height: number }, layout: MosaicLayout): Vector3 {
@@ -67,9 +68,9 @@ export function mosaicDimensions(size: { width: number; height: number }, layout
 }
 
 /**
- * Cut a mosaic into a volume's samples: columns along i, rows along j, tiles along k. Tiles of whole pixels are copied
- * as they are. Others are sampled linearly at equal distances, and only from pixels whose centres lie inside the tile, so
- * that no neighbour bleeds in.
+ * Cuts a mosaic into a volume's samples: columns along i, rows along j, tiles along k. Tiles of whole pixels are copied
+ * as they are. Others are sampled linearly at equal distances, and only from pixels whose centres lie inside the tile,
+ * so that no neighbour bleeds in.
  * @returns `nx * ny * nz` values of the image's own type, i fastest
  */
 export function cutMosaic(image: GrayImage, layout: MosaicLayout): Samples {

@@ -2,11 +2,11 @@ import type { GridFrame } from './grid.ts';
 import type { Vector3 } from './matrix.ts';
 
 /**
- * A radar's grid. Its frame is the box around it, cut into cells about as fine as its gates; samples do not lie at their
- * centres.
- *
- * Local coordinates are metres at the radar's antenna: x east and y north along the ground's arc, z up (the height above
- * the antenna over a round Earth). Azimuths are degrees clockwise from north, elevations degrees above the horizon.
+ * A radar's grid. Its frame is the box around it, cut into cells about as fine as its gates; samples do not lie at the
+ * cells' centres.
+ * Local coordinates are metres at the radar's antenna: x east and y north along the ground's arc, z up (the height
+ * above the antenna over a round Earth). Azimuths are degrees clockwise from north, elevations degrees above the
+ * horizon.
  */
 export interface PolarGrid extends GridFrame, SweepGeometry {
   readonly kind: 'polar';
@@ -14,7 +14,7 @@ export interface PolarGrid extends GridFrame, SweepGeometry {
   readonly box: LocalBox;
 }
 
-/** Where a radar's samples lie: sweeps, each a cone of radials at one elevation, each radial a row of gates. */
+/** Positions of a radar's samples: sweeps, each a cone of radials at one elevation, each radial a row of gates. */
 export interface SweepGeometry {
   /** By ascending elevation, no two closer than a fifth of the beam. */
   readonly sweeps: readonly Sweep[];
@@ -22,20 +22,23 @@ export interface SweepGeometry {
   readonly beamWidth: number;
   /** Metres; 4/3 of the Earth's in the standard model of refraction, Infinity for straight beams over a flat ground. */
   readonly earthRadius: number;
-  /** Velocities more than this apart are on two sides of a fold, in stored values; absent where values do not fold. */
+  /**
+   * Velocities that differ by more than this are on two sides of a fold, in stored values; absent if values do not
+   * fold.
+   */
   readonly foldFrom?: number;
 }
 
-/** One sweep of a radar. Where the antenna left a gap, one or two radials without data stand in it. */
+/** One sweep of a radar. A gap of the antenna is filled with one or two radials without data. */
 export interface Sweep {
-  /** Degrees; of a sweep whose radials have elevations of their own, what it is called. */
+  /** Degrees. If the radials have elevations of their own, it is the sweep's nominal elevation. */
   readonly elevation: number;
   /**
-   * Of each radial, degrees, where some are not the sweep's. No farther off than the next sweep's elevation, so that no more
-   * than a few sweeps can be next to any place.
+   * Elevation of each radial, degrees, if some differ from the sweep's. They lie between the elevations of the sweeps
+   * below and above, so that only a few sweeps can be next to any point.
    */
   readonly elevations?: Float64Array<ArrayBuffer>;
-  /** Middle of each radial, degrees, 0 <= azimuth < 360, ascending, no two the same. */
+  /** Middle of each radial, degrees, 0 <= azimuth < 360, ascending, all different. */
   readonly azimuths: Float64Array<ArrayBuffer>;
   /** Metres along the beam from the antenna to the middle of the first gate. */
   readonly firstGate: number;

@@ -3,12 +3,12 @@ import type { Vector3 } from './matrix.ts';
 import { overlap } from './reduce.ts';
 import type { Overlap } from './reduce.ts';
 
-/** What is asked of a map: as many numbers as there are ids. */
+/** The parts of a map that are needed: as many numbers as there are ids. */
 type Numbered = Pick<LabelMap, 'dimensions' | 'numbers'> & { readonly ids: { readonly length: number } };
 
 /**
- * The labels of a volume that was made smaller, see `reduceVolume`: each box of voxels has the label that most of it has, voxels on
- * a cut counting by their share; of several that have as much the smallest number, as where corners vote.
+ * The labels of a volume that was made smaller, see `reduceVolume`: each box of voxels gets the label that most of it
+ * has, and voxels on a cut count by their share. Among equals the smallest number wins, as where corners vote.
  * @param to - voxels along i, j and k of the smaller volume
  */
 export function reduceLabels<M extends Numbered>(map: M, to: Vector3): M {
@@ -21,7 +21,7 @@ export function reduceLabels<M extends Numbered>(map: M, to: Vector3): M {
   return { ...map, dimensions: to, numbers };
 }
 
-/** Of rounded shares that are added up, those that differ by less are as much. */
+/** Sums of rounded shares that differ by less than this are equal. */
 const rounding = 1e-9;
 
 /** @param votes - 0 for each number, before and afterwards */

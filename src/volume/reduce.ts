@@ -10,32 +10,32 @@ import type { Samples } from './samples.ts';
 export interface DeviceLimits {
   /** Maximum number of voxels along any axis: MAX_3D_TEXTURE_SIZE, or what the 2D atlas allows. */
   readonly maxVoxelsPerAxis: number;
-  /** Longest edge of the 2D atlas that the volume has to fit, in texels; null where 3D textures are used. */
+  /** Maximum edge of the 2D atlas that the volume has to fit, in texels; null if 3D textures are used. */
   readonly maxAtlasSize: number | null;
   /** Maximum number of bytes of the volume's samples. */
   readonly maxBytes: number;
 }
 
-/** What is needed of a volume to make it smaller. */
+/** The parts of a volume that are needed to make it smaller. */
 export interface Block extends Pick<GridFrame, 'dimensions' | 'indexToWorld'> {
   readonly samples: Samples;
 }
 
-/** A volume as large as a device can hold it: the same one where that is all of it. */
+/** Reduces a volume to what a device can hold; returns the same volume if it fits. */
 export function fitVolume(block: Block, limits: DeviceLimits): Block {
   const factors = chooseReduction(block, limits);
   return factors.some((factor) => factor > 1) ? reduceVolume(block, factors) : block;
 }
 
 /**
- * Choose the smallest number of voxels to average along each axis so that a volume fits a device: first what the longest
- * axis needs, then again and again one more along the axis with the shortest voxels in the world.
+ * Chooses the smallest number of voxels to average along each axis so that a volume fits a device: first what the
+ * longest axis needs, then repeatedly one more along the axis with the shortest voxels in the world.
  * @returns whole numbers from 1; all 1 if the volume fits as it is
  */
 export function chooseReduction(block: Block, limits: DeviceLimits): Vector3 {
   const spacing = spacingOf(block.indexToWorld);
-  const most = Math.max(1, limits.maxVoxelsPerAxis);
-  const factors = block.dimensions.map((n) => Math.ceil(n / most));
+  const max = Math.max(1, limits.maxVoxelsPerAxis);
+  const factors = block.dimensions.map((n) => Math.ceil(n / max));
   const bytes = block.samples.BYTES_PER_ELEMENT;
   const reduced = (): Vector3 => reduceDimensions(block.dimensions, factors as unknown as Vector3);
   const fits = ([nx, ny, nz]: Vector3): boolean =>
@@ -55,8 +55,8 @@ export function reduceDimensions(dimensions: Vector3, factors: Vector3): Vector3
 }
 
 /**
- * Average boxes of voxels. The outer faces of the volume stay where they are in the world: an axis that the factor does
- * not divide is cut into equal boxes a little smaller than the factor, and voxels on a cut count by their share.
+ * Averages boxes of voxels. The outer faces of the volume stay where they are in the world. An axis that the factor
+ * does not divide is cut into equal boxes a little smaller than the factor, and voxels on a cut count by their share.
  * Samples without data (NaN) are left out; a box without any data is NaN.
  * @param factors - voxels per box along i, j and k, whole numbers from 1
  */
@@ -82,7 +82,7 @@ export function reduceVolume(block: Block, factors: Vector3): Block {
   return { dimensions: to, samples, indexToWorld: multiply(block.indexToWorld, scaleAndTranslate(scale, offset)) };
 }
 
-/** Voxels `first` to `first + weights.length - 1` that box `i` covers, and how much of each. */
+/** Voxels `first` to `first + weights.length - 1` that box `i` covers, and the covered share of each. */
 export interface Overlap {
   readonly first: number;
   readonly weights: readonly number[];
@@ -91,7 +91,7 @@ export interface Overlap {
 export function overlap(i: number, scale: number, count: number): Overlap {
   const start = i * scale;
   const end = (i + 1) * scale;
-  const first = Math.floor(start + 1e-9); // A cut that rounding puts just before a voxel's edge lies on it.
+  const first = Math.floor(start + 1e-9); // A cut just before a voxel's edge lies on the edge: the difference is rounding.
   const last = Math.min(count, Math.ceil(end - 1e-9));
   const weights: number[] = [];
   for (let v = first; v < last; v++) weights.push(Math.min(end, v + 1) - Math.max(start, v));
@@ -105,7 +105,7 @@ interface BoxRow {
   readonly totals: Float64Array;
 }
 
-/** Add up the voxels of a row of boxes, in the order in which they lie in memory. */
+/** Adds up the voxels of a row of boxes, in the order in which they lie in memory. */
 function averageRow({ samples, dimensions }: Block, row: BoxRow, y: Overlap, z: Overlap): void {
   const [nx, ny] = dimensions;
   row.sums.fill(0);

@@ -1,21 +1,22 @@
 import { edgeLengths } from './grid.ts';
 import type { Grid } from './volume.ts';
 
-/** A volume whose longest edge is more than so many times its shortest is thin: few scans are. */
+/** A volume is thin if its longest edge is more than so many times its shortest one: few scans are. */
 const maxUsualRatio = 5;
 
-/** Edges are products of numbers of voxels and lengths. */
+/** The edges are computed as products and have rounding errors. */
 const rounding = 1e-9;
 
-/** 1 % of a volume's longest edge: with it, pictures are as dense at any size. */
+/** 1 % of a volume's longest edge: with it, pictures have the same density at any size. */
 export function longestEdgeShare(grid: Grid): number {
   return Math.max(...edgeLengths(grid)) / 100;
 }
 
 /**
- * The world length over which a stop's opacity holds, where nobody says another: 1 % of the longest edge. A ray straight through a thin
- * volume would meet next to nothing in it; there, it meets as much as in one that is just not thin: 100 / 5 of these lengths.
- * A radar's cells are no box: its file suggests a length of its own.
+ * The world length to which a stop's opacity applies, if nothing else sets it: 1 % of the longest edge. In a thin
+ * volume that would leave almost nothing of a ray's opacity along the shortest edge. So there the length gives as much
+ * as in a volume that is just not thin: 100 / 5 of these lengths. A radar's cells are not a box: its file suggests its
+ * own length.
  * Derived in docs/maths.md, "Opacity per reference length".
  */
 export function defaultReferenceLength(grid: Grid): number {

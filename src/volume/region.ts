@@ -6,7 +6,7 @@ import type { Vector3 } from './matrix.ts';
 /**
  * The part of a volume inside a box along the world's axes, as a grid with the volume's spacing: rays end at it,
  * cameras frame it, and steps depend on it. Its dimensions need not be whole numbers.
- * @param box - x, y and z of two opposite corners: world units, but heights before they are exaggerated
+ * @param box - x, y and z of two opposite corners: world units, with heights before exaggeration
  * @param stretch - world length of one unit of the box's heights
  * @returns null if the box holds nothing of the volume
  */

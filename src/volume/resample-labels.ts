@@ -8,29 +8,29 @@ import type { Samples } from './samples.ts';
 export interface LabelVoxels {
   readonly grid: CartesianGrid;
   readonly samples: Samples;
-  /** Id = slope * sample + intercept, or `ids[sample]` where these are there. */
+  /** Id = slope * sample + intercept, or `ids[sample]` if there are `ids`. */
   readonly slope: number;
   readonly intercept: number;
   readonly ids?: readonly number[];
 }
 
-/** What a voxel without label has, within the file and around it. */
+/** The id of a voxel without label, inside the file and around it. */
 export const noLabel = 0;
 
-/** So far may an id be from a whole number: float32 and a slope leave that much. */
+/** The maximum distance of an id from a whole number: float32 and a slope may cause so much. */
 export const tolerance = 1e-3;
 
-/** Why voxels are no labels. */
+/** Why voxels are not labels. */
 export type LabelProblem = { readonly problem: 'not-whole' | 'too-large'; readonly value: number } | { readonly problem: 'too-many' };
 
-/** A file's ids, that of no label first, the others rising; and where each stored value's stands among them. */
+/** A file's ids, first that of no label, then the others ascending; and the index of each stored value's id among them. */
 export interface FoundLabels {
   readonly ids: readonly number[];
-  /** By the stored value. */
+  /** Takes the stored value. */
   readonly numberOf: (stored: number) => number;
 }
 
-/** The different ids of a file, 0 among them; what has no data is 0. */
+/** The different ids of a file, including 0; samples without data count as 0. */
 export function findLabels(voxels: Omit<LabelVoxels, 'grid'>): FoundLabels | LabelProblem {
   const { samples } = voxels;
   const idOf = new Map<number, number>();
@@ -54,7 +54,7 @@ export function findLabels(voxels: Omit<LabelVoxels, 'grid'>): FoundLabels | Lab
   return { ids, numberOf: (stored) => quick[stored] };
 }
 
-/** The different values, each once; of more than there may be some. */
+/** The different values. Each occurs once, except in float samples, where some may repeat. */
 function differentOf(samples: Samples): Iterable<number> {
   if (!(samples instanceof Float32Array)) {
     const seen = new Uint8Array(2 ** (8 * samples.BYTES_PER_ELEMENT));
@@ -62,7 +62,7 @@ function differentOf(samples: Samples): Iterable<number> {
     return Array.from(seen.keys()).filter((value) => seen[value] === 1);
   }
   const found = new Set<number>();
-  let last = Infinity; // No sample is.
+  let last = Infinity; // No sample is infinite.
   for (let i = 0; i < samples.length && found.size <= mostLabels + 1; i++) {
     if (samples[i] === last) continue;
     last = samples[i];
@@ -71,22 +71,22 @@ function differentOf(samples: Samples): Iterable<number> {
   return found;
 }
 
-/** What comes of it. */
+/** The resampled labels, and how many voxels got one. */
 export interface ResampledLabels {
   readonly map: LabelMap;
-  /** Voxels that lie within the label file's. */
+  /** Number of voxels that lie within the label file. */
   readonly within: number;
 }
 
 /**
- * Labels on another grid: each voxel's centre gets the label of the file's voxel that is nearest, which is the one that holds it; outside of
- * the file there is none. Yields after each slice, so that a page can draw meanwhile.
+ * Resamples labels to another grid: each voxel's centre gets the label of the file's voxel that contains it (the
+ * nearest one); outside the file there is none. It yields after each slice, so that a page can draw meanwhile.
  */
 export function* resampleLabels(voxels: LabelVoxels, { ids, numberOf }: FoundLabels, target: CartesianGrid): Generator<void, ResampledLabels> {
   const { grid: { dimensions: [mx, my, mz], indexToWorld }, samples } = voxels;
   const [nx, ny, nz] = target.dimensions;
   const numbers = new (ids.length <= 2 ** 8 ? Uint8Array : Uint16Array)(nx * ny * nz);
-  // Rounded where it is next to a whole number: on the same grid twice inverted, a voxel stays in its place.
+  // Entries next to a whole number are rounded: on the same grid, inverted twice, a voxel must stay in its place.
   const m = multiply(invertAffine(indexToWorld)!, target.indexToWorld).map((entry) => (Math.abs(entry - Math.round(entry)) < 1e-9 ? Math.round(entry) : entry));
   let within = 0;
   let at = 0;

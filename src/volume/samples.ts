@@ -1,6 +1,6 @@
 /**
- * Stored samples. Signed 8- and 16-bit files are shifted to unsigned and wider types become float, the shift being
- * undone by `slope` and `intercept`, so three types are all that textures and shaders have to know.
+ * Stored samples. Signed 8- and 16-bit files are shifted to unsigned and wider types become float. `slope` and
+ * `intercept` undo the shift, so textures and shaders have to know only three types.
  */
 export type Samples = Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Float32Array<ArrayBuffer>;
 

@@ -6,10 +6,10 @@ export type Solid =
   | { readonly kind: 'box'; readonly low: Vector3; readonly high: Vector3 }
   | { readonly kind: 'sphere'; readonly center: Vector3; readonly radius: number };
 
-/** The solid that two points of a person span: opposite corners, or a centre and a point of the surface. */
+/** The solid that two points set by a person define: opposite corners, or a centre and a point of the surface. */
 export function solidOf(kind: Solid['kind'], [from, to]: readonly Vector3[]): Solid {
   if (kind === 'sphere') return { kind, center: from, radius: length(subtract(to, from)) };
-  const [low, high] = [Math.min, Math.max].map((least) => from.map((x, axis) => least(x, to[axis])) as unknown as Vector3);
+  const [low, high] = [Math.min, Math.max].map((choose) => from.map((x, axis) => choose(x, to[axis])) as unknown as Vector3);
   return { kind, low, high };
 }
 
@@ -29,7 +29,7 @@ export function contains(solid: Solid, [x, y, z]: Vector3): boolean {
   return (x - center[0]) ** 2 + (y - center[1]) ** 2 + (z - center[2]) ** 2 <= radius * radius;
 }
 
-/** Where a line is inside: steps from its first point; null where it is not. Up to rounding. */
+/** The part of a line inside a solid: steps from its first point; null if it does not enter. Up to rounding. */
 export function cutLine(solid: Solid, from: Vector3, step: Vector3): readonly [first: number, last: number] | null {
   return solid.kind === 'box' ? cutBox(solid, from, step) : cutSphere(solid, from, step);
 }
@@ -49,7 +49,7 @@ function cutBox({ low, high }: Extract<Solid, { kind: 'box' }>, from: Vector3, s
   return first <= last + rounding ? [first, last] : null;
 }
 
-/** A line that only touches is not lost. */
+/** Tolerance, so that a line that only touches is not lost. */
 const rounding = 1e-6;
 
 function cutSphere({ center, radius }: Extract<Solid, { kind: 'sphere' }>, from: Vector3, step: Vector3): readonly [number, number] | null {

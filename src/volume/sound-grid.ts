@@ -2,7 +2,7 @@ import type { GridFrame } from './grid.ts';
 import { longest, maxVoxelsPerAxis } from './grid-limits.ts';
 import { invertAffine } from './matrix.ts';
 
-/** Whether a grid lies where a camera can look at it: finite, not flat, neither too large nor too small for float32. */
+/** Whether a camera can look at a grid: it is finite, not flat, and neither too large nor too small for float32. */
 export function isSoundGrid({ dimensions, indexToWorld, spacing }: GridFrame): boolean {
   return (
     invertAffine(indexToWorld) !== null &&

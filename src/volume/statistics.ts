@@ -1,17 +1,20 @@
-/** What the values of some voxels or gates come to, in the volume's unit. What there are too few of is null. */
+/** Statistics of the values of some voxels or gates, in the volume's unit. Fields that need more values are null. */
 export interface Statistics {
-  /** Of those that have data. */
+  /** Number of those that have data. */
   readonly count: number;
-  /** Inside, but without data: they are left out. */
+  /** Number of those inside without data: they are left out. */
   readonly withoutData: number;
   readonly mean: number | null;
   /** Standard deviation, over count - 1. */
   readonly deviation: number | null;
-  /** Standard error of the mean, if they were independent of each other: deviation / sqrt(count). */
+  /** Standard error of the mean, if the values were independent of each other: deviation / sqrt(count). */
   readonly standardError: number | null;
   readonly least: number | null;
   readonly largest: number | null;
-  /** Of those inside, with data or without, so many voxels are cut by the surface: a part of them is outside. Null where nobody counts them. */
+  /**
+   * Number of voxels inside, with or without data, that the surface cuts: a part of them is outside. Null if they were
+   * not counted.
+   */
   readonly cut: number | null;
 }
 
@@ -20,14 +23,14 @@ export class Tally {
   #count = 0;
   #withoutData = 0;
   #cut: number | null = null;
-  /** Sums go by the distance from the first value: squares of large numbers would lose the small differences. */
+  /** Sums are of differences from the first value: squares of large numbers would lose small differences. */
   #first = 0;
   #sum = 0;
   #squares = 0;
   #least = Infinity;
   #largest = -Infinity;
 
-  /** Take in some samples, of which the one that stands for no data, or none that is finite, is left out. */
+  /** Adds some samples. It leaves out the one that stands for no data, and those that are not finite. */
   add(samples: ArrayLike<number>, first: number, end: number, noData = NaN): void {
     if (this.#count === 0) this.#first = findFirst(samples, first, end, noData);
     const origin = this.#first;
@@ -49,7 +52,7 @@ export class Tally {
     [this.#least, this.#largest] = [least, largest];
   }
 
-  /** So many of them are cut by the surface. */
+  /** Adds to the number of voxels that the surface cuts. */
   addCut(voxels: number): void {
     this.#cut = (this.#cut ?? 0) + voxels;
   }

@@ -1,6 +1,6 @@
 import type { Vector3 } from './matrix.ts';
 
-/** A part of a surface that short indices reach, as WebGL 1 wants it. */
+/** A part of a surface that 16-bit indices can address, as WebGL 1 needs it. */
 export interface SurfacePart {
   /** World coordinates, x, y and z of each vertex. */
   readonly positions: Float32Array<ArrayBuffer>;
@@ -8,7 +8,7 @@ export interface SurfacePart {
   readonly normals: Float32Array<ArrayBuffer>;
   /** Three vertices of each triangle. */
   readonly indices: Uint16Array<ArrayBuffer>;
-  /** Red, green and blue of each vertex, 0..1; null where all have one colour. */
+  /** Red, green and blue of each vertex, 0..1; null if all have one colour. */
   readonly colors: Float32Array<ArrayBuffer> | null;
 }
 
@@ -19,22 +19,22 @@ export interface Surface {
   readonly low: Vector3;
   readonly high: Vector3;
   readonly triangles: number;
-  /** What it was read from, for people. */
+  /** The format of its file, for people. */
   readonly format: string;
-  /** What is to be said of it, for who made the page; empty where there is nothing. */
+  /** Notes for the author of the page; empty if there are none. */
   readonly notes: readonly string[];
-  /** Of terrain. */
+  /** Only for terrain. */
   readonly terrain?: TerrainFacts;
 }
 
-/** What is known of terrain. */
+/** Numbers about terrain. */
 export interface TerrainFacts {
   /** The largest difference between the heights of the files and those of the surface, metres. */
   readonly error: number;
   /** Its root mean square, metres. */
   readonly meanError: number;
-  /** Lowest and highest place of what is shown, metres above the sea. */
+  /** Lowest and highest point of the shown part, metres above the sea. */
   readonly heights: readonly [lowest: number, highest: number];
-  /** Share of what is shown where the files have no heights. */
+  /** Share of the shown part where the files have no heights. */
   readonly voids: number;
 }

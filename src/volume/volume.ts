@@ -9,10 +9,10 @@ import type { Samples } from './samples.ts';
 
 export type { Samples } from './samples.ts';
 
-/** Where a volume's samples lie. */
+/** The positions of a volume's samples. */
 export type Grid = CartesianGrid | PolarGrid;
 
-/** A scalar volume. Plain data: workers send it to their page. */
+/** A scalar volume. It is plain data, because workers send it to their page. */
 export interface Volume {
   readonly grid: Grid;
   /**
@@ -20,12 +20,12 @@ export interface Volume {
    * Polar: sweep after sweep, radial after radial, gate after gate; 0 (integers) or NaN (float) means no data.
    */
   readonly samples: Samples;
-  /** Set for volumes from radar files: what the file says of the scan. */
+  /** Set for volumes from radar files: what the file says about the scan. */
   readonly radar?: RadarInfo;
   /** Data value = slope * sample + intercept, in `unit`; but see `ids`. */
   readonly slope: number;
   readonly intercept: number;
-  /** Unit of the data values ('HU', 'dBZ', ...); '' where unknown. */
+  /** Unit of the data values ('HU', 'dBZ', ...); '' if unknown. */
   readonly unit: string;
   /** Smallest and largest valid data value, in `unit`. */
   readonly range: readonly [number, number];
@@ -33,25 +33,31 @@ export interface Volume {
   readonly histogram: Histogram;
   /** Ranges of stored values in blocks of voxels. */
   readonly macrocells: Macrocells;
-  /** Whether any sample is no data. */
+  /** Whether any sample has no data. */
   readonly hasNoData: boolean;
-  /** What the data came from: 'NIfTI-1', 'PNG mosaic', ... */
+  /** The format of the file: 'NIfTI-1', 'PNG mosaic', ... */
   readonly format: string;
   /** Whether the file says that the world's axes are a patient's: x to the right, y to the front, z to the head. */
   readonly anatomical?: boolean;
   readonly title?: string;
   readonly credit?: string;
-  /** How the volume is shown: what its file or manifest says, else what its values suggest. Attributes win over these. */
+  /** How the volume is shown: from its file or manifest, else suggested by its values. Attributes override these. */
   readonly window?: readonly [number, number];
   readonly transferFunction?: string;
   readonly referenceLength?: number;
-  /** Whether values stand for things, as labels do: between two there is none, and a place has one of the eight around it. */
+  /**
+   * Whether values stand for things, as labels do: there are no values between two of them, and a point has the value
+   * of one of the eight samples around it.
+   */
   readonly isDiscrete?: boolean;
-  /** Of labels whose samples are places in this list, with slope 1 and intercept 0: the ids of the file, rising. What draws takes the places for values. */
+  /**
+   * For labels whose samples are indices into this list, with slope 1 and intercept 0: the ids of the file, ascending.
+   * The renderer uses the indices as values.
+   */
   readonly ids?: readonly number[];
-  /** What the file itself says of its labels. */
+  /** What the file itself says about its labels. */
   readonly named?: readonly NamedLabel[];
-  /** Whole numbers that `samples` rounds, each as it is in the file; absent where there are too many different ones. */
+  /** The file's exact whole numbers, if `samples` rounds them; absent if there are too many different ones. */
   readonly indexed?: IndexedSamples;
   /** Set where whole numbers are rounded that are not in `indexed`. */
   readonly rounded?: Rounded;
@@ -59,7 +65,7 @@ export interface Volume {
   readonly left?: readonly string[];
   /** Set when the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
-  /** Set for a small stand-in of a large volume; range, histogram and `hasNoData` are the large one's. */
+  /** Set for a small stand-in of a large volume; range, histogram and `hasNoData` are those of the large one. */
   readonly coarse?: true;
 }
 
@@ -74,7 +80,7 @@ export function isPolar<V extends { readonly grid: Grid }>(volume: V): volume is
 export interface SweepInfo {
   /** Degrees above the horizon. */
   readonly elevation: number;
-  /** Radials that the file has. */
+  /** Radials in the file. */
   readonly radials: number;
   /** Along each radial. */
   readonly gates: number;
@@ -84,9 +90,9 @@ export interface SweepInfo {
   readonly gateLength: number;
 }
 
-/** What a radar file says of its scan. */
+/** What a radar file says about its scan. */
 export interface RadarInfo {
-  /** The moment that the volume holds, as the file names it. */
+  /** The moment that the volume holds, by the file's name. */
   readonly moment: string;
   /** All moments of the file. */
   readonly moments: readonly string[];

@@ -1,4 +1,7 @@
-/** Bundlers look for exactly this and put the right address there. A file of its own, because in dist it lies beside the worker. */
+/**
+ * Bundlers look for exactly this expression and insert the right address. It has its own file, because in dist it lies
+ * next to the worker.
+ */
 export function createWorker(): Worker {
   return new Worker(new URL('./decode-worker.ts', import.meta.url), { type: 'module' });
 }

@@ -6,16 +6,16 @@ import type { RequestEnvironment } from './decode-request.ts';
 import type { LoadRequest } from '../formats/base/load-request.ts';
 import { NeedsMainThread } from '../formats/base/needs-main-thread.ts';
 
-/** Bytes of a file, and of what is made of it, that are taken on where the page stands still meanwhile. */
-const mostBytes = 2 ** 28;
+/** Maximum bytes of a file and its decoded data on the main thread, which blocks the page meanwhile. */
+const maxBytes = 2 ** 28;
 
 /** Share of the steps that a worker may take. */
 const effort = 1 / 8;
 
-/** The worker's work on the main thread, which has nowhere else to send it. */
+/** Does the worker's work on the main thread, which can't send it anywhere else. */
 export async function decodeHere(request: LoadRequest, environment: RequestEnvironment): Promise<Volume> {
   try {
-    return await decodeRequest(request, { ...environment, budget: new Budget(mostBytes, effort), breathe });
+    return await decodeRequest(request, { ...environment, budget: new Budget(maxBytes, effort), breathe });
   } catch (error) {
     if (environment.signal?.aborted) throw environment.signal.reason;
     if (error instanceof VolumeViewError && error.code === 'format/too-large') throw explainLimits(error);
@@ -28,14 +28,14 @@ export async function decodeHere(request: LoadRequest, environment: RequestEnvir
   }
 }
 
-/** Let the page do what waits: draw, and follow its reader. */
+/** Lets the page do pending work: draw, and respond to its reader. */
 function breathe(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve));
 }
 
-/** The same file may be fine in a worker, and whoever reads this should know. */
+/** Adds that the same file may load in a worker, where the limits are larger. */
 function explainLimits({ code, message, cause }: VolumeViewError): VolumeViewError {
-  const limits = `at most ${mostBytes / 2 ** 20} MiB`;
+  const limits = `at most ${maxBytes / 2 ** 20} MiB`;
   return new VolumeViewError(
     code,
     `${message}. The file was read by the page itself, which allows no worker or whose browser can not read it in one, and there ${limits} are taken on, ` +

@@ -11,12 +11,12 @@ import { loadReader } from '../formats/base/load-reader.ts';
 import type { CoarseListener, LoadProgress, LoadProgressListener, LoadRequest, ScansListener } from '../formats/base/load-request.ts';
 
 export interface RequestEnvironment {
-  /** Only on the main thread: a worker is stopped from outside. */
+  /** Only on the main thread: a worker is terminated from outside. */
   readonly signal?: AbortSignal;
   readonly pageOrigin: string;
-  /** What the load may take; where undefined, what a worker may. */
+  /** The limits of the load; if undefined, those of a worker. */
   readonly budget?: Budget;
-  /** Is waited for between two long works. */
+  /** Awaited between two long pieces of work. */
   readonly breathe?: () => Promise<void>;
   readonly onProgress: LoadProgressListener;
   readonly onScans?: ScansListener;
@@ -24,16 +24,16 @@ export interface RequestEnvironment {
 }
 
 /**
- * Fetch, decode and fit a volume on this thread, be it a worker's or the page's own.
+ * Fetches, decodes and fits a volume on this thread, a worker's or the page's own.
  * @param request - with an absolute `url` and `files`
- * @throws {VolumeViewError} as fetchBytes and decodeFile say; {NeedsMainThread} in a worker that can not do it
+ * @throws {VolumeViewError} as fetchBytes and decodeFile say; {NeedsMainThread} in a worker that can't do it
  */
 export async function decodeRequest(request: LoadRequest, environment: RequestEnvironment): Promise<Volume> {
   const { signal, pageOrigin, budget = new Budget(readDeviceBytes()), breathe, onProgress, onScans, onCoarse } = environment;
   const url = request.files?.[0] ?? request.url;
   let named: RequestCredentials | undefined;
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
-    signal?.throwIfAborted(); // The only point that long work on the main thread passes often.
+    signal?.throwIfAborted(); // Long work on the main thread passes here often.
     onProgress({ loaded, total, phase });
   };
   const fetchOne: FetchOne = (url, onProgress) => fetchBytes(url, {
@@ -51,12 +51,12 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans, onRadar: () => onCoarse?.(null), budget };
   const start = async (): Promise<DecodeInput> => {
     const first = await fetchFile(url);
-    // A file of another server chooses what else is fetched: not in the name of the page's reader, then.
+    // A file from another server chooses what else is fetched: that must not use the reader's cookies and logins.
     if (first.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
     await breathe?.();
     return first;
   };
-  // Nothing but the decoder holds the file, so that its memory is free for what follows.
+  // Only the decoder holds the file, so that its memory can be freed during the next steps.
   const decoded = await decodeFile(await start(), request, context);
   await breathe?.();
   signal?.throwIfAborted();
@@ -67,7 +67,10 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   }
 }
 
-/** Half of the memory that the device says it has; undefined where it says nothing. Browsers say 8 GiB at most, or little more. */
+/**
+ * Half of the memory that the device reports; undefined if it reports none. Browsers report 8 GiB at most, or little
+ * more.
+ */
 function readDeviceBytes(): number | undefined {
   const gigabytes = (globalThis.navigator as { deviceMemory?: number } | undefined)?.deviceMemory;
   return gigabytes === undefined ? undefined : gigabytes * 2 ** 29;

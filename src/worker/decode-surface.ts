@@ -1,4 +1,4 @@
-// What a worker, or the page itself, does for a surface: loaded with the first one.
+// Loads a surface in a worker, or in the page itself. This part is loaded with the first surface.
 import type { Surface } from '../volume/surface.ts';
 import { explain } from '../formats/decode.ts';
 import { fetchBytes } from '../sources/fetch-bytes.ts';
@@ -16,16 +16,16 @@ import { makeTerrain } from '../formats/terrain/make-terrain.ts';
 import { joinTiles } from '../formats/terrain/terrain-raster.ts';
 
 interface Environment {
-  /** Only on the page's thread: a worker is stopped from outside. */
+  /** Only on the page's thread: a worker is terminated from outside. */
   readonly signal?: AbortSignal;
   readonly pageOrigin: string;
   readonly onProgress: LoadProgressListener;
 }
 
-/** Triangles that terrain is thinned to. */
+/** The number of triangles to which terrain is simplified. */
 const terrainTriangles = 200_000;
 
-/** Fetch, read and finish a surface. @throws {VolumeViewError} as fetchBytes, readMesh and makeTerrain do */
+/** Fetches, reads and finishes a surface. @throws {VolumeViewError} as fetchBytes, readMesh and makeTerrain do */
 export async function decodeSurface(request: SurfaceRequest, environment: Environment): Promise<Surface> {
   try {
     return await (request.surface === 'mesh' ? decodeMesh(request, environment) : decodeTerrain(request, environment));
@@ -46,7 +46,7 @@ async function decodeTerrain({ files, corner, radar }: TerrainRequest, environme
 }
 
 async function fetchAll(urls: readonly string[], { signal, pageOrigin, onProgress }: Environment): Promise<{ readonly bytes: Uint8Array<ArrayBuffer> }[]> {
-  const fetchOne: FetchOne = (url, tell) => fetchBytes(url, { signal, pageOrigin, maxBytes: maxMeshBytes, onProgress: tell });
+  const fetchOne: FetchOne = (url, report) => fetchBytes(url, { signal, pageOrigin, maxBytes: maxMeshBytes, onProgress: report });
   const files: { readonly bytes: Uint8Array<ArrayBuffer> }[] = [];
   for await (const file of fetchInOrder(urls, fetchOne, (loaded, total) => onProgress({ loaded, total, phase: 'fetch' }))) files.push(file);
   const sum = files.reduce((bytes, file) => bytes + file.bytes.length, 0);
@@ -54,7 +54,7 @@ async function fetchAll(urls: readonly string[], { signal, pageOrigin, onProgres
   return files;
 }
 
-/** What is handed over to the page, so that there is no second copy of it. */
+/** The buffers that are transferred to the page instead of copied. */
 export function listSurfaceBuffers({ parts }: Surface): ArrayBuffer[] {
   return parts.flatMap(({ positions, normals, indices, colors }) => [positions, normals, indices, ...(colors ? [colors] : [])].map(({ buffer }) => buffer));
 }

@@ -1,4 +1,4 @@
-// The worker's entry: one order and the device's limits in, reports out. It is stopped by being terminated.
+// The worker's entry. It receives one order and the device's limits, and sends reports. The page stops it by terminating it.
 import { asVolumeViewError } from '../core/errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import { decodeRequest } from './decode-request.ts';
@@ -7,10 +7,10 @@ import type { DeviceLimits, LoadProgress } from '../formats/base/load-request.ts
 import { NeedsMainThread } from '../formats/base/needs-main-thread.ts';
 import type { WorkerLimits, WorkerOrder, WorkerReport } from './worker-messages.ts';
 
-/** Progress is worth no more than this many messages: milliseconds between two. */
+/** Minimum milliseconds between two progress messages. */
 const reportEveryMs = 40;
 
-/** What is used of a worker's global scope, which the compiler, set up for pages, does not know. */
+/** The part of a worker's global scope that is used here. The compiler is set up for pages and does not know it. */
 interface WorkerScope {
   onmessage: ((event: MessageEvent<WorkerOrder | WorkerLimits>) => void) | null;
   postMessage(message: WorkerReport, transfer: Transferable[]): void;
@@ -19,13 +19,13 @@ interface WorkerScope {
 const worker = globalThis as unknown as WorkerScope;
 const report = (message: WorkerReport, transfer: Transferable[] = []): void => worker.postMessage(message, transfer);
 
-let tellLimits: (limits: DeviceLimits) => void;
-const limits = new Promise<DeviceLimits>((resolve) => (tellLimits = resolve));
+let resolveLimits: (limits: DeviceLimits) => void;
+const limits = new Promise<DeviceLimits>((resolve) => (resolveLimits = resolve));
 
-worker.onmessage = ({ data }) => ('limits' in data ? tellLimits(data.limits) : void obey(data));
+worker.onmessage = ({ data }) => ('limits' in data ? resolveLimits(data.limits) : void runOrder(data));
 report({ type: 'ready' });
 
-async function obey({ request, pageOrigin }: WorkerOrder): Promise<void> {
+async function runOrder({ request, pageOrigin }: WorkerOrder): Promise<void> {
   try {
     if ('surface' in request) {
       const { decodeSurface, listSurfaceBuffers } = await loadReader(() => import('./decode-surface.ts'));
@@ -45,7 +45,7 @@ async function obey({ request, pageOrigin }: WorkerOrder): Promise<void> {
   }
 }
 
-/** What is handed over to the page, so that there is no second copy of it. */
+/** The buffers that are transferred to the page instead of copied. */
 function listBuffers({ samples, macrocells }: Volume): ArrayBuffer[] {
   return [samples.buffer, macrocells.low.buffer, macrocells.high.buffer, macrocells.roughness.buffer];
 }
@@ -56,8 +56,8 @@ function reportFailure(error: unknown, url: string): void {
 }
 
 /**
- * What is held back is told a little later, so that a stalled transfer shows how far it came, and before another phase begins,
- * so that each phase is told to its end.
+ * A message that was held back is sent a little later, so that a stalled transfer shows how far it came. It is sent
+ * before another phase begins, so that each phase is reported to its end.
  */
 function throttle(): (progress: LoadProgress) => void {
   let last = -Infinity;

@@ -6,7 +6,10 @@ import type { LoadOptions } from './load.ts';
 import { NeedsMainThread } from '../formats/base/needs-main-thread.ts';
 import type { SurfaceRequest } from './surface-request.ts';
 
-/** Load a surface: in a worker of its own, or on this thread where the page allows none. @throws {VolumeViewError}; the signal's reason */
+/**
+ * Loads a surface: in a worker of its own, or on this thread if the page allows none. @throws {VolumeViewError}; the
+ * signal's reason
+ */
 export async function loadSurface(request: SurfaceRequest, options: LoadOptions): Promise<Surface> {
   options.signal.throwIfAborted();
   return workOff({ order: { request, pageOrigin: origin } }, options, (watched) => loadHere(request, watched));

@@ -13,17 +13,18 @@ export interface LoadOptions {
   readonly signal: AbortSignal;
   readonly onProgress: LoadProgressListener;
   readonly onScans?: ScansListener;
-  /** Is told a small stand-in of a large volume, before the volume itself is there. */
+  /** Receives a small stand-in for a large volume, before the volume itself is ready. */
   readonly onCoarse?: CoarseListener;
 }
 
-/** Where a worker leaves the work to the main thread. */
+/** Resolves a worker's task that has to run on the main thread. */
 const notHere = Symbol('not in a worker');
 
 /**
- * Load a volume: fetched, decoded and fitted to the device in a worker of its own, or on this thread where the page
+ * Loads a volume: fetched, decoded and fitted to the device in a worker of its own, or on this thread if the page
  * allows no worker.
- * @throws {VolumeViewError} `source/…`, `format/…`, `mosaic/layout`, `manifest/invalid`, `internal`; the signal's reason
+ * @throws {VolumeViewError} `source/…`, `format/…`, `mosaic/layout`, `manifest/invalid`, `internal`; the signal's
+ * reason
  */
 export async function loadVolume(request: LoadRequest, options: LoadOptions): Promise<Volume> {
   options.signal.throwIfAborted();
@@ -33,15 +34,15 @@ export async function loadVolume(request: LoadRequest, options: LoadOptions): Pr
 }
 
 /**
- * Have a worker do what it is told, or this thread where the page allows none.
- * @param here - does it on this thread
+ * Runs a task in a worker, or on this thread if the page allows none.
+ * @param here - runs it on this thread
  */
 export async function workOff<T>(task: WorkerTask, options: LoadOptions, here: (watched: LoadOptions) => Promise<T>): Promise<T> {
   const { url } = task.order.request;
   const { end, ...watched } = watchLoad(url, options.signal, options.onProgress);
   try {
     for (const start of listWorkerStarts(url)) {
-      const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy against workers.
+      const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy that forbids workers.
       const result = worker ? await loadInWorker(worker, task, { ...options, ...watched }) : notHere;
       if (result !== notHere) return result as T;
     }
@@ -53,17 +54,17 @@ export async function workOff<T>(task: WorkerTask, options: LoadOptions, here: (
 
 export function resolveUrl(url: string): string {
   try {
-    // A named image can stand in the way of the document's own properties.
+    // An image named "baseURI" can hide the document's own property.
     return new URL(url, Reflect.get(Node.prototype, 'baseURI', document)).href;
   } catch (cause) {
     throw new VolumeViewError('source/not-found', `src got "${url}"; expected a URL`, { cause });
   }
 }
 
-/** What a worker is told. */
+/** The messages for a worker. */
 interface WorkerTask {
   readonly order: WorkerOrder;
-  /** Only of volumes. */
+  /** Only for volumes. */
   readonly limits?: LoadRequest['limits'];
 }
 
@@ -102,10 +103,11 @@ function loadInWorker(worker: Worker, { order, limits }: WorkerTask, { signal, o
     };
     worker.onerror = (event) => {
       event.preventDefault();
-      // Before the first message the script could not be loaded; after it, only lack of memory ends a worker so.
+      // An error before the first message means that the script could not be loaded; after it, only lack of memory ends
+      // a worker like this.
       end(() => (isReady ? reject(outOfMemory(event.message)) : resolve(notHere)));
     };
-    // At once: the page may be busy when the worker is ready.
+    // Sent at once: the page may be busy when the worker is ready.
     worker.postMessage(order);
     if (limits) Promise.resolve(limits).then((known) => worker.postMessage({ limits: known } satisfies WorkerLimits), (error) => end(() => reject(error)));
     worker.onmessageerror = () => end(() => reject(outOfMemory('a message could not be read')));

@@ -1,15 +1,15 @@
 import type { MeshSpace } from '../formats/meshes/mesh.ts';
 import type { TerrainRadar } from '../formats/terrain/make-terrain.ts';
 
-/** What surface to load. */
+/** The surface to load. */
 export type SurfaceRequest = MeshRequest | TerrainRequest;
 
 interface AnySurface {
-  /** The first file's: absolute. */
+  /** URL of the first file, absolute. */
   readonly url: string;
 }
 
-/** A mesh of a file. */
+/** A mesh from a file. */
 export interface MeshRequest extends AnySurface {
   readonly surface: 'mesh';
   /** null for what the file says, or else `ras`. */
@@ -19,9 +19,9 @@ export interface MeshRequest extends AnySurface {
 /** The ground under a radar. */
 export interface TerrainRequest extends AnySurface {
   readonly surface: 'terrain';
-  /** All files: absolute. */
+  /** URLs of all files, absolute. */
   readonly files: readonly string[];
-  /** Degrees north and east of the south-west corner of a single file; null for what names say. */
+  /** Degrees north and east of the south-west corner of a single file; null to take it from the files' names. */
   readonly corner: readonly [south: number, west: number] | null;
   readonly radar: TerrainRadar;
 }

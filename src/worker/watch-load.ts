@@ -1,21 +1,24 @@
 import { VolumeViewError } from '../core/errors.ts';
 import type { LoadProgressListener } from '../formats/base/load-request.ts';
 
-/** Seconds without a byte after which others may load meanwhile, and after which a load is given up. */
+/** Seconds without a byte after which other loads may start, and after which the load is ended. */
 const [polite, patient] = [5, 30];
 
-/** Seconds that a decoder may be silent, which can not speak while it works: these, and one for so many bytes. */
+/** Seconds that a decoder may be silent (it can't report while it works): this many, and one more for so many bytes. */
 const [working, bytesPerSecond] = [60, 1e6];
 
 export interface LoadWatch {
-  /** Aborts where the one that was given does, or where the load stalls. */
+  /** Aborts if the given signal does, or if the load stalls. */
   readonly signal: AbortSignal;
   readonly onProgress: LoadProgressListener;
-  /** To be called when the load has ended. */
+  /** Call this when the load has ended. */
   readonly end: () => void;
 }
 
-/** Listen to a load, and give it up where nothing is heard of it. A second counts where the page runs: not in its sleep. */
+/**
+ * Watches a load, and aborts it if it reports nothing for too long. Only seconds in which the page runs count, not
+ * those in which it sleeps.
+ */
 export function watchLoad(url: string, signal: AbortSignal, onProgress: LoadProgressListener): LoadWatch {
   const controller = new AbortController();
   const stop = (): void => controller.abort(signal.reason);
@@ -27,7 +30,7 @@ export function watchLoad(url: string, signal: AbortSignal, onProgress: LoadProg
     const { phase, loaded, total } = last;
     const isFetching = phase === 'fetch' && (!total || loaded < total);
     if (silent === polite && isFetching) onProgress({ ...last, isStill: true });
-    // A fetch of unknown length may be over.
+    // A fetch of unknown length may be complete.
     if (silent < (isFetching && (total || !loaded) ? patient : working + loaded / bytesPerSecond)) return;
     controller.abort(new VolumeViewError('source/stalled', `${url.slice(0, 300)} came no further for ${silent} seconds, after ${loaded} bytes; check the network and the file, and load it again`));
   }, 1000);

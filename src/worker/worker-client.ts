@@ -3,16 +3,17 @@ import { createWorker } from './create-worker.ts';
 import { isTextSurer, listWorkerTexts } from './worker-source.ts';
 
 /**
- * Ways to start the decode worker, the best first. Each returns a worker that may still fail before its first message:
- * a Content-Security-Policy, an opaque origin or a missing file show only then. Where a browser has none, all of them fail.
- * @param dataUrl - of the file that it is to read
+ * Ways to start the decode worker, the best first. Each returns a worker that may still fail before its first message,
+ * because a Content-Security-Policy, an opaque origin or a missing file show only then. In a browser without workers
+ * all of them fail.
+ * @param dataUrl - URL of the file that the worker will read
  */
 export function listWorkerStarts(dataUrl: string): readonly (() => Promise<Worker>)[] {
   const [url, options] = findWorker();
   const isOwn = url?.origin === origin;
   const starts = isOwn ? [async () => new Worker(trust(url.href, 'createScriptURL'), options)] : [];
-  // The classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be; and the
-  // modules for bundlers, of which some leave the file behind.
+  // Two builds carry the worker's text: the classic script, which may be a page's only file, or have no file that a
+  // worker may load; and the modules for bundlers, some of which leave the worker's file out.
   const texts = listWorkerTexts(dataUrl).map((load) => async () => startFromText(await load()));
   if (texts.length > 0) starts[isTextSurer(url?.href) ? 'unshift' : 'push'](...texts);
   // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
@@ -20,7 +21,7 @@ export function listWorkerStarts(dataUrl: string): readonly (() => Promise<Worke
   return starts;
 }
 
-/** A worker from its text, which is given back with it. */
+/** Starts a worker from its text. */
 export function startFromText(text: string, options?: WorkerOptions): Worker {
   const url = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
   const release = (): void => URL.revokeObjectURL(url);
@@ -38,9 +39,9 @@ export function startFromText(text: string, options?: WorkerOptions): Worker {
 }
 
 /**
- * Where the worker's script is, and of which kind. Bundlers look for exactly `new Worker(new URL(…))` and put the right address
- * there, and some make a classic script of it, but do not tell it: so the expression is run once against a stand-in that keeps
- * what it is given and starts nothing.
+ * Finds the URL and the kind of the worker's script. Bundlers look for exactly `new Worker(new URL(…))` and insert the
+ * right address there, and some change it to a classic script without saying so. So the expression runs once with a
+ * stand-in for Worker, which keeps its arguments and starts nothing.
  */
 function findWorker(): [url?: URL, options?: WorkerOptions] {
   const native = globalThis.Worker;
@@ -52,7 +53,7 @@ function findWorker(): [url?: URL, options?: WorkerOptions] {
     globalThis.Worker = Recorder as unknown as typeof Worker;
     createWorker();
   } catch {
-    // No address, no worker: the work is then done on the main thread.
+    // Without an address there is no worker: the main thread does the work.
   } finally {
     globalThis.Worker = native;
   }

@@ -11,7 +11,7 @@ export interface WorkerOrder {
   readonly pageOrigin: string;
 }
 
-/** The second one: what is known a little later. */
+/** The second message: the limits, which become known a little later. */
 export interface WorkerLimits {
   readonly limits: DeviceLimits;
 }

@@ -1,7 +1,8 @@
 /**
- * Give the worker's text, in the builds that carry it (scripts/build.mjs writes it here): the first that can read a file is to be taken.
+ * The worker's text, in the builds that contain it (scripts/build.mjs writes it here). The first one that can read the
+ * file is used.
  * @param _url - of the file
  */
 export const listWorkerTexts = (_url: string): readonly (() => Promise<string>)[] => [];
-/** Whether the text comes before the file. @param _url - of the worker's file */
+/** Whether the text is tried before the worker's file. @param _url - of the worker's file */
 export const isTextSurer = (_url?: string): boolean => false;
