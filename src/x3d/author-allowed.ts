@@ -1,12 +1,12 @@
 /**
- * What of an author's X3D takes part in a scene. x3dom makes functions of `on...` attributes, loads scripts, scenes, buffers
- * and shaders by other nodes' URLs, and goes to the URL of an anchor. Sanitizers, which know HTML, let all of that pass. So
- * nothing takes part that is not listed here.
+ * The parts of an author's X3D that may join a scene. x3dom makes functions of `on...` attributes, loads scripts,
+ * scenes, buffers and shaders from other nodes' URLs, and follows the URL of an anchor. Sanitizers, which know HTML,
+ * let all of that pass. So only what is listed here joins a scene.
  */
 
 const words = (text: string): ReadonlySet<string> => new Set(text.trim().split(/\s+/));
 
-/** Nodes that are drawn, or that move what is drawn. None of them runs anything, or loads anything but pictures. */
+/** Nodes that are drawn, or that move what is drawn. None of them runs code, or loads anything except pictures. */
 const nodes = words(`
   group transform matrixtransform staticgroup switch billboard collision lod
   shape appearance material twosidedmaterial physicalmaterial commonsurfaceshader surfaceshadertexture
@@ -24,7 +24,7 @@ const nodes = words(`
   worldinfo metadataset metadatastring metadatafloat metadatadouble metadatainteger metadataboolean
 `);
 
-/** Fields of these nodes. Not among them: the `buffer` of interpolators, which is a URL of data. */
+/** Fields of these nodes. The `buffer` of interpolators, which is a URL of data, is not among them. */
 const fields = words(`
   render visible bboxcenter bboxsize bboxdisplay bboxmargin bboxcolor
   center translation rotation scale scaleorientation matrix whichchoice axisofrotation enabled range forcetransitions
@@ -74,12 +74,12 @@ export function isAllowedNode(element: Element): boolean {
   return nodes.has(element.localName.toLowerCase());
 }
 
-/** @param name - of an attribute; a value can also be set, or changed, by an event's name */
+/** @param name - of an attribute; an event's name can also set or change a field */
 export function isAllowedField(name: string): boolean {
   return fields.has(fieldOf(name));
 }
 
-/** The field that an attribute or an event is about. */
+/** The field that an attribute or an event belongs to. */
 export function fieldOf(name: string): string {
   const lower = name.toLowerCase();
   if (fields.has(lower)) return lower;
@@ -91,12 +91,15 @@ export function isHandler(name: string): boolean {
   return /^on./i.test(name);
 }
 
-/** Whether a field holds URLs. Those that are allowed load pictures. */
+/** Whether a field holds URLs. The allowed fields of this kind load pictures. */
 export function isUrlField(name: string): boolean {
   return fieldOf(name).endsWith('url');
 }
 
-/** The URLs of a field that may be loaded, written so that x3dom reads exactly these; and those that may not. */
+/**
+ * Sorts the URLs of a field: those that may be loaded, written so that x3dom reads exactly these; and those that may
+ * not.
+ */
 export function sortUrls(text: string, base: string): { readonly allowed: string; readonly refused: readonly string[] } {
   const trimmed = text.trim();
   const given = trimmed.startsWith('"') ? [...trimmed.matchAll(/"((?:[^\\"]|\\.)*)"/g)].map(([, url]) => url.replace(/\\(.)/g, '$1')) : [trimmed];
@@ -109,7 +112,7 @@ export function sortUrls(text: string, base: string): { readonly allowed: string
   return { allowed: allowed.join(' '), refused };
 }
 
-/** The absolute URL of a picture on a server or in the text itself; null for all else, of which a script is one. */
+/** The absolute URL of a picture on a server or in the URL itself; null for everything else, such as a script. */
 function pictureUrl(text: string, base: string): string | null {
   let url: URL;
   try {

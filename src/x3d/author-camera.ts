@@ -10,13 +10,13 @@ import type { X3dElement } from './x3dom-types.ts';
 /** The author's viewpoint. */
 export interface AuthorCamera {
   readonly camera: Camera;
-  /** In world coordinates; null where the author gave none. */
+  /** In world coordinates; null if the author gave none. */
   readonly centerOfRotation: Vector3 | null;
-  /** How it is turned around what is shown. */
+  /** The viewpoint's frame, relative to what is shown. */
   readonly around: (subject: { center: Vector3; radius: number }) => ViewpointFrame;
 }
 
-/** The author's viewpoint as a camera; null where there is none, or one that looks from nowhere. */
+/** The author's viewpoint as a camera; null if there is none, or if its view is not finite. */
 export function readAuthorCamera(author: AuthorNodes, element: X3dElement): AuthorCamera | null {
   const { viewpoint } = author;
   if (!viewpoint) return null;

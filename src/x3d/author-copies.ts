@@ -2,57 +2,60 @@ import { fieldOf, isAllowedField, isAllowedNode, isHandler, isUrlField, sortUrls
 import { meantChildren, meantParent, meantWithin } from '../page/unclosed.ts';
 import type { X3dOwned } from './x3dom-types.ts';
 
-/** Is told what of an author's element is left out, and why. */
+/** Receives what is left out of an author's element, and why. */
 export type TellLeftOut = (element: Element, what: string, why: string) => void;
 
-/** Elements within elements, at most. */
+/** Maximum depth of nested elements. */
 const maxDepth = 200;
 
-/** Nodes of one scene that `use` repeats: a few names that use each other would be millions. */
+/** Maximum number of nodes of one scene that `use` repeats: a few names that use each other would make millions. */
 const maxRepeated = 4000;
 
-/** Lights of one scene, and ClipPlanes: each makes x3dom's shaders longer, which may then take a minute to compile. */
+/**
+ * Maximum number of lights of one scene, and of ClipPlanes: each makes x3dom's shaders longer, and then they may take a
+ * minute to compile.
+ */
 const maxLights = 16;
 const costly = /(light|clipplane)$/i;
 
-/** Largest numbers of fields that say how much is made: of parts of a surface, pixels of a shadow, pixels of a text. */
+/** Maximum values of fields that say how much x3dom makes: parts of a surface, pixels of a shadow, pixels of a text. */
 const limits: Readonly<Record<string, number>> = {
   subdivision: 256, shadowmapsize: 4096, shadowcascades: 6, shadowfiltersize: 16, image: 4096, quality: 10, anisotropicdegree: 16,
 };
 
-/** Letters of a text that is drawn. */
+/** Maximum number of letters of a text that is drawn. */
 const maxTextLength = 2000;
 
-/** Names of the author's nodes: apart from all that x3dom's own tables of names may hold. */
+/** Renames the author's nodes, so that they differ from every name in x3dom's own tables. */
 const asName = (name: string): string => `author-${name}`;
 
 const nameFields = new Set(['fromnode', 'tonode']);
 
 /**
- * Makes copies of an author's elements with what of them may take part in a scene. x3dom only ever sees these: it writes into
- * them, and the author's elements stay as they are.
+ * Copies the parts of an author's elements that may join a scene. x3dom sees only the copies: it writes into them, and
+ * the author's elements stay as they are.
  */
 export class AuthorCopies {
   readonly #copies = new WeakMap<Element, X3dOwned>();
-  /** What `use` repeats: how many nodes there are under a name. */
+  /** For `use`: the number of nodes under each name. */
   readonly #sizes = new Map<string, number>();
-  /** Which names are used within the element of a name. */
+  /** The names that are used inside the element of each name. */
   readonly #uses = new Map<string, Set<string>>();
   #repeated = 0;
   readonly #costly = new Set<Element>();
 
-  constructor(readonly tell: TellLeftOut) {}
+  constructor(readonly report: TellLeftOut) {}
 
   copyOf(element: Node): X3dOwned | undefined {
     return this.#copies.get(element as Element);
   }
 
-  /** @returns the copy of an element and what is in it; null where it may not take part */
+  /** @returns the copy of an element and its content; null if it may not join the scene */
   copy(element: Element): X3dOwned | null {
     return this.#copy(element, namesAround(element), 0)?.copy ?? null;
   }
 
-  /** Elements are not in the scene any more. */
+  /** Call this when elements have left the scene. */
   forget(element: Element): void {
     for (const one of [element, ...meantWithin(element)]) {
       this.#copies.delete(one);
@@ -62,28 +65,28 @@ export class AuthorCopies {
     }
   }
 
-  /** The value of an attribute as the copy has it; null where it has none. */
+  /** The value of an attribute in the copy; null if the copy does not have it. */
   valueOf(element: Element, name: string): string | null {
     const value = element.getAttribute(name);
     if (value === null) return null;
-    if (isHandler(name)) this.tell(element, name, 'it would be run as a script. Use addEventListener');
-    else if (name.toLowerCase() === 'buffer') this.tell(element, name, 'data of other files are not loaded');
+    if (isHandler(name)) this.report(element, name, 'it would be run as a script. Use addEventListener');
+    else if (name.toLowerCase() === 'buffer') this.report(element, name, 'data of other files are not loaded');
     if (!isAllowedField(name)) return null;
     const field = fieldOf(name);
     if (isUrlField(name)) return this.#pictures(element, name, value);
     if (nameFields.has(field)) return asName(value);
     if (/^(from|to)field$/.test(field) && (!isAllowedField(value) || isUrlField(value))) {
-      this.tell(element, name, `"${value.slice(0, 40)}" is no field that can be joined`);
+      this.report(element, name, `"${value.slice(0, 40)}" is no field that can be joined`);
       return null;
     }
-    const most = limits[field] ?? Infinity;
-    if (field in limits && value.split(/[\s,]+/).slice(0, 2).some((word) => Number(word) > most)) {
-      this.tell(element, name, `it asks for more than ${most}`);
+    const max = limits[field] ?? Infinity;
+    if (field in limits && value.split(/[\s,]+/).slice(0, 2).some((word) => Number(word) > max)) {
+      this.report(element, name, `it asks for more than ${max}`);
       return null;
     }
     if (field === 'plane') return unitPlane(value);
     if (field === 'string' && value.length > maxTextLength) {
-      this.tell(element, name, `the text is longer than ${maxTextLength} letters`);
+      this.report(element, name, `the text is longer than ${maxTextLength} letters`);
       return null;
     }
     return value;
@@ -91,11 +94,11 @@ export class AuthorCopies {
 
   #pictures(element: Element, name: string, value: string): string | null {
     const { allowed, refused } = sortUrls(value, element.ownerDocument.baseURI);
-    for (const url of refused) this.tell(element, name, `"${url.slice(0, 60)}" is not loaded: a picture's URL begins with https:, http: or data:image/, or is relative`);
+    for (const url of refused) this.report(element, name, `"${url.slice(0, 60)}" is not loaded: a picture's URL begins with https:, http: or data:image/, or is relative`);
     return allowed === '' ? null : allowed;
   }
 
-  /** Whether one of some names is used within the element of a name, directly or not. */
+  /** Whether one of some names is used inside the element of a name, directly or indirectly. */
   #reaches(name: string, wanted: readonly string[]): boolean {
     const seen = new Set([name]);
     for (const one of seen) for (const used of this.#uses.get(one) ?? []) seen.add(used);
@@ -105,10 +108,10 @@ export class AuthorCopies {
   /** @param around - names of the elements around it */
   #copy(element: Element, around: readonly string[], depth: number): { copy: X3dOwned; size: number } | null {
     const leaveOut = (why: string): null => {
-      this.tell(element, `<${element.localName}>`, why);
+      this.report(element, `<${element.localName}>`, why);
       return null;
     };
-    if (/volume(style|data)$/i.test(element.localName)) return null; // The volume's own, which are read apart.
+    if (/volume(style|data)$/i.test(element.localName)) return null; // The volume's own nodes are read elsewhere.
     if (!isAllowedNode(element)) return leaveOut('no X3D node of this name takes part in the scene, see docs/shapes.md');
     if (depth > maxDepth) return leaveOut(`it is more than ${maxDepth} elements deep`);
     const kind = costly.exec(element.localName)?.[1].toLowerCase();
@@ -120,7 +123,8 @@ export class AuthorCopies {
     const def = nameOf(element);
     if (use !== null && this.#reaches(use, around)) return leaveOut(`its use of "${use.slice(0, 40)}" is within that element itself, without end`);
     if (use !== null) for (const name of around) this.#uses.set(name, (this.#uses.get(name) ?? new Set()).add(use));
-    // Of this document, wherever the author's element is: x3dom knows no elements of other windows.
+    // Created in this document, whatever document the author's element is from: x3dom knows no elements of other
+    // windows.
     const repeated = use === null ? 0 : (this.#sizes.get(use) ?? 0);
     if (this.#repeated + repeated > maxRepeated) return leaveOut(`more than ${maxRepeated} nodes would be repeated by use`);
     this.#repeated += repeated;
@@ -144,15 +148,18 @@ export class AuthorCopies {
   }
 }
 
-/** A ClipPlane's: x3dom takes it for another one where its normal is not of length 1. One of length 0 cuts nothing. */
+/**
+ * The plane of a ClipPlane with a normal of length 1: x3dom cuts at the wrong place for other lengths. A normal of
+ * length 0 cuts nothing.
+ */
 function unitPlane(value: string): string {
   const numbers = value.trim().split(/[\s,]+/).map(Number);
-  const most = Math.max(...numbers.slice(0, 3).map(Math.abs));
-  const length = most * Math.hypot(...numbers.slice(0, 3).map((x) => x / most));
-  return most === 0 ? '0 0 0 0' : numbers.map((x) => x / length).join(' ');
+  const max = Math.max(...numbers.slice(0, 3).map(Math.abs));
+  const length = max * Math.hypot(...numbers.slice(0, 3).map((x) => x / max));
+  return max === 0 ? '0 0 0 0' : numbers.map((x) => x / length).join(' ');
 }
 
-/** The name under which an element can be used again; empty where it has none. */
+/** The name under which an element can be used again; empty if it has none. */
 function nameOf(element: Element): string {
   return element.getAttribute('DEF') ?? element.getAttribute('def') ?? element.id;
 }

@@ -11,17 +11,17 @@ import { keepFromX3dom } from './own-scenes.ts';
 const identity = new Set(['def', 'use', 'id', 'containerfield']);
 
 /**
- * The author's own X3D children: they stay in the light DOM, and copies of them take part in the scene, which are kept in step
- * when elements are added, removed or changed. What x3dom can't make sense of is left out, and said.
+ * The author's own X3D children. They stay in the light DOM, and copies of them join the scene, which follow when
+ * elements are added, removed or changed. Elements that x3dom can't handle are left out, with a message in the console.
  */
 export class AuthorNodes {
   readonly #observer: MutationObserver;
   readonly #left = new LeftOut();
-  /** The element of the first viewpoint, or null; none until it has been looked for. */
+  /** The element of the first viewpoint, or null; undefined before the search. */
   #viewpoint: [Element | null] | null = null;
   #bound: X3dViewpoint | null = null;
   #boundBackground: X3dBindable | null = null;
-  readonly #copies = new AuthorCopies((element, what, why) => this.#left.tell(element, what, why));
+  readonly #copies = new AuthorCopies((element, what, why) => this.#left.report(element, what, why));
 
   constructor(
     readonly x3dom: X3dom,
@@ -33,13 +33,13 @@ export class AuthorNodes {
     this.#observer.observe(host, { childList: true, subtree: true, attributes: true });
   }
 
-  /** The author's first viewpoint, or null. It wins over the element's camera attributes. */
+  /** The author's first viewpoint, or null. It overrides the element's camera attributes. */
   get viewpoint(): X3dViewpoint | null {
     const node = this.#viewpointElement && this.#copies.copyOf(this.#viewpointElement)?._x3domNode;
     return (node as X3dViewpoint | undefined) ?? null;
   }
 
-  /** What of an author's element is in the scene; null where it is not. */
+  /** The scene's copy of an author's element; null if there is none. */
   nodeOf(element: Element): X3dNode | null {
     return this.#copies.copyOf(element)?._x3domNode ?? null;
   }
@@ -54,14 +54,14 @@ export class AuthorNodes {
     return this.#viewpoint[0];
   }
 
-  /** Whether nothing of the author's is in the scene. */
+  /** Whether none of the author's elements are in the scene. */
   get isEmpty(): boolean {
     return !authorChildren(this.host).some((child) => this.#copies.copyOf(child));
   }
 
   /**
-   * Find out which of the author's children the scene can't be drawn with, and leave these out.
-   * @param works - whether the scene as it stands can be drawn
+   * Finds the author's children that prevent the scene from being drawn, and leaves them out.
+   * @param works - whether the present scene can be drawn
    * @returns whether it can be drawn now
    */
   leaveOutCulprits(works: () => boolean): boolean {
@@ -77,7 +77,7 @@ export class AuthorNodes {
     return isTheirs;
   }
 
-  /** Take all out of the scene. */
+  /** Removes all of them from the scene. */
   dispose(): void {
     this.#observer.disconnect();
     for (const child of authorChildren(this.host)) this.#remove(child, this.host);
@@ -88,14 +88,14 @@ export class AuthorNodes {
       if (type === 'attributes') this.#change(target as Element, attributeName!);
       for (const node of removedNodes) if (node.nodeType === 1) for (const one of [node as Element, ...withoutFrame(node as Element)]) this.#remove(one, meantParent(node as Element, target as Element)!);
       for (const node of addedNodes) if (node.nodeType === 1 && node.parentNode === target) for (const one of withoutFrame(node as Element)) this.#add(one);
-      this.#forgive(target as Element);
+      this.#retry(target as Element);
     }
   }
 
-  /** What was left out may be right now, as something in it has changed. */
-  #forgive(changed: Element): void {
+  /** Adds elements that were left out again, if something in them has changed: they may be valid now. */
+  #retry(changed: Element): void {
     for (let one: Element | null = changed; one && one !== this.host; one = one.parentElement) {
-      if (this.#left.forgive(one)) this.#add(one);
+      if (this.#left.clear(one)) this.#add(one);
     }
   }
 
@@ -109,7 +109,7 @@ export class AuthorNodes {
     if (!around || this.#copies.copyOf(element) || this.#left.has(element)) return;
     const copy = this.#copies.copy(element);
     if (!copy) return;
-    if (!isOutermost) around.append(copy); // Else x3dom, which watches the scene's own elements, would take it in twice.
+    if (!isOutermost) around.append(copy); // Else x3dom, which watches the scene's own elements, would add it twice.
     try {
       this.#join(copy, around, isOutermost);
       const wrong = this.#findInfinite(element);
@@ -122,7 +122,7 @@ export class AuthorNodes {
     this.document.needRender = true;
   }
 
-  /** The scene is seen through the author's first viewpoint, and before the first background, however deep these stand, whenever others have become them. */
+  /** Binds the author's first viewpoint and first background, however deep they stand, if others were bound. */
   #bindFirst(): void {
     this.#viewpoint = null;
     const { viewpoint } = this;
@@ -133,7 +133,7 @@ export class AuthorNodes {
     this.#boundBackground = background;
   }
 
-  /** The author's first background, or null: the scene's own is clear. */
+  /** The author's first background, or null: the scene's own is transparent. */
   get #background(): X3dBindable | null {
     const [first] = [...this.host.querySelectorAll('background')].flatMap((one) => this.nodeOf(one) ?? []);
     return (first as X3dBindable | undefined) ?? null;
@@ -142,10 +142,10 @@ export class AuthorNodes {
   #leaveOut(element: Element, error: unknown): void {
     this.#left.without(element, error instanceof Error ? error.message : String(error));
     this.#remove(element, meantParent(element)!);
-    this.document._viewarea.resetNavHelpers(); // A viewpoint from nowhere leaves its numbers there.
+    this.document._viewarea.resetNavHelpers(); // A viewpoint with invalid numbers leaves them there.
   }
 
-  /** A light that shines nowhere: what x3dom would make of it is up to the device. */
+  /** Leaves out lights without a direction: their effect in x3dom depends on the device. */
   #leaveOutDark(element: Element): void {
     const node = this.nodeOf(element);
     if (node && hasNoDirection(node)) this.#leaveOut(element, `direction got "${(element.getAttribute('direction') ?? '').slice(0, 40)}"; expected three numbers, not all of them 0, like "0 -1 0"`);
@@ -155,7 +155,7 @@ export class AuthorNodes {
     if (!isOutermost) return this.document.onNodeAdded(copy, around);
     const scene = this.document._scene;
     const node = scene._nameSpace.setupTree(copy);
-    this.#viewpoint = null; // It may have been looked for while there was half of it.
+    this.#viewpoint = null; // The search may have run while only a part of it was there.
     if (node) scene.addChild(node);
     scene.nodeChanged();
     scene.updateVolume();
@@ -170,7 +170,7 @@ export class AuthorNodes {
       if (parent) this.document.onNodeRemoved(copy, parent);
       else this.document.removeX3DOMBackendGraph(copy);
     } catch (error) {
-      console.warn(error); // It is out of the picture all the same.
+      console.warn(error); // It is removed from the picture in any case.
       if (copy._x3domNode) scene.removeChild(copy._x3domNode);
     }
     copy.remove();
@@ -179,7 +179,7 @@ export class AuthorNodes {
     this.document.needRender = true;
   }
 
-  /** An attribute is another one, or gone. */
+  /** Applies an attribute that was changed or removed. */
   #change(element: Element, name: string): void {
     const copy = this.#copies.copyOf(element);
     if (!copy?._x3domNode || !element.parentElement) return;
@@ -201,7 +201,7 @@ export class AuthorNodes {
     this.#add(element);
   }
 
-  /** @returns what is told of a number that is not finite, or too large for a GPU; null where all is well */
+  /** @returns a message about a number that is not finite, or too large for a GPU; null if there is none */
   #findInfinite(element: Element): string | null {
     for (const one of [element, ...element.querySelectorAll('*')]) {
       const node = this.#copies.copyOf(one)?._x3domNode;

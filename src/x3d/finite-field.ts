@@ -1,29 +1,32 @@
 import { length } from '../volume/matrix.ts';
 import type { X3dLight, X3dNode } from './x3dom-types.ts';
 
-/** Squares of larger numbers have no place in a GPU's floats. */
+/** The square of a larger number does not fit into a GPU's float. */
 const largest = 1e18;
 
-/** Whether a node's field, which may be none of its own, holds numbers that can be drawn, or no numbers. */
+/**
+ * Whether a node's field holds numbers that can be drawn; true if it holds no numbers, or if the node has no such
+ * field.
+ */
 export function isFiniteField(node: X3dNode, lowerName: string): boolean {
   const name = Object.keys(node._vf).find((one) => one.toLowerCase() === lowerName);
   return name === undefined || isFinite(node._vf[name]);
 }
 
-/** What is told of an attribute that holds another number. */
+/** The message about an attribute that holds another number. */
 export function explainInfinite(element: Element, name: string): string {
   const value = element.getAttribute(name) ?? '';
   const wrong = value.split(/[\s,]+/).find((word) => !isFinite(Number(word))) ?? value;
   return `${name} of <${element.localName}> got "${wrong.slice(0, 40)}"; expected numbers up to 1e18`;
 }
 
-/** Whether a node is a light that shines nowhere. x3dom makes 0 0 0 of a direction in words, too. */
+/** Whether a node is a light without a direction. x3dom also reads a direction of words as 0 0 0. */
 export function hasNoDirection(node: X3dNode): boolean {
   const { direction } = (node as X3dLight)._vf;
   return direction !== undefined && !(length([direction.x, direction.y, direction.z]) > 0);
 }
 
-/** Numbers, those of a place or a matrix, lists of numbers, and lists of places; x3dom's lists are no arrays. */
+/** Checks numbers, those of a vector or a matrix, lists of numbers, and lists of vectors; x3dom's lists are not arrays. */
 function isFinite(value: unknown, depth = 0): boolean {
   if (typeof value === 'number') return Math.abs(value) <= largest;
   if (typeof value !== 'object' || value === null || depth > 1) return true;

@@ -1,6 +1,6 @@
 import type { X3dom } from './x3dom-types.ts';
 
-/** Run a text as a script, or the file at `url` where the page forbids that. @param inject - runs the script of an address */
+/** Runs a text as a script, or the file at `url` if the page forbids that. @param inject - runs the script of a URL */
 export async function injectText(text: string, url: string, inject: (url: string) => Promise<X3dom>): Promise<X3dom> {
   const own = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
   try {

@@ -20,32 +20,35 @@ import type { StartedCanvas } from './start-canvas.ts';
 import { VolumeShape } from './volume-shape.ts';
 import type { RenderShape, X3dDrawable } from './x3dom-types.ts';
 
-/** Where a layer is drawn, and among what. */
+/** Where a layer is drawn, and the other shapes around it. */
 interface Surroundings {
   readonly started: StartedCanvas;
   readonly camera: SceneCamera;
-  /** What draws the author's shapes and knows their depth; null where there are none. */
+  /** Draws the author's shapes and knows their depth; null if there are none. */
   readonly others: () => OtherShapes | null;
 }
 
-/** A layer's drawing: in x3dom's turn, when that comes to the layer's shape, and aside, where nobody sees it yet. */
+/**
+ * Draws a layer: in x3dom's turn, when it comes to the layer's shape, and into targets of its own that are not shown
+ * yet.
+ */
 export class LayerDrawing {
   readonly #gl: Gl;
   readonly pictures: VolumePictures;
   #shape: VolumeShape | null = null;
   #error: VolumeViewError | null = null;
   #drawAgain = false;
-  /** What the last picture was drawn with. */
+  /** The inputs of the last picture. */
   #last: { readonly program: WebGLProgram; readonly depths: ShapeDepths | null } | null = null;
-  /** Casts rays whose steps are cut otherwise than those of the last picture. */
+  /** A program whose steps are cut differently from those of the last picture. */
   #other: { readonly key: string; readonly program: WebGLProgram } | null = null;
   /** World length. */
   stepLength = 1;
-  /** Largest curvature at which pixels get no rays of their own, 1/255. */
+  /** Maximum curvature at which pixels get no rays of their own, 1/255. */
   maxCurvature = 0;
-  /** Largest second difference of a pixel at which no edge of a surface is smoothed, 1/255. */
+  /** Maximum second difference of a pixel at which no edge of a surface is smoothed, 1/255. */
   edgeCurvature = Infinity;
-  /** Whether the next picture is the one that was gathered. */
+  /** Whether the next picture shows what was gathered. */
   showsGathered = false;
 
   constructor(readonly layer: VolumeLayer, readonly surroundings: Surroundings) {
@@ -57,20 +60,20 @@ export class LayerDrawing {
     context.renderShape = (drawable, ...rest) => this.#renderShape(renderShape, drawable, rest);
   }
 
-  /** Give the layer's volume a shape in the scene. */
+  /** Gives the layer's volume a shape in the scene. */
   shapeVolume(volume: Volume): void {
     if (this.#shape) this.#shape.setBounds(volume);
     else this.#shape = new VolumeShape(this.surroundings.started.document, volume);
   }
 
   /**
-   * Have x3dom draw, once more where another program is needed than the one in place: the first picture after shapes came
-   * or went.
+   * Lets x3dom draw; it draws twice if another program is needed than the present one, as in the first picture after
+   * shapes were added or removed.
    * @throws {VolumeViewError} `webgl/shader`
    */
   drawWith(tick: () => void): void {
     this.#error = null;
-    // Before x3dom compiles what is there.
+    // Before x3dom compiles the present program.
     if (!this.showsGathered && this.layer.field) {
       const shapes = this.#knowShapes();
       this.#shape?.use(this.layer.program(Boolean(this.#last ? this.#last.depths : shapes?.hasAny)));
@@ -100,7 +103,7 @@ export class LayerDrawing {
     return Boolean(this.#last?.depths);
   }
 
-  /** Whether rays of the next picture may be spared, if there are shapes in it as in the last one. */
+  /** Whether some rays of the next picture may be skipped, if it contains shapes as the last one did. */
   get adaptive(): boolean {
     return this.layer.field !== null && this.layer.program(Boolean(this.#last?.depths)).adaptive;
   }
@@ -114,14 +117,14 @@ export class LayerDrawing {
     return this.maxCurvature > 0 && this.adaptive;
   }
 
-  /** What smooths edges; null where there are none, or they stay as they are. */
+  /** Smooths edges; null if there are no edges, or they are not smoothed. */
   get #smooth(): SmoothEdges | null {
     const { layer, edgeCurvature } = this;
     const module = Number.isFinite(edgeCurvature) && layer.volume ? layer.modules(false).find(({ edges }) => edges) : undefined;
     return module ? { edges: module.edges!(), edgeCurvature, asPoints: this.adaptive } : null;
   }
 
-  /** How the last picture was drawn; null where it could not be. */
+  /** The cast of the last picture; null if it could not be drawn. */
   get shownCast(): Cast | null {
     return this.#last && this.#castAt(this.#canvas, this.stepLength);
   }
@@ -131,7 +134,7 @@ export class LayerDrawing {
     return this.endsAtShapes ? [...passes, ...this.#aside(() => this.surroundings.others()!.edgePasses(this.layer, this.#castAt(picture, this.stepLength), Number.isFinite(this.edgeCurvature)))] : passes;
   }
 
-  /** What the pieces of a picture need that is drawn aside: the depth of shapes in all its pixels. */
+  /** Prepares the pieces of a picture: the depth of shapes in all its pixels. */
   startGathering(stepLength: number, picture: Size): void {
     this.stepLength = stepLength;
     if (!this.endsAtShapes) return;
@@ -139,7 +142,7 @@ export class LayerDrawing {
     this.#last = { ...this.#last!, depths: this.#aside(() => others()!.drawDepthsAt(picture, camera, this.#shape!, this)) };
   }
 
-  /** Draw some rows of a pass aside. @param stepLength - world length */
+  /** Draws some rows of a pass into a target that is not shown yet. @param stepLength - world length */
   gather(stepLength: number, { pass, ...rows }: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
     this.#aside(() => this.pictures.draw(pass, this.#castAt(picture, stepLength), rows));
   }
@@ -150,7 +153,7 @@ export class LayerDrawing {
     this.pictures.dispose();
   }
 
-  /** Casts the layer's rays as its steps are cut now: x3dom's, or one that is made for it. */
+  /** The program for the layer's rays with the present cutting of steps: x3dom's, or one made for it. */
   #program(depths: ShapeDepths | null): WebGLProgram {
     const wanted = this.layer.program(depths !== null);
     if (this.#shape!.has(wanted)) return this.#last!.program;
@@ -175,7 +178,7 @@ export class LayerDrawing {
     return { program: this.#program(depths), depths, view: this.surroundings.camera.viewAt(picture), picture, stepLength, maxCurvature: this.maxCurvature };
   }
 
-  /** Draw what x3dom does not know of; afterwards it draws into the canvas again, and takes nothing for set any more. */
+  /** Draws outside of x3dom's own drawing. Afterwards it binds the canvas again, and resets x3dom's cached GL state. */
   #aside<T>(work: () => T): T {
     try {
       return work();
@@ -186,14 +189,14 @@ export class LayerDrawing {
     }
   }
 
-  /** x3dom draws a shape; for the volume's, textures and uniforms are put in place first. */
+  /** Called by x3dom to draw a shape. For the volume's shape, it sets textures and uniforms first. */
   #renderShape(original: RenderShape, drawable: X3dDrawable, rest: unknown[]): void {
     if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
     if (!this.layer.field || !this.layer.optics) return;
     try {
       const shapes = this.#knowShapes();
       const depths = shapes?.drawDepths(this.#shape, this, { view: this.surroundings.camera.view(), draw: (shape) => original(shape, ...rest) }) ?? null;
-      // What was gathered is shown as it is, whatever cast its rays.
+      // Gathered pixels are shown as they are, whichever program cast their rays.
       if (!this.showsGathered && !this.#shape.use(this.layer.program(depths !== null))) {
         this.#drawAgain = true;
         this.#last = null;
@@ -204,19 +207,19 @@ export class LayerDrawing {
       if (program && (depths || this.showsGathered || this.isAdaptive || this.#smooth)) this.#drawFromGathered();
       else this.#drawDirectly(() => original(drawable, ...rest));
     } catch (error) {
-      // Thrown through x3dom it would leave the GL state half way: hand it to who has x3dom draw.
+      // Thrown through x3dom it would leave the GL state incomplete: keep it for the caller of x3dom.
       this.#error = error as VolumeViewError;
     }
   }
 
-  /** No shapes end rays then. */
+  /** Draws without shapes that end rays. */
   #drawDirectly(draw: () => void): void {
     const picture = this.#canvas;
     const rays = castableRays(this.layer, this.surroundings.camera.view());
     const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, null));
     const ray = rayUniforms(raysOfLattice(rays, picture, { stride: 1, first: [0, 0], width: picture.width, height: picture.height }), picture, this.stepLength);
     const read = joinInputs(inputs, { uniforms: ray, units: [] });
-    // x3dom sets no sampler3D but the first.
+    // x3dom sets only the first sampler3D.
     if (this.#last) this.#aside(() => useProgram(this.#gl, this.#last!.program, read));
     this.#shape!.bind(read);
     draw();

@@ -7,9 +7,9 @@ import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 
-/** What of its layer a scene lets others set and ask. */
+/** The settings and queries of a scene that concern its layer. */
 export abstract class LayerScene {
-  /** What is drawn; one for now. */
+  /** What is drawn; only one at present. */
   abstract readonly layers: readonly [VolumeLayer];
 
   setOptics(optics: Optics): Promise<void> {
@@ -28,12 +28,12 @@ export abstract class LayerScene {
     return this.layers[0].setBeside((beside) => beside.setOverlay(overlay));
   }
 
-  /** Show one part of the volume alone, see volume/region.ts; null for all of it. */
+  /** Shows only one part of the volume, see volume/region.ts; null for all of it. */
   setRegion(region: GridFrame | null): void {
     this.layers[0].region = region;
   }
 
-  /** Slices of a radar scan, at most `maxSlices`, and what else cuts rays. */
+  /** Sets slices of a radar scan, at most `maxSlices`, and other things that cut rays. */
   setSlices(slices: readonly Slice[], cuts: readonly RayCut[] = []): void {
     this.layers[0].slices = slices;
     this.layers[0].cuts = cuts;

@@ -1,7 +1,7 @@
-/** Of all scenes of the page, as an element may be in several, one after the other. */
-const toldOf = new WeakMap<Element, Set<string>>();
+/** The messages for each element, for all scenes of the page: an element may be in several, one after the other. */
+const reportedOf = new WeakMap<Element, Set<string>>();
 
-/** What of the author's X3D is left out of a scene. The console says so, once for each element and reason. */
+/** The parts of the author's X3D that are left out of a scene. The console names each element and reason once. */
 export class LeftOut {
   readonly #elements = new WeakSet<Element>();
 
@@ -9,22 +9,22 @@ export class LeftOut {
     return this.#elements.has(element);
   }
 
-  /** An element is not in the scene, until something of it changes. */
+  /** Leaves an element out of the scene, until something in it changes. */
   without(element: Element, why: string): void {
     this.#elements.add(element);
-    this.tell(element, `<${element.localName}>`, why);
+    this.report(element, `<${element.localName}>`, why);
   }
 
   /** @returns whether it had been left out */
-  forgive(element: Element): boolean {
+  clear(element: Element): boolean {
     return this.#elements.delete(element);
   }
 
-  tell(element: Element, what: string, why: string): void {
-    const told = toldOf.get(element) ?? new Set<string>();
-    toldOf.set(element, told);
-    if (told.has(what + why)) return;
-    told.add(what + why);
+  report(element: Element, what: string, why: string): void {
+    const reported = reportedOf.get(element) ?? new Set<string>();
+    reportedOf.set(element, reported);
+    if (reported.has(what + why)) return;
+    reported.add(what + why);
     const id = element.id ? ` (id "${element.id}")` : '';
     const of = what.startsWith('<') ? '' : ` of <${element.localName}>`;
     console.warn(`<volume-view>: ${what}${of}${id} was left out of the picture: ${why}.`);

@@ -7,8 +7,8 @@ import { findX3domUrl } from './x3dom-url.ts';
 let loading: Promise<X3dom> | null = null;
 
 /**
- * x3dom, loaded once a page when the first element needs it; a page's own x3dom is used where there is one.
- * It is a classic script that sets a global, hence the script element.
+ * Loads x3dom once per page when the first element needs it; uses the page's own x3dom if there is one. It is a classic
+ * script that sets a global, hence the script element.
  * @throws {VolumeViewError} `x3dom/unavailable`; a later call tries again
  */
 export function loadX3dom(): Promise<X3dom> {
@@ -18,15 +18,15 @@ export function loadX3dom(): Promise<X3dom> {
 }
 
 function globalX3dom(): X3dom | undefined {
-  // An element with this id or name is a property of the window, too, but not its own.
+  // An element with this id or name is a property of the window too, but not an own property.
   return Object.hasOwn(globalThis, 'x3dom') ? (globalThis as { x3dom?: X3dom }).x3dom : undefined;
 }
 
 async function findAndInject(): Promise<X3dom> {
   const url = findX3domUrl();
   try {
-    // A bundler that knows `new URL(…)` gives the file a name of its own. Where it has the old one, that may mean a file beside the
-    // bundle, which nobody put there: the text comes first then.
+    // A bundler that knows `new URL(…)` gives the file a new name. If the file still has its old name, the bundler may
+    // not have copied it at all, so the text is tried first.
     return await (injectOwnText && url.endsWith('/x3dom.js') ? injectOwnText(url, injectScript) : injectScript(url));
   } catch (cause) {
     loading = null;
@@ -51,9 +51,9 @@ function injectScript(url: string): Promise<X3dom> {
     script.onerror = fail;
     script.onload = () => {
       const x3dom = globalX3dom();
-      if (!x3dom) return fail(); // It was another script.
+      if (!x3dom) return fail(); // The script was not x3dom.
       end();
-      // Its log goes to hidden elements as HTML text; nobody reads it and nothing of it may reach the page.
+      // It logs HTML text into hidden elements; nobody reads that, and none of it may reach the page.
       x3dom.debug.maxLinesToLog = -1;
       resolve(x3dom);
     };
@@ -62,10 +62,10 @@ function injectScript(url: string): Promise<X3dom> {
 }
 
 /**
- * What x3dom may not do, or not so, while its script runs. It listens to `unload`, which would cost the page its place in the
- * back-forward cache: what it does there, to free its contexts, a page that goes does by itself. And it makes elements of a
- * text of its own, which Trusted Types want to be told.
- * @returns puts all back
+ * Changes what x3dom does while its script runs. It listens to `unload`, which would exclude the page from the
+ * back-forward cache; it frees its contexts there, which happens anyway when a page goes. And it makes elements from a
+ * text of its own, which Trusted Types have to allow.
+ * @returns a function that restores everything
  */
 function adaptWhileRunning(script: HTMLScriptElement): () => void {
   const ends = [
@@ -75,7 +75,7 @@ function adaptWhileRunning(script: HTMLScriptElement): () => void {
   return () => ends.forEach((end) => end());
 }
 
-/** @param change - of the arguments that the script gives; null where it is not to be called */
+/** @param change - receives the script's arguments; null means that the call is skipped */
 function adapt<T>(script: HTMLScriptElement, target: T, name: keyof T, change: (args: unknown[]) => unknown[] | null): () => void {
   const native = target[name] as (...args: unknown[]) => unknown;
   const adapted = function (this: unknown, ...args: unknown[]): unknown {
@@ -84,11 +84,11 @@ function adapt<T>(script: HTMLScriptElement, target: T, name: keyof T, change: (
   };
   target[name] = adapted as T[keyof T];
   return () => {
-    if (target[name] === adapted) target[name] = native as T[keyof T]; // Else somebody came after us, and calls us.
+    if (target[name] === adapted) target[name] = native as T[keyof T]; // Else another script wrapped it later, and calls ours.
   };
 }
 
-/** A property of the document, and not an image or a form that has its name. */
+/** Reads a property of the document, even if an image or a form has its name. */
 function readDocument<T>(name: 'currentScript' | 'head'): T {
   return Reflect.get(Document.prototype, name, document) as T;
 }

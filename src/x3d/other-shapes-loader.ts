@@ -3,7 +3,7 @@ import type { OtherShapes } from './other-shapes.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type { X3dom } from './x3dom-types.ts';
 
-/** Loads what puts other shapes into a scene when the first X3D child of an element comes, or somebody asks for it. */
+/** Loads the code for other shapes in a scene when the element gets its first X3D child, or when something needs it. */
 export class OtherShapesLoader {
   #shapes: OtherShapes | null = null;
   #loading: Promise<void> | null = null;
@@ -16,12 +16,12 @@ export class OtherShapesLoader {
     this.#look();
   }
 
-  /** null where the scene holds the volume alone, or the rest is still being loaded. */
+  /** null if the scene holds only the volume, or the code is still being loaded. */
   get shapes(): OtherShapes | null {
     return this.#shapes;
   }
 
-  /** Resolves when what is being loaded is there; at once where nothing is. */
+  /** Resolves when the code is loaded; at once if nothing is being loaded. */
   async ready(): Promise<void> {
     await this.#loading;
   }
@@ -48,7 +48,7 @@ export class OtherShapesLoader {
       this.#shapes = new OtherShapes(this.x3dom, this.started, this.host);
       await this.#shapes.bringSurfaces();
     } catch (error) {
-      this.#loading = null; // The volume is shown without them, and the next child asks again.
+      this.#loading = null; // The volume is shown without them, and the next child tries again.
       console.error(error);
     }
   }

@@ -24,7 +24,10 @@ import type { VolumeDrawing } from './translucent-shapes.ts';
 import type { VolumeShape } from './volume-shape.ts';
 import type { RenderShape, X3dDrawable, X3dom } from './x3dom-types.ts';
 
-/** What only scenes need that hold more than a volume: the author's nodes, lines, surfaces, the depth at which these end rays, and what is translucent amid it. */
+/**
+ * The parts that only scenes with more than a volume need: the author's nodes, lines, surfaces, the depth at which
+ * these end rays, and translucent shapes inside the volume.
+ */
 export class OtherShapes {
   readonly author: AuthorNodes;
   readonly lines: SceneLines;
@@ -34,10 +37,10 @@ export class OtherShapes {
   #surfaces: SceneSurfaces | null = null;
   #translucent: TranslucentShapes | null = null;
   #edges: ShapeEdges | null | undefined;
-  /** The volume's drawing, where it has its turn before what is translucent. */
+  /** The volume's drawing, if it was drawn before the translucent shapes. */
   #drawn: VolumeDrawing | null = null;
   #isDisposed = false;
-  /** What x3dom drew the last shape with. */
+  /** The arguments with which x3dom drew the last shape. */
   #rest: unknown[] = [];
   readonly #render: RenderShape;
 
@@ -58,12 +61,12 @@ export class OtherShapes {
     };
   }
 
-  /** Whether shapes are expected in the next picture, before it is known what x3dom draws. */
+  /** Whether the next picture will probably contain shapes, before x3dom's list is known. */
   get hasAny(): boolean {
     return this.started.element.querySelectorAll('shape').length > 1;
   }
 
-  /** Show the element's surfaces as they are now; what draws them is loaded with the first. */
+  /** Shows the element's surfaces in their present state; the code that draws them is loaded with the first. */
   async bringSurfaces(): Promise<void> {
     if (!this.#surfaces && !this.host._surfaces) return;
     const { SceneSurfaces } = await import('./scene-surfaces.ts');
@@ -73,11 +76,11 @@ export class OtherShapes {
   }
 
   /**
-   * Draw the depth of all opaque shapes but the volume's, which has its turn.
+   * Draws the depth of all opaque shapes except the volume's, when x3dom comes to it.
    * @param drawing - the volume's
-   * @param draw - has x3dom draw a shape
+   * @param draw - lets x3dom draw a shape
    * @param picture - pixels
-   * @returns null where there are none but the volume, or the device can't
+   * @returns null if there are no other shapes, or the device can't do it
    */
   drawDepths(volume: VolumeShape, drawing: VolumeDrawing, { view, draw }: Pick<DrawnShapes, 'view' | 'draw'>, picture: Size = this.started.canvas.canvas): ShapeDepths | null {
     const { document } = this.started;
@@ -90,7 +93,7 @@ export class OtherShapes {
     return depths;
   }
 
-  /** The same of a picture of another size, seen from where the last one was, outside of x3dom's own drawing. */
+  /** The same for a picture of another size, with the camera of the last one, outside of x3dom's own drawing. */
   drawDepthsAt(picture: Size, camera: SceneCamera, volume: VolumeShape, drawing: VolumeDrawing): ShapeDepths | null {
     const { canvas, document: { _viewarea } } = this.started;
     const { ctx3d: gl, stateManager } = canvas.gl!;
@@ -109,7 +112,10 @@ export class OtherShapes {
     });
   }
 
-  /** What draws the other sides of edges of a picture that is to be shown among the shapes: one at rest has it. The canvas is bound. */
+  /**
+   * The passes that draw the other sides of shapes' edges, for a picture that will be shown among the shapes: only a
+   * picture at rest has them. The canvas is bound.
+   */
   edgePasses(layer: CastLayer, cast: Cast, isAtRest: boolean): Pass[] {
     const edges = this.#edgesOf(cast);
     if (isAtRest && edges && cast.depths!.solidBounds) return edges.passes(cast.picture, cast.depths!, depthOf(layer, cast, true));
@@ -117,7 +123,7 @@ export class OtherShapes {
     return [];
   }
 
-  /** Show the volume among the shapes whose depth ended its rays. The canvas is bound. */
+  /** Shows the volume among the shapes whose depth ended its rays. The canvas is bound. */
   showVolume({ pictures, layer, shownCast }: VolumeDrawing): void {
     const { picture } = shownCast!;
     const edges = this.#edgesOf(shownCast!);
@@ -125,28 +131,28 @@ export class OtherShapes {
     else pictures.show(picture);
   }
 
-  /** null where no shape is in sight, or their edges are not smooth. */
+  /** null if no shape is visible, or their edges are not smooth. */
   #edgesOf({ depths }: Cast): ShapeEdges | null {
     const [left, , right] = depths!.bounds;
     return left < right ? (this.#edges ??= ShapeEdges.create(this.started.canvas.gl!.ctx3d, (gl) => createDepthTarget(gl)!)) : null;
   }
 
-  /** The volume's part of a picture that shapes stand in. */
+  /** The volume's part of a picture that contains shapes. */
   readonly readVolume = readVolume;
 
-  /** What shines on a volume. */
+  /** The lights that shine on a volume. */
   lights(): SceneLights {
     return readLights(this.author);
   }
 
-  /** The author's viewpoint as a camera, or null where there is none. */
+  /** The author's viewpoint as a camera, or null if there is none. */
   get camera(): AuthorCamera | null {
     return readAuthorCamera(this.author, this.started.element);
   }
 
   /**
-   * Have the scene drawn. What of the author's makes that impossible is left out, and the rest is drawn.
-   * @throws what drawing throws without any of it
+   * Draws the scene. If the author's elements make that impossible, they are left out, and the rest is drawn.
+   * @throws what drawing throws without any of them
    */
   draw(draw: () => void): void {
     this.#drawn = null;
@@ -167,7 +173,7 @@ export class OtherShapes {
     if (!isDrawn && failure) throw failure;
   }
 
-  /** x3dom's view follows what is in the scene. */
+  /** x3dom's view depends on what is in the scene. */
   #hasFiniteView(): boolean {
     const runtime = this.started.element.runtime!;
     return [...toRowMajor(runtime.viewMatrix()), ...toRowMajor(runtime.projectionMatrix())].every(Number.isFinite);
@@ -183,7 +189,10 @@ export class OtherShapes {
   }
 }
 
-/** What tells the depth of the shapes in a picture. @param isCoarse - of those that are neither lines nor points */
+/**
+ * The program's input for the depth of the shapes in a picture. @param isCoarse - only for shapes that are neither
+ * lines nor points
+ */
 function depthOf(layer: CastLayer, { view, picture, depths }: Cast, isCoarse = false): ProgramInputs {
   const rays = castableRays(layer, view);
   const lattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height, isCoarse } as const;

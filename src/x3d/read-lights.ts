@@ -7,7 +7,10 @@ import type { X3dLight } from './x3dom-types.ts';
 
 const kinds: Readonly<Record<string, SceneLight['kind']>> = { directionallight: 'directional', pointlight: 'point', spotlight: 'spot' };
 
-/** What of an author's X3D shines on a volume: lights that are on, and the light at the eye unless it is switched off. */
+/**
+ * The lights of an author's X3D that shine on a volume: lights that are on, and the light at the eye unless it is
+ * switched off.
+ */
 export function readLights(author: AuthorNodes): SceneLights {
   const elements = [...author.host.querySelectorAll(Object.keys(kinds).join())];
   const lights = elements.flatMap((element) => {
@@ -15,12 +18,12 @@ export function readLights(author: AuthorNodes): SceneLights {
     const light = node?._vf.on === true ? readLight(element, node) : null;
     return light ? [light] : [];
   });
-  // x3dom goes by the scene's own NavigationInfo, which is bound first.
+  // x3dom uses the scene's own NavigationInfo, which is bound first.
   const navigation = author.host.querySelector('navigationinfo');
   return { headlight: (navigation && author.nodeOf(navigation))?._vf.headlight !== false, lights };
 }
 
-/** null for one that shines from nowhere, or nowhere to. */
+/** null for a light without a position or direction. */
 function readLight(element: Element, node: X3dLight): SceneLight | null {
   const { color, intensity, ambientIntensity, direction, location, attenuation, radius, beamWidth, cutOffAngle } = node._vf;
   const m = toRowMajor(node.getCurrentTransform());
@@ -36,7 +39,7 @@ function readLight(element: Element, node: X3dLight): SceneLight | null {
     direction: long > 0 ? scale(towards, 1 / long) : [0, 0, 0],
     location: transformPoint(m, read(location)),
     attenuation: attenuation ? read(attenuation) : [1, 0, 0],
-    // X3D's own reach of 100 ends within a head, whose units are mm.
+    // X3D's default radius of 100 ends inside a head, whose units are mm.
     radius: radius !== undefined && element.hasAttribute('radius') ? radius : Infinity,
     beamWidth: beamWidth ?? 0,
     cutOffAngle: cutOffAngle ?? 0,

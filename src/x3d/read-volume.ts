@@ -4,18 +4,22 @@ import { readPicture } from '../renderer/device/read-picture.ts';
 import { castableRays } from '../renderer/pictures/volume-pictures.ts';
 import type { Cast, VolumePictures } from '../renderer/pictures/volume-pictures.ts';
 
-/** What adaptive ray sampling would be done to. */
+/** The picture to which adaptive ray sampling would be applied. */
 export interface VolumePicture {
-  /** Of the volume alone, with all rays: premultiplied, bottom row first. */
+  /** The volume alone, with all rays: premultiplied, bottom row first. */
   readonly picture: Pixels;
-  /** What shapes do to the quads of a lattice of a stride, see optics/rays/depth-jumps.ts. @returns reads it, before others are drawn */
+  /**
+   * The effect of shapes on the quads of a lattice with a stride, see optics/rays/depth-jumps.ts. @returns a function
+   * that reads it, before others are drawn
+   */
   readonly startJumps: (stride: number, isCoarse: boolean) => () => Pixels;
 }
 
 /**
- * The volume's part of a picture that shapes stand in.
- * @param cast - how it was drawn; pictures - what has drawn it
- * @param aside - does what x3dom is not to know of
+ * Reads the volume's part of a picture that contains shapes.
+ * @param cast - how it was drawn
+ * @param pictures - what has drawn it
+ * @param aside - runs code outside of x3dom's own drawing
  */
 export function readVolume({ view, picture, depths, stepLength }: Cast, { gl, layer, gathered }: VolumePictures, aside: <T>(work: () => T) => T): VolumePicture {
   return {

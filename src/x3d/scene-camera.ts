@@ -6,16 +6,16 @@ import type { StartedCanvas } from './start-canvas.ts';
 import type { View } from '../renderer/layers/volume-layer.ts';
 import type { X3dMatrix, X3dom, X3dViewpoint } from './x3dom-types.ts';
 
-/** How an x3dom scene is looked at: through the author's viewpoint, or else through its own. */
+/** The camera of an x3dom scene: the author's viewpoint, or else the scene's own. */
 export class SceneCamera {
   readonly #own: X3dViewpoint;
 
-  /** @param author - gives the author's viewpoint, null where there is none */
+  /** @param author - returns the author's viewpoint, null if there is none */
   constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly author: () => X3dViewpoint | null) {
     this.#own = started.document._scene.getViewpoint();
   }
 
-  /** Look through a camera. */
+  /** Sets the camera. */
   set(camera: Camera): void {
     const viewpoint = this.author() ?? this.#own;
     if (viewpoint === this.#own && viewpoint._vf.fieldOfView !== camera.fieldOfView) {
@@ -33,24 +33,27 @@ export class SceneCamera {
     this.#shape({ width, height });
   }
 
-  /** The view that the next picture will have. */
+  /** The view of the next picture. */
   view(): View {
     const runtime = this.started.element.runtime!;
     this.forgetProjection();
     return { view: toRowMajor(runtime.viewMatrix()), projection: toRowMajor(runtime.projectionMatrix()) };
   }
 
-  /** x3dom overlooks a new aspect ratio when the clipping planes changed in the same frame. */
+  /** x3dom does not notice a new aspect ratio if the clipping planes changed in the same frame. */
   forgetProjection(): void {
     this.started.document._scene.getViewpoint()._projMatrix = null;
   }
 
-  /** The view of a picture of a size: rays follow its shape, which rounding makes another one than the canvas's. */
+  /**
+   * The view of a picture of another size. Rays follow its aspect ratio, which differs from the canvas's because of
+   * rounding.
+   */
   viewAt(picture: Size): View {
     return this.at(picture, () => this.view());
   }
 
-  /** Do something as if the canvas had another size. */
+  /** Runs code as if the canvas had another size. */
   at<T>(picture: Size, work: () => T): T {
     const { _width, _height } = this.started.document._viewarea;
     this.#shape(picture);

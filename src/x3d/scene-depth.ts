@@ -9,10 +9,10 @@ import { boundShapes, isThin } from './shape-bounds.ts';
 import type { X3dContext, X3dDrawable } from './x3dom-types.ts';
 
 /**
- * A target for the depth of the scene's opaque shapes, so that rays can end at them. The page's own depth buffer can't
- * be read in WebGL, hence a second drawing of the shapes (only where there are any) into this target. 24 or more bits;
+ * A target for the depth of the scene's opaque shapes, so that rays can end at them. WebGL can't read the page's own
+ * depth buffer, so the shapes (if there are any) are drawn a second time into this target. It has 24 bits or more;
  * x3dom's own depth textures have 16.
- * @returns null where the device has no depth textures (a few WebGL 1 ones): the volume then is drawn over the shapes
+ * @returns null if the device has no depth textures (a few WebGL 1 devices): then the volume is drawn over the shapes
  */
 export function createDepthTarget(gl: Gl): DrawTarget | null {
   if (!isWebGl2(gl) && !gl.getExtension('WEBGL_depth_texture')) return null;
@@ -21,20 +21,20 @@ export function createDepthTarget(gl: Gl): DrawTarget | null {
   return new DrawTarget(gl, [depth, bytesAttachment(gl, 'uSceneColor')]);
 }
 
-/** No part of a picture. */
+/** An empty rectangle. */
 const nowhere: DeviceRectangle = [1, 1, -1, -1];
 
 /** The shapes of a picture. */
 export interface DrawnShapes {
   readonly shapes: readonly X3dDrawable[];
   readonly view: View;
-  /** Has x3dom draw a shape. */
+  /** Lets x3dom draw a shape. */
   readonly draw: (shape: X3dDrawable) => void;
-  /** Whether a picture without opaque shapes has a depth too. */
+  /** Whether a picture without opaque shapes gets a depth too. */
   readonly isNeeded: boolean;
 }
 
-/** The depth of the scene's opaque shapes, drawn for each picture in which there are some. */
+/** The depth of the scene's opaque shapes, drawn for each picture that contains some. */
 export class SceneDepth {
   #all: DrawTarget | null | undefined;
   #solid: DrawTarget | null = null;
@@ -43,7 +43,7 @@ export class SceneDepth {
 
   /**
    * @param picture - pixels of the canvas, which is bound again afterwards
-   * @returns null where there are no shapes, or the device can't
+   * @returns null if there are no shapes, or the device can't do it
    */
   draw(picture: Size, { shapes, view, draw, isNeeded }: DrawnShapes): ShapeDepths | null {
     if (shapes.length === 0 && !isNeeded) return null;

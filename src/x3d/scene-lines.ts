@@ -2,16 +2,16 @@ import type { GroundMap } from '../radar/ground-map.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { X3dDocument, X3dOwned } from './x3dom-types.ts';
 
-/** Lines in world coordinates, each from point to point. */
+/** Lines in world coordinates, each a list of points. */
 export type Lines = readonly (readonly Vector3[])[];
 
 /** Red, green and blue, 0..1. */
 export type LineColor = readonly [red: number, green: number, blue: number];
 
-/** Seen on dark and on light, and through thin rain. */
+/** Visible on dark and on light, and through thin rain. */
 const ringColor: LineColor = [0.33, 0.36, 0.4];
 
-/** Quieter than the rings; a coast has the blue of water, a border none. */
+/** Quieter than the rings; a coast is the blue of water, a border grey. */
 const coastColor: LineColor = [0.2, 0.36, 0.46];
 const borderColor: LineColor = [0.34, 0.3, 0.24];
 
@@ -24,21 +24,21 @@ interface Shown {
   readonly text: string;
 }
 
-/** Thin lines in the scene, as shapes among the author's: what of the volume is before them covers them. */
+/** Thin lines in the scene, as shapes among the author's: the parts of the volume in front of them cover them. */
 export class SceneLines {
   readonly #shown = new Map<object, Shown>();
 
   /** @param bringSurfaces - see `OtherShapes` */
   constructor(readonly document: X3dDocument, readonly bringSurfaces: () => Promise<void> = async () => {}) {}
 
-  /** Rings, and the map below them. */
+  /** Shows rings, and the map below them. */
   showGround(rings: Lines, map?: GroundMap): void {
     this.show(map?.coasts ?? [], coastOwner, coastColor);
     this.show(map?.borders ?? [], borderOwner, borderColor);
     this.show(rings);
   }
 
-  /** Put lines in place of those that their owner had before; the same ones stay. */
+  /** Replaces the lines of an owner; the same lines stay. */
   show(lines: Lines, owner: object = this, color = ringColor): void {
     const text = JSON.stringify([lines, color]);
     const before = this.#shown.get(owner);

@@ -2,22 +2,22 @@ import type { ShownSurface, SurfacedElement } from '../renderer/layers/shown-sur
 import type { Surface } from '../volume/surface.ts';
 import type { X3dDocument, X3dGeometry, X3dOwned, X3dShape, X3dVector, X3dom } from './x3dom-types.ts';
 
-/** Of light, as X3D has it: dull, with a soft highlight. */
+/** The material of surfaces in X3D's terms: dull, with a soft highlight. */
 const matter = { ambientIntensity: '0.25', specularColor: '0.02 0.02 0.02', shininess: '0.2' };
 
 /**
- * The share of light that comes from all around. x3dom's headlight has none: where a surface turns away it would end in black, in a
- * seam that is thinner than a pixel here and not there. Not of what has a colour at each vertex: a material has one light for all, and a dark sea
- * would be as grey as the land around it.
+ * The share of ambient light. x3dom's headlight has none: where a surface turns away it would end in black, in a seam
+ * that is thinner than a pixel in some places and not in others. It is not used for surfaces with vertex colours: a
+ * material has one ambient light for all, and a dark sea would be as grey as the land around it.
  */
 const around = 0.2;
 
-/** x3dom takes colours of materials and vertices for amounts of light, and writes the picture with this exponent. */
+/** x3dom treats colours of materials and vertices as amounts of light, and writes the picture with this exponent. */
 const gamma = 2.2;
 
 const toLight = (channel: number): number => channel ** gamma;
 
-/** Of the colours of vertices, which stay the same while their surface is cut again and again. */
+/** The linear colours of vertices, which stay the same while their surface is cut again and again. */
 const lights = new WeakMap<Float32Array, Float32Array>();
 
 /** The surfaces of an element in its scene, as shapes among the author's. */
@@ -26,7 +26,7 @@ export class SceneSurfaces {
 
   constructor(readonly x3dom: X3dom, readonly document: X3dDocument, readonly host: SurfacedElement) {}
 
-  /** Show the element's surfaces as they are now. */
+  /** Shows the element's surfaces in their present state. */
   refresh(): void {
     const wanted: ReadonlyMap<Element, ShownSurface> = this.host._surfaces ?? new Map<Element, ShownSurface>();
     for (const [owner, { shown, root }] of this.#shown) {
@@ -64,7 +64,7 @@ export class SceneSurfaces {
   }
 }
 
-/** Not solid: both sides are seen, and lit. x3dom's own geometry is one point, in whose place the triangles are put. */
+/** Not solid: both sides are visible, and lit. x3dom's own geometry is one point, which the triangles replace. */
 function buildShape(shown: ShownSurface): X3dOwned {
   const light = shown.color.map(toLight);
   const build = (name: string, attributes: Record<string, string>, ...children: Element[]): Element => {
@@ -78,7 +78,7 @@ function buildShape(shown: ShownSurface): X3dOwned {
     build('indexedtriangleset', { solid: 'false', useGeoCache: 'false', index: '0 0 0' }, build('coordinate', { point: '0 0 0' }), build('normal', { vector: '0 0 1' })));
 }
 
-/** Typed arrays go to the GPU as they are: as text, or as x3dom's own vectors, millions of numbers would take long. */
+/** Typed arrays are uploaded as they are: as text, or as x3dom's own vectors, millions of numbers would take long. */
 function fill(x3dom: X3dom, geometry: X3dGeometry, shown: ShownSurface): void {
   const mesh = geometry._mesh;
   const { surface, surface: { parts } } = shown;
@@ -91,7 +91,7 @@ function fill(x3dom: X3dom, geometry: X3dGeometry, shown: ShownSurface): void {
   mesh._numColComponents = 3;
   mesh._numFaces = surface.triangles;
   mesh._numCoords = parts.reduce((sum, { positions }) => sum + positions.length / 3, 0);
-  // It looks at the first part alone.
+  // x3dom looks only at the first part.
   const box = new x3dom.fields.BoxVolume(vectorOf(x3dom, surface.low), vectorOf(x3dom, surface.high));
   mesh.getVolume = () => box;
 }

@@ -27,7 +27,7 @@ import type { VolumePicture } from './read-volume.ts';
 import { buildScene } from './volume-shape.ts';
 import type { X3dom } from './x3dom-types.ts';
 
-/** Where a scene stands, and what it is told. */
+/** The scene's place in the page, and its callbacks. */
 interface Place {
   readonly host: Element;
   readonly container: Element;
@@ -35,12 +35,12 @@ interface Place {
   readonly fieldProviders: FieldProviders;
 }
 
-/** A volume and the author's nodes in a running x3dom scene. It draws when told to, and never by itself. */
+/** A volume and the author's nodes in a running x3dom scene. It draws only when its owner calls `draw`. */
 export class VolumeScene extends LayerScene {
   readonly device: Device;
   readonly #started: StartedCanvas;
   readonly #gl: Gl;
-  /** What is drawn; one for now. */
+  /** What is drawn; only one at present. */
   readonly layers: readonly [VolumeLayer];
   readonly #drawing: LayerDrawing;
   readonly #camera: SceneCamera;
@@ -50,9 +50,9 @@ export class VolumeScene extends LayerScene {
 
   /**
    * @param host - the element whose X3D children join the scene
-   * @param container - where the canvas goes
+   * @param container - the parent of the canvas
    * @param needsFrame - called when something in the scene changed and `draw` should be called soon
-   * @param fieldProviders - how volumes are drawn that are not on cartesian grids; none where absent
+   * @param fieldProviders - how to draw volumes that are not on cartesian grids; none if absent
    */
   static async create(host: Element, container: Element, needsFrame: () => void, fieldProviders: FieldProviders = {}): Promise<VolumeScene> {
     const x3dom = await loadX3dom();
@@ -72,7 +72,7 @@ export class VolumeScene extends LayerScene {
     this.#gl = this.#started.canvas.gl!.ctx3d;
     this.device = describe(this.#gl);
     this.layers = [new VolumeLayer(this.#gl, this.device, fieldProviders)];
-    // The first frames do without it.
+    // The first frames run without it.
     import('../renderer/device/gpu-timer.ts').then((part) => (this.#timer = part.GpuTimer.create(this.#gl)), () => {});
     this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author.viewpoint ?? null);
     this.#others = new OtherShapesLoader(x3dom, this.#started, host);
@@ -84,33 +84,39 @@ export class VolumeScene extends LayerScene {
     return this.#started.canvas.canvas;
   }
 
-  /** Whether x3dom animates something by itself (a running TimeSensor, say), so that frames have to go on. */
+  /** Whether x3dom animates something by itself (a running TimeSensor, for example), so that frames have to continue. */
   get animating(): boolean {
     return isAnimating(this.#started);
   }
 
-  /** Load what only some volumes and some optics need, before `setVolume` and `setOptics`. @throws {VolumeViewError} `format/unsupported` */
+  /**
+   * Loads the code that only some volumes and some optics need, before `setVolume` and `setOptics`. @throws
+   * {VolumeViewError} `format/unsupported`
+   */
   async prepare(volume: Volume, optics?: Optics): Promise<void> {
     await this.layers[0].prepare(volume, optics);
-    if (isPolar(volume)) await this.#others.load(); // There may be rings around it.
+    if (isPolar(volume)) await this.#others.load(); // Radar volumes may have rings.
   }
 
-  /** Resolves when the author's children that came meanwhile are in the scene: what grafts them is loaded with the first. */
+  /**
+   * Resolves when the author's children that were added meanwhile are in the scene: the code for them is loaded with
+   * the first.
+   */
   othersReady(): Promise<void> {
     return this.#others.ready();
   }
 
-  /** Put a volume on the GPU in place of the one before, at once. */
+  /** Puts a volume on the GPU, in place of the one before, at once. */
   setVolume(volume: Volume): void {
     this.layers[0].set(volume);
     this.#drawing.shapeVolume(volume);
   }
 
   /**
-   * Put a volume on the GPU in place of the one before: a large one bit by bit between frames, which show the one before
-   * until all of it is there.
-   * @param givenUp - whether it is still wanted
-   * @returns whether it is in place; not where it was given up or the context was lost
+   * Puts a volume on the GPU in place of the one before. A large one is uploaded bit by bit between frames, which show
+   * the one before until the upload is complete.
+   * @param givenUp - whether the volume is no longer wanted
+   * @returns whether it is in place; false if it was given up or the context was lost
    */
   async bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean> {
     const isThere = await this.layers[0].bring(volume, givenUp);
@@ -118,12 +124,12 @@ export class VolumeScene extends LayerScene {
     return isThere;
   }
 
-  /** Thin lines around the volume, in world coordinates. */
+  /** Shows thin lines around the volume, in world coordinates. */
   setLines(lines: Lines, map?: GroundMap): void {
     this.#others.shapes?.lines.showGround(lines, map);
   }
 
-  /** What shows lines of others; null where that part of the package is not there. */
+  /** Loads what shows lines of other parts; null if that part of the package is not there. */
   readonly loadLines = (): Promise<SceneLines | null> => this.#others.load().then(() => this.#others.shapes?.lines ?? null);
 
   /** See `Scene`. */
@@ -132,17 +138,17 @@ export class VolumeScene extends LayerScene {
     this.#drawing.edgeCurvature = edgeCurvature;
   }
 
-  /** The author's viewpoint as a camera, or null where there is none. */
+  /** The author's viewpoint as a camera, or null if there is none. */
   authorCamera(): AuthorCamera | null {
     return this.#others.shapes?.camera ?? null;
   }
 
-  /** Undo what `setCamera` did to the author's viewpoint. */
+  /** Undoes what `setCamera` did to the author's viewpoint. */
   resetAuthorCamera(): void {
     this.#others.shapes?.author.viewpoint?.resetView();
   }
 
-  /** Look at the scene through a camera. */
+  /** Sets the scene's camera. */
   setCamera(camera: Camera): void {
     this.#camera.set(camera);
   }
@@ -163,7 +169,7 @@ export class VolumeScene extends LayerScene {
     return this.layers[0].raysOf(this.getView());
   }
 
-  /** Draw one picture. @param stepLength - world length @throws {VolumeViewError} `webgl/shader` */
+  /** Draws one picture. @param stepLength - world length @throws {VolumeViewError} `webgl/shader` */
   draw(stepLength: number, time = performance.now()): void {
     this.#drawing.stepLength = stepLength;
     this.#timer?.begin();
@@ -192,21 +198,21 @@ export class VolumeScene extends LayerScene {
   }
 
   /**
-   * Draw the volume of the last picture at a lattice of its rays, with another step length (world), in floats.
-   * @param alone - shapes end none of them
-   * @returns reads it, before another is drawn: RGBA, premultiplied, 0..1, bottom row first; it waits for the GPU unless that
-   *   has `finished`. null where the device can't do it
+   * Draws the volume of the last picture at a lattice of its rays, with another step length (world), in floats.
+   * @param alone - whether rays ignore shapes
+   * @returns a function that reads the result, before another is drawn: RGBA, premultiplied, 0..1, bottom row first; it
+   * waits for the GPU unless that has `finished`. null if the device can't do it
    */
   startProbe(stepLength: number, lattice: PixelLattice, picture: Size, alone = false): (() => Float32Array | null) | null {
     return this.#drawing.startProbe(stepLength, lattice, picture, alone);
   }
 
-  /** What shines on a lit volume; null for a light at the eye. */
+  /** The lights of a lit volume; null for a light at the eye. */
   lights(): SceneLights | null {
     return this.layers[0].lights();
   }
 
-  /** Whether the next picture can be drawn piece by piece: after one that was drawn at once. */
+  /** Whether the next picture can be drawn piece by piece: only after one that was drawn at once. */
   get gatherable(): boolean {
     return this.#drawing.gatherable;
   }
@@ -221,17 +227,17 @@ export class VolumeScene extends LayerScene {
     this.#drawing.startGathering(stepLength, picture);
   }
 
-  /** What a picture of a size is gathered from, one lattice of pixels after the other. */
+  /** The lattices of pixels from which a picture of a size is gathered, one after the other. */
   passes(picture: Size): Pass[] {
     return this.#drawing.passes(picture);
   }
 
-  /** Draw some rows of a pass, from the bottom, where nobody sees them yet, at the view of the last picture. */
+  /** Draws some rows of a pass, from the bottom, into a target that is not shown yet, with the view of the last picture. */
   gather(stepLength: number, part: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
     this.#drawing.gather(stepLength, part, picture);
   }
 
-  /** Whether rays of the next picture may be spared. */
+  /** Whether some rays of the next picture may be skipped. */
   get adaptive(): boolean {
     return this.#drawing.adaptive;
   }
@@ -245,25 +251,25 @@ export class VolumeScene extends LayerScene {
     }
   }
 
-  /** Resolves when the GPU has drawn everything that it was told to. */
+  /** Resolves when the GPU has finished all commands so far. */
   finished(): Promise<void> {
     return gpuFinished(this.#gl);
   }
 
-  /** What the last `draw` took of the GPU's time, ms, once that has finished; null where there are no timer queries. */
+  /** The GPU time of the last `draw`, ms, when it has finished; null without timer queries. */
   readonly gpuMs = async (): Promise<number | null> => (await this.#timer?.read()) ?? null;
 
-  /** The last picture as it lies in the canvas: premultiplied, bottom row first. */
+  /** The last picture in the canvas: premultiplied, bottom row first. */
   readPicture(): Pixels & { readonly data: Uint8Array } {
     return readPicture(this.#gl, this.canvas);
   }
 
-  /** The volume of the last picture, which got all its rays, without the shapes around it; null where there are none. */
+  /** The volume of the last picture, if it got all its rays, without the shapes around it; null if it did not. */
   readVolume(): VolumePicture | null {
     return this.#drawing.readVolume();
   }
 
-  /** Take the scene down: the author's elements, the GPU's memory and the context are given back. */
+  /** Removes the scene: it releases the author's elements, the GPU's memory and the context. */
   dispose(): void {
     this.#others.dispose();
     const { element, canvas, document } = this.#started;
@@ -271,7 +277,7 @@ export class VolumeScene extends LayerScene {
     this.#drawing.dispose();
     this.#timer?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
-    document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
+    document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the whole page.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
     element.remove();
     canvas.canvas.width = canvas.canvas.height = 0;

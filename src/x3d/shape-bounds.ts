@@ -7,19 +7,22 @@ import type { X3dDrawable } from './x3dom-types.ts';
 
 const wholePicture: DeviceRectangle = [-1, -1, 1, 1];
 
-/** Corners nearer to the eye than this share of the farthest one's distance may appear anywhere in the picture. */
+/** Corners nearer to the eye than this share of the farthest one's distance may be projected anywhere in the picture. */
 const minDepth = 1e-3;
 
-/** Lines are this wide at the most, and polygons reach a little beyond their corners. Pixels. */
+/** Lines are at most this wide, and polygons reach a little beyond their corners. Pixels. */
 const margin = 16;
 
-/** Whether a shape is of lines or points: its picture may be thinner than the pixels are far from each other between which rays are spared. */
+/**
+ * Whether a shape consists of lines or points: it may be thinner than the distance of neighbouring rays when rays are
+ * skipped.
+ */
 export function isThin({ shape }: X3dDrawable): boolean {
   const type = shape._webgl?.primType;
   return typeof type === 'number' && type < WebGLRenderingContext.TRIANGLES;
 }
 
-/** The part of a picture in which shapes may stand; null where there are none. */
+/** The part of a picture that may contain shapes; null if there are none. */
 export function boundShapes(shapes: readonly X3dDrawable[], { view, projection }: View, { width, height }: Size): DeviceRectangle | null {
   if (shapes.length === 0) return null;
   const corners = shapes.map((drawable) => cornersOf(drawable));
@@ -33,7 +36,10 @@ export function boundShapes(shapes: readonly X3dDrawable[], { view, projection }
   return [end(0, -1, width), end(1, -1, height), end(0, 1, width), end(1, 1, height)];
 }
 
-/** The corners of a shape's box in the world; null where it may reach beyond that: points have sizes, and shaders move corners. */
+/**
+ * The corners of a shape's box in the world; null if the shape may reach beyond it: points have sizes, and shaders move
+ * corners.
+ */
 function cornersOf({ shape, transform }: X3dDrawable): number[][] | null {
   const box = shape.getVolume();
   const isMoved = shape._webgl?.primType === WebGLRenderingContext.POINTS || Boolean(shape._cf.appearance?.node?._shader);

@@ -12,9 +12,9 @@ export interface StartedCanvas {
 let count = 0;
 
 /**
- * Start x3dom by hand on an X3D element inside a shadow root, where it would not look for one. It gets neither its
- * mouse, wheel and key listeners (they trap the page's scrolling) nor its endless frame loop: `hasRuntime` is false,
- * and the caller draws when something changed.
+ * Starts x3dom by hand on an X3D element inside a shadow root, where x3dom would not look for one. It gets neither
+ * x3dom's mouse, wheel and key listeners (they trap the page's scrolling) nor its endless frame loop: `hasRuntime` is
+ * false, and the caller draws when something changed.
  * @param markup - builds the scene's own nodes
  * @param needsFrame - called whenever x3dom wants to draw
  * @throws {VolumeViewError} `webgl/unavailable`
@@ -36,11 +36,11 @@ export function startCanvas(
       'No WebGL context could be made for this volume. The page may hold too many 3D pictures, or the driver gave up; reload the page.',
     );
   }
-  // It would ask for VR headsets, which a frame that may not know of them reports on the console.
+  // It would ask for VR headsets, and a frame without that permission reports this on the console.
   canvas.checkForVRSupport = () => {};
-  // It counts its frames for a box that nobody sees, once a second and for ever, and holds the scene by that.
+  // It counts its frames for a hidden box, once a second and forever, and that keeps the scene in memory.
   clearInterval(canvas.stateViewer.updateMethodID);
-  // Its canvas is a picture inside our own control: the host carries role, label and focus.
+  // Its canvas is a picture inside our own control: the host has role, label and focus.
   canvas.canvas.removeAttribute('tabindex');
   canvas.canvas.removeAttribute('id');
   canvas.canvas.setAttribute('aria-hidden', 'true');
@@ -52,9 +52,9 @@ export function startCanvas(
   const properties = new x3dom.Properties();
   for (const [name, value] of Object.entries(defaultProperties)) properties.setProperty(name, value);
   withoutControllers(x3dom, () => canvas.load(element, 0, properties));
-  // It watches the whole document for removed X3D elements; ours is taken down by its owner.
+  // It watches the whole document for removed X3D elements; the owner of our scene removes it.
   canvas.doc.X3DMutationObserver.disconnect();
-  // A viewpoint that is bound would be flown to for a second; here it holds at once.
+  // x3dom flies to a bound viewpoint for a second; here the change is immediate.
   canvas.doc._viewarea._mixer.reset();
   canvas.doc._viewarea.animateTo = () => {};
   watchNeedRender(canvas.doc, options.needsFrame);
@@ -71,8 +71,8 @@ const defaultProperties = {
 };
 
 /**
- * x3dom asks for a context with straight alpha, in which half transparent pixels over nothing come out too dark. What
- * both it and the ray-caster leave in the buffer is premultiplied, so the context has to say so.
+ * x3dom requests a context with straight alpha, in which half transparent pixels over nothing come out too dark. What
+ * both it and the ray-caster leave in the buffer is premultiplied, so the context has to be premultiplied too.
  */
 function withPremultipliedContext<T>(x3dom: X3dom, make: () => T): T {
   const prototype = x3dom.X3DCanvas.prototype;
@@ -88,14 +88,14 @@ function withPremultipliedContext<T>(x3dom: X3dom, make: () => T): T {
 }
 
 /**
- * x3dom makes a second context with each canvas, just to ask for WebGL 2, and leaves it to the garbage collector.
+ * x3dom makes a second context with each canvas, just to test for WebGL 2, and leaves it to the garbage collector.
  * Browsers allow 16 in all; beyond that the oldest picture of the page is lost.
  */
 function withoutSpareContext<T>(x3dom: X3dom, make: () => T): T {
   return withOther(x3dom.Utils, 'isWebGL2Enabled', () => probeDevice().webgl2, make);
 }
 
-/** x3dom puts what VR controllers look like into the first scene of the page, whoever's that is. */
+/** x3dom puts models of VR controllers into the first scene of the page, whoever owns it. */
 function withoutControllers<T>(x3dom: X3dom, make: () => T): T {
   return withOther(x3dom.VRControllerManager.prototype, '_addInlines', () => {}, make);
 }
@@ -110,7 +110,7 @@ function withOther<O, K extends keyof O, T>(owner: O, name: K, other: O[K], make
   }
 }
 
-/** x3dom says that it wants to draw by setting a flag; turn the flag into a call. */
+/** x3dom sets a flag when it wants to draw; turn the flag into a call. */
 function watchNeedRender(doc: X3dDocument, needsFrame: () => void): void {
   let value: boolean | number = doc.needRender;
   Object.defineProperty(doc, 'needRender', {

@@ -7,7 +7,7 @@ import { createDepthTarget } from './scene-depth.ts';
 import { boundShapes, isThin } from './shape-bounds.ts';
 import type { X3dContext, X3dDrawable } from './x3dom-types.ts';
 
-/** Beyond a shape's pixels by how many its picture is cast, for those that are interpolated from others around. */
+/** Number of pixels around a shape for which rays are cast too, because pixels between skipped rays are interpolated. */
 const margin = 24;
 
 /** How a picture's volume was drawn. */
@@ -18,14 +18,14 @@ export interface VolumeDrawing {
   readonly pictures: VolumePictures;
 }
 
-/** Draws translucent shapes amid a volume that is drawn already, one after the other, the farthest first. */
+/** Draws translucent shapes inside a volume that is drawn already, one after the other, the farthest first. */
 export class TranslucentShapes {
   readonly #mixing: TranslucentMixing;
   readonly #before: VolumePictures;
   readonly #shape: DrawTarget;
   #bounds: DeviceRectangle = [-1, -1, 1, 1];
 
-  /** There have to be depth textures. */
+  /** The device must have depth textures. */
   constructor(readonly context: X3dContext, layer: CastLayer) {
     const { ctx3d: gl } = context;
     this.#mixing = new TranslucentMixing(gl);
@@ -40,7 +40,7 @@ export class TranslucentShapes {
     });
   }
 
-  /** @param render - has x3dom draw a shape */
+  /** @param render - lets x3dom draw a shape */
   draw(drawable: X3dDrawable, { shownCast, isAdaptive }: VolumeDrawing, render: (drawable: X3dDrawable) => void): void {
     const { ctx3d: gl, stateManager } = this.context;
     const { picture, view } = shownCast!;
@@ -58,7 +58,7 @@ export class TranslucentShapes {
     stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
-  /** Its nearest layer alone: first the depth, then what has that depth. */
+  /** Draws only its nearest layer: first the depth, then the pixels that have that depth. */
   #drawShape(drawable: X3dDrawable, { width, height }: Cast['picture'], render: (drawable: X3dDrawable) => void): void {
     const { ctx3d: gl, stateManager } = this.context;
     this.#shape.resize(width, height);
@@ -73,7 +73,10 @@ export class TranslucentShapes {
     render(drawable);
   }
 
-  /** In the stencil of the canvas, which has several samples a pixel: edges are smooth, and what opaque shapes hide is left out. */
+  /**
+   * Marks a shape in the stencil of the canvas, which has several samples a pixel: edges are smooth, and parts behind
+   * opaque shapes are left out.
+   */
   #markShape(drawable: X3dDrawable, render: (drawable: X3dDrawable) => void): void {
     const { ctx3d: gl } = this.context;
     const nodes = drawable.shape._cf.appearance!.node!._cf;
@@ -99,7 +102,7 @@ export class TranslucentShapes {
   }
 }
 
-/** Whether x3dom would mix a shape with what is behind it in the usual way; an author may ask for others. */
+/** Whether x3dom would blend a shape with its background in the usual way; an author may set other ways. */
 export function isTranslucent({ shape, sortType }: X3dDrawable): boolean {
   const modes = shape._cf.appearance?.node?._cf;
   return sortType === 'transparent' && !modes?.blendMode?.node && !modes?.depthMode?.node && !modes?.colorMaskMode?.node;
@@ -109,7 +112,7 @@ function meet(a: DeviceRectangle, b: DeviceRectangle): DeviceRectangle {
   return [Math.max(a[0], b[0]), Math.max(a[1], b[1]), Math.min(a[2], b[2]), Math.min(a[3], b[3])];
 }
 
-/** @param by - shares of the picture */
+/** Widens a rectangle. @param by - shares of the picture */
 function widen([left, bottom, right, top]: DeviceRectangle, by: readonly [number, number]): DeviceRectangle {
   return [left - 2 * by[0], bottom - 2 * by[1], right + 2 * by[0], top + 2 * by[1]];
 }

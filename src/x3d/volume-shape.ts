@@ -8,7 +8,7 @@ import { composeRay, programKey } from '../renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../renderer/ray/compose-ray.ts';
 import type { X3dDocument, X3dNode, X3dOwned, X3dShape } from './x3dom-types.ts';
 
-/** The scene that every element has: a viewpoint of its own, a transparent background, nothing else. */
+/** The content of every element's scene: a viewpoint of its own, a transparent background, and nothing else. */
 export function buildScene(): Element {
   return build('scene', {}, [
     build('environment', { frustumCulling: 'false' }),
@@ -19,9 +19,10 @@ export function buildScene(): Element {
 }
 
 /**
- * The X3D shape whose ComposedShader casts the rays. Its box gives the scene the volume's bounds; its front face is
- * drawn over the whole picture, and the shader finds out what each ray meets. So the eye may stand inside, nothing is
- * cut at the near plane, and the box's edges are no polygon edges. It comes after all that is opaque, and before what is translucent.
+ * The X3D shape whose ComposedShader casts the rays. Its box gives the scene the volume's bounds. Its front face is
+ * drawn over the whole picture, and the shader computes what each ray meets. So the eye may be inside, the near plane
+ * cuts nothing, and the box's edges are not polygon edges. It is drawn after all opaque shapes, and before the
+ * translucent ones.
  */
 export class VolumeShape {
   readonly #root: X3dOwned;
@@ -29,7 +30,7 @@ export class VolumeShape {
   readonly #shader: X3dNode & { _id: string };
   readonly #parts: { vertex: X3dNode; fragment: X3dNode };
   readonly #checked = new Set<WebGLProgram>();
-  /** Of its program; there is none before `use`. */
+  /** The key of its program; empty before `use`. */
   #key = '';
 
   constructor(
@@ -61,19 +62,19 @@ export class VolumeShape {
     return shape === this.#shape;
   }
 
-  /** Take the bounds of another volume. */
+  /** Sets the bounds of another volume. */
   setBounds(volume: Volume): void {
     this.#root.setAttribute('matrix', boundsMatrix(volume));
   }
 
-  /** Whether its program is this one. */
+  /** Whether it uses this program. */
   has(program: RayProgram): boolean {
     return programKey(program) === this.#key;
   }
 
   /**
-   * Let the shader be a program.
-   * @returns false where it was another one up to now: the scene then has to be drawn anew
+   * Sets the shader's program.
+   * @returns false if the program has changed: then the scene has to be drawn again
    */
   use(program: RayProgram): boolean {
     const key = programKey(program);
@@ -82,13 +83,13 @@ export class VolumeShape {
     const texts = composeRay(program);
     (this.#parts.vertex._vf.url as string[])[0] = texts.vertex;
     (this.#parts.fragment._vf.url as string[])[0] = texts.fragment;
-    // x3dom keeps programs by this name, so that coming back to one compiles nothing.
+    // x3dom caches programs by this name, so that returning to one compiles nothing.
     this.#shader._id = key;
     this.#shader.fieldChanged('url');
     return false;
   }
 
-  /** What the next drawing reads. */
+  /** Sets the inputs of the next drawing. */
   bind({ uniforms, units }: ProgramInputs): void {
     Object.assign(this.#shader._vf, uniforms);
     units.forEach((unit, i) => {
@@ -98,8 +99,8 @@ export class VolumeShape {
   }
 
   /**
-   * The program that x3dom made; null where there is none yet. x3dom goes on in silence with one that did not compile.
-   * @throws {VolumeViewError} `webgl/shader` with the compiler's own words
+   * The program that x3dom made; null if there is none yet. x3dom ignores a program that did not compile.
+   * @throws {VolumeViewError} `webgl/shader` with the compiler's own message
    */
   checkedProgram(gl: Gl): WebGLProgram | null {
     const program = this.#shape._webgl?.shader?.program;

@@ -1,4 +1,7 @@
 import type { X3dom } from './x3dom-types.ts';
 
-/** Injects x3dom's own text, else the file, in the builds that carry the text: scripts/build.mjs writes it here. */
+/**
+ * Injects x3dom's own text, or the file if that fails, in the builds that contain the text: scripts/build.mjs writes it
+ * here.
+ */
 export const injectOwnText: ((url: string, inject: (url: string) => Promise<X3dom>) => Promise<X3dom>) | null = null;

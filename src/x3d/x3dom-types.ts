@@ -27,7 +27,7 @@ export interface X3dNode {
   updateField(name: string, value: string): void;
 }
 
-/** One of which one holds at a time. */
+/** A node type of which only one node is bound at a time. */
 export interface X3dBindable extends X3dNode {
   bind(active: boolean): void;
 }
@@ -43,7 +43,7 @@ export interface X3dViewpoint extends X3dBindable {
   getCurrentTransform(): X3dMatrix;
 }
 
-/** A directional, a point or a spot light: what the others have is absent. */
+/** A directional, a point or a spot light: fields of the other types are absent. */
 export interface X3dLight extends X3dNode {
   _vf: {
     on: boolean;
@@ -84,7 +84,7 @@ export interface X3dBox {
   isValid(): boolean;
 }
 
-/** What a geometry puts on the GPU, in parts: `toGL()` of its vectors, or typed arrays. */
+/** A geometry's data for the GPU, in parts: `toGL()` of its vectors, or typed arrays. */
 export interface X3dGeometry extends X3dNode {
   _mesh: Record<'_positions' | '_normals' | '_colors' | '_texCoords' | '_indices', ArrayLike<number>[]> & {
     _numColComponents: number;
@@ -170,7 +170,7 @@ export interface X3dom {
   isX3DElement(node: Node): boolean;
 }
 
-/** What x3dom hangs on the elements it knows. */
+/** The properties that x3dom adds to the elements it knows. */
 export interface X3dOwned extends Element {
   _x3domNode?: X3dNode;
 }

@@ -5,13 +5,13 @@ import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
 
 type Atlas = Readonly<Record<string, string | null>>;
 
-/** A view that takes what an X3D scene says in place of attributes that it has not. */
+/** A view that uses an X3D scene's values for the attributes that it lacks. */
 interface AtlasView extends Element {
   _atlas?: (property: string) => string | null | undefined;
   requestUpdate?(name: string): void;
 }
 
-/** Whose volume nodes are followed, and whether its look has been read. */
+/** The view whose volume nodes are followed, and whether its appearance has been read. */
 interface Presented {
   readonly user: { readonly host: AtlasView };
   readonly look: { readonly current: unknown; readonly errors: Pick<ErrorBoard, 'report' | 'clear'> };
@@ -19,17 +19,20 @@ interface Presented {
 
 const known = new WeakMap<Element, Atlas | null>();
 
-/** Of each element, how often its atlas has been looked for: images are measured, and the one asked for first may come last. */
+/**
+ * For each element, the number of searches for its atlas: images are measured, and the search that began first may end
+ * last.
+ */
 const searches = new WeakMap<Element, number>();
 
 const isVolumeNode = (node: Node | null): boolean => /volume(style|data)$|^x3d$/i.test(`${node?.nodeName}`);
 
-/** A group that comes or goes takes its volume nodes along; labels and layers may leave their place to what nodes say. */
+/** A group that is added or removed has volume nodes in it; labels and layers may yield to what the nodes say. */
 const hasVolumeNode = (node: Node): boolean => isVolumeNode(node) || /^volume-(labels|layer)$/i.test(node.nodeName) || (node instanceof Element && [...node.getElementsByTagName('*')].some(isVolumeNode));
 
 /**
- * Follow X3D's volume nodes among an element's children, and what is in them, as long as it lives.
- * @param readLook - reads the styles anew
+ * Follows X3D's volume nodes among an element's children, and their content, as long as the element lives.
+ * @param readLook - reads the styles again
  */
 export async function follow({ user: { host }, look }: Presented, readLook: () => void): Promise<void> {
   const readAll = (): Promise<void> => findAtlas(host).then(() => {
@@ -42,15 +45,15 @@ export async function follow({ user: { host }, look }: Presented, readLook: () =
   await readAll();
 }
 
-/** Whether an element is the voxels of the volume itself, and not a blend's, or segments or normals beside them. */
+/** Whether an element is the voxels of the volume itself, and not those of a blend, nor its segments or normals. */
 function isOwnAtlas(one: Element): boolean {
   return /^imagetextureatlas$/i.test(one.localName) && !/^(segmentidentifiers|surfacenormals)$/.test(containerFieldOf(one)) && ![...ancestors(one)].some(({ localName }) => /^blendedvolumestyle$/i.test(localName));
 }
 
-/** Of each view, the file that it was told of. */
+/** For each view, the file about which an error was reported. */
 const refused = new WeakMap<Element, string>();
 
-/** Voxels of a scene that are no atlas: without a `src` there would be nothing to see, and nobody would know why. */
+/** Reports voxels of a scene that are not an atlas: without a `src` the page would stay empty, with no reason given. */
 function refuseFiles(host: AtlasView, errors: Pick<ErrorBoard, 'report' | 'clear'>): void {
   const texture = [...host.querySelectorAll('imagetexture3d')].find((one) => /volumedata$/i.test(meantParent(one)?.localName ?? '') && !/^(segmentidentifiers|gradients)$/.test(containerFieldOf(one)));
   if (!texture || host.hasAttribute('src') || known.get(host)) {
@@ -63,7 +66,7 @@ function refuseFiles(host: AtlasView, errors: Pick<ErrorBoard, 'report' | 'clear
   errors.report('optics', new VolumeViewError('attribute/invalid', `<${meantParent(texture)!.localName}> got an ImageTexture3D, "${url.slice(0, 80)}", and no src; expected an ImageTextureAtlas, or that file as the src of the volume-view.`));
 }
 
-/** X3DOM's scene of a volume among an element's children is its source, where it has no other. */
+/** Uses X3DOM's scene of a volume among an element's children as its source, if it has no other. */
 async function findAtlas(host: AtlasView): Promise<void> {
   const node = [...host.querySelectorAll('*')].find(isOwnAtlas);
   const search = (searches.get(host) ?? 0) + 1;
@@ -77,7 +80,7 @@ async function findAtlas(host: AtlasView): Promise<void> {
   host.requestUpdate?.('src');
 }
 
-/** What of an atlas is in place of attributes: the pixels of a slice have to be counted for their size. */
+/** The values of an atlas that replace attributes. The size of a slice has to be measured in pixels. */
 async function readAtlas(node: Element): Promise<Atlas> {
   const text = (name: string): string => new X3dFields(node, 'ImageTextureAtlas').text(name);
   const src = urlOf(new X3dFields(node, 'ImageTextureAtlas'));
@@ -89,12 +92,13 @@ async function readAtlas(node: Element): Promise<Atlas> {
   const image = await measureImage(src, node.ownerDocument);
   const tiles = [Number(across), Number(down), Number(count)];
   const isKnown = image && sizes.length === 3 && [...sizes, ...tiles].every((x) => x > 0 && x < 1e9);
-  // X3DOM's x runs to the right of an image and its y down, and not to a patient's right and front. What can't be read is told by the reader of the attribute in whose place it stands.
+  // X3DOM's x runs to the right of an image and its y down, and not to a patient's right and front. Values that can't
+  // be read are reported by the reader of the attribute that they replace.
   const spacing = isKnown ? [(-sizes[0] * tiles[0]) / image[0], (-sizes[1] * tiles[1]) / image[1], sizes[2] / tiles[2]].join(' ') : image ? lengths : null;
   return { src, mosaic: `${across}x${down}`, slices: count || null, spacing };
 }
 
-/** How much larger a Transform makes what it holds. */
+/** The factor by which a Transform scales its content. */
 function readScale(transform: Element): readonly number[] {
   const scale = new X3dFields(transform, 'Transform').text('scale').split(/[\s,]+/).map(Number);
   return scale.length === 3 && scale.every((x) => x > 0 && x < 1e9) ? scale : [1, 1, 1];
@@ -104,14 +108,14 @@ function* ancestors(node: Element): Generator<Element> {
   for (let one = node.parentElement; one; one = one.parentElement) yield one;
 }
 
-/** Pixels across and down; null for what is no image. */
+/** Pixels across and down; null if it is not an image. */
 function measureImage(url: string, { defaultView, baseURI }: Document): Promise<[number, number] | null> {
   return new Promise((resolve) => {
     if (!defaultView || !URL.canParse(url, baseURI)) return resolve(null);
     const image = new Image();
     image.crossOrigin = 'anonymous';
     image.onload = () => resolve([image.naturalWidth, image.naturalHeight]);
-    image.onerror = () => resolve(null); // The loader tells what is wrong.
+    image.onerror = () => resolve(null); // The loader reports what is wrong.
     image.src = new URL(url, baseURI).href;
   });
 }

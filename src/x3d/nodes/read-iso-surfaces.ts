@@ -5,19 +5,20 @@ import type { Color, TransferFunction } from '../../optics/transfer/transfer-fun
 import { meantChildren } from '../../page/unclosed.ts';
 import { X3dFields } from './x3d-fields.ts';
 
-/** Values that no data have. */
+/** No data have larger values. */
 const farthest = 1e30;
 
-/** What the surfaces are of. */
+/** The volume that has the surfaces. */
 interface Shown {
   readonly transferFunction: TransferFunction;
-  /** Between these values surfaces are repeated. */
+  /** Repeated surfaces lie between these values. */
   readonly window: readonly [number, number];
 }
 
 /**
- * X3D's IsoSurfaceVolumeData as surfaces: a colour is that of its style's material, else that of the transfer function.
- * @param styles - shaded ones, or opacity maps, that stand in it, in order; the last one is that of all further surfaces
+ * X3D's IsoSurfaceVolumeData as surfaces. The colour is that of its style's material, else that of the transfer
+ * function.
+ * @param styles - shaded ones, or opacity maps, inside it, in order; the last one is used for all further surfaces
  * @param unit - data units that are 1 in the fields: X3D's atlases hold shares
  * @throws {VolumeViewError} `attribute/invalid`
  */
@@ -47,7 +48,7 @@ function listValues(fields: X3dFields, [low, high]: readonly [number, number]): 
   return [...values, ...Array.from({ length: below }, (_, i) => first - (i + 1) * step), ...Array.from({ length: above }, (_, i) => first + (i + 1) * step)];
 }
 
-/** What a style says of its surface; null where it leaves it as it is. */
+/** The appearance that a style gives its surface; null if it changes nothing. */
 function readLook(style: Element): { readonly color: Color | null; readonly opacity: number; readonly isPlain: boolean } | null {
   if (!/^shaded/i.test(style.localName)) return null;
   const fields = new X3dFields(style, 'ShadedVolumeStyle');

@@ -8,15 +8,16 @@ import type { VolumeOptics } from '../../viewer/model/volume-info.ts';
 import { textureOfField } from './volume-textures.ts';
 import { X3dFields } from './x3d-fields.ts';
 
-/** A byte of an atlas that X3D calls 1. */
+/** The byte of an atlas that is 1 in X3D. */
 export const atlasUnit = 255;
 
-/** What X3DOM multiplies opacities by in an OpacityMapVolumeStyle that does not say, and in scenes without one. */
+/** X3DOM's default factor for opacities, in an OpacityMapVolumeStyle without one, and in scenes without such a style. */
 const [ofMaps, ofOthers] = [6, 10];
 
 /**
- * A projection shows the value itself: all components of a colour are the same, and without alpha in the data that is 1. Colours that are
- * as opaque as they are bright would be darkened twice. Source: ISO/IEC 19775-1, 41.4, ProjectionVolumeStyle
+ * A projection shows the value itself: all components of a colour are equal, and without alpha in the data alpha is 1.
+ * Colours whose opacity is their brightness would be darkened twice. Source: ISO/IEC 19775-1, 41.4,
+ * ProjectionVolumeStyle
  */
 const intensities = '0% black 100%, 100% white 100%';
 
@@ -31,8 +32,8 @@ export function voxelsOf(blend: Element): Element | undefined {
 }
 
 /**
- * By what opacities are multiplied in X3DOM's measure; null where they are those of a reference length: where the volume is no
- * scene's atlas, and X3DOM's field is not written.
+ * The factor for opacities in X3DOM's measure; null if the opacities hold for a reference length: if the volume is not
+ * a scene's atlas, and X3DOM's field is not set.
  */
 export function readOpacityFactor(host: Element, isScene: boolean): number | null {
   const styles = stylesOfFirst(host);
@@ -43,7 +44,8 @@ export function readOpacityFactor(host: Element, isScene: boolean): number | nul
 }
 
 /**
- * A look in the colours of an OpacityMapVolumeStyle's texture, or in X3D's own where the volume is a scene's atlas. Those of attributes go before.
+ * An appearance with the colours of an OpacityMapVolumeStyle's texture, or with X3D's own if the volume is a scene's
+ * atlas. Colours of attributes override them.
  * @throws {VolumeViewError} `attribute/invalid`
  */
 export async function withNodeColors(host: Element, look: VolumeOptics, { isScene, grid }: { readonly isScene: boolean; readonly grid: Grid }): Promise<VolumeOptics> {
@@ -54,19 +56,19 @@ export async function withNodeColors(host: Element, look: VolumeOptics, { isScen
   if (!texture && factor === null) return look;
   const isProjected = look.projection !== null || stylesOfFirst(host).some((one) => nameOf(one) === 'projectionvolumestyle' && isEnabled(one));
   const window = isScene && !host.hasAttribute('value-window') ? ([0, atlasUnit] as const) : look.window;
-  // X3DOM knows no thin volumes.
+  // X3DOM has no rule for thin volumes.
   const isMeasured = factor !== null && look.referenceLength === defaultReferenceLength(grid) && !host.hasAttribute('reference-length');
   return { ...look, window, ...(isMeasured && { referenceLength: longestEdgeShare(grid) }), transferFunction: await resolveTransferFunction(!texture && isProjected ? intensities : await readOpacityMap(texture, factor), window) };
 }
 
-/** All but those of a second volume. */
+/** All styles except those of a second volume. */
 function stylesOfFirst(host: Element): Element[] {
   const all = [...host.querySelectorAll('*')];
   const blend = all.find((one) => nameOf(one) === 'blendedvolumestyle' && voxelsOf(one));
   return blend ? all.filter((one) => one === blend || !blend.contains(one)) : all;
 }
 
-/** The texture of the first of some styles that has one, or of what is composed in it. */
+/** The texture of the first style that has one, directly or composed in it. */
 export function textureIn(styles: readonly Element[]): Element | undefined {
   const [first, ...rest] = styles.filter((one) => isStyle(one) && isEnabled(one));
   if (!first) return undefined;

@@ -4,27 +4,28 @@ import { urlOf, X3dFields } from './x3d-fields.ts';
 /** A row of colours: RGBA, 0 to 255. */
 type Row = readonly (readonly number[])[];
 
-/** Stops that are made of a texture at most. */
-const mostStops = 256;
+/** Maximum number of stops that are made of a texture. */
+const maxStops = 256;
 
-/** X3D's own where there is no texture, from clear black to white. */
-const ramp: Row = Array.from({ length: mostStops }, (_, i) => [i, i, i, i]);
+/** X3D's default without a texture, from transparent black to white. */
+const ramp: Row = Array.from({ length: maxStops }, (_, i) => [i, i, i, i]);
 
 /**
- * Of each opacity that X3DOM's texture has, that of a reference length, a hundredth of the volume's longest edge: X3DOM's share of
- * a step is the texture's times `factor` / 85, and 85 steps are the square root of 2 edges long.
+ * Converts an opacity of X3DOM's texture to that of a reference length, a hundredth of the volume's longest edge:
+ * X3DOM's share of a step is the texture's times `factor` / 85, and 85 steps are the square root of 2 edges long.
  */
 const perReferenceLength = (opacity: number, factor: number): number => -Math.expm1((-opacity * factor) / (100 * Math.SQRT2));
 
 /**
- * The texture of X3D's OpacityMapVolumeStyle as a transfer function that spans the window. Without alpha, opacity is the brightness.
- * @param texture - null for X3D's own one
- * @param factor - X3DOM's field `opacityFactor`; null where it is not written: then opacities are those of a reference length
+ * The texture of X3D's OpacityMapVolumeStyle as a transfer function that spans the window. Without alpha, opacity is
+ * the brightness.
+ * @param texture - null for X3D's default
+ * @param factor - X3DOM's field `opacityFactor`; null if it is not set: then opacities hold for a reference length
  * @throws {VolumeViewError} `attribute/invalid`
  */
 export async function readOpacityMap(texture: Element | null, factor: number | null = null): Promise<string> {
   const row = texture ? await readRow(texture) : ramp;
-  const picked = row.length > mostStops ? Array.from({ length: mostStops }, (_, i) => row[Math.round((i * (row.length - 1)) / (mostStops - 1))]) : row;
+  const picked = row.length > maxStops ? Array.from({ length: maxStops }, (_, i) => row[Math.round((i * (row.length - 1)) / (maxStops - 1))]) : row;
   const last = picked.length - 1;
   const opacityOf = (alpha: number): number => 100 * (factor === null ? alpha / 255 : perReferenceLength(alpha / 255, factor));
   return picked.map(([red, green, blue, alpha], i) => `${last > 0 ? (100 * i) / last : 100}% rgb(${red} ${green} ${blue}) ${opacityOf(alpha)}%`).join(', ');
@@ -40,7 +41,7 @@ function readRow(texture: Element): Row | Promise<Row> {
   return canvas ? readCanvas(canvas) : loadRow(new X3dFields(texture, 'ImageTexture'));
 }
 
-/** X3DOM's way to paint a texture. */
+/** A canvas, X3DOM's way to paint a texture. */
 function readCanvas(canvas: HTMLCanvasElement): Row {
   let row: Row = [];
   try {
@@ -56,7 +57,7 @@ function wrong(got: string, expected: string): VolumeViewError {
   return new VolumeViewError('attribute/invalid', `the transferFunction of <OpacityMapVolumeStyle> got ${got}; expected ${expected}. Or write transfer-function="0% #000 0%, 100% #fff 80%" on the volume-view.`);
 }
 
-/** Without alpha, that is the brightness. */
+/** A colour with alpha; if there is none, alpha is the brightness. */
 function withAlpha([red, green, blue, alpha]: readonly (number | undefined)[]): number[] {
   return [red!, green!, blue!, alpha ?? Math.max(red!, green!, blue!)];
 }
@@ -90,7 +91,7 @@ async function loadRow(fields: X3dFields): Promise<Row> {
 
 /** The middle row. */
 function rowOf(source: CanvasImageSource, { width, height }: { readonly width: number; readonly height: number }): Row {
-  const count = Math.min(mostStops, width);
+  const count = Math.min(maxStops, width);
   const context = Object.assign(document.createElement('canvas'), { width: count, height: 1 }).getContext('2d')!;
   context.drawImage(source, 0, Math.floor(height / 2), width, 1, 0, 0, count, 1);
   const { data } = context.getImageData(0, 0, count, 1);

@@ -1,20 +1,20 @@
-// X3D's SegmentedVolumeData: what it says of its segments, which a volume's labels are then.
+// X3D's SegmentedVolumeData: its segments become the volume's labels.
 import { VolumeViewError } from '../../core/errors.ts';
 import { readVoxelTexture, textureOfField } from './volume-textures.ts';
 import type { VoxelTexture } from './volume-textures.ts';
 import { X3dFields } from './x3d-fields.ts';
 
-/** The texture that says to which segment each voxel belongs. */
+/** The texture that gives the segment of each voxel. */
 export interface Identifiers extends VoxelTexture {
-  /** X3DOM spreads its numbers over 0 to 1; null where a pixel's number is that of its segment. */
+  /** X3DOM spreads its segment numbers over 0 to 1; null if a pixel's number is the number of its segment. */
   readonly most: number | null;
 }
 
-/** One segment, by its style: the n-th one is that of segment n. */
+/** One segment, by its style: the n-th style belongs to segment n. */
 export interface Segment {
   /** The element's name, for messages. */
   readonly node: string;
-  /** What it draws, beside colours and opacities of values; '' of what is nothing else. */
+  /** What it draws, apart from colours and opacities of values; '' if there is nothing else. */
   readonly key: string;
   /** Its own colours and opacities of values. */
   readonly texture: Element | null;
@@ -31,7 +31,7 @@ export function readIdentifiers(node: Element): Identifiers {
   return { ...readVoxelTexture(texture), most };
 }
 
-/** Which segments are drawn, by number; of further ones all are. @throws {VolumeViewError} `attribute/invalid` */
+/** Which segments are drawn, by number; all further ones are drawn. @throws {VolumeViewError} `attribute/invalid` */
 export function readEnabled(node: Element): boolean[] {
   const fields = new X3dFields(node, 'SegmentedVolumeData');
   return fields.text('segmentEnabled').toLowerCase().split(/[\s,]+/).filter(Boolean).map((word) => {
@@ -40,17 +40,20 @@ export function readEnabled(node: Element): boolean[] {
   });
 }
 
-/** Whether a segment is drawn: of those that nothing is said of all are. */
+/** Whether a segment is drawn: true if the field has no entry for it. */
 export function isDrawn(enabled: readonly boolean[], id: number): boolean {
   return !(id in enabled) || enabled[id];
 }
 
-/** The segment that all are drawn like, as a volume has one style: the first one that is drawn and has a style; -1 where none has. */
+/**
+ * The segment whose style is used for all, because a volume has one style: the first one that is drawn and has a style;
+ * -1 if there is none.
+ */
 export function leadOf(segments: readonly Segment[], enabled: readonly boolean[]): number {
   return segments.findIndex(({ key }, id) => key !== '' && isDrawn(enabled, id));
 }
 
-/** What can't be drawn as it is said, in words; null where all of it is drawn. @param ids - of the segments that there are */
+/** Says in words which styles can't be drawn as they are set; null if all can. @param ids - of the segments in the data */
 export function tellStyles(segments: readonly Segment[], enabled: readonly boolean[], ids: readonly number[]): VolumeViewError | null {
   const lead = leadOf(segments, enabled);
   const other = lead < 0 ? undefined : ids.find((id) => isDrawn(enabled, id) && (segments[id]?.key ?? '') !== segments[lead].key);

@@ -3,7 +3,7 @@ import type { StyleMaterial, VolumeStyle } from '../../optics/transfer/volume-st
 import { meantChildren } from '../../page/unclosed.ts';
 import { X3dFields } from './x3d-fields.ts';
 
-/** Each of X3D's styles that change what is seen at a place, with the standard's defaults. Source: ISO/IEC 19775-1, 41.4 */
+/** X3D's styles that change the appearance of a point, with the standard's defaults. Source: ISO/IEC 19775-1, 41.4 */
 const readers: Readonly<Record<string, readonly [node: string, read: (fields: X3dFields) => VolumeStyle | null]>> = {
   boundaryenhancementvolumestyle: ['BoundaryEnhancementVolumeStyle', (fields) => ({
     kind: 'boundary', retained: fields.number('retainedOpacity', 0.2), boundary: fields.number('boundaryOpacity', 0.9), power: fields.number('opacityFactor', 2, [0, 100]),
@@ -22,7 +22,10 @@ const readers: Readonly<Record<string, readonly [node: string, read: (fields: X3
   shadedvolumestyle: ['ShadedVolumeStyle', readShaded],
 };
 
-/** @returns null for one that changes nothing; undefined for an element that is none of these styles @throws {VolumeViewError} `attribute/invalid` */
+/**
+ * @returns null for a style that changes nothing; undefined for an element that is not one of these styles
+ * @throws {VolumeViewError} `attribute/invalid`
+ */
 export function readVolumeStyle(element: Element): VolumeStyle | null | undefined {
   const found = readers[element.localName.toLowerCase()];
   if (!found) return undefined;
@@ -33,17 +36,17 @@ export function readVolumeStyle(element: Element): VolumeStyle | null | undefine
   return read(new X3dFields(element, node));
 }
 
-let told = false;
+let warned = false;
 
-/** The standard leaves shadows to browsers of its highest level. */
-function tellOfShadows(): void {
-  if (!told) console.warn('<volume-view>: shadows="true" of a ShadedVolumeStyle is left out of the picture: a volume casts no shadows here.');
-  told = true;
+/** The standard requires shadows only from browsers of its highest level. */
+function warnOfShadows(): void {
+  if (!warned) console.warn('<volume-view>: shadows="true" of a ShadedVolumeStyle is left out of the picture: a volume casts no shadows here.');
+  warned = true;
 }
 
 function readShaded(fields: X3dFields): VolumeStyle | null {
   fields.word('phaseFunction', 'Henyey-Greenstein', ['Henyey-Greenstein', 'NONE']);
-  if (fields.flag('shadows', false)) tellOfShadows();
+  if (fields.flag('shadows', false)) warnOfShadows();
   if (!fields.flag('lighting', false)) return null;
   const material = meantChildren(fields.element).find(({ localName }) => /^material$/i.test(localName));
   return { kind: 'shaded', material: material ? readMaterial(new X3dFields(material, 'Material')) : null };
