@@ -1,12 +1,12 @@
 import type { Vector3 } from '../volume/matrix.ts';
 
-/** Where several panes meet, and how the volumes in them are windowed: what one of them changes, all show. */
+/** The common point of several panes, and the windows of the volumes in them. A change in one pane is shown in all. */
 export class Crosshair {
   #place: Vector3 | null = null;
   readonly #windows = new WeakMap<object, readonly [number, number]>();
   readonly #listeners = new Set<() => void>();
 
-  /** World; null before a volume is there. */
+  /** World coordinates; null before a volume is loaded. */
   get place(): Vector3 | null {
     return this.#place;
   }
@@ -14,10 +14,10 @@ export class Crosshair {
   moveTo(place: Vector3): void {
     if (String(place) === String(this.#place)) return;
     this.#place = place;
-    this.#tell();
+    this.#notify();
   }
 
-  /** Data values of black and white that a person has chosen for a volume; null for those of the page. */
+  /** Data values of black and white that a person has chosen for a volume; null for the page's own. */
   windowOf(volume: object): readonly [number, number] | null {
     return this.#windows.get(volume) ?? null;
   }
@@ -25,16 +25,16 @@ export class Crosshair {
   setWindow(volume: object, window: readonly [number, number] | null): void {
     if (window) this.#windows.set(volume, window);
     else this.#windows.delete(volume);
-    this.#tell();
+    this.#notify();
   }
 
-  /** @returns what ends it */
+  /** @returns a function that removes the listener */
   listen(changed: () => void): () => void {
     this.#listeners.add(changed);
     return () => this.#listeners.delete(changed);
   }
 
-  #tell(): void {
+  #notify(): void {
     for (const changed of this.#listeners) changed();
   }
 }
@@ -42,7 +42,7 @@ export class Crosshair {
 const byName = new Map<string, WeakRef<Crosshair>>();
 const byOwner = new WeakMap<object, Crosshair>();
 
-/** The crosshair of a group of panes; without a name that of all panes of one owner. */
+/** The crosshair of a group of panes. Panes without a group name share the crosshair of their owner. */
 export function findCrosshair(group: string | null, owner: object): Crosshair {
   const found = group === null ? byOwner.get(owner) : byName.get(group)?.deref();
   if (found) return found;

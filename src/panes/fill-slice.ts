@@ -7,40 +7,46 @@ import { rowOf } from './read-row.ts';
 import type { ReadRow } from './read-row.ts';
 import type { SampleAt, SampledBlock } from './sample-at.ts';
 
-/** Pixels of a slice, and where they are in the world. */
+/** Pixels of a slice, and their position in the world. */
 export interface SlicePixels {
   readonly width: number;
   readonly height: number;
   /** World, centre of the first pixel, at the top left. */
   readonly first: Vector3;
-  /** World, from pixel to pixel. */
+  /** World, from one pixel to the next. */
   readonly across: Vector3;
   readonly down: Vector3;
 }
 
-/** How thick a slice is. */
+/** The thickness of a slice. */
 export interface Slab {
   /** World, unit length. */
   readonly normal: Vector3;
   /** World units; 0 for a plane. */
   readonly thickness: number;
-  /** What of its values is shown. */
+  /** How its values are combined. */
   readonly projection: ProjectionKind;
-  /** Planes by which it is sampled, evenly, each in the middle of its share: for a quick picture. Absent for all that the grid has. */
+  /**
+   * Number of planes at which it is sampled, evenly spaced, each in the middle of its part: for a quick picture. If
+   * absent, all planes of the grid.
+   */
   readonly planes?: number;
 }
 
-/** What is sampled. */
+/** The field that is sampled. */
 export interface SliceField {
   readonly sampleAt: SampleAt;
-  /** The same for a row of places, where there is a quicker way. */
+  /** The same for a row of points, if there is a faster way. */
   readonly readRow?: ReadRow;
   readonly worldToIndex: Matrix4;
-  /** Its voxels, and whether each place has the value of the nearest one: what slabs are merged from. Absent where planes are said. */
+  /**
+   * Its voxels, and whether each point has the value of the nearest one: slabs are computed from them. Absent if the
+   * number of planes is set.
+   */
   readonly voxels?: SampledBlock & { readonly isNearest: boolean };
 }
 
-/** A slice of it. */
+/** A slice of the field. */
 export interface Slice {
   readonly field: SliceField;
   readonly pixels: SlicePixels;
@@ -48,8 +54,8 @@ export interface Slice {
 }
 
 /**
- * Stored values of some rows of a slice, row after row from the top; NaN where there is nothing. In a slab, places without data
- * are left out.
+ * Fills some rows of a slice with stored values, row after row from the top; NaN where there is no value. In a slab,
+ * points without data are left out.
  * @param values - width x height; those of the rows are filled
  * @param rows - the first, and the one after the last
  */
@@ -74,20 +80,24 @@ export function fillRows(slice: Slice, values: Float64Array, [first, end]: reado
   }
 }
 
-/** A plane through a slab: where it is, as a share of the thickness, and how much of the thickness it stands for. */
+/**
+ * A plane through a slab: its position as a share of the thickness, and its weight, the part of the thickness that it
+ * stands for.
+ */
 type SlabPlane = readonly [share: number, weight: number];
 
 function evenPlanes(planes: number): readonly SlabPlane[] {
   return Array.from({ length: planes }, (_, i) => [(i + 0.5) / planes, 1]);
 }
 
-/** Off by less than this, voxels, a slab is along an axis of the grid. */
+/** If it deviates by less than this, voxels, a slab is along an axis of the grid. */
 const drift = 1e-9;
 
 /**
- * The planes in which a slab along an axis of the grid has all of its extremes, and its mean by trapezoids: its two ends, and those of voxels'
- * centres between them, as values are straight lines in between. Of nearest values one plane for each voxel.
- * @returns null for a slab that is along no axis, or not the same for all pixels
+ * The planes that give the exact extremes of a slab along an axis of the grid, and its mean by trapezoids: its two
+ * ends, and the planes of voxels' centres between them, because values are straight lines in between. For nearest
+ * values, one plane for each voxel.
+ * @returns null for a slab that is not along an axis, or not the same for all pixels
  */
 function alignedPlanes({ field: { voxels, worldToIndex }, pixels }: Slice, way: Vector3): readonly SlabPlane[] | null {
   const { dimensions, isNearest } = voxels!;
@@ -96,7 +106,7 @@ function alignedPlanes({ field: { voxels, worldToIndex }, pixels }: Slice, way: 
   const sides: readonly (readonly [Vector3, number])[] = [[pixels.across, pixels.width], [pixels.down, pixels.height]];
   if (sides.some(([side, count]) => Math.abs(count * transformDirection(worldToIndex, side)[axis]) > drift)) return null;
   const from = add(transformPoint(worldToIndex, pixels.first), scale(way, -0.5));
-  // Pixels beside the volume have no part in it, whatever the planes.
+  // Pixels outside the volume do not matter, whatever the planes are.
   const inside = from.map((x, other) => (other === axis ? x : 0)) as unknown as Vector3;
   const part = cutToVoxels(inside, way, dimensions);
   if (!part) return [];
@@ -107,7 +117,7 @@ function alignedPlanes({ field: { voxels, worldToIndex }, pixels }: Slice, way: 
   return shares.map((share, i) => [share, ((shares[i + 1] ?? share) - (shares[i - 1] ?? share)) / 2]);
 }
 
-/** A row of a slab, and room to work in. */
+/** A row of a slab, and buffers to work in. */
 interface SlabRow {
   readonly way: Vector3;
   /** Index of its first pixel, in the middle of the slab. */
@@ -119,7 +129,7 @@ interface SlabRow {
   readonly merging: Merging;
 }
 
-/** Plane by plane: what is next to each other in a row is near in memory too. */
+/** Plane by plane, because neighbours in a row are also near in memory. */
 function mergePlanes(planes: readonly SlabPlane[], { way, middle, across, readRow, line, weights, merging: { none, merge, end } }: SlabRow, merged: Float64Array): void {
   merged.fill(none);
   weights.fill(0);
@@ -130,13 +140,13 @@ function mergePlanes(planes: readonly SlabPlane[], { way, middle, across, readRo
   end(merged);
 }
 
-/** How the rows of planes become one. Places without data, NaN, are left out. */
+/** How the rows of planes are merged into one. Points without data, NaN, are left out. */
 interface Merging {
-  /** What a row is before the first one. */
+  /** The value of a row before the first plane. */
   readonly none: number;
-  /** @param of - what the plane weighs, and what those before it weigh in each pixel */
+  /** @param of - the plane's weight, and the sum of the weights before it in each pixel */
   merge(merged: Float64Array, line: Float64Array, of: { readonly weight: number; readonly weights: Float64Array }): void;
-  /** Where no plane had data, nothing is there. */
+  /** Sets NaN where no plane had data. */
   end(merged: Float64Array): void;
 }
 
@@ -147,7 +157,7 @@ function withoutNone(merged: Float64Array): void {
 const merging: Readonly<Record<ProjectionKind, Merging>> = {
   average: {
     none: NaN,
-    // A running mean: that of a constant is the constant, to the last bit.
+    // A running mean: the mean of a constant is the constant, to the last bit.
     merge(merged, line, { weight, weights }) {
       for (let i = 0; i < line.length; i++) {
         if (Number.isNaN(line[i])) continue;

@@ -2,7 +2,7 @@
 export interface GrayLevels {
   /** Data values of black and white. */
   readonly window: readonly [number, number];
-  /** DICOM's two functions: `linear` is meant for whole numbers, and a value narrower. */
+  /** DICOM's two functions. `linear` is meant for whole numbers, and its range is narrower by one value. */
   readonly windowFunction: WindowFunction;
 }
 
@@ -10,10 +10,9 @@ export const windowFunctions = ['linear-exact', 'linear'] as const;
 export type WindowFunction = (typeof windowFunctions)[number];
 
 /**
- * The grey of a value as a straight line, `(value - black) / (white - black)`, 0 to 1 and cut at both ends.
- *
- * A window of `low` to `high` has the centre c = (low + high) / 2 and the width w = high - low. LINEAR_EXACT is
- * (x - c) / w + 0.5. LINEAR is (x - (c - 0.5)) / (w - 1) + 0.5, and a threshold where w is 1 or less.
+ * The grey of a value as a straight line, `(value - black) / (white - black)`, 0 to 1 and clamped at both ends. A
+ * window of `low` to `high` has the centre c = (low + high) / 2 and the width w = high - low. LINEAR_EXACT is (x - c) /
+ * w + 0.5. LINEAR is (x - (c - 0.5)) / (w - 1) + 0.5, and a threshold where w is 1 or less.
  * Source: DICOM PS3.3 C.11.2.1.2.1 and C.11.2.1.3.2
  */
 export function grayRange({ window: [low, high], windowFunction }: GrayLevels): readonly [black: number, white: number] {

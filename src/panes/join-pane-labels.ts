@@ -1,6 +1,6 @@
 import type { PaneLabels } from './pane-labels.ts';
 
-/** Several that cover greys, one after the other. */
+/** Joins several layers that cover the greys; they are painted one after the other. */
 export function joinPaneLabels(several: readonly (PaneLabels | null)[]): PaneLabels | null {
   const all = several.filter((one) => one !== null);
   if (all.length < 2) return all[0] ?? null;

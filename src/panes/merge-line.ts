@@ -4,34 +4,38 @@ import type { Vector3 } from '../volume/matrix.ts';
 import { linearSampler, nearestSampler } from './sample-at.ts';
 import type { SampledBlock } from './sample-at.ts';
 
-/** Stored value of a line through voxels that begins at an index: what a slab shows of it. NaN where no data are on it. */
+/**
+ * The stored value that a slab shows for a line through voxels that begins at an index. NaN if there are no data on the
+ * line.
+ */
 export type MergeLine = (x: number, y: number, z: number) => number;
 
 /** How lines are merged. */
 export interface LineMerging {
-  /** Of each line, in voxels. */
+  /** Direction and length of each line, in voxels. */
   readonly way: Vector3;
   readonly kind: ProjectionKind;
-  /** Whether each place has the value of the nearest voxel. */
+  /** Whether each point has the value of the nearest voxel. */
   readonly isNearest: boolean;
 }
 
-/** Less than this of a voxel along an axis over the whole of a line is rounding. */
+/** A change along an axis of less than this many voxels over the whole line is rounding. */
 const drift = 1e-9;
 
-/** Places of a piece that are looked at where a voxel without data is next to it: there values are no cubic. */
+/** Number of points of a piece that are sampled if a voxel next to it has no data: there values are not a cubic. */
 const looks = 5;
 
 /**
- * The largest, the smallest or the mean value of all places of a line. Between planes of voxels' centres a tri-linear value is a cubic of the
- * length, whose extremes and mean are known: nothing lies between samples. Nearest values change at the planes between voxels.
+ * The largest, the smallest or the mean value of all points of a line. Between planes of voxels' centres a tri-linear
+ * value is a cubic of the length, whose extremes and mean are known: the result has no sampling error. Nearest values
+ * change at the planes between voxels.
  */
 export function lineMerger(block: SampledBlock, { way, kind, isNearest }: LineMerging): MergeLine {
   const { dimensions } = block;
   const piece = isNearest ? nearestPiece(block, kind) : linearPiece(block, kind);
   const shift = isNearest ? 0.5 : 0;
   const axes = [0, 1, 2].filter((axis) => Math.abs(way[axis]) >= drift);
-  const next = [0, 0, 0]; // The share at which the line meets the next plane of each axis,
+  const next = [0, 0, 0]; // The share of the line at which it meets the next plane of each axis,
   const plane = [0, 0, 0]; // and that plane.
   return (...from) => {
     const inside = cutToVoxels(from, way, dimensions);
@@ -60,7 +64,7 @@ export function lineMerger(block: SampledBlock, { way, kind, isNearest }: LineMe
   };
 }
 
-/** Gathers the pieces of one line after the other. */
+/** Receives the pieces of one line after the other. */
 interface Pieces {
   begin(from: Vector3, way: Vector3): void;
   /** @param at, to - shares of the line */
@@ -68,7 +72,7 @@ interface Pieces {
   end(): number;
 }
 
-/** What has been found of a line. */
+/** The result for the part of a line that was processed so far. */
 class Found {
   #value = 0;
   #weight = 0;
@@ -80,22 +84,22 @@ class Found {
     this.#weight = 0;
   }
 
-  /** @param weight - how much of the line has it; of no matter to extremes */
+  /** @param weight - the length of line that has the value; extremes ignore it */
   take(value: number, weight: number): void {
     if (Number.isNaN(value)) return;
     if (this.kind === 'max') this.#value = Math.max(this.#value, value);
     else if (this.kind === 'min') this.#value = Math.min(this.#value, value);
     else {
       this.#weight += weight;
-      // A running mean: that of a constant is the constant, to the last bit.
+      // A running mean: the mean of a constant is the constant, to the last bit.
       if (weight > 0) this.#value += (value - this.#value) * (weight / this.#weight);
       else if (this.#weight === 0) this.#value = value;
     }
   }
 
-  /** Whether values up to these can change anything. */
-  isOfUse(least: number, most: number): boolean {
-    return this.kind === 'average' || (this.kind === 'max' ? most > this.#value : least < this.#value);
+  /** Whether values between these two can change the result. */
+  isOfUse(low: number, high: number): boolean {
+    return this.kind === 'average' || (this.kind === 'max' ? high > this.#value : low < this.#value);
   }
 
   get value(): number {
@@ -129,7 +133,7 @@ function linearPiece(block: SampledBlock, kind: ProjectionKind): Pieces {
   const found = new Found(kind);
   let [x, y, z, dx, dy, dz] = [0, 0, 0, 0, 0, 0];
 
-  /** Where a voxel of the cell has no data. */
+  /** Samples a piece if a voxel of its cell has no data. */
   const look = (at: number, to: number): void => {
     for (let i = 0; i < looks; i++) {
       const share = at + (i * (to - at)) / (looks - 1);
@@ -163,14 +167,16 @@ function linearPiece(block: SampledBlock, kind: ProjectionKind): Pieces {
       const h = samples[corner + back + up + right];
       if (block.hasNoData && !Number.isFinite(a + b + c + d + e + f + g + h)) return look(at, to);
       if (!found.isOfUse(Math.min(a, b, c, d, e, f, g, h), Math.max(a, b, c, d, e, f, g, h))) return;
-      // Along the piece, s from 0 to 1, each share of the way between two voxels is p + q s; where there is but one, nothing changes.
+      // Along the piece, with s from 0 to 1, each coordinate between two voxels is p + q s. If there is only one voxel,
+      // the value is constant.
       const px = right ? x + at * dx - i : 0;
       const qx = right ? span * dx : 0;
       const py = up ? y + at * dy - j : 0;
       const qy = up ? span * dy : 0;
       const pz = back ? z + at * dz - k : 0;
       const qz = back ? span * dz : 0;
-      // Of two rows in the near plane of the cell and two in the far one: a straight line each; then two parabolas, and their cubic.
+      // Two rows in the near plane of the cell and two in the far one give a straight line each; these give two
+      // parabolas, and these their cubic.
       const near0 = a + px * (b - a);
       const near1 = qx * (b - a);
       const nearUp0 = c + px * (d - c) - near0;
@@ -192,7 +198,7 @@ function linearPiece(block: SampledBlock, kind: ProjectionKind): Pieces {
       if (kind === 'average') return found.take(start + linear / 2 + square / 3 + cube / 4, span);
       found.take(start, 0);
       found.take(start + linear + square + cube, 0);
-      // Both turns: one that is no extreme of the kind does no harm.
+      // Both turning points are used: one that is not an extreme of the wanted kind does no harm.
       const inner = square * square - 3 * cube * linear;
       if (!(inner > 0)) return;
       const root = Math.sqrt(inner);

@@ -4,17 +4,17 @@ import { valueOf } from '../volume/index-numbers.ts';
 import { grayRange } from './gray-levels.ts';
 import type { GrayLevels } from './gray-levels.ts';
 
-/** Data value = slope * stored + intercept, or `ids[stored]` where these are there. */
+/** Data value = slope * stored + intercept, or `ids[stored]` if there are `ids`. */
 export interface StoredScale {
   readonly slope: number;
   readonly intercept: number;
   readonly ids?: readonly number[];
 }
 
-/** Fill a picture, RGBA, from stored values; where there is none it is transparent. */
+/** Fills a picture, RGBA, from stored values; it is transparent where there is no value. */
 export type Painter = (values: Float64Array, pixels: Uint8ClampedArray, range: readonly [number, number]) => void;
 
-/** Grey, exact: rounded once, to 8 bits. */
+/** Exact grey: rounded once, to 8 bits. */
 export function grayPainter(levels: GrayLevels, { slope, intercept, ids }: StoredScale): Painter {
   const range = grayRange(levels);
   // 255 times what is larger may be more than a number holds.
@@ -28,18 +28,19 @@ export function grayPainter(levels: GrayLevels, { slope, intercept, ids }: Store
         continue;
       }
       const gray = white > black ? (255 * (value - black)) / (white - black) : value > white ? 255 : 0;
-      pixels[at] = pixels[at + 1] = pixels[at + 2] = gray; // Clamped and rounded by the array.
+      pixels[at] = pixels[at + 1] = pixels[at + 2] = gray; // The array clamps and rounds.
       pixels[at + 3] = 255;
     }
   };
 }
 
-/** Colours of values that are told apart. */
+/** Number of different colours in the table. */
 const tableSize = 4096;
 
 /**
- * The colours of a transfer function on an opaque ground, as in a legend: opacity does not darken them. What it makes wholly
- * transparent is not there. Values between the first and the last stop are told apart in 4,096 steps, labels each for itself.
+ * The colours of a transfer function on an opaque ground, as in a legend: opacity does not darken them. Where the
+ * transfer function is fully transparent, the picture is too. The values between the first and the last stop have 4,096
+ * colours; each label has its own.
  */
 export function colorPainter(stops: TransferFunction, scale: StoredScale, isDiscrete: boolean): Painter {
   const [low, high] = [stops[0].value, stops.at(-1)!.value];

@@ -6,13 +6,13 @@ import type { SlicePane } from './slice-pane.ts';
 export const dragKinds = ['cursor', 'window'] as const;
 export type DragKind = (typeof dragKinds)[number];
 
-/** Wheel pixels from slice to slice, and to twice the size. */
+/** Wheel pixels for one slice, for twice the size, and for twice the size by pinching on a trackpad. */
 const wheelPixels = { slice: 60, doubling: 300, pinchDoubling: 70 };
 
-/** Wheel lines and pages in pixels. */
+/** Pixels per wheel unit: pixel, line and page. */
 const wheelUnits: readonly number[] = [1, 16, 400];
 
-/** One press of plus. */
+/** The factor of one press of plus. */
 const zoomPerKey = 1.25;
 
 const arrows: Readonly<Record<string, readonly [right: number, up: number]>> = {
@@ -22,17 +22,17 @@ const arrows: Readonly<Record<string, readonly [right: number, up: number]>> = {
 type Point = readonly [x: number, y: number];
 type Drag = DragKind | 'pan';
 
-/** What hands do is told, as the pane itself does not know who looks. */
+/** Receives what the user does. The pane itself does not know who listens. */
 export interface PaneHands {
   readonly drag: () => DragKind;
-  /** The frame is another one; crosshair and window tell of themselves. */
+  /** The frame has changed. Crosshair and window report their own changes. */
   readonly moved: () => void;
 }
 
 /**
- * Mouse, fingers and keys on a pane. The first button moves the crosshair, the right one the window, the middle one, or Shift,
- * the picture; the wheel goes through the slices after a press, and scrolls the page at the last one; with Ctrl it zooms; two fingers zoom and move. A finger that
- * goes up or down scrolls the page (CSS touch-action).
+ * Mouse, fingers and keys on a pane. The first button moves the crosshair, the right one the window, the middle one, or
+ * Shift, the picture. After a press, the wheel goes through the slices, and scrolls the page at the last one; with Ctrl
+ * it zooms. Two fingers zoom and move. A finger that goes up or down scrolls the page (CSS touch-action).
  */
 export class PaneInput {
   readonly #abort = new AbortController();
@@ -42,7 +42,7 @@ export class PaneInput {
   #from: Point = [0, 0];
   #engaged = false;
   #wheeled = 0;
-  /** Where the crosshair was before the last press, and before the first of those that may be a double click. */
+  /** Where the crosshair was before the last press, and before the first press of a possible double click. */
   #places: { readonly press: Vector3; readonly click: Vector3 } | null = null;
 
   constructor(readonly target: HTMLElement, readonly pane: SlicePane, readonly hands: PaneHands) {
@@ -83,7 +83,7 @@ export class PaneInput {
       this.#drag = button === 1 || shiftKey ? 'pan' : button === 0 ? first : first === 'cursor' ? 'window' : 'cursor';
       this.#from = point;
       this.#window = this.pane.window;
-      // A finger may be about to scroll the page: it points when it goes across, or leaves.
+      // A finger may be about to scroll the page: it sets the crosshair only when it moves sideways, or is lifted.
       if (this.#drag === 'cursor' && pointerType !== 'touch') this.pane.pointTo(point);
     }
     this.#pointers.set(pointerId, point);
@@ -107,9 +107,9 @@ export class PaneInput {
     }
   }
 
-  /** Of two fingers one has moved: what lies between them follows. */
+  /** One of two fingers has moved: the picture follows. */
   #pinch(last: Point, now: Point, other: Point): void {
-    this.#drag = null; // What one of them began is over.
+    this.#drag = null; // A drag that one of the fingers began has ended.
     const [before, after] = [last, now].map(([x, y]) => Math.hypot(x - other[0], y - other[1]));
     this.pane.pan([(now[0] - last[0]) / 2, (now[1] - last[1]) / 2]);
     if (before > 0 && after > 0) this.pane.zoom(after / before, [(now[0] + other[0]) / 2, (now[1] + other[1]) / 2]);
@@ -131,7 +131,7 @@ export class PaneInput {
   #wheel(event: WheelEvent): void {
     const zooms = event.ctrlKey || event.metaKey;
     const pixels = event.deltaY * wheelUnits[event.deltaMode];
-    // Beyond the last slice the page scrolls again.
+    // After the last slice the wheel scrolls the page again.
     if (!zooms && (!this.#engaged || !event.cancelable || !this.pane.hasSlices(-Math.sign(pixels)))) return void (this.#wheeled = 0);
     event.preventDefault();
     if (zooms) {
@@ -139,7 +139,7 @@ export class PaneInput {
       this.pane.zoom(2 ** (-pixels / doubling), this.#pointOf(event));
       return this.hands.moved();
     }
-    // A wheel gives a hundred pixels at once, a trackpad a few again and again.
+    // A wheel gives a hundred pixels at once, a trackpad a few at a time.
     this.#wheeled += pixels;
     const slices = Math.trunc(this.#wheeled / wheelPixels.slice);
     this.#wheeled -= slices * wheelPixels.slice;
@@ -173,7 +173,7 @@ export class PaneInput {
     this.hands.moved();
   }
 
-  /** The first click of a double click has moved the crosshair; all that was asked for is to see all. */
+  /** Undoes the first click of a double click, which moved the crosshair: the user only wants to see the whole volume. */
   #unpoint(): void {
     const before = this.#places?.click;
     if (before && String(before) !== String(this.pane.place)) this.pane.crosshair.moveTo(before);

@@ -4,26 +4,29 @@ import type { ShownLabels } from '../volume/labels.ts';
 import type { SlicePixels } from './fill-slice.ts';
 import { visitPixels } from './visit-pixels.ts';
 
-/** Labels as a pane draws and tells them. */
+/** Labels as a pane draws and names them. */
 export interface PaneLabels {
-  /** Colour some rows of a picture of greys, RGBA; where it is transparent it stays so. @param rows - the first, and the one after the last */
+  /**
+   * Colours some rows of a grey picture, RGBA; transparent pixels stay transparent. @param rows - the first, and the
+   * one after the last
+   */
   paint(pixels: SlicePixels, picture: Uint8ClampedArray, rows: readonly [number, number]): void;
-  /** What the label at a place of the world is called; null where there is none. */
+  /** The name of the label at a point of the world; null if there is none. */
   nameAt(place: Vector3): string | null;
 }
 
-/** Where labels lie, what they are called, and how they cover the grey. */
+/** The position of labels, their names, and how they cover the grey. */
 export interface PaneLabelsSetting {
   readonly worldToIndex: Matrix4;
   readonly nameOf: (id: number) => string | null;
-  /** Of a label that is not hidden, 0..1. */
+  /** Opacity of a label that is not hidden, 0..1. */
   readonly opacity: number;
 }
 
-/** Each pixel has the label of the voxel that it is in: of a slab, in its middle. */
+/** Each pixel has the label of the voxel that it is in; in a slab, of the voxel in its middle. */
 export function paneLabels({ map, styles }: ShownLabels, { worldToIndex, nameOf, opacity }: PaneLabelsSetting): PaneLabels {
   const { dimensions: [nx, ny, nz], numbers, ids } = map;
-  /** 0, what has no label, outside of all voxels. */
+  /** 0, which means no label, outside of all voxels. */
   const numberAt = (x: number, y: number, z: number): number => {
     const [i, j, k] = [Math.floor(x + 0.5), Math.floor(y + 0.5), Math.floor(z + 0.5)];
     return i >= 0 && i < nx && j >= 0 && j < ny && k >= 0 && k < nz ? numbers[i + nx * (j + ny * k)] : 0;

@@ -5,10 +5,13 @@ import type { PaneLabels } from './pane-labels.ts';
 import { linearSampler } from './sample-at.ts';
 import { visitPixels } from './visit-pixels.ts';
 
-/** Colours of values that are told apart, from the first to the last stop. */
+/** Number of different colours, from the first to the last stop. */
 const tableSize = 4096;
 
-/** A second field over greys, in its colours: its largest opacity covers them, as in a legend. Null where its grid is singular. */
+/**
+ * A second field over greys, in its colours. It covers them with its maximum opacity, as in a legend. Null if its grid
+ * is singular.
+ */
 export function paneOverlay({ volume, transferFunction }: Pick<ShownOverlay, 'volume' | 'transferFunction'>): PaneLabels | null {
   const { grid, slope, intercept } = volume;
   const worldToIndex = invertAffine(grid.indexToWorld);
@@ -16,7 +19,7 @@ export function paneOverlay({ volume, transferFunction }: Pick<ShownOverlay, 'vo
   const sampleAt = linearSampler({ ...volume, dimensions: grid.dimensions });
   const [low, high] = [transferFunction[0].value, transferFunction.at(-1)!.value];
   const largest = largestOpacity(transferFunction);
-  // Premultiplied, by the middle of each step: a jump lies between two of them.
+  // Premultiplied, from the middle of each step, so that a jump lies between two steps.
   const colors = Array.from({ length: tableSize + 2 }, (_, step) =>
     evaluate(transferFunction, step === 0 ? -Infinity : step > tableSize ? Infinity : low + ((step - 0.5) / tableSize) * (high - low)).map((x, c) => (c < 3 ? 255 * x : x) / largest));
   return {

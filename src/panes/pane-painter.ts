@@ -3,28 +3,31 @@ import type { SliceField, SlicePixels, Slab } from './fill-slice.ts';
 import type { Painter } from './paint-slice.ts';
 import type { PaneLabels } from './pane-labels.ts';
 
-/** A picture to be painted. */
+/** A picture to paint. */
 export interface PaneJob {
-  /** Pixels of the canvas; a picture of fewer stands in while all of them take long. */
+  /** Size in pixels of the canvas. A picture of fewer pixels stands in while the full one takes long. */
   readonly columns: number;
   readonly rows: number;
   readonly pixelsOf: (columns: number, rows: number) => SlicePixels;
   readonly field: SliceField;
   readonly slab: Slab;
-  /** That each pixel takes, about. */
+  /** Approximate number of samples for each pixel. */
   readonly samples: number;
   readonly painter: Painter;
-  /** What covers it; null for nothing. */
+  /** Labels that cover it; null for none. */
   readonly labels: PaneLabels | null;
 }
 
-/** Time that painting may take of a frame, ms. */
+/** Milliseconds of a frame that painting may take. */
 const budget = 12;
 
-/** Samples that take about so long on a slow phone; only what is sure to be quick is painted at once. */
+/**
+ * The number of samples that take about that long on a slow phone. Only pictures that are certainly quick are painted
+ * at once.
+ */
 const quickSamples = 2 ** 19;
 
-/** Paints slices into a canvas: at once, or a coarse picture at once and the whole one piece by piece between frames. */
+/** Paints slices into a canvas: at once, or first a coarse picture and then the full one piece by piece between frames. */
 export class PanePainter {
   #canvas: HTMLCanvasElement | null = null;
   #running = 0;
@@ -40,12 +43,12 @@ export class PanePainter {
     this.#canvas = canvas;
   }
 
-  /** Resolves when the last job has been painted, or given up. */
+  /** Resolves when the last job has been painted, or cancelled. */
   get done(): Promise<void> {
     return this.#done;
   }
 
-  /** Begin a job; the one before is given up. */
+  /** Begins a job and cancels the one before. */
   paint(job: PaneJob): void {
     this.stop();
     const { columns, rows, slab } = job;
@@ -57,7 +60,7 @@ export class PanePainter {
       picture.fill(Infinity);
       return picture.put(context);
     }
-    // Both fewer pixels and fewer planes; a slab of the largest value needs these more than pixels.
+    // Fewer pixels and fewer planes; for a slab of the largest value, planes matter more than pixels.
     const less = samples / quickSamples;
     const planes = Math.max(1, Math.round(job.samples / Math.min(4, Math.sqrt(less))));
     const shrink = Math.sqrt(Math.max(1, (columns * rows * planes) / quickSamples));
@@ -97,7 +100,7 @@ class PanePicture {
     this.#image = new ImageData(columns, rows);
   }
 
-  /** Fill more rows. @param milliseconds - to take, about @returns whether all are filled */
+  /** Fills more rows. @param milliseconds - approximate time to use @returns whether all are filled */
   fill(milliseconds: number): boolean {
     const { field, slab, painter, labels } = this.job;
     const end = performance.now() + milliseconds;
@@ -111,7 +114,7 @@ class PanePicture {
     return this.#row >= this.rows;
   }
 
-  /** Put it on the canvas, as large as that is. */
+  /** Draws it on the canvas, scaled to the canvas' size. */
   put(context: CanvasRenderingContext2D): void {
     const { canvas } = context;
     const { columns, rows } = this.job;

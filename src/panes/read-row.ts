@@ -2,20 +2,20 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { SampleAt, SampledBlock } from './sample-at.ts';
 
 /**
- * Stored values of a row of places, from pixel to pixel; NaN where there is nothing.
+ * Reads the stored values of a row of points, from pixel to pixel; NaN where there is no value.
  * @param from - index of the first, whole numbers at voxel centres
  * @param step - to the next one, in the same measure
- * @param line - is filled
+ * @param line - receives the values
  */
 export type ReadRow = (from: Vector3, step: Vector3, line: Float64Array) => void;
 
-/** The axes across each axis. */
+/** For each axis the other two. */
 const others = [[1, 2], [0, 2], [0, 1]] as const;
 
-/** A row that drifts by less than this many voxels in all runs along an axis. */
+/** A row that deviates by less than this many voxels over its whole length runs along an axis. */
 const drift = 1e-12;
 
-/** Places one by one. */
+/** Reads the points one by one. */
 export function rowOf(sampleAt: SampleAt): ReadRow {
   return ([x, y, z], [dx, dy, dz], line) => {
     for (let column = 0; column < line.length; column++) line[column] = sampleAt(x + column * dx, y + column * dy, z + column * dz);
@@ -23,8 +23,8 @@ export function rowOf(sampleAt: SampleAt): ReadRow {
 }
 
 /**
- * The same as `linearSampler` at each place, up to rounding. Where a row runs along an axis of the grid, what is across it is weighed once
- * for each voxel of the row, and not for each pixel. A constant stays exact.
+ * The same as `linearSampler` at each point, up to rounding. If a row runs along an axis of the grid, the weights
+ * across it are applied once for each voxel of the row, and not for each pixel. A constant stays exact.
  */
 export function linearRow({ samples, dimensions, hasNoData }: SampledBlock, sampleAt: SampleAt): ReadRow {
   const onePerOne = rowOf(sampleAt);
@@ -64,23 +64,26 @@ export function linearRow({ samples, dimensions, hasNoData }: SampledBlock, samp
   };
 }
 
-/** The axis of the grid along which a row runs; -1 where it runs along none. */
+/** The axis of the grid along which a row runs; -1 if it runs along none. */
 function axisOf(step: Vector3, pixels: number): number {
   const [x, y, z] = step.map((by) => Math.abs(by) * pixels > drift);
   return Number(x) + Number(y) + Number(z) === 1 ? (x ? 0 : y ? 1 : 2) : -1;
 }
 
-/** Whether a place on an axis is in a voxel. */
+/** Whether a coordinate along an axis is inside a voxel. */
 function isInside(x: number, n: number): boolean {
   return x >= -0.5 && x <= n - 0.5;
 }
 
-/** The voxel at or below a place on an axis, of those that there are. */
+/** The voxel at or below a coordinate along an axis, clamped to the existing ones. */
 function voxelBelow(x: number, n: number): number {
   return Math.min(n - 1, Math.max(0, Math.floor(x)));
 }
 
-/** Where samples on both sides of a place on an axis begin: the lower, how far on the upper is, and the share of it. */
+/**
+ * The samples on both sides of a coordinate along an axis: the offset of the lower one, the distance to the upper one,
+ * and the share between them.
+ */
 function between(x: number, n: number, stride: number): [start: number, by: number, share: number] {
   const inside = Math.min(n - 1, Math.max(0, x));
   const i = Math.floor(inside);

@@ -2,11 +2,11 @@ import { interpolate } from '../optics/rays/interpolate.ts';
 import type { Samples } from '../volume/samples.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 
-/** What is sampled. */
+/** The block of samples that is read. */
 export interface SampledBlock {
   readonly samples: Samples;
   readonly dimensions: Vector3;
-  /** Whether any sample is no data. */
+  /** Whether any sample has no data. */
   readonly hasNoData: boolean;
 }
 
@@ -26,8 +26,8 @@ export function nearestSampler({ samples, dimensions: [nx, ny, nz] }: Omit<Sampl
 }
 
 /**
- * Tri-linear, constant in the outer half voxels: `interpolate`, written out, as it is called for every pixel. The differences
- * of samples are what is weighed, so a constant stays exact to the last digit.
+ * Tri-linear, constant in the outer half voxels: the same as `interpolate`, but written out, because it is called for
+ * every pixel. The weights apply to differences of samples, so a constant stays exact to the last digit.
  */
 export function linearSampler({ samples, dimensions, hasNoData }: SampledBlock): SampleAt {
   const [nx, ny, nz] = dimensions;
@@ -38,7 +38,7 @@ export function linearSampler({ samples, dimensions, hasNoData }: SampledBlock):
     const cx = x < 0 ? 0 : x > lastX ? lastX : x;
     const cy = y < 0 ? 0 : y > lastY ? lastY : y;
     const cz = z < 0 ? 0 : z > lastZ ? lastZ : z;
-    const i = cx | 0; // Whole numbers from the start: an index is one then, which is faster.
+    const i = cx | 0; // Integers from the start, because an integer index is faster.
     const j = cy | 0;
     const k = cz | 0;
     const fx = cx - i;
@@ -57,7 +57,7 @@ export function linearSampler({ samples, dimensions, hasNoData }: SampledBlock):
     const high = c + fx * (samples[above + right] - c);
     const far = high + fy * (d + fx * (samples[above + up + right] - d) - high);
     const value = near + fz * (far - near);
-    // A voxel without data spoils this sum; where the others weigh enough they alone count.
+    // A voxel without data makes this sum NaN. If the other voxels have enough weight, only they count.
     return hasNoData && !Number.isFinite(value) ? interpolate(samples, dimensions, [(cx + 0.5) / nx, (cy + 0.5) / ny, (cz + 0.5) / nz]) : value;
   };
 }

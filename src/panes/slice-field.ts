@@ -13,7 +13,7 @@ import { linearSampler, nearestSampler } from './sample-at.ts';
 import type { SampleAt, SampledBlock } from './sample-at.ts';
 import type { SlicePlane } from './slice-plane.ts';
 
-/** A volume on a cartesian grid as panes read it: places in the world, and values in its own unit. */
+/** A volume on a cartesian grid as panes read it: points of the world, and values in the volume's own unit. */
 export class SlicedVolume {
   readonly worldToIndex: Matrix4;
   readonly #block: SampledBlock;
@@ -24,7 +24,7 @@ export class SlicedVolume {
   constructor(readonly volume: Volume, readonly grid: CartesianGrid) {
     const block = { samples: volume.samples, dimensions: grid.dimensions, hasNoData: volume.hasNoData };
     this.#block = block;
-    this.worldToIndex = invertAffine(grid.indexToWorld)!; // A loaded volume has been checked to have one.
+    this.worldToIndex = invertAffine(grid.indexToWorld)!; // The inverse exists: it was checked when the volume was loaded.
     this.#nearest = nearestSampler(block);
     this.#linear = volume.isDiscrete ? this.#nearest : linearSampler(block);
     this.#readRow = volume.isDiscrete ? rowOf(this.#nearest) : linearRow(block, this.#linear);
@@ -40,19 +40,20 @@ export class SlicedVolume {
     return transformPoint(this.grid.indexToWorld, this.grid.dimensions.map((n) => (n - 1) / 2) as unknown as Vector3);
   }
 
-  /** Of all its voxels, along a plane's directions. */
+  /** The box around all its voxels, along a plane's directions. */
   boxAlong(plane: SlicePlane): PlaneBox {
     return boxAround(plane, corners(this.grid));
   }
 
-  /** From one slice to the next along a direction: so far that no index changes by more than one. World units. */
+  /** The distance between slices along a direction: so far that no index changes by more than one. World units. */
   stepAlong(direction: Vector3): number {
     return 1 / Math.max(...transformDirection(this.worldToIndex, direction).map(Math.abs));
   }
 
   /**
-   * How thick a slab is shown: no thicker than all of the volume needs. Labels have no mean: what is in the middle is shown.
-   * @param at - where its middle is, world units along the normal
+   * The thickness with which a slab is shown: at most what the volume needs. Labels have no mean: for them the middle
+   * is shown.
+   * @param at - position of its middle, world units along the normal
    */
   thicknessAt(at: number, { normal, thickness, projection }: Omit<Slab, 'planes'>): number {
     if (this.volume.isDiscrete && projection === 'average') return 0;
@@ -60,19 +61,22 @@ export class SlicedVolume {
     return Math.min(thickness, 2 * Math.max(...ways));
   }
 
-  /** Planes of voxels that a line through a slab crosses, and its ends: about so many samples each pixel takes. */
+  /**
+   * Number of planes of voxels that a line through a slab crosses, and its ends: about the number of samples for each
+   * pixel.
+   */
   planesIn(normal: Vector3, thickness: number): number {
     const way = transformDirection(this.worldToIndex, normal);
     return thickness > 0 ? 2 + Math.ceil(thickness * way.reduce((sum, x) => sum + Math.abs(x), 0)) : 1;
   }
 
-  /** The value of the voxel at a place; null where there is none. */
+  /** The value of the voxel at a point; null if there is none. */
   valueAt(place: Vector3): number | null {
     const { volume } = this;
     const { indexed } = volume;
     const at = transformPoint(this.worldToIndex, place);
     const stored = this.#nearest(...at);
-    // What float32 rounds is told as it is in the file.
+    // Values that float32 rounds are returned as they are in the file.
     const value = indexed && !Number.isNaN(stored) ? indexed.ids[nearestSampler({ samples: indexed.samples, dimensions: this.grid.dimensions })(...at)] : valueOf(volume, stored);
     return Number.isNaN(value) ? null : value;
   }

@@ -12,10 +12,10 @@ import type { SlicedVolume } from './slice-field.ts';
 import { planeOf, toPlane, toWorld } from './slice-plane.ts';
 import type { SlicePlane, SliceType } from './slice-plane.ts';
 
-/** How a slice is shown. */
+/** The appearance of a slice. */
 export interface SliceLook {
   readonly type: SliceType;
-  /** Of an oblique one: world. */
+  /** World; only for an oblique slice. */
   readonly normal: Vector3;
   /** World units; 0 for a plane. */
   readonly thickness: number;
@@ -29,23 +29,23 @@ export interface SliceLook {
   readonly colors: TransferFunction | null;
 }
 
-/** Most pixels along an edge of the canvas. */
-const mostPixels = 4096;
+/** Maximum pixels along an edge of the canvas. */
+const maxPixels = 4096;
 
-/** How far one may zoom: from a quarter of what fits to pixels of a two-hundredth of a voxel. */
-const zoomRange = { least: 0.25, voxel: 1 / 200 };
+/** The range of zoom: from a quarter of the scale that fits, to pixels of a two-hundredth of a voxel. */
+const zoomRange = { min: 0.25, voxel: 1 / 200 };
 
-/** A pane with one slice of a volume: the slice in which the crosshair is. Knows no element but its canvas. */
+/** A pane with one slice of a volume: the slice in which the crosshair is. It knows no element except its canvas. */
 export class SlicePane {
   readonly painter = new PanePainter();
-  /** Of the volume; null for none. */
+  /** Labels of the volume; null for none. */
   labels: PaneLabels | null = null;
   #sliced: SlicedVolume | null = null;
   #look: SliceLook | null = null;
   #plane: SlicePlane = planeOf('axial');
   #size: PaneSize = { width: 0, height: 0 };
   #pixelRatio = 1;
-  /** What a person has zoomed and moved to; null for all of the volume. */
+  /** The frame after a person's zoom and movement; null for the whole volume. */
   #frame: PaneFrame | null = null;
   #crosshair: Crosshair;
 
@@ -77,12 +77,12 @@ export class SlicePane {
     this.#crosshair = crosshair;
   }
 
-  /** Where the crosshair is; the volume's centre where nobody has put it anywhere. */
+  /** The crosshair's point; the volume's centre if nobody has set it. */
   get place(): Vector3 {
     return this.#crosshair.place ?? this.#sliced?.center ?? [0, 0, 0];
   }
 
-  /** Data values of black and white, by a person or the page. */
+  /** Data values of black and white, from a person or the page. */
   get window(): readonly [number, number] {
     return (this.#sliced && this.#crosshair.windowOf(this.#sliced.volume)) ?? this.#look?.window ?? [0, 1];
   }
@@ -96,7 +96,7 @@ export class SlicePane {
     return this.#frame ?? (box && fitFrame(box, this.#size));
   }
 
-  /** Show another volume, or none. @param keep - what was zoomed to */
+  /** Shows another volume, or none. @param keep - whether to keep the zoomed frame */
   setVolume(sliced: SlicedVolume | null, keep = false): void {
     this.#sliced = sliced;
     if (!keep) this.#frame = null;
@@ -115,12 +115,12 @@ export class SlicePane {
     this.#pixelRatio = pixelRatio;
   }
 
-  /** Draw what there is now. */
+  /** Draws the present state. */
   draw(): void {
     const { frame } = this;
     const [sliced, look, plane, size] = [this.#sliced, this.#look, this.#plane, this.#size];
     if (!sliced || !look || !frame || size.width < 1 || size.height < 1) return this.painter.stop();
-    const ratio = Math.min(this.#pixelRatio, mostPixels / Math.max(size.width, size.height));
+    const ratio = Math.min(this.#pixelRatio, maxPixels / Math.max(size.width, size.height));
     const { d } = toPlane(plane, this.place);
     const { projection } = look;
     const thickness = sliced.thicknessAt(d, { ...look, normal: plane.normal });
@@ -137,13 +137,13 @@ export class SlicePane {
     });
   }
 
-  /** Where the crosshair is in the pane, CSS pixels. */
+  /** The crosshair's position in the pane, CSS pixels. */
   get point(): [number, number] | null {
     const { frame } = this;
     return frame && pointAt(frame, this.#size, toPlane(this.#plane, this.place));
   }
 
-  /** Put the crosshair where a pointer is, in the present slice. @param point - CSS pixels */
+  /** Sets the crosshair to a pointer's position in the present slice. @param point - CSS pixels */
   pointTo(point: readonly [number, number]): void {
     const { frame, box } = this;
     if (!frame || !box) return;
@@ -152,7 +152,7 @@ export class SlicePane {
     this.#crosshair.moveTo(toWorld(this.#plane, { u: clamp(u, box.low.u, box.high.u), v: clamp(v, box.low.v, box.high.v), d }));
   }
 
-  /** Move the crosshair by voxels: to the right, up, and along the normal. It stays in the volume's box. */
+  /** Moves the crosshair by voxels: to the right, up, and along the normal. It stays in the volume's box. */
   stepBy(right: number, up: number, slices: number): void {
     const [sliced, { box }, plane] = [this.#sliced, this, this.#plane];
     if (!sliced || !box) return;
@@ -164,13 +164,13 @@ export class SlicePane {
     }));
   }
 
-  /** Go to the slice at a place along the normal, world units. */
+  /** Goes to the slice at a position along the normal, world units. */
   goTo(d: number): void {
     const { u, v } = toPlane(this.#plane, this.place);
     this.#crosshair.moveTo(toWorld(this.#plane, { u, v, d: this.#keepInside(d) }));
   }
 
-  /** The first and the last slice: half a voxel within the box. World units along the normal. */
+  /** The first and the last slice: half a voxel inside the box. World units along the normal. */
   get ends(): readonly [number, number] {
     const [sliced, { box }] = [this.#sliced, this];
     if (!sliced || !box) return [0, 0];
@@ -182,8 +182,8 @@ export class SlicePane {
   hasSlices(direction: number): boolean {
     const [low, high] = this.ends;
     const { d } = toPlane(this.#plane, this.place);
-    const least = 1e-6 * (high - low);
-    return direction > 0 ? d < high - least : direction < 0 && d > low + least;
+    const tolerance = 1e-6 * (high - low);
+    return direction > 0 ? d < high - tolerance : direction < 0 && d > low + tolerance;
   }
 
   /** @param point - CSS pixels, which stays where it is */
@@ -192,7 +192,7 @@ export class SlicePane {
     if (!sliced || !box || !frame) return;
     const fit = fitFrame(box, this.#size).scale;
     const finest = Math.min(...sliced.grid.spacing) * zoomRange.voxel;
-    const wanted = clamp(frame.scale / factor, Math.min(finest, fit), fit / zoomRange.least);
+    const wanted = clamp(frame.scale / factor, Math.min(finest, fit), fit / zoomRange.min);
     this.#frame = zoomFrame(frame, this.#size, frame.scale / wanted, point);
   }
 
@@ -204,13 +204,16 @@ export class SlicePane {
     this.#frame = { ...frame, u: clamp(u, box.low.u, box.high.u), v: clamp(v, box.low.v, box.high.v) };
   }
 
-  /** All of the volume, and the page's window. */
+  /** Resets to the whole volume and the page's window. */
   reset(): void {
     this.#frame = null;
     if (this.#sliced) this.#crosshair.setWindow(this.#sliced.volume, null);
   }
 
-  /** Change the window by a drag: to the right it gets wider, downwards higher, so darker. @param from - where it began */
+  /**
+   * Changes the window by a drag: to the right it gets wider, downwards higher, so darker. @param from - the window
+   * when the drag began
+   */
   windowBy(from: readonly [number, number], [x, y]: readonly [number, number]): void {
     if (!this.#sliced) return;
     const [center, width] = [(from[0] + from[1]) / 2, from[1] - from[0]];
@@ -225,6 +228,6 @@ export class SlicePane {
   }
 }
 
-function clamp(value: number, least: number, most: number): number {
-  return Math.min(most, Math.max(least, value));
+function clamp(value: number, min: number, max: number): number {
+  return Math.min(max, Math.max(min, value));
 }

@@ -3,10 +3,10 @@ import type { Matrix4 } from '../volume/matrix.ts';
 import type { SlicePixels } from './fill-slice.ts';
 
 /**
- * Go through some rows of a slice's pixels.
- * @param worldToIndex - of the grid that the places are told in
+ * Goes through some rows of a slice's pixels.
+ * @param worldToIndex - of the grid in whose indices the points are given
  * @param rows - the first, and the one after the last
- * @param visit - told where the pixel begins in a picture of RGBA, and its place in the grid
+ * @param visit - receives the offset of the pixel in an RGBA picture, and its index in the grid
  */
 export function visitPixels({ width, first, across, down }: SlicePixels, worldToIndex: Matrix4, [begin, end]: readonly [number, number], visit: (at: number, x: number, y: number, z: number) => void): void {
   const [ax, ay, az] = transformDirection(worldToIndex, across);
