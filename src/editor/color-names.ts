@@ -6,7 +6,7 @@ const hues: readonly (readonly [end: number, name: ColorName])[] = [
   [12, 'red'], [42, 'orange'], [68, 'yellow'], [160, 'green'], [198, 'turquoise'], [258, 'blue'], [290, 'violet'], [345, 'pink'], [360, 'red'],
 ];
 
-/** A colour in a word or two, for those who are told of it instead of seeing it. */
+/** A colour in a word or two, for readers who can't see it. */
 export function nameColor([red, green, blue]: Color, { colors, lightColor, darkColor }: CompanionTerms): string {
   const max = Math.max(red, green, blue);
   const min = Math.min(red, green, blue);

@@ -4,10 +4,10 @@ import type { Language } from '../messages/language.ts';
 import { nameColor } from './color-names.ts';
 import { colorAt } from './transfer-function-edits.ts';
 
-/** Points along the scale at which its colours are named. */
+/** Number of points along the scale at which its colours are named. */
 const samples = 48;
 
-/** The values that a legend spans: those of the stops, which may be one alone; then those of the data too. */
+/** The values that a legend spans: those of the stops, and if there is only one stop, those of the data too. */
 export function legendDomain(stops: TransferFunction, range: readonly [number, number]): [number, number] {
   const first = stops[0].value;
   const last = stops[stops.length - 1].value;
@@ -16,16 +16,16 @@ export function legendDomain(stops: TransferFunction, range: readonly [number, n
   return high > low ? [low, high] : spanAround(low);
 }
 
-/** What a legend shows. */
+/** The content of a legend. */
 export interface Scale {
   readonly stops: TransferFunction;
   readonly domain: readonly [number, number];
-  /** Empty where the legend has no name. */
+  /** Empty if the legend has no name. */
   readonly label: string;
   readonly unit: string;
 }
 
-/** A legend for those who do not see it: each colour in a word, and from where it begins. */
+/** A legend in words, for readers who can't see it: each colour's name, and the value at which it begins. */
 export function describeScale({ stops, domain, label, unit }: Scale, language: Language): string {
   const { terms } = language;
   const [low, high] = domain;

@@ -6,8 +6,8 @@ import { toShare } from './transfer-function-axes.ts';
 const kernel = [1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16];
 
 /**
- * Bars without gaps, on a logarithmic scale of counts: air and nothing are most of every volume. Each is mixed with its
- * neighbours, as whole numbers in bins that are not whole numbers wide make a comb.
+ * Bars without gaps, on a logarithmic scale of counts, because air and background are most of every volume. Each bar is
+ * mixed with its neighbours: integers in bins whose width is not an integer would look like a comb.
  */
 export function drawHistogram({ low, high, counts }: Histogram, domain: readonly [number, number]): string {
   if (!(high > low)) return '';

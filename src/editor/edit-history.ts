@@ -1,7 +1,7 @@
-/** Steps that undo goes back by; far more than anybody does. */
+/** Maximum number of steps that can be undone; far more than anybody uses. */
 const maxSteps = 200;
 
-/** States that were, the present one, and those that were undone. */
+/** Earlier states, the present one, and those that were undone. */
 export class EditHistory<State> {
   #past: State[] = [];
   #future: State[] = [];
@@ -13,7 +13,7 @@ export class EditHistory<State> {
     this.#present = first;
   }
 
-  /** Where it began, and what a reset goes back to. */
+  /** The first state, to which a reset returns. */
   get first(): State {
     return this.#first;
   }
@@ -30,7 +30,7 @@ export class EditHistory<State> {
     return this.#future.length > 0;
   }
 
-  /** A step forward; what was undone is forgotten. The same state again is no step. */
+  /** Adds a step, and forgets what was undone. The same state again is not a step. */
   push(state: State): void {
     if (state === this.#present) return;
     this.#past = [...this.#past, this.#present].slice(-maxSteps);
@@ -38,7 +38,7 @@ export class EditHistory<State> {
     this.#present = state;
   }
 
-  /** The present state was another one, without a step having been made. */
+  /** Replaces the present state without adding a step. */
   replace(state: State): void {
     if (this.#present === this.#first) this.#first = state;
     this.#present = state;

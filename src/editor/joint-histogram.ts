@@ -1,6 +1,6 @@
-// How often which values occur with which gradients.
+// Counts how often each value occurs with each gradient.
 
-/** Values and gradients at places of a volume. */
+/** Values and gradients at points of a volume. */
 export interface PlaneSamples {
   /** Data units. */
   readonly values: Float32Array;
@@ -11,7 +11,7 @@ export interface PlaneSamples {
 /** Share of the gradients that may lie above the chart: a few steep ones would squeeze all others. */
 const stray = 0.003;
 
-/** Gradients that the chart spans, of the steepest but a few; 1 where nothing changes. */
+/** The largest gradient of the chart: the steepest one, without those few; 1 if nothing changes. */
 export function chooseSteepest({ gradients }: PlaneSamples): number {
   const sorted = gradients.slice();
   sorted.sort();
@@ -19,7 +19,7 @@ export function chooseSteepest({ gradients }: PlaneSamples): number {
 }
 
 /**
- * How often values and gradients occur together.
+ * Counts how often values and gradients occur together.
  * @param size - bins across, by value, and upwards, by gradient
  * @returns shape [gradients, values], from the lowest gradient
  */

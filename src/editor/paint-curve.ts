@@ -1,22 +1,25 @@
-// Drawing a transfer function as paths, in boxes that may be stretched.
+// Draws a transfer function as paths, in boxes that may be stretched.
 import type { Color, Stop, TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { toHeight, toShare } from './transfer-function-axes.ts';
 
-/** A transfer function at one place of a scale. */
+/** A transfer function at one point of a scale. */
 export interface PaintPoint {
   /** 0..1 along the scale. */
   readonly share: number;
-  /** Straight, as on an opaque ground. */
+  /** Straight alpha, as on an opaque ground. */
   readonly color: Color;
   readonly opacity: number;
 }
 
-/** Straight pieces between two stops: colours are interpolated premultiplied and heights are roots, so both bend. */
+/**
+ * Number of straight pieces between two stops: colours are interpolated premultiplied and heights are roots, so both
+ * are curved.
+ */
 const pieces = 16;
 
 /**
- * Points that draw a transfer function with straight lines; two at one place where it jumps.
- * @param domain - not smaller than what the stops span
+ * Points that draw a transfer function with straight lines; two at one value where it jumps.
+ * @param domain - at least as wide as the stops
  */
 export function paintStops(stops: TransferFunction, domain: readonly [number, number]): PaintPoint[] {
   const toPoint = ({ value, color, opacity }: Stop): PaintPoint => ({ share: toShare(value, domain), color, opacity });
@@ -25,7 +28,7 @@ export function paintStops(stops: TransferFunction, domain: readonly [number, nu
   return [{ ...stops[0], value: domain[0] }, ...between, last, { ...last, value: domain[1] }].map(toPoint);
 }
 
-/** Points from one stop to just before the next, and that one too where its colour is another. */
+/** Points from one stop to just before the next, and the next one too if its colour differs. */
 function cutSegment(from: Stop, to: Stop): Stop[] {
   const even = from.opacity === to.opacity && from.color.every((channel, i) => channel === to.color[i]);
   const count = even || from.value === to.value ? 1 : pieces;
@@ -40,13 +43,13 @@ function mixStops(from: Stop, to: Stop, t: number): Stop {
   return { value: mix(from.value, to.value), color: [red, green, blue], opacity };
 }
 
-/** Sides of the boxes that paths are drawn in. */
+/** Sides of the boxes in which paths are drawn. */
 export const boxLength = 1000;
 export const boxHeight = 100;
 
 /**
- * The curve's points as a path, from left to right, or from the bottom up where it is upright (heights to the right).
- * @returns path data in a box of boxLength x boxHeight, or the other way round
+ * The curve's points as a path, from left to right; if it is upright, from the bottom up, with heights to the right.
+ * @returns path data in a box of boxLength x boxHeight, or with the two exchanged
  */
 export function drawCurve(points: readonly PaintPoint[], upright = false): string {
   const place = ({ share, opacity }: PaintPoint) => {

@@ -11,18 +11,18 @@ import type { ChartPlace } from './share-of-chart.ts';
 import { toShare } from './transfer-function-axes.ts';
 import type { EditSession } from './transfer-function-session.ts';
 
-/** What becomes of an edit. */
+/** Receives the results of edits. */
 export interface PatchListener {
-  /** There is something new to be seen. */
+  /** Something has changed that has to be drawn. */
   changed(): void;
-  /** A patch's grip is to have the focus, after the next update; or, where there is none any more, what adds one. */
+  /** A patch's grip should get the focus after the next update. If the grip is gone, the button that adds one gets it. */
   focus(taken: Taken): void;
 }
 
-/** What reaches far above the data gets no more room than so many times that of the data. */
-const mostRoom = 2;
+/** Patches that reach far above the data get at most so many times the data's height. */
+const maxRoom = 2;
 
-/** What a person does to boxes and Gaussians in the plane of values and gradients, by fields, keys, mouse and finger. */
+/** Edits boxes and Gaussians in the plane of values and gradients, by fields, keys, mouse and finger. */
 export class PatchEditor {
   chosen = 0;
   readonly input: PatchInput;
@@ -49,26 +49,26 @@ export class PatchEditor {
     return this.#range;
   }
 
-  /** What the chart spans: the values of the editor, and gradients of the data and of what is there. */
+  /** Sets what the chart spans: the editor's values, and the gradients of the data and the patches. */
   span(domain: readonly [number, number], samples: PlaneSamples | null): void {
-    // While those of another scan are counted, it stays as it is.
+    // While the gradients of another scan are being counted, the chart stays as it is.
     const isNew = samples !== null && samples !== this.#samples;
     this.#samples = samples ?? this.#samples;
-    const most = isNew ? chooseSteepest(samples) : this.#range.steepest;
+    const steepestOfData = isNew ? chooseSteepest(samples) : this.#range.steepest;
     const tops = isNew ? this.patches.map((patch) => placeOfGrip(patch, 'size')[1]) : [];
-    this.#range = { domain, steepest: Math.max(most, ...tops.map((top) => Math.min(mostRoom * most, 1.03 * top))) };
+    this.#range = { domain, steepest: Math.max(steepestOfData, ...tops.map((top) => Math.min(maxRoom * steepestOfData, 1.03 * top))) };
   }
 
   placeOf([value, gradient]: ValueAndGradient): ChartPlace {
     return { share: toShare(value, this.#range.domain), height: gradient / this.#range.steepest };
   }
 
-  /** Change what a patch looks like, for now; a colour as CSS writes it. */
+  /** Changes a patch's appearance, without a step of the history; the colour is a CSS colour. */
   changeLook(index: number, { color, opacity }: { color?: string; opacity?: number }): void {
     this.#change(index, (patch) => ({ ...patch, ...(color !== undefined && { color: parseCssColor(color)!.color }), ...(opacity !== undefined && { opacity: Math.min(1, Math.max(0, opacity)) }) }));
   }
 
-  /** Change one of the numbers that say where it is. */
+  /** Changes one of the numbers of its position, without a step of the history. */
   changeNumber(index: number, which: number, number: number): void {
     this.#change(index, (patch) => withNumber(patch, which, number));
   }
@@ -81,7 +81,7 @@ export class PatchEditor {
     this.#put(this.patches.filter((_, i) => i !== index), Math.max(0, Math.min(index, this.patches.length - 2)));
   }
 
-  /** What a key does at a grip. @returns whether it does anything */
+  /** Handles a key at a grip. @returns whether the key does anything */
   press(event: KeyboardEvent, { index, grip }: Taken): boolean {
     const patch = this.patches[index];
     if (!patch || event.ctrlKey || event.metaKey || event.altKey) return false;
@@ -111,7 +111,7 @@ export class PatchEditor {
     if (isNew) this.#choose({ index: this.#drawing, grip: 'size' });
   }
 
-  /** The chosen one lies on top. */
+  /** The chosen patch lies on top. */
   #findAt(place: ChartPlace): number {
     const at = this.#valueAt(place);
     const isAt = (patch: Patch): boolean => meanOfPatch(patch, at, at) > (patch.kind === 'box' ? 0 : Math.exp(-2));
@@ -129,7 +129,7 @@ export class PatchEditor {
     this.#choose({ index: chosen, grip: 'middle' });
   }
 
-  /** One that is held may be gone: a key deletes it, or the page says something else. */
+  /** A dragged patch may be gone: a key deletes it, or the page sets other ones. */
   #change(index: number, edit: (patch: Patch) => Patch): void {
     if (this.patches[index]) this.#setAll(this.patches.map((one, i) => (i === index ? edit(one) : one)));
   }

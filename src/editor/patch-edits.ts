@@ -14,28 +14,28 @@ export interface PlaneRange {
   readonly steepest: number;
 }
 
-/** What a patch is taken by: its middle, or what changes its size. */
+/** The handle by which a patch is dragged: its middle, or the one that changes its size. */
 export type Grip = 'middle' | 'size';
 
-/** From the middle of a Gaussian to its grip, in standard deviations. */
+/** Distance of a Gaussian's size grip from its middle, in standard deviations. */
 export const gripReach = 2;
 
-/** No patch gets thinner than this share of the chart. */
+/** The minimum width and height of a patch, as a share of the chart. */
 const thinnest = 0.004;
 
-/** What new patches look like, one after the other. */
+/** Colours of new patches, one after the other. */
 const newColors: readonly PatchLook['color'][] = [[1, 0.6, 0.2], [0.35, 0.7, 1], [0.5, 0.9, 0.45], [1, 0.9, 0.6], [0.95, 0.4, 0.55], [0.75, 0.6, 1], [0.4, 0.9, 0.85], [1, 1, 1]];
 
 const newOpacity = 0.3;
 
-/** Where a grip of a patch stands. */
+/** The position of a patch's grip. */
 export function placeOfGrip(patch: Patch, grip: Grip): ValueAndGradient {
   if (patch.kind === 'gaussian') return [0, 1].map((i) => [patch.value, patch.gradient][i] + (grip === 'size' ? gripReach * patch.widths[i] : 0)) as unknown as ValueAndGradient;
   const { values, gradients } = patch;
   return grip === 'size' ? [values[1], gradients[1]] : [(values[0] + values[1]) / 2, (gradients[0] + gradients[1]) / 2];
 }
 
-/** A patch with a grip at another place: all of it is moved by its middle. */
+/** Moves a grip of a patch to another point. The middle moves the whole patch. */
 export function moveGrip(patch: Patch, grip: Grip, to: ValueAndGradient, range: PlaneRange): Patch {
   const [value, gradient] = roundPlace(clampPlace(to, range), range);
   if (grip === 'size') return resize(patch, [value, gradient], range);
@@ -45,29 +45,29 @@ export function moveGrip(patch: Patch, grip: Grip, to: ValueAndGradient, range: 
   return { ...patch, values: [low[0], low[0] + wide], gradients: [low[1], low[1] + high] };
 }
 
-/** A box keeps its low corner, a Gaussian its middle. */
+/** Changes the size: a box keeps its low corner, a Gaussian its middle. */
 function resize(patch: Patch, [value, gradient]: ValueAndGradient, { domain, steepest }: PlaneRange): Patch {
   const [thinValues, thinGradients] = [thinnest * (domain[1] - domain[0]), thinnest * steepest];
   if (patch.kind === 'gaussian') {
     return { ...patch, widths: [Math.max(thinValues, (value - patch.value) / gripReach), Math.max(thinGradients, (gradient - patch.gradient) / gripReach)] };
   }
-  const { values: [low], gradients: [least] } = patch;
-  return { ...patch, values: [low, Math.max(low + thinValues, value)], gradients: [least, Math.max(least + thinGradients, gradient)] };
+  const { values: [low], gradients: [bottom] } = patch;
+  return { ...patch, values: [low, Math.max(low + thinValues, value)], gradients: [bottom, Math.max(bottom + thinGradients, gradient)] };
 }
 
-/** A box between two places. */
+/** A box between two points. */
 export function boxBetween(a: ValueAndGradient, b: ValueAndGradient, look: PatchLook, range: PlaneRange): BoxPatch {
   const [from, to] = [a, b].map((place) => roundPlace(clampPlace(place, range), range));
   const { domain, steepest } = range;
-  const [low, least] = [Math.min(from[0], to[0]), Math.min(from[1], to[1])];
+  const [low, bottom] = [Math.min(from[0], to[0]), Math.min(from[1], to[1])];
   return {
     kind: 'box', color: look.color, opacity: look.opacity,
     values: [low, Math.max(from[0], to[0], low + thinnest * (domain[1] - domain[0]))],
-    gradients: [least, Math.max(from[1], to[1], least + thinnest * steepest)],
+    gradients: [bottom, Math.max(from[1], to[1], bottom + thinnest * steepest)],
   };
 }
 
-/** A new one in the middle of the chart. */
+/** A new patch in the middle of the chart. */
 export function newPatch(kind: Patch['kind'], count: number, range: PlaneRange): Patch {
   const { domain: [low, high], steepest } = range;
   const look = newLook(count);
@@ -78,17 +78,17 @@ export function newPatch(kind: Patch['kind'], count: number, range: PlaneRange):
   return { kind, value, gradient, widths, ...look };
 }
 
-/** What the next patch looks like. */
+/** The appearance of the next patch. */
 export function newLook(count: number): PatchLook {
   return { color: newColors[count % newColors.length], opacity: newOpacity };
 }
 
-/** Whether there is room for one more. */
+/** Whether one more patch is allowed. */
 export function hasRoom(patches: readonly Patch[]): boolean {
   return patches.length < maxPatches;
 }
 
-/** One of the four numbers that say where a patch is; as it was where the patch would be none. */
+/** Sets one of the four numbers of a patch's position; returns the patch unchanged if it would become empty. */
 export function withNumber(patch: Patch, index: number, number: number): Patch {
   if (!(Math.abs(number) < largestValue)) return patch;
   const [a, b, c, d] = numbersOf(patch).map((x, i) => (i === index ? number : x));

@@ -3,32 +3,35 @@ import { shareOfChart } from './share-of-chart.ts';
 import type { ChartPlace } from './share-of-chart.ts';
 import type { Grip } from './patch-edits.ts';
 
-/** What a pointer can take: later ones lie on top. */
+/** What a pointer can drag: patches that come later lie on top. */
 export interface Taken {
   readonly index: number;
   readonly grip: Grip;
 }
 
-/** What pointers on the chart ask for. */
+/** Receives what pointers on the chart do. */
 export interface PatchInputListener {
   grips(): readonly (Taken & ChartPlace)[];
-  /** The topmost patch at a place; -1 for none. */
+  /** The topmost patch at a point; -1 for none. */
   patchAt(place: ChartPlace): number;
   choose(taken: Taken): void;
   drag(taken: Taken, to: ChartPlace): void;
-  /** A new box from one corner to another. @param isNew - whether it is there already */
+  /** Draws a new box from one corner to another. @param isNew - true for the first call of a drag */
   draw(from: ChartPlace, to: ChartPlace, isNew: boolean): void;
   /** A drag has ended. */
   drop(): void;
 }
 
-/** How far from a grip it is still meant, CSS pixels. */
+/** Maximum distance at which a pointer still takes a grip, CSS pixels. */
 const reach = { mouse: 12, touch: 24 };
 
-/** Shorter ways are no drawing. */
-const leastDrawing = 6;
+/** A shorter drag does not draw a box. */
+const minDrawing = 6;
 
-/** Mouse, finger and pen on the chart of values and gradients: a press takes a grip, or a patch; beside them it draws a box. */
+/**
+ * Mouse, finger and pen on the chart of values and gradients: a press takes a grip, or a patch; elsewhere it draws a
+ * box.
+ */
 export class PatchInput {
   #taken: Taken | null = null;
   #from: ChartPlace | null = null;
@@ -61,7 +64,7 @@ export class PatchInput {
       this.listener.drag(this.#taken, { share: place.share + this.#offset.share, height: place.height + this.#offset.height });
     } else if (this.#from) {
       const [across, up] = [(place.share - this.#from.share) * chart.clientWidth, (place.height - this.#from.height) * chart.clientHeight];
-      if (!this.#moved && Math.hypot(across, up) < leastDrawing) return;
+      if (!this.#moved && Math.hypot(across, up) < minDrawing) return;
       this.listener.draw(this.#from, place, !this.#moved);
       this.#moved = true;
     }
@@ -75,7 +78,7 @@ export class PatchInput {
     if (wasMoved) this.listener.drop();
   };
 
-  /** What a browser does of itself after a press: it would take the focus away, and select text. */
+  /** Prevents a browser's default action after a press: it would move the focus, and select text. */
   readonly keepFocus = (event: MouseEvent): void => event.preventDefault();
 
   #find(chart: HTMLElement, { pointerType }: PointerEvent, place: ChartPlace): Taken | null {
@@ -90,10 +93,10 @@ export class PatchInput {
   }
 }
 
-/** Part of the chart that an arrow key moves a grip by. */
+/** The share of the chart by which an arrow key moves a grip. */
 const keyStep = 0.01;
 
-/** How far a key moves a grip, each 0..1 of the chart; with Shift ten times as far. @returns null for any other key */
+/** How far a key moves a grip, as shares 0..1 of the chart; with Shift ten times as far. @returns null for any other key */
 export function moveByKey({ key, shiftKey }: KeyboardEvent): ValueAndGradient | null {
   const step = keyStep * (shiftKey ? 10 : 1);
   switch (key) {

@@ -2,31 +2,31 @@ import { shareOfChart } from './share-of-chart.ts';
 import type { ChartPlace } from './share-of-chart.ts';
 import { lowestHeight, toHeight, toOpacity, toShare, toValue } from './transfer-function-axes.ts';
 
-/** What pointers and keys on the chart ask for. */
+/** Receives what pointers and keys on the chart do. */
 export interface StopInputListener {
-  /** ContextPool of the handles, each 0..1 of the chart's width and, from below, height. */
+  /** Positions of the handles: 0..1 of the chart's width and, from below, height. */
   handles(): readonly ChartPlace[];
   choose(index: number): void;
-  /** To a place of the chart, each 0..1. */
+  /** Drags a handle to a point of the chart, 0..1 each. */
   drag(index: number, share: number, height: number): void;
   /** A drag has ended. */
   drop(): void;
   add(share: number, height: number): void;
 }
 
-/** How far from a handle it is still meant, CSS pixels: a fingertip is wider than a mouse's point. */
+/** Maximum distance at which a pointer still takes a handle, CSS pixels: a fingertip is wider than a mouse's point. */
 const reach = { mouse: 16, touch: 26 };
 
-/** Two taps are one double tap within this time and this distance. */
+/** Two taps within this time and this distance are a double tap. */
 const doubleTap = { milliseconds: 400, pixels: 24 };
 
 /**
- * Mouse, finger and pen on the chart: a press takes the nearest handle and drags it, a double tap beside the handles adds
- * a stop. Its `down`, `move` and `up` are listeners of the chart's own element, and `keepFocus` of its mousedown.
+ * Mouse, finger and pen on the chart: a press takes the nearest handle and drags it, a double tap elsewhere adds a
+ * stop. Its `down`, `move` and `up` are listeners of the chart's own element, and `keepFocus` of its mousedown.
  */
 export class StopInput {
   #dragged = -1;
-  /** From the pointer to the handle that it holds, so that a handle does not jump when it is taken by its edge. */
+  /** From the pointer to the dragged handle, so that a handle does not jump when it is taken by its edge. */
   #offset = { share: 0, height: 0 };
   #moved = false;
   #lastTap = { time: -Infinity, x: 0, y: 0 };
@@ -60,7 +60,7 @@ export class StopInput {
     if (this.#moved) this.listener.drop();
   };
 
-  /** What a browser does of itself after a press: it would take the focus away, and select text. */
+  /** Prevents a browser's default action after a press: it would move the focus, and select text. */
   readonly keepFocus = (event: MouseEvent): void => event.preventDefault();
 
   #tap({ timeStamp, clientX, clientY }: PointerEvent, { share, height }: ChartPlace): void {
@@ -70,7 +70,7 @@ export class StopInput {
     if (isSecond) this.listener.add(share, height);
   }
 
-  /** The handle that is nearest to a pointer, if one is near; of several at one place the last, which lies on top. */
+  /** The handle that is nearest to a pointer, if one is near; of several at one point the last, which lies on top. */
   #findHandle(chart: HTMLElement, event: PointerEvent, { share, height }: ChartPlace): number {
     const { clientWidth, clientHeight } = chart;
     let nearest = event.pointerType === 'mouse' ? reach.mouse : reach.touch;
@@ -83,12 +83,12 @@ export class StopInput {
   }
 }
 
-/** Part of the chart that an arrow key moves a stop by. */
+/** The share of the chart by which an arrow key moves a stop. */
 const keyStep = 0.01;
 
 /**
  * Where an arrow key moves a stop: across by a hundredth of the chart, up and down by a hundredth of its height, with
- * Shift by ten; Home and End as far as the neighbours let it.
+ * Shift by ten; Home and End as far as the neighbours allow.
  * @returns null for any other key
  */
 export function moveByKey(

@@ -1,6 +1,6 @@
 /**
- * A round length, 1, 2 or 5 times a power of ten: the least one that is not below a given one.
- * @param least - above zero
+ * A round length, 1, 2 or 5 times a power of ten: the smallest one that is at least a given one.
+ * @param min - above zero
  */
 export function roundStep(least: number): number {
   const power = Math.floor(Math.log10(least));
@@ -12,20 +12,20 @@ export function roundStep(least: number): number {
 
 /**
  * Round numbers within a range, evenly spaced.
- * @param most - how many there may be, at least 2
- * @returns ascending; none where the range is empty
+ * @param maxCount - maximum number of them, at least 2
+ * @returns ascending; none if the range is empty
  */
-export function listTicks([low, high]: readonly [number, number], most: number): number[] {
+export function listTicks([low, high]: readonly [number, number], maxCount: number): number[] {
   if (!(high > low)) return [];
-  const step = roundStep(high / most - low / most); // Their difference may be too large to be a number.
-  // As far as doubles tell them from round numbers.
+  const step = roundStep(high / maxCount - low / maxCount); // The difference of the ends may overflow.
+  // Tolerance for the rounding of doubles.
   const slack = 1e-9 + 2e-16 * Math.max(Math.abs(low / step), Math.abs(high / step));
   const first = Math.ceil(low / step - slack);
   const last = Math.floor(high / step + slack);
-  return Array.from({ length: Math.min(most + 1, last - first + 1) }, (_, i) => Math.min(high, Math.max(low, roundTo((first + i) * step, step))));
+  return Array.from({ length: Math.min(maxCount + 1, last - first + 1) }, (_, i) => Math.min(high, Math.max(low, roundTo((first + i) * step, step))));
 }
 
-/** The nearest multiple of a step, without the dust of binary fractions. */
+/** The nearest multiple of a step, without the rounding errors of binary fractions. */
 export function roundTo(value: number, step: number): number {
   const rounded = multiply(Math.round(value / step), step);
   const digits = Math.ceil(Math.log10(Math.abs(rounded / step))) + 3;

@@ -9,16 +9,16 @@ const stray = 0.0002;
 
 /**
  * Height of an opacity in the chart, both 0..1. Useful opacities are a few per cent per reference length, so they get
- * more room than a straight scale gives: the height is the cube root.
+ * more room than a linear scale gives: the height is the cube root.
  */
 export function toHeight(opacity: number): number {
   return Math.cbrt(opacity);
 }
 
-/** Heights below it mean no opacity at all. */
+/** Lower heights mean opacity 0. */
 export const lowestHeight = 0.03;
 
-/** The opacity at a height, to three digits; at the bottom it is 0, which is what people aim at there. */
+/** The opacity at a height, to three digits; near the bottom it is 0, which is what people aim at there. */
 export function toOpacity(height: number): number {
   const clamped = Math.min(1, Math.max(0, height));
   return clamped < lowestHeight ? 0 : Number((clamped ** 3).toPrecision(3));
@@ -27,7 +27,7 @@ export function toOpacity(height: number): number {
 /** Opacities at which the chart has lines. */
 export const opacityTicks: readonly number[] = [0.001, 0.01, 0.05, 0.2, 0.5, 1];
 
-/** The values that the chart spans: the window, all stops, and all data but a few strays. */
+/** The values that the chart spans: the window, all stops, and all data except a few strays. */
 export function chooseDomain(
   { low, high, counts }: Histogram,
   { transferFunction: stops, window }: { transferFunction: TransferFunction; window: readonly [number, number] },
@@ -41,24 +41,27 @@ export function chooseDomain(
   return domain[1] > domain[0] ? domain : spanAround(domain[0]);
 }
 
-/** The first bin at which the counts come to a number, of all but empty bins. */
+/** The first bin at which the counts reach a share of all counts. Empty bins are skipped. */
 function findShare(counts: Uint32Array, share: number): number {
   let sum = 0;
   return counts.findIndex((count) => count > 0 && (sum += count) >= share);
 }
 
-/** What a stop's value is rounded to when it is dragged: a five-hundredth of the chart or less, a round number. */
+/**
+ * The step to which a stop's value is rounded when it is dragged: a round number, a five-hundredth of the chart or
+ * less.
+ */
 export function dragStep([low, high]: readonly [number, number]): number {
   return roundStep((high - low) / 1000);
 }
 
-/** Where a value stands in the chart, 0..1. */
+/** The position of a value in the chart, 0..1. */
 export function toShare(value: number, [low, high]: readonly [number, number]): number {
   const whole = high - low;
   return Number.isFinite(whole) ? (value - low) / whole : (value / 2 - low / 2) / (high / 2 - low / 2);
 }
 
-/** The value at a place of the chart, rounded for dragging; at its ends exactly theirs. */
+/** The value at a position of the chart, rounded for dragging; exact at the ends. */
 export function toValue(share: number, domain: readonly [number, number]): number {
   const [low, high] = domain;
   if (share <= 0) return low;

@@ -1,4 +1,4 @@
-// Bands as in the paper of 2011: between two values one colour and one opacity.
+// Bands as in the paper of 2011: each has one colour and one opacity between two values.
 import { invalidAttribute } from '../core/errors.ts';
 import { spanAround } from '../optics/transfer/span-around.ts';
 import { evaluate } from '../optics/transfer/transfer-function.ts';
@@ -15,10 +15,10 @@ export interface Band {
   readonly opacity: number;
 }
 
-/** Bands that a page may ask for; more fit no screen. */
+/** Maximum number of bands: more do not fit on a screen. */
 const maxBands = 64;
 
-/** As many as the paper has. */
+/** The number of bands in the paper. */
 const defaultBands = 15;
 
 /** The paper's range, dBZ: 15 bands of 5. */
@@ -26,7 +26,8 @@ const dbzRange = [-5, 70] as const;
 
 /**
  * The values at which bands end and begin.
- * @param attributes - `bands`, a number of equal ones; `band-edges`, the values themselves, which win; null where absent
+ * @param attributes - `bands`, a number of equal ones; `band-edges`, the values themselves, which override `bands`;
+ * null if absent
  * @param volume - its unit, and the window, which equal bands divide; a volume in dBZ is divided from -5 to 70
  * @returns ascending, one more than there are bands
  * @throws {VolumeViewError} `attribute/invalid`
@@ -37,9 +38,9 @@ export function chooseBandEdges(
 ): number[] {
   if (attributes.bandEdges !== null) return parseBandEdges(attributes.bandEdges);
   const count = attributes.bands === null ? defaultBands : parseBandCount(attributes.bands);
-  const [least, most] = volume.unit === 'dBZ' ? dbzRange : volume.window;
-  // Data that are all the same span nothing.
-  const [low, high] = most > least ? [least, most] : spanAround(least);
+  const [from, to] = volume.unit === 'dBZ' ? dbzRange : volume.window;
+  // Data that are all the same have no range.
+  const [low, high] = to > from ? [from, to] : spanAround(from);
   const width = (high - low) / count;
   const step = 10 ** (Math.floor(Math.log10(width)) - 1); // two digits of a band's width
   return Array.from({ length: count + 1 }, (_, i) => roundTo(low + width * i, step));
@@ -60,7 +61,7 @@ function parseBandEdges(text: string): number[] {
   return edges;
 }
 
-/** The bands that come nearest to a transfer function: what it is in the middle of each. */
+/** The bands nearest to a transfer function: its colour and opacity in the middle of each. */
 export function bandsFromStops(stops: TransferFunction, edges: readonly number[]): Band[] {
   return edges.slice(1).map((high, i) => {
     const low = edges[i];
@@ -70,8 +71,8 @@ export function bandsFromStops(stops: TransferFunction, edges: readonly number[]
 }
 
 /**
- * Bands as stops, with a jump at every edge. Below the lowest band nothing is seen; above the highest one its colour goes
- * on, so that the strongest values of all do not vanish.
+ * Bands as stops, with a jump at every edge. Below the lowest band everything is transparent; above the highest one its
+ * colour continues, so that the strongest values do not vanish.
  */
 export function stopsFromBands(bands: readonly Band[]): TransferFunction {
   const { low, color } = bands[0];

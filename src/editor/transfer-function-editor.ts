@@ -9,25 +9,28 @@ import { addStop, addStopBeside, changeStop, removeStop } from './transfer-funct
 import { EditSession } from './transfer-function-session.ts';
 import type { EditedView } from './transfer-function-session.ts';
 
-/** A <volume-view> with what of its volume the chart shows. */
+/** A <volume-view> with the data of its volume that the chart shows. */
 export interface ChartedView extends EditedView {
   readonly volume: { readonly histogram: Histogram } | null;
   readonly optics: (EditedView['optics'] & { readonly window: readonly [number, number] }) | null;
 }
 
-/** What becomes of an edit. */
+/** Receives the results of edits. */
 export interface EditorListener {
-  /** There is something new to be seen. */
+  /** Something has changed that has to be drawn. */
   changed(): void;
-  /** The volume has been given an edit that goes on (`input`) or is done (`change`). */
+  /** The volume has received an edit that continues (`input`) or is finished (`change`). */
   wrote(type: 'input' | 'change'): void;
-  /** A stop is to have the focus; one that was just added will be there after the next update. */
+  /** A stop should get the focus. A stop that was just added exists only after the next update. */
   choose(index: number, when: 'now' | 'updated'): void;
 }
 
-/** What a person does to a volume's transfer function, by fields, keys, mouse and finger. */
+/** Edits a volume's transfer function, by fields, keys, mouse and finger. */
 export class TransferFunctionEditor {
-  /** What the chart spans; kept while a stop is dragged, or the chart would run away under the hand. */
+  /**
+   * The values that the chart spans. They do not change while a stop is dragged, because the chart would move under the
+   * pointer.
+   */
   domain: [number, number] = [0, 1];
   readonly session: EditSession;
   readonly input: StopInput;
@@ -51,7 +54,7 @@ export class TransferFunctionEditor {
     return this.session.look?.stops ?? [];
   }
 
-  /** Take in what a volume says now; null where there is none. */
+  /** Reads the present state of a volume; null if there is none. */
   follow(view: ChartedView | null): void {
     this.#view = view;
     this.session.follow(view);
@@ -59,12 +62,15 @@ export class TransferFunctionEditor {
     this.listener.changed();
   }
 
-  /** Change a stop, for now; a colour as CSS writes it. */
+  /** Changes a stop, without a step of the history; the colour is a CSS colour. */
   changeStop(index: number, { color, ...change }: { value?: number; opacity?: number; color?: string }): void {
     this.#setStops(changeStop(this.stops, index, { ...change, ...readColor(color) }));
   }
 
-  /** Change one of the bands that the stops are seen as, for now; a height is 0..1 of a slider, as in the chart. */
+  /**
+   * Changes one of the bands that represent the stops, without a step of the history; a height is 0..1 of a slider, as
+   * in the chart.
+   */
   changeBand(bands: readonly Band[], index: number, { color, height }: { color?: string; height?: number }): void {
     const change = { ...readColor(color), ...(height === undefined ? {} : { opacity: toOpacity(height) }) };
     this.#setStops(stopsFromBands(bands.map((band, i) => (i === index ? { ...band, ...change } : band))));
@@ -85,9 +91,9 @@ export class TransferFunctionEditor {
   }
 
   /**
-   * What a key does.
-   * @param index - of the stop that has the focus; null where something else has it
-   * @returns whether it does anything
+   * Handles a key.
+   * @param index - of the stop that has the focus; null if something else has it
+   * @returns whether the key does anything
    */
   press(event: KeyboardEvent, index: number | null): boolean {
     if (event.ctrlKey || event.metaKey) return this.#undoByKey(event);

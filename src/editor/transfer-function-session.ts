@@ -5,7 +5,7 @@ import { writeTransferFunction } from '../optics/transfer/write-transfer-functio
 import { EditHistory } from './edit-history.ts';
 import { simplifyStops } from './transfer-function-edits.ts';
 
-/** How a page wants a volume to look, in its attributes' words; null where it says nothing. */
+/** The appearance that a page sets, as attribute values; null if it sets nothing. */
 export interface Appearance {
   readonly transferFunction: string | null;
   readonly transferFunction2d?: string | null;
@@ -13,7 +13,7 @@ export interface Appearance {
   readonly lightFactor: number | null;
 }
 
-/** The same as numbers: what a volume looks like. */
+/** The same, parsed. */
 interface Optics {
   readonly transferFunction: TransferFunction;
   readonly patches?: readonly Patch[];
@@ -21,14 +21,14 @@ interface Optics {
   readonly lightFactor: number;
 }
 
-/** What is edited. */
+/** The state that is edited. */
 export interface Look {
   readonly stops: TransferFunction;
-  /** Boxes and Gaussians of values and gradients; none where values alone count. */
+  /** Boxes and Gaussians of values and gradients; none if only values count. */
   readonly patches: readonly Patch[];
   readonly opacityFactor: number;
   readonly lightFactor: number;
-  /** The attributes that say so. */
+  /** The attributes that describe this state. */
   readonly attributes: Appearance;
 }
 
@@ -38,27 +38,27 @@ export interface EditedView {
   readonly optics: Optics | null;
 }
 
-/** More stops than that are no longer to be told apart by hand. */
+/** More stops than this can't be handled separately by a person. */
 export const maxHandles = 24;
 
 const names = ['transferFunction', 'transferFunction2d', 'opacityFactor', 'lightFactor'] as const;
 
 /**
- * The edits of one volume's look: the present look, what was before, and the writing to the volume, once a frame at
- * most. What the page itself says is where it begins; when the page says something else it begins anew.
+ * The edits of one volume's appearance: the present state, the earlier ones, and the writing to the volume, at most
+ * once per frame. It begins with what the page itself sets; if the page sets something else, it begins again.
  */
 export class EditSession {
   #view: EditedView | null = null;
   #history: EditHistory<Look> | null = null;
   #look: Look | null = null;
-  /** What the volume's attributes were when they were last read or written here. */
+  /** The volume's attributes when they were last read or written here. */
   #known: Appearance | null = null;
   #frame = 0;
 
-  /** @param wrote - called after the volume has been given an edit that goes on (`input`) or is done (`change`) */
+  /** @param wrote - called after the volume received an edit that continues (`input`) or is finished (`change`) */
   constructor(readonly wrote: (type: 'input' | 'change') => void) {}
 
-  /** The present look; null without a volume. */
+  /** The present state; null without a volume. */
   get look(): Look | null {
     return this.#look;
   }
@@ -71,12 +71,12 @@ export class EditSession {
     return this.#history?.canRedo ?? false;
   }
 
-  /** Whether anything differs from what the page said. */
+  /** Whether anything differs from what the page set. */
   get canReset(): boolean {
     return this.#history !== null && this.#look !== this.#history.first;
   }
 
-  /** Take in what a volume says now. */
+  /** Reads the present state of a volume. */
   follow(view: EditedView | null): void {
     const optics = view?.optics;
     if (!view || !optics) return this.#stop();
@@ -84,29 +84,30 @@ export class EditSession {
     if (view !== this.#view || !this.#look || !isSame(attributes, this.#known!)) {
       this.#begin(view, optics, attributes);
     } else if (this.#frame === 0 && !optics.patches?.length && attributes.transferFunction !== writeTransferFunction(this.#look.stops)) {
-      // Those of boxes and Gaussians say nothing of stops. The page's own words, which may mean other stops for another volume or window.
+      // Without boxes and Gaussians the attribute defines the stops. For another volume or window the page's text may
+      // mean other stops, so they are taken again.
       this.#replaceStops(simplifyStops(optics.transferFunction, maxHandles));
     }
     if (this.#frame === 0 && (attributes.transferFunction2d ?? null) !== textOf(this.#look!.patches)) this.#replacePatches(optics.patches ?? []);
   }
 
-  /** Change the stops, for now; commit() makes it a step. */
+  /** Changes the stops, without a step of the history; commit() makes it a step. */
   setStops(stops: TransferFunction): void {
     if (stops === this.#look?.stops) return;
     this.#edit({ stops }, { transferFunction: writeTransferFunction(stops) });
   }
 
-  /** Change the boxes and Gaussians, for now. */
+  /** Changes the boxes and Gaussians, without a step of the history. */
   setPatches(patches: readonly Patch[]): void {
     this.#edit({ patches }, { transferFunction2d: textOf(patches) });
   }
 
-  /** Change a factor, for now. */
+  /** Changes a factor, without a step of the history. */
   setFactor(name: 'opacityFactor' | 'lightFactor', factor: number): void {
     this.#edit({ [name]: factor }, { [name]: factor });
   }
 
-  /** The edit is done: it becomes a step that can be undone. */
+  /** Ends the edit: it becomes a step that can be undone. */
   commit(): void {
     if (!this.#history || !this.#look || this.#look === this.#history.present) return;
     this.#history.push(this.#look);
@@ -121,14 +122,14 @@ export class EditSession {
     if (this.#history) this.#go(this.#history.redo());
   }
 
-  /** Back to what the page said, which is a step too. */
+  /** Returns to what the page set, which is a step too. */
   reset(): void {
     if (!this.#history) return;
     this.#history.push(this.#history.first);
     this.#go(this.#history.first);
   }
 
-  /** The look as attributes for a page to copy. */
+  /** The appearance as attributes for a page to copy. */
   writeAttributes(): string {
     if (!this.#look) return '';
     const { stops, opacityFactor, lightFactor, attributes } = this.#look;
