@@ -11,7 +11,7 @@ export type LineColor = readonly [red: number, green: number, blue: number];
 /** Visible on dark and on light, and through thin rain. */
 const ringColor: LineColor = [0.33, 0.36, 0.4];
 
-/** Quieter than the rings; a coast is the blue of water, a border grey. */
+/** Quieter than the rings; a coast is the blue of water, a border a greyish brown. */
 const coastColor: LineColor = [0.2, 0.36, 0.46];
 const borderColor: LineColor = [0.34, 0.3, 0.24];
 
