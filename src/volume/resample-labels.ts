@@ -54,7 +54,7 @@ export function findLabels(voxels: Omit<LabelVoxels, 'grid'>): FoundLabels | Lab
   return { ids, numberOf: (stored) => quick[stored] };
 }
 
-/** The different values. Each occurs once, except in float samples, where some may repeat. */
+/** The different values, each once; only some of them if there are more than labels may have. */
 function differentOf(samples: Samples): Iterable<number> {
   if (!(samples instanceof Float32Array)) {
     const seen = new Uint8Array(2 ** (8 * samples.BYTES_PER_ELEMENT));
