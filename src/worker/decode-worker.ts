@@ -1,4 +1,5 @@
-// The worker's entry. It receives one order and the device's limits, and sends reports. The page stops it by terminating it.
+// The worker's entry. It receives one order and the device's limits, and sends reports. The page stops it by
+// terminating it.
 import { asVolumeViewError } from '../core/errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import { decodeRequest } from './decode-request.ts';

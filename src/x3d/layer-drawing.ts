@@ -178,7 +178,7 @@ export class LayerDrawing {
     return { program: this.#program(depths), depths, view: this.surroundings.camera.viewAt(picture), picture, stepLength, maxCurvature: this.maxCurvature };
   }
 
-  /** Draws outside of x3dom's own drawing. Afterwards it binds the canvas again, and resets x3dom's cached GL state. */
+  /** Draws outside of x3dom's own drawing. Afterwards it binds the canvas again, with its whole size as viewport. */
   #aside<T>(work: () => T): T {
     try {
       return work();

@@ -139,7 +139,8 @@ function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array, { budget,
   const detail = chooseOffset(values);
   const farthest = Math.max(-low, high);
   const whole = chooseWhole && farthest > exactInFloat32 && farthest < 2 ** 64 && low < high && values.every(isWhole) ? chooseWhole(values, detail, Number, budget) : null;
-  // A shift must not round values that 32 bits hold exactly. If all values are the same double, that one is the offset, and is kept exactly.
+  // A shift must not round values that 32 bits hold exactly. If all values are the same double, that one is the offset,
+  // and is kept exactly.
   const isHarmed = isFloat32 && detail !== 0 && values.some((value) => Math.abs(Math.fround(value - detail) + detail - value) > 0);
   const offset = whole?.offset ?? (low === high && !isFloat32 ? low : isHarmed ? 0 : detail);
   const largest = low === high ? Math.max(1, Math.abs(low)) : Math.max(offset - low, high - offset);
