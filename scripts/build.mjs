@@ -25,8 +25,9 @@ const served = join(projectRoot, 'dist');
 /** Where the build goes first: a page of `dist` that is open meanwhile finds its files until all of the new ones are there. */
 const dist = join(projectRoot, `dist-next-${process.pid}`);
 const main = join(projectRoot, 'src/index.ts');
-const companions = ['volume-clip', 'volume-label', 'volume-label-list', 'volume-labels', 'volume-layer', 'volume-legend', 'volume-measure', 'volume-readout', 'volume-slice', 'volume-slice-view', 'volume-surface', 'volume-terrain', 'volume-timeline', 'volume-transfer-function', 'volume-workspace'];
-const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/define/${name}.ts`));
+/** Every element is a folder of components that has a file which defines it. */
+const companions = readdirSync(join(projectRoot, 'components')).filter((name) => !['internal', 'volume-view'].includes(name) && existsSync(join(projectRoot, 'components', name, 'define.ts')));
+const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/${name}/define.ts`));
 const worker = join(projectRoot, 'src/worker/decode-worker.ts');
 
 // Of the modules for bundlers these lie in dist itself. A bundler that leaves the expression as it is makes it mean a file
@@ -195,7 +196,7 @@ await bundle({
   output: { entryFileNames: 'volume-view.js', chunkFileNames: 'chunks/[name]-[hash].js', ...AT_ONCE },
 });
 for (const name of companions) {
-  const entry = join(projectRoot, `components/define/${name}.ts`);
+  const entry = join(projectRoot, `components/${name}/define.ts`);
   await bundle({ entry, format: 'es', output: { entryFileNames: `${name}.js`, chunkFileNames: 'chunks/[name]-[hash].js' } });
 }
 // What every reader of a grid needs is one file, too.

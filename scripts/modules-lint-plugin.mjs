@@ -67,14 +67,15 @@ function findPlace(file) {
 
 /**
  * What is wrong with an import of one folder from another of the same module, or null.
- * @param {string} name - of the module @param {string} from @param {string} to - folders @param {boolean} isType
+ * @param {string} name - of the module @param {string} from @param {string} to - folders
+ * @param {{ isType: boolean, isDefinition: boolean }} what - isDefinition: of a file that defines an element
  */
-function findBackArrow(name, from, to, isType) {
+function findBackArrow(name, from, to, { isType, isDefinition }) {
   if (from === to) return null;
   if (name === 'components') {
-    // An element is a folder of its own. What several need lies in internal; of another element only its type is known.
-    if (isType || from === 'define' || to === 'internal' || to === 'define') return null;
-    return `components/${from} may not import from components/${to}; it may from: internal, and types from all`;
+    // An element is a folder of its own. What several need lies in internal; of another element its types are known, and what defines it.
+    if (isType || to === 'internal' || isDefinition) return null;
+    return `components/${from} may not import from components/${to}; it may from: internal, what defines elements, and types from all`;
   }
   const order = FOLDERS[name];
   if (!order) return null;
@@ -103,7 +104,7 @@ const oneWay = {
         if (target.name !== own && !allowed.includes(target.name) && !allowed.includes(`${target.name}/${target.folder}`)) {
           context.report({ node: source, message: `${own} may not import from ${target.name}; it may from: ${allowed.join(', ') || 'nowhere'}` });
         }
-        const problem = target.name === own && findBackArrow(own, folder, target.folder, isType);
+        const problem = target.name === own && findBackArrow(own, folder, target.folder, { isType, isDefinition: /\/define\.ts$/.test(name) });
         if (problem) context.report({ node: source, message: problem });
         return;
       }

@@ -1,4 +1,4 @@
-export { VolumeView } from '../components/define/volume-view.ts';
+export { VolumeView } from '../components/volume-view/define.ts';
 export type { CameraChangeDetail, ErrorDetail, ProgressDetail, VolumeViewEventMap } from '../components/internal/volume-view-events.ts';
 export type { RenderStats } from './viewer/model/render-stats.ts';
 export type { PictureError } from './quality/error-estimate.ts';

@@ -1,7 +1,7 @@
 import { coming } from './coming-companions.ts';
+import { isOurs } from './define.ts';
 import { onNotice } from './notice-root.ts';
 import type { openRoots } from './open-roots.ts';
-import { mayHoldOthers, ownNames } from './own-names.ts';
 
 /** Fetch the code of the companions that the page has, or will have, wherever they are: see `OpenRoots`. */
 export function startCompanions(): void {
@@ -25,8 +25,9 @@ function lookThrough(node: Node): void {
 }
 
 function see({ localName, shadowRoot }: Element): void {
-  startCompanion(localName);
-  if (mayHoldOthers(localName) && (shadowRoot || localName.includes('-'))) void watchRoots();
+  const mayBeOurs = localName.startsWith('volume-');
+  if (mayBeOurs) startCompanion(localName);
+  if (localName === 'volume-workspace' || (!mayBeOurs && (shadowRoot || localName.includes('-')))) void watchRoots();
 }
 
 let watching: Promise<typeof openRoots | null> | null = null;
@@ -44,9 +45,10 @@ function watchRoots(): Promise<typeof openRoots | null> {
   }));
 }
 
+/** Load an element of ours. Another one may have a name like them, and a view in its shadow root. */
 function startCompanion(localName: string): void {
-  if (!ownNames.has(localName) || coming.has(localName) || customElements.get(localName)) return;
+  if (localName === 'volume-view' || coming.has(localName) || isOurs(localName)) return;
   // A file that did not come is asked for again by the next such element.
-  coming.set(localName, import('./companion-loaders.ts').then(({ companionLoaders }) => companionLoaders[localName]?.())
+  coming.set(localName, import('./elements.ts').then(({ elements }): Promise<unknown> => (Object.hasOwn(elements, localName) ? elements[localName]() : watchRoots()))
     .catch((error: unknown) => console.error(error)).finally(() => coming.delete(localName)));
 }

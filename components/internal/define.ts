@@ -5,6 +5,12 @@ const versionKey = Symbol.for('volume-view.version');
 
 type Versioned = CustomElementConstructor & { [versionKey]?: string };
 
+/** Whether an element of this name is defined, and by this package. */
+export function isOurs(localName: string): boolean {
+  const element = customElements.get(localName);
+  return element !== undefined && versionKey in element;
+}
+
 let hasTold = false;
 
 /**

@@ -1,5 +1,8 @@
+import { isOurs } from './define.ts';
 import { onNotice } from './notice-root.ts';
-import { mayHoldOthers } from './own-names.ts';
+
+/** Whether the shadow tree of an element of this name may have elements of ours in it. Of ours, that of one has. */
+const mayHoldOthers = (localName: string): boolean => localName === 'volume-workspace' || !isOurs(localName);
 
 /** A tree of a page: the document, or an open shadow root in it. */
 type Root = Document | ShadowRoot;

@@ -74,7 +74,7 @@ export async function measureAmong(name: string, { angles, doubts = false, attri
   const made = scene.make();
   const volume = made.block.toVolume();
   const places = made.places.map((place): Vector3 => transformPoint(volume.grid.indexToWorld, place));
-  await Promise.all(['volume-clip', 'volume-slice'].filter((tag) => scene.children.includes(`<${tag}`)).map((tag) => import(`../../components/define/${tag}.ts`)));
+  await Promise.all(['volume-clip', 'volume-slice'].filter((tag) => scene.children.includes(`<${tag}`)).map((tag) => import(`../../components/${tag}/define.ts`)));
   const [full, bare] = [volume, made.bare.toVolume()].map((one) =>
     placeElement({ src: serveVolume(one), sight: sightOf(volume, view, 0), attributes: { ...scene.attributes, ...attributes, 'transfer-function': scene.transferFunction! }, children: scene.children, ...view }));
   const pictures: SeenThings[] = [];

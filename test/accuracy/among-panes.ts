@@ -12,7 +12,7 @@ import { scatterOn, speckValue } from './among-scenes.ts';
 import { ontoPlane } from './among-shapes.ts';
 import { measureThing } from './compare-shown.ts';
 import { serveVolume } from './small-page.ts';
-import '../../components/define/volume-slice-view.ts';
+import '../../components/volume-slice-view/define.ts';
 
 /** Pixels a voxel. */
 export const paneZooms = [1, 1.13, 1.5, 2.3, 4.2] as const;

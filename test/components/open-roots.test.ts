@@ -1,6 +1,6 @@
 // Companions inside shadow roots: their code is fetched, and they find the volume, wherever the two are.
 import { expect } from '@esm-bundle/chai';
-import '../../components/define/volume-view.ts';
+import '../../components/volume-view/define.ts';
 import type { VolumeLegend } from '../../components/volume-legend/volume-legend.ts';
 import { english } from '../../src/messages/english-companions.ts';
 
@@ -53,6 +53,15 @@ describe('the code of a companion is fetched', () => {
     });
     expect(await wordsOf(inner!.firstElementChild)).to.equal(noVolume);
     expect(outer.querySelector('later-host')!.shadowRoot).to.equal(inner);
+  });
+
+  it('in the shadow root of an element of the page whose name begins as ours do', async () => {
+    customElements.define('volume-knob', class extends HTMLElement {});
+    const knob = document.createElement('volume-knob');
+    const root = attach(knob, '<volume-label-list></volume-label-list>');
+    document.body.append(knob);
+    await customElements.whenDefined('volume-label-list');
+    expect(root.firstElementChild!.shadowRoot).not.to.equal(null);
   });
 
   it('in a closed shadow root with a view', async () => {

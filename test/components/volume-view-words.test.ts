@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { render } from 'lit';
 import { renderError } from '../../components/volume-view/volume-view-parts.ts';
 import { VolumeViewError } from '../../src/core/errors.ts';
-import { VolumeView } from '../../components/define/volume-view.ts';
+import { VolumeView } from '../../components/volume-view/define.ts';
 import { english } from '../../src/messages/english-view.ts';
 import { registerTranslation } from '../../src/messages/words.ts';
 

@@ -1,9 +1,9 @@
 // A second language, registered by the page: the elements speak it where `lang` names it.
 import { expect } from '@esm-bundle/chai';
-import '../../components/define/volume-legend.ts';
-import '../../components/define/volume-slice-view.ts';
-import '../../components/define/volume-timeline.ts';
-import '../../components/define/volume-transfer-function.ts';
+import '../../components/volume-legend/define.ts';
+import '../../components/volume-slice-view/define.ts';
+import '../../components/volume-timeline/define.ts';
+import '../../components/volume-transfer-function/define.ts';
 import type { VolumeLegend } from '../../components/volume-legend/volume-legend.ts';
 import type { VolumeTimeline } from '../../components/volume-timeline/volume-timeline.ts';
 import { english } from '../../src/messages/english-companions.ts';

@@ -1,7 +1,7 @@
 // The package as npm would publish it. `npm run test:package` builds it first; `npm test` has built it already.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -99,13 +99,21 @@ await check('imports in Node, which has no DOM', () => {
 /** @param {string} path */
 const load = (path) => import(pathToFileURL(join(projectRoot, path)).href);
 
-await check('every element has a file that defines it and one that does not', async () => {
-  for (const [path, { default: file }] of Object.entries(manifest.exports).filter(([path]) => /volume-[a-z-]+\.js$/.test(path))) {
-    if (!file?.includes('/esm/')) continue; // The bundled ones are for browsers.
-    const [className] = Object.keys(await load(file)).filter((name) => /^Volume[A-Z]\w+$/.test(name) && name !== 'VolumeViewError');
-    const tag = path.replace(/^.*\/|\.js$/g, '');
-    assert.equal(className?.toLowerCase(), tag.replaceAll('-', ''), path);
+await check('every element has an entry that defines it and one that does not, by a pattern of the package', async () => {
+  const tags = readdirSync(join(projectRoot, 'components')).filter((name) => name !== 'internal' && existsSync(join(projectRoot, 'components', name, 'define.ts')));
+  const { elements } = await load('dist/esm/components/internal/elements.js');
+  assert.deepEqual(tags, [...Object.keys(elements), 'volume-view'].sort(), 'a folder of components is a line of the table');
+  for (const tag of tags) {
+    for (const path of [`${manifest.name}/${tag}.js`, `${manifest.name}/elements/${tag}.js`]) {
+      const code = `console.log(import.meta.resolve('${path}'), Object.keys(await import('${path}')).join())`;
+      const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', code], { cwd: consumer, encoding: 'utf8' });
+      assert.equal(status, 0, stderr);
+      const className = stdout.trim().split(' ')[1].split(',').find((name) => /^Volume[A-Z]\w+$/.test(name) && name !== 'VolumeViewError');
+      assert.equal(className?.toLowerCase(), tag.replaceAll('-', ''), `${path} is ${stdout}`);
+    }
+    for (const file of [`dist/types/components/${tag}/define.d.ts`, `dist/types/components/${tag}/${tag}.d.ts`]) assert.ok(existsSync(join(projectRoot, file)), file);
   }
+  return `${tags.length} elements`;
 });
 
 /** What a bundler keeps of a module that imports something of the package. @param {string} code */

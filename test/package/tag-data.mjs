@@ -1,11 +1,11 @@
 // What editors and frameworks are told of the tags is what the elements themselves observe.
 import assert from 'node:assert/strict';
-import { readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 
-const tags = readdirSync(join(projectRoot, 'components/define')).map((name) => name.replace('.ts', ''));
+const tags = readdirSync(join(projectRoot, 'components')).filter((name) => name !== 'internal' && existsSync(join(projectRoot, 'components', name, 'define.ts')));
 
 /** @param {string} path */
 const read = (path) => readFileSync(join(projectRoot, path), 'utf8');
@@ -18,7 +18,7 @@ const readJson = (path) => JSON.parse(read(path));
  * @returns {Promise<Map<string, string>>}
  */
 async function listAttributes(tag) {
-  const module = await import(pathToFileURL(join(projectRoot, `dist/esm/components/${tag}.js`)).href);
+  const module = await import(pathToFileURL(join(projectRoot, `dist/esm/components/${tag}/${tag}.js`)).href);
   const element = Object.values(module).find((one) => one.observedAttributes); // Which makes Lit gather them.
   return new Map([...element.elementProperties].filter(([, { attribute }]) => typeof attribute === 'string').map(([name, { attribute }]) => [attribute, name]));
 }

@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeSurface } from '../volume-surface/volume-surface.ts';
+import { VolumeSurface } from './volume-surface.ts';
 
 define('volume-surface', VolumeSurface);
 

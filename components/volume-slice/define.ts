@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeSlice } from '../volume-slice/volume-slice.ts';
+import { VolumeSlice } from './volume-slice.ts';
 
 define('volume-slice', VolumeSlice);
 

@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeTerrain } from '../volume-terrain/volume-terrain.ts';
+import { VolumeTerrain } from './volume-terrain.ts';
 
 define('volume-terrain', VolumeTerrain);
 

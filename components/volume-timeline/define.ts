@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeTimeline } from '../volume-timeline/volume-timeline.ts';
+import { VolumeTimeline } from './volume-timeline.ts';
 
 define('volume-timeline', VolumeTimeline);
 

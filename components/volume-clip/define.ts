@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeClip } from '../volume-clip/volume-clip.ts';
+import { VolumeClip } from './volume-clip.ts';
 
 define('volume-clip', VolumeClip);
 

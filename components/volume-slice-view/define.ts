@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeSliceView } from '../volume-slice-view/volume-slice-view.ts';
+import { VolumeSliceView } from './volume-slice-view.ts';
 
 define('volume-slice-view', VolumeSliceView);
 

@@ -1,6 +1,6 @@
 import { define } from '../internal/define.ts';
-import './volume-label.ts';
-import { VolumeLabels } from '../volume-labels/volume-labels.ts';
+import '../volume-label/define.ts';
+import { VolumeLabels } from './volume-labels.ts';
 
 define('volume-labels', VolumeLabels);
 

@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeLegend } from '../volume-legend/volume-legend.ts';
+import { VolumeLegend } from './volume-legend.ts';
 
 define('volume-legend', VolumeLegend);
 

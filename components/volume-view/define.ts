@@ -1,6 +1,6 @@
 import { startCompanions } from '../internal/companions.ts';
 import { define } from '../internal/define.ts';
-import { VolumeView } from '../volume-view/volume-view.ts';
+import { VolumeView } from './volume-view.ts';
 
 define('volume-view', VolumeView);
 startCompanions();

@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeMeasure } from '../volume-measure/volume-measure.ts';
+import { VolumeMeasure } from './volume-measure.ts';
 
 define('volume-measure', VolumeMeasure);
 

@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeLabel } from '../volume-label/volume-label.ts';
+import { VolumeLabel } from './volume-label.ts';
 
 define('volume-label', VolumeLabel);
 

@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeTransferFunction } from '../volume-transfer-function/volume-transfer-function.ts';
+import { VolumeTransferFunction } from './volume-transfer-function.ts';
 
 define('volume-transfer-function', VolumeTransferFunction);
 

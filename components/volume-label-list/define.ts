@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeLabelList } from '../volume-label-list/volume-label-list.ts';
+import { VolumeLabelList } from './volume-label-list.ts';
 
 define('volume-label-list', VolumeLabelList);
 

@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeReadout } from '../volume-readout/volume-readout.ts';
+import { VolumeReadout } from './volume-readout.ts';
 
 define('volume-readout', VolumeReadout);
 

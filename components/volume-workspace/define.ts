@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeWorkspace } from '../volume-workspace/volume-workspace.ts';
+import { VolumeWorkspace } from './volume-workspace.ts';
 
 define('volume-workspace', VolumeWorkspace);
 

@@ -1,5 +1,5 @@
 import { define } from '../internal/define.ts';
-import { VolumeLayer } from '../volume-layer/volume-layer.ts';
+import { VolumeLayer } from './volume-layer.ts';
 
 define('volume-layer', VolumeLayer);
 
