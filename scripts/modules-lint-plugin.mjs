@@ -104,7 +104,7 @@ const oneWay = {
         if (target.name !== own && !allowed.includes(target.name) && !allowed.includes(`${target.name}/${target.folder}`)) {
           context.report({ node: source, message: `${own} may not import from ${target.name}; it may from: ${allowed.join(', ') || 'nowhere'}` });
         }
-        const problem = target.name === own && findBackArrow(own, folder, target.folder, { isType, isDefinition: /\/define\.ts$/.test(name) });
+        const problem = target.name === own && findBackArrow(own, folder, target.folder, { isType, isDefinition: name.endsWith('/define.ts') });
         if (problem) context.report({ node: source, message: problem });
         return;
       }
