@@ -20,7 +20,7 @@ import type { Shown } from '../../src/viewer/attachments/slice-presenter.ts';
 import { describeVolume } from '../../src/viewer/model/volume-info.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import { SliceSource } from '../../src/viewer/attachments/slice-source.ts';
-import { LazyPart } from '../volume-view/lazy-part.ts';
+import { LazyPart } from '../internal/lazy-part.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 import { tell } from '../internal/volume-view-events.ts';
 import { describePlace, describeValue, describeWindow, labelsOf, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
@@ -146,7 +146,7 @@ export class VolumeSliceView extends ReflectingElement {
   #own: Volume | null = null;
   #info: VolumeInfo | null = null;
   /** Of a file of its own: of another one's, that one's view tells. */
-  readonly #notices = new LazyPart(this, async () => new (await import('../volume-view/view-notices.ts')).ViewNotices(this, () => ({ info: this.#info, besideNotices: this._labelTarget.besideNotices })));
+  readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => ({ info: this.#info, besideNotices: this._labelTarget.besideNotices })));
   #saying = 0;
 
   readonly #presenter: SlicePresenter = new SlicePresenter({

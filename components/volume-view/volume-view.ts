@@ -7,7 +7,7 @@ import { english } from '../../src/messages/english-view.ts';
 import { Words } from '../../src/messages/words.ts';
 import { companionComing } from '../internal/coming-companions.ts';
 import { CustomStates } from '../internal/custom-states.ts';
-import { LazyPart } from './lazy-part.ts';
+import { LazyPart } from '../internal/lazy-part.ts';
 import { OwnSize } from '../internal/own-size.ts';
 import { tell } from '../internal/volume-view-events.ts';
 import type { VolumeViewListeners } from '../internal/volume-view-events.ts';
@@ -88,7 +88,7 @@ export class VolumeView extends VolumeViewMembers {
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #words = new Words(this, english);
   readonly #controls = new LazyPart(this, async () => new (await import('./view-controls.ts')).ViewControls(this, () => this._session.viewer));
-  readonly #notices = new LazyPart(this, async () => new (await import('./view-notices.ts')).ViewNotices(this, () => this._presenter));
+  readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => this._presenter));
   readonly #size = new OwnSize();
 
   /** Let the picture take the focus, and keys turn it. */

@@ -102,7 +102,7 @@ const load = (path) => import(pathToFileURL(join(projectRoot, path)).href);
 await check('every element has an entry that defines it and one that does not, by a pattern of the package', async () => {
   const tags = readdirSync(join(projectRoot, 'components')).filter((name) => name !== 'internal' && existsSync(join(projectRoot, 'components', name, 'define.ts')));
   const { elements } = await load('dist/esm/components/internal/elements.js');
-  assert.deepEqual(tags, [...Object.keys(elements), 'volume-view'].toSorted(), 'a folder of components is a line of the table');
+  assert.deepEqual(new Set(tags), new Set([...Object.keys(elements), 'volume-view']), 'a folder of components is a line of the table');
   for (const tag of tags) {
     for (const path of [`${manifest.name}/${tag}.js`, `${manifest.name}/elements/${tag}.js`]) {
       const code = `console.log(import.meta.resolve('${path}'), Object.keys(await import('${path}')).join())`;
