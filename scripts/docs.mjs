@@ -110,7 +110,7 @@ function describeErrors() {
 
 /** Sources of the interfaces that the reference speaks of. */
 const sources = ['components', 'src/viewer', 'src/quality', 'src/optics', 'src/volume', 'src/editor']
-  .flatMap((folder) => readdirSync(join(projectRoot, folder)).filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)))
+  .flatMap((folder) => readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)))
   .map((file) => readFileSync(file, 'utf8'));
 
 const details = ['VolumeInfo', 'VolumePick', 'PickedSurface', 'RadarPlace', 'RadarGate', 'Histogram', 'VolumeOptics', 'Stop', 'TransferFunctionDetail', 'RenderStats', 'PictureError', 'PictureCheck', 'CameraState', 'Camera', 'CameraChangeDetail', 'Orbit', 'MeasureResult', 'SliceCursorDetail', 'LayerLook', 'VolumeSurfaceInfo', 'VolumeTerrainInfo', 'TimeChangeDetail', 'ProgressDetail', 'ErrorDetail'];
