@@ -91,8 +91,6 @@ export function adaptModules({ workerTexts }) {
       for (const file of Object.values(files)) if (file.type === 'chunk') file.code = escapeToAscii(file.code);
     },
     transform(code, id) {
-      // Twins are named for tests. What computes them on the CPU is a part of its own, for those who point at something.
-      if (/\/src\/(renderer\/ray\/modules|radar\/gpu)\//.test(id)) return { code: code.replace(/^export \{ ?\w+ as twin ?\} from .*$/gm, ''), map: null };
       if (id.endsWith('-styles.ts')) return { code: stripCss(code), map: null };
       // It runs before any lazy part does.
       if (id === main && isClassic) return { code: `export { scriptUrl } from '${SCRIPT_URL_MODULE}';\nexport { injectScript } from './page/inject-script.ts';\n${code}`, map: null };

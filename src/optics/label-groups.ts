@@ -49,7 +49,7 @@ export function groupClassify(all: readonly ClassifyStage[]): ClassifyStage {
  * Where the ends of a piece of a ray are of different groups, each half is classified by itself: its values run to the middle of both.
  * Twin: shaders/chunks/attachments/label-looks.glsl
  */
-function groupShade(classify: ClassifyStage, field: FieldStage): ShadeStage {
+export function groupShade(classify: ClassifyStage, field: FieldStage): ShadeStage {
   return (segment, seen, ray) => {
     const { front, back, begin, span } = segment;
     const [first, last] = labelledEnds(front, back);

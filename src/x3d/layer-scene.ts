@@ -3,6 +3,7 @@ import type { RayStyle } from '../optics/rays/ray-style.ts';
 import type { Optics, RayCut } from '../renderer/ray/ray-module.ts';
 import type { ProjectedRays } from '../optics/rays/ray-style.ts';
 import type { SeenVolume, Substeps, VolumeLayer } from '../renderer/layers/volume-layer.ts';
+import type { RayTwins } from '../renderer/ray/ray-twin.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { ShownLabels } from '../volume/labels.ts';
@@ -41,6 +42,11 @@ export abstract class LayerScene {
 
   setSubsteps(substeps: Substeps): void {
     this.layers[0].substeps = substeps;
+  }
+
+  /** See `Scene`. */
+  twins(looks?: boolean): RayTwins | null {
+    return this.layers[0].twins(false, looks);
   }
 
   detail(): Uint8Array | null {

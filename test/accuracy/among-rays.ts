@@ -7,6 +7,7 @@ import type { Ray } from '../../src/optics/rays/rays.ts';
 import { composite } from '../../src/optics/rays/segment.ts';
 import type { Premultiplied } from '../../src/optics/transfer/transfer-function.ts';
 import { raysOfView } from '../../src/viewer/picking/view-rays.ts';
+import { maxSubsteps } from '../../src/optics/transfer/substep-limits.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';
 import { rayInWorld } from '../helpers/picture.ts';
 import { meetShape, shapeColor } from './among-shapes.ts';
@@ -34,9 +35,9 @@ interface HowCast {
 
 /** @param element - whose picture is at rest; what it shows, it shows at its own camera */
 export async function exactView(element: VolumeView, { shape, size, stepsPerVoxel }: HowCast): Promise<ExactView> {
-  const rays = (await raysOfView(element._session.viewer!, null))!;
+  const rays = (await raysOfView(element._session.viewer!, { placesOnly: true }))!;
   const { setup, volume } = rays;
-  const stages = rays.stages({ stepLength: finestSpacing(volume.grid) / stepsPerVoxel });
+  const stages = rays.stages({ stepLength: finestSpacing(volume.grid) / stepsPerVoxel, maxSubsteps });
   const rayAt = (x: number, y: number): Ray => rayThrough(setup, (2 * x) / size - 1, (2 * y) / size - 1);
   const surfaceT = (ray: Ray): number => {
     const { origin, direction } = rayInWorld(volume, ray);

@@ -7,7 +7,11 @@ import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { programKey } from '../../src/renderer/ray/compose-ray.ts';
-import { patchedStages } from '../../src/viewer/picking/pick-patches.ts';
+import { polarTapsOf } from '../../src/radar/gpu/polar-taps.ts';
+import { headlightAlone } from '../../src/optics/transfer/lights.ts';
+import { cartesianTapsOf, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
+import { createPatches } from '../../src/renderer/ray/modules/patches.ts';
+import { quietGl } from '../helpers/quiet-layer.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { litStages } from '../helpers/lit.ts';
@@ -71,9 +75,11 @@ function viewOf(name: string, { patches, more }: Look): View {
 
 function render(view: View, { patches, more = {} }: Look): Float64Array {
   const { volume, optics = plainOptics } = view;
-  const staged = patchedStages({ volume, optics: { ...optics, patches }, setup: raysOf(view) });
+  const taps = volume.grid.kind === 'polar' ? polarTapsOf : cartesianTapsOf;
+  const module = createPatches(quietGl(), patches).of({ taps, lights: false, cuts: false }, { lights: headlightAlone, cuts: { halfSpaces: [], unitToCutout: null } });
+  const staged = referenceOf({ ...view, modules: [pointsModule, module] });
   const beside: Pick<ReferenceScene, 'shades' | 'gather'> = more.lit ? litStages(volume, optics.transferFunction) : more.surfaces ? surfaceStages(volume, more, optics.transferFunction) : {};
-  return renderReference({ ...referenceOf(view), ...staged, ...beside, moreFields: staged.moreFields }, raysOf(view), width, height).map((x) => x * 255);
+  return renderReference({ ...staged, ...beside, moreFields: staged.moreFields }, raysOf(view), width, height).map((x) => x * 255);
 }
 
 const expectationsOf = remember((name: string) => Object.entries(looksOf(name)).flatMap(([look, shown]) =>

@@ -1,17 +1,26 @@
-// Modules that the package does not know, added by this file alone: what renderer/ray/ray-module.ts promises.
+// Modules that the package does not know, added by this file alone, in one place: what renderer/ray/ray-module.ts promises. They are drawn, cast in float64, picked and checked.
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { castRay } from '../../src/optics/rays/cast-ray.ts';
-import type { GatherStage, Sample, SecondFieldStage, ShadeStage } from '../../src/optics/rays/ray-stages.ts';
-import { stagesOf } from '../../src/optics/reference.ts';
+import type { GatherStage, Sample, ShadeStage } from '../../src/optics/rays/ray-stages.ts';
 import type { RayModule } from '../../src/renderer/ray/ray-module.ts';
+import { later, twinOf } from '../../src/renderer/ray/ray-twin.ts';
+import { noCuts } from '../../src/viewer/cuts/cuts.ts';
+import { checkPicture } from '../../src/viewer/picking/check-picture.ts';
+import { pick } from '../../src/viewer/picking/pick.ts';
+import { Presence } from '../../src/viewer/scenes/presence.ts';
+import { Viewer } from '../../src/viewer/view/viewer.ts';
+import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { x3dScenes } from '../../components/internal/x3d-scenes.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { isEdge, listOff, rayAt } from '../helpers/edges.ts';
-import { comparePictures, drawPicture, height, raysOf, referenceOf, width, withScene } from '../helpers/picture.ts';
+import { isEdge, listOff } from '../helpers/edges.ts';
+import { comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, stagesOfView, width, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const nothing = { uniforms: {}, units: [] };
+
+/** Nothing has to be loaded for twins that are here. */
+const here = later(() => Promise.resolve({}));
 
 /** How far along its ray is the nearest value that is no less than a threshold, as gray; clear where there is none. */
 function nearestAbove(threshold: number): RayModule<'gather'> {
@@ -38,6 +47,7 @@ vec4 finishGathering(Gathered gathered, Path path) { return gathered.at < 0.0 ? 
     sparesRays: false,
     order: 2,
     inputs: ({ domain: [low, high] }) => ({ uniforms: { uThreshold: (threshold - low) / (high - low) }, units: [] }),
+    twin: twinOf(here, () => ({ gather: nearestAboveTwin(threshold) })),
   };
 }
 
@@ -58,9 +68,8 @@ const heightModule: RayModule<'field'> = {
   name: 'height', stage: 'field', defines: {}, members: ['float height'], samplers: [], sparesRays: true, order: Infinity,
   chunks: ['Sample heightField(vec3 p, Sample known) { known.height = p.z; return known; }\n'],
   inputs: () => nothing,
+  twin: twinOf(here, () => ({ moreFields: [(place, known) => ({ ...known, height: place[2] })] })),
 };
-
-const heightTwin: SecondFieldStage = (place, known) => ({ ...known, height: place[2] });
 
 /** Redder the higher. */
 const redden: RayModule<'shade'> = {
@@ -73,6 +82,7 @@ vec4 reddenShade(Segment segment, vec4 seen) {
 }
 `],
   inputs: () => ({ uniforms: { uRedness: 0.8 }, units: [] }),
+  twin: twinOf(here, () => ({ shades: [reddenTwin] })),
 };
 
 const heightOf = ({ height: h }: Sample): number => h as number;
@@ -85,19 +95,40 @@ const volume = syntheticVolume({ dimensions: [24, 20, 16], kind: 'uint16' });
 const diagonal = longestDiagonal(volume.grid);
 const view: View = { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 50 };
 const rays = raysOf(view);
-const plain = stagesOf(referenceOf(view), rays);
+
+const tintTwin: ShadeStage = (_, [red, green, blue, alpha]) => {
+  const opacity = 1 - (1 - alpha) ** 0.25;
+  const share = opacity / alpha;
+  return alpha > 0 ? [opacity, green * share, blue * share, opacity] : [red, green, blue, alpha];
+};
+
+/** Redder, and of a quarter of the depth: which a pick tells. */
+const tint: RayModule<'shade'> = {
+  name: 'tint', stage: 'shade', defines: {}, samplers: [], sparesRays: true, order: 2,
+  chunks: [`
+vec4 tintShade(Segment segment, vec4 seen) {
+  float opacity = 1.0 - pow(1.0 - seen.a, 0.25);
+  return seen.a > 0.0 ? vec4(opacity, seen.gb * (opacity / seen.a), opacity) : seen;
+}
+`],
+  inputs: () => nothing,
+  twin: twinOf(here, () => ({ shades: [tintTwin] })),
+};
 
 describe('modules of others', () => {
-  for (const { name, modules, stages } of [
-    { name: 'a gather stage stands in for ours', modules: [nearestAbove(0.45)], stages: { ...plain, gather: nearestAboveTwin(0.45) } },
-    { name: 'a field and a shade stage join ours', modules: [heightModule, redden], stages: { ...plain, moreFields: [heightTwin], shades: [reddenTwin] } },
+  for (const { name, modules } of [
+    { name: 'a gather stage stands in for ours', modules: [nearestAbove(0.45)] },
+    { name: 'a field and a shade stage join ours', modules: [heightModule, redden] },
+    { name: 'one changes opacity', modules: [tint] },
   ]) {
+    const told = { ...view, modules };
+    const stages = stagesOfView(told);
     for (const version of [2, 1] as const) {
       it(`${name}, and draw what their twins say, in WebGL ${version}`, () => withScene({ webgl1: version === 1 }, (scene) => {
         const before = drawPicture(scene, view);
         scene.layers[0].setModules(modules);
         const got = drawPicture(scene, view);
-        const expected = Array.from({ length: width * height }, (_, pixel) => castRay(stages, rayAt(rays, pixel)).map((x) => x * 255)).flat();
+        const expected = drawReference(told);
         const edges = new Set([...listOff(got, expected)].filter((pixel) => isEdge(stages, rays, pixel)));
         const { worst, rmse } = comparePictures(got, expected, (pixel) => edges.has(pixel));
         console.log(`WebGL ${version} ${modules.map((module) => module.name).join(', ')}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${edges.size} pixels left out`);
@@ -109,4 +140,66 @@ describe('modules of others', () => {
       }));
     }
   }
+});
+
+/** A view of the volume in the page, at rest. */
+async function withViewer(use: (viewer: Viewer, scene: VolumeScene) => Promise<void>): Promise<void> {
+  const host = document.createElement('div');
+  host.style.cssText = 'width: 160px; height: 120px';
+  const container = document.createElement('div');
+  container.style.cssText = 'width: 100%; height: 100%';
+  host.append(container);
+  document.body.append(host);
+  const presence = new Presence(() => {});
+  const failures: unknown[] = [];
+  const viewer = new Viewer({ host, container, presence, scenes: x3dScenes }, { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: (error) => failures.push(error) });
+  viewer.setQuality({ steps: 60, maxError: 1, targetFps: 30 });
+  try {
+    await presence.ask(async () => {
+      await viewer.show(volume, { ...plainOptics, window: [0, 1], projection: null, shading: 'unlit', surfaces: null }, () => noCuts);
+      await viewer.redraw();
+      await use(viewer, viewer.pictures.parts.keeper.scene as VolumeScene);
+    });
+    expect(failures).to.deep.equal([]);
+  } finally {
+    viewer.dispose();
+    host.remove();
+  }
+}
+
+describe('a module that is added to the list of a layer', () => {
+  it('is drawn, picked and checked, and no more so when it is gone', async function () {
+    this.timeout(240_000);
+    await withViewer(async (viewer, scene) => {
+      const opacityOf = async (): Promise<number> => (await pick(viewer, [80, 60]))!.opacity;
+      const show = async (modules: readonly RayModule[]): Promise<Uint8Array> => {
+        scene.layers[0].setModules(modules);
+        viewer.invalidate();
+        await viewer.redraw();
+        await viewer.settled();
+        return scene.readPicture().data;
+      };
+      const before = await show([]);
+      const opacity = await opacityOf();
+      expect(opacity).to.be.within(0.1, 0.999);
+      expect((await checkPicture(viewer))!.agrees, 'without it').to.equal(true);
+
+      expect(comparePictures(await show([tint]), before).worst, 'it is drawn').to.be.above(20);
+      expect(await opacityOf(), 'it is picked').to.be.closeTo(1 - (1 - opacity) ** 0.25, 1e-3);
+      const check = (await checkPicture(viewer))!;
+      expect([check.agrees, check.off], 'it is checked').to.deep.equal([true, 0]);
+
+      await show([{ ...tint, twin: twinOf(here, () => ({})) }]);
+      expect((await checkPicture(viewer))!.agrees, 'what it is in float64 counts').to.equal(false);
+
+      expect(comparePictures(await show([]), before).worst, 'it is gone; another number of steps may be enough').to.be.at.most(1);
+      expect(await opacityOf(), 'from picks too').to.equal(opacity);
+
+      await show([tint]);
+      const tinted = await opacityOf();
+      viewer.pictures.parts.keeper.leave();
+      expect(viewer.pictures.parts.keeper.scene, 'its context is another view\'s').to.equal(null);
+      expect(await opacityOf(), 'the picture that stands there is picked').to.be.closeTo(tinted, 1e-9);
+    });
+  });
 });

@@ -70,6 +70,10 @@ class FakeScene {
     return null;
   }
 
+  twins(): null {
+    return null;
+  }
+
   setCamera(): void {}
   resetAuthorCamera(): void {}
 

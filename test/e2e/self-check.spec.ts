@@ -25,7 +25,9 @@ const kinds: Record<string, string> = {
   'a clip and a shape': `<volume-view src="${mri}" ${shown}><volume-clip normal="0 1 0"></volume-clip><transform translation="40 0 20"><shape><appearance><material diffuseColor="0 1 0"></material></appearance><sphere radius="30"></sphere></shape></transform></volume-view>`,
   'labels': `<volume-view src="${mri}" ${shown}><volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"></volume-labels></volume-view>`,
   'a layer': `<volume-view src="${mri}" ${shown}><volume-layer src="/demos/data/motor-synthetic.nii.gz"></volume-layer></volume-view>`,
+  'a layer that colours labels': `<volume-view src="${mri}" ${shown}><volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"></volume-labels><volume-layer src="/demos/data/motor-synthetic.nii.gz" blend="color"></volume-layer></volume-view>`,
   'a radar, its ground and its rings': `<volume-view src="${storm}" vertical-exaggeration="4" ${shown}></volume-view>`,
+  'cuts of a radar, brightened': `<volume-view src="${storm}" light-factor="1.5" vertical-exaggeration="4" ${shown}><volume-slice type="cappi" height="3000"></volume-slice></volume-view>`,
   'a lit radar in the colours of its wind': `<volume-view src="/demos/data/storm-radar-island.json" vertical-exaggeration="4" shading="lit" ${shown}><volume-layer src="/demos/data/storm-radar-1500-unfolded.json" blend="color"></volume-layer></volume-view>`,
 };
 

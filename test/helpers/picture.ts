@@ -1,20 +1,9 @@
-import { brighten } from '../../src/optics/transfer/brighten.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
-import { clipInterval, cutoutInterval } from '../../src/optics/rays/clip-intervals.ts';
 import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
-import { groupedStagesOf, groupOptics } from '../../src/optics/label-groups.ts';
-import { labelStages } from '../../src/optics/attachments/labels.ts';
-import { cartesianOverlay, overlayStages } from '../../src/optics/attachments/overlay.ts';
 import type { ShownOverlay } from '../../src/optics/attachments/overlay.ts';
-import type { FieldStage } from '../../src/optics/rays/ray-stages.ts';
-import { planeInterval } from '../../src/optics/attachments/plane-slices.ts';
 import type { PlaneSlice } from '../../src/optics/attachments/plane-slices.ts';
-import { cartesianField } from '../../src/optics/rays/ray-field.ts';
-import { shapeInterval } from '../../src/optics/rays/ray-intervals.ts';
-import { polarField, secondMomentField } from '../../src/radar/polar-field.ts';
 import { askTwoByteFilter } from '../../src/renderer/probes/probe-device.ts';
-import { projectionGather } from '../../src/optics/rays/projection.ts';
 import type { ProjectionKind } from '../../src/optics/rays/ray-style.ts';
 import { maxSubsteps } from '../../src/optics/transfer/substep-limits.ts';
 import { allSubsteps } from '../../src/optics/cells/substeps.ts';
@@ -23,11 +12,12 @@ import type { Ray, RaySetup } from '../../src/optics/rays/rays.ts';
 import { renderStages } from '../../src/optics/reference.ts';
 import type { RayStages } from '../../src/optics/rays/ray-stages.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
-import { sliceInterval, sliceMeeter } from '../../src/radar/slices.ts';
+import { radarTwins } from '../../src/radar/gpu/radar-twins.ts';
+import { sameGates } from '../../src/radar/gpu/second-moment.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { isPolar } from '../../src/volume/volume.ts';
-import { longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
+import { unitToWorld } from '../../src/volume/grid.ts';
 import type { GridFrame } from '../../src/volume/grid.ts';
 import type { ShownLabels } from '../../src/volume/labels.ts';
 import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
@@ -38,11 +28,23 @@ import { loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-fi
 import { createPlanes } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { createClip } from '../../src/renderer/ray/modules/clip.ts';
 import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
-import type { Optics, RayCut } from '../../src/renderer/ray/ray-module.ts';
+import type { VolumeLayer } from '../../src/renderer/layers/volume-layer.ts';
+import { composeTwins } from '../../src/renderer/ray/compose-twins.ts';
+import { groupsTwin } from '../../src/renderer/ray/modules/label-functions.ts';
+import { groupLooks, labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
+import { labelsTwin } from '../../src/renderer/ray/modules/labels.ts';
+import { shadingTwins } from '../../src/renderer/ray/modules/lit.ts';
+import { overlayTwins } from '../../src/renderer/ray/modules/overlay.ts';
+import { projectionTwin } from '../../src/renderer/ray/modules/projection.ts';
+import { usualTwins } from '../../src/renderer/ray/ray-twin.ts';
+import type { RayTwin } from '../../src/renderer/ray/ray-twin.ts';
+import type { Optics, RayCut, RayModule, StageName } from '../../src/renderer/ray/ray-module.ts';
 import { fieldProviders } from '../../components/internal/field-providers.ts';
-import { asPolar } from './synthetic-radar.ts';
 import { keyOf } from './key-of.ts';
+import { createQuietLayer } from './quiet-layer.ts';
 import { readPixels } from './read-pixels.ts';
+import { syntheticVolume } from './synthetic.ts';
+import { evenAzimuths, radarVolume } from './synthetic-radar.ts';
 
 /** Pixels of a test picture: enough to see every kind of ray, few enough for software GL. */
 export const [width, height] = [48, 36];
@@ -149,6 +151,8 @@ export interface View {
   readonly overlay?: ShownOverlay | null;
   /** The part that is shown; all of it where absent. */
   readonly region?: GridFrame | null;
+  /** Modules of others in it; the scene has to be told by `setModules`, or by `setStyle` where they are of a style. */
+  readonly modules?: readonly RayModule[];
   /** Of steps. Where absent, as many as there may be in the reference, and what the scene was told in the picture. */
   readonly maxSubsteps?: number;
   /** Pixels across and down, which the scene has to have; `width` and `height` where absent. */
@@ -171,16 +175,20 @@ export function walksIn<T>(version: 1 | 2, scene: number, both: readonly T[]): r
 
 /** Draw a view with the GPU. */
 export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
-  const { volume, camera, stepLength, optics = plainOptics, slices = [], planes = [], clips, region = null, maxSubsteps } = view;
+  const { volume, camera, stepLength, optics = plainOptics, slices = [], region = null, maxSubsteps } = view;
   if (maxSubsteps) scene.setSubsteps({ ...allSubsteps, most: maxSubsteps });
   scene.setVolume(volume);
   void scene.setOptics(optics); // At once: `createScene` has loaded what any of them needs.
-  const cuts: RayCut[] = [{ create: createClip, items: clips?.kept ?? [] }, { create: createCutout, items: clips?.cutout ? [clips.cutout] : [] }, { create: createPlanes, items: planes }];
-  scene.setSlices(slices, cuts.filter(({ items }) => items.length > 0));
+  scene.setSlices(slices, cutsOf(view));
   scene.setRegion(region);
   scene.setCamera(camera);
   scene.draw(stepLength);
   return readPixels(scene);
+}
+
+function cutsOf({ planes = [], clips }: View): readonly RayCut[] {
+  const cuts: RayCut[] = [{ create: createClip, items: clips?.kept ?? [] }, { create: createCutout, items: clips?.cutout ? [clips.cutout] : [] }, { create: createPlanes, items: planes }];
+  return cuts.filter(({ items }) => items.length > 0);
 }
 
 /** The rays of a camera, without asking x3dom. */
@@ -198,25 +206,55 @@ export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Floa
   return picture.slice(); // What a caller writes into it is its own.
 }
 
-/** The stages of a view's rays in float64. */
+/** A layer that draws nothing: what its modules are in float64 is the reference. */
+const quiet = await prepareLayer();
+
+async function prepareLayer(): Promise<VolumeLayer> {
+  const layer = createQuietLayer();
+  const some = syntheticVolume({ dimensions: [2, 2, 2] });
+  const radar = radarVolume({ sweeps: [{ elevation: 1, azimuths: evenAzimuths(4), gates: 2 }] });
+  for (const volume of [some, { ...some, isDiscrete: true }, radar]) await layer.prepare(volume, { ...plainOptics, transferFunction: jump });
+  await Promise.all([usualTwins.load(), shadingTwins.load(), radarTwins.load(), loadCartesianChunks()]);
+  return layer;
+}
+
+/** The stages of a view's rays in float64: those of the modules that draw it. */
 export function stagesOfView(view: View, surfaceT?: (ray: Ray) => number): RayStages {
-  const scene = referenceOf(view, surfaceT);
-  return groupedStagesOf(scene, raysOf(view), groupOptics((!view.projection && view.labels?.functions) || [], scene));
+  const { volume, optics = plainOptics, slices = [], stepLength, maxSubsteps: most = maxSubsteps } = view;
+  quiet.set(volume);
+  void quiet.setOptics(optics); // At once: what any of them needs is there.
+  quiet.slices = slices;
+  quiet.cuts = cutsOf(view);
+  quiet.setModules(modulesBeside(view));
+  const frame = { volume, optics, rays: raysOf(view), placesOnly: false, ...(surfaceT && { shapeT: surfaceT }) };
+  return composeTwins(quiet.twins(surfaceT !== undefined, most > 1)!, frame, { stepLength, maxSubsteps: most });
 }
 
-/** What the reference knows of a view. */
-export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, clips, projection, intensityThreshold, labels, overlay, maxSubsteps }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
-  const painted = planes ? [planeInterval(planes, cartesianField({ ...volume, ...volume.grid }), brighten(optics.transferFunction, optics.lightFactor))] : [];
-  const cut = [...(clips?.kept ? [clipInterval(clips.kept)] : []), ...(clips?.cutout ? [cutoutInterval(clips.cutout)] : [])];
-  const ends = [...cut, ...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : []), ...painted];
-  const field = isPolar(volume) ? { field: polarField(volume) } : {};
-  const beside = [labels && labelStages(labels, Boolean(projection)), overlay && overlayStages(overlay, fieldOf(overlay), { optics, diameter: longestDiagonal(volume.grid) })].filter((one) => one);
-  const more = { moreFields: beside.flatMap((one) => one!.moreFields), shades: beside.flatMap((one) => one!.shades) };
-  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection, intensityThreshold) } : {}), ...more, ...(maxSubsteps && { maxSubsteps }) };
+/** What a scene is told by `setLabels`, `setOverlay` and `setStyle`, which a quiet layer has no time for. */
+function modulesBeside({ labels, overlay, projection, intensityThreshold, modules = [] }: View): RayModule[] {
+  const functions = (!projection && labels?.functions) || null;
+  const layer = overlay && overlayTwins(overlay, isPolar(overlay.volume) ? sameGates : undefined);
+  const own: (RayModule | null | false | undefined)[] = [
+    labels && moduleOf('labels', 'field', labelsTwin(labels, Boolean(projection))),
+    functions && moduleOf('labelFunctions', 'classify', groupsTwin(functions)),
+    labels && !projection && (functions ? groupLooks : labelLooks),
+    layer && moduleOf('overlay', 'field', layer.field),
+    layer && moduleOf('overlayLook', 'shade', layer.look),
+    projection && moduleOf(projection, 'gather', projectionTwin({ kind: projection, threshold: intensityThreshold })),
+  ];
+  return [...own.filter((one): one is RayModule => Boolean(one)), ...modules];
 }
 
-function fieldOf(overlay: ShownOverlay): FieldStage {
-  return isPolar(overlay.volume) ? secondMomentField(asPolar(overlay.over), overlay.volume) : cartesianOverlay(overlay);
+/** A module that is never drawn. */
+function moduleOf(name: string, stage: StageName, twin: RayTwin): RayModule {
+  return { name, stage, twin, ...(stage === 'field' && { members: [] }), defines: {}, chunks: [], samplers: [], sparesRays: true, order: 1, inputs: () => ({ uniforms: {}, units: [] }) };
+}
+
+/** The same as a scene of the reference, for what stands in for one of its stages. */
+export function referenceOf(view: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
+  const { volume, optics = plainOptics, stepLength, projection, modules, maxSubsteps: most } = view;
+  const { intervals: [, ...ends], field, moreFields, shades, gather, classify } = stagesOfView(view, surfaceT);
+  return { ...volume, ...optics, stepLength, ends, field, moreFields, shades, ...(projection && { gather }), ...(modules && { classifyBy: () => classify }), ...(most && { maxSubsteps: most }) };
 }
 
 export interface Difference {

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import type { OverlaidSample } from '../../src/optics/attachments/overlay.ts';
 import { extinction } from '../../src/optics/transfer/opacity.ts';
-import { isOver } from '../../src/optics/attachments/overlay.ts';
+import { cartesianOverlay, isOver, overlayStages } from '../../src/optics/attachments/overlay.ts';
 import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
 import { readVoxelTexture } from '../../src/x3d/nodes/volume-textures.ts';
 import { atlasOf, fakeView, plainLook, viewOf } from '../helpers/fake-view.ts';
@@ -17,11 +17,11 @@ describe('a second volume in BlendedVolumeStyle', () => {
     const look = await view.read();
     expect(view.errors.first).to.equal(null);
     expect(look.transferFunction, 'the texture is the second one\'s').to.equal(plainLook.transferFunction);
-    const { shown, stages, valueAt } = view.shown.overlay!;
+    const { shown, valueAt } = view.shown.overlay!;
     expect([shown.blend, shown.volume.grid.dimensions, isOver(shown, shown.over)]).to.deep.equal(['mix', [3, 1, 2], true]);
     // Its slices, one behind the other: 0 in the first, 255 in two of three pixels of the second.
     expect([[0.5, 0.5, 0.25], [0.1, 0.5, 0.75], [0.9, 0.5, 0.75]].map((place) => valueAt(place as [number, number, number]))).to.deep.equal([0, 0, 255]);
-    const { shades: [shade] } = stages({ ...look, transferFunction: [] } as unknown as Parameters<typeof stages>[0], 3);
+    const { shades: [shade] } = overlayStages(shown, cartesianOverlay(shown), { optics: { ...look, referenceLength: 1 }, diameter: 3 });
     const sample = { value: 1, valid: true, overlay: 100 } as OverlaidSample;
     const first = 0.4 * 0.7 * 3 * 0.2; // The first volume's depth, of 0.7 a unit.
     const opacity = -Math.expm1(-first);

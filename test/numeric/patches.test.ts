@@ -9,10 +9,13 @@ import { erf, gaussianReach, meanOfPatch, meanOverWay, outlinePatches, spanOfPat
 import type { Patch, ValueAndGradient } from '../../src/optics/transfer/patches.ts';
 import { storedField } from '../../src/optics/rays/ray-field.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
+import { pointField } from '../../src/optics/rays/lit.ts';
+import { patchClassify } from '../../src/optics/rays/patch-classify.ts';
+import type { ClassifyStage } from '../../src/optics/rays/ray-stages.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
 import { isUsual } from '../../src/optics/transfer/usual-columns.ts';
-import { patchedStages } from '../../src/viewer/picking/pick-patches.ts';
+import { cartesianSlopes } from '../../src/optics/shading-twins.ts';
 import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';
 import { plainLook } from '../../src/viewer/model/settings.ts';
 import { styleOf } from '../../src/viewer/model/volume-info.ts';
@@ -98,7 +101,9 @@ describe('patches of value and gradient', () => {
     // Known everywhere, so that gradients at the bounds are those inside.
     const field = storedField(([x, y, z]) => 20 * (4 * x + 2 * y + 5 * z), { slope: 1, intercept: 0 });
     const optics = { ...plainOptics, referenceLength: 2.5, opacityFactor: 1.3 };
-    const staged = patchedStages({ volume, optics: { ...optics, patches }, setup });
+    const slopes = cartesianSlopes(volume);
+    const scene = { ...slopes, field: slopes, patches, grid: volume.grid, opticalScale: (setup.diameter / optics.referenceLength) * optics.opacityFactor };
+    const staged = { moreFields: [pointField], classifyBy: (usual: ClassifyStage) => patchClassify(usual, scene) };
     const ray = rayThrough(setup, 0.03, -0.02);
     const depths = [0.4, 1.1, 3].map((stepLength) => {
       const scene = { ...volume, ...optics, field, transferFunction: outlinePatches(patches), stepLength, ...staged };

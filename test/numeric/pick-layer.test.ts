@@ -6,22 +6,27 @@ import { makeOverlay } from '../../src/viewer/attachments/make-overlay.ts';
 import { pick } from '../../src/viewer/picking/pick.ts';
 import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
 import type { Viewer } from '../../src/viewer/view/viewer.ts';
+import { styleOf } from '../../src/viewer/model/volume-info.ts';
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import { overlayOf } from '../helpers/overlays.ts';
 import { plainOptics } from '../helpers/picture.ts';
+import { createQuietLayer } from '../helpers/quiet-layer.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 /** Data in its left half alone, of which little shows. */
 const volume = { ...syntheticVolume({ dimensions: [10, 10, 10], kind: 'float32', field: (x) => (x > 0.5 ? NaN : 0.2) }), hasNoData: true };
 const layer = syntheticVolume({ dimensions: [10, 10, 10], kind: 'float32', field: () => 1 });
 
-function pickAt(across: number, { styles, blend = 'mix' }: Pick<RayStyle, 'styles'> & { blend?: 'mix' | 'color' }): Promise<VolumePick | null> {
+async function pickAt(across: number, { styles, blend = 'mix' }: Pick<RayStyle, 'styles'> & { blend?: 'mix' | 'color' }): Promise<VolumePick | null> {
   const optics = { ...plainOptics, projection: null, surfaces: null, shading: 'unlit', ...(styles && { styles }) } as unknown as VolumeOptics;
   const overlay = makeOverlay(overlayOf(volume, layer, { blend }), 'PET');
+  const quiet = createQuietLayer();
+  quiet.set(volume);
+  await Promise.all([quiet.setOptics(optics), quiet.setStyle(styleOf(optics)), quiet.setBeside((beside) => beside.setOverlay(overlay.shown))]);
   const view = { view: viewMatrix(orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 30 }, [0, 0, 0], 0.6)), projection: projectionMatrix(0.6, 1, 1, 2) };
   const viewer = {
     volume, optics, drawn: true, place: { host: { clientWidth: 100, clientHeight: 100 } },
-    pictures: { parts: { shown: { grid: volume.grid, cuts: { region: null, slices: [], cuts: [] }, labels: null, overlay }, keeper: { scene: { getView: () => view } } } },
+    pictures: { parts: { shown: { grid: volume.grid, cuts: { region: null, slices: [], cuts: [] }, labels: null, overlay }, keeper: { scene: { getView: () => view }, twins: (looks: boolean) => quiet.twins(false, looks) } } },
   };
   return pick(viewer as unknown as Viewer, [across, 50]);
 }

@@ -10,8 +10,10 @@ import { pickRay } from '../../src/optics/pick-ray.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import { placeOnEarth } from '../../src/radar/place-on-earth.ts';
+import { polarField } from '../../src/radar/polar-field.ts';
 import { stretchOf } from '../../src/radar/polar-geometry.ts';
-import { describeRadar, radarStages } from '../../src/viewer/picking/pick-radar.ts';
+import { sliceInterval, sliceMeeter } from '../../src/radar/slices.ts';
+import { describeRadar } from '../../src/viewer/picking/pick-radar.ts';
 import { projectPlace } from '../../src/viewer/camera/project-place.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
@@ -65,7 +67,7 @@ function pickAbove(volume: PolarVolume, sweep: number, [x, y, z]: Vector3) {
   const at = projectPlace(camera, world, size)!;
   const look = { transferFunction: faint(volume.range), projection: null };
   const optics = { ...look, lightFactor: 1, opacityFactor: 1, referenceLength: 1e6 };
-  const scene = { ...volume, ...optics, stepLength: longestDiagonal(grid) / 100, ...radarStages(volume, [{ kind: 'cone', sweep }], optics) };
+  const scene = { ...volume, ...optics, stepLength: longestDiagonal(grid) / 100, field: polarField(volume), ends: [sliceInterval(sliceMeeter(volume, [{ kind: 'cone', sweep }], optics))] };
   const found = pickRay(stagesOf(scene, rays), rayThrough(rays, (2 * at[0]) / size.width - 1, 1 - (2 * at[1]) / size.height), { at: 'jump', look });
   return found && describeRadar(volume, found.place);
 }

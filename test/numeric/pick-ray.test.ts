@@ -5,8 +5,9 @@ import { clipInterval, cutoutInterval } from '../../src/optics/rays/clip-interva
 import { findJump } from '../../src/optics/pick-jump.ts';
 import { planeInterval } from '../../src/optics/attachments/plane-slices.ts';
 import { pickRay } from '../../src/optics/pick-ray.ts';
-import { surfaceStages } from '../../src/optics/pick-iso-surfaces.ts';
+import { surfaceGather } from '../../src/optics/surfaces/surfaces.ts';
 import type { PickAt } from '../../src/optics/pick-ray.ts';
+import { pointField } from '../../src/optics/rays/lit.ts';
 import { projectionGather } from '../../src/optics/rays/projection.ts';
 import type { FieldStage } from '../../src/optics/rays/ray-stages.ts';
 import { shapeInterval } from '../../src/optics/rays/ray-intervals.ts';
@@ -194,7 +195,7 @@ describe('a pick of surfaces', () => {
   const fog: Stop[] = [{ value: -1, color, opacity: 0 }, { value: 1, color, opacity: 0 }, { value: 1, color, opacity: 0.02 }, { value: 9, color, opacity: 0.02 }];
   const bent = byDepth((depth) => (depth / 50) ** 3);
   const found = (surfaces: ReturnType<typeof white>[], at: PickAt, { isClear = true, transferFunction = fog } = {}) => {
-    const scene = stages(bent, transferFunction, { stepLength: 3, ...surfaceStages(surfaces, isClear) });
+    const scene = stages(bent, transferFunction, { stepLength: 3, moreFields: [pointField], gather: surfaceGather({ surfaces, isClear, light: null, toEye: () => [0, 0, 1], refinements: 40 }) });
     const one = pickRay(scene, rayThrough(rays, 0, 0), { at, look: { transferFunction, projection: null, isClear } });
     return one && { surface: one.surface, depth: 100 * (1 - one.place[2]) };
   };

@@ -3,25 +3,32 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera, viewMatrix } from '../../src/optics/rays/camera.ts';
 import { castRay } from '../../src/optics/rays/cast-ray.ts';
 import { cartesianGradient, flatChange, flatShare, weighChange } from '../../src/optics/rays/gradient.ts';
+import { clipInterval } from '../../src/optics/rays/clip-intervals.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import type { SceneLights } from '../../src/optics/transfer/lights.ts';
+import { maxSubsteps } from '../../src/optics/transfer/substep-limits.ts';
 import { litShade, pointField } from '../../src/optics/rays/lit.ts';
 import { cartesianField, storedField } from '../../src/optics/rays/ray-field.ts';
-import type { ShadeStage } from '../../src/optics/rays/ray-stages.ts';
+import type { RayStages, ShadeStage } from '../../src/optics/rays/ray-stages.ts';
 import { setUpRays } from '../../src/optics/rays/rays.ts';
+import type { RaySetup } from '../../src/optics/rays/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { composite } from '../../src/optics/rays/segment.ts';
-import { surfaceStages } from '../../src/optics/pick-iso-surfaces.ts';
 import { perGradientReach, styledShade } from '../../src/optics/rays/styled.ts';
 import { buildStyleTable, fromHsv, gradientReach, shareOfChange, styleColumns, toHsv, withLight } from '../../src/optics/transfer/volume-styles.ts';
 import type { StyleChain, VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
 import type { Premultiplied } from '../../src/optics/transfer/transfer-function.ts';
-import { styledStages, surfaceStylesOf } from '../../src/viewer/picking/pick-styles.ts';
+import { composeTwins, loadTwins } from '../../src/renderer/ray/compose-twins.ts';
+import { createClip } from '../../src/renderer/ray/modules/clip.ts';
+import type { Optics, RayCut } from '../../src/renderer/ray/ray-module.ts';
 import { dot, normalize } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
+import type { Volume } from '../../src/volume/volume.ts';
 import { plainOptics } from '../helpers/picture.ts';
 import { castPixels } from '../helpers/pixel-rays.ts';
+import { createQuietLayer } from '../helpers/quiet-layer.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const parallel = (wide: number): Matrix4 => [2 / wide, 0, 0, 0, 0, 2 / wide, 0, 0, 0, 0, -0.001, 0, 0, 0, 0, 1];
@@ -234,8 +241,21 @@ describe('a lit view with a style', () => {
   });
 });
 
+/** The stages of a pick's rays through a ball. */
+async function pickedStages(ball: Volume, setup: RaySetup, { style, optics, stepLength, cuts = [] }: { style: RayStyle; optics: Optics; stepLength: number; cuts?: readonly RayCut[] }): Promise<RayStages> {
+  const layer = createQuietLayer();
+  await layer.prepare(ball, optics);
+  layer.set(ball);
+  layer.cuts = cuts;
+  await Promise.all([layer.setOptics(optics), layer.setStyle(style)]);
+  const twins = layer.twins(false, true)!;
+  const frame = { volume: ball, optics, rays: setup, placesOnly: true };
+  await loadTwins(twins, frame);
+  return composeTwins(twins, frame, { stepLength, maxSubsteps });
+}
+
 describe('a pick in a volume that wears styles', () => {
-  it('casts the rays of the picture: cuts, region and all', () => {
+  it('casts the rays of the picture: cuts, region and all', async () => {
     const styles: VolumeStyle[] = [{ kind: 'boundary', retained: 0.3, boundary: 2, power: 1 }, { kind: 'silhouette', retained: 0.2, boundary: 1, sharpness: 0.5 }];
     const ball = syntheticVolume({ dimensions: [12, 12, 12], kind: 'float32', field: (x, y, z) => 1.4 - 2 * Math.hypot(x - 0.5, y - 0.5, z - 0.5) });
     const { grid } = ball;
@@ -247,28 +267,25 @@ describe('a pick in a volume that wears styles', () => {
       grid, gradient: cartesianGradient(own, grid), flat: flatChange([0, 1.5], ball.range), chains: [{ weight: 1, styles }], referenceLength, opticalScale: (0.7 * setup.diameter) / referenceLength,
       cuts: { unitToRegion: setup.unitToRegion, halfSpaces: [kept], unitToCutout: null },
     });
-    const picked = styledStages({ volume: ball, optics: { ...optics, window: [0, 1.5], projection: null, shading: 'unlit', surfaces: null }, setup, cuts: [{ create: () => null!, items: [kept] }] }, [{ weight: 1, styles }]);
-    const pictures = [[expected], picked.shades].map((shades) => {
-      const scene: ReferenceScene = { ...ball, ...optics, stepLength: 0.7, moreFields: [pointField], shades };
-      const stages = stagesOf(scene, setup);
-      return castPixels(setup, [5, 5], (ray) => castRay(stages, ray));
-    });
+    const scene: ReferenceScene = { ...ball, ...optics, stepLength: 0.7, moreFields: [pointField], shades: [expected], ends: [clipInterval([kept])] };
+    const picked = await pickedStages(ball, setup, { style: { styles: [{ weight: 1, styles }] }, optics, stepLength: 0.7, cuts: [{ create: createClip, items: [kept] }] });
+    const pictures = [stagesOf(scene, setup), picked].map((stages) => castPixels(setup, [5, 5], (ray) => castRay(stages, ray)));
     expect(Math.max(...pictures[0])).to.be.above(0.05);
     expect(pictures[1]).to.deep.equal(pictures[0]);
   });
 
-  it('sees surfaces as thin as their silhouette makes them', () => {
+  it('sees surfaces as thin as their silhouette makes them', async () => {
     const ball = syntheticVolume({ dimensions: [24, 24, 24], kind: 'float32', field: (x, y, z) => 1.4 - 2 * Math.hypot(x - 0.5, y - 0.5, z - 0.5) });
     const setup = setUpRays(ball.grid, viewMatrix(camera), parallel(8), null)!;
     const surfaces = { surfaces: [{ value: 0.9, color: [1, 1, 1], opacity: 0.8 }], clear: true } as const;
-    const optics = { ...plainOptics, transferFunction, referenceLength, window: [0, 1.5], projection: null, shading: 'unlit', surfaces } as const;
-    const opacityOf = (retained: number): number => {
-      const stylesOf = surfaceStylesOf({ volume: ball, optics, setup, cuts: [] }, [{ kind: 'silhouette', retained, boundary: 0, sharpness: 1 }]);
-      const stages = stagesOf({ ...ball, ...optics, stepLength: 0.5, ...surfaceStages(surfaces.surfaces, true, stylesOf) }, setup);
+    const optics = { ...plainOptics, transferFunction, referenceLength };
+    const opacityOf = async (retained: number): Promise<number> => {
+      const style: RayStyle = { ...surfaces, surfaceStyles: [{ kind: 'silhouette', retained, boundary: 0, sharpness: 1 }] };
+      const stages = await pickedStages(ball, setup, { style, optics, stepLength: 0.5 });
       return castPixels(setup, [1, 1], (ray) => castRay(stages, ray))[3];
     };
     // In, and out again.
-    expect(opacityOf(1)).to.be.closeTo(1 - 0.2 ** 2, 1e-6);
-    expect(opacityOf(0.25), 'of a quarter').to.be.closeTo(1 - 0.8 ** 2, 1e-3);
+    expect(await opacityOf(1)).to.be.closeTo(1 - 0.2 ** 2, 1e-6);
+    expect(await opacityOf(0.25), 'of a quarter').to.be.closeTo(1 - 0.8 ** 2, 1e-3);
   });
 });

@@ -7,7 +7,7 @@ import { brighten } from '../transfer/brighten.ts';
 import { exactMeans } from '../transfer/exact-means.ts';
 import { extinction } from '../transfer/opacity.ts';
 import { cartesianField } from '../rays/ray-field.ts';
-import type { FieldStage, RayStages, Sample, Segment, ShadeStage } from '../rays/ray-stages.ts';
+import type { FieldStage, RayStages, Sample, SecondFieldStage, Segment, ShadeStage } from '../rays/ray-stages.ts';
 import { largestOpacity } from '../transfer/transfer-function.ts';
 import type { Color, OpticalFactors, Premultiplied, TransferFunction } from '../transfer/transfer-function.ts';
 
@@ -83,6 +83,11 @@ export function cartesianOverlay({ volume, over }: ShownOverlay): FieldStage {
   };
 }
 
+/** What of a layer is known of each place. @param field - of the layer, by places of the volume's unit cube */
+export function overlayField(field: FieldStage): SecondFieldStage {
+  return (place, known): OverlaidSample => ({ ...known, overlay: field.sampleAt(place).value });
+}
+
 /**
  * What a layer adds to rays.
  * @param field - of the layer, by places of the volume's unit cube
@@ -93,7 +98,7 @@ export function overlayStages(
   overlay: ShownOverlay, field: FieldStage, { optics, diameter }: { readonly optics: OpticalFactors & { readonly referenceLength: number }; readonly diameter: number },
 ): Pick<RayStages, 'moreFields' | 'shades'> {
   return {
-    moreFields: [(place, known): OverlaidSample => ({ ...known, overlay: field.sampleAt(place).value })],
+    moreFields: [overlayField(field)],
     shades: [overlayShade(overlay, field, { lightFactor: optics.lightFactor, opticalScale: (diameter * optics.opacityFactor * overlay.opacityFactor) / optics.referenceLength })],
   };
 }

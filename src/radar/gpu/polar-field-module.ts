@@ -19,9 +19,9 @@ import type { PolarTable } from '../polar-table.ts';
 import type { Uniforms } from '../../renderer/device/inputs.ts';
 import { chooseFloatScale, prepareFloats } from '../../renderer/device/prepare-floats.ts';
 import type { FieldModule, RayText } from '../../renderer/ray/ray-module.ts';
+import { twinOf } from '../../renderer/ray/ray-twin.ts';
 import { textureUnit } from '../../renderer/device/texture-unit.ts';
-
-export { polarField as twin } from '../polar-field.ts';
+import { radarTwins } from './radar-twins.ts';
 
 /** What its text depends on. */
 export interface PolarOptions {
@@ -44,6 +44,8 @@ export function polarText({ twoBytes, radialElevations, folds, crowds }: PolarOp
     samplers: ['uVolume', 'uPolarTable'],
   };
 }
+
+const twin = twinOf(radarTwins, ({ polarField }, { volume }) => (isPolar(volume) ? { field: polarField(volume) } : {}));
 
 /** Floats below this are no data; for integers, what is nearer to 0 than to 1 is. */
 const noDataBelow = -3e38;
@@ -103,6 +105,7 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
     stage: 'field',
     sparesRays: true,
     order: 2,
+    twin,
     storedScale,
     bytes: layout.width * layout.height * samples.BYTES_PER_ELEMENT + table.texels.byteLength,
     inputs: () => ({ uniforms, units }),

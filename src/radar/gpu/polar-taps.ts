@@ -1,9 +1,9 @@
 import polarTaps from '../../../shaders/chunks/radar/gradient-polar.glsl?raw';
 import type { FieldTaps } from '../../renderer/ray/modules/lit.ts';
+import { partOf } from '../../renderer/ray/ray-twin.ts';
 import { beamTaps } from '../polar-gradient.ts';
 import { stretchOf } from '../polar-geometry.ts';
-
-export { polarGradient as twin } from '../polar-gradient.ts';
+import { radarTwins } from './radar-twins.ts';
 
 /** How a radar's field is lit: loaded with light. */
 export const polarTapsOf: FieldTaps = {
@@ -14,4 +14,5 @@ export const polarTapsOf: FieldTaps = {
     return { uBeamTaps: [range, angle] };
   },
   normals: ({ grid }) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 / stretchOf(grid), 0, 0, 0, 0, 1],
+  slopes: partOf(radarTwins, ({ polarSlopes }) => polarSlopes),
 };

@@ -8,9 +8,14 @@ import type { Upload } from '../../renderer/textures/fill-texture.ts';
 import { pairTexels, pairUp } from '../../renderer/textures/float-pairs.ts';
 import { chooseFloatScale, prepareFloats } from '../../renderer/device/prepare-floats.ts';
 import type { SecondField } from '../../renderer/ray/ray-module.ts';
-import { secondMomentText } from '../../renderer/ray/modules/overlay.ts';
+import { overlayTwins, secondMomentText } from '../../renderer/ray/modules/overlay.ts';
+import { partOf } from '../../renderer/ray/ray-twin.ts';
 import { textureUnit } from '../../renderer/device/texture-unit.ts';
 import { layOutRadials, packRows } from '../polar-layout.ts';
+import { radarTwins } from './radar-twins.ts';
+
+/** Another moment's field, where it is over a volume of the same gates. */
+export const sameGates = partOf(radarTwins, ({ secondMoment }) => secondMoment);
 
 /**
  * Upload another moment of a radar's gates, as data values, beside what is stored of the first one, so that a fetch has both: where that has a
@@ -44,6 +49,7 @@ export function* uploadSecondMoment(gl: Gl, { volume, over }: Pick<ShownOverlay,
   const folds = grid.foldFrom !== undefined;
   const foldFrom = folds ? grid.foldFrom * Math.abs(slope) : Infinity;
   return {
+    twins: (overlay) => overlayTwins(overlay, sameGates),
     text: secondMomentText(folds),
     stored: { slope: 1, intercept: 0, storedScale: 1 },
     foldFrom,

@@ -6,6 +6,8 @@ import type { Gl } from '../../renderer/device/device.ts';
 import { outlinesText, outlineUniforms } from '../../renderer/ray/outline-uniforms.ts';
 import { Kept } from '../../renderer/device/kept.ts';
 import type { RayText, SliceModule } from '../../renderer/ray/ray-module.ts';
+import { twinOf } from '../../renderer/ray/ray-twin.ts';
+import type { RayTwin } from '../../renderer/ray/ray-twin.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { outlinesOf } from '../../optics/attachments/plane-outlines.ts';
 import { minSliceOpacity } from '../../optics/attachments/plane-slices.ts';
@@ -13,8 +15,7 @@ import { coneSearch, isFlat, maxSlices, planeOfSlice } from '../slices.ts';
 import type { Slice } from '../slices.ts';
 import { sliceUniforms, uploadStops } from './slice-textures.ts';
 import type { StopsTexture } from './slice-textures.ts';
-
-export { sliceInterval as twin } from '../slices.ts';
+import { radarTwins } from './radar-twins.ts';
 
 export const slicesText: RayText = {
   name: 'slices',
@@ -30,6 +31,9 @@ export const slicesText: RayText = {
   between: outlinesText,
 };
 
+const twin = (slices: readonly Slice[]): RayTwin =>
+  twinOf(radarTwins, ({ sliceInterval, sliceMeeter }, { volume, optics }) => (isPolar(volume) ? { intervals: [sliceInterval(sliceMeeter(volume, slices, optics))] } : {}));
+
 /** Slices through a radar volume end rays, and stand behind what is before them. At most `maxSlices`. */
 export function createSlices(gl: Gl): SliceModule<Slice> {
   const stops = new Kept<StopsTexture>();
@@ -42,6 +46,9 @@ export function createSlices(gl: Gl): SliceModule<Slice> {
       return this.slices.every(isFlat);
     },
     order: Infinity,
+    get twin() {
+      return twin(this.slices);
+    },
     inputs({ volume, rays, optics: { transferFunction, lightFactor }, domain }) {
       const { unit, uniforms } = stops.get([transferFunction, lightFactor], (last) =>
         uploadStops(gl, brighten(transferFunction, lightFactor), domain, last?.unit.texture ?? null));

@@ -20,8 +20,8 @@ import { createLabelTable } from './label-table.ts';
 import type { LabelTable } from './label-table.ts';
 import { uploadBlock } from '../ray/modules/cartesian-field.ts';
 import type { BlockTexture } from '../ray/modules/cartesian-field.ts';
-import { labelLooks } from '../ray/modules/label-looks.ts';
-import { labelsText } from '../ray/modules/labels.ts';
+import { groupLooks, labelLooks } from '../ray/modules/label-looks.ts';
+import { labelsText, labelsTwin } from '../ray/modules/labels.ts';
 import type { LabelFunctions } from '../ray/modules/label-functions.ts';
 import type { FieldModule, Optics, RayModule } from '../ray/ray-module.ts';
 import { uploadGradually } from '../textures/upload-gradually.ts';
@@ -110,10 +110,10 @@ export class LabelLayer {
       const { most } = this.#looksOf(labels);
       return (_low, _high, cell) => most[cell] > 0;
     });
-    const field: RayModule<'field'> = { ...text, stage: 'field', sparesRays: true, order: 1, contributes: () => contribution, inputs: () => this.#inputs(labels) };
+    const field: RayModule<'field'> = { ...text, stage: 'field', sparesRays: true, order: 1, contributes: () => contribution, inputs: () => this.#inputs(labels), twin: labelsTwin(labels, !cutsSteps) };
     if (!cutsSteps) return [field];
     const frame = { volume: volume!, field: voxels!, optics: optics! };
-    return [field, ...(functions ? this.#functions!.modules({ functions, looks: this.#looksOf(labels) }, frame) : []), labelLooks];
+    return [field, ...(functions ? this.#functions!.modules({ functions, looks: this.#looksOf(labels) }, frame) : []), functions ? groupLooks : labelLooks];
   }
 
   /** What labels make of what could be missed: see `SeenVolume`. */

@@ -21,7 +21,7 @@ import type { ProgramInputs } from '../device/inputs.ts';
 import { Kept } from '../device/kept.ts';
 import { askTwoByteFilter } from '../probes/probe-device.ts';
 import { isFiltered, prepareCartesian, uploadBlock } from '../ray/modules/cartesian-field.ts';
-import { overlayLookText, overlayText } from '../ray/modules/overlay.ts';
+import { overlayLookText, overlayText, overlayTwins } from '../ray/modules/overlay.ts';
 import type { Optics, RayFrame, RayModule, SecondField } from '../ray/ray-module.ts';
 import { uploadTable } from '../textures/table-textures.ts';
 import { uploadGradually } from '../textures/upload-gradually.ts';
@@ -81,6 +81,7 @@ export class OverlayLayer {
     const { uniforms: { uMosaic }, units: [unit] } = block.inputs();
     const uniforms = { uOverlayDimensions: grid.dimensions, ...(uMosaic ? { uOverlayMosaic: uMosaic } : {}) };
     return {
+      twins: overlayTwins,
       text: overlayText({ texture3d: this.device.webgl2, twoBytes: samples instanceof Uint16Array, filter, holes }),
       stored: { slope, intercept, storedScale: block.storedScale },
       foldFrom: Infinity,
@@ -100,10 +101,11 @@ export class OverlayLayer {
     const domain = domainOf(overlay.transferFunction);
     const { from, scale } = mapShares({ ...stored, range: overlay.volume.range }, domain);
     const shared = { sparesRays: true, order: 2 };
+    const twins = field.twins(overlay);
     return [
-      { ...field.text, ...shared, stage: 'field', inputs: (frame) => joinInputs(field.inputs(frame.volume), { uniforms: { uOverlayDomain: [scale, from] }, units: [] }) },
+      { ...field.text, ...shared, stage: 'field', twin: twins.field, inputs: (frame) => joinInputs(field.inputs(frame.volume), { uniforms: { uOverlayDomain: [scale, from] }, units: [] }) },
       {
-        ...overlayLookText({ color, tableFilter: this.device.floatLinear, folds }), ...shared, stage: 'shade',
+        ...overlayLookText({ color, tableFilter: this.device.floatLinear, folds }), ...shared, stage: 'shade', twin: twins.look,
         inputs: (frame) => joinInputs(this.#tableOf(overlay, frame), {
           uniforms: {
             uOverlayFold: Math.min(largestFactor, foldFrom / (domain[1] - domain[0])),

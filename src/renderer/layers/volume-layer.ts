@@ -29,6 +29,7 @@ import { cartesianProvider, loadCartesianChunks, prepareCartesian } from '../ray
 import { createComposite } from '../ray/modules/composite.ts';
 import { createTransferFunction } from '../ray/modules/transfer-function.ts';
 import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, Surfaces, SurfacesModule } from '../ray/ray-module.ts';
+import type { RayTwins } from '../ray/ray-twin.ts';
 import type { StyleModules } from '../ray/styles/styles.ts';
 import { SeenInLayer } from './seen-in-layer.ts';
 import { valueUniforms } from '../ray/uniforms.ts';
@@ -184,6 +185,13 @@ export class VolumeLayer {
     const beside = chooseModules([...own, ...(this.#beside?.modules(this) ?? [])]);
     const all = this.#beside?.fit(beside) ?? beside;
     return chooseModules([...all, ...(this.#style?.modules(all) ?? []), ...this.#given]);
+  }
+
+  /** The same rays as they are cast in float64; null without a volume or optics. It tells of these also when the layer is gone. @param surfaces and @param looks - as `modules` */
+  twins(surfaces: boolean, looks?: boolean): RayTwins | null {
+    if (!this.#volume || !this.#optics) return null;
+    const modules = this.modules(surfaces, looks).map(({ name, stage, members, twin }) => ({ name, stage, members, twin }));
+    return { volume: this.#volume, optics: this.#optics, modules };
   }
 
   async #loadClassifiers(): Promise<void> {

@@ -6,12 +6,14 @@
  * To add a module, a shading module `tint` say:
  *
  * 1. `shaders/chunks/tint.glsl`: `vec4 tintShade(Segment segment, vec4 seen)`, with its uniforms.
- * 2. `src/optics/tint.ts`: its twin, a function that gives the `ShadeStage` of optics/rays/ray-stages.ts.
+ * 2. `src/optics/tint.ts`: the same in float64, a function that gives the `ShadeStage` of optics/rays/ray-stages.ts. A line in
+ *    optics/usual-twins.ts or optics/shading-twins.ts: these files are loaded with the first ray that is cast on the processor.
  * 3. `src/renderer/ray/modules/tint.ts`: a function that makes the `RayModule`: chunk, samplers, what follows from it for
- *    others, and `inputs`, which gives its uniforms and textures for a frame. The file exports its twin as `twin`.
- * 4. `src/renderer/layers/volume-layer.ts`: makes it and gives it back; a line in `modules()` says when it takes part.
+ *    others, `inputs`, which gives its uniforms and textures for a frame, and `twin`, which gives its stage in float64.
+ * 4. `src/renderer/layers/volume-layer.ts`: makes it and gives it back; a line in `modules()` says when it takes part. That list
+ *    is the only one: pictures are drawn of it, and picks, checks and the reference of tests are cast of it (compose-twins.ts).
  * 5. `test/helpers/ray-modules.ts`: a line, by which it is compiled alone and in pairs with modules of other stages; and a
- *    test of its picture against its twin's.
+ *    test of its picture against the reference's.
  *
  * What a chunk has to have, by stage, where `tint` is the module's name:
  * - interval: `Interval tintInterval(Ray ray, Interval interval)`. Any number of them. It may call `classifyValue`.
@@ -45,6 +47,7 @@ import type { Device, Gl } from '../device/device.ts';
 import type { DrawTarget } from '../device/draw-target.ts';
 import type { Upload } from '../textures/fill-texture.ts';
 import type { ProgramInputs } from '../device/inputs.ts';
+import type { RayTwin } from './ray-twin.ts';
 
 export type StageName = 'interval' | 'field' | 'classify' | 'shade' | 'gather';
 
@@ -91,6 +94,8 @@ export interface RayModule<S extends StageName = StageName> extends RayText {
   contributes?(optics: Optics): Contribution;
   /** Its uniforms and textures, which it makes as they are needed. */
   inputs(frame: RayFrame): ProgramInputs;
+  /** What it is in float64, for picks, checks and tests; null where the twin of another module says it all. */
+  readonly twin: RayTwin | null;
   /** Casts more rays where it makes the picture jump, for pictures at rest; absent where it does not. */
   edges?(): EdgeDrawing;
   /** Give its textures back. */
@@ -159,6 +164,8 @@ export interface FieldProvider {
 
 /** A second volume on the GPU, over a first one. */
 export interface SecondField {
+  /** What its field, and what shows of it, are in float64. @param overlay - that is shown */
+  twins(overlay: ShownOverlay): { readonly field: RayTwin; readonly look: RayTwin };
   /** Of a field module that adds `float overlay` to the sample. */
   readonly text: RayText;
   /** What the chunk's stored value means, see `StoredValues` of optics/transfer/share-map.ts. */

@@ -1,4 +1,4 @@
-import { cartesianOverlay, isOver, overlayStages } from '../../optics/attachments/overlay.ts';
+import { cartesianOverlay, isOver } from '../../optics/attachments/overlay.ts';
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import type { FieldStage } from '../../optics/rays/ray-stages.ts';
 import { paneOverlay } from '../../panes/pane-overlay.ts';
@@ -12,7 +12,6 @@ export function makeOverlay(shown: ShownOverlay, name: string, field: FieldStage
     shown,
     name,
     isOver: (volume) => isOver(shown, volume),
-    stages: (optics, diameter) => overlayStages(shown, field, { optics, diameter }),
     valueAt: (place) => {
       const { value, valid } = field.sampleAt(place);
       return valid ? value : null;

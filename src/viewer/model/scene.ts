@@ -12,6 +12,7 @@ import type { Slice } from '../../radar/slices.ts';
 import type { RayCut } from '../../renderer/ray/ray-module.ts';
 import type { AmongShapes } from '../../quality/adaptive-sampling.ts';
 import type { Optics } from '../../renderer/ray/ray-module.ts';
+import type { RayTwins } from '../../renderer/ray/ray-twin.ts';
 import type { Device } from '../../renderer/device/device.ts';
 import type { Pass, Size } from '../../renderer/passes/pass-drawing.ts';
 import type { Substeps, View } from '../../renderer/layers/volume-layer.ts';
@@ -107,6 +108,12 @@ export interface Scene {
   setMaxCurvature(maxCurvature: number, edgeCurvature?: number): void;
   /** How steps are cut, in all pictures and probes from now on. */
   setSubsteps(substeps: Substeps): void;
+  /**
+   * The rays of the next picture as they are cast in float64, but for the shapes that end some; null without a volume. What is told here
+   * stays when the scene is gone.
+   * @param looks - whether rays look for what is opaque at once; as in pictures with the present substeps where absent
+   */
+  twins(looks?: boolean): RayTwins | null;
   /** How finely each macrocell is sampled at the least, see optics/cells/cell-detail.ts; null where cells have no say. */
   detail(): Uint8Array | null;
   /** What shines on a lit volume; null for a light at the eye. */

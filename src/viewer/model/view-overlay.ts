@@ -1,6 +1,4 @@
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
-import type { RayStages } from '../../optics/rays/ray-stages.ts';
-import type { OpticalFactors } from '../../optics/transfer/transfer-function.ts';
 import type { PaneLabels } from '../../panes/pane-labels.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
@@ -12,8 +10,6 @@ export interface ViewOverlay {
   readonly name: string;
   /** Whether it is over a volume: another one may have come meanwhile. */
   isOver(volume: Volume): boolean;
-  /** What rays meet of it. @param diameter - of the rays, world length */
-  stages(optics: OpticalFactors & { readonly referenceLength: number }, diameter: number): Pick<RayStages, 'moreFields' | 'shades'>;
   /** Its data value at a place of the volume's unit cube; null where it has none. */
   valueAt(place: Vector3): number | null;
   /** Over the greys of a pane of the volume; null where there are none. */

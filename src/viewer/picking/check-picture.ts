@@ -2,7 +2,6 @@
 import { loadPart } from '../../core/load-part.ts';
 import { castRay } from '../../optics/rays/cast-ray.ts';
 import { leastSubsteps } from '../../optics/cells/least-substeps.ts';
-import { headlightAlone } from '../../optics/transfer/lights.ts';
 import type { RayStages, Sample } from '../../optics/rays/ray-stages.ts';
 import { rayThrough } from '../../optics/rays/rays.ts';
 import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
@@ -27,11 +26,11 @@ export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null>
   const { pictures: { parts: { keeper, loop, shown } }, frames } = viewer;
   const { seenPixels } = await loadPart(import('../frames/view-quality.ts'), 'measures the error of pictures');
   return keeper.withScene(async (scene) => {
-    const rays = await raysOfView(viewer, scene.lights() ?? headlightAlone);
+    const { steps, substeps } = frames.planAtRest;
+    const rays = await raysOfView(viewer, { placesOnly: false, looks: isCut(substeps) });
     const goesOn = (): boolean => !loop.dirty && !loop.host.moving && keeper.scene === scene;
     if (!rays || !goesOn()) return null;
     const size = frames.sizeIn(scene);
-    const { steps, substeps } = frames.planAtRest;
     const stepLength = stepLengthOf(shown.grid, steps);
     const rectangle = seenPixels(scene, size);
     if (!rectangle) return null;

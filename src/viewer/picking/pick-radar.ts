@@ -1,25 +1,11 @@
 // What a pick needs of a radar's volume: loaded with the first pick in one.
-import type { PickedLook } from '../../optics/pick-ray.ts';
-import type { ReferenceScene } from '../../optics/reference.ts';
 import { nearestGate } from '../../radar/interpolate-polar.ts';
 import { placeOnEarth } from '../../radar/place-on-earth.ts';
-import { polarField } from '../../radar/polar-field.ts';
 import { localToBeam, unitToLocal } from '../../radar/polar-geometry.ts';
-import { sliceInterval, sliceMeeter } from '../../radar/slices.ts';
-import type { Slice } from '../../radar/slices.ts';
 import type { PolarGrid } from '../../volume/polar-grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { PolarVolume } from '../../volume/volume.ts';
 import type { RadarGate, RadarPlace } from '../model/volume-pick.ts';
-
-/** What rays meet in a radar's volume. */
-export function radarStages(
-  volume: PolarVolume,
-  slices: readonly Slice[],
-  optics: Pick<PickedLook, 'transferFunction'> & { readonly lightFactor: number },
-): Pick<ReferenceScene, 'field' | 'ends'> {
-  return { field: polarField(volume), ends: slices.length > 0 ? [sliceInterval(sliceMeeter(volume, slices, optics))] : [] };
-}
 
 /**
  * What a radar knows of a place.

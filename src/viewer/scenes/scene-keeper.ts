@@ -6,6 +6,7 @@ import { contextPool } from './context-pool.ts';
 import type { ContextHolder, Need } from './context-pool.ts';
 import type { FrameLoop } from './frame-loop.ts';
 import type { Presence } from './presence.ts';
+import type { RayTwins } from '../../renderer/ray/ray-twin.ts';
 import type { Scene, SceneFactory } from '../model/scene.ts';
 import { Snapshot } from './snapshot.ts';
 
@@ -41,6 +42,7 @@ export interface SceneUser extends SceneContents {
  */
 export class SceneKeeper implements ContextHolder {
   #scene: Scene | null = null;
+  #lastTwins: RayTwins | null = null;
   #isBuilding = false;
   /** One after the other. */
   #built: Promise<void> = Promise.resolve();
@@ -71,6 +73,11 @@ export class SceneKeeper implements ContextHolder {
 
   get scene(): Scene | null {
     return this.#scene;
+  }
+
+  /** The rays of the picture that stands there, in float64: of the scene, or of the one before it. @param looks - as in `Scene.twins`, of the present scene */
+  twins(looks: boolean): RayTwins | null {
+    return this.#scene?.twins(looks) ?? this.#lastTwins;
   }
 
   /** Whether there is no scene, and there will be none until something changes. */
@@ -189,6 +196,7 @@ export class SceneKeeper implements ContextHolder {
   #takeDown(): void {
     this.user.loop.rest();
     const scene = this.#scene;
+    this.#lastTwins = (!this.#disposed && scene?.twins(true)) || null;
     this.#scene = null; // First, as being taken down is a change that no frame should follow.
     scene?.dispose();
   }
@@ -227,6 +235,7 @@ export class SceneKeeper implements ContextHolder {
     scene.canvas.addEventListener('webglcontextlost', () => void this.#recover(scene));
     this.user.entered(scene);
     this.#scene = scene;
+    this.#lastTwins = null; // With it goes the volume that they are of.
     this.#isNew = true;
     this.user.loop.plan();
   }

@@ -1,8 +1,7 @@
 import box from '../../../../shaders/chunks/walk/box.glsl?raw';
 import region from '../../../../shaders/chunks/walk/region.glsl?raw';
 import type { RayModule } from '../ray-module.ts';
-
-export { boxInterval as twin } from '../../../optics/rays/ray-intervals.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
 
 /** Rays run through the volume's bounds and the region's. What it reads comes with the rays. */
 export const boxModule: RayModule<'interval'> = {
@@ -15,4 +14,5 @@ export const boxModule: RayModule<'interval'> = {
   sparesRays: true,
   order: Infinity,
   inputs: () => ({ uniforms: {}, units: [] }),
+  twin: twinOf(usualTwins, ({ boxInterval }, { rays }) => ({ intervals: [boxInterval(rays)] })),
 };

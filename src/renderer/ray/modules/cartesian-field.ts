@@ -13,9 +13,8 @@ import type { Uniforms } from '../../device/inputs.ts';
 import { textureUnit } from '../../device/texture-unit.ts';
 import { loadPart } from '../../../core/load-part.ts';
 import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
 import type * as Chunks from './cartesian-chunks.ts';
-
-export { cartesianField as twin } from '../../../optics/rays/ray-field.ts';
 
 /** How voxels lie on the GPU and are read there. */
 export interface CartesianOptions {
@@ -58,6 +57,8 @@ export function cartesianText({ texture3d, twoBytes, noData, filterInShader }: C
   };
 }
 
+export const cartesianTwin = twinOf(usualTwins, ({ cartesianField }, { volume }) => ({ field: cartesianField({ ...volume, dimensions: volume.grid.dimensions }) }));
+
 /** Samples on a cartesian grid. */
 interface Block extends Pick<Volume, 'samples' | 'hasNoData'> {
   readonly grid: Pick<Volume['grid'], 'dimensions'>;
@@ -70,7 +71,7 @@ function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldM
   const { samples, hasNoData: noData } = volume;
   const filterInShader = !isFiltered(volume, device);
   const block = yield* uploadBlock(gl, volume, { device, filterInShader });
-  return { ...block, ...cartesianText({ texture3d: isWebGl2(gl), twoBytes: samples instanceof Uint16Array, noData, filterInShader }), stage: 'field', sparesRays: true, order: 2 };
+  return { ...block, ...cartesianText({ texture3d: isWebGl2(gl), twoBytes: samples instanceof Uint16Array, noData, filterInShader }), stage: 'field', sparesRays: true, order: 2, twin: cartesianTwin };
 }
 
 /** What a texture with samples has of a field: how they lie in it, and how they are read. */

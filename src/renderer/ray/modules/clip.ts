@@ -2,8 +2,8 @@ import clip from '../../../../shaders/chunks/walk/clip.glsl?raw';
 import slack from '../../../../shaders/chunks/walk/slack.glsl?raw';
 import type { HalfSpace } from '../../../optics/rays/clip-intervals.ts';
 import type { RayText, SliceModule } from '../ray-module.ts';
-
-export { clipInterval as twin } from '../../../optics/rays/clip-intervals.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
+import type { RayTwin } from '../ray-twin.ts';
 
 export const clipText: RayText = { name: 'clip', stage: 'interval', defines: {}, chunks: [slack, clip], samplers: [] };
 
@@ -16,6 +16,8 @@ export const createClip = (): SliceModule<HalfSpace> => create(true);
 /** The same where slices are cut too: at their new edges the picture jumps. */
 export const createClipOfSlices = (): SliceModule<HalfSpace> => create(false);
 
+const twin = (kept: readonly HalfSpace[]): RayTwin => twinOf(usualTwins, ({ clipInterval }) => ({ intervals: [clipInterval(kept)] }));
+
 function create(sparesRays: boolean): SliceModule<HalfSpace> {
   return {
     ...clipText,
@@ -24,6 +26,9 @@ function create(sparesRays: boolean): SliceModule<HalfSpace> {
     // Opacity grows from 0 at its edges.
     sparesRays,
     order: Infinity,
+    get twin() {
+      return twin(this.slices);
+    },
     inputs() {
       const four = (first: number): number[] => [0, 1, 2, 3].flatMap((i) => {
         const kept = this.slices[first + i];

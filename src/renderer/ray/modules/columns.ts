@@ -12,8 +12,6 @@ import type { ColumnsFrame } from './column-tables.ts';
 import { createClassify } from './transfer-function.ts';
 import type { Means } from './transfer-function.ts';
 
-export { meanOverColumns as twin } from '../../../optics/transfer/columns.ts';
-
 /** Rounds of the search among columns where bins can't tell them apart: two to this power are more than there can be. */
 const maxSearches = 18;
 
@@ -39,7 +37,7 @@ export const columnMeansText: Pick<Means, 'name' | 'defines' | 'chunks' | 'sampl
 export function createColumns(gl: Gl): { readonly modulesFor: (frame: ColumnsFrame) => readonly RayModule[]; readonly dispose: () => void } {
   const { get, dispose } = keepColumns(gl);
   const classify = createClassify(gl, { ...columnMeansText, inputs: () => ({ uniforms: {}, units: [] }), dispose: () => {} });
-  const column: Omit<RayModule, keyof RayText> = { sparesRays: true, order: 2, inputs: (frame) => get(frame).inputs };
+  const column: Omit<RayModule, keyof RayText> = { sparesRays: true, order: 2, inputs: (frame) => get(frame).inputs, twin: null };
   return {
     modulesFor: (frame) => [...fetchEach(gl, frame.field), { ...columnsText(get(frame).hasBins), ...column, stage: 'field' }, classify],
     dispose() {

@@ -8,8 +8,7 @@ import type { CellTexture } from '../../textures/cell-texture.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import { Kept } from '../../device/kept.ts';
 import type { RayModule, RayText } from '../ray-module.ts';
-
-export { compositeGather as twin } from '../../../optics/rays/ray-gather.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
 
 export const compositeText: RayText = {
   name: 'composite',
@@ -19,6 +18,8 @@ export const compositeText: RayText = {
   samplers: ['uEmptySpaceDistance'],
 };
 
+const twin = twinOf(usualTwins, ({ compositeGather }) => ({ gather: compositeGather }));
+
 /** Emission and absorption, across empty space at once. */
 export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
   const cells = new Kept<CellTexture>();
@@ -26,6 +27,7 @@ export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
     ...compositeText,
     stage: 'gather',
     sparesRays: true,
+    twin,
     // Of segments that are exact the picture is.
     order: Infinity,
     inputs({ volume, skipping, contributions, detail, voxelsPerStep }) {

@@ -3,8 +3,8 @@ import cutout from '../../../../shaders/chunks/walk/cutout.glsl?raw';
 import slack from '../../../../shaders/chunks/walk/slack.glsl?raw';
 import type { Cutout } from '../../../optics/rays/clip-intervals.ts';
 import type { RayText, SliceModule } from '../ray-module.ts';
-
-export { cutoutInterval as twin } from '../../../optics/rays/clip-intervals.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
+import type { RayTwin } from '../ray-twin.ts';
 
 /** GAP: rays may have two pieces. */
 export const cutoutText: RayText = { name: 'cutout', stage: 'interval', defines: { GAP: 1 }, chunks: [box, slack, cutout], samplers: [] };
@@ -15,6 +15,8 @@ export const createCutout = (): SliceModule<Cutout> => create(true);
 /** The same where slices are cut too: at their new edges the picture jumps. */
 export const createCutoutOfSlices = (): SliceModule<Cutout> => create(false);
 
+const twin = ([cutout]: readonly Cutout[]): RayTwin => twinOf(usualTwins, ({ cutoutInterval }) => ({ intervals: [cutoutInterval(cutout)] }));
+
 function create(sparesRays: boolean): SliceModule<Cutout> {
   return {
     ...cutoutText,
@@ -23,6 +25,9 @@ function create(sparesRays: boolean): SliceModule<Cutout> {
     // At its edges a gap grows from 0, as opacity does at those of a box.
     sparesRays,
     order: Infinity,
+    get twin() {
+      return twin(this.slices);
+    },
     inputs() {
       const [{ unitToBox: m }] = this.slices;
       return { uniforms: { uCutoutTurn: [m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], uCutoutShift: [m[3], m[7], m[11]] }, units: [] };

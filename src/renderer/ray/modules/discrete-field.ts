@@ -7,10 +7,8 @@ import type { Volume } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import type { Upload } from '../../textures/fill-texture.ts';
 import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
-import { uploadBlock } from './cartesian-field.ts';
+import { cartesianTwin, uploadBlock } from './cartesian-field.ts';
 import type { CartesianOptions } from './cartesian-field.ts';
-
-export { cartesianField as twin } from '../../../optics/rays/ray-field.ts';
 
 /** Each place has one of the values around it, and between two there is none. */
 export function discreteText({ texture3d, twoBytes, noData }: Omit<CartesianOptions, 'filterInShader'>): RayText {
@@ -29,5 +27,5 @@ export const discreteProvider: FieldProvider = { upload: uploadDiscrete };
 function* uploadDiscrete(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
   const block = yield* uploadBlock(gl, volume, { device, filterInShader: true });
   const { webgl2: texture3d } = device;
-  return { ...block, ...discreteText({ texture3d, twoBytes: volume.samples instanceof Uint16Array, noData: volume.hasNoData }), stage: 'field', sparesRays: true, order: 1 };
+  return { ...block, ...discreteText({ texture3d, twoBytes: volume.samples instanceof Uint16Array, noData: volume.hasNoData }), stage: 'field', sparesRays: true, order: 1, twin: cartesianTwin };
 }

@@ -11,10 +11,10 @@ import { finestSpacing } from '../../../volume/grid.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import { joinInputs } from '../../device/inputs.ts';
 import type { RayModule, RayText } from '../ray-module.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
+import type { RayTwin } from '../ray-twin.ts';
 import { compositeText, createComposite } from './composite.ts';
 import { surfaceValues } from './surface-values.ts';
-
-export { jumpGather as twin } from '../../../optics/surfaces/jump-gather.ts';
 
 /** @param isOne - one value alone, which takes less to look for than several */
 export function jumpsText(isOne: boolean): RayText {
@@ -28,6 +28,8 @@ export function jumpsText(isOne: boolean): RayText {
   };
 }
 
+const twin = (values: readonly number[]): RayTwin => twinOf(usualTwins, ({ jumpGather }) => ({ gather: jumpGather(values) }));
+
 /** Emission and absorption that finds what is opaque at once wherever a ray touches it, on cartesian grids. Its modules for one volume differ by their texts alone. */
 export function createJumps(gl: Gl, device: Device): { of(values: readonly number[]): RayModule<'gather'>; dispose(): void } {
   const composite = createComposite(gl, device);
@@ -36,6 +38,7 @@ export function createJumps(gl: Gl, device: Device): { of(values: readonly numbe
       ...jumpsText(values.length === 1),
       stage: 'gather',
       sparesRays: true,
+      twin: twin(values),
       // Of segments that are exact the picture is.
       order: Infinity,
       inputs: (frame) => joinInputs(composite.inputs(frame), { uniforms: { uSurfaceValues: surfaceValues(values, frame), uVoxelLength: finestSpacing(frame.volume.grid) / frame.rays.diameter }, units: [] }),

@@ -20,12 +20,12 @@ import { Kept } from '../../device/kept.ts';
 import { textureUnit } from '../../device/texture-unit.ts';
 import type { TextureUnit } from '../../device/texture-unit.ts';
 import type { Optics, RayFrame, RayModule, RayText } from '../ray-module.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
+import type { RayTwin } from '../ray-twin.ts';
 import { keepColumns } from './column-tables.ts';
 import type { ColumnTables } from './column-tables.ts';
 import { columnsText, fetchEach } from './columns.ts';
 import { classifyText, opticalUniforms } from './transfer-function.ts';
-
-export { groupClassify as twin } from '../../../optics/label-groups.ts';
 
 /** The volume's own, and those of groups. */
 const room = mostGroups + 1;
@@ -72,8 +72,8 @@ export class LabelFunctions {
     const usual = { sparesRays: true, order: 2 };
     return [
       ...fetchEach(this.gl, frame.field),
-      { ...groupColumnsText(tables(frame).hasBins), ...usual, stage: 'field', inputs: (now) => tables(now).inputs, contributes: (optics) => this.#showsOwn(optics, looks) },
-      { ...labelFunctionsText, ...usual, stage: 'classify', inputs: (now) => this.#inputs(now, functions), contributes: (optics) => this.#showsAny(optics, functions) },
+      { ...groupColumnsText(tables(frame).hasBins), ...usual, stage: 'field', inputs: (now) => tables(now).inputs, contributes: (optics) => this.#showsOwn(optics, looks), twin: null },
+      { ...labelFunctionsText, ...usual, stage: 'classify', inputs: (now) => this.#inputs(now, functions), contributes: (optics) => this.#showsAny(optics, functions), twin: groupsTwin(functions) },
     ];
   }
 
@@ -128,6 +128,10 @@ export class LabelFunctions {
     this.gl.deleteTexture(this.#substeps.last?.texture ?? null);
   }
 }
+
+export const groupsTwin = (functions: readonly TransferFunction[]): RayTwin => twinOf(usualTwins, ({ classifyPicture, groupClassify }, { volume, optics, rays }, { field }) => ({
+  classify: groupClassify([optics.transferFunction, ...functions].map((transferFunction) => classifyPicture({ ...optics, transferFunction }, volume.grid, rays.diameter, field))),
+}));
 
 /** From the lowest to the highest stop of several functions. */
 function spanAll(all: readonly TransferFunction[]): readonly [number, number] {

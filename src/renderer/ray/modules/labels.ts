@@ -2,9 +2,10 @@ import labels from '../../../../shaders/chunks/attachments/labels.glsl?raw';
 import labels3d from '../../../../shaders/chunks/attachments/labels-3d.glsl?raw';
 import labelsMosaic from '../../../../shaders/chunks/attachments/labels-mosaic.glsl?raw';
 import vote from '../../../../shaders/chunks/field/vote.glsl?raw';
+import type { ShownLabels } from '../../../volume/labels.ts';
 import type { RayText } from '../ray-module.ts';
-
-export { labelField as twin } from '../../../optics/attachments/labels.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
+import type { RayTwin } from '../ray-twin.ts';
 
 /** Texels in a row of the labels' table. */
 export const labelsAcross = 1024;
@@ -34,3 +35,6 @@ export function labelsText({ texture3d, twoBytes, hides, groups = false }: Label
     members: ['vec4 look', ...(groups ? ['float group'] : [])],
   };
 }
+
+/** @param hides - as in `LabelOptions` */
+export const labelsTwin = (labels: ShownLabels, hides: boolean): RayTwin => twinOf(usualTwins, ({ labelField }) => ({ moreFields: [labelField(labels, hides)] }));

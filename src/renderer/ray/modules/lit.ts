@@ -6,9 +6,12 @@ import litBegin from '../../../../shaders/chunks/shade/lit-begin.glsl?raw';
 import litCuts from '../../../../shaders/chunks/shade/lit-cuts.glsl?raw';
 import litSample from '../../../../shaders/chunks/shade/lit-sample.glsl?raw';
 import points from '../../../../shaders/chunks/walk/points.glsl?raw';
+import { loadPart } from '../../../core/load-part.ts';
+import type { LitScene } from '../../../optics/rays/lit.ts';
+import type { SlopedField } from '../../../optics/shading-twins.ts';
 import { domainOf } from '../../../optics/transfer/emission.ts';
 import { flatChange, normalsToWorld } from '../../../optics/rays/gradient.ts';
-import { fogFlat, fogMaterial, plainMaterial, softFacing, softSpecular } from '../../../optics/transfer/lights.ts';
+import { fogFlat, fogMaterial, headlightAlone, plainMaterial, softFacing, softSpecular } from '../../../optics/transfer/lights.ts';
 import type { LitMaterial, SceneLights } from '../../../optics/transfer/lights.ts';
 import { mapShares } from '../../../optics/transfer/share-map.ts';
 import { unitToWorld } from '../../../volume/grid.ts';
@@ -16,11 +19,11 @@ import type { Matrix4 } from '../../../volume/matrix.ts';
 import type { Volume } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
+import { later, partOf, twinOf, usualTwins } from '../ray-twin.ts';
+import type { Later, RayTwin, TwinFrame } from '../ray-twin.ts';
 import { cutUniforms } from './lit-cuts.ts';
 import type { CutsOfRays } from './lit-cuts.ts';
 import { lightUniforms } from './lit-lights.ts';
-
-export { litShade as twin } from '../../../optics/rays/lit.ts';
 
 /** What is left unlit changes a picture by so much at most: a quarter of 1/255. */
 const leastLit = 1 / 1024;
@@ -31,9 +34,19 @@ export interface FieldTaps {
   uniforms(volume: Volume): Uniforms;
   /** Row-major: of directions in which values grow, as the chunk tells them, to directions in the world. */
   normals(volume: Volume): Matrix4;
+  /** The same field in float64. */
+  readonly slopes: Later<(volume: Volume) => SlopedField>;
 }
 
-export const cartesianTapsOf: FieldTaps = { chunk: cartesianTaps, uniforms: () => ({}), normals: ({ grid }) => normalsToWorld(grid) };
+/** Code of the twins of all that needs gradients. */
+export const shadingTwins = later(() => loadPart(import('../../../optics/shading-twins.ts'), 'lights rays on the processor'));
+
+export const cartesianTapsOf: FieldTaps = {
+  chunk: cartesianTaps,
+  uniforms: () => ({}),
+  normals: ({ grid }) => normalsToWorld(grid),
+  slopes: partOf(shadingTwins, ({ cartesianSlopes }) => cartesianSlopes),
+};
 
 /** Tells texts of the module apart. */
 export interface LitOptions {
@@ -48,6 +61,7 @@ export interface LitOptions {
 export const pointsModule: RayModule<'field'> = {
   name: 'points', stage: 'field', defines: {}, members: ['vec3 point'], chunks: [points], samplers: [], sparesRays: true, order: Infinity,
   inputs: () => ({ uniforms: {}, units: [] }),
+  twin: twinOf(usualTwins, ({ pointField }) => ({ moreFields: [pointField] })),
 };
 
 /** What a text needs that shades places: chunks up to `shadeSample`, and their options. */
@@ -72,6 +86,28 @@ export interface LitSurroundings {
   readonly cuts: CutsOfRays;
 }
 
+/** The twin of a module that shades. @param parts - called when the code of twins and of gradients is there */
+export function shadedTwin({ taps }: LitOptions, parts: RayTwin['parts']): RayTwin {
+  return { load: () => Promise.all([shadingTwins.load(), taps.slopes.load()]), parts };
+}
+
+/** What lights places in float64: of picks the light at the eye, as only places matter to them. */
+export function litScene({ volume, optics, rays, placesOnly }: TwinFrame, { taps }: LitOptions, { lights: shining, cuts }: LitSurroundings): LitScene {
+  return {
+    grid: volume.grid,
+    gradient: taps.slopes.code(volume).gradient,
+    flat: flatChange(domainOf(optics.transferFunction), volume.range),
+    lights: placesOnly ? headlightAlone : shining,
+    cuts: { ...cuts, unitToRegion: rays.unitToRegion },
+  };
+}
+
+/** Light is left out where only places matter, and not loaded for them. */
+function litTwin(options: LitOptions, scene: LitSurroundings): RayTwin {
+  const { load, parts } = shadedTwin(options, (frame) => ({ shades: [shadingTwins.code.litShade(litScene(frame, options, scene))] }));
+  return { load: (frame) => (frame.placesOnly ? Promise.resolve() : load(frame)), parts: (frame, before) => (frame.placesOnly ? {} : parts(frame, before)) };
+}
+
 /** Light on the surfaces that a field has everywhere. */
 export function createLit(options: LitOptions, scene: LitSurroundings): RayModule<'shade'> {
   return {
@@ -79,6 +115,7 @@ export function createLit(options: LitOptions, scene: LitSurroundings): RayModul
     stage: 'shade',
     sparesRays: true,
     order: 2,
+    twin: litTwin(options, scene),
     inputs: (frame) => ({ uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame) / fogFlat, uFogMaterial: toVector(fogMaterial) }, units: [] }),
   };
 }

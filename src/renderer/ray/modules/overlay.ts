@@ -8,9 +8,11 @@ import overlayMosaic from '../../../../shaders/chunks/attachments/overlay-mosaic
 import overlayPolar from '../../../../shaders/chunks/attachments/overlay-polar.glsl?raw';
 import polarFolds from '../../../../shaders/chunks/radar/polar-folds.glsl?raw';
 import { deepest, edgeSlack } from '../../../optics/attachments/overlay.ts';
+import type { ShownOverlay } from '../../../optics/attachments/overlay.ts';
+import type { FieldStage } from '../../../optics/rays/ray-stages.ts';
 import type { RayText } from '../ray-module.ts';
-
-export { overlayStages as twin } from '../../../optics/attachments/overlay.ts';
+import { partOf, usualTwins } from '../ray-twin.ts';
+import type { Later, RayTwin } from '../ray-twin.ts';
 
 /** No share of a layer's domain is smaller; what is stands for no data. */
 const leastShare = '-1.0e18';
@@ -68,5 +70,25 @@ export function overlayLookText({ color, tableFilter, folds }: OverlayLookOption
     defines: { OVERLAY_COLOR: Number(color), OVERLAY_TABLE_FILTER: Number(tableFilter), OVERLAY_FOLDS: Number(folds), OVERLAY_DEEPEST: deepest.toFixed(1) },
     chunks: [depths, overlay],
     samplers: ['uOverlayTable'],
+  };
+}
+
+/** A layer's own field in float64, by places of the volume's unit cube. */
+type OverlayField = (overlay: ShownOverlay) => FieldStage;
+
+const onOwnGrid: Later<OverlayField> = partOf(usualTwins, ({ cartesianOverlay }) => cartesianOverlay);
+
+/** A layer's two modules in float64. */
+export interface OverlayTwins {
+  readonly field: RayTwin;
+  readonly look: RayTwin;
+}
+
+/** @param field - where it is not on a cartesian grid of its own */
+export function overlayTwins(overlay: ShownOverlay, field = onOwnGrid): OverlayTwins {
+  const load = (): Promise<unknown> => Promise.all([usualTwins.load(), field.load()]);
+  return {
+    field: { load, parts: () => ({ moreFields: [usualTwins.code.overlayField(field.code(overlay))] }) },
+    look: { load, parts: ({ optics, rays }) => ({ shades: usualTwins.code.overlayStages(overlay, field.code(overlay), { optics, diameter: rays.diameter }).shades }) },
   };
 }

@@ -6,11 +6,10 @@ import type { Gl } from '../../device/device.ts';
 import { joinInputs } from '../../device/inputs.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
-import { shadingText, shadingUniforms } from './lit.ts';
+import type { RayTwin } from '../ray-twin.ts';
+import { shadedTwin, shadingText, shadingTwins, shadingUniforms } from './lit.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
-import { classifyText, createClassify } from './transfer-function.ts';
-
-export { patchClassify as twin } from '../../../optics/rays/patch-classify.ts';
+import { classifyText, classifyTwin, createClassify } from './transfer-function.ts';
 
 /** Which patches there are is in uniforms. */
 export function patchesText(options: LitOptions): RayText {
@@ -25,6 +24,17 @@ export function patchesText(options: LitOptions): RayText {
   });
 }
 
+/** What is not by patches is as the transfer function says. */
+function patchesTwin(patches: readonly Patch[], options: LitOptions): RayTwin {
+  const own = shadedTwin(options, (frame, before) => {
+    const { volume, optics: { referenceLength, opacityFactor, lightFactor }, rays } = frame;
+    const slopes = options.taps.slopes.code(volume);
+    const scene = { ...slopes, field: slopes, grid: volume.grid, patches: lightPatches(patches, lightFactor), opticalScale: (rays.diameter / referenceLength) * opacityFactor };
+    return { classify: shadingTwins.code.patchClassify(classifyTwin.parts(frame, before).classify!, scene) };
+  });
+  return { load: (frame) => Promise.all([classifyTwin.load(frame), own.load(frame)]), parts: own.parts };
+}
+
 /** Values and gradients look as patches of their plane say. The transfer function of the optics is `outlinePatches` of them. */
 export function createPatches(gl: Gl, patches: readonly Patch[]): { of(options: LitOptions, scene: LitSurroundings): RayModule<'classify'>; dispose(): void } {
   const none = { name: '', defines: {}, chunks: [], samplers: [], inputs: () => ({ uniforms: {}, units: [] }), dispose: () => {} };
@@ -34,6 +44,7 @@ export function createPatches(gl: Gl, patches: readonly Patch[]): { of(options: 
       ...made,
       ...patchesText(options),
       stage: 'classify',
+      twin: patchesTwin(patches, options),
       inputs: (frame) => joinInputs(made.inputs(frame), { uniforms: { ...shadingUniforms(frame, options.taps, scene), ...patchUniforms(frame, patches) }, units: [] }),
     }),
     dispose: () => made.dispose!(),

@@ -4,14 +4,15 @@ import planes from '../../../../shaders/chunks/attachments/plane-slices.glsl?raw
 import slack from '../../../../shaders/chunks/walk/slack.glsl?raw';
 import voxelPlanes from '../../../../shaders/chunks/walk/voxel-planes.glsl?raw';
 import type { ProjectionKind } from '../../../optics/rays/ray-style.ts';
+import { brighten } from '../../../optics/transfer/brighten.ts';
 import { minSliceOpacity } from '../../../optics/attachments/plane-slices.ts';
 import type { PlaneSlice } from '../../../optics/attachments/plane-slices.ts';
 import { outlinesOf } from '../../../optics/attachments/plane-outlines.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 import { outlinesText, outlineUniforms } from '../outline-uniforms.ts';
 import type { RayText, SliceModule } from '../ray-module.ts';
-
-export { planeInterval as twin } from '../../../optics/attachments/plane-slices.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
+import type { RayTwin } from '../ray-twin.ts';
 
 /** Pieces of a line through a slab, at most: GLSL ES 1.00 wants a constant. A line through 2,048 voxels along each axis has so many. */
 const mostPieces = 6144;
@@ -34,6 +35,9 @@ const kinds: readonly ProjectionKind[] = ['average', 'max', 'min'];
 /** Whiter than any window is narrow: a window without a width is a threshold. */
 const steepest = 1e30;
 
+const twin = (planes: readonly PlaneSlice[]): RayTwin =>
+  twinOf(usualTwins, ({ planeInterval }, { optics }, { field }) => ({ intervals: [planeInterval(planes, field, brighten(optics.transferFunction, optics.lightFactor))] }));
+
 /** Planes through a volume end rays, and stand behind what is before them: grey by a window, or in the volume's colours. At most four. */
 export function createPlanes(): SliceModule<PlaneSlice> {
   const [thin, thick] = [false, true].map(planesText);
@@ -49,6 +53,9 @@ export function createPlanes(): SliceModule<PlaneSlice> {
     slices: [],
     sparesRays: true,
     order: Infinity,
+    get twin() {
+      return twin(this.slices);
+    },
     inputs({ domain, rays }) {
       return { uniforms: { ...planeUniforms(this.slices, domain), ...outlineUniforms(outlinesOf(this.slices, rays)) }, units: [] };
     },

@@ -14,8 +14,8 @@ import type { CellTexture } from '../../textures/cell-texture.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import { Kept } from '../../device/kept.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
-
-export { projectionGather as twin } from '../../../optics/rays/projection.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
+import type { RayTwin } from '../ray-twin.ts';
 
 /** Largest value, and byte, of a cell that nothing is known of. */
 const anything = 255;
@@ -44,6 +44,8 @@ interface Projection {
   readonly threshold?: number;
 }
 
+export const projectionTwin = ({ kind, threshold }: Projection): RayTwin => twinOf(usualTwins, ({ projectionGather }) => ({ gather: projectionGather(kind, threshold) }));
+
 /**
  * The largest, the smallest or the mean value along each ray, in the transfer function's colours.
  * @returns one that takes steps, and one that goes from plane to plane of voxels
@@ -57,6 +59,7 @@ export function createProjection({ kind, threshold }: Projection, gl: Gl, device
     stage: 'gather',
     // From one local extreme to another the picture jumps.
     sparesRays: !isLocal,
+    twin: projectionTwin({ kind, threshold }),
     order: isLocal ? 1 : kind === 'average' ? 2 : 4,
     inputs(frame) {
       const { volume: { macrocells }, skipping, volume, domain } = frame;

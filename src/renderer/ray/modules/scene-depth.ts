@@ -6,8 +6,7 @@ import { DepthJumps } from '../../passes/depth-jumps.ts';
 import type { Gl } from '../../device/device.ts';
 import type { ProgramInputs } from '../../device/inputs.ts';
 import type { RayText, Surfaces, SurfacesModule } from '../ray-module.ts';
-
-export { shapeInterval as twin } from '../../../optics/rays/ray-intervals.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
 
 export const sceneDepthText: RayText = {
   name: 'sceneDepth',
@@ -18,6 +17,8 @@ export const sceneDepthText: RayText = {
   between: { defines: {}, chunks: [quadPlace, needsRays], samplers: ['uDepthJumps'], needsRays: 'needsRaysAtJumps(place, around)' },
 };
 
+const twin = twinOf(usualTwins, ({ shapeInterval }, { shapeT }) => (shapeT ? { intervals: [shapeInterval(shapeT)] } : {}));
+
 /** The scene's opaque shapes end rays. */
 export function createSceneDepth(gl: Gl): SurfacesModule {
   let jumps: DepthJumps | null = null;
@@ -25,6 +26,7 @@ export function createSceneDepth(gl: Gl): SurfacesModule {
     ...sceneDepthText,
     stage: 'interval',
     sparesRays: true,
+    twin,
     order: Infinity,
     inputs({ rays, surfaces, fades }): ProgramInputs {
       if (!surfaces) return { uniforms: {}, units: [] };

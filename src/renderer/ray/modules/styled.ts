@@ -12,11 +12,14 @@ import type { ProgramInputs, Uniforms } from '../../device/inputs.ts';
 import { textureUnit } from '../../device/texture-unit.ts';
 import { listSamplers, maxSamplers } from '../compose-ray.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
-import { perFlat, shadingText, shadingUniforms } from './lit.ts';
+import type { RayTwin, TwinFrame } from '../ray-twin.ts';
+import type { Sample } from '../../../optics/rays/ray-stages.ts';
+import type { Ray } from '../../../optics/rays/rays.ts';
+import type { Styled } from '../../../optics/transfer/volume-styles.ts';
+import { litScene, perFlat, shadedTwin, shadingText, shadingTwins, shadingUniforms } from './lit.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
 
 export { withLight } from '../../../optics/transfer/volume-styles.ts';
-export { styledShade as twin } from '../../../optics/rays/styled.ts';
 
 /** What a text needs that styles places: chunks up to `styleSample`. All styles are one text: which they are is in a table. */
 export function stylingText(options: LitOptions): Pick<RayText, 'defines' | 'chunks' | 'samplers'> {
@@ -43,6 +46,17 @@ export function hasRoom(others: readonly RayText[], { webgl2 }: { readonly webgl
   return fits;
 }
 
+const styledTwin = (chains: readonly StyleChain[], options: LitOptions, scene: LitSurroundings): RayTwin => shadedTwin(options, (frame) => {
+  const { optics: { referenceLength, opacityFactor }, rays } = frame;
+  return { shades: [shadingTwins.code.styledShade({ ...litScene(frame, options, scene), chains, referenceLength, opticalScale: (rays.diameter / referenceLength) * opacityFactor })] };
+});
+
+/** What styles make of places in float64. */
+export type StylesTwin = (frame: TwinFrame) => (ray: Ray) => (known: Sample) => Styled;
+
+const stylesTwin = (chains: readonly StyleChain[], flatPart: number, options: LitOptions, scene: LitSurroundings): StylesTwin =>
+  (frame) => shadingTwins.code.stylesAt({ ...litScene(frame, options, scene), chains, flatPart, referenceLength: frame.optics.referenceLength });
+
 /** X3D's rendering styles, and their table on a context. */
 export class StyledRays {
   #table: WebGLTexture | null = null;
@@ -56,8 +70,14 @@ export class StyledRays {
       stage: 'shade',
       sparesRays: true,
       order: this.chains.some(({ styles }) => hasEdges(styles)) ? 1 : 2,
+      twin: styledTwin(this.chains, options, scene),
       inputs: (frame) => this.inputs(frame, options, scene),
     };
+  }
+
+  /** What the chunks of `stylingText` do, in float64. */
+  stylesTwin(options: LitOptions, scene: LitSurroundings): StylesTwin {
+    return stylesTwin(this.chains, this.flatPart, options, scene);
   }
 
   /** What the chunks of `stylingText` read. */

@@ -14,13 +14,12 @@ import { joinInputs } from '../../device/inputs.ts';
 import type { ProgramInputs, Uniforms } from '../../device/inputs.ts';
 import { EdgeRays } from '../../passes/edge-rays.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
+import type { RayTwin } from '../ray-twin.ts';
 import { compositeText, createComposite } from './composite.ts';
-import { perFlat, shadingText, shadingUniforms } from './lit.ts';
-import type { StyledRays } from './styled.ts';
+import { litScene, perFlat, shadedTwin, shadingText, shadingTwins, shadingUniforms } from './lit.ts';
+import type { StyledRays, StylesTwin } from './styled.ts';
 import { kinkProbes, surfaceValues } from './surface-values.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
-
-export { surfaceGather as twin } from '../../../optics/surfaces/surfaces.ts';
 
 
 /** How far values may have come where it is not known: farther than from any to any, and not to a surface that is nowhere. */
@@ -73,6 +72,7 @@ export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly 
       sparesRays: true,
       // Surfaces are found wherever samples are, also where rays graze them.
       order: Infinity,
+      twin: surfacesTwin(surfaces, options, shadingOf(options, shading)),
       edges: () => (edges ??= new EdgeRays(gl)),
       inputs: (frame) => joinInputs(joinInputs(composite.inputs(frame), { uniforms: surfaceUniforms(surfaces, frame), units: [] }), shadingInputs(frame, options, shading)),
     }),
@@ -81,6 +81,41 @@ export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly 
       edges?.dispose();
     },
   };
+}
+
+/** What lights surfaces in float64. */
+interface TwinShading extends Pick<SurfaceShading, 'surroundings'> {
+  readonly light: LitOptions;
+  readonly styles?: StylesTwin;
+}
+
+/** Halvings that find a place to rounding: where only places matter few rays are cast. */
+const placeRefinements = 40;
+
+function shadingOf({ light, styling }: SurfaceOptions, shading: SurfaceShading | null): TwinShading | null {
+  if (!light || !shading) return null;
+  const { surroundings, styles } = shading;
+  return { light, surroundings, ...(styling && { styles: styles?.stylesTwin(light, surroundings) }) };
+}
+
+function surfacesTwin(surfaces: readonly IsoSurface[], { fog }: SurfaceOptions, shading: TwinShading | null): RayTwin {
+  const parts: RayTwin['parts'] = (frame) => {
+    const { optics, volume: { grid }, placesOnly } = frame;
+    const { surfaceGather, brightenSurfaces, lightAt, towardsEye } = shadingTwins.code;
+    const stylesOf = shading?.styles?.(frame);
+    const scene = shading && !stylesOf && !placesOnly ? litScene(frame, shading.light, shading.surroundings) : null;
+    return {
+      gather: surfaceGather({
+        surfaces: brightenSurfaces(surfaces, optics.lightFactor),
+        isClear: !fog,
+        light: scene && lightAt({ ...scene, flat: surfaceFlat * scene.flat }),
+        toEye: (ray) => towardsEye(grid, ray),
+        stylesOf,
+        ...(placesOnly && { refinements: placeRefinements }),
+      }),
+    };
+  };
+  return shading ? shadedTwin(shading.light, parts) : { load: shadingTwins.load, parts };
 }
 
 function shadingInputs(frame: RayFrame, { light, styling }: SurfaceOptions, shading: SurfaceShading | null): ProgramInputs {

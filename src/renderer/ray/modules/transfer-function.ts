@@ -16,9 +16,8 @@ import { Kept } from '../../device/kept.ts';
 import { uploadTable } from '../../textures/table-textures.ts';
 import type { TextureUnit } from '../../device/texture-unit.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
+import { twinOf, usualTwins } from '../ray-twin.ts';
 import { substepPart } from '../substep-provider.ts';
-
-export { transferFunctionClassify as twin } from '../../../optics/rays/ray-classify.ts';
 
 /** Means over spans of values: its chunks define `vec4 meanOfSamples(Sample from, Sample to)` and `vec4 emissionAt(float share)`. */
 export interface Means extends Omit<RayText, 'stage' | 'members'> {
@@ -49,6 +48,8 @@ export function opticalUniforms({ optics: { transferFunction, opacityFactor, ref
 /** Factors stay below this, so that the shader's products stay numbers. */
 const largestFactor = 1e30;
 
+export const classifyTwin = twinOf(usualTwins, ({ classifyPicture }, { volume, optics, rays }, { field }) => ({ classify: classifyPicture(optics, volume.grid, rays.diameter, field) }));
+
 /** Values look as the transfer function says: pre-integration, and substeps where much may be seen. */
 export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
   const substeps = new Kept<TextureUnit>();
@@ -57,6 +58,7 @@ export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
     ...classifyText(means),
     stage: 'classify',
     sparesRays: true,
+    twin: classifyTwin,
     order: 2,
     contributes: ({ transferFunction }) => contribution.get([transferFunction], () => contributionOf(transferFunction)),
     inputs(frame: RayFrame) {

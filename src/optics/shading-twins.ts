@@ -1,0 +1,24 @@
+// The float64 twins of light, rendering styles, surfaces and transfer functions by gradient: loaded with the first ray that is cast through one.
+import type { Volume } from '../volume/volume.ts';
+import { cartesianGradient } from './rays/gradient.ts';
+import type { GradientStage } from './rays/gradient.ts';
+import { cartesianField } from './rays/ray-field.ts';
+import type { FieldStage } from './rays/ray-stages.ts';
+
+export { lightAt, litShade, towardsEye } from './rays/lit.ts';
+export { lightPatches, patchClassify } from './rays/patch-classify.ts';
+export { styledShade, stylesAt } from './rays/styled.ts';
+export { brightenSurfaces, surfaceGather } from './surfaces/surfaces.ts';
+
+/** A field that is known around each place. */
+export interface SlopedField {
+  readonly gradient: GradientStage;
+  readonly isFolded: FieldStage['isFolded'];
+}
+
+/** The gradients of a volume on a cartesian grid. */
+export function cartesianSlopes(volume: Volume): SlopedField {
+  const { grid } = volume;
+  const field = cartesianField({ ...volume, dimensions: grid.dimensions });
+  return { gradient: cartesianGradient(field, grid), isFolded: field.isFolded };
+}

@@ -1,0 +1,28 @@
+// The float64 twins of a radar's modules: loaded with the first ray that is cast through one on the processor.
+import type { ShownOverlay } from '../optics/attachments/overlay.ts';
+import type { FieldStage } from '../optics/rays/ray-stages.ts';
+import type { SlopedField } from '../optics/shading-twins.ts';
+import { isPolar } from '../volume/volume.ts';
+import type { PolarVolume, Volume } from '../volume/volume.ts';
+import { polarBeamField, secondMomentField } from './polar-field.ts';
+import { polarGradient } from './polar-gradient.ts';
+
+export { polarField } from './polar-field.ts';
+export { sliceInterval, sliceMeeter } from './slices.ts';
+
+/** The gradients of a radar's volume. */
+export function polarSlopes(volume: Volume): SlopedField {
+  const polar = asPolar(volume);
+  const field = polarBeamField(polar);
+  return { gradient: polarGradient(field, polar.grid), isFolded: field.isFolded };
+}
+
+/** Another moment of the gates that a layer is over. */
+export function secondMoment({ over, volume }: ShownOverlay): FieldStage {
+  return secondMomentField(asPolar(over), asPolar(volume));
+}
+
+function asPolar(volume: Volume): PolarVolume {
+  if (!isPolar(volume)) throw new TypeError('a radar\'s twin got a cartesian grid; expected a polar one');
+  return volume;
+}

@@ -1,0 +1,65 @@
+import type { RayStages } from '../../optics/rays/ray-stages.ts';
+import type { StageName } from './ray-module.ts';
+import type { RayTwins, TwinFrame, TwinStages } from './ray-twin.ts';
+
+/** How rays are walked. */
+export interface TwinWalk {
+  /** World length of a step. */
+  readonly stepLength: number;
+  /** No step is cut into more substeps. */
+  readonly maxSubsteps: number;
+  /** See `RayStages`. */
+  readonly leastSubsteps?: RayStages['leastSubsteps'];
+}
+
+/** Stages in the order in which they are built: each may ask those before it. */
+const order: readonly StageName[] = ['field', 'interval', 'classify', 'shade', 'gather'];
+
+/** What modules of each stage add to. */
+const own: Record<StageName, readonly (keyof TwinStages)[]> = { field: ['field', 'moreFields'], interval: ['intervals'], classify: ['classify'], shade: ['shades'], gather: ['gather'] };
+
+/** What a ray has that no module says anything of: nothing. */
+const nothing: Partial<TwinStages> = { intervals: [], moreFields: [], shades: [] };
+
+/** Load what casts rays of a frame. @throws {VolumeViewError} `format/unsupported` */
+export async function loadTwins({ modules }: Pick<RayTwins, 'modules'>, frame: TwinFrame): Promise<void> {
+  await Promise.all(modules.flatMap(({ twin }) => (twin ? [twin.load(frame)] : [])));
+}
+
+/**
+ * The stages of a picture's rays in float64, made by the modules that draw it.
+ * @throws {TypeError} where a stage has no module that says what it is in float64, and where one speaks for a stage that is not its own
+ */
+export function composeTwins({ modules }: Pick<RayTwins, 'modules'>, frame: TwinFrame, { stepLength, maxSubsteps, leastSubsteps }: TwinWalk): RayStages {
+  const first = modules.filter(isFirst);
+  const sorted = [...first, ...order.flatMap((stage) => modules.filter((module) => module.stage === stage && !first.includes(module)))];
+  const all = sorted.reduce((before, module) => join(before, partsOf(module, frame, before)), nothing as TwinStages);
+  for (const stage of ['field', 'classify', 'gather'] as const) {
+    if (!all[stage]) throw new TypeError(`no module of the stage ${stage} has a twin: ${modules.map(({ name }) => name).join(', ')}`);
+  }
+  const { rays } = frame;
+  return { ...all, eyeT: rays.eyeT, step: stepLength / rays.diameter, maxSubsteps, leastSubsteps };
+}
+
+/** Its own stage alone: else modules would act in another order than on the GPU. */
+function partsOf({ name, stage, twin }: RayTwins['modules'][number], frame: TwinFrame, before: TwinStages): Partial<TwinStages> {
+  const parts = twin?.parts(frame, before) ?? {};
+  const other = (Object.keys(parts) as (keyof TwinStages)[]).find((key) => !own[stage].includes(key));
+  if (other) throw new TypeError(`the twin of ${name} got "${other}"; expected what the stage ${stage} has: ${own[stage].join(' or ')}`);
+  return parts;
+}
+
+/** Whether a module is the one that says what values there are. */
+function isFirst({ stage, members }: RayTwins['modules'][number]): boolean {
+  return stage === 'field' && !members;
+}
+
+function join(before: TwinStages, { intervals = [], moreFields = [], shades = [], ...single }: Partial<TwinStages>): TwinStages {
+  return {
+    ...before,
+    ...single,
+    intervals: [...before.intervals, ...intervals],
+    moreFields: [...before.moreFields, ...moreFields],
+    shades: [...before.shades, ...shades],
+  };
+}
