@@ -28,7 +28,7 @@ export function jumpsText(isOne: boolean): RayText {
   };
 }
 
-const twin = (values: readonly number[]): RayTwin => twinOf(usualTwins, ({ jumpGather }) => ({ gather: jumpGather(values) }));
+const twin = (values: readonly number[]): RayTwin => twinOf(usualTwins, ({ jumpGather }, { volume, rays }) => ({ gather: jumpGather(values, finestSpacing(volume.grid) / rays.diameter) }));
 
 /** Emission and absorption that finds what is opaque at once wherever a ray touches it, on cartesian grids. Its modules for one volume differ by their texts alone. */
 export function createJumps(gl: Gl, device: Device): { of(values: readonly number[]): RayModule<'gather'>; dispose(): void } {
