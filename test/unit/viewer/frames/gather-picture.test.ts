@@ -1,0 +1,64 @@
+import { expect } from '@esm-bundle/chai';
+import { gatherPicture } from '../../../../src/viewer/frames/gather-picture.ts';
+import type { Scene } from '../../../../src/viewer/model/scene.ts';
+
+/** A scene of one pass. @param finished - when the GPU has drawn what it was told to */
+function sceneOf(webgl2: boolean, finished: () => Promise<void>): { scene: Scene; rows: number[]; pieces: number[] } {
+  const rows: number[] = [];
+  const pieces: number[] = [];
+  const scene = {
+    device: { maxTextureSize: 4096, webgl2 },
+    startGathering: () => expect(rows, 'before the first piece').to.deep.equal([]),
+    passes: ({ width, height }: { width: number; height: number }) => [{ width, height, stride: 1 }],
+    gather: (_: number, { firstRow, rows: count }: { firstRow: number; rows: number }) => {
+      pieces.push(count);
+      for (let row = firstRow; row < firstRow + count; row++) rows.push(row);
+    },
+    finished,
+  };
+  return { scene: scene as unknown as Scene, rows, pieces };
+}
+
+/** Pieces that always take too long: each has as few rows as may be. */
+const picture = { stepLength: 1, width: 100, height: 80, rows: 16, pieceMs: 1e-6 };
+
+const nextTask = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+describe('a picture in pieces', () => {
+  for (const [what, webgl2, finished] of [['fences', true, nextTask], ['none, as in WebGL 1', false, async () => {}]] as const) {
+    it(`lets the page go on, and has each row once, with ${what}`, async () => {
+      const { scene, rows } = sceneOf(webgl2, finished);
+      const seen: number[] = [];
+      const page = setInterval(() => seen.push(rows.length));
+      expect(await gatherPicture(scene, picture, () => true)).to.be.a('number');
+      clearInterval(page);
+      expect(rows).to.deep.equal(Array.from({ length: picture.height }, (_, row) => row));
+      expect(new Set(seen).size, 'tasks of the page between pieces').to.be.at.least(4);
+    });
+
+    it(`is given up where the page changes something meanwhile, with ${what}`, async () => {
+      const { scene, rows } = sceneOf(webgl2, finished);
+      let goesOn = true;
+      setTimeout(() => (goesOn = false));
+      expect(await gatherPicture(scene, picture, () => goesOn)).to.equal(null);
+      expect(rows.length).to.be.below(picture.height);
+    });
+  }
+
+  it('has no more than twice the rows in a piece that it should have, however little those at its empty edge took', async () => {
+    const { scene, rows, pieces } = sceneOf(true, nextTask);
+    expect(await gatherPicture(scene, { ...picture, height: 400, pieceMs: 1e6 }, () => true)).to.be.a('number');
+    expect(rows.length).to.equal(400);
+    expect(pieces[0]).to.equal(8);
+    expect(Math.max(...pieces)).to.equal(2 * picture.rows);
+  });
+
+  it('begins each piece at a whole quad, whatever the one before took', async () => {
+    for (const pieceMs of [1e-6, 3, 1e6]) {
+      const { scene, pieces } = sceneOf(true, nextTask);
+      expect(await gatherPicture(scene, { ...picture, rows: 35, height: 301, pieceMs }, () => true)).to.be.a('number');
+      expect(pieces.slice(0, -1).every((count) => count % 4 === 0), pieces.join(' ')).to.equal(true);
+      expect(pieces.reduce((sum, count) => sum + count, 0)).to.equal(301);
+    }
+  });
+});

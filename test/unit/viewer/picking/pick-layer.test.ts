@@ -1,0 +1,51 @@
+// Picks where a layer shows what the volume has no data of.
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import type { RayStyle } from '../../../../src/optics/rays/ray-style.ts';
+import { makeOverlay } from '../../../../src/viewer/attachments/make-overlay.ts';
+import { pick } from '../../../../src/viewer/picking/pick.ts';
+import type { VolumePick } from '../../../../src/viewer/model/volume-pick.ts';
+import type { Viewer } from '../../../../src/viewer/view/viewer.ts';
+import { styleOf } from '../../../../src/viewer/model/volume-info.ts';
+import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
+import { overlayOf } from '../../../helpers/overlays.ts';
+import { plainOptics } from '../../../helpers/picture.ts';
+import { createQuietLayer } from '../../../helpers/quiet-layer.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
+
+/** Data in its left half alone, of which little shows. */
+const volume = { ...syntheticVolume({ dimensions: [10, 10, 10], kind: 'float32', field: (x) => (x > 0.5 ? NaN : 0.2) }), hasNoData: true };
+const layer = syntheticVolume({ dimensions: [10, 10, 10], kind: 'float32', field: () => 1 });
+
+async function pickAt(across: number, { styles, blend = 'mix' }: Pick<RayStyle, 'styles'> & { blend?: 'mix' | 'color' }): Promise<VolumePick | null> {
+  const optics = { ...plainOptics, projection: null, surfaces: null, shading: 'unlit', ...(styles && { styles }) } as unknown as VolumeOptics;
+  const overlay = makeOverlay(overlayOf(volume, layer, { blend }), 'PET');
+  const quiet = createQuietLayer();
+  quiet.set(volume);
+  await Promise.all([quiet.setOptics(optics), quiet.setStyle(styleOf(optics)), quiet.setBeside((beside) => beside.setOverlay(overlay.shown))]);
+  const view = { view: viewMatrix(orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 30 }, [0, 0, 0], 0.6)), projection: projectionMatrix(0.6, 1, 1, 2) };
+  const viewer = {
+    volume, optics, drawn: true, place: { host: { clientWidth: 100, clientHeight: 100 } },
+    pictures: { parts: { shown: { grid: volume.grid, cuts: { region: null, slices: [], cuts: [] }, labels: null, overlay }, keeper: { scene: { getView: () => view }, twins: (looks: boolean) => quiet.twins(false, looks) } } },
+  };
+  return pick(viewer as unknown as Viewer, [across, 50]);
+}
+
+describe('a pick where a layer shows, and the volume has no data', () => {
+  for (const [name, styles] of [['as it is', undefined], ['in a style', [{ weight: 1, styles: [{ kind: 'silhouette', retained: 0.5, boundary: 1, sharpness: 2 }] }]]] as const) {
+    it(`tells the layer's value, and that there is none of the volume: ${name}`, async () => {
+      const both = [await pickAt(40, { styles }), await pickAt(60, { styles })];
+      const [there, beside] = both[0]?.voxel ? both : [both[1], both[0]];
+      expect(there!.value).to.be.closeTo(0.2, 1e-6);
+      expect(beside!.value).to.deep.equal(NaN);
+      expect([beside!.voxel, beside!.layers]).to.deep.equal([null, [{ name: 'PET', value: 1, unit: '' }]]);
+      expect(beside!.opacity, 'as opaque as it is drawn').to.be.within(0.5, 1);
+      expect(beside!.world[2]).to.be.within(-5, 5);
+    });
+  }
+
+  it('tells nothing where the layer only colours', async () => {
+    const both = [await pickAt(40, { blend: 'color' }), await pickAt(60, { blend: 'color' })];
+    expect(both.filter((one) => one === null)).to.have.length(1);
+  });
+});

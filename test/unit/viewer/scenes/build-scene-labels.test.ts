@@ -1,0 +1,47 @@
+import { expect } from '@esm-bundle/chai';
+import { buildScene } from '../../../../src/viewer/scenes/build-scene.ts';
+import type { SceneContents } from '../../../../src/viewer/scenes/build-scene.ts';
+import { PresenterTarget } from '../../../../src/viewer/attachments/label-target.ts';
+import type { Scene } from '../../../../src/viewer/model/scene.ts';
+import type { ViewLabels } from '../../../../src/viewer/model/view-labels.ts';
+import type { VolumePresenter } from '../../../../src/viewer/view/volume-presenter.ts';
+
+it('a new scene, such as one after a lost context, is told of the labels, and of what becomes of them while it is built', async () => {
+  const [first, second] = ['one', 'two'].map((name) => ({ shown: { map: name }, nameOf: () => null }) as unknown as ViewLabels);
+  const shown: { labels: ViewLabels | null } = { labels: first };
+  const told: unknown[] = [];
+  const scene = {
+    prepare: async () => {},
+    setStyle: async () => {},
+    setLabels: async (labels: unknown) => void told.push(labels),
+    bringVolume: async () => {
+      shown.labels = second;
+      return true;
+    },
+    dispose: () => told.push('disposed'),
+  } as unknown as Scene;
+  const contents = { volume: {}, optics: { projection: null }, pictures: { parts: { shown } }, givenUp: false } as unknown as SceneContents;
+  let put: unknown = null;
+  const build = (one: Scene): Promise<void> => buildScene(async () => one, contents, async () => true, (built) => (put = built));
+  await build(scene);
+  expect(put).to.equal(scene);
+  expect(told).to.deep.equal([first.shown, second.shown]);
+  const gone = { ...scene, bringVolume: async () => ((shown.labels = null), true) };
+  await build(gone);
+  expect(told.slice(2), 'nor does it keep those that are gone by then').to.deep.equal([second.shown, null]);
+  await build(gone);
+  expect(told.slice(4), 'and where there are none nothing of them is loaded').to.deep.equal([]);
+});
+
+it('labels that come after a new scene has looked for them, and before it is in place, are told to it', async () => {
+  const told: unknown[] = [];
+  const scene = { setLabels: async (labels: unknown) => void told.push(labels) };
+  const parts = { shown: { labels: null }, keeper: { scene: null as unknown } };
+  const viewer = { pictures: { parts }, invalidate: () => told.push('drawn anew') };
+  const labels = { shown: { map: 'one' }, nameOf: () => null } as unknown as ViewLabels;
+  const worn = new PresenterTarget({ viewer } as unknown as VolumePresenter).wear(labels);
+  await Promise.resolve();
+  parts.keeper.scene = scene;
+  await worn;
+  expect(told).to.deep.equal([labels.shown, 'drawn anew']);
+});
