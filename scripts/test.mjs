@@ -32,6 +32,7 @@ const parts = [
   { title: 'Package', args: ['test/package/run.mjs'], counts: true, after: 'Docs: the reference is what the code says' },
   { title: 'Package volume-view-prepare', args: ['test/package/prepare.mjs'], counts: true, after: 'Build' },
   { title: 'Build: dist stays whole meanwhile', args: ['test/package/rebuild.mjs'], counts: true, after: 'Package' },
+  { title: 'Unit tests in Node', args: ['scripts/test-fast.mjs'], counts: true },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true, browser: true },
   { title: 'End to end, on the built package', args: [bin('@playwright/test/cli.js'), 'test'], counts: true, browser: true },
 ];

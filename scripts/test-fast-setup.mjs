@@ -1,0 +1,12 @@
+// What tests in Node find as in the server of the tests in a browser: files of the project by their paths.
+import { readFileSync } from 'node:fs';
+import { findFile, findSharedData, projectRoot } from './shared-data.mjs';
+
+const fetchFromNetwork = globalThis.fetch;
+
+/** @type {typeof fetch} */
+globalThis.fetch = async (input, init) => {
+  if (typeof input !== 'string' || !input.startsWith('/')) return fetchFromNetwork(input, init);
+  const file = findSharedData(input) ?? findFile(projectRoot, input.slice(1));
+  return file ? new Response(readFileSync(file)) : new Response(null, { status: 404 });
+};

@@ -1,0 +1,53 @@
+// `npm run test:fast`: the tests of test/unit in Node, without a browser. Arguments are parts of file names.
+// Node 20 reads no TypeScript, so they are bundled into a folder of their own first. mocha runs the files on all cores.
+import { mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
+import Mocha from 'mocha';
+import { build } from 'vite';
+import { projectRoot } from './shared-data.mjs';
+
+const folder = join(projectRoot, 'test/unit');
+const asked = process.argv.slice(2);
+const files = readdirSync(folder, { recursive: true, encoding: 'utf8' })
+  .map((name) => name.replaceAll('\\', '/'))
+  .filter((name) => name.endsWith('.test.ts') && (asked.length === 0 || asked.some((part) => `test/unit/${name}`.includes(part))));
+files.sort();
+if (files.length === 0) throw new Error(`no test file of test/unit has ${asked.join(' or ')} in its name`);
+
+const bundled = mkdtempSync(join(projectRoot, 'node_modules/.test-fast-'));
+process.on('exit', () => rmSync(bundled, { recursive: true, force: true }));
+const nameOf = (/** @type {string} */ file) => file.replace(/\.ts$/, '');
+await build({
+  configFile: false,
+  root: projectRoot,
+  publicDir: false,
+  logLevel: 'warn',
+  ssr: { noExternal: true },
+  build: {
+    ssr: true,
+    outDir: bundled,
+    minify: false,
+    target: 'node20',
+    rolldownOptions: {
+      input: Object.fromEntries(files.map((file) => [nameOf(file), join(folder, file)])),
+      output: { entryFileNames: '[name].mjs', chunkFileNames: 'chunks/[name]-[hash].mjs' },
+    },
+  },
+});
+
+const mocha = new Mocha({
+  ui: 'bdd',
+  timeout: 120_000,
+  parallel: files.length > 1,
+  reporter: 'dot',
+  require: [join(projectRoot, 'scripts/test-fast-setup.mjs')],
+});
+for (const file of files) mocha.addFile(join(bundled, `${nameOf(file)}.mjs`));
+await import('./test-fast-setup.mjs');
+if (files.length === 1) await mocha.loadFilesAsync();
+const runner = mocha.run((failures) => {
+  const { passes = 0 } = runner.stats ?? {};
+  console.log(`${passes} passed, ${failures} failed`);
+  process.exit(failures > 0 ? 1 : 0); // Some tests leave a time-out or a worker behind.
+});
+runner.on('fail', (test) => console.log(`FAILED: ${test.fullTitle()}`));
