@@ -1,5 +1,4 @@
 import type { LitElement } from 'lit';
-import type { AutoRotation } from '../../src/viewer/view/auto-rotation.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import type { CameraState } from '../../src/viewer/view/write-camera.ts';
 
@@ -8,7 +7,6 @@ export interface ControlledView extends LitElement {
   readonly controls: boolean;
   readonly autoRotate: boolean;
   readonly orientationMarker: boolean;
-  readonly _rotation: AutoRotation | null;
   readonly camera: CameraState | null;
   readonly src: string | null;
   readonly controlslist: string | null;

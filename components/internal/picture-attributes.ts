@@ -1,4 +1,4 @@
-import type { AutoRotation } from '../../src/viewer/view/auto-rotation.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { box, flag, number, numberOrAuto, numberOrFlag, numberOrText, text, vector } from './property-kinds.ts';
 import { property, writeSafely } from './reflecting-element.ts';
@@ -148,18 +148,12 @@ export class PictureAttributes extends ViewAttributes {
    */
   @property({ kind: vector })
   get cursor(): Vector3 | null {
-    return this._crosshair?.place ?? vector.read(this.readText('cursor'));
+    return socketOf(this).last('cursor') ?? vector.read(this.readText('cursor'));
   }
 
   set cursor(value: Vector3 | null) {
     this.writeText('cursor', writeSafely(vector.write, value));
   }
-
-  /** @internal What goes around by itself, where something does: see src/viewer/view/auto-rotation.ts. */
-  _rotation: AutoRotation | null = null;
-
-  /** @internal */
-  _crosshair: { readonly place: Vector3 | null } | null = null;
 
   /**
    * Whether the crosshair of the panes of this view stands in the picture too: `auto`, or `none`.

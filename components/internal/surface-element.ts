@@ -2,10 +2,10 @@ import type { VolumeViewError } from '../../src/core/errors.ts';
 import { SurfaceKeeper } from '../../src/viewer/attachments/surface-keeper.ts';
 import type { WantedSurface } from '../../src/viewer/attachments/surface-attributes.ts';
 import { noSurfaceTarget, SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { Surface } from '../../src/volume/surface.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { BesideElement } from './beside-element.ts';
-import type { VolumeHolder } from './held-volume.ts';
 import { tell } from './volume-view-events.ts';
 
 /** An element that puts a surface into the scene of the `<volume-view>` around it. */
@@ -40,6 +40,6 @@ export abstract class SurfaceElement extends BesideElement<SurfaceTarget> {
   }
 
   protected override join(view: HTMLElement): SurfaceTarget {
-    return new SurfaceTarget((view as unknown as VolumeHolder)._presenter, this);
+    return new SurfaceTarget(socketOf(view), this);
   }
 }

@@ -1,5 +1,8 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import type { CompanionTerms } from '../../src/messages/terms.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
+import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
+import type { Volume } from '../../src/volume/volume.ts';
 import { openRoots } from './open-roots.ts';
 import type { VolumeView } from '../volume-view/volume-view.ts';
 
@@ -21,6 +24,8 @@ const usualEvents: readonly string[] = ['load', 'optics-change'];
  * the first in any open shadow root.
  */
 export class VolumeLink implements ReactiveController {
+  /** By it a view knows its companions. */
+  readonly #part: ViewPart;
   #view: VolumeView | null = null;
   #stop: (() => void) | null = null;
 
@@ -33,11 +38,17 @@ export class VolumeLink implements ReactiveController {
     readonly changed: () => void,
     readonly events = usualEvents,
   ) {
+    this.#part = { key: host.localName, element: host };
     host.addController(this);
   }
 
   get view(): VolumeView | null {
     return this.#view;
+  }
+
+  /** The last good volume of the view, with its samples; null before there is one. */
+  get volume(): Volume | null {
+    return this.#view && socketOf(this.#view).volume;
   }
 
   /** What is lacking to show something, in words; null where all is there. */
@@ -69,7 +80,9 @@ export class VolumeLink implements ReactiveController {
 
   #follow(view: VolumeView | null): void {
     for (const type of this.events) this.#view?.removeEventListener(type, this.changed);
+    if (this.#view) void socketOf(this.#view).leave(this.#part);
     this.#view = view;
+    if (view) void socketOf(view).join(this.#part);
     for (const type of this.events) view?.addEventListener(type, this.changed);
     this.changed();
     if (view?.matches(':not(:defined)')) void customElements.whenDefined('volume-view').then(() => this.changed());

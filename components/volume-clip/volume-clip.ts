@@ -3,7 +3,9 @@ import { stretchOf } from '../../src/radar/polar-geometry.ts';
 import { readClipAttributes } from '../../src/viewer/cuts/clip-attributes.ts';
 import { ClipModel } from '../../src/viewer/cuts/clip-model.ts';
 import type { ClipGrip, ClipRoom } from '../../src/viewer/cuts/clip-model.ts';
-import type { ClippedElement, ClipShape, ClipSource } from '../../src/viewer/model/clip-source.ts';
+import type { ClipShape } from '../../src/viewer/model/clip-source.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
+import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
 import { Handles } from '../../src/viewer/overlays/handles.ts';
 import type { Handle } from '../../src/viewer/overlays/handles.ts';
 import { corners } from '../../src/volume/grid.ts';
@@ -29,7 +31,7 @@ type Box = readonly [x0: number, y0: number, z0: number, x1: number, y1: number,
  * @cssproperty --volume-view-handle-color - of the `<volume-view>`: colour of the handles, which are the view's parts `handle`
  * @fires {CustomEvent<ClipShape>} clip-change - a person moves it; the detail says where it is
  */
-export class VolumeClip extends ReflectingElement implements ClipSource {
+export class VolumeClip extends ReflectingElement {
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
 
@@ -51,6 +53,14 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
   readonly #model = new ClipModel();
   readonly #words = new ClipWords(this);
   readonly #link = new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'time-change']);
+  readonly #part: ViewPart = {
+    key: 'volume-clip',
+    element: this,
+    clip: () => {
+      if (this.#error) throw this.#error;
+      return this.hidden ? null : this.#shape;
+    },
+  };
   #view: VolumeView | null = null;
   #handles: Handles | null = null;
   /** What is wrong with the attributes. */
@@ -94,19 +104,13 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
     if (name !== 'for') this.#read();
   }
 
-  /** @internal */
-  readClip(): ClipShape | null {
-    if (this.#error) throw this.#error;
-    return this.hidden ? null : this.#shape;
-  }
-
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
   }
 
   protected override updated(): void {
     this.#show();
-    (this.#view as ClippedElement | null)?._cutAnew?.();
+    this.#cut();
   }
 
   /** Its handles are in the view; it has nothing to show of its own. */
@@ -115,7 +119,7 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
   }
 
   get #room(): ClipRoom | null {
-    const grid = this.#view?._volume?.grid;
+    const grid = this.#link.volume?.grid;
     if (!grid) return null;
     const stretch = stretchOf(grid);
     const places = corners(grid);
@@ -140,13 +144,12 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
   #follow(): void {
     const { view } = this.#link;
     if (view !== this.#view) {
-      const before = this.#view as ClippedElement | null;
-      before?._clips?.delete(this);
-      before?._cutAnew?.();
+      const before = this.#view;
+      if (before) void socketOf(before).leave(this.#part);
       this.#handles?.dispose();
       this.#handles = null;
       this.#view = view;
-      if (view) ((view as ClippedElement)._clips ??= new Set()).add(this);
+      if (view) void socketOf(view).join(this.#part);
     }
     this.requestUpdate();
   }
@@ -157,6 +160,10 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
     if (!view || !room || !picture || this.hidden || this.#error) return this.#handles?.set([]);
     this.#handles ??= new Handles(view, picture, { moved: (index, to) => this.#move(index, to) });
     this.#handles.set(this.#model.grips(room).map((grip) => this.#name(grip, room)));
+  }
+
+  #cut(): void {
+    if (this.#view) void socketOf(this.#view).update(this.#part);
   }
 
   #name({ at, along, side }: ClipGrip, { stretch }: ClipRoom): Handle {
@@ -173,7 +180,7 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
     if (!room) return;
     this.#model.move(index, to, room);
     this.#show();
-    (this.#view as ClippedElement)._cutAnew?.();
+    this.#cut();
     const event = new CustomEvent('clip-change', { detail: this.#shape });
     this.dispatchEvent(event);
   }

@@ -7,6 +7,7 @@ import { english as companions } from '../../src/messages/english-companions.ts'
 import { english } from '../../src/messages/english-labels.ts';
 import { Language } from '../../src/messages/language.ts';
 import { Words } from '../../src/messages/words.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { styles } from './volume-label-list-styles.ts';
 import type { VolumeLabelInfo, VolumeLabels } from '../volume-labels/volume-labels.ts';
@@ -78,12 +79,17 @@ export class VolumeLabelList extends ReflectingElement {
     const called = name || otherParts;
     return html`<li part="row">
       <label>
-        <input type="checkbox" .checked=${live(!hidden)} @change=${(event: Event) => this.#labels?._show(id, (event.target as HTMLInputElement).checked)} />
+        <input type="checkbox" .checked=${live(!hidden)} @change=${(event: Event) => this.#show(id, (event.target as HTMLInputElement).checked)} />
         ${id === 0 ? nothing : html`<span class="swatch" part="swatch" .style=${`background: ${color}`}></span>`}
         <bdi part="name">${called}</bdi>
       </label>
       <button type="button" class="only" part="button" aria-label=${onlyLabel(called)} @click=${() => this.#labels?.showOnly([id], 'ghost')}>${onlyThis}</button>
     </li>`;
+  }
+
+  #show(id: number, isShown: boolean): void {
+    const { view } = this.#link;
+    if (view) socketOf(view).parts.find(({ element }) => element === this.#labels)?.showLabel?.(id, isShown);
   }
 
   #count(all: readonly VolumeLabelInfo[]): string {

@@ -2,14 +2,13 @@ import type { PropertyValues } from 'lit';
 import type { VolumeViewError } from '../../src/core/errors.ts';
 import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts';
 import { childrenOf } from '../../src/page/page-children.ts';
-import type { PaneLabels } from '../../src/panes/pane-labels.ts';
 import { readLabelChildren } from '../../src/viewer/attachments/label-children.ts';
 import { LabelKeeper } from '../../src/viewer/attachments/label-keeper.ts';
 import { isOwnPane, noTarget, PresenterTarget } from '../../src/viewer/attachments/label-target.ts';
-import type { LabelTarget } from '../../src/viewer/attachments/label-target.ts';
-import type { Volume } from '../../src/volume/volume.ts';
+import type { LabelTarget } from '../../src/viewer/model/label-target.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
+import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
 import { BesideElement } from '../internal/beside-element.ts';
-import type { LabelledSlices, VolumeHolder } from '../internal/held-volume.ts';
 import { property } from '../internal/reflecting-element.ts';
 import { tell } from '../internal/volume-view-events.ts';
 
@@ -58,6 +57,18 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
     failed: (error) => this.tellError(error),
   });
 
+  /** What panes and companions have of them. */
+  readonly #part: ViewPart = {
+    key: 'volume-labels',
+    element: this,
+    inPane: (volume, opacity) => this.keeper.inPane(volume, opacity),
+    // What else is hidden stays as it is, a ghost or not.
+    showLabel: (id, isShown) => {
+      const others = this.hiddenLabels.filter((other) => other !== id);
+      this.keeper.choose(isShown ? others : [...others, id]);
+    },
+  };
+
   /** The labels in the file, what has none (id 0) first, unless the volume itself is the labels; none before they are there. */
   get labels(): readonly VolumeLabelInfo[] {
     return this.keeper.entries.map(({ id, name, color, opacity, hidden }) => ({ id, name, color: writeColor(color), opacity, hidden }));
@@ -82,20 +93,9 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
     this.keeper.choose(this.keeper.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id), rest === 'ghost');
   }
 
-  /** Hide one label, or show it; what else is hidden stays as it is, a ghost or not. @internal */
-  _show(id: number, isShown: boolean): void {
-    const others = this.hiddenLabels.filter((other) => other !== id);
-    this.keeper.choose(isShown ? others : [...others, id]);
-  }
-
   /** Show all labels, and what has none. */
   showAll(): void {
     this.hiddenLabels = [];
-  }
-
-  /** The labels of a volume as a pane has them; null where there are none. @internal */
-  _inPane(volume: Volume | null, opacity: number): PaneLabels | null {
-    return this.keeper.inPane(volume, opacity);
   }
 
   override connectedCallback(): void {
@@ -119,7 +119,10 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
 
   protected override join(around: HTMLElement, signal: AbortSignal): LabelTarget {
     around.addEventListener('optics-change', () => this.keeper.rewindow(), { signal });
-    return isOwnPane(around) ? (around as unknown as LabelledSlices)._labelTarget : new PresenterTarget((around as unknown as VolumeHolder)._presenter);
+    const socket = socketOf(around);
+    void socket.join(this.#part);
+    signal.addEventListener('abort', () => void socket.leave(this.#part));
+    return isOwnPane(around) ? socket.last('labelTarget')! : new PresenterTarget(socket);
   }
 
   /** The companions of a view that it leaves hear it no longer from here. */

@@ -3,10 +3,10 @@ import type { Stop } from '../../src/optics/transfer/transfer-function.ts';
 import { OverlayKeeper } from '../../src/viewer/attachments/overlay-keeper.ts';
 import { childrenOf } from '../../src/page/page-children.ts';
 import { noPlace, OverlayTarget } from '../../src/viewer/attachments/overlay-target.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { describeVolume } from '../../src/viewer/model/volume-info.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import { BesideElement } from '../internal/beside-element.ts';
-import type { VolumeHolder } from '../internal/held-volume.ts';
 import { number, pair, transferFunction } from '../internal/property-kinds.ts';
 import { property, writeSafely } from '../internal/reflecting-element.ts';
 
@@ -96,7 +96,7 @@ export class VolumeLayer extends BesideElement<OverlayTarget> {
   }
 
   protected override join(view: HTMLElement): OverlayTarget {
-    return new OverlayTarget((view as unknown as VolumeHolder)._presenter);
+    return new OverlayTarget(socketOf(view));
   }
 
   /** The companions of a view that it leaves hear it no longer from here. */

@@ -8,6 +8,7 @@ import { thinStops } from '../../src/editor/transfer-function-edits.ts';
 import { labelShift } from '../../src/editor/ticks.ts';
 import { toShare } from '../../src/editor/transfer-function-axes.ts';
 import type { Language } from '../../src/messages/language.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { CompanionWords } from '../../src/messages/companion-words.ts';
 import { renderGradientStops } from '../internal/color-gradient.ts';
 import { flag } from '../internal/property-kinds.ts';
@@ -15,7 +16,6 @@ import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { styles } from './volume-legend-styles.ts';
 import { companionGap, withViewWidth } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
-import type { VolumeView } from '../volume-view/volume-view.ts';
 
 /** Stops that are all drawn: as many as an author may write. Labels may have more, of which some are. */
 const mostDrawn = 1024;
@@ -60,11 +60,6 @@ export class VolumeLegend extends ReflectingElement {
   readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'layer-change']));
   readonly #words = new CompanionWords(this);
 
-  /** @internal The view that it speaks of. */
-  get _view(): VolumeView | null {
-    return this.#link.view;
-  }
-
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
   }
@@ -74,7 +69,7 @@ export class VolumeLegend extends ReflectingElement {
     const volume = this.#link.view?.volume;
     const optics = this.#link.view?.optics;
     if (!volume || !optics) return html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`;
-    const over = this.layer ? this.#link.view?._presenter?.viewer?.pictures.parts.shown.overlay : null;
+    const over = this.layer && this.#link.view ? socketOf(this.#link.view).last('overlay') : null;
     if (this.layer && !over) return nothing; // It is on its way, or hidden.
     const { unit, range } = over?.shown.volume ?? volume;
     const title = over?.name ?? volume.title ?? '';

@@ -72,7 +72,7 @@ export class VolumeMeasure extends ReflectingElement {
   readonly #link = withViewWidth(new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'time-change']));
   readonly #words = new MeasureWords(this);
   readonly #model = new MeasureModel({
-    volume: () => this.#link.view?._volume ?? null, // It may not be defined yet.
+    volume: () => this.#link.volume,
     changed: () => {
       this.requestUpdate();
       this.#speakLater();
@@ -147,7 +147,7 @@ export class VolumeMeasure extends ReflectingElement {
       this.#stage.dispose();
       this.#stage = null;
     }
-    if (view && picture && view._volume) {
+    if (view && picture && this.#link.volume) {
       this.#stage ??= new MeasureStage(view, picture, {
         moved: (index, to) => this.#model.move(index, to),
         picked: (at) => (at ? this.#model.add(at) : this.#say(this.#words.terms.nothingThere)),
@@ -173,7 +173,7 @@ export class VolumeMeasure extends ReflectingElement {
   readonly #toggle = (): void => (this.#model.placing ? this.#model.cancel() : this.#model.begin());
 
   readonly #placeInMiddle = async (): Promise<void> => {
-    const volume = this.#link.view?._volume;
+    const { volume } = this.#link;
     const points = volume && this.#stage?.placesInTheMiddle(volume, this.#model.type);
     if (!points) return;
     this.#model.complete(points);
@@ -183,7 +183,7 @@ export class VolumeMeasure extends ReflectingElement {
 
   #show(): void {
     const { type, points, placing, result } = this.#model;
-    const [volume, info] = [this.#link.view?._volume, this.#link.view?.volume];
+    const [volume, info] = [this.#link.volume, this.#link.view?.volume];
     if (!this.#stage) return;
     this.#stage.placing = placing;
     if (!volume || !info || this.hidden) return this.#stage.show(null);

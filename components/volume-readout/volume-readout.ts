@@ -1,6 +1,7 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
 import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { ReadoutWords } from '../../src/messages/readout-words.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { ReadoutPointer } from './volume-readout-pointer.ts';
@@ -94,8 +95,8 @@ export class VolumeReadout extends ReflectingElement {
   get #rows(): Row[] {
     const { language, terms } = this.#words;
     const volume = this.#link.view?.volume;
-    const { labels, overlay } = this.#link.view?._presenter?.viewer?.pictures.parts.shown ?? {};
-    return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates, hasLabels: Boolean(labels?.shown), layer: overlay?.name }) : [];
+    const socket = this.#link.view && socketOf(this.#link.view);
+    return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates, hasLabels: Boolean(socket?.last('labels')?.shown), layer: socket?.last('overlay')?.name }) : [];
   }
 
   protected override render(): unknown {

@@ -11,9 +11,9 @@ import { sideLetters, toPlane } from '../../src/panes/slice-plane.ts';
 import { nameInFile } from '../../src/volume/labels.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { isInMillimetres, isPatient } from '../../src/volume/world-axes.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { Language } from '../../src/messages/language.ts';
 import type { SliceTerms } from '../../src/messages/terms.ts';
-import type { VolumeView } from '../volume-view/volume-view.ts';
 
 /** Detail of `cursor-change`. */
 export interface SliceCursorDetail {
@@ -100,10 +100,10 @@ export function renderCrosshair({ point }: SlicePane): unknown {
   return html`<div class="line across" part="crosshair" .style=${`top: ${point[1] - 0.5}px`}></div><div class="line up" part="crosshair" .style=${`left: ${point[0] - 0.5}px`}></div>`;
 }
 
-/** What lies over the greys of a view's volume: its layer, and its labels. @param opacity - of labels */
-export function labelsOf(view: VolumeView | null, volume: Volume | null, opacity: number): PaneLabels | null {
-  const overlay = view?._presenter?.viewer?.pictures.parts.shown.overlay;
-  return joinPaneLabels([overlay?.inPane(volume) ?? null, view?.querySelector('volume-labels')?._inPane?.(volume, opacity) ?? null]);
+/** What lies over the greys of a volume of a view, or of a pane's own: its layer, and its labels. @param opacity - of labels */
+export function labelsOf(view: HTMLElement | null, volume: Volume | null, opacity: number): PaneLabels | null {
+  const socket = view && socketOf(view);
+  return joinPaneLabels([socket?.last('overlay')?.inPane(volume) ?? null, ...(socket?.parts.map((part) => part.inPane?.(volume, opacity) ?? null) ?? [])]);
 }
 
 /** How much of a file is there, 0..1; undefined where nobody knows. */

@@ -11,7 +11,6 @@ import { isPatient } from '../../src/volume/world-axes.ts';
 import { CompanionWords } from '../../src/messages/companion-words.ts';
 import { english } from '../../src/messages/english-slices.ts';
 import { Words } from '../../src/messages/words.ts';
-import type { VolumeHolder } from '../internal/held-volume.ts';
 import { number, pair, vector } from '../internal/property-kinds.ts';
 import { property, ReflectingElement, writeSafely } from '../internal/reflecting-element.ts';
 import { PaneTarget } from '../../src/viewer/attachments/pane-label-target.ts';
@@ -21,6 +20,7 @@ import { describeVolume } from '../../src/viewer/model/volume-info.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import { SliceSource } from '../../src/viewer/attachments/slice-source.ts';
 import { LazyPart } from '../internal/lazy-part.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 import { tell } from '../internal/volume-view-events.ts';
 import { describePlace, describeValue, describeWindow, labelsOf, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
@@ -146,7 +146,7 @@ export class VolumeSliceView extends ReflectingElement {
   #own: Volume | null = null;
   #info: VolumeInfo | null = null;
   /** Of a file of its own: of another one's, that one's view tells. */
-  readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => ({ info: this.#info, besideNotices: this._labelTarget.besideNotices })));
+  readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => ({ info: this.#info, besideNotices: this.#labelTarget.besideNotices })));
   #saying = 0;
 
   readonly #presenter: SlicePresenter = new SlicePresenter({
@@ -164,8 +164,8 @@ export class VolumeSliceView extends ReflectingElement {
     failed: (error) => this.#presenter.fail(error),
   });
 
-  /** @internal */
-  readonly _labelTarget = new PaneTarget({
+  /** What labels between its tags are shown on. */
+  readonly #labelTarget = new PaneTarget({
     volume: () => this.#own,
     file: () => this.src ?? '',
     changed: () => this.#presenter.refresh(() => false),
@@ -187,9 +187,14 @@ export class VolumeSliceView extends ReflectingElement {
   async whenRendered(): Promise<void> {
     await this.updateComplete;
     await this.#source.loaded;
-    await this._labelTarget.done;
+    await this.#labelTarget.done;
     await this.#presenter.drawn();
     await this.updateComplete;
+  }
+
+  constructor() {
+    super();
+    void socketOf(this).join({ key: 'volume-slice-view', element: this, labelTarget: this.#labelTarget });
   }
 
   override connectedCallback(): void {
@@ -214,7 +219,7 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    this.#notices.follow(this._labelTarget.besideNotices.size > 0 || !!(this.#info?.notices?.length || this.#info?.reduced));
+    this.#notices.follow(this.#labelTarget.besideNotices.size > 0 || !!(this.#info?.notices?.length || this.#info?.reduced));
     if (changed.has('src') && this.isConnected) this.#follow();
     // What this element itself is told of is no attribute.
     if ([...changed.keys()].some((name) => !String(name).startsWith('_'))) this.#presenter.refresh((name) => changed.has(name));
@@ -222,7 +227,7 @@ export class VolumeSliceView extends ReflectingElement {
 
   protected override render(): unknown {
     const { pane } = this.#presenter;
-    const error = this.#presenter.error ?? this._labelTarget.error;
+    const error = this.#presenter.error ?? this.#labelTarget.error;
     const { sliced, look } = pane;
     const { language } = this.#words;
     const tongue: SliceTongue = { language, terms: this.#terms.terms };
@@ -253,8 +258,8 @@ export class VolumeSliceView extends ReflectingElement {
   get #shown(): Shown {
     const { view } = this.#link;
     const { group } = this;
-    if (this.src) return { volume: this.#own, owner: this, group, shared: null, look: this._labelTarget.look, labels: (opacity) => this.querySelector('volume-labels')?._inPane?.(this.#own, opacity) ?? null };
-    const held = (view as VolumeHolder | null)?._volume ?? null; // It may not be defined yet.
+    if (this.src) return { volume: this.#own, owner: this, group, shared: null, look: this.#labelTarget.look, labels: (opacity) => labelsOf(this, this.#own, opacity) };
+    const held = this.#link.volume;
     return { volume: held, owner: view ?? this, group, shared: view && held ? { optics: view.optics, window: view.valueWindow } : null, labels: (opacity) => labelsOf(view, held, opacity) };
   }
 

@@ -52,10 +52,6 @@ export class VolumeTimeline extends ReflectingElement {
   readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']));
   readonly #words = new CompanionWords(this);
 
-  /** @internal The view that it speaks of. */
-  get _view(): VolumeView | null {
-    return this.#link.view;
-  }
   /** Where the slider was put by hand, until that scan is shown. */
   #chosen: number | null = null;
 

@@ -178,7 +178,7 @@ export class VolumeTransferFunction extends ReflectingElement {
 
   #renderPlane({ domain, unit, language }: Chart): unknown {
     if (this._plane instanceof VolumeViewError) throw this._plane;
-    const volume = this.#link.view!._volume;
+    const { volume } = this.#link;
     if (this._plane && volume) return this._plane.render({ volume, domain, unit, language });
     if (!this.#isPlaneAsked) void this.#loadPlane();
     return html`<div class="plot plane"></div>`;

@@ -6,6 +6,7 @@ import type { Viewer } from '../../src/viewer/view/viewer.ts';
 import { english } from '../../src/messages/english-controls.ts';
 import type { ControlTerms } from '../../src/messages/terms.ts';
 import { Words } from '../../src/messages/words.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { readControls } from '../../src/viewer/model/settings.ts';
 import { findCompanion } from '../internal/find-companion.ts';
 import type * as MarkerPart from './orientation-marker.ts';
@@ -102,7 +103,7 @@ export class ViewControls {
         ${renderBar(terms, {
           open: this.#panel,
           playing: isPlayable ? !view.paused : null,
-          rotating: view.autoRotate && has('rotate') ? !view._rotation?.stopped : null,
+          rotating: view.autoRotate && has('rotate') ? !socketOf(view).last('rotation')?.stopped : null,
           isFull: isFullscreen(view),
           has: (name) => has(name) && (name !== 'fullscreen' || document.fullscreenEnabled),
         }, this.#act)}
@@ -142,7 +143,7 @@ export class ViewControls {
         else this.view.pause();
         return;
       case 'rotate':
-        return this.view._rotation?.toggle();
+        return socketOf(this.view).last('rotation')?.toggle();
       case 'zoomin':
       case 'zoomout':
         return this.#zoom(action === 'zoomin' ? 1 / zoomPerPress : zoomPerPress);

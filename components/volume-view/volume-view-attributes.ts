@@ -1,20 +1,18 @@
+import { standIn } from '../../src/viewer/model/view-socket.ts';
 import type { ReflectingElement } from '../internal/reflecting-element.ts';
 import { SourceAttributes } from '../internal/source-attributes.ts';
 
 /** The names of the properties that attributes hold. */
-type PropertyName = Exclude<keyof VolumeViewAttributes, keyof ReflectingElement | 'appearance' | '_crosshair' | '_rotation' | '_atlas'>;
+type PropertyName = Exclude<keyof VolumeViewAttributes, keyof ReflectingElement | 'appearance'>;
 
 /** What an author writes on `<volume-view>`. A property is null where its attribute is absent or can't be read. */
 export class VolumeViewAttributes extends SourceAttributes {
-  /** @internal What an X3D scene among the children says in place of attributes, by property. */
-  declare _atlas?: (property: string) => string | null | undefined;
-
   /** The attributes as they stand, by property, and null where absent. They are read where they are used, which tells what is wrong with them. */
   protected get given(): { readonly [Name in PropertyName]: string | null } {
     const { elementProperties } = this.constructor as typeof VolumeViewAttributes;
     const texts: Record<PropertyKey, string | null> = {};
     for (const [name, { attribute }] of elementProperties) {
-      if (typeof attribute === 'string') texts[name] = this.readText(attribute) ?? this._atlas?.(name as string) ?? null;
+      if (typeof attribute === 'string') texts[name] = this.readText(attribute) ?? standIn(this, name as string);
     }
     return texts as { [Name in PropertyName]: string | null };
   }

@@ -3,30 +3,19 @@ import type { RenderStats } from '../../src/viewer/model/render-stats.ts';
 import type { TimeChangeDetail } from '../../src/viewer/loading/scan-player.ts';
 import type { VolumeInfo, VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import type { PickOptions, VolumePick } from '../../src/viewer/model/volume-pick.ts';
-import type { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
 import type { VolumeSession } from '../../src/viewer/session/volume-session.ts';
-import type { Volume } from '../../src/volume/volume.ts';
 import type { CameraState } from '../../src/viewer/view/write-camera.ts';
 import { warnOfOldName } from '../internal/deprecated.ts';
-import type { VolumeHolder } from '../internal/held-volume.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
 
 /** What a script reads and calls on `<volume-view>`, beside its attributes: each asks the session. */
-export abstract class VolumeViewMembers extends VolumeViewAttributes implements VolumeHolder {
+export abstract class VolumeViewMembers extends VolumeViewAttributes {
   /** @internal */
   abstract readonly _session: VolumeSession;
 
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
   get volume(): VolumeInfo | null {
     return this._session.presenter.info;
-  }
-
-  /** @internal */
-  get _volume(): Volume | null { return this._session.presenter.volume; }
-
-  /** @internal */
-  get _presenter(): VolumePresenter {
-    return this._session.presenter;
   }
 
   /** What it looks like: the transfer function's stops, the window, the factors; null before there is a volume. */

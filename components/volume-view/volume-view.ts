@@ -88,7 +88,7 @@ export class VolumeView extends VolumeViewMembers {
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #words = new Words(this, english);
   readonly #controls = new LazyPart(this, async () => new (await import('./view-controls.ts')).ViewControls(this, () => this._session.viewer));
-  readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => this._presenter));
+  readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => this._session.presenter));
   readonly #size = new OwnSize();
 
   /** Let the picture take the focus, and keys turn it. */
@@ -130,14 +130,14 @@ export class VolumeView extends VolumeViewMembers {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    const { viewer, loader, errors, playback, hands } = this._session;
+    const { viewer, loader, errors, playback, hands, presenter } = this._session;
     viewer?.relabel();
-    void hands?.follow(this);
+    void hands?.follow(this, presenter);
     this.#states.set('loading', loader.progress !== null && !errors.first);
     this.#states.set('error', errors.first !== null);
     this.#states.set('playing', !playback.paused);
     this.#controls.follow(this.controls || this.autoRotate || this.orientationMarker);
-    this.#notices.follow(this._presenter.hasNotices);
+    this.#notices.follow(presenter.hasNotices);
     if (changed.size === 0) return; // What the session itself told is shown now.
     const { given } = this;
     this.#size.set(this.shadowRoot!, given.width, given.height);

@@ -1,4 +1,3 @@
-import type { SurfacedElement } from '../renderer/layers/shown-surfaces.ts';
 import type { OtherShapes } from './other-shapes.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type { X3dom } from './x3dom-types.ts';
@@ -10,7 +9,7 @@ export class OtherShapesLoader {
   #disposed = false;
   readonly #observer: MutationObserver;
 
-  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly host: SurfacedElement) {
+  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly host: Element) {
     this.#observer = new MutationObserver(() => this.#look());
     this.#observer.observe(host, { childList: true, subtree: true });
     this.#look();
@@ -37,7 +36,7 @@ export class OtherShapesLoader {
   }
 
   #look(): void {
-    if (this.host._surfaces || [...this.host.getElementsByTagName('*')].some((child) => this.x3dom.isX3DElement(child))) void this.load();
+    if ([...this.host.getElementsByTagName('*')].some((child) => this.x3dom.isX3DElement(child))) void this.load();
   }
 
   async #load(): Promise<void> {
@@ -46,7 +45,6 @@ export class OtherShapesLoader {
       if (this.#disposed) return;
       this.#observer.disconnect();
       this.#shapes = new OtherShapes(this.x3dom, this.started, this.host);
-      await this.#shapes.bringSurfaces();
     } catch (error) {
       this.#loading = null; // The volume is shown without them, and the next child tries again.
       console.error(error);

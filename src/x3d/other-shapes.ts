@@ -2,7 +2,7 @@ import type { SceneLights } from '../optics/transfer/lights.ts';
 import type { ProgramInputs } from '../renderer/device/inputs.ts';
 import { createSceneDepth, depthInputs } from '../renderer/ray/modules/scene-depth.ts';
 import type { ShapeDepths, SurfacesModule } from '../renderer/ray/ray-module.ts';
-import type { SurfacedElement } from '../renderer/layers/shown-surfaces.ts';
+import type { ShownSurface } from '../renderer/layers/shown-surfaces.ts';
 import { ShapeEdges } from '../renderer/pictures/shape-edges.ts';
 import type { Pass, Size } from '../renderer/passes/pass-drawing.ts';
 import { castableRays } from '../renderer/pictures/volume-pictures.ts';
@@ -45,10 +45,10 @@ export class OtherShapes {
   readonly #render: RenderShape;
 
   /** @param host - the element whose X3D children join the scene */
-  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly host: SurfacedElement) {
+  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly host: Element) {
     const { canvas, document } = started;
     this.author = new AuthorNodes(x3dom, document, host);
-    this.lines = new SceneLines(document, () => this.bringSurfaces());
+    this.lines = new SceneLines(document, (shown, owner) => this.#showSurface(shown, owner));
     this.#depth = new SceneDepth(canvas.gl!);
     this.depthModule = createSceneDepth(canvas.gl!.ctx3d);
     const context = canvas.gl!;
@@ -66,13 +66,13 @@ export class OtherShapes {
     return this.started.element.querySelectorAll('shape').length > 1;
   }
 
-  /** Shows the element's surfaces in their present state; the code that draws them is loaded with the first. */
-  async bringSurfaces(): Promise<void> {
-    if (!this.#surfaces && !this.host._surfaces) return;
+  /** Show a surface of an owner; what draws surfaces is loaded with the first. */
+  async #showSurface(shown: ShownSurface | null, owner: object): Promise<void> {
+    if (!this.#surfaces && !shown) return;
     const { SceneSurfaces } = await import('./scene-surfaces.ts');
     if (this.#isDisposed) return;
-    this.#surfaces ??= new SceneSurfaces(this.x3dom, this.started.document, this.host);
-    this.#surfaces.refresh();
+    this.#surfaces ??= new SceneSurfaces(this.x3dom, this.started.document);
+    this.#surfaces.show(shown, owner);
   }
 
   /**

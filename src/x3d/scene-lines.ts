@@ -1,4 +1,5 @@
 import type { GroundMap } from '../radar/ground-map.ts';
+import type { ShownSurface } from '../renderer/layers/shown-surfaces.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { X3dDocument, X3dOwned } from './x3dom-types.ts';
 
@@ -28,8 +29,8 @@ interface Shown {
 export class SceneLines {
   readonly #shown = new Map<object, Shown>();
 
-  /** @param bringSurfaces - see `OtherShapes` */
-  constructor(readonly document: X3dDocument, readonly bringSurfaces: () => Promise<void> = async () => {}) {}
+  /** @param showSurface - see `OtherShapes` */
+  constructor(readonly document: X3dDocument, readonly showSurface: (shown: ShownSurface | null, owner: object) => Promise<void> = async () => {}) {}
 
   /** Shows rings, and the map below them. */
   showGround(rings: Lines, map?: GroundMap): void {

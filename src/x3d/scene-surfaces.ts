@@ -1,4 +1,4 @@
-import type { ShownSurface, SurfacedElement } from '../renderer/layers/shown-surfaces.ts';
+import type { ShownSurface } from '../renderer/layers/shown-surfaces.ts';
 import type { Surface } from '../volume/surface.ts';
 import type { X3dDocument, X3dGeometry, X3dOwned, X3dShape, X3dVector, X3dom } from './x3dom-types.ts';
 
@@ -20,21 +20,19 @@ const toLight = (channel: number): number => channel ** gamma;
 /** The linear colours of vertices, which stay the same while their surface is cut again and again. */
 const lights = new WeakMap<Float32Array, Float32Array>();
 
-/** The surfaces of an element in its scene, as shapes among the author's. */
+/** The surfaces of several owners in a scene, as shapes among the author's. */
 export class SceneSurfaces {
-  readonly #shown = new Map<Element, { readonly shown: ShownSurface; readonly root: X3dOwned }>();
+  readonly #shown = new Map<object, { readonly shown: ShownSurface; readonly root: X3dOwned }>();
 
-  constructor(readonly x3dom: X3dom, readonly document: X3dDocument, readonly host: SurfacedElement) {}
+  constructor(readonly x3dom: X3dom, readonly document: X3dDocument) {}
 
-  /** Shows the element's surfaces in their present state. */
-  refresh(): void {
-    const wanted: ReadonlyMap<Element, ShownSurface> = this.host._surfaces ?? new Map<Element, ShownSurface>();
-    for (const [owner, { shown, root }] of this.#shown) {
-      if (wanted.get(owner) === shown) continue;
-      this.#remove(root);
-      this.#shown.delete(owner);
-    }
-    for (const [owner, shown] of wanted) if (!this.#shown.has(owner)) this.#shown.set(owner, { shown, root: this.#add(shown) });
+  /** Show a surface in place of the one that its owner had before; null for none. */
+  show(shown: ShownSurface | null, owner: object): void {
+    const before = this.#shown.get(owner);
+    if (shown === (before?.shown ?? null)) return;
+    if (before) this.#remove(before.root);
+    this.#shown.delete(owner);
+    if (shown) this.#shown.set(owner, { shown, root: this.#add(shown) });
   }
 
   #add(shown: ShownSurface): X3dOwned {

@@ -4,6 +4,8 @@ import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import { Handles } from '../../src/viewer/overlays/handles.ts';
 import type { HandledView } from '../../src/viewer/overlays/handles.ts';
+import type { View } from '../../src/viewer/model/scene.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 
 /** From the front at a distance of 10, 200 pixels high: a pixel at the middle is this long, and x runs to the left. */
@@ -60,7 +62,7 @@ describe('handles over a picture', () => {
     expect(middleOf(buttons()[1]).map(Math.round)).to.deep.equal([200, 70]);
     expect(buttons().map((button) => getComputedStyle(button).visibility)).to.deep.equal(['visible', 'visible', 'hidden', 'hidden']);
     view.camera = orbitCamera({ theta: Math.PI, phi: Math.PI / 2, radius: 10 }, [0, 0, 0], Math.PI / 3);
-    view.dispatchEvent(new Event('render'));
+    socketOf(view).place({} as View);
     expect(middleOf(buttons()[1]).map(Math.round)).to.deep.equal([100, 70]);
     expect(getComputedStyle(buttons()[2]).visibility).to.equal('visible');
     expect(buttons()[0].getBoundingClientRect().width).to.be.at.least(24);

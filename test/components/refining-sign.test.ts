@@ -2,11 +2,12 @@
 import { expect } from '@esm-bundle/chai';
 import { followRefining } from '../../src/viewer/view/refining.ts';
 import type { RefinedView } from '../../src/viewer/view/refining-sign.ts';
+import type { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
 
 const wait = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
 
 /** An element in which pictures are drawn. */
-function makeView(): { view: RefinedView; state: { converged: boolean; paused: boolean; moving: boolean; animating: boolean; canDraw: boolean; unfinished: boolean; coarse: boolean; gathered: number | null } } {
+function makeView(): { view: RefinedView; presenter: Pick<VolumePresenter, 'viewer'>; state: { converged: boolean; paused: boolean; moving: boolean; animating: boolean; canDraw: boolean; unfinished: boolean; coarse: boolean; gathered: number | null } } {
   const element = document.body.appendChild(document.createElement('div'));
   element.attachShadow({ mode: 'open' });
   const state = { converged: false, paused: true, moving: false, animating: false, canDraw: true, unfinished: true, coarse: false, gathered: null as number | null };
@@ -22,19 +23,18 @@ function makeView(): { view: RefinedView; state: { converged: boolean; paused: b
   Object.defineProperties(element, {
     renderStats: { get: () => ({ converged: state.converged }) },
     paused: { get: () => state.paused },
-    _presenter: { value: { viewer } },
   });
-  return { view: element as unknown as RefinedView, state };
+  return { view: element as unknown as RefinedView, presenter: { viewer } as unknown as VolumePresenter, state };
 }
 
 const signOf = ({ shadowRoot }: RefinedView): HTMLElement | null => shadowRoot!.querySelector('.refining');
 
 describe('the sign that a picture is refined', () => {
   it('comes after a second, follows how much is drawn, says nothing to who listens, and goes with the final picture', async () => {
-    const { view, state } = makeView();
-    followRefining(view);
+    const { view, presenter, state } = makeView();
+    followRefining(view, presenter);
     await wait(700);
-    followRefining(view); // Another coarse picture.
+    followRefining(view, presenter); // Another coarse picture.
     expect(signOf(view), 'too early').to.equal(null);
     await wait(700);
     const sign = signOf(view)!;
@@ -54,18 +54,18 @@ describe('the sign that a picture is refined', () => {
   });
 
   it('does not come where the final picture does within a second, and begins to count again with the next change', async () => {
-    const { view, state } = makeView();
-    followRefining(view);
+    const { view, presenter, state } = makeView();
+    followRefining(view, presenter);
     await wait(600);
     state.converged = true;
-    followRefining(view);
+    followRefining(view, presenter);
     await wait(100);
     state.converged = false;
-    followRefining(view);
+    followRefining(view, presenter);
     await wait(600);
     expect(signOf(view)).to.equal(null);
     state.converged = true;
-    followRefining(view);
+    followRefining(view, presenter);
     await wait(600);
     expect(signOf(view)).to.equal(null);
     view.remove();
@@ -73,13 +73,13 @@ describe('the sign that a picture is refined', () => {
 
   for (const [name, value] of [['moving', true], ['animating', true], ['paused', false], ['canDraw', false], ['unfinished', false], ['coarse', true]] as const) {
     it(`does not come, and goes, where ${name} is ${value}`, async () => {
-      const { view, state } = makeView();
+      const { view, presenter, state } = makeView();
       Object.assign(state, { [name]: value });
-      followRefining(view);
+      followRefining(view, presenter);
       await wait(1150);
       expect(signOf(view)).to.equal(null);
       Object.assign(state, { [name]: !value });
-      followRefining(view);
+      followRefining(view, presenter);
       await wait(1150);
       expect(signOf(view), 'without that').not.to.equal(null);
       Object.assign(state, { [name]: value });

@@ -4,7 +4,8 @@ import { withVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.
 import type { ViewLabels } from '../../src/viewer/model/view-labels.ts';
 import type { ViewOverlay } from '../../src/viewer/model/view-overlay.ts';
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
-import type { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
+import type { SocketView } from '../../src/viewer/model/view-socket.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 
 export const plainLook: VolumeOptics = { transferFunction: [], window: [0, 200], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
@@ -34,20 +35,20 @@ export interface FakeView {
 export function fakeView(html: string): FakeView {
   const host = viewOf(html);
   const work: Promise<unknown>[] = [];
-  const shown = { labels: null, overlay: null };
   const errors = new ErrorBoard({ file: 'ct.png', changed: () => {}, failed: () => {} });
   const grid = cartesianGrid([2, 1, 2], axialIndexToWorld([2, 1, 2], [1, 1, 1]));
   const scene = { setLabels: async () => {}, setOverlay: async () => {} };
-  const presenter = {
-    user: { host, awake: true }, settings: { src: 'ct.png' }, errors, look: { current: plainLook, dress: null },
+  const socket = socketOf(host);
+  socket.view = {
+    host, awake: true, settings: { src: 'ct.png' }, errors, look: { current: plainLook, dress: null },
     volume: { grid, samples: new Uint8Array(4), slope: 1, intercept: 0, format: 'png mosaic', range: [0, 200] },
-    viewer: { invalidate: () => {}, pictures: { parts: { shown, keeper: { scene } } } },
+    viewer: { scene, invalidate: () => {} },
     track: (one: Promise<unknown>) => work.push(one),
-  } as unknown as VolumePresenter;
+  } as unknown as SocketView;
   const read = async (): Promise<VolumeOptics> => {
-    const look = await withVolumeNodes(presenter, plainLook, { grid });
+    const look = await withVolumeNodes({ user: { host } }, plainLook, { grid });
     while (work.length > 0) await work.shift();
     return look;
   };
-  return { host, errors, shown, read };
+  return { host, errors, shown: { get labels() { return socket.last('labels'); }, get overlay() { return socket.last('overlay'); } }, read };
 }

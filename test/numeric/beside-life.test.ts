@@ -12,8 +12,9 @@ import { SurfaceKeeper } from '../../src/viewer/attachments/surface-keeper.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 import { identity } from '../../src/volume/matrix.ts';
 import { SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';
-import type { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
-import type { SurfacedElement } from '../../src/renderer/layers/shown-surfaces.ts';
+import { socketOf, standIn } from '../../src/viewer/model/view-socket.ts';
+import type { SocketView } from '../../src/viewer/model/view-socket.ts';
+import type { Scene } from '../../src/viewer/model/scene.ts';
 import { withoutFrame } from '../../src/x3d/author-children.ts';
 import { ballPly } from '../helpers/meshes.ts';
 
@@ -23,8 +24,9 @@ const turn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 describe('beside a volume', () => {
   it('the error of a surface that still has one is shown when another one is well again', () => {
     const errors = new ErrorBoard({ file: '', changed: () => {}, failed: () => {} });
-    const presenter = { user: { host: document.createElement('div'), awake: true }, errors, viewer: null, volume: null } as unknown as VolumePresenter;
-    const [first, second] = [0, 1].map(() => new SurfaceTarget(presenter, document.createElement('i')));
+    const socket = socketOf(document.createElement('div'));
+    socket.view = { errors, viewer: null, volume: null } as unknown as SocketView;
+    const [first, second] = [0, 1].map(() => new SurfaceTarget(socket, document.createElement('i')));
     first.failed(wrong('one'));
     second.failed(wrong('two'));
     second.cleared();
@@ -67,12 +69,14 @@ describe('beside a volume', () => {
   });
 
   it('a surface that waits for a scene is told of once, whatever changes meanwhile, and holds up nothing where none comes', async () => {
-    const host = document.createElement('div') as HTMLElement & SurfacedElement;
-    const keeper: { scene: unknown } = { scene: null };
-    const viewer = { volume: {}, leftAttributes: false, rig: { resetAtOnce: () => {} }, invalidate: () => {}, pictures: { drawn: null, parts: { keeper } } };
+    const host = document.createElement('div');
+    const socket = socketOf(host);
+    const viewer = { volume: {}, scene: null as Scene | null, invalidate: () => {}, reframe: () => {} };
     const work: Promise<unknown>[] = [];
-    const presenter = { user: { host, awake: true }, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), viewer, volume: { grid: cartesianGrid([9, 9, 9], identity) } as unknown, track: (one: Promise<unknown>) => work.push(one) };
-    const target = new SurfaceTarget(presenter as unknown as VolumePresenter, document.createElement('i'));
+    const presenter = { host, awake: true, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), viewer: viewer as typeof viewer | null, volume: { grid: cartesianGrid([9, 9, 9], identity) } as unknown, track: (one: Promise<unknown>) => work.push(one) };
+    socket.view = presenter as unknown as SocketView;
+    const target = new SurfaceTarget(socket, document.createElement('i'));
+    const shown = (): readonly number[] | undefined => socket.last('surface')?.color;
     const url = `data:text/plain,${encodeURIComponent(ballPly([0, 0, 0], 5, 4))}`;
     const told: string[] = [];
     let red = 0;
@@ -88,41 +92,43 @@ describe('beside a volume', () => {
       while (!isSo()) await turn();
     };
     surfaces.refresh();
-    await until(() => host._surfaces !== undefined);
+    await until(() => shown() !== undefined);
     red = 1;
     surfaces.refresh();
     surfaces.refresh();
     await turn();
     expect(told, 'before there is a scene').to.deep.equal([]);
     let brought = 0;
-    keeper.scene = { loadLines: async () => ({ bringSurfaces: async () => brought++ }) };
+    const scene = { loadLines: async () => ({ showSurface: async () => brought++ }) } as unknown as Scene;
+    await socket.applyTo(scene);
+    viewer.scene = scene;
     host.dispatchEvent(new Event('render'));
     await until(() => told.length > 0);
     surfaces.refresh();
     await Promise.all(work);
-    expect([told, brought > 0, [...host._surfaces!.values()][0].color]).to.deep.equal([['came'], true, [1, 0, 0]]);
+    expect([told, brought > 0, shown()]).to.deep.equal([['came'], true, [1, 0, 0]]);
 
-    keeper.scene = null;
+    viewer.scene = null;
     red = 0.5;
     surfaces.refresh();
-    await until(() => [...host._surfaces!.values()][0].color[0] === 0.5);
+    await until(() => shown()![0] === 0.5);
     presenter.volume = null;
     host.dispatchEvent(new Event('optics-change'));
     await Promise.all(work);
     presenter.volume = {};
     red = 0.25;
     surfaces.refresh();
-    await until(() => [...host._surfaces!.values()][0].color[0] === 0.25);
-    presenter.viewer = null as unknown as typeof viewer;
+    await until(() => shown()![0] === 0.25);
+    presenter.viewer = null;
     surfaces.leave(target);
     await Promise.all(work);
-    expect([told, host._surfaces]).to.deep.equal([['came'], undefined]);
+    expect([told, shown()]).to.deep.equal([['came'], undefined]);
   });
 
   it('a view without color-moment keeps the error of its layer', async () => {
     const errors = new ErrorBoard({ file: '', changed: () => {}, failed: () => {} });
-    const _presenter = { errors, viewer: null, volume: null, track: () => {} } as unknown as VolumePresenter;
-    const view = Object.assign(document.createElement('div'), { colorMoment: null as string | null, scan: null, _presenter }) as ColoredView & { colorMoment: string | null };
+    const view = Object.assign(document.createElement('div'), { colorMoment: null as string | null, scan: null }) as ColoredView & { colorMoment: string | null };
+    socketOf(view).view = { errors, viewer: null, volume: null, track: () => {} } as unknown as SocketView;
     errors.report('overlay', wrong('a layer'));
     await colorsOf(view).refresh();
     expect(errors.first?.message).to.equal('a layer');
@@ -162,7 +168,7 @@ describe('beside a volume', () => {
       }
     } as unknown as typeof Image;
     try {
-      const host = document.createElement('div') as HTMLDivElement & { _atlas?: (property: string) => string | null | undefined };
+      const host = document.createElement('div');
       await follow({ user: { host }, look: { current: null, errors: { report: () => {}, clear: () => {} } } }, () => {});
       host.innerHTML = '<transform><VolumeData><ImageTextureAtlas url="slow.png" numberOfSlices="4" slicesOverX="2" slicesOverY="2"></ImageTextureAtlas></VolumeData></transform>';
       await turn();
@@ -173,16 +179,16 @@ describe('beside a volume', () => {
       await turn();
       made[0].onload!();
       await turn();
-      expect([host._atlas!('src'), host._atlas!('mosaic')]).to.deep.equal(['fast.png', '2x2']);
-      expect(host._atlas!('spacing'), 'dimensions of 1 1 1, by voxels').to.equal('-0.25 -0.25 0.25');
+      expect([standIn(host, 'src'), standIn(host, 'mosaic')]).to.deep.equal(['fast.png', '2x2']);
+      expect(standIn(host, 'spacing'), 'dimensions of 1 1 1, by voxels').to.equal('-0.25 -0.25 0.25');
       host.innerHTML = '<transform scale="2 3 4"><group><transform scale="0.5 -1 1"><VolumeData dimensions="1 1 2"><ImageTextureAtlas url="scaled.png" numberOfSlices="4" slicesOverX="2" slicesOverY="2"></ImageTextureAtlas></VolumeData></transform></group></transform>';
       await turn();
       made[2].onload!();
       await turn();
-      expect(host._atlas!('spacing'), 'scaled by what stands around it; a scale that mirrors is none').to.equal('-0.5 -0.75 2');
+      expect(standIn(host, 'spacing'), 'scaled by what stands around it; a scale that mirrors is none').to.equal('-0.5 -0.75 2');
       host.firstElementChild!.remove();
       await turn();
-      expect(host._atlas!('src')).to.equal(undefined);
+      expect(standIn(host, 'src')).to.equal(null);
     } finally {
       window.Image = Image;
     }

@@ -2,6 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { contextPool, maxContexts } from '../../src/viewer/scenes/context-pool.ts';
 import type { ContextHolder } from '../../src/viewer/scenes/context-pool.ts';
 import type { Scene } from '../../src/viewer/model/scene.ts';
+import { ViewSocket } from '../../src/viewer/model/view-socket.ts';
 import { SceneKeeper } from '../../src/viewer/scenes/scene-keeper.ts';
 import type { ScenePlace, SceneUser } from '../../src/viewer/scenes/scene-keeper.ts';
 
@@ -18,7 +19,7 @@ function keep(refusals = 0): { keeper: SceneKeeper; told: string[]; user: { volu
     return { canvas, prepare: async () => {}, setStyle: async () => {}, bringVolume: async () => (told.push('filled'), true), dispose: tell('gone') } as unknown as Scene;
   };
   const user = {
-    volume: null as unknown, optics: null as unknown, ready: false, givenUp: false, pictures: { parts: { shown: { labels: null, overlay: null } } },
+    volume: null as unknown, optics: null as unknown, ready: false, givenUp: false, socket: new ViewSocket(),
     loop: { unfinished: true, drawing: null, plan: tell('planned'), wake: () => {}, rest: () => {} }, furnish: () => {}, entered: tell('entered'), failed: tell('failed'), invalidate: () => {}, sceneChanged: () => {},
   };
   const presence = { inSight: true, asked: false, mayBeNear: true, inHand: false };

@@ -14,7 +14,7 @@ import { summarize } from '../../src/volume/histogram.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import type { SurfacedElement } from '../../src/renderer/layers/shown-surfaces.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { placesOf } from '../../src/viewer/attachments/surface-places.ts';
 import { ballPly, surfaceOf } from '../helpers/meshes.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
@@ -184,29 +184,30 @@ describe('a field of labels', () => {
 describe('surfaces that are larger than what is seen', () => {
   it('are framed alone where nothing of the volume is seen, whenever they come before the first picture, and may go', async () => {
     const volume = block([10, 10, 5], [20, 20, 10]);
-    const host = document.createElement('div') as HTMLElement & SurfacedElement;
+    const host = document.createElement('div');
     const framing = createFraming(volume, [white(210, 0), white(255, 1)], volume.grid, host);
     const from = { theta: 0.5, phi: 1.2, fieldOfView: 0.5, aspect: 1.5 };
     expect(framing(from, null), 'nothing').to.equal(null);
     const surface = await surfaceOf(ballPly([30, 20, 20], 6));
-    host._surfaces = new Map([[host, { surface, color: [1, 1, 1] as const, usesOwnColors: true, places: placesOf(surface) }]]);
+    const part = { key: 'surface', bounds: () => placesOf(surface) };
+    void socketOf(host).join(part);
     framing(from, null)!.target.forEach((x, axis) => expect(x).to.be.closeTo([30, 20, 20][axis], 0.5));
-    host._surfaces = undefined;
+    void socketOf(host).leave(part);
     host.dispatchEvent(new Event('render'));
     expect(framing(from, null), 'gone').to.equal(null);
   });
 
   it('are framed too if they are there by the first picture, and move nothing later', async () => {
     const volume = block([10, 10, 5], [20, 20, 10]);
-    const host = document.createElement('div') as HTMLElement & SurfacedElement;
+    const host = document.createElement('div');
     const surface = await surfaceOf(ballPly([30, 20, 20], 60));
     const places = placesOf(surface);
-    const shown = new Map([[host, { surface, color: [1, 1, 1] as const, usesOwnColors: true, places }]]);
+    const part = { key: 'surface', bounds: () => places };
     const create = createFraming(volume, fromHundred, volume.grid, host);
     const framing = (...from: Parameters<typeof create>): NonNullable<ReturnType<typeof create>> => create(...from)!;
     const from = { theta: 0.5, phi: 1.2, fieldOfView: 0.5, aspect: 1.5 };
     const bare = framing(from, null);
-    host._surfaces = shown;
+    void socketOf(host).join(part);
     const both = framing(from, null);
     expect(both.radius).to.be.above(2 * bare.radius);
     // All vertices, of which not each is looked at, are in the picture, and fill most of it.
@@ -217,9 +218,9 @@ describe('surfaces that are larger than what is seen', () => {
     }
     expect(places.length).to.be.at.most(2006);
 
-    host._surfaces = undefined;
+    void socketOf(host).leave(part);
     host.dispatchEvent(new Event('render'));
-    host._surfaces = shown;
+    void socketOf(host).join(part);
     expect(framing(from, null), 'after a picture without it').to.deep.equal(bare);
     expect(placesOf({ ...surface, terrain: { error: 0, meanError: 0, heights: [0, 1], voids: 0 } }), 'terrain').to.deep.equal([]);
   });

@@ -7,7 +7,8 @@ import { identity, length, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Surface } from '../../src/volume/surface.ts';
 import type { WorldCut } from '../../src/volume/world-cut.ts';
-import type { ShownSurface, SurfacedElement } from '../../src/renderer/layers/shown-surfaces.ts';
+import type { ShownSurface } from '../../src/renderer/layers/shown-surfaces.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { endAtSurface } from '../../src/viewer/picking/pick-surfaces.ts';
 import { ballPly, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
 
@@ -51,9 +52,10 @@ describe('rays and surfaces', () => {
   });
 
   it('end at the nearest one that no ClipPlane cuts, wherever the volume is', async () => {
-    const host = document.createElement('div') as SurfacedElement & HTMLElement;
+    const host = document.createElement('div');
     const [near, far] = [document.createElement('volume-surface'), document.createElement('volume-terrain')];
-    host._surfaces = new Map<Element, ShownSurface>([[far, shownOf(await surfaceOf(ballPly([0.5, 0.5, 5], 0.4)))], [near, shownOf(await surfaceOf(ballPly([0.5, 0.5, 0.5], 0.3)))]]);
+    const parts: readonly [HTMLElement, ShownSurface][] = [[far, shownOf(await surfaceOf(ballPly([0.5, 0.5, 5], 0.4)))], [near, shownOf(await surfaceOf(ballPly([0.5, 0.5, 0.5], 0.3)))]];
+    for (const [element, surface] of parts) void socketOf(host).join({ key: 'surface', element, surface });
     const ray = { point: [0.5, 0.51, -1] as Vector3, direction: [0, 0, 1] as Vector3, lengthPerT: 1 };
     const box = { entry: 1, exit: 2, behind: null };
     const end = endAtSurface(host, ray, identity, 0)!;
@@ -79,11 +81,13 @@ describe('rays and surfaces', () => {
   });
 
   it('go through what has been cut away of one with its volume', async () => {
-    const host = document.createElement('div') as SurfacedElement & HTMLElement;
+    const host = document.createElement('div');
     const whole = await surfaceOf(ballPly([0.5, 0.5, 0.5], 0.3));
+    const part = { key: 'surface', element: host, surface: shownOf(whole) };
+    void socketOf(host).join(part);
     const ray = { point: [0.5, 0.51, -1] as Vector3, direction: [0, 0, 1] as Vector3, lengthPerT: 1 };
     const meetAfter = (away: WorldCut): number | undefined => {
-      host._surfaces = new Map([[host, { ...shownOf(cutSurface(whole, away)!), cut: { whole, away } }]]);
+      part.surface = { ...shownOf(cutSurface(whole, away)!), cut: { whole, away } };
       return endAtSurface(host, ray, identity, 0)?.hit.t;
     };
     const away = { kept: [], removed: null };

@@ -5,7 +5,7 @@ import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts'
 import { readClipAttributes } from '../../src/viewer/cuts/clip-attributes.ts';
 import { ClipModel } from '../../src/viewer/cuts/clip-model.ts';
 import type { ClipRoom } from '../../src/viewer/cuts/clip-model.ts';
-import type { ClippedElement } from '../../src/viewer/model/clip-source.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { readClips } from '../../src/viewer/cuts/read-clips.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import { dot, invertAffine, subtract, transformDirection, transformPoint } from '../../src/volume/matrix.ts';
@@ -26,10 +26,10 @@ interface Left {
 }
 
 function cutLine(html: string, [from, to]: readonly [Vector3, Vector3], { of = volume, attributes = {}, clips = [] as Record<string, string>[] } = {}): Left {
-  const host = document.createElement('div') as ClippedElement;
+  const host = document.createElement('div');
   host.innerHTML = html;
   for (const [name, value] of Object.entries(attributes)) host.setAttribute(name, String(value));
-  host._clips = new Set(clips.map((texts) => ({ readClip: () => modelOf(texts).shape(null) ?? modelOf(texts).shape(room) })));
+  for (const texts of clips) void socketOf(host).join({ key: 'volume-clip', clip: () => modelOf(texts).shape(null) ?? modelOf(texts).shape(room) });
   const { cuts, error } = readClips(host, of);
   const items = cuts.flatMap((cut) => cut.items) as (HalfSpace | Cutout)[];
   const toUnit = invertAffine(unitToWorld(of.grid))!;
@@ -87,11 +87,11 @@ describe('what cuts a volume', () => {
 
   it('is the same in the world, where sides of boxes stay as far away as they are said to be', () => {
     const radar = radarVolume(polarScenes['five sweeps'], { verticalExaggeration: 4 });
-    const host = document.createElement('div') as ClippedElement;
+    const host = document.createElement('div');
     host.innerHTML = plane('0 0 1 -4000');
     host.setAttribute('cutout', '-1e7 -1e7 1500 1e7 0 2000');
     const clips: Record<string, string>[] = [{ normal: '1 2 0', at: '50' }, { type: 'box', box: '-1e7 -1e7 -1e7 4e4 1e7 3000' }];
-    host._clips = new Set(clips.map((texts) => ({ readClip: () => modelOf(texts).shape(null) })));
+    for (const texts of clips) void socketOf(host).join({ key: 'volume-clip', clip: () => modelOf(texts).shape(null) });
     const { cuts, away, error } = readClips(host, radar);
     expect([error, away.kept.length, away.removed]).to.deep.equal([null, 8, [[-1e7, 1e7], [-1e7, 0], [6000, 8000]]]);
     const items = cuts.flatMap((cut) => cut.items) as (HalfSpace | Cutout)[];

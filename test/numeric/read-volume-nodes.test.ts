@@ -1,5 +1,6 @@
 // What X3D's volume nodes in HTML say, as an author meant it; what X3D forbids, and what is not there, in words.
 import { expect } from '@esm-bundle/chai';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import { defaultReferenceLength } from '../../src/volume/reference-length.ts';
 import type { VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
@@ -83,7 +84,8 @@ describe('X3D\'s volume nodes', () => {
   });
 
   it('that project an atlas show its values as they are: 128 of 255 as 128, opaque', async () => {
-    const host = Object.assign(document.createElement('volume-view'), { _atlas: () => 'atlas.png' });
+    const host = document.createElement('volume-view');
+    void socketOf(host).join({ key: 'atlas', attribute: () => 'atlas.png' });
     const seen = async (html: string, look: Partial<VolumeOptics> = {}): Promise<readonly number[]> => {
       host.innerHTML = html;
       const { transferFunction } = await withVolumeNodes({ user: { host } }, { ...plainLook, ...look }, { grid });

@@ -1,5 +1,6 @@
 // X3D's SegmentedVolumeData: which segments are drawn, and with what; and what can't be drawn, in words.
 import { expect } from '@esm-bundle/chai';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { VolumeViewError } from '../../src/core/errors.ts';
 import { leadOf, readEnabled, readIdentifiers, tellStyles } from '../../src/x3d/nodes/read-segments.ts';
 import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
@@ -50,7 +51,7 @@ describe('X3D\'s segments', () => {
 
   it('of an atlas have textures from black to white of it, unless the view says otherwise', async () => {
     const view = fakeView(`<SegmentedVolumeData>${identifiers([0, 1, 2, 2])}${map('0x00000000 0xFF0000FF')}</SegmentedVolumeData>`);
-    Object.assign(view.host, { _atlas: () => 'ct.png' });
+    void socketOf(view.host).join({ key: 'atlas', attribute: () => 'ct.png' });
     const last = async (): Promise<number> => (await view.read(), view.shown.labels!.shown!.functions![0][1].value);
     expect(await last()).to.equal(255);
     view.host.setAttribute('value-window', '0 200');

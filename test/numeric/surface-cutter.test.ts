@@ -1,10 +1,10 @@
 // When a surface is cut anew: with its volume, once a frame, and more rarely where it takes long; whole again without.
 import { expect } from '@esm-bundle/chai';
-import type { SurfacedElement } from '../../src/renderer/layers/shown-surfaces.ts';
 import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
 import { SurfaceKeeper } from '../../src/viewer/attachments/surface-keeper.ts';
 import { SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';
-import type { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
+import type { SocketView } from '../../src/viewer/model/view-socket.ts';
 import type { Surface } from '../../src/volume/surface.ts';
 import type { WorldCut } from '../../src/volume/world-cut.ts';
 import { ballPly, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
@@ -15,25 +15,26 @@ const above = (at: number): WorldCut => ({ ...nothing, kept: [{ normal: [0, 0, 1
 
 /** A view without a picture, and a surface's place in it. */
 function createView() {
-  const host = document.createElement('div') as HTMLElement & SurfacedElement;
+  const host = document.createElement('div');
+  const socket = socketOf(host);
   const volume = syntheticVolume({ dimensions: [20, 20, 20] });
   const shown = { cuts: { region: null as unknown, away: nothing } };
   const settings = { region: { value: null as readonly number[] | null } };
   const work: Promise<unknown>[] = [];
-  const viewer = { volume, leftAttributes: true, invalidate: () => {}, pictures: { drawn: volume, parts: { shown, keeper: { scene: { loadLines: async () => null } } } } };
-  const presenter = { user: { host, awake: true }, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), settings, viewer, volume, track: (one: Promise<unknown>) => work.push(one) } as unknown as VolumePresenter;
-  const target = new SurfaceTarget(presenter, document.createElement('i'));
+  const viewer = { volume, shown, scene: { loadLines: async () => null }, invalidate: () => {}, reframe: () => {} };
+  socket.view = { host, awake: true, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), settings, viewer, volume, track: (one: Promise<unknown>) => work.push(one) } as unknown as SocketView;
+  const target = new SurfaceTarget(socket, document.createElement('i'));
   return {
-    host, target, shown, settings, work,
+    socket, target, shown, settings, work,
     /** As the viewer does. */
     cut: (away: WorldCut): Promise<unknown> => {
       shown.cuts = { ...shown.cuts, away };
-      host._cutSurfaces?.forEach((follow) => follow());
+      for (const part of socket.parts) part.cutsChanged?.();
       return Promise.all(work);
     },
     /** The lowest place of what is in the picture; null where that is nothing. */
     get lowest(): number | null {
-      const [one] = host._surfaces?.values() ?? [];
+      const one = socket.last('surface');
       return one ? Math.min(...trianglesOf(one.surface).flat().map(([, , z]) => z)) : null;
     },
   };
@@ -73,7 +74,7 @@ async function nextFrame(): Promise<void> {
 describe('a surface that is cut with its volume', () => {
   it('is cut by what cuts it, region as well, is gone where nothing is left, and whole again without', async () => {
     const view = createView();
-    const { host, target, shown, settings, work } = view;
+    const { socket, target, shown, settings, work } = view;
     let isCut = true;
     const keeper = new SurfaceKeeper({
       localName: 'volume-surface',
@@ -84,17 +85,17 @@ describe('a surface that is cut with its volume', () => {
     keeper.refresh();
     await Promise.all(work);
     expect(view.lowest).to.be.closeTo(1, 1e-6);
-    const [{ places, cut }] = host._surfaces!.values();
+    const { places, cut } = socket.last('surface')!;
     expect(places!.some(([, , z]) => z < -4.9), 'cameras frame the whole').to.equal(true);
     expect([cut!.away, cut!.whole]).to.deep.equal([above(1), keeper.surface]);
 
     await view.cut(above(-2));
     expect(view.lowest).to.be.closeTo(-2, 1e-6);
-    const before = host._surfaces;
+    const before = socket.version;
     await view.cut(above(-2));
-    expect(host._surfaces, 'nothing has changed').to.equal(before);
+    expect(socket.version, 'nothing has changed').to.equal(before);
     await view.cut(above(6));
-    expect(host._surfaces).to.equal(undefined);
+    expect(socket.last('surface')).to.equal(null);
     [shown.cuts.region, settings.region.value] = [{}, [-9, -9, 3, 9, 9, 9]];
     await view.cut({ ...nothing, removed: [[-9, 9], [-9, 9], [0, 4]] });
     expect(view.lowest).to.be.closeTo(4, 1e-6);
@@ -102,14 +103,16 @@ describe('a surface that is cut with its volume', () => {
     isCut = false;
     keeper.refresh();
     await Promise.all(work);
-    expect([...host._surfaces!.values()][0].surface).to.equal(keeper.surface);
-    expect(host._cutSurfaces!.size).to.equal(0);
+    expect(socket.last('surface')!.surface).to.equal(keeper.surface);
+    await view.cut(above(0));
+    expect(socket.last('surface')!.surface, 'nothing cuts it').to.equal(keeper.surface);
+    shown.cuts.away = { ...nothing, removed: [[-9, 9], [-9, 9], [0, 4]] };
     isCut = true;
     keeper.refresh();
     await Promise.all(work);
     expect(view.lowest).to.be.closeTo(4, 1e-6);
     keeper.leave(target);
-    expect([host._cutSurfaces!.size, host._surfaces]).to.deep.equal([0, undefined]);
+    expect(socket.parts).to.deep.equal([]);
   });
 
   it('follows once in a frame, and the last word holds', () => withClock(async (clock) => {
@@ -117,15 +120,12 @@ describe('a surface that is cut with its volume', () => {
     await view.target.prepareCuts();
     await view.target.show({ surface: await surfaceOf(ballPly([0, 0, 0], 5)), color: [1, 1, 1], usesOwnColors: false, isCut: true });
     await nextFrame();
-    const put: SurfacedElement['_surfaces'][] = [];
-    Object.defineProperty(view.host, '_surfaces', { get: () => put.at(-1), set(all: SurfacedElement['_surfaces']) {
-      put.push(all);
-    } });
+    const before = view.socket.version;
     for (let i = 0; i < 10; i++) void view.cut(above(i / 10));
-    expect(put.length).to.equal(1);
+    expect(view.socket.version - before).to.equal(1);
     expect(view.lowest, 'the first at once').to.be.closeTo(0, 1e-6);
     await clock.pass(20);
-    expect(put.length).to.equal(2);
+    expect(view.socket.version - before).to.equal(2);
     expect(view.lowest).to.be.closeTo(0.9, 1e-6);
     // Frame by frame, though each change comes before another one would be due.
     for (let i = 1; i < 5; i++) {

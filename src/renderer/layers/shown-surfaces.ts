@@ -16,10 +16,3 @@ export interface ShownSurface {
   /** World places that a camera which frames it has in its picture; none where absent. */
   readonly places?: readonly Vector3[];
 }
-
-/** An element in whose scene surfaces are, by the elements that show them: whichever scene it has looks here. */
-export interface SurfacedElement extends Element {
-  _surfaces?: ReadonlyMap<Element, ShownSurface>;
-  /** Called when what cuts the volume may be another, for surfaces that are cut with it. They add themselves. */
-  _cutSurfaces?: Set<() => void>;
-}

@@ -1,19 +1,4 @@
-import type { Volume } from '../../volume/volume.ts';
-import type { ToldFile } from '../model/beside-notices.ts';
-
-/** What something beside a volume is put on. */
-export interface BesideTarget {
-  /** The last good volume; null before there is one. */
-  readonly volume: Volume | null;
-  /** Whether a volume is being loaded, or would be: the picture is near enough to be seen soon. */
-  readonly awake: boolean;
-  /** Work that a script that waits for the picture has to wait for. It does not reject. */
-  track(work: Promise<unknown>): void;
-  failed(error: unknown): void;
-  cleared(): void;
-  /** What of its files is not in the picture, for who looks at it; nothing where all is. */
-  tell(files: readonly ToldFile[]): void;
-}
+import type { BesideTarget } from '../model/label-target.ts';
 
 /** The element that asks for it. */
 export interface BesideHost<Target extends BesideTarget> {
@@ -46,7 +31,7 @@ export abstract class BesideKeeper<Target extends BesideTarget, Host extends Bes
     this.#run.abort();
     this.forget(target);
     target.cleared();
-    target.tell([]);
+    target.reportFiles([]);
   }
 
   /** @param signal - of what is not asked for any more */

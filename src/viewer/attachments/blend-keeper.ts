@@ -22,7 +22,7 @@ import { readOpacityMap } from '../../x3d/nodes/read-opacity-map.ts';
 import { sharedVolumes } from '../loading/shared-volumes.ts';
 import type { SecondVolume } from '../../x3d/nodes/volume-textures.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
-import type { VolumePresenter } from '../view/volume-presenter.ts';
+import type { ViewSocket } from '../model/view-socket.ts';
 
 /** X3D's own: what is bright is opaque. */
 const gray = '0% #000 0, 100% #fff 100%';
@@ -33,11 +33,11 @@ const white = 255;
 /** A page's own layer goes before a blend. */
 class BlendTarget extends OverlayTarget {
   get isTaken(): boolean {
-    return childrenOf(this.presenter.user.host, 'volume-layer').length > 0;
+    return childrenOf(this.view.host, 'volume-layer').length > 0;
   }
 
   override async wear(overlay: ViewOverlay | null): Promise<void> {
-    if (!this.isTaken) await super.wear(overlay);
+    if (!overlay || !this.isTaken) await super.wear(overlay);
   }
 }
 
@@ -47,11 +47,11 @@ export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarge
   readonly #files = new LastWork<Volume>();
   #second: SecondVolume | null = null;
 
-  constructor(presenter: VolumePresenter) {
-    const target = new BlendTarget(presenter);
+  constructor(socket: ViewSocket) {
+    const target = new BlendTarget(socket);
     super({ target: () => (this.#second ? target : null), failed: () => {} });
     this.#target = target;
-    presenter.user.host.addEventListener('load', () => this.refresh());
+    socket.view!.host.addEventListener('load', () => this.refresh());
   }
 
   /** @throws {VolumeViewError} `attribute/invalid` */
@@ -89,7 +89,7 @@ export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarge
     await target.wear(makeOverlay({ volume, over, missing: null, transferFunction, blend: 'mix', opacityFactor: ratio }, volume.title ?? ''));
     signal.throwIfAborted();
     target.cleared();
-    target.tell([[voxels.url, noticesOf(file)]]);
+    target.reportFiles([[voxels.url, noticesOf(file)]]);
   }
 }
 

@@ -15,13 +15,12 @@ import { readSource } from '../loading/read-source.ts';
 import { checkSameGates } from '../loading/same-gates.ts';
 import type { TimeChangeDetail } from '../loading/scan-player.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
-import type { VolumePresenter } from '../view/volume-presenter.ts';
+import { socketOf } from '../model/view-socket.ts';
 
 /** A <volume-view> that may want such colours. */
 export interface ColoredView extends HTMLElement {
   readonly colorMoment: string | null;
   readonly scan: TimeChangeDetail | null;
-  readonly _presenter: VolumePresenter;
 }
 
 /** Of gates that have no such moment. */
@@ -59,14 +58,14 @@ class ColorMoment {
   #isShown = false;
 
   constructor(readonly view: ColoredView) {
-    this.#target = new OverlayTarget(view._presenter);
+    this.#target = new OverlayTarget(socketOf(view));
     for (const type of ['load', 'time-change']) view.addEventListener(type, () => void this.refresh());
   }
 
   /** Load and show what is asked for now, unless it is. @returns resolves when the next picture shows it, whether it is another one then */
   async refresh(): Promise<boolean> {
     const { view } = this;
-    const { volume, viewer } = view._presenter;
+    const { volume, viewer } = this.#target.view;
     const moment = view.colorMoment?.trim() || null;
     const of = [moment, volume, viewer, view.scan?.index];
     if (of.every((one, i) => one === this.#of[i])) return false;
@@ -99,7 +98,8 @@ class ColorMoment {
   }
 
   #load(moment: string, signal: AbortSignal): Promise<Volume> {
-    const { _presenter: { settings }, scan } = this.view;
+    const { settings } = this.#target.view;
+    const { scan } = this.view;
     const urls = settings.src!.trim().split(/\s+/);
     const index = scan?.index ?? 0;
     const several = scan !== null && scan.count > 1;

@@ -11,15 +11,13 @@ import { parseWord } from '../model/parse-attributes.ts';
 import { clicksOn } from '../picking/pick-clicks.ts';
 import type { PickedView } from '../picking/pick-clicks.ts';
 import { parsePlace } from '../cuts/slice-attributes.ts';
-import type { Viewer } from '../view/viewer.ts';
+import { socketOf } from '../model/view-socket.ts';
+import type { ViewPart, ViewSocket } from '../model/view-socket.ts';
 import type { VolumePick } from '../model/volume-pick.ts';
 
-/** A view that panes belong to: `render` is fired at it after each frame. */
+/** A view that panes belong to. */
 export interface CrosshairView extends PickedView {
   readonly camera: Camera | null;
-  readonly _presenter?: { readonly viewer: Viewer | null };
-  /** Where its `cursor` is read. */
-  _crosshair: { readonly place: Vector3 | null } | null;
 }
 
 /** A pane that belongs to a view. */
@@ -32,13 +30,10 @@ export interface JoiningPane {
   readonly mended: () => void;
 }
 
-const byView = new WeakMap<CrosshairView, CrosshairInView>();
-
 /** Show a pane's crosshair in its view, and have clicks on the view and its `cursor` move it. @returns what ends it */
 export function joinView(view: CrosshairView, pane: JoiningPane): () => void {
-  let shown = byView.get(view);
-  if (!shown) byView.set(view, (shown = new CrosshairInView(view)));
-  return shown.join(pane);
+  const shown = socketOf(view).parts.find((part) => part instanceof CrosshairInView);
+  return (shown ?? new CrosshairInView(view)).join(pane);
 }
 
 /** Three lines along the axes of the world through a place, from side to side of the box around a grid; none outside of it. */
@@ -49,7 +44,9 @@ export function crosshairLines(grid: GridFrame, place: Vector3): readonly (reado
   return place.map((_, axis) => [low, high].map((ends) => place.map((x, other) => (other === axis ? ends[axis] : x)) as unknown as Vector3));
 }
 
-class CrosshairInView {
+class CrosshairInView implements ViewPart {
+  readonly key = 'crosshair';
+  readonly #socket: ViewSocket;
   /** The last one is shown. */
   readonly #panes: JoiningPane[] = [];
   #abort: AbortController | null = null;
@@ -61,26 +58,27 @@ class CrosshairInView {
   /** Which attributes can't be read. */
   readonly #wrong = new Map<string, VolumeViewError>();
 
-  constructor(readonly view: CrosshairView) {}
+  constructor(readonly view: CrosshairView) {
+    this.#socket = socketOf(view);
+  }
 
   /** Where the panes are; the middle of the volume where nobody has put them anywhere. */
-  get place(): Vector3 | null {
-    const volume = this.view._presenter?.viewer?.volume;
+  get cursor(): Vector3 | null {
+    const volume = this.#socket.view?.viewer?.volume;
     return this.#panes.at(-1)?.crosshair.place ?? (volume ? middleOf(volume.grid) : null);
   }
 
   join(pane: JoiningPane): () => void {
     this.#panes.push(pane);
     if (!this.#abort) this.#enter();
-    this.view._crosshair = this;
-    const ignore = pane.crosshair.listen(() => this.#draw());
+    const ignore = pane.crosshair.listen(() => this.place());
     this.#read();
-    this.#draw();
+    this.place();
     return () => {
       ignore();
       this.#panes.splice(this.#panes.indexOf(pane), 1);
       if (this.#panes.length === 0) this.#leave();
-      else this.#draw();
+      else this.place();
     };
   }
 
@@ -90,14 +88,14 @@ class CrosshairInView {
     const release = clicksOn(view).hold();
     const observer = new MutationObserver(() => {
       this.#read();
-      this.#draw();
+      this.place();
     });
     observer.observe(view, { attributeFilter: ['cursor', 'crosshair'] });
     signal.addEventListener('abort', () => {
       release();
       observer.disconnect();
     });
-    view.addEventListener('render', () => this.#draw(), { signal });
+    void this.#socket.join(this);
     view.addEventListener('volume-pick', (event) => {
       const { detail } = event as CustomEvent<VolumePick | null>;
       if (detail) this.#panes.at(-1)?.crosshair.moveTo(detail.world);
@@ -105,7 +103,7 @@ class CrosshairInView {
   }
 
   #leave(): void {
-    this.view._crosshair = null;
+    void this.#socket.leave(this);
     this.#abort?.abort();
     this.#abort = null;
     this.#overlay?.remove();
@@ -153,17 +151,18 @@ class CrosshairInView {
     });
   }
 
-  #draw(): void {
+  /** Over the picture. */
+  place(): void {
     const { camera, clientWidth: width, clientHeight: height } = this.view;
-    const viewer = this.view._presenter?.viewer;
+    const viewer = this.#socket.view?.viewer;
     const pane = this.#panes.at(-1);
     const picture = this.view.shadowRoot?.querySelector('.picture');
     if (!pane || !picture) return;
     this.#overlay ??= new LineOverlay(picture, { part: 'crosshair', opacity: 0.6, isDashed: false });
-    const shown = viewer?.volume ? viewer.pictures.parts.shown : null;
-    const { place } = this;
-    const isThere = camera && shown && place && width > 0 && height > 0 && !this.#isHidden;
-    const lines = isThere ? crosshairLines(shown.grid, place) : [];
+    const shown = viewer?.volume ? viewer.shown : null;
+    const { cursor } = this;
+    const isThere = camera && shown && cursor && width > 0 && height > 0 && !this.#isHidden;
+    const lines = isThere ? crosshairLines(shown.grid, cursor) : [];
     this.#overlay.show(isThere ? { camera, width, height } : null, lines, pane.color(), null);
   }
 }

@@ -122,7 +122,7 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     const { src, table, hidden } = this.host.wanted();
     if (hidden) {
       target.cleared();
-      target.tell([]);
+      target.reportFiles([]);
       return this.#wear(null);
     }
     // Both are on their way at once; where the one fails, the other one's failure is not told.
@@ -141,7 +141,7 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     const map = await this.#placed.get(`${url} ${JSON.stringify(volume.grid)}`, signal, (stop) => placeLabels(from, volume, url, stop));
     signal.throwIfAborted();
     this.#isLacking = false;
-    target.tell([[src ?? '', file?.left ?? []], [table ?? '', names?.problems ?? []]]);
+    target.reportFiles([[src ?? '', file?.left ?? []], [table ?? '', names?.problems ?? []]]);
     await this.#wear({ map, table: withNamed(names, from.named), isOwn: !file, volume });
   }
 

@@ -2,26 +2,13 @@ import { asVolumeViewError, VolumeViewError } from '../../core/errors.ts';
 import type { Stop, TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { asLabels } from '../../volume/label-volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { BesideTarget } from './beside-keeper.ts';
 import { PresenterPlace } from './presenter-place.ts';
+import type { LabelTarget } from '../model/label-target.ts';
+import type { Scene } from '../model/scene.ts';
 import type { ViewLabels } from '../model/view-labels.ts';
-import type { VolumePresenter } from '../view/volume-presenter.ts';
+import type { ViewSocket } from '../model/view-socket.ts';
 
-/** What labels are put on. */
-export interface LabelTarget extends BesideTarget {
-  /** The file of that volume, for messages. */
-  readonly file: string;
-  /** Data values that presets and percentages span; null before there is a volume. */
-  readonly window: readonly [number, number] | null;
-  /** Whether what is hidden can be seen as a trace. */
-  readonly showsGhosts: boolean;
-  /** Show labels; null for none. @throws {VolumeViewError} */
-  wear(labels: ViewLabels | null): Promise<void>;
-  /** How a volume looks that is labels itself, where its page says nothing; null for what its values suggest. */
-  dress(transferFunction: TransferFunction | null): void;
-  /** Show a volume's values as labels where they were taken for intensities. @throws {VolumeViewError} */
-  takeAsLabels(volume: Volume): Promise<void>;
-}
+export type { LabelTarget } from '../model/label-target.ts';
 
 /** Whether two transfer functions have the same stops. */
 function isSame(one: TransferFunction | null, other: TransferFunction | null): boolean {
@@ -30,38 +17,39 @@ function isSame(one: TransferFunction | null, other: TransferFunction | null): b
 }
 
 /** Labels in a <volume-view>. */
-export class PresenterTarget extends PresenterPlace implements LabelTarget {
-  constructor(presenter: VolumePresenter) {
-    super(presenter, 'labels');
+export class PresenterTarget extends PresenterPlace<ViewLabels> implements LabelTarget {
+  readonly key = 'labels';
+
+  constructor(socket: ViewSocket) {
+    super(socket, 'labels');
+  }
+
+  get labels(): ViewLabels | null {
+    return this.value;
   }
 
   get window(): readonly [number, number] | null {
-    return this.presenter.look.current?.window ?? this.volume?.window ?? this.volume?.range ?? null;
+    return this.view.look.current?.window ?? this.volume?.window ?? this.volume?.range ?? null;
   }
 
   /** Of values of rays there are no traces: what is hidden would count as much as all else. */
   get showsGhosts(): boolean {
-    return this.presenter.look.current?.projection === null;
+    return this.view.look.current?.projection === null;
   }
 
-  wear(labels: ViewLabels | null): Promise<void> {
-    return this.tellScene((shown) => {
-      const [before, now] = [shown.labels, labels].map((one) => one?.shown ?? null);
-      shown.labels = labels;
-      return now !== before;
-    }, (scene) => scene.setLabels(this.presenter.viewer?.pictures.parts.shown.labels?.shown ?? null));
+  protected tell(scene: Scene, labels: ViewLabels['shown']): Promise<void> {
+    return scene.setLabels(labels);
   }
 
   dress(transferFunction: TransferFunction | null): void {
-    const { look } = this.presenter;
+    const { look } = this.view;
     if (isSame(look.dress?.transferFunction ?? null, transferFunction)) return;
     look.dress = transferFunction === null ? null : { transferFunction };
     look.readAnew();
   }
 
-  async takeAsLabels(volume: Volume): Promise<void> {
-    const optics = await this.presenter.show(asLabels(volume), new AbortController().signal);
-    this.presenter.announce(optics);
+  takeAsLabels(volume: Volume): Promise<void> {
+    return this.view.replace(asLabels(volume));
   }
 
   override failed(error: unknown): void {

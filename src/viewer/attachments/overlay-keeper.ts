@@ -74,7 +74,7 @@ export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost
     const { src, hidden, label, ...words } = this.host.wanted();
     if (hidden) {
       target.cleared();
-      target.tell([]);
+      target.reportFiles([]);
       return this.#drop(target);
     }
     const url = src?.trim();
@@ -93,7 +93,7 @@ export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost
     signal.throwIfAborted();
     [this.#volume, this.#look, this.#over] = [volume, look, over];
     target.cleared();
-    target.tell([[url, noticesOf(loaded)]]);
+    target.reportFiles([[url, noticesOf(loaded)]]);
     this.host.changed();
   }
 

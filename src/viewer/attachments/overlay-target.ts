@@ -1,21 +1,23 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import { PresenterPlace } from './presenter-place.ts';
+import type { Scene } from '../model/scene.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
-import type { VolumePresenter } from '../view/volume-presenter.ts';
+import type { ViewSocket } from '../model/view-socket.ts';
 
 /** A second field in a <volume-view>. */
-export class OverlayTarget extends PresenterPlace {
-  constructor(presenter: VolumePresenter) {
-    super(presenter, 'overlay');
+export class OverlayTarget extends PresenterPlace<ViewOverlay> {
+  readonly key = 'overlay';
+
+  constructor(socket: ViewSocket) {
+    super(socket, 'overlay');
   }
 
-  /** Show a layer; null for none. @throws {VolumeViewError} */
-  wear(overlay: ViewOverlay | null): Promise<void> {
-    return this.tellScene((shown) => {
-      const before = shown.overlay;
-      shown.overlay = overlay;
-      return before?.shown !== overlay?.shown;
-    }, (scene) => scene.setOverlay(this.presenter.viewer?.pictures.parts.shown.overlay?.shown ?? null));
+  get overlay(): ViewOverlay | null {
+    return this.value;
+  }
+
+  protected tell(scene: Scene, overlay: ViewOverlay['shown'] | null): Promise<void> {
+    return scene.setOverlay(overlay);
   }
 }
 

@@ -73,7 +73,7 @@ export class PaneTarget implements LabelTarget {
     this.pane.changed();
   }
 
-  tell(files: readonly ToldFile[]): void {
+  reportFiles(files: readonly ToldFile[]): void {
     tellBeside({ besideNotices: this.besideNotices, user: this.pane }, this, files);
   }
 }

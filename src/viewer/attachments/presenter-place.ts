@@ -1,60 +1,77 @@
 import type { Volume } from '../../volume/volume.ts';
-import { tellBeside } from '../model/beside-notices.ts';
 import type { ToldFile } from '../model/beside-notices.ts';
 import type { Aspect } from '../model/error-board.ts';
 import type { Scene } from '../model/scene.ts';
-import type { ShownVolume } from '../cuts/shown-volume.ts';
-import type { VolumePresenter } from '../view/volume-presenter.ts';
+import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
 
-/** A <volume-view> as the place of something that is shown with its volume. */
-export class PresenterPlace {
+/** A <volume-view> as the place of something that is shown with its volume, and the part of the view that shows it. */
+export abstract class PresenterPlace<Value extends { readonly shown: unknown }> implements ViewPart {
+  abstract readonly key: 'labels' | 'overlay';
+  /** What is shown from here; null for nothing. */
+  protected value: Value | null = null;
+  /** Scenes that have or had it. */
+  readonly #told = new WeakSet<Scene>();
+
   /** @param aspect - of what can fail */
-  constructor(readonly presenter: VolumePresenter, readonly aspect: Aspect) {}
+  constructor(readonly socket: ViewSocket, readonly aspect: Aspect) {}
+
+  /** Nobody makes such a place before its element is defined. */
+  get view(): SocketView {
+    return this.socket.view!;
+  }
 
   /** The last good volume; null before there is one. */
   get volume(): Volume | null {
-    return this.presenter.volume;
+    return this.view.volume;
   }
 
   /** Whether a volume is being loaded, or would be: the picture is near enough to be seen soon. */
   get awake(): boolean {
-    return this.presenter.user.awake;
+    return this.view.awake;
   }
 
   /** The file of that volume, for messages. */
   get file(): string {
-    return this.presenter.settings.src ?? '';
+    return this.view.settings.src ?? '';
   }
 
-  /**
-   * Keep something for scenes to come, and tell the present one.
-   * @param keep - returns whether the scene has to be told
-   */
-  protected async tellScene(keep: (shown: ShownVolume) => boolean, tell: (scene: Scene) => Promise<void>): Promise<void> {
-    const { viewer } = this.presenter;
-    if (!viewer) return;
-    const { shown, keeper } = viewer.pictures.parts;
-    if (!keep(shown)) return;
-    // A scene that is being built may have looked for it just before, and is in place when all that waits for nothing is done.
-    if (!keeper.scene) await new Promise((resolve) => setTimeout(resolve));
-    if (keeper.scene) await tell(keeper.scene);
-    viewer.invalidate();
+  /** Show something else; null for nothing. @returns resolves when the next picture shows it @throws {VolumeViewError} */
+  async wear(value: Value | null): Promise<void> {
+    const before = this.value;
+    this.value = value;
+    if (!value) await this.socket.leave(this);
+    else if (!before) await this.socket.join(this);
+    else if (before.shown !== value.shown) await this.socket.update(this);
   }
+
+  apply(scene: Scene): Promise<void> | void {
+    // Whichever place it is from. What draws it is loaded with the first.
+    const shown = this.socket.last(this.key)?.shown ?? null;
+    if (!shown && !this.#told.has(scene)) return;
+    this.#told.add(scene);
+    return this.tell(scene, shown);
+  }
+
+  remove(scene: Scene): Promise<void> | void {
+    return this.apply(scene);
+  }
+
+  protected abstract tell(scene: Scene, shown: Value['shown'] | null): Promise<void>;
 
   /** Work that a script that waits for the picture has to wait for. It does not reject. */
   track(work: Promise<unknown>): void {
-    this.presenter.track(work);
+    this.view.track(work);
   }
 
   failed(error: unknown): void {
-    this.presenter.errors.report(this.aspect, error);
+    this.view.errors.report(this.aspect, error);
   }
 
   cleared(): void {
-    this.presenter.errors.clear(this.aspect);
+    this.view.errors.clear(this.aspect);
   }
 
-  tell(files: readonly ToldFile[]): void {
-    tellBeside(this.presenter, this, files);
+  reportFiles(files: readonly ToldFile[]): void {
+    this.view.reportFiles(this, files);
   }
 }

@@ -13,7 +13,7 @@ import type { Segment } from '../../x3d/nodes/read-segments.ts';
 import type { SegmentKeeper, Segments } from './segment-keeper.ts';
 import { readVolumeStyle } from '../../x3d/nodes/read-volume-style.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
-import type { VolumePresenter } from '../view/volume-presenter.ts';
+import { socketOf, standIn } from '../model/view-socket.ts';
 import { readVoxelTexture } from '../../x3d/nodes/volume-textures.ts';
 import type { SecondVolume } from '../../x3d/nodes/volume-textures.ts';
 import { meantChildren } from '../../page/unclosed.ts';
@@ -22,9 +22,6 @@ import { containerFieldOf, X3dFields } from '../../x3d/nodes/x3d-fields.ts';
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();
 /** What of X3D may stand around a volume's styles. */
 const isAround = (node: Element): boolean => isWrapper(node) || /^(x3d|scene|group|transform|volumedata|isosurfacevolumedata|segmentedvolumedata)$/i.test(node.nodeName);
-
-/** An element whose volume may be an X3D scene's atlas. */
-type Atlased = Element & { readonly _atlas?: (property: string) => unknown };
 
 /** What nodes say of a look. */
 interface Said {
@@ -60,25 +57,24 @@ export async function withVolumeNodes(presenter: { readonly user: { readonly hos
   if (!isLast()) return styled; // What is said now is read already.
   const segmented = findNode(host, 'segmentedvolumedata');
   const segments = segmented ? readSegmented(host, segmented) : null;
-  if (segments) await showSegments(presenter as VolumePresenter, segments, isLast);
+  if (segments) await showSegments(host, segments, isLast);
   else segmentKeepers.get(host)?.hide();
   if (!isLast()) return styled;
-  if (second) await showSecond(presenter as VolumePresenter, { ...second, opacityFactor: readOpacityFactor(host, isOfAtlas(host)) }, isLast);
+  if (second) await showSecond(host, { ...second, opacityFactor: readOpacityFactor(host, isOfAtlas(host)) }, isLast);
   else blendKeepers.get(host)?.hide();
   return styled;
 }
 
 /** Whether the volume is an X3D scene's atlas. */
 function isOfAtlas(host: Element): boolean {
-  return Boolean((host as Atlased)._atlas?.('src'));
+  return Boolean(standIn(host, 'src'));
 }
 
 /** The second volume is a layer, which something else keeps. */
-async function showSecond(presenter: VolumePresenter, second: SecondVolume, isLast: () => boolean): Promise<void> {
-  const { host } = presenter.user;
+async function showSecond(host: Element, second: SecondVolume, isLast: () => boolean): Promise<void> {
   if (!blendKeepers.has(host)) {
     const { BlendKeeper } = await loadPart(import('./blend-keeper.ts'), 'blends two volumes');
-    if (!blendKeepers.has(host)) blendKeepers.set(host, new BlendKeeper(presenter));
+    if (!blendKeepers.has(host)) blendKeepers.set(host, new BlendKeeper(socketOf(host)));
   }
   if (isLast()) await blendKeepers.get(host)!.show(second);
 }
@@ -88,11 +84,10 @@ function findNode(host: Element, name: string): Element | undefined {
 }
 
 /** Segments are labels of the volume, which something else keeps. */
-async function showSegments(presenter: VolumePresenter, segments: Segments, isLast: () => boolean): Promise<void> {
-  const { host } = presenter.user;
+async function showSegments(host: Element, segments: Segments, isLast: () => boolean): Promise<void> {
   if (!segmentKeepers.has(host)) {
     const { SegmentKeeper } = await loadPart(import('./segment-keeper.ts'), 'shows segments');
-    if (!segmentKeepers.has(host)) segmentKeepers.set(host, new SegmentKeeper(presenter));
+    if (!segmentKeepers.has(host)) segmentKeepers.set(host, new SegmentKeeper(socketOf(host)));
   }
   if (isLast()) await segmentKeepers.get(host)!.show(segments, isLast);
 }

@@ -10,8 +10,8 @@ import { readOpacityMap } from '../../x3d/nodes/read-opacity-map.ts';
 import { isDrawn, tellStyles } from '../../x3d/nodes/read-segments.ts';
 import type { Identifiers, Segment } from '../../x3d/nodes/read-segments.ts';
 import type { LabelOverride, ViewLabels } from '../model/view-labels.ts';
+import type { ViewSocket } from '../model/view-socket.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { VolumePresenter } from '../view/volume-presenter.ts';
 
 /** What an author says of segments. */
 export interface Segments {
@@ -36,11 +36,11 @@ class SegmentTarget extends PresenterTarget {
   }
 
   get isTaken(): boolean {
-    return childrenOf(this.presenter.user.host, 'volume-labels').length > 0;
+    return childrenOf(this.view.host, 'volume-labels').length > 0;
   }
 
   override async wear(labels: ViewLabels | null): Promise<void> {
-    if (!this.isTaken) await super.wear(labels);
+    if (!labels || !this.isTaken) await super.wear(labels);
   }
 }
 
@@ -51,8 +51,8 @@ export class SegmentKeeper {
   #segments: Segments | null = null;
   #functions: readonly (string | null)[] = [];
 
-  constructor(presenter: VolumePresenter) {
-    this.#target = new SegmentTarget(presenter);
+  constructor(socket: ViewSocket) {
+    this.#target = new SegmentTarget(socket);
     this.#keeper = new LabelKeeper({
       said: (ids) => ({ overrides: new Map(ids.map((id) => [id, this.#look(id)])), error: this.#segments && tellStyles(this.#segments.all, this.#segments.enabled, ids) }),
       load: (_, signal) => loadIdentifiers(this.#segments!.identifiers, signal),
@@ -61,7 +61,7 @@ export class SegmentKeeper {
       changed: () => {},
       failed: () => {},
     });
-    const { host } = presenter.user;
+    const { host } = socket.view!;
     host.addEventListener('load', () => this.#keeper.refresh());
     host.addEventListener('optics-change', () => this.#keeper.rewindow());
   }

@@ -4,7 +4,7 @@ import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
 import { cutSurface } from '../../volume/cut-surface.ts';
 import { boundsBetween, sidesOf } from '../../volume/world-cut.ts';
 import type { WorldCut } from '../../volume/world-cut.ts';
-import type { VolumePresenter } from '../view/volume-presenter.ts';
+import type { SocketView } from '../model/view-socket.ts';
 
 /** What a cut may take of a frame, ms. */
 const frameShareMs = 8;
@@ -35,7 +35,7 @@ export class SurfaceCutter {
   #waiting: Promise<void> | null = null;
 
   /** @param again - shows the surface once more, cut anew */
-  constructor(readonly presenter: VolumePresenter, readonly again: () => Promise<void>) {}
+  constructor(readonly view: SocketView, readonly again: () => Promise<void>) {}
 
   /** What is left of a surface; null where that is nothing. The same object where nothing has changed. */
   cut(whole: ShownSurface): ShownSurface | null {
@@ -59,9 +59,9 @@ export class SurfaceCutter {
     const wait = this.#tookMs > frameShareMs
       ? Math.min(pauseMs, this.#endedMs + restPerCut * this.#tookMs - now)
       : document.timeline.currentTime === this.#frame ? frameMs : 0;
-    if (wait <= 0) return this.presenter.track(this.again());
+    if (wait <= 0) return this.view.track(this.again());
     this.#dueMs = now + wait;
-    if (!this.#waiting) this.presenter.track((this.#waiting = this.#wait()));
+    if (!this.#waiting) this.view.track((this.#waiting = this.#wait()));
   };
 
   async #wait(): Promise<void> {
@@ -72,10 +72,10 @@ export class SurfaceCutter {
   }
 
   get #away(): WorldCut {
-    const { presenter } = this;
-    const { cuts } = presenter.viewer?.pictures.parts.shown ?? {};
-    const { grid } = presenter.viewer?.volume ?? {};
-    const { value: box } = presenter.settings.region;
+    const { viewer, settings } = this.view;
+    const { cuts } = viewer?.shown ?? {};
+    const { grid } = viewer?.volume ?? {};
+    const { value: box } = settings.region;
     const sides = cuts?.region && grid && box ? sidesOf([boundsBetween(box, stretchOf(grid))]) : [];
     return { kept: [...(cuts?.away?.kept ?? []), ...sides], removed: cuts?.away?.removed ?? null };
   }

@@ -49,7 +49,7 @@ export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost
     const wanted = this.host.wanted(target.volume);
     if (!wanted) {
       target.cleared();
-      target.tell([]);
+      target.reportFiles([]);
       return target.show((this.#shown = this.#told = null));
     }
     const { request, look } = wanted;
@@ -64,7 +64,7 @@ export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost
     await target.show(this.#shown);
     signal.throwIfAborted();
     target.cleared();
-    target.tell([[request.surface === 'mesh' ? request.url : '', surface.notes]]);
+    target.reportFiles([[request.surface === 'mesh' ? request.url : '', surface.notes]]);
     if (this.#told === surface) return;
     this.#told = surface;
     const note = target.volume && !surface.terrain && noteOnPlace(surface, target.volume.grid);

@@ -1,19 +1,19 @@
 import { framePlaces } from '../../optics/rays/frame-places.ts';
 import { findSeenPlaces } from '../../optics/transfer/seen-places.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
-import type { SurfacedElement } from '../../renderer/layers/shown-surfaces.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
+import { socketOf } from '../model/view-socket.ts';
 import type { Framing } from './camera-rig.ts';
 
 /**
- * Frames what a look shows of a volume, and the surfaces that its element has by the time of the next picture: those that come
+ * Frames what a look shows of a volume, and the parts that its element has by the time of the next picture: those that come
  * later do not move the camera. It is loaded where an author leaves the distance to the camera.
  */
-export function createFraming(volume: Volume, look: TransferFunction, shown: GridFrame, host?: SurfacedElement): Framing {
+export function createFraming(volume: Volume, look: TransferFunction, shown: GridFrame, host?: Element): Framing {
   const places = findSeenPlaces(volume, look, shown);
-  const findMore = (): Vector3[] => [...(host?._surfaces?.values() ?? [])].flatMap((surface) => surface.places ?? []);
+  const findMore = (): Vector3[] => (host ? socketOf(host).parts : []).flatMap((part) => part.bounds?.() ?? []);
   let more: Vector3[] | null = null;
   host?.addEventListener('render', () => (more = findMore()), { once: true });
   return (view, target) => {

@@ -1,10 +1,10 @@
 import { loadPart } from '../../core/load-part.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { ClippedElement } from '../model/clip-source.ts';
 import type { ErrorBoard } from '../model/error-board.ts';
 import type * as ReadCuts from './read-cuts.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import type { Settings } from '../model/settings.ts';
+import { socketOf } from '../model/view-socket.ts';
 import { noCuts } from './shown-cuts.ts';
 import type { Cuts } from './shown-cuts.ts';
 
@@ -26,7 +26,6 @@ export function watchSlices(host: Element, changed: (isLook?: boolean) => void):
   });
   look();
   observer.observe(host, { childList: true, subtree: true, attributes: true });
-  (host as ClippedElement)._cutAnew = changed;
   return observer;
 }
 
@@ -48,7 +47,7 @@ export class CutReader {
   isReady(volume: Pick<Volume, 'grid' | 'radar'>): boolean {
     const { region, rings } = this.settings();
     const hasRings = rings.value !== 'none' && (rings.value !== null || volume.grid.kind === 'polar');
-    return this.#reader?.isReady(this.host, volume, hasRings) ?? (region.value === null && !hasRings && ![...this.host.getElementsByTagName('*')].some(isCut) && !this.host.hasAttribute('cutout') && !(this.host as ClippedElement)._clips);
+    return this.#reader?.isReady(this.host, volume, hasRings) ?? (region.value === null && !hasRings && ![...this.host.getElementsByTagName('*')].some(isCut) && !this.host.hasAttribute('cutout') && socketOf(this.host).parts.every((part) => !part.clip));
   }
 
   /** @param all - with the map, for which a first picture does not wait */

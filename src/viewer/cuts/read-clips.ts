@@ -12,7 +12,8 @@ import type { Volume } from '../../volume/volume.ts';
 import { boundsBetween, sidesOf } from '../../volume/world-cut.ts';
 import type { Bounds, HalfWorld, WorldCut } from '../../volume/world-cut.ts';
 import { meantParent } from '../../page/unclosed.ts';
-import type { ClippedElement, ClipShape, ClipSource } from '../model/clip-source.ts';
+import type { ClipShape } from '../model/clip-source.ts';
+import { socketOf } from '../model/view-socket.ts';
 import { invalid, parseNumbers } from '../model/parse-attributes.ts';
 import { middleAlong, planeInCube } from './plane-in-cube.ts';
 
@@ -47,13 +48,13 @@ class Clips {
  * @param hasSlices - whether there are slices, which are cut too
  * @returns what cuts rays, and the same in the world
  */
-export function readClips(host: ClippedElement, volume: Volume, hasSlices = false): { readonly cuts: readonly RayCut[]; readonly away: WorldCut; readonly error: VolumeViewError | null } {
+export function readClips(host: Element, volume: Volume, hasSlices = false): { readonly cuts: readonly RayCut[]; readonly away: WorldCut; readonly error: VolumeViewError | null } {
   const clips = new Clips();
   for (const child of host.getElementsByTagName('*')) {
     if (child.localName.toLowerCase() === 'clipplane' && isAtTop(child, host)) clips.attempt(() => readX3dPlane(child, host, clips));
   }
   clips.attempt(() => readCutout(host.getAttribute('cutout'), volume, clips));
-  for (const source of host._clips ?? []) clips.attempt(() => readSource(source, volume, clips));
+  for (const part of socketOf(host).parts) clips.attempt(() => readClip(part.clip?.() ?? null, volume, clips));
 
   const planes = clips.some(clips.planes, maxPlanes, `planes that cut its volume; expected at most ${maxPlanes}. Set enabled="false" on ClipPlanes that are not needed, and "hidden" on volume-clip elements.`);
   const [cutout] = clips.some(clips.outside, 1, 'boxes to cut out of its volume; expected one: cutout, or one volume-clip type="box" that keeps what is outside.');
@@ -116,8 +117,7 @@ function readCutout(text: string | null, volume: Volume, { outside }: Clips): vo
   if (text !== null && text.trim() !== '') outside.push(boundsBetween(parseNumbers('cutout', text, 6), stretchOf(volume.grid)));
 }
 
-function readSource(source: ClipSource, volume: Volume, clips: Clips): void {
-  const shape = source.readClip();
+function readClip(shape: ClipShape | null, volume: Volume, clips: Clips): void {
   if (!shape) return;
   if (shape.kind === 'plane') clips.planes.push(planeOf(shape, volume));
   else clips[shape.keep].push(boundsBetween(shape.box, stretchOf(volume.grid)));

@@ -11,7 +11,6 @@ import type { PolarGrid } from '../../volume/polar-grid.ts';
 import { cutRegion } from '../../volume/region.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { WorldCut } from '../../volume/world-cut.ts';
-import type { ClippedElement } from '../model/clip-source.ts';
 import { ErrorBoard } from '../model/error-board.ts';
 import { invalid, parseNumbers } from '../model/parse-attributes.ts';
 import type * as Clips from './read-clips.ts';
@@ -19,6 +18,7 @@ import type * as Planes from './read-planes.ts';
 import { placeOfRadar, readRings } from './read-rings.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import type { Settings } from '../model/settings.ts';
+import { socketOf } from '../model/view-socket.ts';
 import type { Cuts } from './shown-cuts.ts';
 
 /** For whom cuts are read. */
@@ -80,8 +80,8 @@ function isPlane(slice: Element): boolean {
 }
 
 /** Whether something cuts an element's volume that is no slice. */
-function isClipped(host: ClippedElement): boolean {
-  return host.hasAttribute('cutout') || Boolean(host._clips?.size) || [...host.getElementsByTagName('*')].some(({ localName }) => /^clipplane$/i.test(localName));
+function isClipped(host: Element): boolean {
+  return host.hasAttribute('cutout') || socketOf(host).parts.some((part) => part.clip) || [...host.getElementsByTagName('*')].some(({ localName }) => /^clipplane$/i.test(localName));
 }
 
 /** What makes the map below a radar's rings, once there are some; false where it could not be loaded. */

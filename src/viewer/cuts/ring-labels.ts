@@ -1,6 +1,7 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 import { transformPoint } from '../../volume/matrix.ts';
 import type { View } from '../model/scene.ts';
+import type { ViewPart } from '../model/view-socket.ts';
 import type { RingLabel } from '../../radar/range-rings.ts';
 
 /** Labels nearer to the eye than this share of the way to the farthest one are left out. */
@@ -24,7 +25,8 @@ export type RingWriter = (what: number | null | ScanFacts) => string;
 const maxName = 60;
 
 /** Small texts over a picture, each at the place of the world that it speaks of. */
-export class RingLabels {
+export class RingLabels implements ViewPart {
+  readonly key = 'rings';
   #labels: readonly RingLabel[] = [];
   #spans: HTMLElement[] = [];
   #facts: ScanFacts | null = null;

@@ -7,6 +7,7 @@ import type { Cuts } from './cuts.ts';
 import type { Scene } from '../model/scene.ts';
 import type { ViewLabels } from '../model/view-labels.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
+import type { ViewSocket } from '../model/view-socket.ts';
 import { styleOf } from '../model/volume-info.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
@@ -15,9 +16,18 @@ export class ShownVolume {
   volume: Volume | null = null;
   optics: VolumeOptics | null = null;
   cuts: Cuts = noCuts;
-  labels: ViewLabels | null = null;
+
+  /** @param parts - of the view; null where there is nothing but the volume */
+  constructor(readonly parts: Pick<ViewSocket, 'last'> | null = null) {}
+
+  get labels(): ViewLabels | null {
+    return this.parts?.last('labels') ?? null;
+  }
+
   /** A second field over the volume. */
-  overlay: ViewOverlay | null = null;
+  get overlay(): ViewOverlay | null {
+    return this.parts?.last('overlay') ?? null;
+  }
 
   /** Whether there is enough to draw a picture. */
   get isReady(): boolean {

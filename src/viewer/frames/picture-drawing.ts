@@ -9,7 +9,8 @@ import type { FrameLoop } from '../scenes/frame-loop.ts';
 import type { Pieces } from './gather-picture.ts';
 import type { PictureSize } from '../model/picture-size.ts';
 import type { RenderStats } from '../model/render-stats.ts';
-import type { Scene, View } from '../model/scene.ts';
+import type { Scene } from '../model/scene.ts';
+import type { ViewSocket } from '../model/view-socket.ts';
 import type { SceneKeeper } from '../scenes/scene-keeper.ts';
 import type { ShownVolume } from '../cuts/shown-volume.ts';
 
@@ -17,8 +18,8 @@ import type { ShownVolume } from '../cuts/shown-volume.ts';
 export interface DrawingParts {
   readonly shown: ShownVolume;
   readonly author: AuthorView;
-  /** Bring what is written over the picture to where a view shows it. */
-  readonly placeLabels: (view: View) => void;
+  /** Where parts have joined that lie over the picture. */
+  readonly socket: Pick<ViewSocket, 'place'>;
   readonly loop: FrameLoop;
   readonly keeper: SceneKeeper;
 }
@@ -107,7 +108,7 @@ export class PictureDrawing {
   }
 
   async #finish(scene: Scene, volume: Volume | null): Promise<void> {
-    this.parts.placeLabels(scene.getView());
+    this.parts.socket.place(scene.getView());
     await scene.finished();
     this.#drawn = volume;
   }

@@ -18,17 +18,3 @@ export interface ClipBox {
   readonly box: readonly number[];
   readonly keep: 'inside' | 'outside';
 }
-
-/** Cuts the volume of an element, wherever in the page it stands. */
-export interface ClipSource {
-  /** What it cuts at the moment; null for nothing. @throws {VolumeViewError} `attribute/invalid` */
-  readClip(): ClipShape | null;
-}
-
-/** An element whose volume is cut by others: no part of its interface. */
-export interface ClippedElement extends Element {
-  /** Those who cut it. They add themselves. */
-  _clips?: Set<ClipSource>;
-  /** What cuts it is another. Absent until it is in a page. */
-  _cutAnew?: () => void;
-}

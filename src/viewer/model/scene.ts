@@ -16,6 +16,7 @@ import type { RayTwins } from '../../renderer/ray/ray-twin.ts';
 import type { Device } from '../../renderer/device/device.ts';
 import type { Pass, Size } from '../../renderer/passes/pass-drawing.ts';
 import type { Substeps, View } from '../../renderer/layers/volume-layer.ts';
+import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import type { ShownLabels } from '../../volume/labels.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
@@ -37,11 +38,12 @@ export interface AuthorCamera {
 /** Lines in world coordinates, each from point to point. */
 export type Lines = readonly (readonly Vector3[])[];
 
-/** Shows lines of several owners in a scene, each in a colour of its own: red, green and blue, 0..1; and surfaces. */
+/** Shows lines and surfaces of several owners in a scene. */
 export interface SceneLines {
+  /** @param color - red, green and blue, 0..1 */
   show(lines: Lines, owner: object, color: readonly [red: number, green: number, blue: number]): void;
-  /** Show the surfaces of the scene's element, `_surfaces`, as they are now. */
-  bringSurfaces(): Promise<void>;
+  /** @param shown - null for none. @returns resolves when the next picture shows it; rejects where what draws surfaces could not be loaded */
+  showSurface(shown: ShownSurface | null, owner: object): Promise<void>;
 }
 
 /**

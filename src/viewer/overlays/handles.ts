@@ -4,6 +4,8 @@ import { placeInElement } from '../../page/pointer-place.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { moveByKey, placeInPlane, placeOnLine } from '../camera/drag-place.ts';
 import type { Pixel, SeenPicture } from '../camera/drag-place.ts';
+import { socketOf } from '../model/view-socket.ts';
+import type { ViewPart } from '../model/view-socket.ts';
 import { wearHandleStyles } from './handle-styles.ts';
 import { projectPlace } from '../camera/project-place.ts';
 
@@ -23,7 +25,7 @@ export interface Handle {
   readonly color?: string;
 }
 
-/** A view with a picture: `render` is fired at it after each frame. */
+/** A view with a picture. */
 export interface HandledView extends HTMLElement {
   readonly camera: Camera | null;
 }
@@ -50,7 +52,8 @@ interface Grip {
 }
 
 /** Handles over a view's picture. They follow the camera; the picture does not turn by them. Several owners have their own. */
-export class Handles {
+export class Handles implements ViewPart {
+  readonly key = 'handles';
   readonly #layer: HTMLElement;
   readonly #told: HTMLElement;
   readonly #abort = new AbortController();
@@ -71,11 +74,13 @@ export class Handles {
     this.#layer.append(this.#told);
     // Tab goes to them in the order in which their owners came.
     ([...picture.parentNode!.querySelectorAll('.handles')].at(-1) ?? picture).after(this.#layer);
-    for (const type of ['render', 'load']) view.addEventListener(type, () => this.#place(), { signal: this.#abort.signal });
+    view.addEventListener('load', () => this.place(), { signal: this.#abort.signal });
+    void socketOf(view).join(this);
   }
 
   dispose(): void {
     this.#abort.abort();
+    void socketOf(this.view).leave(this);
     clearTimeout(this.#timer);
     this.#layer.remove();
   }
@@ -98,7 +103,7 @@ export class Handles {
       if (color) button.style.setProperty('--_color', color);
       else button.style.removeProperty('--_color');
     });
-    this.#place();
+    this.place();
   }
 
   /** Give one the focus. */
@@ -133,7 +138,7 @@ export class Handles {
   }
 
   /** Bring all to where the camera shows them. */
-  #place(): void {
+  place(): void {
     const picture = this.#picture;
     this.#handles.forEach(({ at }, i) => {
       const pixel = picture && projectPlace(picture.camera, at, picture);
@@ -175,7 +180,7 @@ export class Handles {
     if (event.type === 'pointercancel') this.#move(grip.index, grip.start, true);
     else if (event.type === 'pointerup') this.#drag(event, true);
     this.#grip = null;
-    this.#place();
+    this.place();
   }
 
   #press(index: number, event: KeyboardEvent): void {

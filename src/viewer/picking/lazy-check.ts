@@ -3,6 +3,7 @@ import type { PictureCheck } from '../../quality/compare-rays.ts';
 import type { CheckedView } from './self-check.ts';
 import type * as SelfCheckPart from './self-check.ts';
 import type { Viewer } from '../view/viewer.ts';
+import type { VolumePresenter } from '../view/volume-presenter.ts';
 
 let part: typeof SelfCheckPart | null = null;
 
@@ -13,12 +14,12 @@ export async function checkIn(viewer: Viewer | null): Promise<PictureCheck | nul
 }
 
 /** Have the pictures of an element checked while it has `self-check`. */
-export async function followChecks(view: HTMLElement & Partial<CheckedView>): Promise<void> {
+export async function followChecks(view: HTMLElement & Partial<CheckedView>, presenter: VolumePresenter): Promise<void> {
   if (!view.selfCheck && !part) return;
   try {
     part ??= await loadPart(import('./self-check.ts'), 'checks pictures');
-    part.checksOn(view as CheckedView);
+    part.checksOn(view as CheckedView, presenter);
   } catch (error) {
-    view._presenter!.errors.report('check', error);
+    presenter.errors.report('check', error);
   }
 }

@@ -5,7 +5,7 @@ import { TriangleTree } from '../../optics/surfaces/triangle-tree.ts';
 import type { WorldRay } from '../../optics/surfaces/triangle-tree.ts';
 import type { Color, Premultiplied } from '../../optics/transfer/transfer-function.ts';
 import { writeColor } from '../../optics/transfer/write-transfer-function.ts';
-import type { ShownSurface, SurfacedElement } from '../../renderer/layers/shown-surfaces.ts';
+import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
 import { unitToWorld } from '../../volume/grid.ts';
 import type { SurfacePart } from '../../volume/surface.ts';
 import { add, dot, scale, transformDirection, transformPoint } from '../../volume/matrix.ts';
@@ -13,7 +13,7 @@ import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { PolarVolume, Volume } from '../../volume/volume.ts';
 import { isKept } from '../../volume/world-cut.ts';
-import type { ClippedElement } from '../model/clip-source.ts';
+import { socketOf } from '../model/view-socket.ts';
 import { nearestVoxel } from './pick-voxel.ts';
 import { readAuthorPlanes } from '../cuts/read-clips.ts';
 import type { RadarPlace, VolumePick } from '../model/volume-pick.ts';
@@ -49,7 +49,7 @@ const slack = 1e-9;
  * @param eyeT - t at which it begins
  * @returns null where it meets none
  */
-export function endAtSurface(host: SurfacedElement & ClippedElement, ray: Ray, toWorld: Matrix4, eyeT: number): SurfaceEnd | null {
+export function endAtSurface(host: Element, ray: Ray, toWorld: Matrix4, eyeT: number): SurfaceEnd | null {
   const met = meetSurfaces(host, { origin: transformPoint(toWorld, ray.point), direction: transformDirection(toWorld, ray.direction) }, eyeT);
   if (!met) return null;
   const hit = { ...met, place: add(ray.point, scale(ray.direction, met.t)) };
@@ -72,10 +72,11 @@ export function endAtSurface(host: SurfacedElement & ClippedElement, ray: Ray, t
 }
 
 /** The nearest place at which a ray meets what is kept of an element's surfaces. */
-function meetSurfaces(host: SurfacedElement & ClippedElement, ray: WorldRay, from: number): Omit<SurfaceHit, 'place'> | null {
+function meetSurfaces(host: Element, ray: WorldRay, from: number): Omit<SurfaceHit, 'place'> | null {
   const author = { kept: readAuthorPlanes(host), removed: null };
   let nearest: Omit<SurfaceHit, 'place'> | null = null;
-  for (const [element, shown] of host._surfaces ?? []) {
+  for (const { element, surface: shown } of socketOf(host).parts) {
+    if (!element || !shown) continue;
     const cuts = shown.cut ? [author, shown.cut.away] : [author];
     const isThere = (t: number): boolean => cuts.every((cut) => isKept(cut, add(ray.origin, scale(ray.direction, t))));
     // Trees of what is left would have to be made again after each cut.

@@ -14,6 +14,7 @@ import { transformPoint } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { labelOf, layersAt } from './pick-label.ts';
 import { nearestVoxel } from './pick-voxel.ts';
+import { socketOf } from '../model/view-socket.ts';
 import { raysOfView } from './view-rays.ts';
 import type { ViewRays } from './view-rays.ts';
 import type { Viewer } from '../view/viewer.ts';
@@ -32,7 +33,7 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const at = pickPlaces.find((one) => one === options?.at) ?? 'jump';
   const polar = viewer?.volume && isPolar(viewer.volume) ? await loadPart(import('./pick-radar.ts'), 'looks into radar volumes') : null;
   const host = viewer?.place.host;
-  const surfaces = host?._surfaces ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
+  const surfaces = host && socketOf(host).last('surface') ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
   const rays = viewer && (await raysOfView(viewer, { placesOnly: true }));
   if (!rays || isPolar(rays.volume) !== (polar !== null)) return null;
   const { volume, optics, setup } = rays;

@@ -8,22 +8,21 @@ import type { VolumePresenter } from '../view/volume-presenter.ts';
 /** An element whose pictures may be checked. */
 export interface CheckedView extends HTMLElement {
   readonly selfCheck: boolean;
-  readonly _presenter: VolumePresenter;
 }
 
 /** One for each element, however many copies of the script the page has. */
 const key = Symbol.for('volume-view.self-check');
 
 /** Check the pictures of an element while it has `self-check`. */
-export function checksOn(view: CheckedView & { [key]?: SelfCheck }): void {
-  (view[key] ??= new SelfCheck(view)).start();
+export function checksOn(view: CheckedView & { [key]?: SelfCheck }, presenter: VolumePresenter): void {
+  (view[key] ??= new SelfCheck(view, presenter)).start();
 }
 
 /** See `checksOn`. */
 class SelfCheck {
   #isChecking = false;
 
-  constructor(readonly view: CheckedView) {
+  constructor(readonly view: CheckedView, readonly presenter: VolumePresenter) {
     view.addEventListener('render', ({ detail }: CustomEventInit<RenderStats>) => {
       if (detail!.converged) this.start();
     });
@@ -31,12 +30,12 @@ class SelfCheck {
 
   /** Without a picture at rest there is nothing to check, and the next one will be. */
   start(): void {
-    if (!this.view.selfCheck) this.view._presenter.errors.clear('check');
+    if (!this.view.selfCheck) this.presenter.errors.clear('check');
     else if (!this.#isChecking) void this.#check();
   }
 
   async #check(): Promise<void> {
-    const { view, view: { _presenter: { viewer, errors } } } = this;
+    const { view, presenter: { viewer, errors } } = this;
     if (!viewer) return;
     this.#isChecking = true;
     try {

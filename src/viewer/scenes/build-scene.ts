@@ -1,10 +1,7 @@
 import { VolumeViewError } from '../../core/errors.ts';
-import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
-import type { ShownLabels } from '../../volume/labels.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { Scene } from '../model/scene.ts';
-import type { ViewLabels } from '../model/view-labels.ts';
-import type { ViewOverlay } from '../model/view-overlay.ts';
+import type { ViewSocket } from '../model/view-socket.ts';
 import { styleOf } from '../model/volume-info.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
@@ -14,7 +11,8 @@ export interface SceneContents {
   readonly volume: Volume | null;
   /** As the volume. */
   readonly optics: VolumeOptics | null;
-  readonly pictures: { readonly parts: { readonly shown: { readonly labels: ViewLabels | null; readonly overlay: ViewOverlay | null } } };
+  /** What else is in it. */
+  readonly socket: Pick<ViewSocket, 'version' | 'applyTo'>;
   /** Whether no scene is wanted any more. */
   readonly givenUp: boolean;
 }
@@ -45,16 +43,14 @@ export async function buildScene(create: () => Promise<Scene>, contents: SceneCo
 
 /** @returns whether the scene was put, with the volume and what its optics need, whichever they are in the end; not where the context was lost */
 async function fillScene(scene: Scene, contents: SceneContents, put: (scene: Scene) => void): Promise<boolean> {
-  const { shown } = contents.pictures.parts;
-  let [told, over]: [ShownLabels | null, ShownOverlay | null] = [null, null];
+  const { socket } = contents;
   for (;;) {
-    const [volume, optics, labels, overlay] = [contents.volume!, contents.optics!, shown.labels?.shown ?? null, shown.overlay?.shown ?? null];
+    const [volume, optics, version] = [contents.volume!, contents.optics!, socket.version];
     await scene.prepare(volume, optics);
     await scene.setStyle(styleOf(optics));
-    if (labels !== told) await scene.setLabels((told = labels));
-    if (overlay !== over) await scene.setOverlay((over = overlay));
+    await socket.applyTo(scene);
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
-    const isSame = volume === contents.volume && optics === contents.optics && told === (shown.labels?.shown ?? null) && over === (shown.overlay?.shown ?? null);
+    const isSame = volume === contents.volume && optics === contents.optics && version === socket.version;
     if (!contents.givenUp && !isSame) continue;
     const isReady = isThere && !contents.givenUp;
     if (isReady) put(scene); // At once: a moment later there may be another volume, of which nobody would tell it.

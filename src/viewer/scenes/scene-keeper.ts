@@ -1,5 +1,4 @@
 import { VolumeViewError } from '../../core/errors.ts';
-import type { SurfacedElement } from '../../renderer/layers/shown-surfaces.ts';
 import { buildScene, contextLost } from './build-scene.ts';
 import type { SceneContents } from './build-scene.ts';
 import { contextPool } from './context-pool.ts';
@@ -13,7 +12,7 @@ import { Snapshot } from './snapshot.ts';
 /** Where a scene is in the page. */
 export interface ScenePlace {
   /** The element whose X3D children join the scene. */
-  readonly host: HTMLElement & SurfacedElement;
+  readonly host: HTMLElement;
   /** Holds the canvas. */
   readonly container: Element;
   readonly presence: Presence;

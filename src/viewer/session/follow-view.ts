@@ -4,49 +4,53 @@ import type * as ColorPart from '../attachments/color-moment.ts';
 import { followChecks } from '../picking/lazy-check.ts';
 import { followClicks } from '../picking/lazy-pick.ts';
 import type { PickedView } from '../picking/pick-clicks.ts';
+import { socketOf } from '../model/view-socket.ts';
 import type { RotatingView } from '../view/auto-rotation.ts';
 import { followRefining } from '../view/refining.ts';
 import type { RefinedView } from '../view/refining-sign.ts';
 import type { CheckedView } from '../picking/self-check.ts';
+import type { VolumePresenter } from '../view/volume-presenter.ts';
 
 let colors: typeof ColorPart | null = null;
 
 /**
  * What of an element's attributes is followed where there is a picture, and loaded where it is used: clicks, checks, and the colours of another moment.
+ * @param presenter - of the element
  * @returns resolves when the picture is what they say
  */
-export async function follow(view: HTMLElement & Partial<PickedView & CheckedView & ColorPart.ColoredView & RotatingView & RefinedView & BlankPart.NotedView>): Promise<void> {
-  followRefining(view as RefinedView);
-  void followBlank(view as BlankPart.NotedView);
-  const follows = [followClicks(view), followChecks(view), followRotation(view as RotatingView)];
+export async function follow(view: HTMLElement & Partial<PickedView & CheckedView & ColorPart.ColoredView & RotatingView & RefinedView & BlankPart.NotedView>, presenter: VolumePresenter): Promise<void> {
+  followRefining(view as RefinedView, presenter);
+  void followBlank(view as BlankPart.NotedView, presenter);
+  const follows = [followClicks(view), followChecks(view, presenter), followRotation(view as RotatingView, presenter)];
   if (view.colorMoment || colors) {
-    const work = color(view as ColorPart.ColoredView);
-    view._presenter!.track(work);
+    const work = color(view as ColorPart.ColoredView, presenter);
+    presenter.track(work);
     // Each picture is an update of the element: waiting for the next one after each, there would be no end.
-    if (await work) await view._presenter!.viewer?.settled();
+    if (await work) await presenter.viewer?.settled();
   }
   await Promise.all(follows);
 }
 
 /** The camera goes around by itself while the element has `auto-rotate`. Without that part the picture is what it is. */
-async function followRotation(view: RotatingView): Promise<void> {
-  if (view._rotation) view._rotation.follow();
-  else if (view.autoRotate) await import('../view/auto-rotation.ts').then(({ rotate }) => rotate(view), console.warn);
+async function followRotation(view: RotatingView, presenter: VolumePresenter): Promise<void> {
+  const rotation = socketOf(view).last('rotation');
+  if (rotation) rotation.follow();
+  else if (view.autoRotate) await import('../view/auto-rotation.ts').then(({ rotate }) => rotate(view, presenter), console.warn);
 }
 
 /** A picture at rest that may show nothing says so. Without that part it is what it is. */
-async function followBlank(view: BlankPart.NotedView): Promise<void> {
+async function followBlank(view: BlankPart.NotedView, presenter: VolumePresenter): Promise<void> {
   const { renderStats: stats } = view;
-  if (stats?.converged && !stats.error?.rays) await import('../view/blank-note.ts').then(({ noteBlank }) => noteBlank(view), console.warn);
+  if (stats?.converged && !stats.error?.rays) await import('../view/blank-note.ts').then(({ noteBlank }) => noteBlank(view, presenter), console.warn);
 }
 
 /** @returns whether the next picture is another one */
-async function color(view: ColorPart.ColoredView): Promise<boolean> {
+async function color(view: ColorPart.ColoredView, { errors }: VolumePresenter): Promise<boolean> {
   try {
     colors ??= await loadPart(import('../attachments/color-moment.ts'), 'colours by another moment');
     return await colors.colorsOf(view).refresh();
   } catch (error) {
-    view._presenter.errors.report('overlay', error);
+    errors.report('overlay', error);
     return false;
   }
 }

@@ -217,7 +217,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
 
   /** Nobody can turn what is not there: the part that takes hands comes with the first picture. */
   #giveHands(): void {
-    this.#hands = this.#visit!.setControls(this.settings.controls).then(() => this.hands?.follow(this.host), (error: unknown) => this.errors.report('camera', error));
+    this.#hands = this.#visit!.setControls(this.settings.controls).then(() => this.hands?.follow(this.host, this.presenter), (error: unknown) => this.errors.report('camera', error));
   }
 
   #readCamera(): void {

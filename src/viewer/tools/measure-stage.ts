@@ -11,11 +11,13 @@ import { fromDrawn, pointCounts, toDrawn } from './measuring.ts';
 import { clicksOn } from '../picking/pick-clicks.ts';
 import type { PickedView } from '../picking/pick-clicks.ts';
 import { ViewLines } from './view-lines.ts';
-import type { LineColor, LinedView } from './view-lines.ts';
+import type { LineColor } from './view-lines.ts';
+import { socketOf } from '../model/view-socket.ts';
+import type { ViewPart } from '../model/view-socket.ts';
 import type { VolumePick } from '../model/volume-pick.ts';
 
 /** The view that is measured in. */
-export type MeasuredView = HandledView & LinedView & PickedView;
+export type MeasuredView = HandledView & PickedView;
 
 /** What is to be seen of a measure. */
 export interface ShownMeasure {
@@ -49,7 +51,8 @@ const middle: Readonly<Record<MeasureType, readonly Pixel[]>> = {
 };
 
 /** One measure in a view: lines in its scene and faint ones over its picture, handles, and the clicks that place points. */
-export class MeasureStage {
+export class MeasureStage implements ViewPart {
+  readonly key = 'measure';
   readonly #handles: Handles;
   readonly #overlay: LineOverlay;
   readonly #lines: ViewLines;
@@ -62,8 +65,8 @@ export class MeasureStage {
     const { signal } = this.#abort;
     this.#handles = new Handles(view, picture, { moved: (index, to) => this.#shown && events.moved(index, fromDrawn(to, this.#shown.volume)) });
     this.#overlay = new LineOverlay(picture, { part: 'measure', opacity: 0.75, isDashed: true });
-    this.#lines = new ViewLines(view);
-    view.addEventListener('render', () => this.#draw(), { signal });
+    this.#lines = new ViewLines(socketOf(view));
+    void socketOf(view).join(this);
     view.addEventListener('keydown', events.key, { signal });
     view.addEventListener('volume-pick', (event) => this.#take((event as CustomEvent<VolumePick | null>).detail), { signal });
   }
@@ -71,6 +74,7 @@ export class MeasureStage {
   dispose(): void {
     this.placing = false;
     this.#abort.abort();
+    void socketOf(this.view).leave(this);
     this.#handles.dispose();
     this.#overlay.remove();
     this.#lines.dispose();
@@ -93,7 +97,7 @@ export class MeasureStage {
     const points = shown?.points ?? [];
     this.#handles.set(shown ? points.map((point, i) => ({ ...shown.names[i], at: toDrawn(point, shown.volume), color: shown.color.css })) : []);
     this.#lines.show(this.#worldLines, shown?.color.rgb ?? [1, 1, 1]);
-    this.#draw();
+    this.place();
   }
 
   focus(index: number): void {
@@ -121,7 +125,7 @@ export class MeasureStage {
     return shown ? linesOf(shown.type, shown.points).map((line) => line.map((point) => toDrawn(point, shown.volume))) : [];
   }
 
-  #draw(): void {
+  place(): void {
     const shown = this.#shown;
     const isWhole = shown && shown.points.length === pointCounts[shown.type];
     const text = isWhole ? { at: toDrawn(textPlace(shown.type, shown.points), shown.volume), text: shown.text, isAbove: shown.type === 'box' || shown.type === 'sphere' } : null;

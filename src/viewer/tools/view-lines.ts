@@ -1,54 +1,44 @@
 // Lines that an element beside a view puts into its scene: loaded by the elements that do.
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Lines, Scene } from '../model/scene.ts';
-import type { Viewer } from '../view/viewer.ts';
-
-/** A view into whose scene lines are put: `render` is fired at it after each frame. */
-export interface LinedView extends HTMLElement {
-  /** null while it is in no page. */
-  readonly _presenter?: { readonly viewer: Viewer | null };
-}
+import type { ViewPart, ViewSocket } from '../model/view-socket.ts';
 
 /** Red, green and blue, 0..1. */
 export type LineColor = readonly [red: number, green: number, blue: number];
 
-/** The lines of one owner in a view's scene, whichever scene that is: contexts come and go. */
-export class ViewLines {
+/** The lines of one owner in the scenes of a view. */
+export class ViewLines implements ViewPart {
+  readonly key = 'lines';
   #lines: Lines = [];
   #color: LineColor = [1, 1, 1];
-  /** Has the lines, or is about to. */
-  #scene: Scene | null = null;
-  readonly #abort = new AbortController();
+  /** Scenes that have or had lines. */
+  readonly #told = new WeakSet<Scene>();
 
-  constructor(readonly view: LinedView) {
-    view.addEventListener('render', () => {
-      if (this.#present !== this.#scene) this.#bring();
-    }, { signal: this.#abort.signal });
+  constructor(readonly socket: ViewSocket) {
+    void socket.join(this);
   }
 
   /** Show lines in place of those before. Places are the world's, as it is drawn. */
   show(lines: readonly (readonly Vector3[])[], color: LineColor): void {
+    if (JSON.stringify([lines, color]) === JSON.stringify([this.#lines, this.#color])) return;
     this.#lines = lines;
     this.#color = color;
-    this.#bring();
+    void this.socket.update(this);
   }
 
   dispose(): void {
-    this.show([], this.#color);
-    this.#abort.abort();
+    this.#lines = [];
+    void this.socket.leave(this);
   }
 
-  get #present(): Scene | null {
-    return this.view._presenter?.viewer?.pictures.parts.keeper.scene ?? null;
-  }
-
-  #bring(): void {
-    const scene = this.#present;
+  apply(scene: Scene): void {
     // What draws lines is loaded with the first.
-    if (!scene || (this.#lines.length === 0 && scene !== this.#scene)) return;
-    this.#scene = scene;
-    void scene.loadLines().then((lines) => {
-      if (this.#scene === scene && this.#present === scene) lines?.show(this.#lines, this, this.#color);
-    });
+    if (this.#lines.length === 0 && !this.#told.has(scene)) return;
+    this.#told.add(scene);
+    void scene.loadLines().then((lines) => lines?.show(this.#lines, this, this.#color));
+  }
+
+  remove(scene: Scene): void {
+    this.apply(scene);
   }
 }

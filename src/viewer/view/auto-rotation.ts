@@ -1,6 +1,7 @@
 // The camera goes around a volume by itself: loaded with the first element that has `auto-rotate`.
 import { invalidAttribute } from '../../core/errors.ts';
 import { isNumber } from '../model/parse-attributes.ts';
+import { socketOf } from '../model/view-socket.ts';
 import type { Viewer } from './viewer.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
 
@@ -9,8 +10,6 @@ export interface RotatingView extends HTMLElement {
   readonly autoRotate: boolean;
   readonly autoRotateDelay: number | null;
   readonly rotationPerSecond: string | null;
-  readonly _presenter: VolumePresenter;
-  _rotation: AutoRotation | null;
   requestUpdate(): void;
 }
 
@@ -21,9 +20,11 @@ const defaultDelay = 3000;
 const usualSpeed = Math.PI / 32;
 
 /** From now on an element obeys its attributes for going around. */
-export function rotate(view: RotatingView): void {
-  view._rotation ??= new AutoRotation(view);
-  view._rotation.follow();
+export function rotate(view: RotatingView, presenter: VolumePresenter): void {
+  const socket = socketOf(view);
+  // It stays, with what a person has said, when the attribute goes.
+  if (!socket.last('rotation')) void socket.join({ key: 'rotation', rotation: new AutoRotation(view, presenter) });
+  socket.last('rotation')!.follow();
 }
 
 /**
@@ -43,7 +44,7 @@ export class AutoRotation {
   /** The viewer that has been told, and what: radians a millisecond. */
   #told: { readonly viewer: Viewer; readonly spin: number } | null = null;
 
-  constructor(readonly view: RotatingView) {
+  constructor(readonly view: RotatingView, readonly presenter: VolumePresenter) {
     view.addEventListener('pointerdown', ({ pointerId }) => {
       this.#fingers.add(pointerId);
       this.#apply();
@@ -80,12 +81,12 @@ export class AutoRotation {
 
   /** The attributes may be others, or there is another viewer. */
   follow(): void {
-    const { autoRotateDelay, rotationPerSecond, _presenter: { errors } } = this.view;
+    const { autoRotateDelay, rotationPerSecond } = this.view;
     const texts = `${autoRotateDelay} ${rotationPerSecond}`;
     if (texts !== this.#read) {
       this.#read = texts;
       this.#speed = 0;
-      errors.take('rotation', read(this.view), (speed) => (this.#speed = speed));
+      this.presenter.errors.take('rotation', read(this.view), (speed) => (this.#speed = speed));
     }
     this.#apply();
   }
@@ -101,7 +102,8 @@ export class AutoRotation {
   }
 
   #apply(): void {
-    const { autoRotate, _presenter: { viewer } } = this.view;
+    const { autoRotate } = this.view;
+    const { viewer } = this.presenter;
     if (!viewer) return;
     const goes = autoRotate && this.#inSight && !this.stopped && this.#timer === undefined && this.#fingers.size === 0;
     const spin = goes ? -this.#speed / 1000 : 0; // The volume turns to the right of who looks at it, so the camera goes to the left.

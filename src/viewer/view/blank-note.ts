@@ -27,7 +27,6 @@ export interface BlankPicture {
 export interface NotedView extends HTMLElement {
   readonly renderStats: RenderStats | null;
   readonly paused: boolean;
-  readonly _presenter: VolumePresenter;
   whenRendered(): Promise<void>;
   /** Call back after each update of the element. */
   addController(controller: { hostUpdated(): void }): void;
@@ -72,16 +71,16 @@ const styles = `
 const noted = new WeakSet<NotedView>();
 
 /** From now on an element says so where its pictures at rest show nothing. */
-export function noteBlank(view: NotedView): void {
+export function noteBlank(view: NotedView, presenter: VolumePresenter): void {
   if (noted.has(view)) return;
   noted.add(view);
-  const note = new BlankNote(view);
+  const note = new BlankNote(view, presenter);
   view.addController({ hostUpdated: () => note.follow() });
   note.follow();
 }
 
 /** Whether the picture is at rest, and nothing else is told of it. Scans that play may be empty. */
-function isFinal({ renderStats, paused, _presenter: { viewer, errors } }: NotedView): boolean {
+function isFinal({ renderStats, paused }: NotedView, { viewer, errors }: VolumePresenter): boolean {
   return viewer !== null && paused && renderStats?.converged === true && !viewer.loop.unfinished && !errors.first;
 }
 
@@ -100,13 +99,13 @@ class BlankNote {
   #judged: RenderStats | null = null;
   #pending: RenderStats | null = null;
 
-  constructor(readonly view: NotedView) {
+  constructor(readonly view: NotedView, readonly presenter: VolumePresenter) {
     this.#words = new Words(view as unknown as ConstructorParameters<typeof Words>[0], english);
   }
 
   follow(): void {
     const { view, view: { renderStats } } = this;
-    if (this.#judged !== renderStats || !isFinal(view)) {
+    if (this.#judged !== renderStats || !isFinal(view, this.presenter)) {
       this.#judged = null;
       if (this.#cause && !this.#isStillBlank()) this.#say(null);
       if (renderStats?.converged && !renderStats.error?.rays && this.#pending !== renderStats) void this.#judge(renderStats);
@@ -115,19 +114,19 @@ class BlankNote {
 
   /** What shows in motion, before it is final, is no longer nothing. */
   #isStillBlank(): boolean {
-    const { view: { paused, _presenter: { viewer, errors } } } = this;
+    const { view: { paused }, presenter: { viewer, errors } } = this;
     const scene = viewer?.pictures.parts.keeper.scene;
     return scene !== null && scene !== undefined && paused && !errors.first && largestAlpha(scene.readPicture()) <= faint;
   }
 
   async #judge(stats: RenderStats): Promise<void> {
-    const { view } = this;
+    const { view, presenter } = this;
     this.#pending = stats;
     // Surfaces, labels and shapes that are on their way show something soon.
     await view.whenRendered().catch(() => {});
     if (this.#pending === stats) this.#pending = null;
-    const { viewer } = view._presenter;
-    const isCurrent = (): boolean => view.renderStats === stats && view._presenter.viewer === viewer && isFinal(view);
+    const { viewer } = presenter;
+    const isCurrent = (): boolean => view.renderStats === stats && presenter.viewer === viewer && isFinal(view, presenter);
     const scene = viewer?.pictures.parts.keeper.scene;
     if (!viewer || !scene || !isCurrent()) return;
     const alpha = largestAlpha(scene.readPicture());
@@ -180,7 +179,7 @@ class BlankNote {
   #describe(cause: BlankCause): string {
     const { blankPicture, blankCauses } = this.#words.terms;
     const write = (value: number): string => this.#words.number(value, { maximumSignificantDigits: 4 });
-    const unit = this.view._presenter.volume?.unit;
+    const unit = this.presenter.volume?.unit;
     const withUnit = (value: number): string => (unit ? `${write(value)} ${unit}` : write(value));
     if (cause.cause === 'noEchoes') return blankCauses.noEchoes;
     if (cause.cause === 'weakEchoes') return blankCauses.weakEchoes(withUnit(cause.value));

@@ -1,13 +1,11 @@
 // The line at the lower edge of a picture that is being made finer: loaded with the first picture that takes long.
 import type { RenderStats } from '../model/render-stats.ts';
-import type { VolumePresenter } from './volume-presenter.ts';
 import { wearSheet } from '../overlays/wear-sheet.ts';
 
 /** An element whose pictures get finer at rest. */
 export interface RefinedView extends HTMLElement {
   readonly renderStats: RenderStats | null;
   readonly paused: boolean;
-  readonly _presenter: VolumePresenter;
 }
 
 const styles = `
@@ -55,8 +53,11 @@ const styles = `
 /** How often the sign follows the picture, ms: it stays for as long as the picture is coarse, and nothing runs after that. */
 const pace = 100;
 
-/** Show that a picture is being made finer, and how far that is where it is known; resolves when that is over. */
-export async function showSign(view: RefinedView, isRefining: (view: RefinedView) => boolean): Promise<void> {
+/**
+ * Show that a picture is being made finer, and how far that is where it is known; resolves when that is over.
+ * @param refined - the pictures; null where none is being made finer
+ */
+export async function showSign(view: RefinedView, refined: () => { readonly gathered: number | null } | null): Promise<void> {
   const { shadowRoot: root, ownerDocument: document } = view;
   if (!root) return;
   wearSheet(root, styles);
@@ -66,11 +67,12 @@ export async function showSign(view: RefinedView, isRefining: (view: RefinedView
   sign.ariaHidden = 'true'; // Who listens is told of what is there, and that does not change.
   const line = sign.appendChild(document.createElement('div'));
   root.append(sign);
-  for (; isRefining(view); await new Promise((resolve) => setTimeout(resolve, pace))) {
-    const { gathered } = view._presenter.viewer!.pictures;
+  for (let pictures = refined(); pictures; pictures = refined()) {
+    const { gathered } = pictures;
     line.classList.toggle('unknown', gathered === null);
     if (gathered === null) line.style.removeProperty('--_share');
     else line.style.setProperty('--_share', gathered.toFixed(3));
+    await new Promise((resolve) => setTimeout(resolve, pace));
   }
   sign.remove();
 }

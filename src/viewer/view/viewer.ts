@@ -19,6 +19,8 @@ import type { RingLabels, RingWriter } from '../cuts/ring-labels.ts';
 import { opticsByPlace } from '../model/optics-by-place.ts';
 import type { Scene } from '../model/scene.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
+import { socketOf } from '../model/view-socket.ts';
+import type { SocketViewer, ViewSocket } from '../model/view-socket.ts';
 import { SceneKeeper } from '../scenes/scene-keeper.ts';
 import type { ScenePlace, SceneUser } from '../scenes/scene-keeper.ts';
 import { ShownVolume } from '../cuts/shown-volume.ts';
@@ -39,9 +41,10 @@ export interface ViewerListener {
  * Draws one volume in an element: what is to be seen (ShownVolume), from where (CameraRig), when (FrameLoop), how well
  * (QualityControl), and with which scene (SceneKeeper). All but the scene stays when the WebGL context is given back.
  */
-export class Viewer implements FrameHost, SceneUser {
+export class Viewer implements FrameHost, SceneUser, SocketViewer {
   readonly rig = new CameraRig();
-  readonly #shown = new ShownVolume();
+  readonly socket: ViewSocket;
+  readonly shown: ShownVolume;
   readonly #quality = new QualityControl();
   readonly #author = new AuthorView(this.rig);
   /** null until there are rings. */
@@ -59,8 +62,10 @@ export class Viewer implements FrameHost, SceneUser {
   #disposed = false;
 
   constructor(readonly place: ScenePlace, readonly listener: ViewerListener) {
+    this.socket = socketOf(place.host);
+    this.shown = new ShownVolume(this.socket);
     this.#keeper = new SceneKeeper(place, this);
-    this.pictures = new PictureDrawing({ shown: this.#shown, author: this.#author, placeLabels: (view) => this.#labels?.place(view), loop: this.loop, keeper: this.#keeper });
+    this.pictures = new PictureDrawing({ shown: this.shown, author: this.#author, socket: this.socket, loop: this.loop, keeper: this.#keeper });
     this.frames = new FrameDrawing(place.host, this.#quality, this.pictures, (stats) => {
       if (!this.#disposed) listener.rendered(stats);
     });
@@ -73,11 +78,11 @@ export class Viewer implements FrameHost, SceneUser {
 
   /** The volume that pictures are of. */
   get volume(): Volume | null {
-    return this.#shown.volume;
+    return this.shown.volume;
   }
 
   get optics(): VolumeOptics | null {
-    return this.#shown.optics;
+    return this.shown.optics;
   }
 
   /** What the picture is seen through; null before there is a volume. */
@@ -90,9 +95,13 @@ export class Viewer implements FrameHost, SceneUser {
     return this.rig.touched || this.rig.spun || this.#author.drives;
   }
 
+  get scene(): Scene | null {
+    return this.#keeper.scene;
+  }
+
   /** Whether it is known what to draw. */
   get ready(): boolean {
-    return this.#shown.isReady;
+    return this.shown.isReady;
   }
 
   /**
@@ -103,7 +112,7 @@ export class Viewer implements FrameHost, SceneUser {
   async show(volume: Volume, optics: VolumeOptics, readCuts: () => Cuts, signal?: AbortSignal): Promise<void> {
     await this.#framingComing;
     if (volume.ids) optics = await opticsByPlace(volume.ids, optics);
-    const first = this.#shown.volume === null;
+    const first = this.shown.volume === null;
     if (!(await this.#bring(volume, optics, signal))) return;
     if (first) this.#quality.forgetAll();
     this.setCuts(readCuts(), optics);
@@ -124,7 +133,7 @@ export class Viewer implements FrameHost, SceneUser {
         if (givenUp()) return false;
         if (scene === keeper.scene) isThere = !scene || (await scene.bringVolume(volume, () => givenUp() || scene !== keeper.scene));
       }
-      this.#shown.volume = volume; // At once: a scene that comes a moment later has to have it.
+      this.shown.volume = volume; // At once: a scene that comes a moment later has to have it.
       return true;
     } finally {
       if (this.#entrance === entrance) this.#entrance = null;
@@ -139,9 +148,9 @@ export class Viewer implements FrameHost, SceneUser {
 
   async #wear(optics: VolumeOptics): Promise<void> {
     const { scene } = this.#keeper;
-    if (this.#shown.wear(optics)) await scene?.setStyle(this.#shown.style);
+    if (this.shown.wear(optics)) await scene?.setStyle(this.shown.style);
     if (scene !== this.#keeper.scene) return; // A new one knows already.
-    await scene?.setOptics(this.#shown.optics!);
+    await scene?.setOptics(this.shown.optics!);
     this.#quality.forgetProbes();
     this.invalidate();
   }
@@ -155,17 +164,20 @@ export class Viewer implements FrameHost, SceneUser {
   readonly expect = (isComing: boolean): void => this.#keeper.expect(isComing);
   /** Show one part of the present volume, slices of it, and rings around it. @param optics - with which it is framed */
   setCuts(cuts: Cuts, optics = this.optics): void {
-    const { volume } = this.#shown;
-    this.#shown.cuts = cuts;
-    if (this.#keeper.scene) this.#shown.cut(this.#keeper.scene);
-    this.#labels ??= cuts.rings?.labelsAfter(this.place.container, (what) => this.listener.labelRing(what)) ?? null;
+    const { volume } = this.shown;
+    this.shown.cuts = cuts;
+    if (this.#keeper.scene) this.shown.cut(this.#keeper.scene);
+    if (!this.#labels && cuts.rings) {
+      this.#labels = cuts.rings.labelsAfter(this.place.container, (what) => this.listener.labelRing(what));
+      void this.socket.join(this.#labels, true); // Other texts make room for themselves among these.
+    }
     this.#labels?.set(cuts.rings?.labels ?? [], cuts.rings?.facts ?? null);
     if (volume) {
-      const [{ grid }, create] = [this.#shown, this.#createFraming];
+      const [{ grid }, create] = [this.shown, this.#createFraming];
       const findFraming = create && optics ? () => create(volume, optics.transferFunction, grid, this.place.host) : undefined;
       this.rig.setSubject({ ...boundingSphere(cuts.framed ?? grid), isWeather: isPolar(volume), isCoarse: volume.coarse, findFraming });
     }
-    this.place.host._cutSurfaces?.forEach((cut) => cut());
+    for (const part of this.socket.parts) part.cutsChanged?.();
     this.invalidate();
   }
 
@@ -208,8 +220,8 @@ export class Viewer implements FrameHost, SceneUser {
   async #loadFraming(): Promise<void> {
     const part = await import('../camera/framing.ts').catch(() => null);
     this.#createFraming = part?.createFraming ?? null;
-    if (!this.#shown.volume) return;
-    this.setCuts(this.#shown.cuts);
+    if (!this.shown.volume) return;
+    this.setCuts(this.shown.cuts);
     if (this.#author.drives) this.#author.follow(this.#keeper.scene, true);
   }
 
@@ -217,6 +229,11 @@ export class Viewer implements FrameHost, SceneUser {
   jumpToGoal(): void {
     this.rig.jump();
     this.invalidate();
+  }
+
+  /** Frame the subject again, where there is no picture yet and nobody has moved the camera. */
+  reframe(): void {
+    if (!this.drawn && !this.leftAttributes) this.rig.resetAtOnce();
   }
 
   /** Turn to a side of the world, radians. */
@@ -255,7 +272,10 @@ export class Viewer implements FrameHost, SceneUser {
     this.#disposed = true;
     this.loop.end();
     this.#keeper.dispose();
-    this.#labels?.container.remove();
+    if (this.#labels) {
+      this.#labels.container.remove();
+      void this.socket.leave(this.#labels);
+    }
     this.loop.wake();
   }
 
@@ -303,7 +323,7 @@ export class Viewer implements FrameHost, SceneUser {
   }
 
   furnish(scene: Scene): void {
-    this.#shown.furnish(scene);
+    this.shown.furnish(scene);
   }
 
   entered(scene: Scene): void {

@@ -1,7 +1,8 @@
 import type { CoarseVolume } from '../../formats/base/load-request.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { FileNotices } from '../model/beside-notices.ts';
+import { tellBeside } from '../model/beside-notices.ts';
+import type { FileNotices, ToldFile } from '../model/beside-notices.ts';
 import { CutReader } from '../cuts/cuts.ts';
 import type { Cuts } from '../cuts/cuts.ts';
 import type { ErrorBoard } from '../model/error-board.ts';
@@ -10,6 +11,8 @@ import type { LookHost, VolumeNodeReader } from '../appearance/look-reader.ts';
 import { followModel } from '../model/scan-model.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import type { Settings } from '../model/settings.ts';
+import { socketOf } from '../model/view-socket.ts';
+import type { SocketView } from '../model/view-socket.ts';
 import type { Viewer } from './viewer.ts';
 import { describeVolume } from '../model/volume-info.ts';
 import type { VolumeInfo, VolumeOptics } from '../model/volume-info.ts';
@@ -17,7 +20,7 @@ import type { VolumeInfo, VolumeOptics } from '../model/volume-info.ts';
 /** Whose volumes are presented. */
 export interface PresenterHost {
   /** Its children may be slices. */
-  readonly host: Element;
+  readonly host: HTMLElement;
   readonly settings: Settings;
   /** Whether the picture is near enough to be seen soon, asked for, or eager. */
   readonly awake: boolean;
@@ -30,7 +33,7 @@ export interface PresenterHost {
 }
 
 /** Brings volumes into the picture, each with the look and the cuts that the settings ask for. It keeps them when there is no viewer. */
-export class VolumePresenter implements LookHost {
+export class VolumePresenter implements LookHost, SocketView {
   /** null while the element is in no page. */
   viewer: Viewer | null = null;
   readonly look: LookReader;
@@ -45,6 +48,7 @@ export class VolumePresenter implements LookHost {
   constructor(readonly user: PresenterHost, readonly errors: ErrorBoard) {
     this.look = new LookReader(this, errors);
     this.#cuts = new CutReader(user.host, errors, () => user.settings);
+    socketOf(user.host).view = this;
   }
 
   /** The last good volume, which may be that of a source before. */
@@ -59,6 +63,18 @@ export class VolumePresenter implements LookHost {
   /** Whether something of the files is not in the picture, or not as it is there. */
   get hasNotices(): boolean {
     return this.besideNotices.size > 0 || !!(this.#info?.notices?.length || this.#info?.reduced);
+  }
+
+  reportFiles(owner: object, files: readonly ToldFile[]): void {
+    tellBeside(this, owner, files);
+  }
+
+  get host(): HTMLElement {
+    return this.user.host;
+  }
+
+  get awake(): boolean {
+    return this.user.awake;
   }
 
   get settings(): Settings {
@@ -109,6 +125,10 @@ export class VolumePresenter implements LookHost {
     this.#info = describeVolume(volume);
     if (!this.#cuts.isReady(volume)) this.cutAnew(); // One came while the volume was on its way.
     return optics;
+  }
+
+  async replace(volume: Volume): Promise<void> {
+    this.announce(await this.show(volume, new AbortController().signal));
   }
 
   /** Tell the page of the volume that came. */

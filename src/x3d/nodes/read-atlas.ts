@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import type { ErrorBoard } from '../../viewer/model/error-board.ts';
+import { socketOf } from '../../viewer/model/view-socket.ts';
 import { meantParent } from '../../page/unclosed.ts';
 import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
 
@@ -7,7 +8,6 @@ type Atlas = Readonly<Record<string, string | null>>;
 
 /** A view that uses an X3D scene's values for the attributes that it lacks. */
 interface AtlasView extends Element {
-  _atlas?: (property: string) => string | null | undefined;
   requestUpdate?(name: string): void;
 }
 
@@ -75,8 +75,9 @@ async function findAtlas(host: AtlasView): Promise<void> {
   if (search !== searches.get(host)) return;
   const before = known.get(host) ?? null;
   if (JSON.stringify(atlas) === JSON.stringify(before)) return;
+  const hadOne = known.has(host);
   known.set(host, atlas);
-  host._atlas = (property) => (host.hasAttribute('src') ? null : atlas?.[property]);
+  if (!hadOne) void socketOf(host).join({ key: 'atlas', attribute: (property) => (host.hasAttribute('src') ? null : known.get(host)?.[property]) });
   host.requestUpdate?.('src');
 }
 

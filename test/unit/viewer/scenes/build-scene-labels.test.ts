@@ -4,29 +4,33 @@ import type { SceneContents } from '../../../../src/viewer/scenes/build-scene.ts
 import { PresenterTarget } from '../../../../src/viewer/attachments/label-target.ts';
 import type { Scene } from '../../../../src/viewer/model/scene.ts';
 import type { ViewLabels } from '../../../../src/viewer/model/view-labels.ts';
-import type { VolumePresenter } from '../../../../src/viewer/view/volume-presenter.ts';
+import { ViewSocket } from '../../../../src/viewer/model/view-socket.ts';
+import type { SocketView } from '../../../../src/viewer/model/view-socket.ts';
 
 it('a new scene, such as one after a lost context, is told of the labels, and of what becomes of them while it is built', async () => {
   const [first, second] = ['one', 'two'].map((name) => ({ shown: { map: name }, nameOf: () => null }) as unknown as ViewLabels);
-  const shown: { labels: ViewLabels | null } = { labels: first };
+  const socket = new ViewSocket();
+  socket.view = { viewer: null } as unknown as SocketView;
+  const target = new PresenterTarget(socket);
+  await target.wear(first);
   const told: unknown[] = [];
   const scene = {
     prepare: async () => {},
     setStyle: async () => {},
     setLabels: async (labels: unknown) => void told.push(labels),
     bringVolume: async () => {
-      shown.labels = second;
+      await target.wear(second);
       return true;
     },
     dispose: () => told.push('disposed'),
   } as unknown as Scene;
-  const contents = { volume: {}, optics: { projection: null }, pictures: { parts: { shown } }, givenUp: false } as unknown as SceneContents;
+  const contents = { volume: {}, optics: { projection: null }, socket, givenUp: false } as unknown as SceneContents;
   let put: unknown = null;
   const build = (one: Scene): Promise<void> => buildScene(async () => one, contents, async () => true, (built) => (put = built));
   await build(scene);
   expect(put).to.equal(scene);
   expect(told).to.deep.equal([first.shown, second.shown]);
-  const gone = { ...scene, bringVolume: async () => ((shown.labels = null), true) };
+  const gone = { ...scene, bringVolume: async () => (await target.wear(null), true) };
   await build(gone);
   expect(told.slice(2), 'nor does it keep those that are gone by then').to.deep.equal([second.shown, null]);
   await build(gone);
@@ -36,12 +40,13 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
 it('labels that come after a new scene has looked for them, and before it is in place, are told to it', async () => {
   const told: unknown[] = [];
   const scene = { setLabels: async (labels: unknown) => void told.push(labels) };
-  const parts = { shown: { labels: null }, keeper: { scene: null as unknown } };
-  const viewer = { pictures: { parts }, invalidate: () => told.push('drawn anew') };
+  const viewer = { scene: null as unknown, invalidate: () => told.push('drawn anew') };
+  const socket = new ViewSocket();
+  socket.view = { viewer } as unknown as SocketView;
   const labels = { shown: { map: 'one' }, nameOf: () => null } as unknown as ViewLabels;
-  const worn = new PresenterTarget({ viewer } as unknown as VolumePresenter).wear(labels);
+  const worn = new PresenterTarget(socket).wear(labels);
   await Promise.resolve();
-  parts.keeper.scene = scene;
+  viewer.scene = scene;
   await worn;
   expect(told).to.deep.equal([labels.shown, 'drawn anew']);
 });
