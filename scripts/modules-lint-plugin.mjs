@@ -123,6 +123,31 @@ const oneWay = {
   },
 };
 
+/** A name that says: for nobody but this object. x3dom's own fields have such names too, and all of them are used in src/x3d. */
+const PRIVATE = /^_[a-z]/;
+
+/** What begins with an underscore is read through `this` alone; what others need joins the view by its socket, or is asked for there. */
+const ownPrivates = {
+  meta: { type: 'problem', schema: [] },
+  /** @param {any} context */
+  create(context) {
+    const { name } = findPlace(context.filename);
+    if (!MAY_IMPORT[name] || name === 'x3d') return {};
+    /** @param {any} node @param {any} key - of a member */
+    const check = (node, key) => {
+      if (key?.type === 'Identifier' && PRIVATE.test(key.name)) {
+        context.report({ node, message: `${key.name} is private to its object; a view is joined and asked by socketOf(element), see src/viewer/model/view-socket.ts` });
+      }
+    };
+    return {
+      MemberExpression: (/** @type {any} */ node) => node.computed || node.object.type === 'ThisExpression' || check(node, node.property),
+      ObjectPattern: (/** @type {any} */ node) => node.properties.forEach((/** @type {any} */ one) => one.computed || check(one, one.key)),
+      TSPropertySignature: (/** @type {any} */ node) => check(node, node.key),
+      TSMethodSignature: (/** @type {any} */ node) => check(node, node.key),
+    };
+  },
+};
+
 const reexportsOnly = {
   meta: { type: 'problem', schema: [] },
   create: (/** @type {any} */ context) => ({
@@ -173,5 +198,5 @@ const noLiteralWords = {
 
 export default {
   meta: { name: 'modules' },
-  rules: { 'one-way': oneWay, 'reexports-only': reexportsOnly, 'no-unfinished': noUnfinished, 'no-literal-words': noLiteralWords },
+  rules: { 'one-way': oneWay, 'reexports-only': reexportsOnly, 'own-privates': ownPrivates, 'no-unfinished': noUnfinished, 'no-literal-words': noLiteralWords },
 };

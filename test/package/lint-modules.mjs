@@ -65,6 +65,12 @@ const refused = [
   ['src/volume/a.ts', `export const width = (): number => document.body.clientWidth;`, /document/],
   ['src/index.ts', `export const answer = 42;`, /re-exports only/],
   ['src/x3d/a.ts', `// ${MARKER}: later\nexport const a = 1;`, /unfinished/],
+  ['src/viewer/view/a.ts', `export const a = (view: { b: number }): unknown => (view as unknown as Record<string, unknown>)._presenter;`, /_presenter is private to its object/],
+  ['src/viewer/view/a.ts', `export class A {\n  private _b = 1;\n  isSame(other: A): boolean {\n    return other._b === this._b;\n  }\n}`, /_b is private to its object/],
+  ['components/volume-clip/a.ts', `export const a = (view: Element): unknown => 'x' in view && (view as { x?: { y?: unknown } } & Record<string, unknown>)?._clips;`, /_clips is private/],
+  ['components/volume-clip/a.ts', `export function a({ _volume: b }: Record<string, unknown>): unknown {\n  return b;\n}`, /_volume is private/],
+  ['src/x3d/nodes/a.ts', `export interface A {\n  readonly _atlas?: string;\n}`, /_atlas is private/],
+  ['components/volume-clip/a.ts', `export interface A {\n  _inPane(): void;\n}`, /_inPane is private/],
   ['test/numeric/a.test.ts', `it.${FOCUS}('a', () => {});`, /focused or skipped/],
 ];
 for (const [path, text, message] of refused) {
@@ -80,6 +86,9 @@ const accepted = [
   ['src/x3d/nodes/a.ts', `export type { B } from '../../viewer/model/b.ts';`],
   ['src/viewer/cuts/a.ts', `export type { B } from '../model/b.ts';`],
   ['components/volume-clip/a.ts', `export type { B } from '../volume-view/b.ts';\nexport { c } from '../internal/c.ts';`],
+  ['src/x3d/a.ts', `export const a = (node: { _vf: unknown }): unknown => node._vf;`],
+  ['components/volume-clip/a.ts', `export class A {\n  private _b = 1;\n  get b(): number {\n    return this._b;\n  }\n}`],
+  ['components/volume-clip/a.ts', `export const a = ({ b: _b, ...rest }: Record<string, unknown>): unknown => rest;`],
   ['src/index.ts', `export { VolumeView } from '../components/volume-view/volume-view.ts';`],
 ];
 for (const [path, text] of accepted) {

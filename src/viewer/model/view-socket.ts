@@ -173,6 +173,8 @@ export class ViewSocket {
 
   #change(part: ViewPart): Promise<void> {
     this.#versions.set(part, ++this.#version);
+    const scene = this.view?.viewer?.scene;
+    if (scene && part.place) part.place(scene.getView());
     return this.#show(part, (scene) => this.#apply(part, scene));
   }
 
@@ -192,7 +194,6 @@ export class ViewSocket {
     if (part.clip) view?.cutAnew();
     const { viewer } = view ?? {};
     if (!viewer) return;
-    if (part.place && viewer.scene) part.place(viewer.scene.getView());
     if (part.bounds) viewer.reframe();
     if (!part.apply && !part.remove && !part.bounds) return;
     // A scene that is being built takes it along, and is in use when all that waits for nothing is done.

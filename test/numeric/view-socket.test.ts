@@ -1,0 +1,131 @@
+// A toy thing in the picture joins a view: it is in each scene, is placed after each picture, knows the volume, and leaves.
+import { expect } from '@esm-bundle/chai';
+import { noCuts } from '../../src/viewer/cuts/cuts.ts';
+import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
+import type { Scene, View } from '../../src/viewer/model/scene.ts';
+import { socketOf, standIn, ViewSocket } from '../../src/viewer/model/view-socket.ts';
+import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
+import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
+import type { ScenePlace } from '../../src/viewer/scenes/scene-keeper.ts';
+import type { ShownSurface } from '../../src/renderer/layers/shown-surfaces.ts';
+import { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
+import type { PresenterHost } from '../../src/viewer/view/volume-presenter.ts';
+import { Viewer } from '../../src/viewer/view/viewer.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+
+const optics: VolumeOptics = {
+  window: [0, 1], projection: null, shading: 'unlit', surfaces: null,
+  transferFunction: [{ value: 0, color: [0, 0, 0], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 1 }],
+  referenceLength: 1, opacityFactor: 1, lightFactor: 1,
+};
+const volume = syntheticVolume({ dimensions: [8, 8, 8] });
+const wait = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+/** A view whose scenes draw nothing and note what parts do with them. */
+function makeView() {
+  const host = document.createElement('div');
+  const did: string[] = [];
+  const scenes: Scene[] = [];
+  const create = async (): Promise<Scene> => {
+    const scene = {
+      name: `scene ${scenes.length + 1}`, canvas: document.createElement('canvas'), prepare: async () => {}, setStyle: async () => {}, setOptics: async () => {}, setRegion: () => {}, setSlices: () => {},
+      setLines: () => {}, bringVolume: async () => did.push('volume') > 0, authorCamera: () => null, getView: () => ({}), dispose: () => {},
+    } as unknown as Scene;
+    scenes.push(scene);
+    return scene;
+  };
+  const presence = { inSight: true, asked: false, mayBeNear: true, inHand: false };
+  const place = { host, container: document.createElement('div'), presence, scenes: { create } } as unknown as ScenePlace;
+  const errors = new ErrorBoard({ file: '', changed: () => {}, failed: (_, error) => did.push(error.message) });
+  const presenter = new VolumePresenter({ host, settings: {}, awake: true, emit: () => {}, track: () => {} } as unknown as PresenterHost, errors);
+  const viewer = (presenter.viewer = new Viewer(place, { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: (error) => errors.report('scene', error) }));
+  viewer.loop.end(); // Nothing here draws pictures.
+  return { host, did, scenes, viewer };
+}
+
+/** Such a thing in five lines, but for what it does. */
+function makeToy(did: string[]): ViewPart & { at: string } {
+  return {
+    key: 'toy',
+    at: 'here',
+    apply(scene) { did.push(`${this.at} in ${(scene as unknown as { name: string }).name}`); },
+    remove(scene) { did.push(`out of ${(scene as unknown as { name: string }).name}`); },
+    place: () => did.push('placed'),
+  } as ViewPart & { at: string };
+}
+
+describe('a part of a view', () => {
+  it('is in each scene before its volume, is put there again when it changes, and is gone from it when it leaves', async () => {
+    const { host, did, scenes, viewer } = makeView();
+    const socket = socketOf(host);
+    const toy = makeToy(did);
+    await socket.join(toy);
+    expect([socket.volume, did], 'before there is a volume').to.deep.equal([null, []]);
+    await viewer.show(volume, optics, () => noCuts);
+    viewer.invalidate();
+    while (!viewer.scene) await wait();
+    expect(did).to.deep.equal(['here in scene 1', 'volume']);
+    expect(socket.view!.viewer!.volume).to.equal(volume);
+    toy.at = 'there';
+    await socket.update(toy);
+    expect(did.slice(2)).to.deep.equal(['placed', 'there in scene 1']);
+    scenes[0].canvas.dispatchEvent(new Event('webglcontextlost'));
+    while (!viewer.scene || viewer.scene === scenes[0]) await wait();
+    expect(did.slice(4), 'a scene after a lost context').to.deep.equal(['there in scene 2', 'volume']);
+    await socket.leave(toy);
+    await socket.leave(toy);
+    await socket.update(toy);
+    expect([did.slice(6), socket.parts], 'it leaves once').to.deep.equal([['out of scene 2'], []]);
+    viewer.dispose();
+  });
+
+  it('that changes while a scene is built is in it as it is then, and one that leaves meanwhile is not', async () => {
+    const socket = new ViewSocket();
+    const did: string[] = [];
+    const [toy, other] = [makeToy(did), makeToy(did)];
+    void socket.join(toy);
+    void socket.join(other);
+    const scene = { name: 'a scene' } as unknown as Scene;
+    const before = socket.version;
+    await socket.applyTo(scene);
+    toy.at = 'there';
+    void socket.update(toy);
+    void socket.leave(other);
+    expect(socket.version, 'who builds the scene looks again').to.be.above(before);
+    await socket.applyTo(scene);
+    await socket.applyTo(scene);
+    expect(did).to.deep.equal(['here in a scene', 'here in a scene', 'out of a scene', 'there in a scene']);
+  });
+
+  it('is placed after each picture, in the order in which parts came but for the first; what one throws stops neither the others nor the frame', async () => {
+    const socket = new ViewSocket();
+    const did: string[] = [];
+    const view = {} as View;
+    void socket.join({ key: 'a', place: (one) => did.push(`a ${one === view}`) });
+    void socket.join({ key: 'b', place: () => { throw new Error('a defect'); } });
+    void socket.join({ key: 'c', place: () => did.push('c') }, true);
+    const { error } = console;
+    const said: unknown[] = [];
+    console.error = (one: unknown) => said.push((one as Error).message);
+    try {
+      socket.place(view);
+    } finally {
+      console.error = error;
+    }
+    expect([did, said]).to.deep.equal([['c', 'a true'], ['a defect']]);
+  });
+
+  it('says what it has to who asks: of several the last one', () => {
+    const host = document.createElement('div');
+    const socket = socketOf(host);
+    const surface = {} as ShownSurface;
+    const legend = document.createElement('p');
+    void socket.join({ key: 'volume-surface', surface, cursor: [1, 2, 3] });
+    void socket.join({ key: 'volume-legend', element: legend, surface: null, cursor: [4, 5, 6] });
+    expect([socket.last('surface'), socket.last('cursor'), socket.last('overlay')]).to.deep.equal([surface, [4, 5, 6], null]);
+    void socket.join({ key: 'atlas', attribute: (property) => (property === 'src' ? 'ct.png' : null) });
+    expect([standIn(host, 'src'), standIn(host, 'alt')]).to.deep.equal(['ct.png', null]);
+    expect(socketOf(host), 'one for each element').to.equal(socket);
+    expect(socketOf(document.createElement('div'))).not.to.equal(socket);
+  });
+});
