@@ -43,22 +43,32 @@ function makeView() {
   return { host, did, scenes, viewer };
 }
 
-/** Such a thing in five lines, but for what it does. */
-function makeToy(did: string[]): ViewPart & { at: string } {
-  return {
-    key: 'toy',
-    at: 'here',
-    apply(scene) { did.push(`${this.at} in ${(scene as unknown as { name: string }).name}`); },
-    remove(scene) { did.push(`out of ${(scene as unknown as { name: string }).name}`); },
-    place: () => did.push('placed'),
-  } as ViewPart & { at: string };
+const nameOf = (scene: Scene): string => (scene as unknown as { readonly name: string }).name;
+
+class Toy implements ViewPart {
+  readonly key = 'toy';
+  at = 'here';
+
+  constructor(readonly did: string[]) {}
+
+  apply(scene: Scene): void {
+    this.did.push(`${this.at} in ${nameOf(scene)}`);
+  }
+
+  remove(scene: Scene): void {
+    this.did.push(`out of ${nameOf(scene)}`);
+  }
+
+  place(): void {
+    this.did.push('placed');
+  }
 }
 
 describe('a part of a view', () => {
   it('is in each scene before its volume, is put there again when it changes, and is gone from it when it leaves', async () => {
     const { host, did, scenes, viewer } = makeView();
     const socket = socketOf(host);
-    const toy = makeToy(did);
+    const toy = new Toy(did);
     await socket.join(toy);
     expect([socket.volume, did], 'before there is a volume').to.deep.equal([null, []]);
     await viewer.show(volume, optics, () => noCuts);
@@ -82,7 +92,7 @@ describe('a part of a view', () => {
   it('that changes while a scene is built is in it as it is then, and one that leaves meanwhile is not', async () => {
     const socket = new ViewSocket();
     const did: string[] = [];
-    const [toy, other] = [makeToy(did), makeToy(did)];
+    const [toy, other] = [new Toy(did), new Toy(did)];
     void socket.join(toy);
     void socket.join(other);
     const scene = { name: 'a scene' } as unknown as Scene;
