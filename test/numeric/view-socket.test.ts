@@ -29,7 +29,7 @@ function makeView() {
   const create = async (): Promise<Scene> => {
     const scene = {
       name: `scene ${scenes.length + 1}`, canvas: document.createElement('canvas'), prepare: async () => {}, setStyle: async () => {}, setOptics: async () => {}, setRegion: () => {}, setSlices: () => {},
-      setLines: () => {}, bringVolume: async () => did.push('volume') > 0, authorCamera: () => null, getView: () => ({}), dispose: () => {},
+      setLines: () => {}, bringVolume: async () => did.push('volume') > 0, authorCamera: () => null, getView: () => ({}), twins: () => null, dispose: () => {},
     } as unknown as Scene;
     scenes.push(scene);
     return scene;
