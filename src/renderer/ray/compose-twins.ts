@@ -1,6 +1,6 @@
 import type { RayStages } from '../../optics/rays/ray-stages.ts';
-import type { StageName } from './ray-module.ts';
-import type { RayTwins, TwinFrame, TwinStages } from './ray-twin.ts';
+import type { StageName, TwinFrame, TwinStages } from './ray-module.ts';
+import type { RayTwins } from './ray-twin.ts';
 
 /** How rays are walked. */
 export interface TwinWalk {

@@ -38,7 +38,8 @@ import type { DeviceRectangle } from '../../optics/cells/bound-seen-cells.ts';
 import type { Pixels } from '../../optics/rays/between-pixels.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
-import type { PixelLattice, RaySetup } from '../../optics/rays/rays.ts';
+import type { RayStages } from '../../optics/rays/ray-stages.ts';
+import type { PixelLattice, Ray, RaySetup } from '../../optics/rays/rays.ts';
 import type { OpticalFactors, TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
@@ -47,7 +48,34 @@ import type { Device, Gl } from '../device/device.ts';
 import type { DrawTarget } from '../device/draw-target.ts';
 import type { Upload } from '../textures/fill-texture.ts';
 import type { ProgramInputs } from '../device/inputs.ts';
-import type { RayTwin } from './ray-twin.ts';
+
+/** How a ray is walked, whatever it meets. */
+type Walk = 'eyeT' | 'step' | 'maxSubsteps' | 'leastSubsteps';
+
+/** The five stages of a ray in float64. */
+export type TwinStages = Omit<RayStages, Walk>;
+
+/** What a ray is cast through: what `RayFrame` is to the GPU. */
+export interface TwinFrame {
+  readonly volume: Volume;
+  readonly optics: Optics;
+  readonly rays: RaySetup;
+  /** Whether places and opacities are all that matters, as to a pick: light, which changes neither, may be left out. */
+  readonly placesOnly: boolean;
+  /** t at which the nearest opaque shape of the scene stands, Infinity where there is none; absent where no shape ends rays. */
+  readonly shapeT?: (ray: Ray) => number;
+}
+
+/** A module in float64. */
+export interface RayTwin {
+  /** Load its code. @throws {VolumeViewError} `format/unsupported` */
+  load(frame: TwinFrame): Promise<unknown>;
+  /**
+   * What it adds, as soon as its code is there: lists are added to those of other modules, and single stages replace them.
+   * @param before - the stages so far, which come in this order: field, interval, classify, shade, gather
+   */
+  parts(frame: TwinFrame, before: TwinStages): Partial<TwinStages>;
+}
 
 export type StageName = 'interval' | 'field' | 'classify' | 'shade' | 'gather';
 

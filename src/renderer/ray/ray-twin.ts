@@ -1,37 +1,7 @@
 // The same ray in float64: what each module adds to it. The code that does so is loaded with the first ray that is cast.
 import { loadPart } from '../../core/load-part.ts';
-import type { RayStages } from '../../optics/rays/ray-stages.ts';
-import type { Ray, RaySetup } from '../../optics/rays/rays.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { Optics, RayModule } from './ray-module.ts';
-
-/** How a ray is walked, whatever it meets. */
-type Walk = 'eyeT' | 'step' | 'maxSubsteps' | 'leastSubsteps';
-
-/** The five stages of a ray in float64. */
-export type TwinStages = Omit<RayStages, Walk>;
-
-/** What a ray is cast through: what `RayFrame` is to the GPU. */
-export interface TwinFrame {
-  readonly volume: Volume;
-  readonly optics: Optics;
-  readonly rays: RaySetup;
-  /** Whether places and opacities are all that matters, as to a pick: light, which changes neither, may be left out. */
-  readonly placesOnly: boolean;
-  /** t at which the nearest opaque shape of the scene stands, Infinity where there is none; absent where no shape ends rays. */
-  readonly shapeT?: (ray: Ray) => number;
-}
-
-/** A module in float64. */
-export interface RayTwin {
-  /** Load its code. @throws {VolumeViewError} `format/unsupported` */
-  load(frame: TwinFrame): Promise<unknown>;
-  /**
-   * What it adds, as soon as its code is there: lists are added to those of other modules, and single stages replace them.
-   * @param before - the stages so far, which come in this order: field, interval, classify, shade, gather
-   */
-  parts(frame: TwinFrame, before: TwinStages): Partial<TwinStages>;
-}
+import type { Optics, RayModule, RayTwin, TwinFrame, TwinStages } from './ray-module.ts';
 
 /** The modules of a picture's rays, as far as it takes to cast them in float64. They need no context, and so outlive a scene. */
 export interface RayTwins {

@@ -1,9 +1,8 @@
 import clip from '../../../../shaders/chunks/walk/clip.glsl?raw';
 import slack from '../../../../shaders/chunks/walk/slack.glsl?raw';
 import type { HalfSpace } from '../../../optics/rays/clip-intervals.ts';
-import type { RayText, SliceModule } from '../ray-module.ts';
+import type { RayText, RayTwin, SliceModule } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
-import type { RayTwin } from '../ray-twin.ts';
 
 export const clipText: RayText = { name: 'clip', stage: 'interval', defines: {}, chunks: [slack, clip], samplers: [] };
 

@@ -2,9 +2,8 @@ import box from '../../../../shaders/chunks/walk/box.glsl?raw';
 import cutout from '../../../../shaders/chunks/walk/cutout.glsl?raw';
 import slack from '../../../../shaders/chunks/walk/slack.glsl?raw';
 import type { Cutout } from '../../../optics/rays/clip-intervals.ts';
-import type { RayText, SliceModule } from '../ray-module.ts';
+import type { RayText, RayTwin, SliceModule } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
-import type { RayTwin } from '../ray-twin.ts';
 
 /** GAP: rays may have two pieces. */
 export const cutoutText: RayText = { name: 'cutout', stage: 'interval', defines: { GAP: 1 }, chunks: [box, slack, cutout], samplers: [] };

@@ -10,9 +10,8 @@ import { maxSurfaces } from '../../../optics/transfer/surface-limits.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import { joinInputs } from '../../device/inputs.ts';
-import type { RayModule, RayText } from '../ray-module.ts';
+import type { RayModule, RayText, RayTwin } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
-import type { RayTwin } from '../ray-twin.ts';
 import { compositeText, createComposite } from './composite.ts';
 import { surfaceValues } from './surface-values.ts';
 

@@ -3,9 +3,8 @@ import labels3d from '../../../../shaders/chunks/attachments/labels-3d.glsl?raw'
 import labelsMosaic from '../../../../shaders/chunks/attachments/labels-mosaic.glsl?raw';
 import vote from '../../../../shaders/chunks/field/vote.glsl?raw';
 import type { ShownLabels } from '../../../volume/labels.ts';
-import type { RayText } from '../ray-module.ts';
+import type { RayText, RayTwin } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
-import type { RayTwin } from '../ray-twin.ts';
 
 /** Texels in a row of the labels' table. */
 export const labelsAcross = 1024;

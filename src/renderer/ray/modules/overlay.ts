@@ -10,9 +10,9 @@ import polarFolds from '../../../../shaders/chunks/radar/polar-folds.glsl?raw';
 import { deepest, edgeSlack } from '../../../optics/attachments/overlay.ts';
 import type { ShownOverlay } from '../../../optics/attachments/overlay.ts';
 import type { FieldStage } from '../../../optics/rays/ray-stages.ts';
-import type { RayText } from '../ray-module.ts';
+import type { RayText, RayTwin } from '../ray-module.ts';
 import { partOf, usualTwins } from '../ray-twin.ts';
-import type { Later, RayTwin } from '../ray-twin.ts';
+import type { Later } from '../ray-twin.ts';
 
 /** No share of a layer's domain is smaller; what is stands for no data. */
 const leastShare = '-1.0e18';

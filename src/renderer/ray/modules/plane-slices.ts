@@ -10,9 +10,8 @@ import type { PlaneSlice } from '../../../optics/attachments/plane-slices.ts';
 import { outlinesOf } from '../../../optics/attachments/plane-outlines.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 import { outlinesText, outlineUniforms } from '../outline-uniforms.ts';
-import type { RayText, SliceModule } from '../ray-module.ts';
+import type { RayText, RayTwin, SliceModule } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
-import type { RayTwin } from '../ray-twin.ts';
 
 /** Pieces of a line through a slab, at most: GLSL ES 1.00 wants a constant. A line through 2,048 voxels along each axis has so many. */
 const mostPieces = 6144;

@@ -13,9 +13,8 @@ import { uploadCells } from '../../textures/cell-texture.ts';
 import type { CellTexture } from '../../textures/cell-texture.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import { Kept } from '../../device/kept.ts';
-import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
+import type { RayFrame, RayModule, RayText, RayTwin } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
-import type { RayTwin } from '../ray-twin.ts';
 
 /** Largest value, and byte, of a cell that nothing is known of. */
 const anything = 255;
