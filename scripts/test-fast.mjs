@@ -1,6 +1,7 @@
 // `npm run test:fast`: the tests of test/unit in Node, without a browser. Arguments are parts of file names.
 // Node 20 reads no TypeScript, so they are bundled into a folder of their own first. mocha runs the files on all cores.
 import { mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import Mocha from 'mocha';
 import { build } from 'vite';
@@ -39,6 +40,7 @@ const mocha = new Mocha({
   ui: 'bdd',
   timeout: 120_000,
   parallel: files.length > 1,
+  jobs: availableParallelism(),
   reporter: 'dot',
   require: [join(projectRoot, 'scripts/test-fast-setup.mjs')],
 });
