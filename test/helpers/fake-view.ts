@@ -44,6 +44,7 @@ export function fakeView(html: string): FakeView {
     volume: { grid, samples: new Uint8Array(4), slope: 1, intercept: 0, format: 'png mosaic', range: [0, 200] },
     viewer: { scene, invalidate: () => {} },
     track: (one: Promise<unknown>) => work.push(one),
+    reportFiles: () => {},
   } as unknown as SocketView;
   const read = async (): Promise<VolumeOptics> => {
     const look = await withVolumeNodes({ user: { host } }, plainLook, { grid });

@@ -73,7 +73,7 @@ describe('beside a volume', () => {
     const socket = socketOf(host);
     const viewer = { volume: {}, scene: null as Scene | null, invalidate: () => {}, reframe: () => {} };
     const work: Promise<unknown>[] = [];
-    const presenter = { host, awake: true, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), viewer: viewer as typeof viewer | null, volume: { grid: cartesianGrid([9, 9, 9], identity) } as unknown, track: (one: Promise<unknown>) => work.push(one) };
+    const presenter = { host, awake: true, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), viewer: viewer as typeof viewer | null, volume: { grid: cartesianGrid([9, 9, 9], identity) } as unknown, track: (one: Promise<unknown>) => work.push(one), reportFiles: () => {} };
     socket.view = presenter as unknown as SocketView;
     const target = new SurfaceTarget(socket, document.createElement('i'));
     const shown = (): readonly number[] | undefined => socket.last('surface')?.color;

@@ -22,7 +22,7 @@ function createView() {
   const settings = { region: { value: null as readonly number[] | null } };
   const work: Promise<unknown>[] = [];
   const viewer = { volume, shown, scene: { loadLines: async () => null }, invalidate: () => {}, reframe: () => {} };
-  socket.view = { host, awake: true, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), settings, viewer, volume, track: (one: Promise<unknown>) => work.push(one) } as unknown as SocketView;
+  socket.view = { host, awake: true, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), settings, viewer, volume, track: (one: Promise<unknown>) => work.push(one), reportFiles: () => {} } as unknown as SocketView;
   const target = new SurfaceTarget(socket, document.createElement('i'));
   return {
     socket, target, shown, settings, work,
