@@ -1,28 +1,28 @@
 import type { Volume } from '../../volume/volume.ts';
 
-/** What of a file beside the volume is not in the picture, or not as it is there. */
+/** What of a file attached to the volume is not in the picture, or is changed in it. */
 export interface FileNotices {
-  /** Of the file, as people know it; '' where it has none. */
+  /** The name of the file, as people know it; '' where it has none. */
   readonly name: string;
   /** In words. */
   readonly notices: readonly string[];
 }
 
-/** Where it is told. */
+/** Where the notices are kept and shown. */
 interface NoticePlace {
   readonly besideNotices: Map<object, readonly FileNotices[]>;
   readonly user: { changed(): void };
 }
 
-/** Addresses that are no names: what they hold is in them. */
+/** Addresses that have no file name: the data are in the address itself, or in memory. */
 const nameless = /^(data|blob):/i;
 
-/** A file, and what of it is not in the picture; nothing where all of it is. */
+/** A file, and which parts of it are not in the picture; an empty list where all are. */
 export type ToldFile = readonly [url: string, notices: readonly string[]];
 
 /**
- * Tell who looks at a picture what of files beside the volume is not in it, or not as it is there.
- * @param owner - shows the files: what it told before no longer holds
+ * Notify the people who see a picture which parts of attached files are not in it, or are changed in it.
+ * @param owner - the object that shows the files: this call replaces its earlier report
  */
 export function tellBeside({ besideNotices, user }: NoticePlace, owner: object, files: readonly ToldFile[]): void {
   const told = files.filter(([, notices]) => notices.length > 0).map(([url, notices]): FileNotices => ({ name: nameOf(url), notices }));
@@ -32,7 +32,7 @@ export function tellBeside({ besideNotices, user }: NoticePlace, owner: object, 
   user.changed();
 }
 
-/** What of a volume's file changes what is seen. */
+/** The notices about a volume's file that change what people see. */
 export function noticesOf({ radar, left, reduced }: Volume): readonly string[] {
   const smaller = reduced ? [`made smaller for this device, from ${reduced.from.join(' x ')} voxels to ${reduced.to.join(' x ')}`] : [];
   return [...smaller, ...(radar?.left ?? left ?? [])];

@@ -10,10 +10,10 @@ export interface CameraAttributes extends OrbitAttribute {
 
 /** How far a camera may be turned and moved away, and how it gets there. */
 export interface CameraLimits {
-  /** Angles and distances that no camera goes below, or above; what is absent has limits that follow from what is seen. */
+  /** The smallest and the largest angles and distances of the camera; where one is absent, the limit follows from the volume. */
   readonly min: OrbitAttribute;
   readonly max: OrbitAttribute;
-  /** Time in which the camera makes up for 63 % of a way that the page or a button sends it, ms; 0 for at once. */
+  /** Time in which the camera covers 63 % of a move that the page or a button starts, ms; 0 for at once. */
   readonly decay: number;
 }
 

@@ -1,14 +1,14 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 
-/** A half of the world, or a box, in the coordinates of `region`: of a radar, heights before they are exaggerated. */
+/** A half of the world, or a box. It uses the coordinates of `region`: heights of a radar before they are exaggerated. */
 export type ClipShape = ClipPlane | ClipBox;
 
-/** What lies where the normal points to, from `at` on, is kept. */
+/** Keeps what lies in the direction of the normal, from `at` on. */
 export interface ClipPlane {
   readonly kind: 'plane';
   /** Of length 1. */
   readonly normal: Vector3;
-  /** World units along it; null for the middle of the volume. */
+  /** World units along the normal; null for the middle of the volume. */
   readonly at: number | null;
 }
 

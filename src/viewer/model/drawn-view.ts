@@ -7,6 +7,6 @@ export interface DrawnView {
   readonly grid: GridFrame;
   /** Pixels across and down of the picture in full. */
   readonly size: Size;
-  /** Whether the view is still wanted. */
+  /** Whether the view is still needed. */
   readonly goesOn: () => boolean;
 }

@@ -2,7 +2,7 @@ import { asVolumeViewError } from '../../core/errors.ts';
 import type { VolumeViewError } from '../../core/errors.ts';
 import type { Reading } from './settings.ts';
 
-/** What of an element can fail independently, and what it is called, in the order in which it is shown. */
+/** What can fail in an element independently of the rest, with the names for messages, in the order in which errors are shown. */
 const aspects = {
   source: 'the file',
   time: 'time',
@@ -24,29 +24,29 @@ const aspects = {
 
 export type Aspect = keyof typeof aspects;
 
-/** What a board tells its element. */
+/** What an error board reports to its element. */
 export interface ErrorListener {
-  /** The file that is shown or loaded, for errors that nobody expects. */
+  /** The file that is shown or loaded, for messages about unexpected errors. */
   readonly file: string;
-  /** The error to be shown, the board's first, may be another one. */
+  /** The error to be shown, `first`, may have changed. */
   changed(): void;
-  /** Another thing went wrong. */
+  /** Another error happened. */
   failed(aspect: Aspect, error: VolumeViewError): void;
 }
 
-/** What is wrong with an element at the moment: at most one error an aspect. */
+/** The present errors of an element: at most one for each aspect. */
 export class ErrorBoard {
   readonly #errors = new Map<Aspect, VolumeViewError>();
 
   constructor(readonly listener: ErrorListener) {}
 
-  /** The error that is shown; null where all is well. */
+  /** The error to be shown; null where there is none. */
   get first(): VolumeViewError | null {
     const first = (Object.keys(aspects) as Aspect[]).find((aspect) => this.#errors.has(aspect));
     return first ? this.#errors.get(first)! : null;
   }
 
-  /** @param thrown - whatever it is; what has no words of its own is told as `internal` */
+  /** @param thrown - any value; an error without a message for users is reported as `internal` */
   report(aspect: Aspect, thrown: unknown): void {
     const error = asVolumeViewError(thrown, `${aspects[aspect]} of "${this.listener.file}"`);
     this.#errors.set(aspect, error);
@@ -54,7 +54,7 @@ export class ErrorBoard {
     this.listener.failed(aspect, error);
   }
 
-  /** Do something of an aspect; what it throws is shown and told. */
+  /** Do something for an aspect; show and report what it throws. */
   attempt(aspect: Aspect, act: () => void): void {
     try {
       act();
@@ -64,7 +64,7 @@ export class ErrorBoard {
     }
   }
 
-  /** Use what attributes say; what is wrong with them, or comes of them, is shown and told. */
+  /** Use the value of attributes; show and report the error of reading or of using them. */
   take<T>(aspect: Aspect, reading: Reading<T>, use: (value: T) => void): void {
     this.attempt(aspect, () => {
       if (reading.error) throw reading.error;
@@ -72,7 +72,7 @@ export class ErrorBoard {
     });
   }
 
-  /** Run some work of an aspect; what it throws is shown and told, unless it was given up. Returns whether it was done. */
+  /** Run some work for an aspect; show and report what it throws, unless the work was given up. Returns whether the work succeeded. */
   async run(aspect: Aspect, signal: AbortSignal | null, work: () => Promise<void>): Promise<boolean> {
     try {
       await work();

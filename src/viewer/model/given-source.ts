@@ -5,7 +5,7 @@ export type SourceName = (typeof names)[number];
 
 export type GivenSource = Readonly<Record<SourceName, string | null>>;
 
-/** That part of what an author says; null where there is nothing of it. */
+/** The attributes that say how to read a file; null where the author gives none of them. */
 export function pickSource(given: GivenSource): GivenSource | null {
   if (names.every((name) => given[name] === null)) return null;
   return Object.fromEntries(names.map((name) => [name, given[name]])) as GivenSource;

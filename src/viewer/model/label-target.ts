@@ -3,32 +3,32 @@ import type { Volume } from '../../volume/volume.ts';
 import type { ToldFile } from './beside-notices.ts';
 import type { ViewLabels } from './view-labels.ts';
 
-/** What something beside a volume is put on. */
+/** The target of something that is attached to a volume. */
 export interface BesideTarget {
   /** The last good volume; null before there is one. */
   readonly volume: Volume | null;
-  /** Whether a volume is being loaded, or would be: the picture is near enough to be seen soon. */
+  /** Whether a volume is loading, or would load if there were one: the picture is near enough to be visible soon. */
   readonly awake: boolean;
-  /** Work that a script that waits for the picture has to wait for. It does not reject. */
+  /** Add work that scripts wait for when they wait for the picture. It does not reject. */
   track(work: Promise<unknown>): void;
   failed(error: unknown): void;
   cleared(): void;
-  /** What of its files is not in the picture, for those who look at it; empty where all is. */
+  /** Report to the people who see the picture which parts of its files are not in it; empty where all are. */
   reportFiles(files: readonly ToldFile[]): void;
 }
 
-/** What labels are put on. */
+/** The target of labels. */
 export interface LabelTarget extends BesideTarget {
   /** The file of that volume, for messages. */
   readonly file: string;
   /** Data values that presets and percentages span; null before there is a volume. */
   readonly window: readonly [number, number] | null;
-  /** Whether what is hidden can be seen as a trace. */
+  /** Whether hidden labels can stay faintly visible, as ghosts. */
   readonly showsGhosts: boolean;
   /** Show labels; null for none. @throws {VolumeViewError} */
   wear(labels: ViewLabels | null): Promise<void>;
-  /** How a volume looks that is labels itself, where its page says nothing; null for what its values suggest. */
+  /** Set the appearance of a volume that is itself labels, where its page says nothing; null to derive it from the values. */
   dress(transferFunction: TransferFunction | null): void;
-  /** Show a volume's values as labels where they were taken for intensities. @throws {VolumeViewError} */
+  /** Show a volume's values as labels, after they were read as intensities. @throws {VolumeViewError} */
   takeAsLabels(volume: Volume): Promise<void>;
 }

@@ -1,13 +1,13 @@
-/** Work that is done once for what is asked for again and again; only the last is kept. */
+/** Keeps the result of the last work, so that the same request again and again does the work only once. */
 export class LastWork<T> {
   #key: string | null = null;
   #result: Promise<T> | null = null;
   #stop = new AbortController();
 
   /**
-   * @param key - of what is asked for
-   * @param signal - of who asks; the work goes on for who asks for the same next
-   * @throws what the work throws, which is begun anew when it is asked for again
+   * @param key - identifies the request
+   * @param signal - of the caller; it does not stop the work, which goes on for later callers with the same key
+   * @throws what the work throws; the next call with the same key then starts the work again
    */
   async get(key: string, signal: AbortSignal, work: (stop: AbortSignal) => Promise<T>): Promise<T> {
     signal.throwIfAborted();
@@ -25,7 +25,7 @@ export class LastWork<T> {
     }
   }
 
-  /** Nothing of it goes on. */
+  /** Stop the work, and drop its result. */
   forget(): void {
     this.#stop.abort();
     this.#stop = new AbortController();

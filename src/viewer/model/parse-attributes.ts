@@ -16,20 +16,20 @@ export interface OrbitAttribute {
   readonly radius?: Radius;
 }
 
-/** Each sign can be read in one way only: other spellings of this take a time that grows with the square of a text. */
+/** Each character can match in only one way: other forms of this expression take a time that grows with the square of the text length. */
 const number = String.raw`[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?`;
 const isDecimal = new RegExp(`^${number}$`, 'i');
 
-/** Longest list of numbers. */
+/** Maximum length of a list of numbers, in characters. */
 const maxLength = 2 ** 16;
 
 /** Whether a word is a number as an author may write it, and a finite one. */
 export const isNumber = (word: string): boolean => isDecimal.test(word) && Number.isFinite(Number(word));
 
-/** So many numbers as an author may write them. */
+/** Examples of lists of numbers as an author may write them, by how many numbers they have. */
 const numberExamples: Record<number, string> = { 1: '1.5', 2: '0 100', 3: '1 1 1.5', 6: '-50 -50 0 50 50 10' };
 
-/** Exactly so many numbers, separated by blanks or commas. */
+/** Exactly `count` numbers, separated by blanks or commas. */
 export function parseNumbers(name: string, text: string, count: number): number[] {
   const words = split(name, text);
   if (words.length !== count || !words.every(isNumber)) {
@@ -74,12 +74,12 @@ export function parseLength(name: string, text: string): number {
   return value;
 }
 
-/** `theta phi radius`, each possibly `auto`. @param name - of a limit, whose parts may be `Infinity` too */
+/** `theta phi radius`, each possibly `auto`. @param name - of the attribute; the parts of a limit may be `Infinity` too */
 export function parseOrbit(text: string, name = 'camera-orbit'): OrbitAttribute {
   const words = split(name, text);
   if (words.length !== 3) throw invalid(name, text, 'three parts, like "30deg 70deg 110%"');
   const isLimit = name !== 'camera-orbit';
-  // An angle without a limit has none by default either.
+  // For an angle, `Infinity` means the same as `auto`: no limit.
   const [theta, phi, radius] = words.map((word, i) => (/^auto$/i.test(word) || (isLimit && i < 2 && /^[+-]?infinity$/i.test(word)) ? undefined : word));
   return {
     theta: theta === undefined ? undefined : angleOr(name, text, theta),
@@ -88,7 +88,7 @@ export function parseOrbit(text: string, name = 'camera-orbit'): OrbitAttribute 
   };
 }
 
-/** The least and the greatest orbit; absent texts are no limits. */
+/** The smallest and the largest orbit; an absent text sets no limit. */
 export function parseLimits(least: string | null, greatest: string | null): { min: OrbitAttribute; max: OrbitAttribute } {
   const [min, max] = [[least, 'min-camera-orbit'], [greatest, 'max-camera-orbit']].map(([text, name]) => (text?.trim() ? parseOrbit(text, name!) : {}));
   const isBelow = (a: number | undefined, b: number | undefined): boolean => a !== undefined && b !== undefined && a < b;
@@ -120,10 +120,10 @@ export function parseRegion(text: string): number[] | null {
   return text.trim() === '' ? null : parseNumbers('region', text, 6);
 }
 
-/** Kilometres from ring to ring, round ones, or no rings. */
+/** Kilometres from ring to ring, `auto` for round distances, or no rings. */
 export type RingSetting = number | 'auto' | 'none';
 
-/** Kilometres from ring to ring, `none`, or nothing for round distances. */
+/** Kilometres from ring to ring, `none`, or an empty text for round distances. */
 export function parseRings(text: string): RingSetting {
   const word = text.trim().toLowerCase();
   return word === '' ? 'auto' : word === 'none' ? word : parseLength('rings', text);

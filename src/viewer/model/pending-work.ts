@@ -8,8 +8,8 @@ export class PendingWork {
   }
 
   /**
-   * Resolves when nothing is under way any more.
-   * @param comesMore - what may begin more work, and is waited for first; null where nothing is on its way
+   * Resolves when no work is running any longer.
+   * @param comesMore - returns what may start more work, and is waited for first; null where nothing is pending
    */
   async done(comesMore: () => Promise<unknown> | null): Promise<void> {
     let seen: Promise<unknown> | null = null;

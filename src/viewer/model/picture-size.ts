@@ -4,7 +4,7 @@ export interface PictureSize {
   readonly height: number;
 }
 
-/** @param maxSide - device pixels along a side that the device draws */
+/** @param maxSide - the longest side that the device can draw, in device pixels */
 export function pictureSize({ clientWidth, clientHeight }: Element, maxSide: number): PictureSize {
   const ratio = devicePixelRatio || 1;
   const longest = Math.max(clientWidth, clientHeight) * ratio;

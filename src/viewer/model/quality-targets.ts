@@ -1,6 +1,6 @@
-/** What an author asks of pictures. */
+/** What an author requires of pictures. */
 export interface QualityTargets {
-  /** Steps along the longest ray; auto leaves them to the control. */
+  /** Steps along the longest ray; with auto the quality control chooses them. */
   readonly steps: number | 'auto';
   /** The error that a picture at rest may have, 1/255: see `keptError` of quality/error-estimate.ts. */
   readonly maxError: number;

@@ -1,35 +1,35 @@
 import type { PictureError } from '../../quality/error-estimate.ts';
 
-/** What one drawn frame was. */
+/** Facts about one drawn frame. */
 export interface RenderStats {
-  /** From the call to the GPU having finished, ms. */
+  /** From the call until the GPU has finished, ms. */
   readonly frameMs: number;
-  /** Steps along the longest ray, each of one sample or, where something may be seen, several. */
+  /** Steps along the longest ray. Each takes one sample, or several where something may be visible. */
   readonly steps: number;
-  /** The most substeps that a step was cut into. */
+  /** The largest number of substeps in one step. */
   readonly substeps: number;
   /** World length between samples. */
   readonly stepLength: number;
-  /** Rays that were cast, as a share of the pixels, about; what lies between them is interpolated where it is smooth. */
+  /** Share of the pixels that got a ray, approximately; the pixels between rays are interpolated where the picture is smooth. */
   readonly rays: number;
   /** Largest curvature at which pixels were interpolated instead of getting rays, 1/255, see docs/maths.md; 0 where every pixel got a ray. */
   readonly maxCurvature: number;
-  /** Steps of all rays of the picture, those through empty space and behind opaque things too; estimated from 1,024 rays. */
+  /** Steps of all rays of the picture, including steps through empty space and behind opaque things; estimated from 1,024 rays. */
   readonly samples: number;
   /** Device pixels. */
   readonly width: number;
   readonly height: number;
-  /** Whether this is the picture at its full number of steps, with nothing on its way to change it. */
+  /** Whether this picture has its full number of steps, and no change of it is pending. */
   readonly converged: boolean;
   /**
-   * How far the pixels that the volume covers are from what they would be with endlessly many steps, in 1/255: estimated
-   * on the GPU from this very view. null while moving, and where the device can't measure it.
+   * How far the pixels that the volume covers differ from a picture with infinitely many steps, in 1/255: estimated on the GPU
+   * from this same view. null while moving, and where the device can't measure it.
    */
   readonly error: PictureError | null;
   /**
-   * Whether that error keeps `max-error`. Where it does not, no more steps could help: it is below what 8 bits show, or
-   * beyond 4,096 steps; or `steps` are given; or no
-   * pixel of the volume shows anything, see `picture-blank`. null where `error` is.
+   * Whether that error is within `max-error`. Where it is not, more steps do not help: the difference is smaller than 8 bits show,
+   * or needs more than 4,096 steps; or `steps` are given; or no pixel of the volume shows anything, see `picture-blank`. null
+   * where `error` is null.
    */
   readonly keepsMaxError: boolean | null;
 }

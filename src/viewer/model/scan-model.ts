@@ -3,15 +3,15 @@ import { boundingSphere } from '../../volume/grid.ts';
 import { length, subtract } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 
-/** A volume but for what takes memory. Its transfer function may be there already. */
+/** A volume without the parts that take much memory. It may already have its transfer function. */
 export type ScanModel = Omit<Volume, 'samples' | 'macrocells' | 'indexed' | 'transferFunction'> & { readonly transferFunction?: string | TransferFunction };
 
-/** A volume this many times as large, or as small, is framed and coloured anew. */
+/** A volume that is at least this many times larger, or smaller, gets a new camera and new colours. */
 const maxGrowth = 2;
 
 /**
- * The volume that camera, window and reference length go by: of several scans the first one, so that nothing jumps from one
- * to the next, as long as they are of one kind and size.
+ * The volume that determines camera, window and reference length. Of several scans it is the first one, so that nothing jumps from
+ * one scan to the next, as long as they are of one kind and size.
  */
 export function followModel(model: ScanModel | null, volume: Volume): ScanModel {
   if (model && isAlike(model, volume)) return model;

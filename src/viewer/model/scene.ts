@@ -30,7 +30,7 @@ export interface AuthorCamera {
   readonly camera: Camera;
   /** In world coordinates; null where the author gave none. */
   readonly centerOfRotation: Vector3 | null;
-  /** How it is turned around what is shown. */
+  /** How to turn the viewpoint around what is shown. */
   readonly around: (subject: { center: Vector3; radius: number }) => ViewpointFrame;
 }
 
@@ -41,26 +41,32 @@ export type Lines = readonly (readonly Vector3[])[];
 export interface SceneLines {
   /** @param color - red, green and blue, 0..1 */
   show(lines: Lines, owner: object, color: readonly [red: number, green: number, blue: number]): void;
-  /** @param shown - null for none. @returns resolves when the next picture shows it; rejects where what draws surfaces could not be loaded */
+  /**
+   * @param shown - null for none. @returns resolves when the next picture shows it; rejects where the code that draws surfaces
+   * could not be loaded
+   */
   showSurface(shown: ShownSurface | null, owner: object): Promise<void>;
 }
 
 /**
- * A volume among the author's shapes on a canvas with a WebGL context. It draws when told to, and never by itself. All
- * that the viewer knows of drawing is here; who implements it is the factory's matter.
+ * A volume among the author's shapes on a canvas with a WebGL context. It draws only when it is called, never by itself. This is
+ * all that the viewer knows about drawing; the factory decides which class implements it.
  */
 export interface Scene {
   readonly canvas: HTMLCanvasElement;
   readonly device: Pick<Device, 'maxTextureSize' | 'webgl2'>;
 
-  /** Load what only some volumes and some optics need. @throws {VolumeViewError} `format/unsupported` */
+  /** Load the code that only some volumes and some optics need. @throws {VolumeViewError} `format/unsupported` */
   prepare(volume: Volume, optics: Optics): Promise<void>;
   /**
-   * Put a volume on the GPU; the one before is shown until all of it is there.
-   * @returns whether it is in place; not where it was given up or the context was lost
+   * Put a volume on the GPU; the previous one is shown until the GPU has all of the new one.
+   * @returns whether it is in place; false where it was given up or the context was lost
    */
   bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean>;
-  /** @returns resolves when the next picture shows them: at once where nothing is to be loaded. @throws {VolumeViewError} `format/unsupported` */
+  /**
+   * @returns resolves when the next picture shows them: at once where no code has to be loaded. @throws {VolumeViewError}
+   * `format/unsupported`
+   */
   setOptics(optics: Optics): Promise<void>;
   /**
    * Show the largest, the smallest or the mean value along each ray, or light the volume; null for emission and absorption.
@@ -68,25 +74,25 @@ export interface Scene {
    */
   setStyle(style: RayStyle | null): Promise<void>;
   /**
-   * Show labels of the volume, on its own grid; of a volume with other dimensions they are not shown. Null for none, where
-   * there were some: what draws labels is loaded with the first call.
+   * Show labels of the volume, on its own grid; a volume with other dimensions does not show them. Null removes them. The first
+   * call loads the code that draws labels, so callers pass null only where there were labels.
    * @returns resolves when the next picture shows them @throws {VolumeViewError} `format/unsupported`, `format/too-large`
    */
   setLabels(labels: ShownLabels | null): Promise<void>;
-  /** Show a second field over the volume that it is for; null for none, where there was one. @returns and @throws as `setLabels` */
+  /** Show a second field over its volume; null removes it, where there was one. @returns and @throws as `setLabels` */
   setOverlay(overlay: ShownOverlay | null): Promise<void>;
-  /** Show one part of the volume alone; null for all of it. */
+  /** Show only one part of the volume; null for all of it. */
   setRegion(region: GridFrame | null): void;
-  /** Slices of a radar scan, and what else cuts rays. */
+  /** Set the slices of a radar scan, and what else cuts rays. */
   setSlices(slices: readonly Slice[], cuts: readonly RayCut[]): void;
-  /** Rings, and the map below them. */
+  /** Set the rings, and the map below them. */
   setLines(lines: Lines, map?: GroundMap): void;
-  /** Load what shows lines of others. @returns null where it could not be loaded, and the scene goes on without */
+  /** Load the code that shows lines of other owners. @returns null where it could not be loaded; the scene then works without it */
   loadLines(): Promise<SceneLines | null>;
-  /** Resolves when the author's shapes that came meanwhile are in the scene. */
+  /** Resolves when the author's shapes that were added meanwhile are in the scene. */
   othersReady(): Promise<void>;
 
-  /** Whether the scene moves by itself, so that frames have to go on. */
+  /** Whether the scene moves by itself, so that drawing has to continue. */
   readonly animating: boolean;
   /** null where the author has no viewpoint. */
   authorCamera(): AuthorCamera | null;
@@ -97,7 +103,7 @@ export interface Scene {
   resize(width: number, height: number): void;
   /** The view that the next picture will have. */
   getView(): View;
-  /** The same of a picture of another size. */
+  /** The same for a picture of another size. */
   viewAt(picture: Size): View;
   /** The rays of the next picture; null without a volume. */
   getRays(): RaySetup | null;
@@ -110,24 +116,24 @@ export interface Scene {
   /** How steps are cut, in all pictures and probes from now on. */
   setSubsteps(substeps: Substeps): void;
   /**
-   * The rays of the next picture as they are cast in float64, but for the shapes that end some; null without a volume. What is told here
-   * stays when the scene is gone.
-   * @param looks - whether rays look for what is opaque at once; as in pictures with the present substeps where absent
+   * The rays of the next picture as they are cast, in float64, without the shapes at which some rays end; null without a volume.
+   * The result stays usable when the scene is gone.
+   * @param looks - whether rays look for opaque matter at once; where absent, as in pictures with the present substeps
    */
   twins(looks?: boolean): RayTwins | null;
-  /** How finely each macrocell is sampled at the least, see optics/cells/cell-detail.ts; null where cells have no say. */
+  /** How finely each macrocell must be sampled at least, see optics/cells/cell-detail.ts; null where cells do not change the sampling. */
   detail(): Uint8Array | null;
-  /** What shines on a lit volume; null for a light at the eye. */
+  /** The lights on a lit volume; null for one light at the eye. */
   lights(): SceneLights | null;
-  /** Whether substeps make any difference to what rays come to. */
+  /** Whether substeps change the results of rays at all. */
   readonly cutsSteps: boolean;
-  /** Whether rays at rest are walked from one plane of voxels to the next, so that steps are never cut by what is at their ends. */
+  /** Whether the rays of a picture at rest go from one plane of voxels to the next: then the values at the ends of a step never cut it. */
   readonly walksVoxels: boolean;
-  /** How rays show values of their own, if they do; null where they show what shines and absorbs. */
+  /** How rays show single values, if they do; null where they show emission and absorption. */
   readonly projection: ProjectedRays | null;
-  /** In which macrocells of the present volume something can be seen, and what; null where there is no volume. */
+  /** In which macrocells of the present volume something is visible, and what; null where there is no volume. */
   whatIsSeen(): SeenVolume | null;
-  /** Whether rays of the next picture may be spared. */
+  /** Whether the next picture may be drawn with fewer rays than pixels. */
   readonly adaptive: boolean;
   /** Draw one picture. @param stepLength - world length @throws {VolumeViewError} `webgl/shader` */
   draw(stepLength: number, time?: number): void;
@@ -137,28 +143,31 @@ export interface Scene {
   readonly endsAtShapes: boolean;
   /** Begin a picture that is drawn piece by piece, at the view of the last one. */
   startGathering(stepLength: number, picture: Size): void;
-  /** What a picture is gathered from, one lattice of pixels after the other. */
+  /** The passes of a gathered picture, one lattice of pixels after the other. */
   passes(picture: Size): readonly Pass[];
-  /** Draw some rows of a pass where nobody sees them yet. */
+  /** Draw some rows of a pass into a buffer that is not on the screen yet. */
   gather(stepLength: number, part: { pass: Pass; firstRow: number; rows: number }, picture: Size): void;
   /** Show the picture that has been gathered. */
   drawGathered(time?: number): void;
-  /** Resolves when the GPU has drawn everything that it was told to. */
+  /** Resolves when the GPU has drawn everything that was sent to it. */
   finished(): Promise<void>;
   /** GPU time of the last `draw`, ms; null where it can't be measured. */
   gpuMs(): Promise<number | null>;
 
-  /** Draw some rays of the last picture with another step length. @param alone - shapes end none of them @returns reads them, before others are drawn, null where the context was lost; null where the device can't do it */
+  /**
+   * Draw some rays of the last picture with another step length. @param alone - no ray ends at a shape @returns a function that
+   * reads these rays, to be called before others are drawn: null where the context was lost; or null where the device can't do it
+   */
   startProbe(stepLength: number, lattice: PixelLattice, picture: Size, alone?: boolean): (() => Float32Array | null) | null;
   /** The last picture: premultiplied, bottom row first. */
   readPicture(): Pixels;
   /**
-   * The volume of the last picture, which got all its rays, without the shapes around it, and what these do to quads; null where there
-   * are none.
+   * The volume of the last picture, which got all its rays, without the shapes around it, and how these shapes change quads; null
+   * where there are no shapes.
    */
   readVolume(): AmongShapes | null;
 
-  /** Give the author's elements, the GPU's memory and the context back. */
+  /** Give back the author's elements, the memory of the GPU and the context. */
   dispose(): void;
 }
 
@@ -171,6 +180,6 @@ export interface SceneFactory {
    * @throws {VolumeViewError} `x3dom/unavailable`, `webgl/unavailable` or `webgl/unsupported`
    */
   create(host: Element, container: Element, needsFrame: () => void): Promise<Scene>;
-  /** Begin to load what scenes need; what fails is told when it is needed. @param isRadar - what radars need */
+  /** Start to load what scenes need; a failure is reported when the part is needed. @param isRadar - whether to load what radars need */
   warmUp(isRadar?: boolean): void;
 }

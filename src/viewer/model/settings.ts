@@ -11,7 +11,7 @@ import type { RingSetting } from './parse-attributes.ts';
 import { defaultTargets } from './quality-targets.ts';
 import type { QualityTargets } from './quality-targets.ts';
 
-/** The attributes of a view, by property: texts as they stand in HTML, null where absent. */
+/** The attributes of a view, by property: their texts as the HTML has them, null where an attribute is absent. */
 export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
 
 type AttributeName =
@@ -21,39 +21,39 @@ type AttributeName =
   | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
   | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'minCameraOrbit' | 'maxCameraOrbit' | 'interpolationDecay' | 'interaction' | 'loading';
 
-/** What some attributes say together, or what reading them threw: a VolumeViewError, unless it is a mistake of ours. */
+/** The value of some attributes together, or the error of reading them: a VolumeViewError, or another error if our code has a mistake. */
 export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: Error; readonly value?: undefined };
 
-/** What the values look like. What is null follows from the volume. */
+/** The appearance of the values. The viewer derives from the volume what is null. */
 export interface LookSettings {
-  /** One word for what the page does not say of the rest; null for none. */
+  /** Name of a ready-made appearance, for all that the other attributes leave open; null for none. */
   readonly named: string | null;
-  /** A preset's name, or stops, as an author writes them. */
+  /** A preset's name, or stops, as the author writes them. */
   readonly transferFunction: string | null;
   readonly window: readonly [number, number] | null;
   readonly referenceLength: number | null;
-  /** null where nothing is said: 1, unless `named` says more. */
+  /** null where the author gives none: then 1, unless `named` gives another factor. */
   readonly opacityFactor: number | null;
   readonly lightFactor: number;
   /** null for emission and absorption. */
   readonly projection: ProjectionKind | null;
-  /** null where nothing is said: surfaces of values are lit then, and nothing else. */
+  /** null where the author gives none: then only surfaces of values are lit. */
   readonly shading: Shading | null;
-  /** Surfaces, as an author writes them; null for none. */
+  /** Surfaces, as the author writes them; null for none. */
   readonly surfaces: string | null;
-  /** Factors by gradient, as an author writes them; null for none. */
+  /** Factors by gradient, as the author writes them; null for none. */
   readonly gradientOpacity: string | null;
-  /** Boxes and Gaussians of value and gradient, as an author writes them; null for none. */
+  /** Boxes and Gaussians of value and gradient, as the author writes them; null for none. */
   readonly transferFunction2d: string | null;
 }
 
-/** All that an author says of a view, read once. Nothing of the viewer writes it. */
+/** All that an author's attributes say about a view, read once. The viewer never changes it. */
 export interface Settings {
   /** One URL, or several, separated by blanks. */
   readonly src: string | null;
   /** Whether several URLs are the files of one volume. */
   readonly stack: boolean;
-  /** How the file is to be read, as it is given: it is read with the file. Null where nothing is given. */
+  /** How to read the file, as the author gives it: it is parsed together with the file. null where the author gives nothing. */
   readonly source: GivenSource | null;
   readonly time: Reading<ScanTarget>;
   readonly autoplay: boolean;
@@ -63,13 +63,13 @@ export interface Settings {
   readonly camera: Reading<CameraAttributes>;
   readonly limits: Reading<CameraLimits>;
   readonly quality: Reading<QualityTargets>;
-  /** Two corners of a box; null for all. */
+  /** Two corners of a box; null for the whole volume. */
   readonly region: Reading<readonly number[] | null>;
-  /** Kilometres from ring to ring; null where nothing is said. */
+  /** Kilometres from ring to ring; null where the author gives none. */
   readonly rings: Reading<RingSetting | null>;
   /** Whether mouse, finger and keys move the camera. */
   readonly controls: boolean;
-  /** Whether it loads however far away it is. */
+  /** Whether the view loads its volume even when it is far from the visible part of the page. */
   readonly eager: boolean;
 }
 
@@ -78,7 +78,7 @@ export const defaultPlaySpeed = 2;
 
 export const plainLook: LookSettings = { named: null, transferFunction: null, window: null, referenceLength: null, opacityFactor: null, lightFactor: 1, projection: null, shading: null, surfaces: null, gradientOpacity: null, transferFunction2d: null };
 
-/** Read all attributes. Those that can't be read are errors in their places, and leave the others alone. */
+/** Read all attributes. If one can't be read, its error is in its own place, and the others are still read. */
 export function readSettings(given: GivenAttributes): Settings {
   return {
     src: given.src,
@@ -103,7 +103,7 @@ export function readControls(interaction: string | null): boolean {
   return wordOf(interaction) !== 'none';
 }
 
-/** Whether two readings say the same. */
+/** Whether two readings have the same value or the same error. */
 export function isSameReading(a: Reading<unknown>, b: Reading<unknown>): boolean {
   return a.error?.message === b.error?.message && JSON.stringify(a.value) === JSON.stringify(b.value);
 }

@@ -7,11 +7,11 @@ import type { LabelTable } from '../../formats/label-tables/label-table.ts';
 export interface ViewLabels {
   /** null where the volume itself is the labels. */
   readonly shown: ShownLabels | null;
-  /** What a label is called; null where there is none of this id, or it stands for nothing. */
+  /** The name of a label; null where no label has this id, or the id stands for "no label". */
   nameOf(id: number): string | null;
 }
 
-/** What an author says of a label, beside its table or instead of it. What is undefined is the table's matter. */
+/** What an author says about a label, in addition to its table or instead of it. Where a member is undefined, the table decides. */
 export interface LabelOverride {
   readonly name?: string;
   readonly color?: Color;
@@ -24,39 +24,40 @@ export interface LabelOverride {
 /** One label, with all that is known of it. */
 export interface LabelEntry {
   readonly id: number;
-  /** '' of what has no label. */
+  /** '' for the id of "no label". */
   readonly name: string;
   /** sRGB, 0..1 */
   readonly color: Color;
   readonly opacity: number;
   readonly hidden: boolean;
-  /** Hidden, but seen as a trace: of what a part lies in. */
+  /** Hidden, but still faintly visible: it shows the surroundings of a part. */
   readonly isGhost?: boolean;
-  /** Its own, as it is written; null where it has the volume's. */
+  /** The label's own transfer function, as it is written; null where it uses the volume's. */
   readonly transferFunction: string | null;
 }
 
-/** Where what is said of labels comes from. */
+/** The sources of what is known about labels. */
 export interface LabelSources {
   readonly table: LabelTable | null;
   readonly overrides: ReadonlyMap<number, LabelOverride>;
-  /** Whether a person or a script has hidden a label, or shown it: more than table and author say. */
+  /** Whether a person or a script has hidden a label, or shown it: this overrides the table and the author. */
   readonly chosen: ReadonlyMap<number, boolean>;
-  /** Of all labels of which nothing else is said. */
+  /** For all labels that have no transfer function of their own. */
   readonly transferFunction?: string | null;
-  /** Whether what is hidden is a ghost. */
+  /** Whether hidden labels appear as ghosts. */
   readonly ghosts?: boolean;
 }
 
-/** A ghost: its grey, and how much is left of its extinction. */
+/** A ghost: its grey, and the factor of its extinction. */
 export const ghost = { color: [0.75, 0.75, 0.75], opacityFactor: 0.05 } as const;
 
-/** What has no label looks as it does without any. */
+/** A place without a label looks as it does in a volume without labels. */
 const plain = { name: '', color: [1, 1, 1], opacity: 1, hidden: false } as const;
 
 /**
- * The labels of a file: what its author says of them, else its table, else a colour of a palette and their number.
- * @param ids - of the file, the first of which is of what has no label
+ * The labels of a file, as the author describes them; else as the table does; else with a palette colour, and their number as
+ * name.
+ * @param ids - of the file; the first one means "no label"
  */
 export function describeLabels(ids: readonly number[], { table, overrides, chosen, transferFunction = null, ghosts = false }: LabelSources): LabelEntry[] {
   return ids.map((id, number) => {
@@ -75,7 +76,7 @@ export function describeLabels(ids: readonly number[], { table, overrides, chose
   });
 }
 
-/** @param groups - numbers of those that have transfer functions of their own, which bring their own colours */
+/** @param groups - numbers of the transfer functions that single labels have; such labels take the colours of these functions */
 export function styleLabels(entries: readonly LabelEntry[], groups?: ReadonlyMap<string, number>): LabelStyle[] {
   return entries.map(({ color, opacity, hidden, isGhost, transferFunction }) => {
     if (isGhost) return ghost;

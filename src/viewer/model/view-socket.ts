@@ -16,110 +16,113 @@ import type { ViewOverlay } from './view-overlay.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
 /**
- * Something that joins a view: a surface, a clip, labels, a companion in the page. All but the key is optional. The socket
- * reads these members whenever they matter; `update` says that one of them has another value.
+ * Something that joins a view: a surface, a clip, labels, a companion in the page. Only the key is required. The socket reads
+ * these members whenever it needs them; `update` reports that one of them has a new value.
  */
 export interface ViewPart {
   /** What kind of part it is; of an element its tag. */
   readonly key: string;
-  /** The element that asks for it. */
+  /** The element that owns the part. */
   readonly element?: HTMLElement;
 
   // In the scene.
 
-  /** Put it into a scene: called for each scene that the view gets, before its first picture, and after `update`. What rejects fails the scene, or `update`. */
+  /**
+   * Put the part into a scene: called for each scene that the view gets, before its first picture, and after `update`. If it
+   * rejects, the scene, or `update`, fails.
+   */
   apply?(scene: Scene): Promise<void> | void;
-  /** Take it out of the scene that is in use, or being built. The part has left by then. */
+  /** Remove the part from the scene that is in use, or is being built. At that time the part has already left the socket. */
   remove?(scene: Scene): Promise<void> | void;
-  /** The labels of the volume that are shown; of several parts the last one's. */
+  /** The labels that are shown on the volume; if several parts have labels, the view uses those of the last. */
   readonly labels?: ViewLabels | null;
-  /** The second field over the volume; of several parts the last one's. */
+  /** The second field over the volume; if several parts have one, the view uses that of the last. */
   readonly overlay?: ViewOverlay | null;
-  /** An opaque surface, which picks meet. */
+  /** An opaque surface, which picks can hit. */
   readonly surface?: ShownSurface | null;
-  /** World places that a camera that frames the volume has in its picture. */
+  /** World places that must be in the picture when the camera frames the volume. */
   bounds?(): readonly Vector3[];
-  /** What it cuts away of the volume; null for nothing. @throws {VolumeViewError} `attribute/invalid` */
+  /** What the part cuts away from the volume; null for nothing. @throws {VolumeViewError} `attribute/invalid` */
   clip?(): ClipShape | null;
-  /** What cuts the volume may have changed. */
+  /** Called when the cuts of the volume may have changed. */
   cutsChanged?(): void;
 
   // Over the picture, and in panes.
 
-  /** Bring what it has over the picture to its place: called after each picture, and after `update`. @param view - the picture's */
+  /** Move what the part shows over the picture to its place: called after each picture, and after `update`. @param view - of the picture */
   place?(view: View): void;
-  /** What lies over the greys of a pane of the volume; null for nothing. @param opacity - 0..1 */
+  /** What the part shows over the grey values of a pane of the volume; null for nothing. @param opacity - 0..1 */
   inPane?(volume: Volume | null, opacity: number): PaneLabels | null;
-  /** Where the `cursor` of the view is; null where nobody knows. */
+  /** The place of the view's `cursor`; null where the part does not know it. */
   readonly cursor?: Vector3 | null;
 
   // For companions and the view itself.
 
-  /** Turns the camera without a hand. `follow`: attributes may have changed, or the viewer. */
+  /** Turns the camera without interaction. The view calls `follow` when attributes, or the viewer, may have changed. */
   readonly rotation?: { readonly stopped: boolean; toggle(): void; follow(): void };
-  /** Show or hide one label. What else is hidden stays so. */
+  /** Show or hide one label. Other hidden labels stay hidden. */
   showLabel?(id: number, isShown: boolean): void;
-  /** What labels between the tags of a pane are shown on. */
+  /** The target for labels that are children of a pane. */
   readonly labelTarget?: LabelTarget;
-  /** What stands in for an attribute of the view that its author has not written, by the name of its property. */
+  /** The substitute for an attribute of the view that its author has not written, by the name of its property. */
   attribute?(property: string): string | null | undefined;
 }
 
-/** What parts and companions may ask of a view; the presenter of the view has it. */
+/** What parts and companions can use of a view; the view's presenter implements it. */
 export interface SocketView {
   /** The `<volume-view>`. */
   readonly host: HTMLElement;
   /** The last good volume; null before there is one. */
   readonly volume: Volume | null;
   readonly settings: Settings;
-  /** Whether a volume is being loaded, or would be: the picture is near enough to be seen soon. */
+  /** Whether a volume is loading, or would load if there were one: the picture is near enough to be visible soon. */
   readonly awake: boolean;
   readonly errors: Pick<ErrorBoard, 'report' | 'clear'>;
   /** Its appearance. */
   readonly look: {
     /** null before there is a volume. */
     readonly current: VolumeOptics | null;
-    /** The transfer function of a volume that is labels, where its page says none. `readAnew` applies it. */
+    /** The transfer function of a volume that is labels, where its page gives none. `readAnew` applies it. */
     dress: { readonly transferFunction: TransferFunction } | null;
     readAnew(): void;
   };
-  /** Draws its pictures; null while the view is in no page. */
+  /** Draws the pictures of the view; null while the view is in no page. */
   readonly viewer: SocketViewer | null;
-  /** Work that a script that waits for the picture has to wait for. It does not reject. */
+  /** Add work that scripts wait for when they wait for the picture. It does not reject. */
   track(work: Promise<unknown>): void;
-  /** What of files that a part shows is not in the picture; empty where all is. @param owner - shows them */
+  /** Report which parts of files are not in the picture; empty where all are. @param owner - the object that shows the files */
   reportFiles(owner: object, files: readonly ToldFile[]): void;
-  /** Read again what cuts the volume. */
+  /** Read again which cuts the volume has. */
   cutAnew(): void;
-  /** Show another volume in place of the last one, and tell the page of it. @throws {VolumeViewError} */
+  /** Show another volume in place of the last one, and notify the page. @throws {VolumeViewError} */
   replace(volume: Volume): Promise<void>;
 }
 
 export interface SocketViewer {
-  /** The volume that pictures are of. */
+  /** The volume in the pictures. */
   readonly volume: Volume | null;
-  /** The part of it that is shown, and what cuts it; asked for where there is a volume. */
+  /** The part of the volume that is shown, and its cuts; to be read only where there is a volume. */
   readonly shown: { readonly grid: GridFrame; readonly cuts: { readonly region: GridFrame | null; readonly away?: WorldCut } };
-  /** In use at the moment; null while there is none. */
+  /** The scene in use; null while there is none. */
   readonly scene: Scene | null;
   /** Draw soon. */
   invalidate(): void;
-  /** Frame the subject again, where there is no picture yet and nobody has moved the camera. */
+  /** Frame the subject again, if there is no picture yet and nobody has moved the camera. */
   reframe(): void;
 }
 
 /**
- * Where parts join one view. It belongs to the element and lasts as long: the element may not be defined yet, and its view,
- * scene and volume come and go.
+ * Where parts join one view. The socket belongs to the element and exists as long as the element: the element may not be defined
+ * yet, and its view, scene and volume come and go.
  */
 export class ViewSocket {
   /** null before the element is defined. */
   view: SocketView | null = null;
   #parts: readonly ViewPart[] = [];
-  /** Which state of the parts it is; counts their changes. */
+  /** Number of the present state of the parts; it counts their changes. */
   #version = 0;
   readonly #versions = new Map<ViewPart, number>();
-  /** Of each scene, which parts it has, in which version. */
+  /** For each scene: its parts, and the version of each. */
   readonly #applied = new WeakMap<Scene, Map<ViewPart, number>>();
 
   /** In the order in which they joined. */
@@ -127,7 +130,7 @@ export class ViewSocket {
     return this.#parts;
   }
 
-  /** Counts the changes of parts: a scene that is being built looks whether it has all. */
+  /** Counts the changes of parts: a scene that is being built compares it, to know whether it has all parts. */
   get version(): number {
     return this.#version;
   }
@@ -137,27 +140,27 @@ export class ViewSocket {
     return this.view?.volume ?? null;
   }
 
-  /** What the last part that has such a member has there; null where none has one. */
+  /** The value of this member in the last part that has one; null where no part has one. */
   last<Name extends keyof ViewPart>(name: Name): NonNullable<ViewPart[Name]> | null {
     return this.#parts.map((part) => part[name]).filter((value) => value !== undefined && value !== null).at(-1) ?? null;
   }
 
   /**
    * Let a part join.
-   * @param isFirst - whether it comes before all others, which may make room for it or cover it
-   * @returns resolves when the next picture shows it. What its `apply` throws comes here
+   * @param isFirst - whether the part comes before all others; the others may then make room for it, or cover it
+   * @returns resolves when the next picture shows it; rejects with what its `apply` throws
    */
   join(part: ViewPart, isFirst = false): Promise<void> {
     this.#parts = isFirst ? [part, ...this.#parts] : [...this.#parts, part];
     return this.#change(part);
   }
 
-  /** A part that has joined has changed. @returns and @throws as `join` */
+  /** Apply the changes of a part that has joined. @returns and @throws as `join` */
   async update(part: ViewPart): Promise<void> {
     if (this.#versions.has(part)) await this.#change(part);
   }
 
-  /** A part leaves, if it has joined. @returns resolves when the next picture shows nothing of it */
+  /** Remove a part, if it has joined. @returns resolves when the next picture no longer shows it */
   async leave(part: ViewPart): Promise<void> {
     if (!this.#versions.delete(part)) return;
     this.#parts = this.#parts.filter((one) => one !== part);
@@ -165,7 +168,7 @@ export class ViewSocket {
     await this.#show(part, (scene) => this.#remove(part, scene));
   }
 
-  /** Put into a scene all that it does not have yet. A scene that is being built asks for it. */
+  /** Apply to a scene all parts that it does not have yet. A scene that is being built calls it. */
   async applyTo(scene: Scene): Promise<void> {
     for (const part of this.#applied.get(scene)?.keys() ?? []) if (!this.#versions.has(part)) await this.#remove(part, scene);
     for (const part of this.#parts) await this.#apply(part, scene);
@@ -178,13 +181,13 @@ export class ViewSocket {
     return this.#show(part, (scene) => this.#apply(part, scene));
   }
 
-  /** A picture has been drawn: what lies over it goes to its place. */
+  /** Called when a picture has been drawn: each part moves what it shows over the picture. */
   place(view: View): void {
     for (const part of this.#parts) {
       try {
         part.place?.(view);
       } catch (error) {
-        console.error(error); // The others, and the next picture, come all the same.
+        console.error(error); // The other parts still get their turn, and so does the next picture.
       }
     }
   }
@@ -196,7 +199,7 @@ export class ViewSocket {
     if (!viewer) return;
     if (part.bounds) viewer.reframe();
     if (!part.apply && !part.remove && !part.bounds) return;
-    // A scene that is being built takes it along, and is in use when all that waits for nothing is done.
+    // A scene that is being built applies the part itself. It comes into use when all callbacks that are ready now have run.
     if (!viewer.scene) await new Promise((resolve) => setTimeout(resolve));
     if (viewer.scene) await change(viewer.scene);
     viewer.invalidate();
@@ -215,15 +218,21 @@ export class ViewSocket {
   }
 }
 
-/** The name is registered: a page may have several copies of the script, and one's element a companion of another. */
+/**
+ * The symbol is in the global registry: a page may have several copies of the script, and a companion may come from another copy
+ * than its view.
+ */
 const key = Symbol.for('volume-view.socket');
 
-/** The socket of a view, or of what may become one: it does not have to be defined. */
+/** The socket of a view, or of an element that may become one: the element may not be defined yet. */
 export function socketOf(element: Element & { [key]?: ViewSocket }): ViewSocket {
   return (element[key] ??= new ViewSocket());
 }
 
-/** What stands in for an attribute that an author has not written: an X3D scene among the children, say. null for nothing. @param property - its name */
+/**
+ * The substitute for an attribute that an author has not written, for instance from an X3D scene among the children. null for
+ * none. @param property - name of the attribute's property
+ */
 export function standIn(view: Element, property: string): string | null {
   return socketOf(view).parts.map((part) => part.attribute?.(property) ?? null).find((text) => text !== null) ?? null;
 }

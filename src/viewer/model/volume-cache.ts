@@ -1,17 +1,17 @@
 import type { Volume } from '../../volume/volume.ts';
 
-/** Volumes that are kept, at most. */
+/** The maximum number of volumes that are kept. */
 const maxVolumes = 5;
 
-/** Bytes of samples that are kept, at most; the newest volume is kept whatever its size. */
+/** The maximum number of bytes of samples that are kept; the newest volume is kept whatever its size. */
 const maxBytes = 512 * 2 ** 20;
 
-/** Decoded volumes by number; those that were not used for the longest time make room for new ones. */
+/** Decoded volumes by number; the least recently used ones make room for new ones. */
 export class VolumeCache {
   /** In the order of use, the latest last. */
   readonly #volumes = new Map<number, Volume>();
 
-  /** Whether there is room for so many volumes of this size. */
+  /** Whether there is room for `count` volumes of this size. */
   static holds(volume: Volume, count: number): boolean {
     return count <= maxVolumes && count * volume.samples.byteLength <= maxBytes;
   }

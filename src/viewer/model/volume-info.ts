@@ -6,7 +6,7 @@ import type { Histogram } from '../../volume/histogram.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 
-/** What a page may know of a loaded volume: everything but its samples. */
+/** What a page can get of a loaded volume: everything except its samples. */
 export interface VolumeInfo {
   /** Voxels along i, j and k. */
   readonly dimensions: Vector3;
@@ -18,15 +18,15 @@ export interface VolumeInfo {
   readonly range: readonly [number, number];
   /** How often which values occur. */
   readonly histogram: Histogram;
-  /** What the data came from, 'NIfTI-1' for instance. */
+  /** The format of the file, 'NIfTI-1' for instance. */
   readonly format: string;
   /** Row-major 4 x 4: voxel index, whole numbers at voxel centres, to world. */
   readonly indexToWorld: Matrix4;
-  /** What the volume is, if its manifest says so. */
+  /** The title of the volume, if its manifest has one. */
   readonly title?: string;
   /** Whether its file says that the world's axes are a patient's: x to the right, y to the front, z to the head. */
   readonly anatomical?: boolean;
-  /** Whose data these are, if its manifest says so. */
+  /** To whom the data belong, if its manifest says so. */
   readonly credit?: string;
   /** Of a radar scan: the quantity that is shown, as its file names it. */
   readonly moment?: string;
@@ -40,15 +40,18 @@ export interface VolumeInfo {
   readonly partial?: string;
   /** Of a radar scan: the sweeps that are shown, by ascending elevation: degrees, how many radials and gates, and metres to the first gate and from gate to gate. */
   readonly sweeps?: readonly { readonly elevation: number; readonly radials: number; readonly gates: number; readonly firstGate: number; readonly gateLength: number }[];
-  /** What of the file is not shown, or not as it is there, in words: of a radar scan its other sweeps, and why; further volumes; what its header says of values and is not applied; whole numbers that had to be rounded. */
+  /**
+   * What of the file is not shown, or is shown changed, in words: other sweeps of a radar scan, and why; further volumes; what its
+   * header says of values and the viewer does not apply; whole numbers that had to be rounded.
+   */
   readonly left?: readonly string[];
-  /** Those of `left` that change what is seen: the picture has a sign for them. */
+  /** The entries of `left` that change what people see: the picture shows a sign for them. */
   readonly notices?: readonly string[];
   /** Set where the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
 }
 
-/** What a loaded volume looks like: attributes, file and histogram together, as numbers. */
+/** The appearance of a loaded volume as numbers, from attributes, file and histogram together. */
 export interface VolumeOptics {
   /** Colour and opacity by data value, ascending; a preset as its stops. */
   readonly transferFunction: readonly Stop[];
@@ -62,9 +65,12 @@ export interface VolumeOptics {
   readonly lightFactor: number;
   /** Which value of each ray is shown instead of emission and absorption; null for none. */
   readonly projection: ProjectionKind | null;
-  /** Of a projection: the first local maximum from this value on is shown, or the first local minimum up to it; absent for that of the whole ray. */
+  /**
+   * Only for a projection: it shows the first local maximum from this value on, or the first local minimum up to it. Absent: it
+   * shows the maximum or minimum of the whole ray.
+   */
   readonly intensityThreshold?: number;
-  /** Whether what emits and absorbs is lit, where there is no projection. */
+  /** Whether all that emits and absorbs is lit, where there is no projection. */
   readonly shading: Shading;
   /** Surfaces of some values, where there is no projection; null for none. */
   readonly surfaces: SurfaceStyle | null;
@@ -74,7 +80,7 @@ export interface VolumeOptics {
   readonly patches?: readonly Patch[];
 }
 
-/** How rays are drawn where it is not by emission and absorption alone. */
+/** How rays are drawn, if not by emission and absorption alone; null for that. */
 export function styleOf({ projection, intensityThreshold, shading, surfaces, styles, patches }: VolumeOptics): RayStyle | null {
   if (projection) return { projection, intensityThreshold };
   const lit = shading === 'lit' || undefined;

@@ -1,42 +1,51 @@
 import type { PickAt } from '../../optics/pick-ray.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 
-/** How a script picks. */
+/** Options of a pick by a script. */
 export interface PickOptions {
   /**
-   * `jump` (by default): where the opacity jumps most on the way into the picture; `surface`: where it passes a half; `max`:
-   * where the largest value is that shows.
+   * `jump` (by default): where the opacity increases most on the way into the picture; `surface`: where it exceeds one half;
+   * `max`: where the largest visible value is.
    */
   readonly at?: PickAt;
 }
 
-/** What is at a place of the picture that somebody pointed at. */
+/** What is at the place of the picture that somebody pointed at. */
 export interface VolumePick {
-  /** Of the nearest voxel or gate that has data: a value that is in the file. Of a volume of labels that of the place. NaN on a surface, or in a layer, where the volume has none. */
+  /**
+   * Value of the nearest voxel or gate that has data: a value from the file. In a volume of labels, the value at the place. NaN on
+   * a surface, or in a layer, where the volume has no value.
+   */
   readonly value: number;
-  /** Of the place itself, as the picture has it: interpolated between voxels or gates. Of a label map it is the same as `value`. */
+  /** Value at the place itself, interpolated between voxels or gates as in the picture. In a label map it is the same as `value`. */
   readonly interpolated: number;
-  /** Where the place is on one of the surfaces of `surface-values`: its value. */
+  /** If the place is on one of the surfaces of `surface-values`: the value of that surface. */
   readonly isoValue?: number;
   /** Unit of the values, or ''. */
   readonly unit: string;
-  /** Number of that voxel along i, j and k, from 0, as `indexToWorld` of `volume` counts them; null for a radar, and where there is none. */
+  /**
+   * Indices of that voxel along i, j and k, from 0, as `indexToWorld` of `volume` counts them; null for a radar, and where there
+   * is no such voxel.
+   */
   readonly voxel: Vector3 | null;
-  /** World coordinates of the place: of medical files mm to the patient's right, front and head; of a radar metres east, north and up, with the exaggeration of heights. */
+  /**
+   * World coordinates of the place: for medical files mm to the patient's right, front and head; for a radar metres east, north
+   * and up, with the exaggeration of heights.
+   */
   readonly world: Vector3;
-  /** The label's id: of `<volume-labels>`, or of a volume that is labels itself; absent where there is none. */
+  /** The label's id: from `<volume-labels>`, or from a volume that is itself labels; absent where there is no label. */
   readonly label?: string;
-  /** What `<volume-labels>` calls that label. */
+  /** Name of that label in `<volume-labels>`. */
   readonly labelName?: string;
-  /** What `<volume-layer>`, or the `color-moment` of a radar, has at that place; absent where there is none over the volume. */
+  /** Values of `<volume-layer>`, or of the `color-moment` of a radar, at that place; absent where no such layer is over the volume. */
   readonly layers?: readonly LayerValue[];
   /** How opaque the picture is there, 0..1. */
   readonly opacity: number;
   /** Colour that the transfer function gives this place, '#rrggbb'. */
   readonly color: string;
-  /** Where the radar sees it; null for other volumes, and on a surface, which tells it itself. */
+  /** The place as the radar sees it; null for other volumes, and on a surface: see `radar` of `surface`. */
   readonly radar: RadarPlace | null;
-  /** The surface that is there, in place of what the volume shows; absent where there is none. */
+  /** The surface at the place, if it hides the volume there; absent where there is none. */
   readonly surface?: PickedSurface;
 }
 
@@ -49,9 +58,9 @@ export interface PickedSurface {
   readonly radar: Omit<RadarPlace, 'gate'> | null;
 }
 
-/** A second volume at a place. */
+/** The value of a second volume at a place. */
 export interface LayerValue {
-  /** What it is called; '' where nobody says. */
+  /** The name of the volume; '' where it has none. */
   readonly name: string;
   /** Interpolated; null where it has no data. */
   readonly value: number | null;
@@ -75,7 +84,7 @@ export interface RadarPlace {
   readonly latitude: number | null;
   /** Degrees east. */
   readonly longitude: number | null;
-  /** The gate that `value` is of. */
+  /** The gate that has `value`. */
   readonly gate: RadarGate;
 }
 
