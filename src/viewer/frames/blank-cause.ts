@@ -5,19 +5,19 @@ import type { Cuts } from '../cuts/shown-cuts.ts';
 import type { ViewLabels } from '../model/view-labels.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
-/** Why nothing is to be seen of a volume. */
+/** Why nothing of a volume is visible. */
 export type BlankCause =
   | { readonly cause: 'noData' | 'transparent' | 'labels' | 'cut' | 'sight' | 'faint' | 'noEchoes' }
   | { readonly cause: 'values'; readonly low: number; readonly high: number }
   | { readonly cause: 'weakEchoes'; readonly value: number };
 
-/** What is known of a picture in which nothing is to be seen. */
+/** Facts about a picture in which nothing is visible. */
 export interface BlankFacts {
   readonly volume: Pick<Volume, 'grid' | 'range' | 'histogram'>;
   readonly optics: Pick<VolumeOptics, 'transferFunction' | 'opacityFactor' | 'surfaces' | 'patches'>;
   readonly cuts: Pick<Cuts, 'region' | 'slices' | 'cuts'>;
   readonly labels: ViewLabels | null;
-  /** Whether a macrocell in which something may be seen is in front of the camera; null where there is none at all. */
+  /** Whether a macrocell in which something may be visible is in front of the camera; null where no macrocell has anything visible. */
   readonly inSight: boolean | null;
   /** Whether a person, or a script, has moved the camera. */
   readonly isMoved: boolean;
@@ -25,7 +25,7 @@ export interface BlankFacts {
   readonly alpha: number;
 }
 
-/** The likely cause; null where it is what the page, or a person, wants. */
+/** The likely cause; null where the page, or a person, wants it so. */
 export function findBlankCause({ volume: { grid, range, histogram }, optics, cuts, labels, inSight, isMoved, alpha }: BlankFacts): BlankCause | null {
   const { transferFunction, opacityFactor, surfaces, patches } = optics;
   const [low, high] = range;
@@ -33,7 +33,7 @@ export function findBlankCause({ volume: { grid, range, histogram }, optics, cut
   const isRadar = grid.kind === 'polar';
   if (histogram.counts.every((count) => count === 0)) return { cause: isRadar ? 'noEchoes' : 'noData' };
   if (labels && (labels.shown?.styles ?? transferFunction.map(({ opacity }) => ({ opacityFactor: opacity }))).every((style) => style.opacityFactor === 0)) return { cause: 'labels' };
-  // What surfaces, and values with their gradients, show is not a matter of the transfer function alone.
+  // With surfaces, or with values and their gradients, the picture does not depend on the transfer function alone.
   if (!surfaces && !patches) {
     const begin = firstOpaque(transferFunction);
     if (begin === null) return { cause: 'transparent' };
@@ -41,20 +41,20 @@ export function findBlankCause({ volume: { grid, range, histogram }, optics, cut
   }
   if (inSight === null) return { cause: 'values', low, high };
   if (!inSight) return isMoved ? null : { cause: 'sight' };
-  // What is cut away leaves nothing at all.
+  // If the cause is a cut, nothing at all is left.
   const isCut = cuts.region !== null || cuts.slices.length > 0 || cuts.cuts.length > 0;
   if (isCut && alpha === 0) return { cause: 'cut' };
   return isMoved && alpha === 0 ? null : { cause: 'faint' };
 }
 
-/** The value from which on something is opaque; null where nothing is. */
+/** The value from which values are opaque; null where none is. */
 function firstOpaque(transferFunction: TransferFunction): number | null {
   const first = transferFunction.findIndex(({ opacity }) => opacity > 0);
   if (first < 0) return null;
   return first === 0 ? -Infinity : transferFunction[first - 1].value;
 }
 
-/** The largest opacity of the values of a range. */
+/** The largest opacity in a range of values. */
 function largestIn(transferFunction: TransferFunction, low: number, high: number): number {
   const within = transferFunction.filter(({ value }) => value >= low && value <= high).map(({ opacity }) => opacity);
   return Math.max(...[low, high].map((value) => evaluate(transferFunction, value)[3]), ...within);

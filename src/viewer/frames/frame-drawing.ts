@@ -7,14 +7,17 @@ import type { QualityControl } from './quality-control.ts';
 import type { RenderStats } from '../model/render-stats.ts';
 import type { Scene } from '../model/scene.ts';
 
-/** A volume of fewer bytes that stands in for a large one is there for a moment, and not worth a second look. */
+/**
+ * A small first volume with fewer bytes than this, which is shown in place of a large one, is replaced soon: it is not drawn a
+ * second time.
+ */
 const lastingBytes = 2 ** 21;
 
-/** Draws frames: each with the steps, pixels and rays that the control of quality gives it, and learns from it. */
+/** Draws frames: each with the steps, pixels and rays that the quality control chooses. The control learns from each frame. */
 export class FrameDrawing {
   /**
    * @param host - the element, whose size the picture has
-   * @param told - is given what each frame was
+   * @param told - called with the facts about each frame
    */
   constructor(
     readonly host: Element,
@@ -23,7 +26,7 @@ export class FrameDrawing {
     readonly told: (stats: RenderStats) => void,
   ) {}
 
-  /** Draw the next frame. @returns whether another has to follow, as this one is not the last word on what is to be seen */
+  /** Draw the next frame. @returns whether another must follow, because this one is not final */
   async drawFrame(time: number): Promise<boolean> {
     const { keeper, loop, shown } = this.pictures.parts;
     await this.quality.prepare();
@@ -34,20 +37,20 @@ export class FrameDrawing {
     const isBrief = coarse === true && samples.byteLength < lastingBytes;
     const isFirst = this.pictures.drawn === null && this.quality.untimed;
     if (!inMotion && (isBrief || isFirst)) return this.#drawStandIn(time, !isBrief);
-    // At rest the quick picture tells what others take, once its program is compiled.
+    // At rest too, a quick picture shows how long others take, once its program is compiled.
     const { untimed } = this.quality;
     if (untimed && (inMotion || keeper.isNew)) await this.#time(time);
     const { scene } = keeper;
     if (!scene) return false;
     const size = this.sizeIn(scene);
-    // At rest too, the first picture of a view comes within a frame's time, and a better one follows.
+    // At rest too, the first picture of a view appears within a frame's time, and a better one follows.
     const quick = inMotion || this.quality.undecided;
     const plan = !quick ? this.planAtRest : untimed && !inMotion ? standInFrame : this.quality.moving(shown.grid, size.width * size.height);
     const rows = quick || !scene.gatherable ? null : this.quality.rowsOfPieces(size, plan);
     const stats = rows ? await this.pictures.gather(scene, plan, size, { rows, pieceMs: this.quality.pieceMs }) : await this.#draw(scene, time, plan);
     if (!stats) return true;
     const atRest = !inMotion && !loop.dirty && keeper.scene === scene;
-    // What is seen is told at once; what it is worth, as soon as that is known.
+    // Report the picture at once if its error is known; else when the error has been measured.
     const isKnown = quick || this.quality.error !== null;
     if (isKnown) this.#tell(stats);
     const goesOn = (): boolean => !loop.dirty && !loop.host.moving && keeper.scene === scene;
@@ -56,7 +59,7 @@ export class FrameDrawing {
     return again || inMotion;
   }
 
-  /** A coarse picture at once: nothing is known yet of what a frame takes. @returns `again` */
+  /** Draw a coarse picture at once: the time of a frame is not known yet. @returns `again` */
   async #drawStandIn(time: number, again: boolean): Promise<boolean> {
     const { scene } = this.pictures.parts.keeper;
     this.quality.warmUp();
@@ -77,7 +80,10 @@ export class FrameDrawing {
     return pictureSize(this.host, scene.device.maxTextureSize);
   }
 
-  /** A small picture, no smaller than the one that stands there, tells what larger ones take; the first of a scene compiles the shader, and tells nothing. */
+  /**
+   * Draw a small picture, no smaller than the one on the screen, to measure how long larger ones take. The first picture of a
+   * scene compiles the shader, so its time is not used.
+   */
   async #time(time: number): Promise<void> {
     const { keeper } = this.pictures.parts;
     const plan = this.pictures.drawn ? standInFrame : firstFrame;
@@ -93,11 +99,11 @@ export class FrameDrawing {
     return stats;
   }
 
-  /** Say what has been drawn, together with the error that was measured of it. */
+  /** Report the picture that was drawn, together with its measured error. */
   #tell(drawn: RenderStats): RenderStats {
     const converged = this.#isFinal(drawn);
     const error = converged ? this.quality.error : null;
-    // Where nothing shows, nothing has been kept.
+    // A picture that shows nothing keeps no error target.
     const stats = { ...drawn, converged, error, keepsMaxError: error && this.quality.isKept && error.rays > 0 };
     this.told(stats);
     return stats;

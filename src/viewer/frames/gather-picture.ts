@@ -2,9 +2,9 @@ import type { Pass, Scene } from '../model/scene.ts';
 
 /** The pieces of a picture. */
 export interface Pieces {
-  /** Rows of the first. */
+  /** Rows of the first piece. */
   readonly rows: number;
-  /** What each may take: those that follow get more or fewer rows. */
+  /** Time that each piece may take: the pieces after the first get more or fewer rows. */
   readonly pieceMs: number;
 }
 
@@ -17,41 +17,50 @@ export interface Gathering extends Pieces {
   readonly height: number;
 }
 
-/** A piece has at least so many rows, and a multiple of `wholeRows`: graphics processors draw quads of 2 x 2 pixels, and those that a piece cuts are drawn twice. */
+/**
+ * Minimum number of rows in a piece. It is also a multiple of `wholeRows`: GPUs draw quads of 2 x 2 pixels, and draw a quad twice
+ * where two pieces share it.
+ */
 const minRows = 8;
 const wholeRows = 4;
 
-/** A piece has at most so many times the rows of the one before, and at least this part of them. */
+/** A piece has at most this many times the rows of the one before, and at least the inverse of it. */
 const mostChange = 2;
 
-/** However little pieces take at a picture's empty edge, none has more than so many times the rows that a piece should have by what is known of all: the next may be dear. */
+/**
+ * No piece has more than this many times the rows that the times of whole pictures suggest, even if the pieces at the picture's
+ * empty edge took almost no time: the next one may take long.
+ */
 const mostRows = 2;
 
-/** While the GPU draws one piece the next one is there already, so that it never waits: what a piece may take is for both. */
+/**
+ * Number of pieces that are sent to the GPU: while it draws one, the next is already there, so that it never waits. The time for a
+ * piece is shared by both.
+ */
 const atOnce = 2;
 
-/** WebGL 1 waits for each piece, and leaves no time to the page: it gets some after each. */
+/** WebGL 1 waits for each piece and blocks the page meanwhile: give the page time after each piece. */
 function rest(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve));
 }
 
-/** Pixels of some rows of a pass. */
+/** The number of pixels in some rows of a pass. */
 function countPixels({ over, width }: Pass, rows: number): number {
   return over ? 0 : width * rows;
 }
 
 /**
- * Draw the volume's next picture piece by piece, where nobody sees it: however long it takes, the page goes on and a change is
- * answered within the time of a piece.
- * @param goesOn - whether the picture is still wanted
- * @param told - is given how much of the picture is there after each piece, 0..1
- * @returns ms that all pieces took; null where it was given up
+ * Draw the volume's next picture piece by piece, off screen. However long it takes, the page can work, and a change is handled
+ * within the time of one piece.
+ * @param goesOn - whether the picture is still needed
+ * @param told - called after each piece with the share of the picture that is drawn, 0..1
+ * @returns ms that all pieces took; null where the picture was given up
  */
 export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: () => boolean, told: (share: number) => void = () => {}): Promise<number | null> {
   const { stepLength, width, height, rows, pieceMs } = picture;
   const began = performance.now();
   let freeSince = began;
-  /** ms that the GPU took for what it was told last. */
+  /** Time that the GPU took for the last piece, ms. */
   const timeLast = async (): Promise<number> => {
     const told = performance.now();
     await scene.finished();
@@ -64,15 +73,15 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
   let before: Promise<number> | null = null;
   scene.startGathering(stepLength, { width, height });
   const passes = scene.passes({ width, height });
-  // A pass over another one has few rays.
+  // A pass that is drawn over another one has few rays.
   const pixels = passes.reduce((sum, pass) => sum + countPixels(pass, pass.height), 0);
   let done = 0;
   for (const pass of passes) {
-    // It begins by reading what has been drawn, for which the page would wait. Its few rays may be anywhere.
+    // Such a pass first reads the earlier ones, and the page would wait for them. Its few rays may be anywhere.
     if (pass.over) await before;
     const limit = pass.over ? pass.height : most;
     for (let firstRow = 0; firstRow < pass.height; ) {
-      // As many pixels of a coarser lattice lie in more of its rows.
+      // A coarser lattice needs more picture rows for the same number of pixels.
       const count = Math.min(Math.max(minRows, wholeRows * Math.round(next / wholeRows)) * pass.stride, pass.height - firstRow);
       scene.gather(stepLength, { pass, firstRow, rows: count }, { width, height });
       firstRow += count;

@@ -1,9 +1,9 @@
-/** The page is held up for no longer than this at a time, ms. */
+/** The page is blocked for no longer than this at a time, ms. */
 const pieceMs = 8;
 
 /**
- * Do what takes long piece by piece; the page goes on in between.
- * @returns null where it was no longer wanted
+ * Do long work piece by piece; the page can work in between.
+ * @returns null where the work was no longer needed
  */
 export async function inPieces<T>(work: Iterator<unknown, T>, isWanted: () => boolean): Promise<T | null> {
   for (let began = performance.now(); isWanted(); ) {

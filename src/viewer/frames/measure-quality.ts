@@ -21,10 +21,10 @@ import type { GridFrame } from '../../volume/grid.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Scene, Size } from '../model/scene.ts';
 
-/** Rows of the picture that tell what fewer pixels would cost. */
+/** Rows of the picture that show what error fewer pixels would have. */
 const bandRows = 96;
 
-/** Of the last view's picture, the pixels in which something may be seen; null where nothing can. */
+/** The pixels of the last view's picture in which something may be visible; null where nothing can be. */
 export function seenPixels(scene: Scene, { width, height }: Size): PixelRectangle | null {
   const seen = scene.whatIsSeen();
   const bounds = seen && boundSeenCells(seen.volume, seen.cells, scene.viewAt({ width, height }));
@@ -39,19 +39,25 @@ export function seenPixels(scene: Scene, { width, height }: Size): PixelRectangl
   };
 }
 
-/** Whether a voxel of what can be seen may hide what is behind it. A radar's gates are no voxels, and its rays dear. */
+/**
+ * Whether one voxel of the visible values may hide what is behind it. False for radars: their gates are not voxels, and their rays
+ * take long.
+ */
 function isOpaque(scene: Scene): boolean {
   const seen = scene.whatIsSeen();
   return seen !== null && !isPolar(seen.volume) && (seen.hasSurfaces || -Math.log1p(-largestOpacity([seen.transferFunction, ...(seen.functions ?? [])].flat())) * seen.opticalScale * finestSpacing(seen.volume.grid) > 1);
 }
 
-/** The error by which the steps of a reference are cut where nothing else is said. */
+/** The error by which the steps of a reference are cut, where the author requires none. */
 const usualError = 1;
 
-/** Pixels in floats that are drawn and read at once to find those that show something. */
+/** Number of pixels, in floats, that are drawn and read together to find those that show something. */
 const searchedAtOnce = 2 ** 18;
 
-/** Do it while the page goes on. @param goesOn - whether the view is still wanted @returns null where it is not */
+/**
+ * Do some work in parts, and leave the page time in between. @param goesOn - whether the view is still needed @returns null where
+ * it is not
+ */
 export async function aside<T>(work: Waiting<T>, scene: Scene, goesOn: () => boolean): Promise<{ readonly value: T } | null> {
   while (goesOn()) {
     const { done, value } = work.next();
@@ -63,12 +69,12 @@ export async function aside<T>(work: Waiting<T>, scene: Scene, goesOn: () => boo
 
 const onePixel: PixelLattice = { stride: 1, first: [0, 0], width: 1, height: 1 };
 
-/** For what the present detail of a scene's cells was found. */
+/** For which visible volume, and which loss, the present detail of a scene's cells was found. */
 const detailed = new WeakMap<Scene, { readonly seen: SeenVolume; readonly mayLose: number }>();
 
 /**
- * Find how finely the cells of a scene are to be sampled, in pauses: the next picture would find it at once.
- * @param warmUp - has the GPU compile meanwhile what probes rays
+ * Find how finely the cells of a scene must be sampled, with pauses: without this, the next picture would do it in one go.
+ * @param warmUp - lets the GPU compile the probe's program meanwhile
  */
 function* findCells(scene: Scene, cut: Substeps, warmUp: () => void): Waiting<void> {
   const { findDetail, mayLose } = cut;
@@ -82,31 +88,31 @@ function* findCells(scene: Scene, cut: Substeps, warmUp: () => void): Waiting<vo
   detailed.set(scene, { seen, mayLose });
 }
 
-/** How many of a picture's pixels show something. */
+/** The number of a picture's pixels that show something. */
 function countShown(picture: Float32Array): number {
   return picture.filter((x, i) => i % 4 === 3 && x > 0).length;
 }
 
-/** What is probed. */
+/** What to probe. */
 export interface ProbedView {
   readonly grid: GridFrame;
   /** Pixels across and down of the picture in full. */
   readonly size: Size;
-  /** The error by which the steps of levels are cut, see `cutSteps`; null where they are cut by what is at their ends alone. */
+  /** The error by which the steps of levels are cut, see `cutSteps`; null where only the values at the ends of steps cut them. */
   readonly maxError: number | null;
 }
 
-/** Probes rays of the last view, which tell the error that a level leaves; each of them once. */
+/** Probes rays of the last view to measure the error of a level; it probes each level once. */
 export class ErrorProbe {
   readonly #pictures = new Map<string, Float32Array | null>();
   #rectangle: PixelRectangle | null | undefined;
-  /** What the first probes met says how many there are. */
+  /** The pixels to probe. The first probes decide how many there are. */
   #lattices: readonly PixelLattice[] | null = null;
-  /** Whether all pixels have been looked at where that is worth it. */
+  /** Whether all pixels have been searched, where this is worth the time. */
   #isSearched = false;
-  /** Whether some pixels of many are probed, of which few may be off by much. */
+  /** Whether the probes are a sample of many pixels, of which a few may have a large error. */
   #isRare = false;
-  /** Of the rectangle's pixels those that are probed, where all others are known to show nothing. */
+  /** The share of the rectangle's pixels that are probed, where all others are known to show nothing. */
   #share = 1;
 
   constructor(readonly scene: Scene, readonly view: ProbedView) {}
@@ -115,15 +121,15 @@ export class ErrorProbe {
     return this.view.grid;
   }
 
-  /** The pixels that are probed lie in it; null where nothing can be seen. */
+  /** The rectangle that contains the probed pixels; null where nothing can be visible. */
   get rectangle(): PixelRectangle | null {
     if (this.#rectangle === undefined) this.#rectangle = seenPixels(this.scene, this.view.size);
     return this.#rectangle;
   }
 
   /**
-   * What a level leaves, held against steps half and a quarter as long, and no longer than half a voxel, which are cut as
-   * its own are; null where the device can't tell.
+   * The error of a level: its picture is compared with pictures of half and a quarter of its step length, and at most half a
+   * voxel, whose steps are cut in the same way. null where the device can't measure it.
    */
   estimate(level: Level): ErrorEstimate | null {
     const { isEven, pictures } = this.#plan(level);
@@ -132,14 +138,14 @@ export class ErrorProbe {
   }
 
   /**
-   * Draw what `estimate` holds against each other, while the page goes on.
-   * @returns whether the view is still wanted
+   * Draw the pictures that `estimate` compares, and leave the page time in between.
+   * @returns whether the view is still needed
    */
   async prepare(level: Level, goesOn: () => boolean): Promise<boolean> {
     return (await aside(this.#drawAll(level), this.scene, goesOn)) !== null;
   }
 
-  /** The same for what `distance` holds against each other. */
+  /** The same for the pictures that `distance` compares. */
   async prepareDistances(steps: readonly number[], level: Level, goesOn: () => boolean): Promise<boolean> {
     return (await aside(this.#drawPairs(steps, level), this.scene, goesOn)) !== null;
   }
@@ -160,7 +166,7 @@ export class ErrorProbe {
     for (const picture of pictures) yield* this.#probe(...picture);
   }
 
-  /** Where so few probes met something that they may have met one thing of several, look at all pixels, and probe those that show something. */
+  /** If so few probes show something that they may have missed other objects, look at all pixels, and probe those that show something. */
   *#search(first: Float32Array | null, steps: number, substeps: Substeps): Waiting<void> {
     const { rectangle } = this;
     if (!rectangle || !first || !isWorthSearch(this.#lattices!, countShown(first))) return;
@@ -182,7 +188,7 @@ export class ErrorProbe {
     this.#share = Math.min(1, this.#lattices.reduce((sum, one) => sum + one.width * one.height, 0) / (width * height));
   }
 
-  /** A level's own picture, and those with steps half and a quarter as long: steps, and how they are cut. */
+  /** A level's own picture, and those with half and a quarter of its step length: the number of steps, and how they are cut. */
   #plan(level: Level): { isEven: boolean; pictures: (readonly [steps: number, cut: Substeps])[] } {
     const { grid, maxError } = this.view;
     const one = autoSteps(grid);
@@ -193,7 +199,10 @@ export class ErrorProbe {
     return { isEven, pictures: [[level.steps, own], [finer.steps * 2, cut], [finer.steps * 4, cut]] };
   }
 
-  /** How far fewer steps are from a level's finest picture: RMS over all probed pixels, 1/255; null where the device can't tell any more. */
+  /**
+   * The error of fewer steps, compared with a level's finest picture: RMS over all probed pixels, 1/255; null where the device can
+   * no longer measure it.
+   */
   distance(steps: number, level: Level): number | null {
     const [coarse, fine] = atOnce(this.#pair(steps, level));
     if (!coarse || !fine) return null;
@@ -241,14 +250,14 @@ export class ErrorProbe {
   }
 }
 
-/** The error that steps leave of the last view, before it is drawn; null where the device can't tell. */
+/** The error of the last view with this level's steps, before it is drawn; null where the device can't measure it. */
 export function measureError(scene: Scene, grid: GridFrame, level: Level, size: Size = scene.canvas): ErrorEstimate | null {
   return new ErrorProbe(scene, { grid, size, maxError: null }).estimate(level);
 }
 
 /**
- * The error that a picture would have with half the pixels across and down, blown up again as browsers
- * do it, bilinear; RMS, 1/255. Measured in a band across its middle.
+ * The error that a picture would have with half the pixels across and down, enlarged bilinearly as browsers do it; RMS, 1/255.
+ * Measured in a band across its middle.
  */
 export function errorAtHalf({ data, width, height }: Pixels): number {
   const rows = Math.min(height, bandRows) & ~1;

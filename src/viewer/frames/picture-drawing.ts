@@ -14,11 +14,11 @@ import type { ViewSocket } from '../model/view-socket.ts';
 import type { SceneKeeper } from '../scenes/scene-keeper.ts';
 import type { ShownVolume } from '../cuts/shown-volume.ts';
 
-/** What pictures are drawn with. */
+/** The parts that drawing uses. */
 export interface DrawingParts {
   readonly shown: ShownVolume;
   readonly author: AuthorView;
-  /** Where parts have joined that lie over the picture. */
+  /** The parts that show something over the picture have joined here. */
   readonly socket: Pick<ViewSocket, 'place'>;
   readonly loop: FrameLoop;
   readonly keeper: SceneKeeper;
@@ -29,14 +29,14 @@ export interface DrawnPicture {
   readonly stats: RenderStats;
   /** GPU time, ms; null where it is not known. */
   readonly gpuMs: number | null;
-  /** Whether its program was compiled first, so that its time tells nothing of the next one's. */
+  /** Whether its program was compiled first: then its time does not predict the next one's. */
   readonly compiled: boolean;
 }
 
-/** Draws pictures of the shown volume by a plan, at once or piece by piece, and says what they were. */
+/** Draws pictures of the shown volume by a plan, at once or piece by piece, and returns the facts about them. */
 export class PictureDrawing {
   #drawn: Volume | null = null;
-  /** How much of the picture that is drawn piece by piece is there, 0..1; null where none is. */
+  /** The share of the piecewise picture that is drawn, 0..1; null where there is no such picture. */
   gathered: number | null = null;
 
   constructor(readonly parts: DrawingParts) {}
@@ -74,7 +74,7 @@ export class PictureDrawing {
    * Draw a picture at rest that takes long, piece by piece.
    * @param pieces - rows of the first piece, and what each may take, ms
    * @returns null where something changed meanwhile
-   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package could not be loaded
    */
   async gather(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
     const { shown, author, keeper, loop } = this.parts;

@@ -15,65 +15,65 @@ import type { Scene, Size } from '../model/scene.ts';
 import type * as viewQuality from './view-quality.ts';
 import type { QualityFinding } from './view-quality.ts';
 
-/** What measures the error of pictures is loaded when the first one is there. */
+/** The code that measures the error of pictures is loaded when the first picture is there. */
 function loadTools(): Promise<typeof viewQuality> {
   return loadPart(import('./view-quality.ts'), 'measures the error of pictures');
 }
 
 /** A view whose error is probed. */
 export interface Probed {
-  /** What it was drawn with. */
+  /** The plan with which it was drawn. */
   readonly plan: FramePlan;
   /** Pixels across and down of the picture in full. */
   readonly size: Size;
-  /** Whether the view is still wanted. */
+  /** Whether the view is still needed. */
   readonly goesOn: () => boolean;
 }
 
-/** Of a frame's time, the share that is planned for: what is left is for the page and for frames that take longer. */
+/** The planned share of a frame's time: the rest is for the page, and for frames that take longer. */
 const planned = 0.85;
 
-/** Frames' times that a picture at rest may take at once. */
+/** A picture at rest is drawn at once if it takes at most this many times the time of a frame. */
 const worthPieces = 3;
 
 /**
- * An edge that runs anywhere through a pixel leaves one ray off from the pixel's mean by 1/sqrt(12) of what the picture jumps there, RMS. Where
- * that is more than eight times `max-error`, which one pixel in a thousand may be off by, pixels get more rays.
+ * An edge that crosses a pixel anywhere gives one ray an error of 1/sqrt(12) of the picture's jump there, RMS, compared with the
+ * pixel's mean. Where that is more than eight times `max-error`, which one pixel in a thousand may exceed, pixels get more rays.
  */
 const curvaturePerError = 8 * Math.sqrt(12);
 
-/** Rows that a piece has at least: what a piece takes besides is not to be the most of it. */
+/** The minimum number of rows in a piece: the fixed time of a piece must not be the largest part of its time. */
 const minRows = 16;
 
-/** The first picture, of which nothing is known yet: small, to tell what larger ones take. */
+/** The first picture, when no times are known yet: small, to measure how long larger ones take. */
 export const firstFrame: FramePlan = { scale: 0.125, steps: 128, substeps: wholeSteps, sampling: allRays };
 
-/** Of a size to look at: tells the rest of what larger pictures take. */
+/** A picture that is large enough to look at; its time completes what is known of larger pictures. */
 export const standInFrame: FramePlan = { ...firstFrame, scale: 0.25 };
 
 /**
- * How many steps, pixels and rays a picture gets, and what error it then has (see docs/maths.md). At rest all pixels get
- * rays, and the first level of steps that keeps the target for the error is taken: the choice depends on the view alone, and
- * not on times or on what was seen before. While something moves, the least error within a frame's time is taken, by
- * a model of time and one of error that are fitted to what is drawn and measured.
+ * Decides how many steps, pixels and rays a picture gets, and measures what error it then has (see docs/maths.md). At rest all
+ * pixels get rays, with the first level of steps that keeps the error target: this choice depends only on the view, not on times
+ * or on earlier views. While something moves, the plan has the smallest error within a frame's time, by a model of time and one of
+ * error, which are fitted to the drawn and measured pictures.
  */
 export class QualityControl {
   #targets = defaultTargets;
-  /** Chosen for the scene as it stands by probing its error; null where it was not probed yet. */
+  /** The level chosen for the present scene by probing its error; null where it has not been probed yet. */
   #chosen: Level | null = null;
   #error: PictureError | null = null;
   #isKept = false;
   #errors: ErrorModel = unknownErrors;
   #tools: typeof viewQuality | null = null;
   readonly #timer = new FrameTimer();
-  /** null before what measures errors is there: the first times are the clock's. */
+  /** null before the code that measures errors is loaded: until then, times are those of the page's clock. */
   #steady: SteadyTime | null = null;
   #last: FramePlan | undefined;
-  /** How a picture at rest was drawn that took no longer than one in motion may; null where none was. */
+  /** The plan of a picture at rest that took no longer than a picture in motion may; null where there was none. */
   #fast: { readonly plan: FramePlan; readonly pixels: number } | null = null;
-  /** Whether a picture was drawn with spared rays. */
+  /** Whether a picture was drawn with fewer rays than pixels. */
   #hasSpared = false;
-  /** Whether what cuts given steps is there. */
+  /** Whether the code that cuts given steps is loaded. */
   #cuts = false;
 
   /** @returns whether this changes anything */
@@ -84,7 +84,7 @@ export class QualityControl {
     return changes;
   }
 
-  /** The error of the last picture at rest; null where nothing is known of the scene as it stands. */
+  /** The error of the last picture at rest; null where the present scene has not been measured. */
   get error(): PictureError | null {
     return this.#error;
   }
@@ -94,21 +94,21 @@ export class QualityControl {
     return this.#isKept;
   }
 
-  /** The view changed: what was chosen and measured holds no more. */
+  /** The view changed: the chosen level and the measured error are no longer valid. */
   forget(): void {
     this.#chosen = null;
     this.#error = null;
     this.#isKept = false;
   }
 
-  /** What is seen of the volume changed: where its picture is smooth has to be found out again. */
+  /** The visible part of the volume changed: probe again where its picture is smooth. */
   forgetProbes(): void {
     this.forget();
     this.#fast = null;
     this.#errors = { ...this.#errors, sampling: [] };
   }
 
-  /** The volume changed: nothing is known of the times either. */
+  /** The volume changed: the measured times are no longer valid either. */
   forgetAll(): void {
     this.forgetProbes();
     this.#errors = unknownErrors;
@@ -116,7 +116,7 @@ export class QualityControl {
     this.#last = undefined;
   }
 
-  /** What a picture at rest gets, as far as it is known. */
+  /** The plan for a picture at rest, as far as it is known. */
   still(grid: GridFrame): FramePlan {
     return { ...this.#withoutEdges(grid), edgeCurvature: curvaturePerError * this.#targets.maxError };
   }
@@ -126,21 +126,21 @@ export class QualityControl {
     if (steps !== 'auto') return { scale: 1, steps, substeps: this.#cuts ? allSubsteps : wholeSteps, sampling: allRays };
     const oneAVoxel = autoSteps(grid);
     const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
-    // Cells have a say as soon as what chooses steps is there: nothing is drawn at rest before.
+    // Cells influence the sampling as soon as the code that chooses steps is loaded: before that, no picture at rest is drawn.
     const substeps = this.#tools?.cutSteps(level, voxelsAlong(grid), maxError) ?? { ...allSubsteps, most: level.substeps };
     return { scale: 1, steps: level.steps, substeps, sampling: allRays };
   }
 
-  /** Whether the steps of a picture at rest are still to be found out by probing. */
+  /** Whether probing still has to find the steps of a picture at rest. */
   get undecided(): boolean {
     return this.#targets.steps === 'auto' && this.#chosen === null;
   }
 
-  /** What a picture gets that will be replaced by the next one at once. */
+  /** The plan for a picture that the next one will replace at once. */
   moving(grid: GridFrame, pixels: number): FramePlan {
     const { steps, targetFps } = this.#targets;
     if (steps !== 'auto') return this.#withoutEdges(grid);
-    // What is small does not blink.
+    // A small picture always has the plan of its picture at rest, so that it does not flicker.
     if (this.#fast?.pixels === pixels) return this.#fast.plan;
     const { model } = this.#timer;
     const full = { pixels, steps: autoSteps(grid) };
@@ -150,8 +150,9 @@ export class QualityControl {
   }
 
   /**
-   * Rows of the first of the pieces in which a picture at rest is drawn, so that each is within a frame's time.
-   * @returns null where the whole is drawn in little more than that
+   * The number of rows in the first piece of a picture at rest that is drawn piecewise, so that each piece takes at most a frame's
+   * time.
+   * @returns null where the whole picture takes little more than that
    */
   rowsOfPieces({ width, height }: Size, plan: FramePlan): number | null {
     const { model } = this.#timer;
@@ -160,41 +161,47 @@ export class QualityControl {
     return Math.max(minRows, Math.floor(Math.max(0, this.pieceMs - model.a) / (model.b * workOfPlan(plan, width))));
   }
 
-  /** What a frame, and a piece of a picture at rest, may take. */
+  /** The time that a frame, and a piece of a picture at rest, may take. */
   get pieceMs(): number {
     return (planned * 1000) / this.#targets.targetFps;
   }
 
-  /** Learn from how long a picture took that was drawn at once, and how much of that was the GPU's time, where that is known. @param pixels - of the full picture */
+  /**
+   * Learn from the time of a picture that was drawn at once, and from the GPU's part of it, where that is known. @param pixels -
+   * of the full picture
+   */
   took(plan: FramePlan, pixels: number, ms: number, gpuMs: number | null = null): void {
     this.#hasSpared ||= plan.sampling !== allRays;
     const steady = (this.#steady ??= this.#tools && new this.#tools.SteadyTime())?.of(ms, gpuMs) ?? ms;
-    // What steps take that cells cut says nothing of others.
+    // The time of steps that cells cut does not predict that of others.
     if (plan.substeps === wholeSteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: steady });
     else this.#fast = steady <= this.pieceMs ? { plan, pixels } : null;
   }
 
-  /** Begin to load what measures errors and plans frames, and what draws piece by piece: needed as soon as there is a picture. */
+  /**
+   * Start to load the code that measures errors and plans frames, and the code that draws piece by piece: both are needed as soon
+   * as there is a picture.
+   */
   warmUp(): void {
     if (this.#tools) return;
     const tools = loadTools().then((tools) => (this.#tools = tools));
     for (const part of [tools, import('./gather-picture.ts')]) part.catch(() => {}); // Told when it is needed.
   }
 
-  /** What cuts given steps is loaded before the first picture that has some. @throws {VolumeViewError} `format/unsupported` */
+  /** Load the code that cuts given steps before the first picture that has such steps. @throws {VolumeViewError} `format/unsupported` */
   async prepare(): Promise<void> {
     if (this.#targets.steps === 'auto' || this.#cuts) return;
     await (this.#tools ??= await loadTools()).loadSubsteps();
     this.#cuts = true;
   }
 
-  /** Whether nothing is known yet of what pictures take. */
+  /** Whether the time of pictures is still unknown. */
   get untimed(): boolean {
     return this.#targets.steps === 'auto' && this.#timer.model === null;
   }
 
   /**
-   * Probe the error of the view that has just been drawn. The page goes on between one level and the next.
+   * Probe the error of the view that has just been drawn. The page can work between one level and the next.
    * @returns whether it should be drawn again, with other steps or more pixels
    */
   async probe(scene: Scene, grid: GridFrame, { plan, size, goesOn }: Probed): Promise<boolean> {

@@ -1,16 +1,16 @@
-// Pictures as files: loaded when one is asked for.
+// Writes pictures as files. It is loaded when a page asks for the first one.
 import { allRays } from '../../quality/sampling-outcome.ts';
 import type { FrameDrawing } from './frame-drawing.ts';
 import { pictureSize } from '../model/picture-size.ts';
 import type { PictureSize } from '../model/picture-size.ts';
 import type { Scene } from '../model/scene.ts';
 
-/** What file is wanted: its type, and its size in device pixels, as far as that is said. */
+/** The requested file: its type, and its size in device pixels, as far as the caller gives it. */
 export interface FileGoal extends Partial<PictureSize> {
   readonly type: string;
 }
 
-/** A picture file of the view at rest; what is absent of its size follows from the element's shape. */
+/** A picture file of the view at rest; a missing width or height follows from the element's shape. */
 export async function takePicture(scene: Scene, frames: FrameDrawing, { type, ...goal }: FileGoal): Promise<Blob> {
   const { pictures, planAtRest, host } = frames;
   const size = askedSize(host, goal, scene.device.maxTextureSize);
@@ -18,14 +18,15 @@ export async function takePicture(scene: Scene, frames: FrameDrawing, { type, ..
   pictures.drawAtRest(scene, { ...planAtRest, sampling: allRays }, size);
   const blob = await new Promise<Blob | null>((resolve) => {
     scene.canvas.toBlob(resolve, type);
-    // The file is taken by the call; the element's own picture has to be back before the page is painted. At rest all pixels get rays: one of its size is its own.
+    // `toBlob` takes the canvas during the call; the element's own picture must be back before the page is painted. At rest all
+    // pixels get rays: if the size is that of the element, the picture is already the right one.
     if (size.width !== own.width || size.height !== own.height) pictures.drawAtRest(scene, planAtRest, own);
   });
   if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
   return blob;
 }
 
-/** @throws {RangeError} where the device does not draw so many pixels */
+/** @throws {RangeError} where the device can't draw so many pixels */
 function askedSize(host: Element, { width, height }: Partial<PictureSize>, maxSide: number): PictureSize {
   if (width === undefined && height === undefined) return pictureSize(host, maxSide);
   const ratio = host.clientWidth / Math.max(1, host.clientHeight);

@@ -4,35 +4,38 @@ import { stepLengthOf } from '../../quality/steps.ts';
 import type { DrawnView } from '../model/drawn-view.ts';
 import type { Scene } from '../model/scene.ts';
 
-/** Pictures that are timed have so many steps, */
+/** Number of steps in the pictures that are timed, */
 const steps = 64;
 
-/** and this share of the pixels along each axis. */
+/** and their share of the pixels along each axis. */
 const scale = 0.5;
 
-/** Times of each kind that are compared. */
+/** How often each kind is timed. */
 const turns = 3;
 
-/** A picture that takes longer, ms, is timed once. */
+/** A picture that takes longer than this, ms, is timed only once. */
 const slow = 50;
 
-/** Of one that takes less, ms, the page's clock says little: it is rounded, and the page learns some milliseconds late of its end. */
+/**
+ * For a picture that takes less than this, ms, the page's clock is too coarse: it is rounded, and the page gets the end of drawing
+ * some milliseconds late.
+ */
 const fast = 10;
 
-/** Outcomes that cast more rays than this share tell little of what sparing rays saves. */
+/** If an outcome casts more rays than this share, its time says little about the gain of fewer rays. */
 const largestShare = 0.5;
 
-/** How many times as long as foretold pictures with spared rays may take, and how few. */
+/** Smallest and largest factor between the measured and the predicted time of pictures with fewer rays. */
 const limits = [0.25, 16] as const;
 
-/** It is the graphics processor's, so one measure holds for a scene. */
+/** The factor depends on the GPU only, so one measurement is enough for a scene. */
 const measured = new WeakMap<Scene, number>();
 
 /**
- * What spared rays take, over what they would take if rays were all that takes time: some renderers handle the small pieces that they are
- * drawn in slowly. Drawn aside, in turns with pictures that have all rays.
- * @param outcomes - foretold for such pictures
- * @returns 1 where nothing could be measured, or all is fast
+ * The time of pictures with fewer rays, relative to the time that they would take if only rays took time: some renderers are slow
+ * with the small pieces in which such rays are drawn. Drawn off screen, in turns with pictures that have all rays.
+ * @param outcomes - predicted for such pictures
+ * @returns 1 where nothing could be measured, or all pictures are fast
  */
 export async function timeSampling(view: DrawnView, outcomes: readonly SamplingOutcome[]): Promise<number> {
   const { scene } = view;
@@ -43,7 +46,7 @@ export async function timeSampling(view: DrawnView, outcomes: readonly SamplingO
   const [all, spared]: number[][] = [[], []];
   const kinds = [[0, all], [outcome.maxCurvature, spared]] as const;
   try {
-    // In the first turn programs are compiled.
+    // The first turn compiles the programs.
     for (let turn = 0; turn <= turns && (all[1] ?? 0) <= slow; turn++) {
       for (const [maxCurvature, times] of kinds) {
         if (!view.goesOn()) return 1;

@@ -24,48 +24,54 @@ export { seenPixels } from './measure-quality.ts';
 
 provideCoarsePictures((gl) => new AdaptivePicture(gl));
 
-/** Load what cuts steps by what is at their ends: few levels do, and steps that an author gives. @throws {VolumeViewError} `format/unsupported` */
+/**
+ * Load the code that cuts steps by the values at their ends: only a few levels, and steps that an author gives, need it. @throws
+ * {VolumeViewError} `format/unsupported`
+ */
 export async function loadSubsteps(): Promise<void> {
   const { cuttingSteps } = await loadPart(import('../../renderer/ray/substep-part.ts'), 'cuts steps');
   provideSubsteps(cuttingSteps);
 }
 
-/** What is asked of its picture at rest. */
+/** The quality required of a picture at rest. */
 export interface AskedQuality {
-  /** The error that it may have, 1/255: see `keptError`. */
+  /** The error that the picture may have, 1/255: see `keptError`. */
   readonly maxError: number;
-  /** Whether its steps are to be chosen. */
+  /** Whether the viewer chooses the steps. */
   readonly isAuto: boolean;
 }
 
-/** What was found out of a view. */
+/** What was measured of a view. */
 export interface QualityFinding {
   readonly error: PictureError | null;
   /** Whether that error is within the target. */
   readonly isKept: boolean;
 }
 
-/** A level was chosen. */
+/** The level that was chosen, and what was measured of it. */
 export interface ChosenLevel extends QualityFinding {
   readonly level: Level;
 }
 
-/** What was probed to choose the level of a scene's last view: pictures in motion are held against the finest of it. */
+/** The probes that chose the level of a scene's last view: pictures in motion are compared with the finest of them. */
 const lastChosen = new WeakMap<Scene, { readonly quality: ViewQuality; readonly level: Level }>();
 
-/** What could be missed of what is seen, by the samples a voxel and how finely cells are sampled: it depends on the volume and its look, not on the view. */
+/**
+ * An upper bound of what sampling may miss in the visible volume, by samples per voxel and by the sampling of cells: it depends on
+ * the volume and its appearance, not on the view.
+ */
 const missed = new WeakMap<SeenVolume, { readonly samplesAVoxel: number; readonly codes: Uint8Array | null; readonly bound: number }>();
 
-/** Rounding to 8 bits leaves this much, whatever the steps: RMS, 1/255. */
+/** The error of rounding to 8 bits, whatever the steps: RMS, 1/255. */
 const rounding = 1 / Math.sqrt(12);
 
-/** Steps that tell how the error of pictures in motion falls with them: those that such pictures have where time is short. */
+/** Numbers of steps that measure how the error of pictures in motion falls: such pictures have them where time is short. */
 const inMotion = [32, 128] as const;
 
-/** Strides between pixels for which the outcome of adaptive sampling is predicted: of pictures at full size, half and a quarter. */
+/** Strides between pixels for which the result of adaptive sampling is predicted: for pictures at full, half and quarter size. */
 const foretold: readonly number[] = [1, 2, 4];
 
-/** Finds out how good pictures of a view are, or would be, by probing its rays. */
+/** Measures how good pictures of a view are, or would be, by probing its rays. */
 export class ViewQuality {
   readonly #probe: ErrorProbe;
 
@@ -75,8 +81,8 @@ export class ViewQuality {
   }
 
   /**
-   * The first level that keeps the target. A device that can't measure errors gets one step a voxel, with all substeps.
-   * @returns null where the view is not wanted any more
+   * The first level that keeps the target. A device that can't measure errors gets one step per voxel, with all substeps.
+   * @returns null where the view is no longer needed
    */
   async choose(): Promise<ChosenLevel | null> {
     const { view: { scene, grid, goesOn }, asked: { maxError } } = this;
@@ -90,30 +96,30 @@ export class ViewQuality {
     const choice = await chooseLevel(levels, async (level) => {
       if (level.substeps > 1) await loadSubsteps();
       const estimate = (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
-      return estimate && this.#discount(estimate); // There is none either where the context was lost meanwhile.
+      return estimate && this.#discount(estimate); // The estimate is also null where the context was lost meanwhile.
     }, maxError);
     if (choice) lastChosen.set(scene, { quality: this, level: choice.level });
     const found = choice && (await this.#state(choice.level));
     return found && { level: choice.level, ...found };
   }
 
-  /** What a level leaves; null where the view is not wanted any more. */
+  /** Measure the error of a level; null where the view is no longer needed. */
   async measure(level: Level): Promise<QualityFinding | null> {
-    await loadSubsteps(); // Steps longer than a voxel are held against some that are cut.
+    await loadSubsteps(); // Steps longer than a voxel are compared with steps that are cut.
     return (await this.#probe.prepare(level, this.view.goesOn)) ? this.#state(level) : null;
   }
 
-  /** An error that rounding alone exceeds is compared without it: no steps could help. */
+  /** If rounding alone exceeds the target, the error is compared without rounding: more steps could not help. */
   #discount(estimate: ErrorEstimate): ErrorEstimate {
     return this.asked.maxError > 1.2 * rounding ? estimate : { ...estimate, rms: estimate.discretization };
   }
 
-  /** @returns null where the view is not wanted any more */
+  /** @returns null where the view is no longer needed */
   async #state(level: Level): Promise<QualityFinding | null> {
     const { view: { scene, grid }, asked: { isAuto, maxError } } = this;
     const estimate = this.#probe.estimate(level);
     const samplesAVoxel = level.steps / voxelsAlong(grid);
-    // What is behind the eye, or beside the picture, can't be missed.
+    // Matter behind the eye, or outside the picture, can't be missed.
     const seen = this.#probe.rectangle && scene.whatIsSeen();
     const codes = isAuto ? scene.detail() : null;
     const { projection } = scene;
@@ -130,13 +136,16 @@ export class ViewQuality {
     return found && found.value;
   }
 
-  /** How the error of pictures in motion, over all pixels, falls with their steps; nothing where that can't be measured, or is not wanted any more. */
+  /**
+   * How the error of pictures in motion, over all pixels, falls with their steps; nothing where it can't be measured, or is no
+   * longer needed.
+   */
   async learnSteps(level: Level, goesOn: () => boolean): Promise<Partial<ErrorModel>> {
     const { view: { scene, grid }, asked } = this;
     const most = autoSteps(grid);
     const steps = [Math.min(inMotion[0], Math.ceil(most / 4)), Math.min(inMotion[1], most)] as const;
     const isPrepared = await this.#probe.prepareDistances(steps, level, goesOn);
-    scene.setSubsteps(cutSteps(level, voxelsAlong(grid), asked.maxError)); // As in the picture that stands there.
+    scene.setSubsteps(cutSteps(level, voxelsAlong(grid), asked.maxError)); // As in the picture on the screen.
     if (!isPrepared) return {};
     const [error, next] = steps.map((n) => this.#probe.distance(n, level));
     if (error === null || next === null) return {};
@@ -145,12 +154,14 @@ export class ViewQuality {
   }
 }
 
-/** The page goes on. */
+/** Give the page time for other work. */
 const rest = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
 /**
- * A picture at rest that stands there tells what fewer steps, pixels and rays would do to pictures in motion; nothing where the view is not wanted any more.
- * @param isTimed - whether what fewer rays cost is measured: for that their program is compiled, which a page where nothing moves does not need
+ * Measure from the picture at rest on the screen what error fewer steps, pixels and rays would cause in pictures in motion;
+ * nothing where the view is no longer needed.
+ * @param isTimed - whether to measure the time of fewer rays: this compiles their program, which a page where nothing moves does
+ * not need
  */
 export async function learnFrom(view: DrawnView, isTimed: boolean): Promise<Partial<ErrorModel>> {
   const { scene } = view;
