@@ -63,7 +63,7 @@ const styles = `
   }
 }`;
 
-/** Give a view's shadow root what its handles look like. */
+/** Give a view's shadow root the styles of its handles. */
 export function wearHandleStyles(root: ShadowRoot): void {
   wearSheet(root, styles);
 }

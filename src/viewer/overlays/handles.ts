@@ -1,4 +1,4 @@
-// Small buttons over a picture, each at a place of the world, which move it: loaded by the elements that have some.
+// Small buttons over a picture, each at a place of the world that it moves. The elements that have handles load this module.
 import type { Camera } from '../../optics/rays/camera.ts';
 import { placeInElement } from '../../page/pointer-place.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
@@ -13,15 +13,15 @@ import { projectPlace } from '../camera/project-place.ts';
 export interface Handle {
   /** World. */
   readonly at: Vector3;
-  /** The only direction in which it moves, of any length but zero; absent where it moves in the plane that faces the camera. */
+  /** The only direction in which it moves, of any length except zero; absent where it moves in the plane that faces the camera. */
   readonly along?: Vector3;
-  /** What it is, for who does not see it. */
+  /** Name of the handle, for people who do not see it. */
   readonly name: string;
-  /** Its place in words, told once it is still. */
+  /** The place in words: a screen reader gets it when the handle has stopped. */
   readonly place: string;
-  /** What the keys do. */
+  /** What the keys do, in words. */
   readonly keys: string;
-  /** CSS; by default what `--volume-view-handle-color` says. */
+  /** CSS; by default the value of `--volume-view-handle-color`. */
   readonly color?: string;
 }
 
@@ -30,28 +30,28 @@ export interface HandledView extends HTMLElement {
   readonly camera: Camera | null;
 }
 
-/** Who has handles. */
+/** The owner of handles. */
 export interface HandleOwner {
   /**
-   * A person moves one: where to. The owner sets all handles anew, wherever it wants them.
-   * @param end - whether it is let go now: of a key each press is
+   * A person moves a handle to a place. The owner then sets all handles again, wherever it wants them.
+   * @param end - whether the person has released the handle; true for each key press
    */
   moved(index: number, to: Vector3, end: boolean): void;
 }
 
-/** A screen reader is told where a handle is that has not moved for so long, ms. */
+/** A screen reader gets the place of a handle that has not moved for this time, ms. */
 const restMs = 500;
 
 interface Grip {
   readonly index: number;
   readonly pointerId: number;
   readonly start: Vector3;
-  /** Pixel of the place when it was grabbed, and from there to the pointer. */
+  /** Pixel of the place when it was grabbed, and the offset from there to the pointer. */
   readonly from: Pixel;
   readonly offset: Pixel;
 }
 
-/** Handles over a view's picture. They follow the camera; the picture does not turn by them. Several owners have their own. */
+/** Handles over a view's picture. They follow the camera; dragging them does not turn the picture. Each owner has its own. */
 export class Handles implements ViewPart {
   readonly key = 'handles';
   readonly #layer: HTMLElement;
@@ -63,16 +63,16 @@ export class Handles implements ViewPart {
   #timer = 0;
   #focused = -1;
 
-  /** @param picture - the part of the view that holds its picture; handles come after it in the order of focus */
+  /** @param picture - the part of the view that holds its picture; handles come after it in the focus order */
   constructor(readonly view: HandledView, picture: Element, readonly owner: HandleOwner) {
     const { ownerDocument: document } = view;
     this.#layer = document.createElement('div');
     this.#layer.className = 'handles';
     this.#told = document.createElement('div');
     this.#told.setAttribute('role', 'status');
-    this.#told.className = 'status'; // As what the view itself tells screen readers.
+    this.#told.className = 'status'; // The class of the view's own messages to screen readers.
     this.#layer.append(this.#told);
-    // Tab goes to them in the order in which their owners came.
+    // In the order of the Tab key, handles come in the order in which their owners were created.
     ([...picture.parentNode!.querySelectorAll('.handles')].at(-1) ?? picture).after(this.#layer);
     view.addEventListener('load', () => this.place(), { signal: this.#abort.signal });
     void socketOf(view).join(this);
@@ -85,14 +85,14 @@ export class Handles implements ViewPart {
     this.#layer.remove();
   }
 
-  /** Whether a person holds one. */
+  /** Whether a person holds a handle. */
   get held(): boolean {
     return this.#grip !== null;
   }
 
-  /** Show handles in place of those before. One that is held, or has the focus, stays so by its number. */
+  /** Show these handles in place of the previous ones. A handle that is held, or has the focus, keeps this state by its number. */
   set(handles: readonly Handle[]): void {
-    wearHandleStyles(this.view.shadowRoot!); // Each document has its own.
+    wearHandleStyles(this.view.shadowRoot!); // Each document needs its own styles.
     while (this.#buttons.length > handles.length) this.#drop(this.#buttons.length - 1);
     this.#handles = handles;
     while (this.#buttons.length < handles.length) this.#buttons.push(this.#make(this.#buttons.length));
@@ -106,7 +106,7 @@ export class Handles implements ViewPart {
     this.place();
   }
 
-  /** Give one the focus. */
+  /** Focus a handle. */
   focus(index: number): void {
     this.#buttons[index]?.focus({ preventScroll: true });
   }
@@ -137,13 +137,13 @@ export class Handles implements ViewPart {
     return camera && width > 0 && height > 0 ? { camera, width, height } : null;
   }
 
-  /** Bring all to where the camera shows them. */
+  /** Move all handles to where the camera shows their places. */
   place(): void {
     const picture = this.#picture;
     this.#handles.forEach(({ at }, i) => {
       const pixel = picture && projectPlace(picture.camera, at, picture);
       const { style } = this.#buttons[i];
-      // One that is held may be dragged out of the picture; hidden, it would lose the pointer.
+      // A held handle may be dragged out of the picture; if it were hidden, it would lose the pointer.
       style.visibility = pixel && (isInside(pixel, picture) || this.#grip?.index === i) ? 'visible' : 'hidden';
       if (pixel) [style.left, style.top] = pixel.map((length) => `${length.toFixed(2)}px`);
     });
@@ -159,7 +159,7 @@ export class Handles implements ViewPart {
     this.#grip = { index, pointerId: event.pointerId, start: at, from, offset: [pointer[0] - from[0], pointer[1] - from[1]] };
     const button = this.#buttons[index];
     button.setPointerCapture(event.pointerId);
-    button.focus({ preventScroll: true }); // Safari gives buttons no focus by itself.
+    button.focus({ preventScroll: true }); // Safari does not focus buttons on its own.
     event.preventDefault();
   }
 
@@ -176,7 +176,7 @@ export class Handles implements ViewPart {
   #release(event: PointerEvent): void {
     const grip = this.#grip;
     if (!grip || grip.pointerId !== event.pointerId) return;
-    // The system has other plans for the finger: it was no drag.
+    // The system takes the touch for another gesture: undo the drag.
     if (event.type === 'pointercancel') this.#move(grip.index, grip.start, true);
     else if (event.type === 'pointerup') this.#drag(event, true);
     this.#grip = null;
@@ -193,7 +193,7 @@ export class Handles implements ViewPart {
       const { at, along } = this.#handles[index];
       const to = picture && moveByKey(picture, at, event, along);
       if (!to) return;
-      // Out of the picture nobody could bring it back.
+      // Outside the picture, nobody could bring the handle back.
       const pixel = projectPlace(picture.camera, to, picture);
       if (pixel && isInside(pixel, picture)) this.#move(index, to, true);
     }

@@ -8,21 +8,21 @@ import { projectPlace } from '../camera/project-place.ts';
 
 const svg = 'http://www.w3.org/2000/svg';
 
-/** Lines are cut so far before the eye, as a share of its distance from what it looks at. */
+/** Lines are cut at this distance in front of the eye, as a share of the distance from the eye to the camera's target. */
 const nearest = 1e-3;
 
-/** What stands beside a place: a length, say. */
+/** A text next to a place: a length, for instance. */
 export interface OverlayText {
   readonly at: Vector3;
   readonly text: string;
-  /** Whether it stands above all lines, and not at the place itself. */
+  /** Whether the text stands above all lines, instead of at the place itself. */
   readonly isAbove: boolean;
 }
 
-/** From a text to what it belongs to, and from its middle to the edge of the picture at the least, CSS pixels. */
+/** Distance from a text to its place, and the minimum distances from its middle to the edges of the picture, CSS pixels. */
 const [gap, margin] = [10, { x: 50, top: 16, bottom: 6 }];
 
-/** Faint lines and a text over a picture, where the scene's own may be hidden by what is before them. They take no clicks. */
+/** Faint lines and a text over a picture, for the case that something hides the lines in the scene. They take no clicks. */
 export class LineOverlay {
   readonly #drawing: SVGElement;
   readonly #halo: SVGElement;
@@ -65,7 +65,7 @@ export class LineOverlay {
     this.#makeRoom();
   }
 
-  /** The label of a range ring that the text would cover is left out of this frame: the text is what somebody asked for. */
+  /** Hide, for this frame, the labels of range rings that the text would cover: a person asked for the text. */
   #makeRoom(): void {
     const labels = [...(this.#drawing.parentNode?.querySelectorAll<HTMLElement>('.labels > span:not([hidden])') ?? [])];
     if (labels.length === 0) return;
@@ -84,7 +84,7 @@ export class LineOverlay {
   }
 }
 
-/** The parts of a line that are before the eye, in pixels. */
+/** The parts of a line that are in front of the eye, in pixels. */
 function project(picture: SeenPicture, line: readonly Vector3[]): Pixel[][] {
   const parts: Pixel[][] = [];
   for (let i = 1, isOpen = false; i < line.length; i++) {
@@ -105,7 +105,7 @@ function clamp(value: number, least: number, most: number): number {
   return Math.max(least, Math.min(most, value));
 }
 
-/** The part of a line that is before the eye. */
+/** The part of a line that is in front of the eye. */
 function clip(camera: Camera, from: Vector3, to: Vector3): readonly [Vector3, Vector3] | null {
   const view = viewMatrix(camera);
   const least = nearest * Math.hypot(...subtract(camera.eye, camera.target));

@@ -1,6 +1,9 @@
 const wearing = new WeakMap<ShadowRoot, Map<string, CSSStyleSheet>>();
 
-/** Give a view's shadow root the styles of a part that is loaded later. A sheet, as a page's policy may forbid style elements; it serves one document. */
+/**
+ * Give a view's shadow root the styles of a part that is loaded later. It uses a style sheet object, because a page's policy may
+ * forbid style elements; each document needs its own sheet.
+ */
 export function wearSheet(root: ShadowRoot, styles: string): void {
   const known = wearing.get(root) ?? new Map<string, CSSStyleSheet>();
   wearing.set(root, known);
