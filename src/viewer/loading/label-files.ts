@@ -10,18 +10,18 @@ import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { loadBeside } from './load-beside.ts';
 
-/** A label file, and what is in it. */
+/** A label file, and its contents. */
 export interface LabelFile {
   readonly voxels: LabelVoxels;
   readonly found: FoundLabels;
-  /** What the file says of its labels. */
+  /** Names that the file gives its labels. */
   readonly named?: readonly NamedLabel[];
-  /** What of it is not shown, in words. */
+  /** What of the file is not shown, in words. */
   readonly left?: readonly string[];
   readonly format: string;
 }
 
-/** Labels are never made smaller by averaging: a file of more than this is refused. */
+/** Labels are never made smaller by averaging: a file above these limits is refused. */
 const limits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 30 };
 
 /**
@@ -31,12 +31,12 @@ const limits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 3
 export async function loadLabelFile(url: string, signal: AbortSignal): Promise<LabelFile> {
   if (/\s/.test(url.trim())) throw new VolumeViewError('attribute/invalid', 'src of <volume-labels> names several files; expected one.');
   const file = await labelFileOf({ url: url.trim() }, signal);
-  // As what of a table could not be used, it is told to who made the page.
+  // Like the unusable parts of a table, this is reported to the author of the page.
   if (file.left) console.warn(`<volume-labels>: not all of ${url.trim().slice(0, 200)} is shown.\n${file.left.join('\n')}`);
   return file;
 }
 
-/** The same of a file that something says more of. @param change - what is to be made of its values first */
+/** The same for a file with more reading options. @param change - changes its values first */
 export async function labelFileOf(request: Omit<LoadRequest, 'limits'>, signal: AbortSignal, change: (volume: Volume) => Volume = (volume) => volume): Promise<LabelFile> {
   const volume = await loadBeside({ ...request, limits }, signal);
   return { ...labelsIn(change(volume), request.url), format: volume.format, named: volume.named, left: volume.left };

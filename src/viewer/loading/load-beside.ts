@@ -4,12 +4,13 @@ import { loads } from './load-queue.ts';
 import { sharedVolumes } from './shared-volumes.ts';
 
 /**
- * Load a volume that is shown beside another, when it is its turn; not again while an element of the page shows or loads the same.
- * @param holder - who will show it, until it is released. Without, nobody is known to
+ * Load a volume that is attached to another, when it is its turn; it is not loaded again while an element of the page shows or
+ * loads the same one.
+ * @param holder - the object that will show it, until it is released. Without it, the volume is not kept for anyone
  * @throws as loadVolume does
  */
 export async function loadBeside(request: LoadRequest, signal: AbortSignal, holder?: object): Promise<Volume> {
-  // Whoever is kept there stays in memory.
+  // A holder that is not released keeps its volume in memory.
   const nobody = {};
   try {
     return await loads.run(() => true, signal, () => sharedVolumes.get(holder ?? nobody, request, { signal, onProgress: () => {} }));

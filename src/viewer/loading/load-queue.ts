@@ -1,4 +1,4 @@
-/** Files that are fetched and decoded at once: each takes a worker, and memory for the file and for the volume. */
+/** The number of files that are fetched and decoded at the same time: each needs a worker, and memory for the file and for the volume. */
 const maxLoads = 6;
 
 interface Waiting {
@@ -6,10 +6,10 @@ interface Waiting {
   readonly start: () => void;
 }
 
-/** Loads wait here for their turn: those of elements in sight come first, then whoever came first. */
+/** Queue of loads: those of visible elements start first, then the others in the order in which they came. */
 export class LoadQueue {
   #running = 0;
-  /** Places of loads that are still under way. */
+  /** Number of running loads that have lent their place. */
   #lent = 0;
   #waiting: Waiting[] = [];
 
@@ -17,9 +17,10 @@ export class LoadQueue {
 
   /**
    * Load something when it is its turn.
-   * @param inSight - whether the element that shows it is in the visible part of the page by then
-   * @param signal - gives up waiting, with its reason
-   * @param load - may lend its place while nothing comes. So many places are lent that twice as many loads run at most
+   * @param inSight - whether the element that shows it is in the visible part of the page at that time
+   * @param signal - ends the waiting, with its reason
+   * @param load - may lend its place while it waits for data. The number of lent places is limited, so that at most twice as many
+   * loads run
    */
   async run<T>(inSight: () => boolean, signal: AbortSignal, load: (lend: () => void) => Promise<T>): Promise<T> {
     if (this.#running >= this.most) await this.#wait(inSight, signal);

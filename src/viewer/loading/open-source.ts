@@ -6,10 +6,10 @@ import type { Volume } from '../../volume/volume.ts';
 import type { ScanHost, ScanPlayer } from './scan-player.ts';
 import type { ScanSource } from './scan-sequence.ts';
 
-/** A file, or several of one volume, and of a manifest which of its scans. */
+/** A file, or several files of one volume, and which scan of a manifest. */
 export type SourceRequest = Pick<LoadRequest, 'url' | 'files' | 'scan'>;
 
-/** What an author says of it. */
+/** What an author says about the source. */
 export interface Source {
   /** One URL, or several, separated by blanks. */
   readonly src: string;
@@ -17,23 +17,23 @@ export interface Source {
   readonly stack: boolean;
 }
 
-/** Who opens a source. */
+/** What opening a source needs of its caller. */
 export interface SourceHost extends Omit<ScanHost, 'load'> {
   readonly load: (request: SourceRequest, options: LoadOptions) => Promise<Volume>;
-  /** The source has several scans, and this shows one after another. */
+  /** Called if the source has several scans: this player shows one after another. */
   readonly opened: (player: ScanPlayer) => void;
 }
 
 interface Opening {
-  /** Which of its scans, where it has several. */
+  /** The requested scan, where there are several. */
   readonly wanted: ScanTarget;
   readonly signal: AbortSignal;
   readonly onProgress: LoadProgressListener;
-  /** Not for scans that follow on another: there is a picture already. */
+  /** Not called for scans that follow another one: a picture is already there. */
   readonly onCoarse: CoarseListener;
 }
 
-/** Load the volume that a source has, or of several the target. */
+/** Load the volume of a source; of several scans, the requested one. */
 export async function openSource({ src, stack }: Source, host: SourceHost, opening: Opening): Promise<Volume> {
   const { wanted, signal, onProgress, onCoarse } = opening;
   const urls = src.trim().split(/\s+/);
@@ -48,7 +48,7 @@ export async function openSource({ src, stack }: Source, host: SourceHost, openi
     starting = startPlayer(times.map((time, index) => ({ url, index, time })), host, signal).then((one) => one.aim(wanted));
     starting.catch(() => {}); // It is awaited below.
   };
-  // A scan that fails leaves the others to be shown.
+  // If one scan fails, the others can still be shown.
   const [loaded] = await Promise.allSettled([host.load({ url, files, scan: wanted }, { signal, onProgress, onScans, onCoarse })]);
   const player = await (starting as Promise<ScanPlayer> | null);
   if (loaded.status === 'rejected') throw loaded.reason;
@@ -57,7 +57,7 @@ export async function openSource({ src, stack }: Source, host: SourceHost, openi
   return player.load(wanted, signal, onProgress);
 }
 
-/** What only sources with several scans need is loaded with the first of them. */
+/** The code for sources with several scans is loaded with the first such source. */
 async function startPlayer(sources: readonly ScanSource[], host: SourceHost, signal: AbortSignal): Promise<ScanPlayer> {
   const { ScanPlayer } = await loadPart(import('./scan-player.ts'), 'shows several scans');
   signal.throwIfAborted();

@@ -2,27 +2,27 @@ import { prefersLessMotion } from '../scenes/page-watcher.ts';
 import type { ScanPlayer } from './scan-player.ts';
 import { defaultPlaySpeed } from '../model/settings.ts';
 
-/** Somebody who waits until scans play. */
+/** A caller that waits until scans play. */
 interface Waiting {
   readonly resolve: () => void;
   readonly reject: (reason: DOMException) => void;
 }
 
 /**
- * Whether scans are gone through, as a person or a script wants it: state of the viewer, which outlives a source. It
- * speaks as media elements do.
+ * Whether scans play, as a person or a script wants it: state of the viewer, which stays when the source changes. It uses the
+ * words of media elements.
  */
 export class Playback {
   #player: ScanPlayer | null = null;
   #isOn = false;
   #speed = defaultPlaySpeed;
   #waiting: Waiting[] = [];
-  /** It plays as `autoplay` says so, and nobody asked for it since. */
+  /** It plays only because of `autoplay`: nobody has called for it since. */
   #byItself = false;
-  /** `autoplay` would have it play; a person has asked their system for less motion. */
+  /** `autoplay` would start it, but a person has asked their system for less motion. */
   #isHeld = false;
 
-  /** @param told - is told when it begins or ends */
+  /** @param told - called when playing starts or ends */
   constructor(readonly told: (event: 'play' | 'pause') => void) {}
 
   get paused(): boolean {
@@ -35,7 +35,7 @@ export class Playback {
     this.#apply();
   }
 
-  /** Begin to go through the scans, or do so once they are there. */
+  /** Start to play the scans, or play them once they are loaded. */
   start(): void {
     this.#byItself = this.#isHeld = false;
     if (this.#isOn) return;
@@ -44,7 +44,7 @@ export class Playback {
     this.told('play');
   }
 
-  /** The same, as `autoplay` asks for it and nobody else: not while a person wants less motion. */
+  /** The same, but only because of `autoplay`: not while a person wants less motion. */
   startByItself(): void {
     if (this.#isOn) return;
     this.#isHeld = prefersLessMotion();
@@ -53,7 +53,7 @@ export class Playback {
     this.#byItself = true;
   }
 
-  /** A person may want less motion, or no longer. @param autoplay - whether it may play by itself */
+  /** Called when a person may want less motion, or no longer. @param autoplay - whether it may start without a call */
   motionChanged(autoplay: boolean): void {
     if (this.#isHeld && autoplay) this.startByItself();
     else if (this.#byItself && prefersLessMotion()) {
@@ -62,7 +62,10 @@ export class Playback {
     }
   }
 
-  /** The same; resolves when scans play. @throws {DOMException} `AbortError` where it is paused before, `NotSupportedError` where there is one scan at most */
+  /**
+   * The same as `start`; resolves when scans play. @throws {DOMException} `AbortError` where it is paused before that,
+   * `NotSupportedError` where there is at most one scan
+   */
   play(): Promise<void> {
     this.start();
     if (this.#player) return Promise.resolve();
@@ -78,7 +81,7 @@ export class Playback {
     this.told('pause');
   }
 
-  /** A source with several scans is open. @param autoplay - whether it plays by itself */
+  /** A source with several scans is open. @param autoplay - whether it may start without a call */
   follow(player: ScanPlayer, autoplay: boolean): void {
     this.#player = player;
     if (autoplay) this.startByItself();
@@ -86,13 +89,13 @@ export class Playback {
     for (const { resolve } of this.#waiting.splice(0)) resolve();
   }
 
-  /** Another source is wanted. */
+  /** Another source was requested. */
   forget(): void {
     this.#player = null;
     this.#isHeld = false;
   }
 
-  /** There are no scans to go through: the source has one, or did not come. */
+  /** There are no scans to play: the source has only one, or failed to load. */
   giveUp(): void {
     this.#refuse(new DOMException('play() got one scan at most; expected a source of several', 'NotSupportedError'));
     this.pause();

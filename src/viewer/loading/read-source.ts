@@ -5,13 +5,13 @@ import { longest } from '../../volume/grid-limits.ts';
 import type { GivenSource } from '../model/given-source.ts';
 import { invalid, isNumber, parseLength, parseNumbers, parseWord, split } from '../model/parse-attributes.ts';
 
-/** How a file is to be read. What is undefined follows from the file. */
+/** How to read a file. What is undefined follows from the file. */
 export type SourceSettings = Omit<LoadRequest, 'url' | 'files' | 'scan' | 'limits' | 'maxBytes'>;
 
-/** Metres and degrees that are no radar's. */
+/** Metres and degrees above this can't belong to a radar. */
 const farthest = 1e9;
 
-/** As many as a radar file may have. */
+/** The number of sweeps that a radar file may have. */
 const maxSweeps = 4096;
 
 /** @throws {VolumeViewError} `attribute/invalid` */
@@ -32,14 +32,14 @@ export function readSource(given: GivenSource): SourceSettings {
   };
 }
 
-/** `x y z`, none zero; a negative one turns its axis round, for slices that run from head to feet, say. */
+/** `x y z`, none zero; a negative one reverses its axis, for instance for slices that run from head to feet. */
 function parseSpacing(text: string): Vector3 {
   const spacing = parseNumbers('spacing', text, 3);
   if (!spacing.every((s) => Math.abs(s) >= 1 / longest && Math.abs(s) <= longest)) throw invalid('spacing', text, 'three lengths that are not zero');
   return spacing as unknown as Vector3;
 }
 
-/** Nothing, a value, or the word for not at all. */
+/** Empty for `auto`, a value, or `none` for no cleaning. */
 function parseClean(text: string): number | 'auto' | undefined {
   const word = text.trim().toLowerCase();
   if (word === '') return 'auto';
@@ -48,7 +48,7 @@ function parseClean(text: string): number | 'auto' | undefined {
   return Number(word);
 }
 
-/** A name, or nothing. */
+/** A name, or an empty text. */
 function parseName(name: string, text: string): string | undefined {
   if (text.length > 200) throw invalid(name, text, 'a name of at most 200 characters');
   return text.trim() || undefined;

@@ -2,7 +2,7 @@ import { VolumeViewError } from '../../core/errors.ts';
 import type { PolarVolume } from '../../volume/volume.ts';
 
 /**
- * Two moments of one scan can be read together where every gate of the one is one of the other.
+ * Check that two moments of one scan can be read together: every gate of one must also be a gate of the other.
  * @throws {VolumeViewError} `format/unsupported`
  */
 export function checkSameGates(over: PolarVolume, other: PolarVolume): void {

@@ -5,24 +5,24 @@ import type { Volume } from '../../volume/volume.ts';
 import { ScanSequence } from './scan-sequence.ts';
 import type { LoadScan, ScanSource } from './scan-sequence.ts';
 
-/** One of several scans, as pages are told of it. */
+/** One of several scans, as pages get it in events. */
 export interface TimeChangeDetail {
   /** Its number, from 0. */
   readonly index: number;
-  /** When it began, ISO 8601 in UTC; null where nobody says. */
+  /** When it began, ISO 8601 in UTC; null where it is not known. */
   readonly time: string | null;
-  /** Scans in all. */
+  /** Number of all scans. */
   readonly count: number;
 }
 
-/** What a player asks of its element, and tells it. */
+/** What a player needs of its element, and what it reports to it. */
 export interface ScanHost {
   readonly load: LoadScan;
-  /** Have another scan shown, by its number. */
+  /** Request that another scan is shown, by its number. */
   readonly go: (index: number) => void;
   /** Another scan is in the picture. */
   readonly shown: (scan: TimeChangeDetail) => void;
-  /** Times came to be known, or it waits for a scan, or no longer. */
+  /** Times became known, or the player started or stopped waiting for a scan. */
   readonly changed: () => void;
   /** All scans failed one after another: there is nothing to play. */
   readonly giveUp: () => void;
@@ -34,19 +34,19 @@ export interface PlaySettings {
   readonly speed: number;
 }
 
-/** A timer of more milliseconds than 31 bits hold ends at once. */
+/** A timer ends at once if its milliseconds need more than 31 bits. */
 const longestWaitMs = 2 ** 31 - 1;
 
-/** Which of several scans is shown, what is loaded before it is asked for, and when the next one is due. */
+/** Decides which of several scans is shown, what is loaded in advance, and when the next one is due. */
 export class ScanPlayer {
   readonly #sequence: ScanSequence;
   readonly #host: ScanHost;
   #settings: PlaySettings = { on: false, speed: 1 };
-  /** The scan that was asked for last. */
+  /** The scan that was requested last. */
   #target = 0;
   #shown: TimeChangeDetail | null = null;
   #waiting = false;
-  /** The scan that the viewer was given, and that is not in the picture yet. */
+  /** The scan that the viewer has got, but that is not in the picture yet. */
   #entering: number | null = null;
   #failures = 0;
   #lastChange = 0;
@@ -57,7 +57,7 @@ export class ScanPlayer {
     this.#host = host;
   }
 
-  /** When the scans began, as far as it is known by now. */
+  /** When the scans began, as far as it is known now. */
   get times(): (string | null)[] {
     return this.#sequence.times;
   }
@@ -67,7 +67,7 @@ export class ScanPlayer {
     return this.#shown;
   }
 
-  /** Whether a scan has been asked for and is not in the picture yet. */
+  /** Whether a scan has been requested and is not in the picture yet. */
   get waiting(): boolean {
     return this.#waiting;
   }
@@ -86,18 +86,18 @@ export class ScanPlayer {
     if (settings.on && !this.#waiting) void this.#loadAhead();
   }
 
-  /** The manifest that lists the scans is loading this one of them, or the one whose time has to be known first. */
+  /** The load of the manifest also loads this scan, or the one whose time must be known first. */
   aim(wanted: ScanTarget): this {
     this.#target = chooseScan(this.#sequence.knownTimes, wanted).index;
     return this;
   }
 
-  /** Take in the scan that came with the manifest. */
+  /** Keep the scan that was loaded with the manifest. */
   keep(volume: Volume): void {
     this.#sequence.keep(this.#target, volume);
   }
 
-  /** @param signal - aborted where something else is to be shown; the loads themselves are the sequence's */
+  /** @param signal - aborted where something else is to be shown; it does not stop the loads, which belong to the sequence */
   async load(wanted: ScanTarget, signal: AbortSignal, onProgress: LoadProgressListener): Promise<Volume> {
     clearTimeout(this.#timer);
     this.#entering = null;
@@ -110,7 +110,7 @@ export class ScanPlayer {
     return volume;
   }
 
-  /** The viewer has what was loaded, or that has failed. */
+  /** The viewer has got the loaded volume, or loading it has failed. */
   settled(done: boolean): void {
     if (done) {
       this.#entering = this.#target;
@@ -123,7 +123,7 @@ export class ScanPlayer {
     this.#schedule();
   }
 
-  /** A picture has been drawn of the volume that the viewer has. */
+  /** A picture of the viewer's present volume has been drawn. */
   drawn(): void {
     if (this.#entering === null) return;
     const index = this.#entering;
@@ -139,7 +139,7 @@ export class ScanPlayer {
     void this.#loadAhead();
   }
 
-  /** The element is gone: nothing goes on. */
+  /** The element is gone: stop everything. */
   stop(): void {
     clearTimeout(this.#timer);
     this.#sequence.stop();
@@ -162,7 +162,7 @@ export class ScanPlayer {
 
   async #loadAhead(): Promise<void> {
     await this.#sequence.prefetch(this.#settings.on);
-    this.#host.changed(); // Scans that are loaded have told their times.
+    this.#host.changed(); // The times of the loaded scans are now known.
   }
 
   #wait(waiting: boolean): void {

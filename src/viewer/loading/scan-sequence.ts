@@ -5,7 +5,7 @@ import type { LoadProgressListener, LoadRequest } from '../../formats/base/load-
 import type { Volume } from '../../volume/volume.ts';
 import { VolumeCache } from '../model/volume-cache.ts';
 
-/** One of several scans: a file of its own, or one that a manifest lists. */
+/** One of several scans: a file of its own, or an entry of a manifest. */
 export interface ScanSource {
   readonly url: string;
   /** Its number in the manifest. */
@@ -14,7 +14,7 @@ export interface ScanSource {
   readonly time?: string | null;
 }
 
-/** As many as a manifest may list. */
+/** The number of scans that a manifest may list. */
 const maxScans = 10_000;
 
 /** Loads one scan. */
@@ -29,8 +29,8 @@ interface RunningLoad {
 const ignore = (): void => {};
 
 /**
- * Scans, one after another in time: loaded when they are wanted, their neighbours ahead of that, and kept for a while. What
- * is neither wanted nor next to it is given up.
+ * Scans in the order of time. A scan is loaded when it is requested, its neighbours in advance, and all are kept for a while.
+ * Loading stops for scans that are neither requested nor next to the requested one.
  */
 export class ScanSequence {
   readonly #sources: readonly ScanSource[];
@@ -53,18 +53,18 @@ export class ScanSequence {
     return this.#sources.length;
   }
 
-  /** When the scans began, as far as it is known by now. */
+  /** When the scans began, as far as it is known now. */
   get times(): (string | null)[] {
     return this.#times.map((time) => time ?? null);
   }
 
-  /** The same, undefined for a scan that may yet tell. */
+  /** The same, with undefined for a scan whose time may still become known. */
   get knownTimes(): ScanTimes {
     return this.#times;
   }
 
   /**
-   * The number of the target scan. Scans are loaded where only they themselves know their times.
+   * The number of the target scan. Where only the scans themselves contain their times, scans are loaded for this.
    * @throws {VolumeViewError} `attribute/invalid`, and what loading throws
    */
   async find(wanted: ScanTarget, signal: AbortSignal): Promise<number> {
@@ -80,13 +80,16 @@ export class ScanSequence {
     return this.#cache.has(index);
   }
 
-  /** Take in a scan that has been loaded already. */
+  /** Keep a scan that has already been loaded. */
   keep(index: number, volume: Volume): void {
     this.#cache.set(index, volume);
     this.#times[index] ??= volume.radar?.time ?? null;
   }
 
-  /** A scan, from now on the wanted one; @throws {VolumeViewError} as loadVolume does, AbortError where another came to be wanted */
+  /**
+   * Load a scan, which is now the requested one; @throws {VolumeViewError} as loadVolume does, AbortError where another one was
+   * requested meanwhile
+   */
   async get(index: number, onProgress: LoadProgressListener = ignore): Promise<Volume> {
     this.#wanted = index;
     for (const [other, { controller }] of this.#running) if (!this.#isNear(other)) controller.abort();
@@ -94,7 +97,7 @@ export class ScanSequence {
   }
 
   /**
-   * Load the wanted scan's neighbours, the next one first, where memory has room for three such volumes.
+   * Load the neighbours of the requested scan, the next one first, where memory has room for three such volumes.
    * @param loops - whether the first one comes after the last
    */
   async prefetch(loops: boolean): Promise<void> {
@@ -104,15 +107,15 @@ export class ScanSequence {
     for (const neighbour of [wanted + 1, wanted - 1]) {
       const index = this.#wrap(neighbour);
       if (index !== neighbour && !loops) continue;
-      // What fails here is told when the scan is wanted.
+      // An error here is reported when the scan is requested.
       if (!this.#cache.has(index)) await this.#start(index).volume.catch(ignore);
       if (wanted !== this.#wanted) return;
     }
   }
 
-  /** Give up all loading. */
+  /** Stop all loading. */
   stop(): void {
-    this.#wanted = -2; // Nobody's neighbour: a prefetch that is under way ends.
+    this.#wanted = -2; // No scan is next to this number, so a running prefetch ends.
     for (const { controller } of this.#running.values()) controller.abort();
     this.#running.clear();
   }
@@ -141,7 +144,7 @@ export class ScanSequence {
     return volume;
   }
 
-  /** Whether a scan is the wanted one or next to it, the first being next to the last. */
+  /** Whether a scan is the requested one or next to it; the first scan is next to the last. */
   #isNear(index: number): boolean {
     return [-1, 0, 1].some((step) => this.#wrap(this.#wanted + step) === index);
   }

@@ -3,31 +3,31 @@ import type { LoadOptions } from '../../worker/load.ts';
 import type { CoarseListener, LoadProgressListener, LoadRequest } from '../../formats/base/load-request.ts';
 import type { Volume } from '../../volume/volume.ts';
 
-/** A volume on its way, and who is told of it. */
+/** A volume that is loading, and the listeners of this load. */
 interface Coming {
-  /** null where it can't be shared, or was given up; what is wrong with it is wrong for all who wait. */
+  /** null where it can't be shared, or was given up; an error concerns all who wait for it. */
   readonly volume: Promise<Volume | null>;
   readonly onProgress: Set<LoadProgressListener>;
   readonly onCoarse: Set<CoarseListener>;
 }
 
 /**
- * The volumes that the elements of a page show: what several of them show is loaded and held once, as browsers do it with
- * pictures. It is loaded anew for an element that asks for it again, and once no element shows it any more.
+ * The volumes that the elements of a page show. A volume that several elements show is loaded and stored once, as browsers do with
+ * images. It is loaded again for an element that requests it again, and when no element has shown it any longer.
  */
 export class SharedVolumes {
   readonly #shown = new Map<object, { readonly key: string; readonly volume: Volume }>();
   readonly #coming = new Map<string, Coming>();
-  /** Sources with several scans, of which each element shows its own. */
+  /** Sources with several scans: each element may show another scan, so they are not shared. */
   readonly #unshared = new Set<string>();
-  /** What each element got last: who asks for that again wants it anew. */
+  /** The last request of each element: an element that repeats it wants the volume loaded again. */
   readonly #given = new WeakMap<object, string>();
 
   constructor(readonly load: typeof loadVolume) {}
 
   /**
    * Load a volume, or take the one that another element shows or loads.
-   * @param element - who will show it, until it asks for another or is released
+   * @param element - the element that will show it, until it requests another volume or is released
    * @throws as loadVolume does
    */
   async get(element: object, request: LoadRequest, options: LoadOptions): Promise<Volume> {
@@ -43,7 +43,7 @@ export class SharedVolumes {
     return this.#unshared.has(key) ? volume : this.#hold(element, key, volume);
   }
 
-  /** An element shows nothing any more. */
+  /** An element no longer shows anything. */
   release(element: object): void {
     this.#shown.delete(element);
   }
@@ -75,7 +75,7 @@ export class SharedVolumes {
       if (options.signal.aborted || this.#unshared.has(key)) return null;
       throw error;
     });
-    volume.catch(() => {}); // Maybe nobody else waits.
+    volume.catch(() => {}); // Perhaps nobody else waits for it.
     const coming: Coming = { volume, onProgress, onCoarse };
     this.#coming.set(key, coming);
     try {
@@ -86,7 +86,7 @@ export class SharedVolumes {
   }
 }
 
-/** Wait for what another element loads, and be told of it. @throws the signal's reason */
+/** Wait for a volume that another element loads, and get its progress. @throws the signal's reason */
 async function join(coming: Coming, { signal, onProgress, onCoarse }: LoadOptions): Promise<Volume | null> {
   coming.onProgress.add(onProgress);
   if (onCoarse) coming.onCoarse.add(onCoarse);
@@ -113,5 +113,5 @@ async function unlessAborted<T>(work: Promise<T>, signal: AbortSignal): Promise<
   }
 }
 
-/** Those of this page. */
+/** The shared volumes of this page. */
 export const sharedVolumes = new SharedVolumes(loadVolume);
