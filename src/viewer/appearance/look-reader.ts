@@ -6,16 +6,16 @@ import { plainLook } from '../model/settings.ts';
 import type { Settings } from '../model/settings.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
-/** Who shows the look. */
+/** What the reader needs of its view. */
 export interface LookHost {
   readonly settings: Settings;
-  /** Whose children may be X3D's volume nodes. */
+  /** The element whose children may be X3D's volume nodes. */
   readonly user: { readonly host: Element };
-  /** What the present look is of; null where there is no volume. */
+  /** The volume of the present appearance; null where there is no volume. */
   readonly model: ScanModel | null;
-  /** Show the volume with another look. @param signal - aborted where a newer one is on its way */
+  /** Show the volume with another appearance. @param signal - aborted where a newer one is being read */
   wear(optics: VolumeOptics, signal: AbortSignal): Promise<void>;
-  /** The look is another one; null where there is no volume any more. */
+  /** The appearance has changed; null where there is no longer a volume. */
   lookChanged(optics: VolumeOptics | null): void;
   track(work: Promise<unknown>): void;
 }
@@ -26,25 +26,28 @@ export interface VolumeNodeReader {
   withVolumeNodes(host: LookHost, look: VolumeOptics, model: ScanModel): Promise<VolumeOptics>;
 }
 
-/** Finds out what volumes look like, by settings and volume; of several readings in a row the last one holds, however long each takes. */
+/**
+ * Reads the appearance of volumes from settings and volume; of several readings one after another the last one counts, however
+ * long each takes.
+ */
 export class LookReader {
   #current: VolumeOptics | null = null;
-  /** Of the reading under way. */
+  /** Stops the reading in progress. */
   #reading: AbortController | null = null;
   #isDue = false;
-  /** What reads X3D's volume nodes, once there are some. */
+  /** The code that reads X3D's volume nodes, once there are some. */
   declare nodes?: Promise<VolumeNodeReader>;
-  /** The transfer function of a volume that is labels, where its page says none. */
+  /** The transfer function of a volume that is itself labels, where its page gives none. */
   dress: { readonly transferFunction: TransferFunction } | null = null;
 
   constructor(readonly host: LookHost, readonly errors: ErrorBoard) {}
 
-  /** What the volume looks like; null before there is one. */
+  /** The appearance of the volume; null before there is one. */
   get current(): VolumeOptics | null {
     return this.#current;
   }
 
-  /** Read the settings anew and apply them. */
+  /** Read the settings again and apply them. */
   readAnew(): void {
     const { model } = this.host;
     this.interrupt();
@@ -62,13 +65,13 @@ export class LookReader {
     }));
   }
 
-  /** Read the settings anew when the load that is under way has ended. */
+  /** Read the settings again when the present load has ended. */
   readLater(): void {
     this.interrupt();
     this.#isDue = true;
   }
 
-  /** Another volume is about to be shown. A reading that is under way is done again afterwards. */
+  /** Another volume will be shown. A reading in progress is repeated afterwards. */
   interrupt(): void {
     if (!this.#reading) return;
     this.#reading.abort();
@@ -76,7 +79,7 @@ export class LookReader {
     this.#isDue = true;
   }
 
-  /** Read anew what has changed during a load. */
+  /** Read again what has changed during a load. */
   catchUp(): void {
     if (this.#isDue) this.readAnew();
   }
@@ -89,7 +92,7 @@ export class LookReader {
     return (await this.nodes)?.withVolumeNodes(this.host, optics, model) ?? optics;
   }
 
-  /** The look of a volume that is to be shown. Where it can't be read, the volume's own one, as the data are good. */
+  /** The appearance of a volume that will be shown. Where the settings can't be read, it is the volume's own, because the data are good. */
   async readFirst(model: ScanModel): Promise<VolumeOptics> {
     this.#isDue = false;
     try {
@@ -102,7 +105,7 @@ export class LookReader {
     }
   }
 
-  /** The volume wears a look, or is gone. */
+  /** The volume has this appearance now, or null where it is gone. */
   tell(optics: VolumeOptics | null): void {
     if (optics === this.#current) return;
     this.#current = optics;

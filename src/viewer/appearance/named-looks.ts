@@ -1,23 +1,23 @@
-// Looks by one word: loaded with the first page that names one.
+// Ready-made appearances with one-word names: loaded with the first page that names one.
 import { invalidAttribute } from '../../core/errors.ts';
 import { otsuBin } from '../../optics/transfer/window.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import type { LookSettings } from '../model/settings.ts';
 
-/** What a word says of a look. Stops and factor belong together: where an author writes stops, the factor is not used. */
+/** The settings behind a name. Stops and factor belong together: where an author writes stops, the factor is not used. */
 type NamedLook = Partial<Pick<LookSettings, 'transferFunction' | 'window' | 'opacityFactor' | 'projection' | 'shading'>>;
 
 /**
- * What values stand for, as far as a look depends on it. `intensity`: of no scale that is known, as in MRI. `scale`: each colour stands for a
- * value that is read from it, as in a radar scan, a map of statistics, or PET, or by what the file says; light would change what a colour means. `mask`: of two values.
- * `things`: labels.
+ * What the values mean, as far as an appearance depends on it. `intensity`: values without a known scale, as in MRI. `scale`: each
+ * colour stands for a value that people read from it, as in a radar scan, a map of statistics, or PET, or where the file says so;
+ * light would change what a colour means. `mask`: two values. `things`: labels.
  */
 type Kind = 'ct' | 'intensity' | 'mask' | 'scale' | 'things';
 
 /**
- * Words by what suits the data, in the order in which messages list them. A mean of values of both signs, or of a scale, is no X-ray; and between the
- * numbers of two labels there is no value that a ray could show.
+ * The names that suit each kind of data, in the order in which messages list them. A mean of values of both signs, or of a scale,
+ * is no X-ray; and between the numbers of two labels there is no value that a ray could show.
  */
 const words = {
   things: ['textbook', 'flat'],
@@ -29,7 +29,7 @@ const words = {
 
 type Word = (typeof words)['ct'][number];
 
-/** Opaque enough that light shows how the surface stands, and what is behind it does not shine through. */
+/** Opaque enough that light shows how a surface is inclined, and that nothing behind it shines through. */
 const looks: Readonly<Record<'ct' | 'intensity', Partial<Record<Word, (volume: ScanModel) => NamedLook>>>> = {
   ct: {
     textbook: () => boneLook,
@@ -48,7 +48,7 @@ const looks: Readonly<Record<'ct' | 'intensity', Partial<Record<Word, (volume: S
 const boneLook: NamedLook = { transferFunction: 'ct-bone', opacityFactor: 3, shading: 'lit' };
 
 /**
- * What an author says of a look, and what the word for it says beside that.
+ * The author's settings, completed by those of the named appearance.
  * @throws {VolumeViewError} `attribute/invalid`
  */
 export function applyNamedLook(settings: LookSettings, volume: ScanModel): LookSettings {
@@ -77,7 +77,7 @@ function lookOf(word: Word, kind: Kind, volume: ScanModel): NamedLook {
   return kind === 'mask' ? { opacityFactor: 3, shading: 'lit' } : {};
 }
 
-/** Why a word that exists is not for these data. */
+/** Why an existing name does not suit these data. */
 function explain(word: string): string {
   const others: readonly string[] = words.ct;
   if (!others.includes(word)) return '';
@@ -94,10 +94,13 @@ function kindOf(volume: ScanModel): Kind {
   return volume.histogram.counts.filter(Boolean).length === 2 ? 'mask' : 'scale';
 }
 
-/** Rays through the middle of what is scanned have a mean so far above air, as a share of what tissue has: there is some air on their way. */
+/** The mean of rays through the middle of the scanned object, above air, as a share of the mean of tissue: they also cross some air. */
 const middleRays = 0.8;
 
-/** From air, which in a CT has a value of its own, to the mean of rays through the middle. A scanner writes values below air where it has not scanned. */
+/**
+ * From air, which in a CT has a value of its own, to the mean of rays through the middle. A scanner writes values below air where
+ * it has not scanned.
+ */
 function windowOfMeans(volume: ScanModel): readonly [number, number] {
   const { low, high, counts } = volume.histogram;
   const from = kindOf(volume) === 'ct' ? Math.max(low, -1000) : low;
@@ -114,7 +117,10 @@ function windowOfMeans(volume: ScanModel): readonly [number, number] {
   return to > from ? [from, to] : volume.range;
 }
 
-/** So few voxels are brighter than white in a projection of the largest values, of which each ray has a chance to meet some. */
+/**
+ * The share of voxels that are brighter than white in a projection of the largest values. It is small, because each ray may meet
+ * some of them.
+ */
 const beyondWhite = 0.001;
 
 /** From where tissue begins to where nearly all values end. */

@@ -6,7 +6,7 @@ import type { TransferFunction } from '../../optics/transfer/transfer-function.t
 import type { Volume } from '../../volume/volume.ts';
 import { parseFactor, parseWindow, parseWord } from '../model/parse-attributes.ts';
 
-/** What an author says of a layer's look: texts as they stand in HTML, null where absent. */
+/** What an author says of a layer's appearance: texts as the HTML has them, null where absent. */
 export interface OverlayWords {
   readonly transferFunction: string | null;
   readonly valueWindow: string | null;
@@ -14,7 +14,7 @@ export interface OverlayWords {
   readonly opacityFactor: string | null;
 }
 
-/** What a layer looks like. */
+/** The appearance of a layer. */
 export interface OverlayLook {
   readonly transferFunction: TransferFunction;
   /** Data values that presets and percentages span. */
@@ -23,10 +23,10 @@ export interface OverlayLook {
   readonly opacityFactor: number;
 }
 
-/** Of values of one sign, such as the uptake in a PET: little of it is clear, much of it glows. */
+/** For values of one sign, such as the uptake in a PET: small values are clear, large ones glow. */
 const glow = '0% #200404 0, 20% #5c0808 0, 45% #c82808 5%, 70% #fc8c14 16%, 100% #fff4b8 34%';
 
-/** Of values of both signs, such as t: what is near 0 is clear, so that what is under it is seen. */
+/** For values of both signs, such as t: values near 0 are clear, so that the volume below stays visible. */
 const bothSigns = '0% #d8f6ff 60%, 22% #3f9cf0 35%, 32% #1c50b8 14%, 38% #163a80 0, 62% #7a1a10 0, 68% #c83018 14%, 78% #f8702c 35%, 100% #fff2a0 60%';
 
 /** @throws {VolumeViewError} `attribute/invalid`, `transfer-function/syntax`, `format/unsupported` */

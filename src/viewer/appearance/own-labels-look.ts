@@ -3,7 +3,10 @@ import type { TransferFunction } from '../../optics/transfer/transfer-function.t
 import { ghost } from '../model/view-labels.ts';
 import type { LabelEntry } from '../model/view-labels.ts';
 
-/** The transfer function of a volume that is labels itself: each value its colour, and none of what has no label. Null where there is no label. */
+/**
+ * The transfer function of a volume that is itself labels: a colour for each value, and nothing for places without a label. Null
+ * where there is no label.
+ */
 export function ownLabelsLook(entries: readonly LabelEntry[]): TransferFunction | null {
   const rising = entries.slice(1);
   if (rising.length === 0) return null;

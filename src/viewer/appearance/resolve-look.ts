@@ -10,17 +10,17 @@ import type { ScanModel } from '../model/scan-model.ts';
 import type { LookSettings } from '../model/settings.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
-/** Data may go as far as numbers do, as where 1.8e308 stands for none: a window does not. */
+/** Data may be as large as numbers can be, for instance where 1.8e308 stands for "no data": a window may not. */
 const widest = 0.9 * largestValue;
 
-/** The transfer function that a volume has where its page says none. */
+/** The transfer function of a volume whose page gives none. */
 export async function suggestedOf({ transferFunction, ids, named }: Pick<ScanModel, 'transferFunction' | 'ids' | 'named'>): Promise<string | TransferFunction> {
   if (transferFunction || !ids) return transferFunction ?? defaultPreset;
   return (await loadLabelStops()).plainLabelStops(ids, named);
 }
 
 /**
- * What a volume looks like: what the author says, else what its file says or its values suggest.
+ * The appearance of a volume: what the author says, else what its file says or its values suggest.
  * @throws {VolumeViewError} `transfer-function/syntax`, `attribute/invalid`
  */
 export async function resolveLook(said: LookSettings, volume: ScanModel): Promise<VolumeOptics> {
