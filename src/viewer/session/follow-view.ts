@@ -14,9 +14,10 @@ import type { VolumePresenter } from '../view/volume-presenter.ts';
 let colors: typeof ColorPart | null = null;
 
 /**
- * What of an element's attributes is followed where there is a picture, and loaded where it is used: clicks, checks, and the colours of another moment.
+ * Follow those attributes of an element that need a picture, and load the code for those in use: clicks, checks, and the colours
+ * of another moment.
  * @param presenter - of the element
- * @returns resolves when the picture is what they say
+ * @returns resolves when the picture agrees with the attributes
  */
 export async function follow(view: HTMLElement & Partial<PickedView & CheckedView & ColorPart.ColoredView & RotatingView & RefinedView & BlankPart.NotedView>, presenter: VolumePresenter): Promise<void> {
   followRefining(view as RefinedView, presenter);
@@ -25,26 +26,26 @@ export async function follow(view: HTMLElement & Partial<PickedView & CheckedVie
   if (view.colorMoment || colors) {
     const work = color(view as ColorPart.ColoredView, presenter);
     presenter.track(work);
-    // Each picture is an update of the element: waiting for the next one after each, there would be no end.
+    // Each picture updates the element: waiting for the next picture after each update would never end.
     if (await work) await presenter.viewer?.settled();
   }
   await Promise.all(follows);
 }
 
-/** The camera goes around by itself while the element has `auto-rotate`. Without that part the picture is what it is. */
+/** Turn the camera while the element has `auto-rotate`. If that part can't be loaded, the picture stays as it is. */
 async function followRotation(view: RotatingView, presenter: VolumePresenter): Promise<void> {
   const rotation = socketOf(view).last('rotation');
   if (rotation) rotation.follow();
   else if (view.autoRotate) await import('../view/auto-rotation.ts').then(({ rotate }) => rotate(view, presenter), console.warn);
 }
 
-/** A picture at rest that may show nothing says so. Without that part it is what it is. */
+/** Add a note to a picture at rest that may show nothing. If that part can't be loaded, there is no note. */
 async function followBlank(view: BlankPart.NotedView, presenter: VolumePresenter): Promise<void> {
   const { renderStats: stats } = view;
   if (stats?.converged && !stats.error?.rays) await import('../view/blank-note.ts').then(({ noteBlank }) => noteBlank(view, presenter), console.warn);
 }
 
-/** @returns whether the next picture is another one */
+/** @returns whether the next picture is different */
 async function color(view: ColorPart.ColoredView, { errors }: VolumePresenter): Promise<boolean> {
   try {
     colors ??= await loadPart(import('../attachments/color-moment.ts'), 'colours by another moment');

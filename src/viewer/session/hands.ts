@@ -1,4 +1,4 @@
-// What hands, and scripts on their behalf, do with a picture: loaded when there is one.
+// All that a person, or a script instead of a person, does with a picture: loaded with the first picture.
 export { CameraInput } from '../camera/camera-input.ts';
 export { checkIn } from '../picking/lazy-check.ts';
 export { follow } from './follow-view.ts';

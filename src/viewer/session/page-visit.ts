@@ -7,30 +7,30 @@ import type { ScenePlace } from '../scenes/scene-keeper.ts';
 import { Viewer } from '../view/viewer.ts';
 import type { ViewerListener } from '../view/viewer.ts';
 
-/** Where an element shows what, while it is in a page. */
+/** The parts of an element that a page connection uses. */
 export interface PagePlace {
-  /** Takes the mouse, fingers and keys. */
+  /** Receives mouse, touch and keyboard events. */
   readonly picture: HTMLElement;
-  /** Takes the canvas. */
+  /** Contains the canvas. */
   readonly container: Element;
 }
 
-/** What happens during a visit. */
+/** What a page connection reports. */
 export interface VisitListener extends ViewerListener {
-  /** The <volume-slice> children are others; X3D's volume nodes if `isLook`. */
+  /** The <volume-slice> children have changed; X3D's volume nodes if `isLook`. */
   slicesChanged(isLook?: boolean): void;
   /** A person wants less motion, or no longer. */
   motionChanged(): void;
 }
 
-/** What an element has only while it is in a page: a viewer, a person's hand on its camera, and an eye on the page. */
+/** What an element has only while it is in a page: a viewer, the input for its camera, and observers of the page. */
 export class PageVisit {
   readonly viewer: Viewer;
   readonly #watcher = new PageWatcher();
   #input: Hands.CameraInput | null = null;
-  /** null until there is a picture. */
+  /** The code for interaction; null until there is a picture. */
   hands: typeof Hands | null = null;
-  /** The last word on whether there are hands. */
+  /** Identifies the last call of `setControls`: an earlier one that is still loading has no effect. */
   #word = {};
 
   constructor(readonly picture: HTMLElement, place: ScenePlace, listener: VisitListener) {
@@ -40,12 +40,12 @@ export class PageVisit {
     this.#watcher.add(watchSlices(place.host, (isLook) => listener.slicesChanged(isLook)));
   }
 
-  /** Follow how near the element is to what a person sees. */
+  /** Watch how near the element is to the visible part of the page. */
   watch(presence: Presence): void {
     presence.watch(this.viewer.place.host, this.#watcher);
   }
 
-  /** Whether mouse, fingers and keys move the camera. @throws {VolumeViewError} `format/unsupported` */
+  /** Set whether mouse, touch and keys move the camera. @throws {VolumeViewError} `format/unsupported` */
   async setControls(on: boolean): Promise<void> {
     const { viewer } = this;
     const word = (this.#word = {});

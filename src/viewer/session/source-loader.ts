@@ -19,31 +19,31 @@ import type { Settings } from '../model/settings.ts';
 import { sharedVolumes } from '../loading/shared-volumes.ts';
 import type { VolumePresenter } from '../view/volume-presenter.ts';
 
-/** Volumes of fewer bytes than this are not made smaller where the GPU's memory is full: it would not help. */
+/** Volumes with fewer bytes than this are not made smaller where the GPU's memory is full: it would not help. */
 const minReduced = 2 ** 20;
 
-/** Who wants a source loaded. */
+/** What a loader needs of its view. */
 export interface LoaderHost {
   readonly settings: Settings;
-  /** Whether there is a page, in which something can be shown. */
+  /** Whether the element is in a page, where it can show something. */
   readonly inPage: boolean;
-  /** Whether it is near enough to be seen soon, asked for, or eager. */
+  /** Whether the element is near enough to be visible soon, a script waits for it, or it is eager. */
   readonly awake: boolean;
   readonly inSight: boolean;
   readonly scenes: SceneFactory;
-  /** No source is wanted any more, where there was one. */
+  /** The page has removed the source. */
   sourceGone(): void;
-  /** What can be seen of loading has changed. */
+  /** The visible state of loading has changed. */
   changed(): void;
-  /** The scans, what is known of their times, or whether they play is otherwise. */
+  /** The scans, their known times, or whether they play, has changed. */
   scansChanged(): void;
-  /** Something happened that pages can listen to. */
+  /** Send an event to the page. */
   emit(type: string, detail: unknown): void;
-  /** Work that a script that waits for the picture has to wait for. */
+  /** Add work that scripts wait for when they wait for the picture. */
   track(work: Promise<unknown>): void;
 }
 
-/** With whom a loader works. */
+/** The objects that a loader works with. */
 export interface LoaderParts {
   readonly presenter: VolumePresenter;
   readonly errors: ErrorBoard;
@@ -51,31 +51,31 @@ export interface LoaderParts {
 }
 
 /**
- * Loads what a source has: at once, or when the element comes near; anew and smaller where the GPU's memory is full; of
- * several scans the wanted one. A load gives up the one before.
+ * Loads the volume of a source: at once, or when the element comes near; again and smaller where the GPU's memory is full; of
+ * several scans the requested one. A new load stops the previous one.
  */
 export class SourceLoader {
   #scans: ScanPlayer | null = null;
   #isCurrent = false;
   #loading: AbortController | null = null;
-  /** What waits until the element comes near the visible part of the page, or a script asks for its picture. */
+  /** The work that waits until the element comes near the visible part of the page, or until a script requests its picture. */
   #putOff: (() => void) | null = null;
-  /** By the attribute `time`, or by a person since. */
+  /** From the attribute `time`, or from a later choice by a person. */
   #wanted: ScanTarget = { index: 0 };
   #progress: LoadProgress | null = null;
-  /** Bytes of samples that the GPU had memory for, as far as it is known. */
+  /** Bytes of samples that fit into the GPU's memory, as far as it is known. */
   #maxBytes = Infinity;
-  /** Settles when the coarse picture of a volume on its way is as good as there. */
+  /** Settles when the coarse picture of a loading volume is shown, or has failed. */
   #standIn: Promise<void> = Promise.resolve();
 
   constructor(readonly host: LoaderHost, readonly parts: LoaderParts) {}
 
-  /** Goes through several scans; null where the source is a single volume, or not open yet. */
+  /** The player of several scans; null where the source is a single volume, or not open yet. */
   get scans(): ScanPlayer | null {
     return this.#scans;
   }
 
-  /** Whether the volume is that of the present source, and not one that stays because there is none better. */
+  /** Whether the volume belongs to the present source; false if it is an old one that stays until a new one is there. */
   get isCurrent(): boolean {
     return this.#isCurrent;
   }
@@ -84,17 +84,17 @@ export class SourceLoader {
     return this.#loading !== null;
   }
 
-  /** Whether a load is under way or will be. */
+  /** Whether a load is running or waiting. */
   get isExpecting(): boolean {
     return this.#loading !== null || this.#putOff !== null;
   }
 
-  /** How far loading is, where a person should see it. */
+  /** The progress of loading, where a person should see it. */
   get progress(): LoadProgress | null {
     return this.#progress;
   }
 
-  /** Load the present source; whatever was loading is given up. */
+  /** Load the present source; a load in progress is stopped. */
   load(): void {
     this.#giveUp();
     this.#isCurrent = false;
@@ -114,7 +114,7 @@ export class SourceLoader {
       this.#putOff = () => this.load();
       return;
     }
-    this.host.scenes.warmUp(); // It comes while the data do.
+    this.host.scenes.warmUp(); // This code loads at the same time as the data.
     this.#readTime();
     this.#begin((wanted, signal, onProgress) => {
       this.#setProgress({ loaded: 0, total: 0, phase: 'fetch' });
@@ -122,16 +122,16 @@ export class SourceLoader {
     });
   }
 
-  /** Load what failed once more. */
+  /** Load again what failed. */
   reload(): void {
     if (!this.#scans) return this.load();
     this.parts.errors.clear('source');
     this.showWanted();
   }
 
-  /** Show the scan that the settings name. */
+  /** Show the scan of the settings. */
   showTime(): void {
-    if (!this.#scans && !this.#loading) return; // A source that will be loaded begins with it.
+    if (!this.#scans && !this.#loading) return; // A source that is loaded later starts with this time.
     const before = this.#wanted;
     this.#readTime();
     if (JSON.stringify(before) === JSON.stringify(this.#wanted)) this.#wanted = before;
@@ -145,7 +145,7 @@ export class SourceLoader {
     this.showWanted();
   }
 
-  /** Another one of several scans may be wanted. A source that is still being opened looks at its end. */
+  /** The requested scan may have changed. A source that is still opening checks this when it has opened. */
   showWanted(): void {
     const scans = this.#scans;
     if (!scans || !this.host.inPage) return;
@@ -153,7 +153,7 @@ export class SourceLoader {
     else this.#begin((wanted, signal, onProgress) => scans.load(wanted, signal, onProgress));
   }
 
-  /** The element came nearer or went away: what was put off is done now, or what is under way is put off. */
+  /** The element came nearer or went away: start the waiting work, or stop the load and let it wait. */
   followPresence(): void {
     if (this.host.awake) {
       const act = this.#putOff;
@@ -165,7 +165,7 @@ export class SourceLoader {
     }
   }
 
-  /** Nothing of it goes on. */
+  /** Stop all loading. */
   stop(): void {
     this.#giveUp();
     this.#scans?.stop();
@@ -177,7 +177,7 @@ export class SourceLoader {
     sharedVolumes.release(this);
   }
 
-  /** What was loading has failed. */
+  /** The load in progress has failed. */
   fail(): void {
     this.#loading = null;
     this.#setProgress(null);
@@ -195,7 +195,7 @@ export class SourceLoader {
     this.parts.errors.take('time', this.host.settings.time, (wanted) => (this.#wanted = wanted));
   }
 
-  /** Load a volume and show it; whatever was loading is given up, and the old picture stays meanwhile. */
+  /** Load a volume and show it; a load in progress is stopped, and the old picture stays meanwhile. */
   #begin(load: (wanted: ScanTarget, signal: AbortSignal, onProgress: LoadProgressListener) => Promise<Volume>): void {
     this.#giveUp();
     const controller = (this.#loading = new AbortController());
@@ -210,7 +210,7 @@ export class SourceLoader {
   }
 
   async #show(volume: Volume, signal: AbortSignal): Promise<void> {
-    await this.#standIn; // Or it might come later than what it stands in for.
+    await this.#standIn; // Else the coarse volume might be shown after the full one.
     signal.throwIfAborted();
     const { presenter } = this.parts;
     const optics = await presenter.show(volume, signal);
@@ -228,7 +228,7 @@ export class SourceLoader {
     if (wanted !== this.#wanted) this.showWanted();
   }
 
-  /** Load a volume anew that the GPU has no memory for, this time reduced to a quarter. */
+  /** Load a volume again that does not fit into the GPU's memory, now reduced to a quarter. */
   #loadSmaller(volume: Volume, error: unknown): void {
     const { byteLength } = volume.samples;
     const isTooLarge = error instanceof VolumeViewError && error.code === 'format/too-large';
@@ -259,11 +259,11 @@ export class SourceLoader {
     const reader = source && (await loadPart(import('../loading/read-source.ts'), 'reads attributes of the source'));
     options.signal.throwIfAborted();
     const limits = this.#askLimits();
-    limits.catch(() => {}); // Told by who waits for it, if anybody does.
+    limits.catch(() => {}); // The load that waits for it reports the error, if there is such a load.
     return sharedVolumes.get(this, { ...request, ...reader?.readSource(source!), limits, maxBytes: this.#maxBytes }, options);
   }
 
-  /** In a moment: a first context takes long, and the file is on its way meanwhile. */
+  /** After a moment: the first context takes long to create, and the file starts to load meanwhile. */
   async #askLimits(): Promise<DeviceLimits> {
     const maxBytes = this.#maxBytes;
     await new Promise((resolve) => setTimeout(resolve));
@@ -272,7 +272,7 @@ export class SourceLoader {
 
   #onProgress(progress: LoadProgress, signal: AbortSignal): void {
     if (signal.aborted) return;
-    // While scans play, nobody wants a bar to come and go with each of them.
+    // While scans play, a progress bar that comes and goes with each of them would disturb.
     if (!this.#scans || this.parts.playback.paused) this.#setProgress(progress);
     this.host.emit('progress', progress);
   }

@@ -20,22 +20,22 @@ import type { Viewer } from '../view/viewer.ts';
 import { VolumePresenter } from '../view/volume-presenter.ts';
 import type { PresenterHost } from '../view/volume-presenter.ts';
 
-/** What a session tells its element. */
+/** What a session reports to its element. */
 export interface SessionListener {
-  /** Progress, the shown error, the volume or whether there is a picture is otherwise. */
+  /** Progress, the shown error, the volume, or whether there is a picture, has changed. */
   changed(): void;
-  /** Something happened that pages can listen to. */
+  /** Send an event to the page. */
   emit(type: string, detail: unknown): void;
-  /** The words for a ring around a radar, see ViewerListener. */
+  /** Write the label of a ring around a radar, see ViewerListener. */
   labelRing: RingWriter;
-  /** Resolves when settings that were changed have been applied; null where none are on their way. */
+  /** Resolves when changed settings have been applied; null where none are pending. */
   settingsComing(): Promise<unknown> | null;
 }
 
 /**
- * All that a <volume-view> does, without the element: settings come in by `apply`, and go to those who load
- * (SourceLoader), bring volumes in with look and cuts (VolumePresenter), play (Playback) and draw (Viewer). What a person
- * does is their state; nothing is ever written back into the settings.
+ * All that a <volume-view> does, without the element: settings come in by `apply`, and go to the classes that load (SourceLoader),
+ * show volumes with appearance and cuts (VolumePresenter), play (Playback) and draw (Viewer). These classes keep the state that a
+ * person changes; nothing is ever written back into the settings.
  */
 export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, VisitListener {
   readonly errors = new ErrorBoard(this);
@@ -50,7 +50,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   #visit: PageVisit | null = null;
   #stats: RenderStats | null = null;
   #hasPicture = false;
-  /** Resolves when hands move the camera. */
+  /** Resolves when a person can move the camera. */
   #hands: Promise<void> | null = null;
   readonly #work = new PendingWork();
   readonly #presence = new Presence(() => this.#followPresence());
@@ -64,7 +64,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     return this.listener.labelRing(what);
   }
 
-  /** null before there is a picture. */
+  /** The code for interaction; null before there is a picture. */
   get hands(): PageVisit['hands'] {
     return this.#visit?.hands ?? null;
   }
@@ -74,7 +74,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     return this.#visit?.viewer ?? null;
   }
 
-  /** There are some once `apply` was called. */
+  /** Available after the first call of `apply`. */
   get settings(): Settings {
     return this.#settings!;
   }
@@ -84,7 +84,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     return this.#stats;
   }
 
-  /** Whether a picture stands in the page. */
+  /** Whether a picture is on the page. */
   get hasPicture(): boolean {
     return this.#hasPicture;
   }
@@ -105,7 +105,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     return time === undefined ? null : { index: 0, time, count: 1 };
   }
 
-  /** Go through the scans. @throws {DOMException} see Playback */
+  /** Play the scans. @throws {DOMException} see Playback */
   async play(): Promise<void> {
     const playing = this.playback.play();
     void this.#refuseToPlayNothing();
@@ -117,7 +117,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     if (!this.loader.scans && !this.loader.isExpecting) this.playback.giveUp();
   }
 
-  /** The settings may be others. @param placed - whether the camera is placed anew, be it where it was placed before */
+  /** Apply settings that may have changed. @param placed - whether to place the camera again, even at the same place as before */
   apply(settings: Settings, placed: boolean): void {
     const before = this.#settings;
     this.#settings = settings;
@@ -157,7 +157,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     this.playback.motionChanged(this.settings.autoplay);
   }
 
-  /** The element has left its page: nothing of it may go on or hold the GPU. */
+  /** The element has left its page: stop all work, and free the GPU. */
   leave(): void {
     this.loader.leave();
     this.#visit?.dispose();
@@ -191,7 +191,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     await this.viewer?.settled();
     await this.#hands;
     const { first } = this.errors;
-    if (first && first.code !== 'webgl/inaccurate') throw first; // There is a picture all the same.
+    if (first && first.code !== 'webgl/inaccurate') throw first; // With this error there is still a picture.
   }
 
   #workDone(): Promise<void> {
@@ -215,7 +215,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     else look.readAnew();
   }
 
-  /** Nobody can turn what is not there: the part that takes hands comes with the first picture. */
+  /** Without a picture there is nothing to turn: the code for interaction is loaded with the first picture. */
   #giveHands(): void {
     this.#hands = this.#visit!.setControls(this.settings.controls).then(() => this.hands?.follow(this.host, this.presenter), (error: unknown) => this.errors.report('camera', error));
   }
@@ -237,7 +237,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     this.scansChanged();
   }
 
-  // What those who work for it ask and tell.
+  // What the parts of the session need of it and report to it.
 
   get inPage(): boolean {
     return this.#visit !== null;
@@ -255,7 +255,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     return this.settings.src ?? '';
   }
 
-  /** Without a source there is no picture, as with an image; the poster is back. */
+  /** Without a source there is no picture, as with an image; the poster appears again. */
   sourceGone(): void {
     this.#stats = null;
     if (!this.#visit) return;
