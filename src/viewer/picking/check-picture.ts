@@ -1,4 +1,4 @@
-// Holds what the GPU draws against rays that are cast on the processor: loaded when somebody asks.
+// Compares what the GPU draws with rays that the CPU casts: loaded with the first check.
 import { loadPart } from '../../core/load-part.ts';
 import { castRay } from '../../optics/rays/cast-ray.ts';
 import { leastSubsteps } from '../../optics/cells/least-substeps.ts';
@@ -18,9 +18,10 @@ import { raysOfView } from './view-rays.ts';
 import type { Viewer } from '../view/viewer.ts';
 
 /**
- * Compare some rays of the picture at rest with the same rays in float64: the volume's own, which no shape ends. The page goes on meanwhile.
- * @returns null where the device can't tell, the picture shows nothing, or it is another one by then
- * @throws {VolumeViewError} `format/unsupported` where a part of the package is not there
+ * Compare some rays of the picture at rest with the same rays in float64: rays through the volume alone, which end at no shape.
+ * The page can work meanwhile.
+ * @returns null where the device can't do it, the picture shows nothing, or the picture has changed meanwhile
+ * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
  */
 export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null> {
   const { pictures: { parts: { keeper, loop, shown } }, frames } = viewer;
@@ -36,7 +37,7 @@ export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null>
     if (!rectangle) return null;
     scene.setSubsteps(substeps);
     const lattice = placeChecks(rectangle, Math.random);
-    // At once: others draw where this is drawn.
+    // Read at once: others draw into the same buffer.
     const drawn = scene.startProbe(stepLength, lattice, size, true)?.();
     if (!drawn) return null;
     const stages = rays.stages({ stepLength, maxSubsteps: substepsOf(scene, substeps), leastSubsteps: leastOf(scene, substeps.voxelsPerStep) });
@@ -50,10 +51,13 @@ export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null>
   });
 }
 
-/** Of a value, what float32 may round it by on its way through a shader. */
+/** The relative error that float32 may give a value on its way through a shader. */
 const digit = 2 ** -20;
 
-/** The same rays among values whose last digits are others, here and there otherwise. @param digits - 0 for the values themselves */
+/**
+ * The same rays among values with changed last digits; the change varies from place to place. @param digits - 0 for the unchanged
+ * values
+ */
 function withDigits(stages: RayStages, { range }: Volume, digits: number): RayStages {
   if (digits === 0) return stages;
   const most = digit * Math.max(...range.map(Math.abs));
@@ -65,12 +69,12 @@ function withDigits(stages: RayStages, { range }: Volume, digits: number): RaySt
   return { ...stages, field: { ...field, sampleAt } };
 }
 
-/** The most substeps of a step. A projection is exact where steps are cut in any way. */
+/** The maximum number of substeps in a step. A projection is exact however its steps are cut. */
 function substepsOf({ cutsSteps }: Scene, substeps: Substeps): number {
   return !cutsSteps && isCut(substeps) ? maxSubsteps : substeps.most;
 }
 
-/** What cells say of steps; they have no say where an author gives steps, and in projections. */
+/** The minimum substeps that cells require; cells require none where an author gives steps, and in projections. */
 function leastOf(scene: Scene, voxelsPerStep: number): RayStages['leastSubsteps'] {
   const codes = scene.cutsSteps ? scene.detail() : null;
   const seen = scene.whatIsSeen();

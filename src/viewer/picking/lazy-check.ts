@@ -13,7 +13,7 @@ export async function checkIn(viewer: Viewer | null): Promise<PictureCheck | nul
   return viewer && checkPicture(viewer);
 }
 
-/** Have the pictures of an element checked while it has `self-check`. */
+/** Check the pictures of an element while it has `self-check`. */
 export async function followChecks(view: HTMLElement & Partial<CheckedView>, presenter: VolumePresenter): Promise<void> {
   if (!view.selfCheck && !part) return;
   try {

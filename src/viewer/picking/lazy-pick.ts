@@ -9,7 +9,7 @@ export async function pickIn(viewer: Viewer | null, place: readonly [x: number, 
   return pick(viewer, place, options);
 }
 
-/** Have clicks on an element fire `volume-pick` where it is `pickable`. Without that part the picture is what it is. */
+/** Let clicks on an element fire `volume-pick` where it is `pickable`. If that part can't be loaded, the picture stays as it is. */
 export async function followClicks(view: HTMLElement & Partial<PickedView>): Promise<void> {
   if (!view.pickable) return;
   await import('./pick-clicks.ts').then(({ clicksOn }) => clicksOn(view as PickedView), console.warn);

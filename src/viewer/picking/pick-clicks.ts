@@ -2,7 +2,7 @@
 import { placeInElement } from '../../page/pointer-place.ts';
 import type { VolumePick } from '../model/volume-pick.ts';
 
-/** An element in which somebody points at something. */
+/** An element in which a person points at something. */
 export interface PickedView extends HTMLElement {
   readonly pickable: boolean;
   pick(x: number, y: number): Promise<VolumePick | null>;
@@ -10,18 +10,18 @@ export interface PickedView extends HTMLElement {
 
 type Place = readonly [x: number, y: number];
 
-/** A press that goes farther than this is a drag, CSS pixels. Fingers do not turn the picture before that either. */
+/** A press that moves at least this far is a drag, CSS pixels. Touches do not turn the picture before that either. */
 const slop = { mouse: 3, touch: 6 };
 
-/** One for each element, however many copies of the script the page has. */
+/** One object for each element, however many copies of the script the page has. */
 const key = Symbol.for('volume-view.clicks');
 
-/** The clicks on an element. They pick while it is `pickable`, or somebody holds them. */
+/** The clicks on an element. They pick while it is `pickable`, or while another object needs them. */
 export function clicksOn(view: PickedView & { [key]?: PickClicks }): PickClicks {
   return (view[key] ??= new PickClicks(view));
 }
 
-/** Whether something happens on the picture itself, and not on a control over it. */
+/** Whether an event is on the picture itself, and not on a control over it. */
 export function isOnPicture(event: Event): boolean {
   return event.composedPath().some((part) => part instanceof Element && part.matches('.picture'));
 }
@@ -29,7 +29,7 @@ export function isOnPicture(event: Event): boolean {
 /** See `clicksOn`. */
 export class PickClicks {
   #holders = 0;
-  /** Where the press began that has not become a drag. */
+  /** Where the present press began; null if it has become a drag. */
   #press: Place | null = null;
 
   constructor(readonly view: PickedView) {
@@ -48,19 +48,19 @@ export class PickClicks {
     });
   }
 
-  /** Let clicks pick. @returns how to stop */
+  /** Let clicks pick. @returns a function that ends it */
   hold(): () => void {
     this.#holders++;
     return () => void this.#holders--;
   }
 
-  /** Tell the page what is at a place. */
+  /** Notify the page what is at a place. */
   async fire([x, y]: Place): Promise<void> {
     try {
       const detail = await this.view.pick(x, y);
       this.view.dispatchEvent(new CustomEvent('volume-pick', { detail }));
     } catch (error) {
-      console.warn(error); // A part of the package is not there.
+      console.warn(error); // A part of the package could not be loaded.
     }
   }
 }

@@ -8,7 +8,7 @@ import type { ViewOverlay } from '../model/view-overlay.ts';
 import type { VolumePick } from '../model/volume-pick.ts';
 
 /**
- * The label at a place, and what it is called; nothing where there is none.
+ * The label at a place, and its name; nothing where there is no label.
  * @param place - in the unit cube
  */
 export function labelOf(labels: ViewLabels | null, place: Vector3, { label }: VolumePick, volume: Volume): Pick<VolumePick, 'label' | 'labelName'> {
@@ -17,19 +17,19 @@ export function labelOf(labels: ViewLabels | null, place: Vector3, { label }: Vo
   return { ...(id === null ? {} : { label: String(id) }), ...(labelName === null ? {} : { labelName }) };
 }
 
-/** What the layer over a volume has at a place; nothing where there is none over it. @param place - in the unit cube */
+/** The value of the layer over a volume at a place; nothing where no layer is over it. @param place - in the unit cube */
 export function layersAt(overlay: ViewOverlay | null, place: Vector3, volume: Volume): Pick<VolumePick, 'layers'> {
   if (!overlay?.isOver(volume)) return {};
   const { name, shown: { volume: { unit } } } = overlay;
   return { layers: [{ name, value: overlay.valueAt(place), unit }] };
 }
 
-/** Whether labels are on a volume's grid: another one may have come meanwhile. */
+/** Whether labels are on a volume's grid: another volume may have come meanwhile. */
 export function isOn({ map }: ShownLabels, { grid }: Volume): boolean {
   return grid.kind === 'cartesian' && String(map.dimensions) === String(grid.dimensions);
 }
 
-/** null for what has no label. */
+/** null for a place without a label. */
 function idAt({ map: { numbers, dimensions, ids } }: ShownLabels, place: Vector3): number | null {
   const number = voteOfCorners(numbers, dimensions, place);
   return number === 0 ? null : ids[number];

@@ -1,4 +1,4 @@
-// What a pick needs of a radar's volume: loaded with the first pick in one.
+// Describes places in a radar's volume: loaded with the first pick in one.
 import { nearestGate } from '../../radar/interpolate-polar.ts';
 import { placeOnEarth } from '../../radar/place-on-earth.ts';
 import { localToBeam, unitToLocal } from '../../radar/polar-geometry.ts';
@@ -8,7 +8,7 @@ import type { PolarVolume } from '../../volume/volume.ts';
 import type { RadarGate, RadarPlace } from '../model/volume-pick.ts';
 
 /**
- * What a radar knows of a place.
+ * A place as the radar sees it, and the value there.
  * @param place - in the unit cube
  * @returns null where no gate around it has data
  */
@@ -18,7 +18,7 @@ export function describeRadar(volume: PolarVolume, place: Vector3): { value: num
   return index < 0 ? null : { value: slope * samples[index] + intercept, place: { ...describePlace(volume, place), gate: gateOf(grid, index) } };
 }
 
-/** Where a radar sees a place, whether it has data there or not. @param place - in the unit cube */
+/** A place as the radar sees it, whether it has data there or not. @param place - in the unit cube */
 export function describePlace({ grid, radar }: PolarVolume, place: Vector3): Omit<RadarPlace, 'gate'> {
   const local = unitToLocal(grid.box, place);
   const { latitude, longitude, height } = radar?.site ?? {};
@@ -27,7 +27,7 @@ export function describePlace({ grid, radar }: PolarVolume, place: Vector3): Omi
   return { ...localToBeam(local, grid.earthRadius), heightAboveAntenna: local[2], heightAboveSea: height === undefined ? null : height + local[2], ...below };
 }
 
-/** @param index - among the samples */
+/** @param index - of a sample */
 function gateOf({ sweeps }: PolarGrid, index: number): RadarGate {
   const sweep = sweeps.findIndex(({ offset, azimuths, gates }) => index >= offset && index < offset + azimuths.length * gates);
   const { offset, gates, azimuths, elevation, elevations, firstGate, gateLength } = sweeps[sweep];

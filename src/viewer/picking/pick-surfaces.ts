@@ -1,4 +1,4 @@
-// Surfaces that somebody points at: loaded with the first pick where there are some.
+// Picks surfaces: loaded with the first pick where there are some.
 import type { FieldStage, IntervalStage } from '../../optics/rays/ray-stages.ts';
 import type { Ray } from '../../optics/rays/rays.ts';
 import { TriangleTree } from '../../optics/surfaces/triangle-tree.ts';
@@ -18,36 +18,36 @@ import { nearestVoxel } from './pick-voxel.ts';
 import { readAuthorPlanes } from '../cuts/read-clips.ts';
 import type { RadarPlace, VolumePick } from '../model/volume-pick.ts';
 
-/** Where a ray meets a surface. */
+/** The place where a ray meets a surface. */
 export interface SurfaceHit {
   readonly element: Element;
   /** In the unit cube. */
   readonly place: Vector3;
-  /** Of the ray. */
+  /** Parameter along the ray. */
   readonly t: number;
   readonly color: Color;
 }
 
-/** A ray's end at a surface, and whether a place on it is that end. */
+/** The end of a ray at a surface, and whether a picked place is that end. */
 export interface SurfaceEnd {
   readonly hit: SurfaceHit;
-  /** As slices do, the surface stands behind what is before it. */
+  /** The surface is behind the matter in front of it, as slices are. */
   readonly stage: IntervalStage;
-  /** @param place - that a pick found, in the unit cube */
+  /** @param place - the result of a pick, in the unit cube */
   isPicked(ray: Ray, place: Vector3): boolean;
 }
 
-/** Made with the first ray that needs it. */
+/** Made with the first ray that needs them. */
 const trees = new WeakMap<SurfacePart, TriangleTree>();
 
-/** More than rounding of a t. */
+/** Larger than the rounding of a t. */
 const slack = 1e-9;
 
 /**
  * Where a ray ends at the surfaces of an element.
- * @param toWorld - from the unit cube in which the ray runs
- * @param eyeT - t at which it begins
- * @returns null where it meets none
+ * @param toWorld - from the unit cube, in which the ray is given
+ * @param eyeT - t at which the ray begins
+ * @returns null where the ray meets no surface
  */
 export function endAtSurface(host: Element, ray: Ray, toWorld: Matrix4, eyeT: number): SurfaceEnd | null {
   const met = meetSurfaces(host, { origin: transformPoint(toWorld, ray.point), direction: transformDirection(toWorld, ray.direction) }, eyeT);
@@ -59,7 +59,7 @@ export function endAtSurface(host: Element, ray: Ray, toWorld: Matrix4, eyeT: nu
     hit,
     stage: (_, interval) => {
       const { entry, exit } = interval;
-      // Beside the volume a ray runs through nothing; a slice may stand before the surface.
+      // Outside the volume a ray meets nothing; a slice may be in front of the surface.
       if (entry < exit && exit < hit.t && interval.behind) return interval;
       end = entry < exit ? Math.min(exit, hit.t) : entry;
       return { ...interval, exit: end, behind };
@@ -71,7 +71,7 @@ export function endAtSurface(host: Element, ray: Ray, toWorld: Matrix4, eyeT: nu
   };
 }
 
-/** The nearest place at which a ray meets what is kept of an element's surfaces. */
+/** The nearest place at which a ray meets the parts of an element's surfaces that are not cut away. */
 function meetSurfaces(host: Element, ray: WorldRay, from: number): Omit<SurfaceHit, 'place'> | null {
   const author = { kept: readAuthorPlanes(host), removed: null };
   let nearest: Omit<SurfaceHit, 'place'> | null = null;
@@ -79,7 +79,7 @@ function meetSurfaces(host: Element, ray: WorldRay, from: number): Omit<SurfaceH
     if (!element || !shown) continue;
     const cuts = shown.cut ? [author, shown.cut.away] : [author];
     const isThere = (t: number): boolean => cuts.every((cut) => isKept(cut, add(ray.origin, scale(ray.direction, t))));
-    // Trees of what is left would have to be made again after each cut.
+    // These trees are of the whole surface: trees of the cut one would have to be built again after each cut.
     for (const part of (shown.cut?.whole ?? shown.surface).parts) {
       const t = treeOf(part).meet(ray, from).find(isThere);
       if (t !== undefined && !(nearest && nearest.t <= t)) nearest = { element, t, color: colorOf(shown) };
@@ -88,7 +88,7 @@ function meetSurfaces(host: Element, ray: WorldRay, from: number): Omit<SurfaceH
   return nearest;
 }
 
-/** What is told of a place on a surface: of the volume there too, where that has data. */
+/** Describe a place on a surface, with the value of the volume there, where the volume has data. */
 export function describeSurface(volume: Volume, { element, place, color }: SurfaceHit, field: FieldStage, describePlace?: (volume: PolarVolume, place: Vector3) => Omit<RadarPlace, 'gate'>): VolumePick {
   const isInside = place.every((x) => x >= 0 && x <= 1);
   const sampled = isInside ? field.sampleAt(place).value : Number.NaN;
@@ -113,7 +113,7 @@ function treeOf(part: SurfacePart): TriangleTree {
   return tree;
 }
 
-/** Of a surface of many colours the first: a pick's is that of a thing, not of a place. */
+/** The colour of a surface; of several colours the first: a pick describes the surface as a whole, not the place. */
 function colorOf({ surface, color, usesOwnColors }: ShownSurface): Color {
   const own = usesOwnColors ? surface.parts[0].colors : null;
   return own ? [own[0], own[1], own[2]] : color;

@@ -9,9 +9,9 @@ export interface Voxel {
 }
 
 /**
- * Of the eight voxels around a place the nearest one that has data.
+ * The nearest of the eight voxels around a place that have data.
  * @param place - in the unit cube
- * @returns null where none has any
+ * @returns null where none of them has data
  */
 export function nearestVoxel(volume: Pick<Volume, 'grid' | 'samples' | 'slope' | 'intercept' | 'ids' | 'indexed'>, place: Vector3): Voxel | null {
   const { grid: { dimensions }, samples, indexed } = volume;
@@ -24,10 +24,10 @@ export function nearestVoxel(volume: Pick<Volume, 'grid' | 'samples' | 'slope' |
     const weight = inside.reduce((product, p, axis) => product * (upper[axis] ? p - Math.floor(p) : 1 - (p - Math.floor(p))), 1);
     const at = index[0] + dimensions[0] * (index[1] + dimensions[1] * index[2]);
     const stored = samples[at];
-    // In the middle between two it is the upper one, as where labels are looked up.
+    // In the middle between two voxels it is the upper one, as in the look-up of labels.
     if (!Number.isFinite(stored) || weight === 0 || weight < most) continue;
     most = weight;
-    // What float32 rounds is told as it is in the file.
+    // A value that float32 rounds is reported as the file has it.
     nearest = { index, value: indexed ? indexed.ids[indexed.samples[at]] : valueOf(volume, stored) };
   }
   return nearest;

@@ -1,4 +1,4 @@
-// What is at a place of a picture: loaded when somebody asks.
+// Finds what is at a place of a picture: loaded with the first pick.
 import { loadPart } from '../../core/load-part.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import { groupOf } from '../../optics/attachments/labels.ts';
@@ -20,14 +20,14 @@ import type { ViewRays } from './view-rays.ts';
 import type { Viewer } from '../view/viewer.ts';
 import type { PickOptions, RadarPlace, VolumePick } from '../model/volume-pick.ts';
 
-/** A ray has no more steps than this, each of which may be cut into substeps. */
+/** Maximum number of steps of a ray; each of them may be cut into substeps. */
 const mostSteps = 1500;
 
 /**
- * What is at a place of the picture that stands in the page.
+ * What is at a place of the picture that is on the page.
  * @param place - CSS pixels from the left and top edge of the picture
- * @returns null where nothing shows, outside the picture, and before there is one
- * @throws {VolumeViewError} `format/unsupported` where a part of the package is not there
+ * @returns null where nothing is visible, outside the picture, and before there is a picture
+ * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
  */
 export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y: number], options?: PickOptions | null): Promise<VolumePick | null> {
   const at = pickPlaces.find((one) => one === options?.at) ?? 'jump';
@@ -57,20 +57,20 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   return described && { ...described, ...labelOf(labels, found.place, described, volume), ...beside };
 }
 
-/** What is known of a place beside the place itself. */
+/** What is known about a place, in addition to the place itself. */
 interface Known {
   readonly interpolated: number;
-  /** Of the label there, or of the volume. Brightened. */
+  /** The transfer function of the label there, or of the volume. Brightened. */
   readonly colors: TransferFunction;
   readonly radar: { readonly value: number; readonly place: RadarPlace } | null;
-  /** Whether a layer shows there what is its own. */
+  /** Whether a layer has a value of its own there. */
   readonly hasLayer: boolean;
 }
 
 function describe({ volume, optics }: ViewRays, { place, color, surface }: RayPick, { interpolated, colors, radar, hasLayer }: Known): VolumePick | null {
   const hasData = !Number.isNaN(interpolated);
   const voxel = radar || !hasData || isPolar(volume) ? null : nearestVoxel(volume, place);
-  // Of labels what the picture shows there, which need not be the nearest voxel's.
+  // For labels: what the picture shows there, which may differ from the nearest voxel.
   const shown = volume.ids ? volume.ids[interpolated] : interpolated;
   const value = radar?.value ?? (volume.isDiscrete ? shown : (voxel?.value ?? NaN));
   if ((Number.isNaN(value) || !hasData) && !hasLayer) return null;

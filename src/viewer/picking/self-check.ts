@@ -1,16 +1,16 @@
-// Checks each picture at rest of an element with `self-check`: loaded with the first of them.
+// Checks each picture at rest of an element that has `self-check`: loaded with the first such element.
 import { VolumeViewError } from '../../core/errors.ts';
 import type { PictureCheck } from '../../quality/compare-rays.ts';
 import { checkPicture } from './check-picture.ts';
 import type { RenderStats } from '../model/render-stats.ts';
 import type { VolumePresenter } from '../view/volume-presenter.ts';
 
-/** An element whose pictures may be checked. */
+/** An element whose pictures can be checked. */
 export interface CheckedView extends HTMLElement {
   readonly selfCheck: boolean;
 }
 
-/** One for each element, however many copies of the script the page has. */
+/** One checker for each element, however many copies of the script the page has. */
 const key = Symbol.for('volume-view.self-check');
 
 /** Check the pictures of an element while it has `self-check`. */
@@ -28,7 +28,7 @@ class SelfCheck {
     });
   }
 
-  /** Without a picture at rest there is nothing to check, and the next one will be. */
+  /** Start a check. Without a picture at rest there is nothing to check; the next such picture will be checked. */
   start(): void {
     if (!this.view.selfCheck) this.presenter.errors.clear('check');
     else if (!this.#isChecking) void this.#check();

@@ -1,4 +1,4 @@
-// The rays of a viewer's picture in plain float64: loaded when somebody points at it, or checks it.
+// The rays of a viewer's picture in plain float64: loaded with the first pick or check.
 import { viewMatrix } from '../../optics/rays/camera.ts';
 import type { RayStages } from '../../optics/rays/ray-stages.ts';
 import { setUpRays } from '../../optics/rays/rays.ts';
@@ -12,14 +12,14 @@ import { isOn } from './pick-label.ts';
 import type { Viewer } from '../view/viewer.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
-/** What a viewer shows, and the rays of its picture. Meshes and other shapes end none of them. */
+/** What a viewer shows, and the rays of its picture. No ray ends at a mesh or another shape. */
 export interface ViewRays {
   readonly volume: Volume;
   readonly optics: VolumeOptics;
   readonly setup: RaySetup;
   /** Brightened. */
   readonly transferFunction: TransferFunction;
-  /** Brightened: of groups of labels, from 1. */
+  /** Brightened: the functions of groups of labels, from 1. */
   readonly functions: readonly TransferFunction[];
   /** Whether surfaces of values are shown. */
   readonly hasSurfaces: boolean;
@@ -27,15 +27,15 @@ export interface ViewRays {
 }
 
 /**
- * @param placesOnly - whether only places and opacities matter, which light leaves as they are
- * @param looks - whether rays look for what is opaque at once, as in pictures at rest
- * @returns null before there is a picture, and where a coarser volume stands for what is on its way
- * @throws {VolumeViewError} `format/unsupported` where a part of the package is not there
+ * @param placesOnly - whether only places and opacities matter: light does not change them
+ * @param looks - whether rays look for opaque matter at once, as in pictures at rest
+ * @returns null before there is a picture, and while a coarser volume is shown in place of one that is loading
+ * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
  */
 export async function raysOfView(viewer: Viewer, { placesOnly, looks = true }: { readonly placesOnly: boolean; readonly looks?: boolean }): Promise<ViewRays | null> {
   const { volume, optics, drawn, pictures: { parts: { keeper, shown: { labels } } } } = viewer;
   const twins = keeper.twins(looks);
-  // What stands for a larger volume until that is there has none of its voxels.
+  // The coarse volume that is shown until a larger one is loaded has other voxels.
   if (!volume || !optics || !drawn || volume.coarse || twins?.volume !== volume) return null;
   const setup = setUpView(viewer, volume);
   if (!setup) return null;
@@ -53,18 +53,18 @@ export async function raysOfView(viewer: Viewer, { placesOnly, looks = true }: {
   };
 }
 
-/** The rays of the picture: those of the scene, or else of where its camera stood when it went. */
+/** The rays of the picture: those of the scene, or, where the scene is gone, those of its last camera. */
 function setUpView({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }: Volume): RaySetup | null {
   const { region } = parts.shown.cuts;
   const view = parts.keeper.scene?.getView();
   if (view) return setUpRays(grid, view.view, view.projection, region);
   const { camera } = rig;
   const reach = 1 / Math.tan(camera.fieldOfView / 2);
-  // Where rays run does not depend on how depth is written.
+  // The depth part of the projection does not change the path of rays.
   return setUpRays(grid, viewMatrix(camera), [(reach * host.clientHeight) / host.clientWidth, 0, 0, 0, 0, reach, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0], region);
 }
 
-/** Neither values that are projected nor labels have surfaces. */
+/** Whether surfaces of values are visible: there are none in projections, and none of labels. */
 function showsSurfaces({ isDiscrete }: Volume, { projection, surfaces }: VolumeOptics): boolean {
   return surfaces !== null && !projection && !isDiscrete;
 }
