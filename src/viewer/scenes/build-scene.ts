@@ -5,25 +5,25 @@ import type { ViewSocket } from '../model/view-socket.ts';
 import { styleOf } from '../model/volume-info.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
-/** What is to be in a scene; it may change while the scene is built. */
+/** What a scene must contain; it may change while the scene is built. */
 export interface SceneContents {
-  /** There is one as long as a scene is wanted. */
+  /** Not null as long as a scene is needed. */
   readonly volume: Volume | null;
-  /** As the volume. */
+  /** Not null as long as a scene is needed. */
   readonly optics: VolumeOptics | null;
-  /** What else is in it. */
+  /** The parts that also belong into the scene. */
   readonly socket: Pick<ViewSocket, 'version' | 'applyTo'>;
-  /** Whether no scene is wanted any more. */
+  /** Whether a scene is no longer needed. */
   readonly givenUp: boolean;
 }
 
-/** Contexts that may be lost while a volume is on its way into them, until it is given up. */
+/** The number of contexts that may be lost while a volume is put into them; after that, building is given up. */
 const maxLost = 3;
 
 /**
- * Make a scene and bring the volume into it. Where the context is lost meanwhile, another one is made.
- * @param comes - whether the volume, which may be on its way, comes after all; it may do something with the scene meanwhile
- * @param put - takes the scene as soon as all is in it; never called where it is no longer wanted
+ * Make a scene and put the volume into it. If the context is lost meanwhile, make another scene.
+ * @param comes - resolves with whether the volume, which may still be loading, has come; it may use the scene meanwhile
+ * @param put - gets the scene as soon as it is complete; never called if the scene is no longer needed
  * @throws {VolumeViewError} `webgl/context-lost`, and what making a scene throws
  */
 export async function buildScene(create: () => Promise<Scene>, contents: SceneContents, comes: (scene: Scene) => Promise<boolean>, put: (scene: Scene) => void): Promise<void> {
@@ -41,7 +41,7 @@ export async function buildScene(create: () => Promise<Scene>, contents: SceneCo
   throw contextLost();
 }
 
-/** @returns whether the scene was put, with the volume and what its optics need, whichever they are in the end; not where the context was lost */
+/** @returns whether `put` got the scene, with the latest volume and what its optics need; false where the context was lost */
 async function fillScene(scene: Scene, contents: SceneContents, put: (scene: Scene) => void): Promise<boolean> {
   const { socket } = contents;
   for (;;) {
@@ -53,12 +53,12 @@ async function fillScene(scene: Scene, contents: SceneContents, put: (scene: Sce
     const isSame = volume === contents.volume && optics === contents.optics && version === socket.version;
     if (!contents.givenUp && !isSame) continue;
     const isReady = isThere && !contents.givenUp;
-    if (isReady) put(scene); // At once: a moment later there may be another volume, of which nobody would tell it.
+    if (isReady) put(scene); // At once: a moment later there may be another volume, and nobody would report it to the scene.
     return isReady;
   }
 }
 
-/** The error for a context that went away and did not come back. */
+/** The error of a context that was lost and did not come back. */
 export function contextLost(cause?: unknown): VolumeViewError {
   return new VolumeViewError('webgl/context-lost', 'The graphics driver stopped and did not come back. Reload the page.', { cause });
 }

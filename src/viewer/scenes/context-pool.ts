@@ -1,41 +1,41 @@
-/** What a viewer would do with a context: nothing, be ready for a hand, draw what is not yet right, or follow a hand. */
+/** How a viewer would use a context: not at all, be ready for interaction, draw a picture that is not final, or follow an interaction. */
 export type Need = 'none' | 'ready' | 'picture' | 'hand';
 
-/** Who draws with a WebGL context, of which a page may have only so many at once. */
+/** A user of a WebGL context. A page may have only a limited number of contexts at once. */
 export interface ContextHolder {
   /** Whether it is in the visible part of the page. */
   readonly inSight: boolean;
   /** Whether a script waits for its picture. */
   readonly asked: boolean;
-  /** Whether it may hold a context at all: what is far from the visible part, and asked for by nobody, may not. */
+  /** Whether it may hold a context at all: false if it is far from the visible part and no script waits for it. */
   readonly mayHold: boolean;
   readonly need: Need;
-  /** Whether it can't leave at this moment. */
+  /** Whether it can't give its context back at this moment. */
   readonly busy: boolean;
   /** It may have a context from now on. */
   enter(): void;
-  /** It has to give its context back: another one needs it. */
+  /** It must give its context back: another user needs it. */
   leave(): void;
 }
 
-/** Browsers allow 16 contexts in a page, 8 on phones; beyond that they take the oldest one away. Others may want some too. */
+/** Browsers allow 16 contexts in a page, 8 on phones; above that they remove the oldest one. Other scripts may need some too. */
 export const maxContexts = 6;
 
-/** As long as something moves, and others wait, it gets turns of this length, ms. */
+/** While several users move and others wait, each gets turns of this length, ms. */
 const turnMs = 2000;
 
 const urgency: Readonly<Record<Need, number>> = { none: 0, ready: 1, picture: 2, hand: 3 };
 
 /**
- * Which of a page's viewers have a WebGL context. Those in sight come first, and never leave for one that is not; among them
- * those under a hand, then those whose picture is not right yet, in the order in which they came. A context is given
- * back by whoever has drawn its picture, the one that drew longest ago first. Of those out of sight that a script waits for,
- * one may have a context beyond the others', so that it need not wait for what is in sight.
+ * Decides which of a page's viewers have a WebGL context. Visible ones come first, and never lose it to one that is not visible;
+ * among them come first those in interaction, then those whose picture is not final, in the order in which they came. Viewers
+ * whose picture is drawn give their context back, the one that drew longest ago first. One viewer that is not visible, but that a
+ * script waits for, may have an extra context, so that it does not have to wait for the visible ones.
  */
 export class ContextPool {
-  /** In the order in which they are served. */
+  /** In the order in which they get a context. */
   readonly #candidates = new Set<ContextHolder>();
-  /** Since when each holds its context; the one that drew longest ago first. */
+  /** Since when each holder has its context; the one that drew longest ago comes first. */
   readonly #holders = new Map<ContextHolder, number>();
   #planned = false;
 
@@ -46,7 +46,7 @@ export class ContextPool {
     this.review();
   }
 
-  /** Whoever leaves the page has given back its context already. */
+  /** Called when a viewer leaves the page: it has already given its context back. */
   remove(candidate: ContextHolder): void {
     this.#candidates.delete(candidate);
     this.release(candidate);
@@ -67,7 +67,7 @@ export class ContextPool {
     this.review();
   }
 
-  /** Something is otherwise with somebody: see soon who gets a context. */
+  /** The state of a viewer has changed: decide soon which viewers get a context. */
   review(): void {
     if (this.#planned) return;
     this.#planned = true;
@@ -124,7 +124,7 @@ export class ContextPool {
 /** The contexts of this page. */
 export const contextPool = new ContextPool(maxContexts);
 
-/** Whether its picture is right, and no hand is on it. */
+/** Whether its picture is final, and nobody interacts with it. */
 function isIdle({ need }: ContextHolder): boolean {
   return urgency[need] < urgency.picture;
 }

@@ -1,25 +1,25 @@
-/** What a frame loop draws. */
+/** What a frame loop needs of its owner. */
 export interface FrameHost {
   /** Whether there is a scene to draw. */
   readonly canDraw: boolean;
-  /** Whether a picture is wanted, and nothing is known that stands in its way. */
+  /** Whether a picture is needed, and no known obstacle prevents it. */
   readonly wantsPicture: boolean;
-  /** Whether the camera has not yet arrived. */
+  /** Whether the camera is still moving to its place. */
   readonly moving: boolean;
-  /** Whether the scene moves by itself, maybe for ever. */
+  /** Whether the scene moves by itself, perhaps for ever. */
   readonly animating: boolean;
-  /** A frame is due, and there is no scene. */
+  /** Called when a frame is due and there is no scene. */
   askForScene(): void;
-  /** Bring the camera to where it is so many ms after the last frame. */
+  /** Move the camera to its place at this time after the last frame, ms. */
   advance(elapsedMs: number): void;
-  /** Draw one frame. @returns whether another has to follow, though nothing changes */
+  /** Draw one frame. @returns whether another must follow, even if nothing changes */
   draw(time: number): Promise<boolean>;
   failed(error: unknown): void;
-  /** A frame is over, drawn or failed. */
+  /** Called after each frame, drawn or failed. */
   drew(): void;
 }
 
-/** When frames of the page come. */
+/** Schedules frames of the page. */
 export interface FrameClock {
   request(callback: (time: number) => void): number;
   cancel(frame: number): void;
@@ -30,15 +30,15 @@ const pageClock: FrameClock = {
   cancel: (frame) => cancelAnimationFrame(frame),
 };
 
-/** Rests between frames that are longer than this are rests, not time that the camera has to make up for. */
+/** If the time between two frames is longer than this, nothing moved meanwhile: the camera does not have to catch up. */
 const longestStepMs = 100;
 
-/** What a frame after a rest takes to have passed, ms. */
+/** The assumed time before the first frame after a rest, ms. */
 const usualStepMs = 16;
 
 /**
- * Decides when a frame is due: after a change, and for as long as something moves or a better picture is to follow. One is
- * drawn at a time. At rest there is no frame and no timer.
+ * Decides when a frame is due: after a change, and as long as something moves or a better picture must follow. It draws one frame
+ * at a time. At rest there is no frame and no timer.
  */
 export class FrameLoop {
   #frame = 0;
@@ -50,17 +50,17 @@ export class FrameLoop {
 
   constructor(readonly host: FrameHost, readonly clock: FrameClock = pageClock) {}
 
-  /** Whether something changed since the last picture was begun. */
+  /** Whether something has changed since the last picture was started. */
   get dirty(): boolean {
     return this.#dirty;
   }
 
-  /** Settles when the picture that is being drawn is there; null where none is. */
+  /** Settles when the picture in progress is drawn; null where there is none. */
   get drawing(): Promise<void> | null {
     return this.#drawing;
   }
 
-  /** Whether the last picture is not the last word on what is to be seen. */
+  /** Whether the last picture is not final. */
   get unfinished(): boolean {
     return this.#dirty || this.#drawing !== null || this.host.moving || this.host.animating;
   }
@@ -71,13 +71,13 @@ export class FrameLoop {
     this.#goOn();
   }
 
-  /** Draw in the next frame, unless one is being drawn: that is followed by the next where it has to be. */
+  /** Draw in the next frame, unless a picture is in progress: it starts the next one itself where necessary. */
   plan(): void {
     if (this.#frame !== 0 || this.#drawing || !this.host.canDraw || this.#ended) return;
     this.#frame = this.clock.request((time) => void this.#onFrame(time));
   }
 
-  /** A picture is begun: it shows all changes until now. */
+  /** Called when a picture is started: it shows all changes until now. */
   takeChanges(): void {
     this.#dirty = false;
   }
@@ -92,10 +92,10 @@ export class FrameLoop {
     }
   }
 
-  /** Resolves when the picture is final: nothing moves, nothing changed since; at once where none is to come. */
+  /** Resolves when the picture is final: nothing moves, and nothing has changed since; at once where no picture will come. */
   async settled(): Promise<void> {
     while (!this.#ended && this.host.wantsPicture && (this.#dirty || this.#drawing || this.host.moving)) {
-      this.#goOn(); // Without a change, which would begin what is being drawn anew.
+      this.#goOn(); // Without marking a change, which would restart the picture in progress.
       await this.change();
     }
   }
@@ -105,12 +105,12 @@ export class FrameLoop {
     return new Promise((resolve) => this.#waiting.push(resolve));
   }
 
-  /** Whoever waits has to look again. */
+  /** Let all waiting callers check again. */
   wake(): void {
     for (const resolve of this.#waiting.splice(0)) resolve();
   }
 
-  /** The scene goes away. What was not right yet is drawn in the next one. */
+  /** The scene goes away. What was not final yet is drawn in the next scene. */
   rest(): void {
     if (this.unfinished) this.#dirty = true;
     this.clock.cancel(this.#frame);
@@ -118,7 +118,7 @@ export class FrameLoop {
     this.#lastTime = 0;
   }
 
-  /** Nothing is drawn any more. */
+  /** Stop drawing for good. */
   end(): void {
     this.#ended = true;
     this.rest();
@@ -129,7 +129,7 @@ export class FrameLoop {
     this.#frame = 0;
     this.host.advance(this.#lastTime ? Math.min(time - this.#lastTime, longestStepMs) : usualStepMs);
     this.#lastTime = time;
-    this.#dirty = false; // First: what can't be drawn is not tried again until something changes.
+    this.#dirty = false; // First: after a failure, drawing is tried again only when something changes.
     let again = false;
     try {
       again = await this.#hold(this.host.draw(time));
@@ -137,7 +137,7 @@ export class FrameLoop {
       this.host.failed(error);
     }
     if (this.#ended) return;
-    // What moves by itself, maybe for ever, is no change that somebody could wait for.
+    // A scene that moves by itself, perhaps for ever, is no change that callers could wait for.
     if (this.host.animating && !this.host.moving && !this.#dirty) this.#goOn();
     else if (again || this.host.moving || this.#dirty) this.request();
     else this.#lastTime = 0;

@@ -5,11 +5,11 @@ export function prefersLessMotion(): boolean {
   return matchMedia(lessMotion).matches;
 }
 
-/** Watches what of a page makes an element draw or load: its size, the screen's pixels, and whether it is seen. */
+/** Watches what makes an element draw or load: its size, the screen's pixels, and its visibility. */
 export class PageWatcher {
   readonly #observers: { disconnect(): void }[] = [];
 
-  /** Call back when the element has another size, in CSS pixels or in the screen's. */
+  /** Call `changed` when the element has another size, in CSS pixels or in device pixels. */
   watchSize(element: Element, changed: () => void): void {
     const resize = new ResizeObserver(changed);
     resize.observe(element);
@@ -18,8 +18,8 @@ export class PageWatcher {
   }
 
   /**
-   * Call back when the element comes into the visible part of the page, or leaves it.
-   * @param margin - how far around that part still counts, CSS; where there is nothing to observe with, all is in sight
+   * Call `changed` when the element comes into the visible part of the page, or leaves it.
+   * @param margin - how far around that part still counts, CSS; a browser without the observer reports all as visible
    */
   watchSight(element: Element, margin: string, changed: (inSight: boolean) => void): void {
     if (typeof IntersectionObserver === 'undefined') return changed(true);
@@ -28,7 +28,7 @@ export class PageWatcher {
     this.#observers.push(observer);
   }
 
-  /** Call back when a person wants less motion, or no longer. */
+  /** Call `changed` when a person wants less motion, or no longer. */
   watchMotion(changed: () => void): void {
     const query = matchMedia(lessMotion);
     query.addEventListener('change', changed);
@@ -42,7 +42,7 @@ export class PageWatcher {
     this.#observers.push({ disconnect: () => abort.abort() });
   }
 
-  /** Let another observer end with these. */
+  /** Disconnect another observer together with these. */
   add(observer: { disconnect(): void }): void {
     this.#observers.push(observer);
   }
@@ -51,7 +51,7 @@ export class PageWatcher {
     for (const observer of this.#observers.splice(0)) observer.disconnect();
   }
 
-  /** A window dragged to another screen, or zoomed, has other pixels at the same size. */
+  /** A window that is moved to another screen, or zoomed, has other pixels at the same size. */
   #watchPixelRatio(changed: () => void): void {
     const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
     const listener = (): void => {

@@ -1,47 +1,50 @@
 import type { PageWatcher } from './page-watcher.ts';
 
-/** How far beyond the visible part of the page an element is still near it: in screens, up, down and to the sides. */
+/** The margin around the visible part of the page in which an element is still near it: in screens, up, down and to the sides. */
 const nearMargin = '50%';
 
-/** How near an element is to what a person sees of the page, whether a hand is on it, and whether a script waits for it. */
+/**
+ * The visibility of an element: how near it is to the visible part of the page, whether a person interacts with it, and whether a
+ * script waits for it.
+ */
 export class Presence {
   #near = false;
-  /** Whether it is known where the element is. */
+  /** Whether the place of the element is known. */
   #isPlaced = false;
   #inSight = false;
   #hovered = false;
   #focused = false;
   #asks = 0;
 
-  /** @param changed - called whenever one of these may be otherwise */
+  /** @param changed - called whenever one of these may have changed */
   constructor(readonly changed: () => void) {}
 
-  /** In the visible part of the page. */
+  /** Whether it is in the visible part of the page. */
   get inSight(): boolean {
     return this.#inSight;
   }
 
-  /** In sight, with the mouse over it or the focus in it. */
+  /** Whether it is visible, with the mouse over it or the focus in it. */
   get inHand(): boolean {
     return this.#inSight && (this.#hovered || this.#focused);
   }
 
-  /** A script waits for its picture. */
+  /** Whether a script waits for its picture. */
   get asked(): boolean {
     return this.#asks > 0;
   }
 
-  /** Near enough to be seen soon, or asked for. */
+  /** Whether it is near enough to be visible soon, or a script waits for it. */
   get awake(): boolean {
     return this.#near || this.asked;
   }
 
-  /** Where it is may not be known yet: whoever has drawn meanwhile need not give that up. */
+  /** Also true while its place is not known yet: an element that has drawn by then need not give up its context. */
   get mayBeNear(): boolean {
     return this.awake || !this.#isPlaced;
   }
 
-  /** Follow an element for as long as the watcher does. */
+  /** Watch an element as long as the watcher works. */
   watch(element: HTMLElement, watcher: PageWatcher): void {
     this.#near = this.#isPlaced = this.#inSight = this.#hovered = this.#focused = false;
     watcher.watchSight(element, nearMargin, (near) => this.#tell(() => {
@@ -57,7 +60,7 @@ export class Presence {
     });
   }
 
-  /** Do something that needs the element's picture, wherever the element is. */
+  /** Do some work that needs the element's picture, wherever the element is. */
   async ask<T>(work: () => Promise<T>): Promise<T> {
     this.#tell(() => this.#asks++);
     try {

@@ -9,7 +9,7 @@ import type { RayTwins } from '../../renderer/ray/ray-twin.ts';
 import type { Scene, SceneFactory } from '../model/scene.ts';
 import { Snapshot } from './snapshot.ts';
 
-/** Where a scene is in the page. */
+/** The place of a scene in the page. */
 export interface ScenePlace {
   /** The element whose X3D children join the scene. */
   readonly host: HTMLElement;
@@ -19,45 +19,45 @@ export interface ScenePlace {
   readonly scenes: SceneFactory;
 }
 
-/** Who needs a scene. */
+/** What a scene keeper needs of its owner. */
 export interface SceneUser extends SceneContents {
-  /** Whether it is known what to draw. */
+  /** Whether the volume and its appearance are known. */
   readonly ready: boolean;
   readonly loop: FrameLoop;
-  /** A scene that is not in use yet has the volume: give it the rest. */
+  /** Apply the rest to a scene that has the volume but is not in use yet. */
   furnish(scene: Scene): void;
-  /** It is in use now. */
+  /** The scene is in use now. */
   entered(scene: Scene): void;
   /** Something in the scene changed. */
   sceneChanged(scene: Scene): void;
-  /** Something changed that a scene would show, were there one. */
+  /** Something changed that must be drawn; there may be no scene at the moment. */
   invalidate(): void;
   failed(error: unknown): void;
 }
 
 /**
- * Holds a scene, and with it a WebGL context, while it is a holder of the page's context pool. Without one, its last
- * picture stands there as a snapshot. A context that is lost is replaced.
+ * Holds a scene, and with it a WebGL context, while it is a holder of the page's context pool. Without a scene, a snapshot of the
+ * last picture is on the page. A lost context is replaced.
  */
 export class SceneKeeper implements ContextHolder {
   #scene: Scene | null = null;
   #lastTwins: RayTwins | null = null;
   #isBuilding = false;
-  /** One after the other. */
+  /** Scenes are built one after the other. */
   #built: Promise<void> = Promise.resolve();
-  /** What to draw is on its way. */
+  /** Whether a volume is loading. */
   #expecting = false;
-  /** There is a scene, and nothing yet to put into it: looks again whether there is. */
+  /** While a scene waits for its contents: lets it check again whether they have come. */
   #lookAgain: (() => void) | null = null;
-  /** What is to be done with a scene that has nothing to show yet. */
+  /** Work to do with a scene that has nothing to show yet. */
   #rehearsal: ((scene: Scene) => Promise<void>) | null = null;
-  /** Others need the context of a scene that has nothing to show. */
+  /** Whether the context was given up because others need it. */
   #gaveWay = false;
-  /** Why there is no scene, until something changes. */
+  /** Why there is no scene; null again when something changes. */
   #failure: { readonly error: unknown } | null = null;
-  /** The scene has drawn nothing yet. */
+  /** Whether the scene has drawn nothing yet. */
   #isNew = false;
-  /** Work under way that needs the scene. */
+  /** The number of running tasks that need the scene. */
   #pins = 0;
   #disposed = false;
   readonly #snapshot: Snapshot;
@@ -74,12 +74,15 @@ export class SceneKeeper implements ContextHolder {
     return this.#scene;
   }
 
-  /** The rays of the picture that stands there, in float64: of the scene, or of the one before it. @param looks - as in `Scene.twins`, of the present scene */
+  /**
+   * The rays of the picture on the page, in float64: from the scene, or from the one before it. @param looks - as in
+   * `Scene.twins`, for the present scene
+   */
   twins(looks: boolean): RayTwins | null {
     return this.#scene?.twins(looks) ?? this.#lastTwins;
   }
 
-  /** Whether there is no scene, and there will be none until something changes. */
+  /** Whether there is no scene, and none will be built until something changes. */
   get hasFailed(): boolean {
     return this.#failure !== null;
   }
@@ -103,7 +106,7 @@ export class SceneKeeper implements ContextHolder {
 
   get need(): Need {
     if (!this.mayHold) return 'none';
-    if (!this.user.ready) return 'ready'; // It takes the context of nobody who has something to show.
+    if (!this.user.ready) return 'ready'; // It takes no context from viewers that have something to show.
     if (this.place.presence.inHand) return 'hand';
     if (this.#pins > 0 || this.user.loop.unfinished) return 'picture';
     return this.inSight ? 'ready' : 'none';
@@ -124,36 +127,36 @@ export class SceneKeeper implements ContextHolder {
     if (!this.#scene) return;
     if (!this.#isNew) this.#snapshot.keep(this.#scene.canvas);
     this.#takeDown();
-    // Nobody else sees now what the author does with the X3D elements.
+    // Without a scene, only this observer notices changes of the author's X3D elements.
     this.#authorWatch.observe(this.place.host, { childList: true, subtree: true, attributes: true });
   }
 
-  /** Something changed, with which a scene may come about that failed before. */
+  /** Something changed: a scene that could not be built may work now. */
   forgive(): void {
     this.#failure = null;
   }
 
-  /** What to draw is on its way, for which a scene can be made ready; or it is no more. */
+  /** A volume is loading, so that a scene can be prepared for it; or it no longer is. */
   expect(isComing: boolean): void {
     if (this.#expecting === isComing) return;
     this.#expecting = isComing;
     this.review();
   }
 
-  /** Do something with a scene that waits for what to draw; nothing where none does. */
+  /** Do some work with a scene that waits for its contents; nothing where no scene waits. */
   rehearse(act: (scene: Scene) => Promise<void>): void {
     if (!this.#isBuilding || this.user.ready) return;
     this.#rehearsal = act;
     this.#lookAgain?.();
   }
 
-  /** Something may be otherwise with the need for a scene. */
+  /** The need for a scene may have changed. */
   review(): void {
     this.#lookAgain?.();
     contextPool.review();
   }
 
-  /** The scene's own picture stands there. */
+  /** The scene's own picture is on the page. */
   hasDrawn(): void {
     this.#isNew = false;
     this.#snapshot.remove();
@@ -164,7 +167,7 @@ export class SceneKeeper implements ContextHolder {
     contextPool.drew(this);
   }
 
-  /** Do something with the scene, which stays meanwhile. @throws where there is no scene, and none will come */
+  /** Do some work with the scene, which stays until the work ends. @throws where there is no scene, and none will come */
   async withScene<T>(work: (scene: Scene) => Promise<T>): Promise<T> {
     const { loop } = this.user;
     this.#pins++;
@@ -182,7 +185,7 @@ export class SceneKeeper implements ContextHolder {
     }
   }
 
-  /** Give the context and the GPU's memory back. */
+  /** Give back the context and the GPU's memory. */
   dispose(): void {
     this.#disposed = true;
     this.#lookAgain?.();
@@ -196,14 +199,14 @@ export class SceneKeeper implements ContextHolder {
     this.user.loop.rest();
     const scene = this.#scene;
     this.#lastTwins = (!this.#disposed && scene?.twins(true)) || null;
-    this.#scene = null; // First, as being taken down is a change that no frame should follow.
+    this.#scene = null; // First: taking down changes the scene, and no frame should follow.
     scene?.dispose();
   }
 
-  /** @param explain - what an error that has no words of its own means here */
+  /** @param explain - turns an error without a message for users into one for this case */
   async #build(explain: (error: unknown) => unknown): Promise<void> {
     const { host, container, scenes } = this.place;
-    if (this.#gaveWay || this.#scene) return; // It had to leave again before its turn.
+    if (this.#gaveWay || this.#scene) return; // It had to give its context back before its turn.
     this.#isBuilding = true;
     this.#authorWatch.disconnect();
     try {
@@ -217,7 +220,7 @@ export class SceneKeeper implements ContextHolder {
     else contextPool.release(this);
   }
 
-  /** Resolves when it is known what to draw, or that nothing comes. */
+  /** Resolves when the contents are known, or when none will come. */
   async #hasContents(scene: Scene): Promise<boolean> {
     while (!this.user.ready && this.#expecting && !this.#gaveWay && !this.#disposed) {
       const act = this.#rehearsal;
@@ -234,7 +237,7 @@ export class SceneKeeper implements ContextHolder {
     scene.canvas.addEventListener('webglcontextlost', () => void this.#recover(scene));
     this.user.entered(scene);
     this.#scene = scene;
-    this.#lastTwins = null; // With it goes the volume that they are of.
+    this.#lastTwins = null; // They keep the earlier volume in memory.
     this.#isNew = true;
     this.user.loop.plan();
   }
@@ -242,18 +245,18 @@ export class SceneKeeper implements ContextHolder {
   #fail(error: unknown): void {
     if (this.#disposed) return;
     this.#failure = { error };
-    // It is tried again when there is something to show, and told then.
+    // If nothing was to be shown yet, it is tried again later, and the error is reported then.
     if (this.user.ready) this.user.failed(error);
   }
 
-  /** The context is gone (driver reset, too many on the page): build the scene again on a new canvas. */
+  /** The context is lost (driver reset, too many on the page): build the scene again on a new canvas. */
   async #recover(scene: Scene): Promise<void> {
     const { loop } = this.user;
     while (loop.drawing) await loop.drawing;
-    if (this.#scene !== scene) return; // It was given back.
+    if (this.#scene !== scene) return; // The scene was given back.
     this.#takeDown();
     await this.#build(contextLost);
-    this.#changed(); // What was measured in the lost one may mean nothing.
+    this.#changed(); // What was measured in the lost scene may no longer be valid.
   }
 
   #changed(): void {

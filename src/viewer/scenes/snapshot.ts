@@ -1,8 +1,8 @@
-/** The last picture of a viewer that has given its WebGL context back: it stands where the picture stood, at its size. */
+/** The last picture of a viewer that has given its WebGL context back: it replaces the canvas, at the same size. */
 export class Snapshot {
   #canvas: HTMLCanvasElement | null = null;
 
-  /** @param container - where the picture is */
+  /** @param container - contains the picture */
   constructor(readonly container: Element) {}
 
   /** Keep what a canvas shows. */
