@@ -4,11 +4,11 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import type { ClipShape } from '../model/clip-source.ts';
 import { invalid, isNumber, parseNumbers, parseWord } from '../model/parse-attributes.ts';
 
-/** What the attributes of a <volume-clip> say; a place that is null follows from the volume. */
+/** What the attributes of a <volume-clip> say; the volume determines a place that is null. */
 export type ClipAttributes = Extract<ClipShape, { kind: 'plane' }> | (Omit<Extract<ClipShape, { kind: 'box' }>, 'box'> & { readonly box: readonly number[] | null });
 
 /**
- * @param text - of an attribute, null where it is absent
+ * @param text - returns the text of an attribute, null where it is absent
  * @throws {VolumeViewError} `attribute/invalid`
  */
 export function readClipAttributes(text: (name: string) => string | null): ClipAttributes {

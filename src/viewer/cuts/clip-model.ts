@@ -3,35 +3,38 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import type { ClipAttributes } from './clip-attributes.ts';
 import type { ClipShape } from '../model/clip-source.ts';
 
-/** The box of a volume in the coordinates of its region, and how many times its heights are shown. */
+/** The box of a volume in the coordinates of its region, and the factor by which its heights are exaggerated. */
 export interface ClipRoom {
   readonly low: Vector3;
   readonly high: Vector3;
   readonly stretch: number;
 }
 
-/** A place by which a person takes hold of a plane or a box; world, as the scene has it. */
+/** A handle by which a person drags a plane or a box; world coordinates, as in the scene. */
 export interface ClipGrip {
   readonly at: Vector3;
   /** The only direction in which it moves; absent where it moves freely. */
   readonly along?: Vector3;
-  /** Of a box: which side it is, or all of it. */
+  /** For a box: the side that it moves; null for the whole box, and for a plane. */
   readonly side: { readonly axis: number; readonly isHigh: boolean } | null;
 }
 
-/** What a plane or a box cuts, and how it is dragged: what attributes say, until a person moves it. All that is given and told is in the coordinates of `region`. */
+/**
+ * What a plane or a box cuts, and how a person drags it: the attributes count until a person moves it. All input and output is in
+ * the coordinates of `region`, except for grips.
+ */
 export class ClipModel {
   #said: ClipAttributes = { kind: 'plane', normal: [0, 0, 1], at: null };
   #at: number | null = null;
   #box: readonly number[] | null = null;
 
-  /** Attributes are others; where a person moved it is forgotten. */
+  /** The attributes have changed; a place chosen by a person is dropped. */
   set said(said: ClipAttributes) {
     this.#said = said;
     this.#at = this.#box = null;
   }
 
-  /** Where it is. @param room - null where no volume is known */
+  /** The present plane or box. @param room - null where no volume is known */
   shape(room: ClipRoom | null): ClipShape | null {
     const said = this.#said;
     if (said.kind === 'plane') return { ...said, at: this.#at ?? said.at ?? (room && dot(said.normal, middleOf(room))) };
@@ -39,12 +42,12 @@ export class ClipModel {
     return box && { ...said, box };
   }
 
-  /** Where it is taken hold of. What lies beside the volume is, as a whole, at the end of the volume that is next to it. */
+  /** The handles of the plane or box. If it is outside the volume, its main handle is at the nearest end of the volume. */
   grips(room: ClipRoom): ClipGrip[] {
     const shape = this.shape(room)!;
     const toScene = ([x, y, z]: Vector3): Vector3 => [x, y, z * room.stretch];
     if (shape.kind === 'plane') {
-      // What moves a plane over its normal in the scene is the scene's own normal of it.
+      // A plane moves along its normal in the scene.
       const middle = middleOf(room);
       const at = add(middle, scale(shape.normal, withinReach(shape.at!, shape.normal, room) - dot(shape.normal, middle)));
       return [{ at: toScene(at), along: toScene(shape.normal), side: null }];
@@ -57,7 +60,7 @@ export class ClipModel {
     return [{ at: toScene(nearestIn(room, middle)), side: null }, ...sides];
   }
 
-  /** A person moves one of its grips. @param to - world, as the scene has it */
+  /** A person moves one of its handles. @param to - world coordinates, as in the scene */
   move(index: number, [x, y, z]: Vector3, room: ClipRoom): void {
     const shape = this.shape(room)!;
     const to: Vector3 = [x, y, z / room.stretch];
@@ -77,7 +80,7 @@ const middleOf = ({ low, high }: ClipRoom): Vector3 => scale(add(low, high), 0.5
 
 const within = (x: number, low: number, high: number): number => Math.min(high, Math.max(low, x));
 
-/** A place along a normal, as far as the volume goes. */
+/** Limit a place along a normal to the extent of the volume. */
 function withinReach(at: number, normal: Vector3, room: ClipRoom): number {
   const reach = cornersIn(room).map((corner) => dot(normal, corner));
   return within(at, Math.min(...reach), Math.max(...reach));
@@ -96,17 +99,20 @@ function cornersOf(box: readonly number[]): Corners {
   return [low, high];
 }
 
-/** To keep it is all of the volume; to cut it out it is the eighth that who looks at a patient has before them, on the left. */
+/**
+ * The default box. To keep: the whole volume. To cut out: the eighth that is in front, at the left, for a person who looks at a
+ * patient.
+ */
 function usualBox(room: ClipRoom, keep: 'inside' | 'outside'): number[] {
   return [...(keep === 'inside' ? room.low : middleOf(room)), ...room.high];
 }
 
-/** A side goes no farther than the other one. */
+/** Move a side, but not past the opposite one. */
 function moveSide([low, high]: Corners, { axis, isHigh }: { axis: number; isHigh: boolean }, to: number): number[] {
   return isHigh ? [...low, ...replace(high, axis, Math.max(low[axis], to))] : [...replace(low, axis, Math.min(high[axis], to)), ...high];
 }
 
-/** A box keeps its size, and its middle in the volume. */
+/** Move a box; it keeps its size, and its middle stays in the volume. */
 function moveBox([low, high]: Corners, to: Vector3, room: ClipRoom): number[] {
   const middle = nearestIn(room, to);
   const half = scale(subtract(high, low), 0.5);

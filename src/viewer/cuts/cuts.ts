@@ -11,13 +11,16 @@ import type { Cuts } from './shown-cuts.ts';
 export { noCuts };
 export type { Cuts };
 
-/** Whether something of an element's page cuts its volume. */
+/** Whether a node in an element's page cuts its volume. */
 const isCut = (node: Node): boolean => /^(volume-slice|clipplane)$/i.test(node.nodeName);
 
-/** Whether one of these is in what came or went. */
+/** Whether an added or removed node is a cut, or contains one. */
 const holdsCut = (node: Node): boolean => isCut(node) || (node instanceof Element && [...node.getElementsByTagName('*')].some(isCut));
 
-/** Calls back when what cuts the volume of an element comes, goes or changes; with true where there are volume nodes of X3D's, again and again. */
+/**
+ * Call `changed` when something that cuts the volume of an element is added, removed or changed; where there are volume nodes of
+ * X3D, also call it with true, after each change.
+ */
 export function watchSlices(host: Element, changed: (isLook?: boolean) => void): { disconnect(): void } {
   const look = (): unknown => [...host.getElementsByTagName('*')].some((one) => /volume(style|data)$/i.test(one.localName)) && changed(true);
   const observer = new MutationObserver((records) => {
@@ -29,13 +32,13 @@ export function watchSlices(host: Element, changed: (isLook?: boolean) => void):
   return observer;
 }
 
-/** Reads the cuts that an author asks for. What does so is loaded with the first of them. */
+/** Reads the cuts that an author requests. The code for this is loaded with the first cut. */
 export class CutReader {
   #reader: typeof ReadCuts | null = null;
 
   /**
    * @param host - the element, whose children may be slices
-   * @param settings - as they are at the moment
+   * @param settings - returns the present settings
    */
   constructor(
     readonly host: Element,
@@ -43,14 +46,14 @@ export class CutReader {
     readonly settings: () => Settings,
   ) {}
 
-  /** Whether `read` needs nothing more to be loaded. */
+  /** Whether `read` works without loading more code. */
   isReady(volume: Pick<Volume, 'grid' | 'radar'>): boolean {
     const { region, rings } = this.settings();
     const hasRings = rings.value !== 'none' && (rings.value !== null || volume.grid.kind === 'polar');
     return this.#reader?.isReady(this.host, volume, hasRings) ?? (region.value === null && !hasRings && ![...this.host.getElementsByTagName('*')].some(isCut) && !this.host.hasAttribute('cutout') && socketOf(this.host).parts.every((part) => !part.clip));
   }
 
-  /** @param all - with the map, for which a first picture does not wait */
+  /** @param all - load the code for the map too; the first picture does not wait for it */
   async prepare(volume: Pick<Volume, 'grid' | 'radar'>, all = false): Promise<void> {
     if (this.isReady(volume)) return;
     const reader = await loadPart(import('./read-cuts.ts'), 'reads regions, slices and rings');
@@ -60,8 +63,8 @@ export class CutReader {
   }
 
   /**
-   * What can't be read is told, and left out.
-   * @param model - the volume that cameras go by
+   * Read the cuts; what can't be read is reported, and left out.
+   * @param model - the volume that sets the camera
    */
   read(volume: Volume, model: ScanModel): Cuts {
     const none = { ...noCuts, framed: model.grid };

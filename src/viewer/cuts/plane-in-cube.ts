@@ -4,8 +4,8 @@ import { dot, scale } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 
 /**
- * A plane of the world, normal . p = at, in the unit cube of a grid: its normal has a size that floats like.
- * @param normal - of any length but zero
+ * A plane of the world, normal . p = at, in the unit cube of a grid: the normal gets a size that suits float arithmetic.
+ * @param normal - of any length except zero
  */
 export function planeInCube(normal: Vector3, at: number, grid: GridFrame): { readonly normal: Vector3; readonly offset: number } {
   const m = unitToWorld(grid);
@@ -14,7 +14,7 @@ export function planeInCube(normal: Vector3, at: number, grid: GridFrame): { rea
   return { normal: scale(turned, 1 / size), offset: (at - dot(normal, [m[3], m[7], m[11]])) / size };
 }
 
-/** Half way through a grid's box, along a normal. */
+/** The middle of a grid's box, along a normal. */
 export function middleAlong(normal: Vector3, places: readonly Vector3[]): number {
   const along = places.map((place) => dot(normal, place));
   return (Math.min(...along) + Math.max(...along)) / 2;

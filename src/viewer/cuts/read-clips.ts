@@ -17,10 +17,10 @@ import { socketOf } from '../model/view-socket.ts';
 import { invalid, parseNumbers } from '../model/parse-attributes.ts';
 import { middleAlong, planeInCube } from './plane-in-cube.ts';
 
-/** Planes that cut a volume at a time: X3D scenes may count on six. */
+/** The number of planes that may cut a volume at a time: X3D scenes may rely on six. */
 const maxPlanes = 6;
 
-/** What cuts a volume, collected from all who have a say; in scene coordinates, heights exaggerated. */
+/** Collects all that cuts a volume; in scene coordinates, with exaggerated heights. */
 class Clips {
   readonly planes: HalfWorld[] = [];
   readonly inside: Bounds[] = [];
@@ -35,7 +35,7 @@ class Clips {
     }
   }
 
-  /** @returns those that a program knows */
+  /** @returns as many of them as the shader supports */
   some<T>(all: readonly T[], most: number, words: string): readonly T[] {
     if (all.length > most) this.error ??= new VolumeViewError('attribute/invalid', `volume-view got ${all.length} ${words}`);
     return all.slice(0, most);
@@ -43,10 +43,10 @@ class Clips {
 }
 
 /**
- * What of an element's volume is cut away: by its ClipPlane children, by `cutout`, and by elements elsewhere in the page. What
- * can't be read is left out, and the first error is told.
- * @param hasSlices - whether there are slices, which are cut too
- * @returns what cuts rays, and the same in the world
+ * All that is cut away from an element's volume: by its ClipPlane children, by `cutout`, and by elements elsewhere in the page.
+ * What can't be read is left out, and the first error is returned.
+ * @param hasSlices - whether there are slices: they are cut too
+ * @returns the cuts for rays, and the same cuts in the world
  */
 export function readClips(host: Element, volume: Volume, hasSlices = false): { readonly cuts: readonly RayCut[]; readonly away: WorldCut; readonly error: VolumeViewError | null } {
   const clips = new Clips();
@@ -67,7 +67,7 @@ export function readClips(host: Element, volume: Volume, hasSlices = false): { r
   };
 }
 
-/** The halves of the world that ClipPlanes at the top of an element's scene leave of shapes; those that can't be read are left out. */
+/** The half worlds that ClipPlanes at the top of an element's scene keep of shapes; planes that can't be read are left out. */
 export function readAuthorPlanes(host: Element): readonly HalfWorld[] {
   const clips = new Clips();
   for (const child of host.getElementsByTagName('*')) {
@@ -76,14 +76,17 @@ export function readAuthorPlanes(host: Element): readonly HalfWorld[] {
   return clips.planes;
 }
 
-/** What follows a volume node that was not closed, or is in the frame of a scene, is as if it stood beside. */
+/**
+ * Whether a plane is at the top of the scene. Elements that follow a volume node without an end tag, or that are inside the scene
+ * element, count as siblings of the volume.
+ */
 function isAtTop(plane: Element, host: Element): boolean {
   let around = meantParent(plane)!;
   while (around !== host && (isWrapper(around) || /volume(style|data)$|^(x3d|scene)$/i.test(around.localName))) around = meantParent(around)!;
   return around === host;
 }
 
-/** An X3D ClipPlane that stands at the top of the scene, as the volume does. */
+/** Read an X3D ClipPlane at the top of the scene, where the volume is too. */
 function readX3dPlane(child: Element, host: Element, { planes }: Clips): void {
   const use = child.getAttribute('USE') ?? child.getAttribute('use');
   const element = (use !== null && host.querySelector(`[DEF="${CSS.escape(use)}"], [def="${CSS.escape(use)}"]`)) || child;
@@ -94,7 +97,7 @@ function readX3dPlane(child: Element, host: Element, { planes }: Clips): void {
   planes.push({ normal: [a, b, c], at: -d });
 }
 
-/** @returns four numbers, the first three of which are of length 1 */
+/** @returns four numbers; the vector of the first three has length 1 */
 function readPlane(text: string): number[] {
   const wrong = invalid('plane of a ClipPlane', text, 'four numbers "a b c d", which keep what is where a x + b y + c z + d is not below 0; a, b and c may not all be 0');
   let numbers: number[];
@@ -110,7 +113,7 @@ function readPlane(text: string): number[] {
   return plane;
 }
 
-/** World units that no volume has. */
+/** A distance in world units that is larger than any volume. */
 const farthest = 1e12;
 
 function readCutout(text: string | null, volume: Volume, { outside }: Clips): void {
@@ -123,13 +126,13 @@ function readClip(shape: ClipShape | null, volume: Volume, clips: Clips): void {
   else clips[shape.keep].push(boundsBetween(shape.box, stretchOf(volume.grid)));
 }
 
-/** In scene coordinates, whose heights may be exaggerated. */
+/** A plane in scene coordinates, whose heights may be exaggerated. */
 function planeOf({ normal: [x, y, z], at }: ClipShape & { kind: 'plane' }, { grid }: Volume): HalfWorld {
   const normal: Vector3 = [x, y, z / stretchOf(grid)];
   return { normal, at: at ?? middleAlong(normal, corners(grid)) };
 }
 
-/** What of a box is of interest to a volume: no side is farther from it than the volume is large. */
+/** Limit a box to the surroundings of a volume: no side is farther from the volume than the volume is large. */
 function nearTo({ grid }: Volume, bounds: Bounds): Bounds {
   const places = corners(grid);
   return bounds.map(([from, to], axis) => {
@@ -140,7 +143,7 @@ function nearTo({ grid }: Volume, bounds: Bounds): Bounds {
   });
 }
 
-/** @returns null for a box that holds nothing */
+/** @returns null for an empty box */
 function boxIn(bounds: Bounds, { grid }: Volume): Cutout | null {
   const sizes = bounds.map(([low, high]) => high - low) as unknown as Vector3;
   const worldToBox = sizes.every((size) => size > 0) ? invertAffine(scaleAndTranslate(sizes, bounds.map(([low]) => low) as unknown as Vector3)) : null;

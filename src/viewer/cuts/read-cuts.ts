@@ -21,19 +21,19 @@ import type { Settings } from '../model/settings.ts';
 import { socketOf } from '../model/view-socket.ts';
 import type { Cuts } from './shown-cuts.ts';
 
-/** For whom cuts are read. */
+/** What reading cuts needs of its caller. */
 interface Reader {
   readonly host: Element;
   readonly errors: ErrorBoard;
   readonly settings: () => Pick<Settings, 'region' | 'rings' | 'look'>;
 }
 
-/** What is wrong is told of the volume, and not of what stands in for it as well. */
+/** Takes the errors of a coarse volume: they are reported only once, for the full volume. */
 const untold = new ErrorBoard({ file: '', changed: () => {}, failed: () => {} });
 
 /**
- * All cuts that an author asks for. What can't be read is told, and left out.
- * @param model - the volume that cameras go by
+ * All cuts that an author requests. What can't be read is reported, and left out.
+ * @param model - the volume that sets the camera
  */
 export function readCuts({ host, errors: told, settings }: Reader, volume: Volume, model: ScanModel, none: Cuts): Cuts {
   const errors = volume.coarse ? untold : told;
@@ -52,8 +52,8 @@ export function readCuts({ host, errors: told, settings }: Reader, volume: Volum
 }
 
 /**
- * The region that an author asks for.
- * @param box - two opposite corners, world units; null for all
+ * The region that an author requests.
+ * @param box - two opposite corners, world units; null for the whole volume
  * @throws {VolumeViewError} `attribute/invalid`
  */
 export function readRegion(box: readonly number[] | null, volume: ScanModel): GridFrame | null {
@@ -63,31 +63,31 @@ export function readRegion(box: readonly number[] | null, volume: ScanModel): Gr
   return region;
 }
 
-/** What reads planes, once there are some. */
+/** The code that reads planes, once there are some. */
 let planes: typeof Planes | null = null;
 
-/** What reads what is cut away, once there is some of it. */
+/** The code that reads what is cut away, once something is. */
 let clips: typeof Clips | null = null;
 
-/** The slices among an element's children that are shown. */
+/** The slices among an element's children that are not hidden. */
 function shownSlices(host: Element): Element[] {
   return childrenOf(host, 'volume-slice').filter((child) => !child.hasAttribute('hidden'));
 }
 
-/** Whether a slice is a plane in the world, of any volume, and not a radar's. */
+/** Whether a slice is a plane in the world, as all volumes have except those of radars. */
 function isPlane(slice: Element): boolean {
   return /^\s*(axial|coronal|sagittal|oblique)\s*$/i.test(slice.getAttribute('type') ?? '');
 }
 
-/** Whether something cuts an element's volume that is no slice. */
+/** Whether something other than a slice cuts an element's volume. */
 function isClipped(host: Element): boolean {
   return host.hasAttribute('cutout') || socketOf(host).parts.some((part) => part.clip) || [...host.getElementsByTagName('*')].some(({ localName }) => /^clipplane$/i.test(localName));
 }
 
-/** What makes the map below a radar's rings, once there are some; false where it could not be loaded. */
+/** The code that makes the map below a radar's rings, once there are some; false where it could not be loaded. */
 let maps: typeof GroundMaps | false | null = null;
 
-/** Load what makes maps: a picture without one is right too, so it does not wait for them. */
+/** Load the code that makes maps. Pictures do not wait for it, because one without a map is right too. */
 export async function prepareMap(volume: Pick<Volume, 'radar'>): Promise<void> {
   if (!placeOfRadar(volume)) return;
   maps ??= await loadPart(import('../../radar/ground-map.ts'), 'draws a map').catch((error: unknown) => {
@@ -96,21 +96,22 @@ export async function prepareMap(volume: Pick<Volume, 'radar'>): Promise<void> {
   });
 }
 
-/** Whether an element's slices, and what else cuts it, can be read without anything more. @param hasRings - then there is a map */
+/** Whether an element's slices and other cuts can be read without loading more code. @param hasRings - with rings there is a map */
 export function isReady(host: Element, volume: Pick<Volume, 'radar'>, hasRings: boolean): boolean {
   if (hasRings && maps === null && placeOfRadar(volume)) return false;
   return (planes !== null || !shownSlices(host).some(isPlane)) && (clips !== null || !isClipped(host));
 }
 
-/** Load what the cuts of an element need. */
+/** Load the code that the cuts of an element need. */
 export async function prepare(host: Element): Promise<void> {
   if (shownSlices(host).some(isPlane)) planes ??= await loadPart(import('./read-planes.ts'), 'reads slices');
   if (isClipped(host)) clips ??= await loadPart(import('./read-clips.ts'), 'cuts volumes');
 }
 
 /**
- * The slices that an element's children ask for, and what cuts its volume away; what can't be read is left out, and the first error is told.
- * @param window - data values of black and white that the page gives the volume
+ * The slices that an element's children request, and the other cuts of its volume; what can't be read is left out, and the first
+ * error is returned.
+ * @param window - data values of black and white that the page gives for the volume
  */
 export function readSlices(
   host: Element, volume: Volume, window: readonly [number, number] | null,
@@ -118,7 +119,7 @@ export function readSlices(
   const shown = shownSlices(host);
   const { slices, error } = readRadarSlices(shown.filter((slice) => !isPlane(slice)), volume);
   const read = planes?.readPlanes(shown.filter(isPlane), volume, window);
-  // What is cut away comes first: slices are not seen in it.
+  // Other cuts come first, so that slices are not visible where the volume is cut away.
   const cut = clips?.readClips(host, volume, shown.length > 0);
   return { slices, cuts: [...(cut?.cuts ?? []), ...(read?.cuts ?? [])], ...(cut && { away: cut.away }), error: error ?? read?.error ?? cut?.error ?? null };
 }
@@ -162,7 +163,7 @@ function readSection(reader: SliceAttributes): Slice {
   return { kind: 'upright', from: [x, y], direction: [(toX - x) / length, (toY - y) / length], length };
 }
 
-/** Number of the sweep: what is asked for, or the one that lies nearest to the elevation. */
+/** Number of the requested sweep, or of the sweep nearest to the requested elevation. */
 function readSweep(reader: SliceAttributes, { sweeps }: PolarGrid): number {
   if (reader.has('sweep')) {
     const [number] = reader.numbers('sweep', 1, `a number from 0 to ${sweeps.length - 1}`);
@@ -174,10 +175,10 @@ function readSweep(reader: SliceAttributes, { sweeps }: PolarGrid): number {
   return distances.indexOf(Math.min(...distances));
 }
 
-/** Metres and degrees that no radar has. */
+/** Metres and degrees above this can't belong to a radar. */
 const farthest = 1e9;
 
-/** Reads one slice's attributes; what it throws names the slice. */
+/** Reads one slice's attributes; its errors name the slice. */
 class SliceAttributes {
   constructor(
     readonly element: Element,
@@ -188,7 +189,7 @@ class SliceAttributes {
     return this.element.hasAttribute(name);
   }
 
-  /** @param expected - in an author's words */
+  /** @param expected - in words for authors */
   numbers(name: string, count: number, expected: string): number[] {
     const numbers = this.#read(name, count);
     if (numbers?.every((n) => Math.abs(n) <= farthest)) return numbers;

@@ -13,16 +13,16 @@ import type { Volume } from '../../volume/volume.ts';
 import { middleAlong, planeInCube } from './plane-in-cube.ts';
 import { SliceReader } from './slice-attributes.ts';
 
-/** A program knows no more. */
+/** The maximum number of planes in the shader. */
 const maxPlanes = 4;
 
-/** Slices through a volume in world coordinates, and the first error; those that can't be read are left out. */
+/** Slices through a volume in world coordinates, and the first error; slices that can't be read are left out. */
 export interface ReadPlanes {
   readonly cuts: readonly RayCut[];
   readonly error: VolumeViewError | null;
 }
 
-/** @param window - data values of black and white that the page gives the volume; null where it says nothing */
+/** @param window - data values of black and white that the page gives for the volume; null where it gives none */
 export function readPlanes(elements: readonly Element[], volume: Volume, window: readonly [number, number] | null): ReadPlanes {
   const planes: PlaneSlice[] = [];
   let error: VolumeViewError | null = null;

@@ -11,26 +11,26 @@ import type { RingSetting } from '../model/parse-attributes.ts';
 import { RingLabels } from './ring-labels.ts';
 import type { RingWriter, ScanFacts } from './ring-labels.ts';
 
-/** Rings, the map below them, and what labels them: it is loaded with them. */
+/** Rings, the map below them, and the code for their labels, which is loaded with them. */
 export interface LabelledRings extends Rings {
-  /** Coasts and borders; absent until they have been loaded, and where nobody knows where the radar is. */
+  /** Coasts and borders; absent until they have been loaded, and where the place of the radar is not known. */
   readonly map?: GroundMap;
-  /** What has to be known of the scan to read the picture. */
+  /** Facts about the scan that people need to read the picture. */
   readonly facts: ScanFacts;
   labelsAfter(picture: Element, write: RingWriter): RingLabels;
 }
 
-/** Where a radar is; null where its file does not say. */
+/** The place of a radar; null where its file does not give one. */
 export function placeOfRadar({ radar }: Pick<Volume, 'radar'>): EarthPoint | null {
   const { latitude, longitude } = radar?.site ?? {};
   return latitude !== undefined && longitude !== undefined ? { latitude, longitude } : null;
 }
 
 /**
- * The rings that an author asks for.
- * @param kilometres - from ring to ring; round ones where auto; where null, round ones and a ground if it is a radar
- * @param region - what is shown of the volume, if not all: the rings are cut to it
- * @param maps - what makes the map below them, once it has been loaded
+ * The rings that an author requests.
+ * @param kilometres - from ring to ring; auto: round distances; null: round distances and a ground, for a radar
+ * @param region - the visible part of the volume, if not all: the rings are cut to it
+ * @param maps - the code that makes the map below them, once it has been loaded
  * @throws {VolumeViewError} `attribute/invalid`
  */
 export function readRings(
@@ -38,7 +38,7 @@ export function readRings(
 ): LabelledRings | null {
   const { grid } = volume;
   if (kilometres === 'none' || (kilometres === null && grid.kind !== 'polar')) return null;
-  const text = typeof kilometres === 'number' ? String(kilometres) : ''; // As it was written.
+  const text = typeof kilometres === 'number' ? String(kilometres) : ''; // As the author wrote it.
   if (grid.kind !== 'polar') throw invalid('rings', text, 'a radar scan, which alone has rings');
   const plan = planRings(grid, region, typeof kilometres === 'number' ? kilometres * 1000 : null);
   if (!ringsFit(plan)) {

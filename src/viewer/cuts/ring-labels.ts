@@ -4,27 +4,27 @@ import type { View } from '../model/scene.ts';
 import type { ViewPart } from '../model/view-socket.ts';
 import type { RingLabel } from '../../radar/range-rings.ts';
 
-/** Labels nearer to the eye than this share of the way to the farthest one are left out. */
+/** Labels are hidden if they are nearer to the eye than this share of the distance of the farthest label. */
 const nearest = 1e-3;
 
 /** From a text to the edge of the picture, CSS pixels. */
 const margin = 3;
 
-/** What has to be known of a radar's scan to read its picture. */
+/** Facts about a radar's scan that people need to read its picture. */
 export interface ScanFacts {
-  /** Of the radar; '' where its file gives none. */
+  /** Name of the radar; '' where its file gives none. */
   readonly name: string;
-  /** By how much heights are stretched. */
+  /** The factor by which heights are exaggerated. */
   readonly stretch: number;
 }
 
-/** Writes the radius of a ring, metres; the north, null; or what has to be known of the scan. */
+/** Writes the radius of a ring, metres; null: the north; or the facts about the scan. */
 export type RingWriter = (what: number | null | ScanFacts) => string;
 
-/** A name from a file of a stranger is cut here. */
+/** Maximum length of a name from a file, in characters: the file may come from a stranger. */
 const maxName = 60;
 
-/** Small texts over a picture, each at the place of the world that it speaks of. */
+/** Small texts over a picture, each at the place of the world that it describes. */
 export class RingLabels implements ViewPart {
   readonly key = 'rings';
   #labels: readonly RingLabel[] = [];
@@ -40,7 +40,7 @@ export class RingLabels implements ViewPart {
     Object.assign(this.#caption.style, { color: 'var(--volume-view-label-color, #fff)', fontSize: '12px', maxInlineSize: 'calc(100% - 20px)' });
   }
 
-  /** Labels over the picture in a container, right behind it. */
+  /** Put labels over the picture, in a container right after it. */
   static after(picture: Element, write: RingWriter): RingLabels {
     const container = document.createElement('div');
     container.className = 'labels';
@@ -49,7 +49,7 @@ export class RingLabels implements ViewPart {
     return new RingLabels(container, write);
   }
 
-  /** Put labels in place of those before; `place` shows them. @param facts - are said in the corner */
+  /** Replace the labels; `place` shows them. @param facts - written in the corner */
   set(labels: readonly RingLabel[], facts: ScanFacts | null): void {
     this.#labels = labels;
     this.#facts = facts && { ...facts, name: facts.name.slice(0, maxName) };
@@ -62,13 +62,13 @@ export class RingLabels implements ViewPart {
     this.container.replaceChildren(this.#caption, ...this.#spans);
   }
 
-  /** The language may be another one. */
+  /** Write the texts again: the language may have changed. */
   writeTexts(): void {
     this.#spans.forEach((span, i) => (span.textContent = this.write(this.#labels[i].radius)));
     this.#caption.textContent = this.#facts ? this.write(this.#facts) : '';
   }
 
-  /** Bring the labels where a view shows their places. */
+  /** Move the labels to where a view shows their places. */
   place(view: View): void {
     const seen = this.#labels.map(({ at }) => project(view, at));
     const farthest = Math.max(0, ...seen.map(({ depth }) => depth));
@@ -81,7 +81,7 @@ export class RingLabels implements ViewPart {
     this.#keepInside(seen);
   }
 
-  /** A text at the edge is moved so far that all of it is read. */
+  /** Move a text at the edge of the picture so far that all of it is visible. */
   #keepInside(seen: readonly { readonly x: number; readonly y: number }[]): void {
     const { clientWidth, clientHeight } = this.container;
     const sizes = this.#spans.map(({ offsetWidth, offsetHeight }) => [offsetWidth, offsetHeight]);
@@ -90,7 +90,7 @@ export class RingLabels implements ViewPart {
       const [width, height] = sizes[i];
       const [across, along] = [pushInside((clientWidth * (x + 1)) / 2, width, clientWidth), pushInside((clientHeight * (1 - y)) / 2, height, clientHeight)];
       const place = [(clientWidth * (x + 1)) / 2 + across, (clientHeight * (1 - y)) / 2 + along] as const;
-      // One that would cover another is left out.
+      // Hide a text that would cover another one.
       this.#spans[i].hidden ||= read.some((one) => place.every((at, axis) => Math.abs(at - one.place[axis]) < (sizes[i][axis] + one.size[axis]) / 2));
       if (!this.#spans[i].hidden) read.push({ place, size: sizes[i] });
       this.#spans[i].style.translate = `calc(${across.toFixed(2)}px - 50%) calc(${along.toFixed(2)}px - 50%)`;
@@ -98,13 +98,13 @@ export class RingLabels implements ViewPart {
   }
 }
 
-/** How far a text of a length, whose middle is at a place of a side, has to go to be within that side. */
+/** How far a text must move to be inside a side. It has the given length, and its middle is at the given place. */
 function pushInside(middle: number, length: number, side: number): number {
   const least = length / 2 + margin;
   return Math.min(Math.max(middle, least), Math.max(side - least, least)) - middle;
 }
 
-/** Device coordinates of a place, -1..1 inside the picture, and how far it is before the eye. */
+/** Device coordinates of a place, -1..1 inside the picture, and its distance in front of the eye. */
 function project({ view, projection: p }: View, at: Vector3): { x: number; y: number; depth: number } {
   const eye = transformPoint(view, at);
   const [x, y, w] = [0, 4, 12].map((row) => p[row] * eye[0] + p[row + 1] * eye[1] + p[row + 2] * eye[2] + p[row + 3]);

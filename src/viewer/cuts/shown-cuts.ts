@@ -4,16 +4,16 @@ import type { GridFrame } from '../../volume/grid.ts';
 import type { WorldCut } from '../../volume/world-cut.ts';
 import type { LabelledRings } from './read-rings.ts';
 
-/** Which part of a volume is shown, where it is cut, and what is drawn around it. */
+/** The visible part of a volume, its cuts, and what is drawn around it. */
 export interface Cuts {
-  /** null for all of it. */
+  /** null for the whole volume. */
   readonly region: GridFrame | null;
-  /** What cameras frame, which may be of another scan; null for what is shown. */
+  /** The part that cameras frame, which may belong to another scan; null for the visible part. */
   readonly framed: GridFrame | null;
   readonly slices: readonly Slice[];
-  /** What else cuts rays. */
+  /** Other shapes that cut rays. */
   readonly cuts: readonly RayCut[];
-  /** What these cut away, in the world; absent for nothing. */
+  /** What `cuts` cut away, in the world; absent for nothing. */
   readonly away?: WorldCut;
   /** null for none. */
   readonly rings: LabelledRings | null;

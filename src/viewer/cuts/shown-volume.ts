@@ -11,13 +11,13 @@ import type { ViewSocket } from '../model/view-socket.ts';
 import { styleOf } from '../model/volume-info.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
-/** What is to be seen of which volume, and what it looks like: all that a scene has to be told, whichever scene it is. */
+/** The volume that is shown, its visible part and its appearance: all that any scene needs for it. */
 export class ShownVolume {
   volume: Volume | null = null;
   optics: VolumeOptics | null = null;
   cuts: Cuts = noCuts;
 
-  /** @param parts - of the view; null where there is nothing but the volume */
+  /** @param parts - of the view; null where there is only the volume */
   constructor(readonly parts: Pick<ViewSocket, 'last'> | null = null) {}
 
   get labels(): ViewLabels | null {
@@ -34,26 +34,26 @@ export class ShownVolume {
     return this.volume !== null && this.optics !== null;
   }
 
-  /** @returns whether rays are drawn in another style now */
+  /** @returns whether rays must now be drawn in another style */
   wear(optics: VolumeOptics): boolean {
     const { style } = this;
     this.optics = optics;
     return !isSameStyle(style, this.style);
   }
 
-  /** How rays are drawn where it is not by emission and absorption alone. */
+  /** How rays are drawn, if not by emission and absorption alone; null for that. */
   get style(): RayStyle | null {
     return this.optics && styleOf(this.optics);
   }
 
-  /** The part that is shown: cameras frame it, and steps are counted along its diagonal. There has to be a volume. */
+  /** The visible part: cameras frame it, and steps are counted along its diagonal. To be read only where there is a volume. */
   get grid(): GridFrame {
     return this.cuts.region ?? this.volume!.grid;
   }
 
-  /** Tell a new scene, which has the volume, the projection and what the optics need, the rest. */
+  /** Apply the rest to a new scene, which already has the volume, the projection and what the optics need. */
   furnish(scene: Scene): void {
-    void scene.setOptics(this.optics!); // At once: what they need is there.
+    void scene.setOptics(this.optics!); // At once: what the optics need is loaded.
     this.cut(scene);
   }
 

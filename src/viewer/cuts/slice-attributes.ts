@@ -8,7 +8,7 @@ import { longest } from '../../volume/grid-limits.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { invalid, isNumber, parseFactor, parseNumbers, parseWindow, parseWord } from '../model/parse-attributes.ts';
 
-/** What attributes say of a plane through a volume, in a pane or in the picture. What is null follows from the volume. */
+/** What attributes say about a plane through a volume, in a pane or in the picture. The volume determines what is null. */
 export interface PlaneAttributes {
   readonly type: SliceType;
   readonly normal: Vector3;
@@ -18,21 +18,21 @@ export interface PlaneAttributes {
   readonly window: readonly [number, number] | null;
   readonly windowFunction: WindowFunction;
   readonly colors: 'gray' | 'volume' | null;
-  /** World units; 0 for the values on the plane alone. */
+  /** World units; 0 for only the values on the plane. */
   readonly thickness: number;
-  /** What of a thick slice's values is shown. */
+  /** Which of the values across a thick slice is shown. */
   readonly projection: ProjectionKind;
 }
 
-/** Reads an element's attributes; what it throws names them. */
+/** Reads an element's attributes; its errors name them. */
 export class SliceReader {
   /**
-   * @param text - of an attribute, null where it is absent
-   * @param owner - what a message says after the attribute's name
+   * @param text - returns the text of an attribute, null where it is absent
+   * @param owner - the text after the attribute's name in messages
    */
   constructor(readonly text: (name: string) => string | null, readonly owner = '') {}
 
-  /** null where nothing is said. @throws {VolumeViewError} `attribute/invalid` */
+  /** null where the attribute is absent or empty. @throws {VolumeViewError} `attribute/invalid` */
   read<T>(name: string, parse: (name: string, text: string) => T): T | null {
     const given = this.text(name);
     return given === null || given.trim() === '' ? null : parse(name + this.owner, given);
