@@ -2,13 +2,13 @@ import { cross, length, normalize, scale, subtract } from '../../volume/matrix.t
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { MeasureType } from '../../volume/measures.ts';
 
-/** Points around a circle. */
+/** Number of points around a circle. */
 const circlePoints = 64;
 
-/** Radius of an angle's arc, in its shorter arm. */
+/** Radius of an angle's arc, as a share of its shorter arm. */
 const arcShare = 0.25;
 
-/** The lines that show a measure, each from point to point; those of its points that are not there yet are left out. */
+/** The lines that show a measure, each from point to point; lines of points that are not placed yet are missing. */
 export function linesOf(type: MeasureType, points: readonly Vector3[]): readonly (readonly Vector3[])[] {
   if (points.length < 2) return [];
   if (type === 'box') return linesOfBox(points);
@@ -16,7 +16,7 @@ export function linesOf(type: MeasureType, points: readonly Vector3[]): readonly
   return type === 'angle' && points.length === 3 ? [points, arcOf(points)] : [points];
 }
 
-/** Where its number is written: beside the middle of a line, or at an angle's corner. */
+/** The place of its number: the middle of a line, or the corner of an angle. */
 export function textPlace(type: MeasureType, [from, to]: readonly Vector3[]): Vector3 {
   return type === 'angle' ? to : type === 'sphere' ? from : (scale([from[0] + to[0], from[1] + to[1], from[2] + to[2]], 0.5));
 }

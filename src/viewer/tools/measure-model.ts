@@ -4,21 +4,21 @@ import { inPieces } from '../frames/in-pieces.ts';
 import { measure, pointCounts, readMeasurePoints, readMeasureType, sumUp } from './measuring.ts';
 import type { MeasureResult, MeasureType } from './measuring.ts';
 
-/** Whose measure it is. */
+/** What a measure needs of its element. */
 export interface MeasureHost {
-  /** null before there is one. */
+  /** Returns null before there is a volume. */
   readonly volume: () => Volume | null;
-  /** Something is to be seen otherwise. */
+  /** What is shown has changed. */
   readonly changed: () => void;
-  /** Something else has been measured, or values inside have been added up; null where there is nothing any more. */
+  /** The result has changed, or values inside have been summed up; null where there is no longer a result. */
   readonly measured: (result: MeasureResult | null) => void;
 }
 
-/** The points of one measure, who places them, and what it comes to. Of several changes the last one wins. */
+/** The points of one measure, whether a person is placing them, and the result. Of several changes the last one counts. */
 export class MeasureModel {
   #type: MeasureType = 'distance';
   #points: readonly Vector3[] = [];
-  /** While a person places points: those before. */
+  /** While a person places points: the points before that. */
   #before: readonly Vector3[] | null = null;
   #result: MeasureResult | null = null;
   #hasTold = false;
@@ -30,7 +30,7 @@ export class MeasureModel {
     return this.#type;
   }
 
-  /** As far as there are some. */
+  /** The points that are placed so far. */
   get points(): readonly Vector3[] {
     return this.#points;
   }
@@ -44,14 +44,14 @@ export class MeasureModel {
     return this.#before !== null;
   }
 
-  /** What was measured; while values inside are added up its statistics are null. */
+  /** The result; while values inside are summed up, its statistics are null. */
   get result(): MeasureResult | null {
     return this.#result;
   }
 
   /**
-   * Take in attributes; what can't be read leaves all as it was.
-   * @param pointsAreNew - whether points were just written: else those that a person has placed stay
+   * Apply attributes; if one can't be read, nothing changes.
+   * @param pointsAreNew - whether the points attribute has just changed: if not, points that a person has placed stay
    * @throws {VolumeViewError} `attribute/invalid`
    */
   read(typeText: string | null, pointsText: string | null, pointsAreNew: boolean): void {
@@ -63,7 +63,7 @@ export class MeasureModel {
     this.place(points ?? []);
   }
 
-  /** The volume may be another one. */
+  /** Measure again: the volume may have changed. */
   refresh(): void {
     const volume = this.host.volume();
     this.#result = volume && this.isWhole ? measure(volume, this.#type, this.#points) : null;
@@ -71,7 +71,7 @@ export class MeasureModel {
     this.host.changed();
   }
 
-  /** Nothing of it goes on. */
+  /** Stop summing up. */
   stop(): void {
     this.#run++;
   }
@@ -85,26 +85,26 @@ export class MeasureModel {
     this.place(this.#points.map((point, i) => (i === index ? to : point)));
   }
 
-  /** A person places points from now on, one after the other. */
+  /** A person starts to place points, one after the other. */
   begin(): void {
     this.#before = this.#points;
     this.place([]);
   }
 
-  /** A person has placed one. */
+  /** A person has placed a point. */
   add(point: Vector3): void {
     const points = [...this.#points, point];
     if (points.length === pointCounts[this.#type]) this.#before = null;
     this.place(points);
   }
 
-  /** A person has placed all of them. */
+  /** A person has placed all points. */
   complete(points: readonly Vector3[]): void {
     this.#before = null;
     this.place(points);
   }
 
-  /** The points before are back. */
+  /** Restore the points from before. */
   cancel(): void {
     if (this.#before) this.complete(this.#before);
   }
@@ -118,7 +118,7 @@ export class MeasureModel {
       this.#result = { ...result, statistics };
       this.host.changed();
     }
-    // While points are placed there is none yet; that there is nothing any more is news after something.
+    // While points are placed, there is no result yet. The end of a result is reported only if there was one.
     if (this.#result || (this.#hasTold && !this.placing)) this.host.measured(this.#result);
     this.#hasTold = this.#result !== null || (this.#hasTold && this.placing);
   }

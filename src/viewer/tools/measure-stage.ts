@@ -16,33 +16,33 @@ import { socketOf } from '../model/view-socket.ts';
 import type { ViewPart } from '../model/view-socket.ts';
 import type { VolumePick } from '../model/volume-pick.ts';
 
-/** The view that is measured in. */
+/** The view in which a person measures. */
 export type MeasuredView = HandledView & PickedView;
 
-/** What is to be seen of a measure. */
+/** What is shown of a measure. */
 export interface ShownMeasure {
   readonly volume: Volume;
   readonly type: MeasureType;
-  /** As far as there are some. */
+  /** The points that are placed so far. */
   readonly points: readonly Vector3[];
   readonly color: { readonly css: string; readonly rgb: LineColor };
-  /** What stands beside it. */
+  /** The text next to the measure. */
   readonly text: string;
-  /** What each point is, its place in words, and what keys do. */
+  /** For each point: its name, its place in words, and what the keys do. */
   readonly names: readonly Pick<Handle, 'name' | 'place' | 'keys'>[];
 }
 
-/** What a person does with it. */
+/** What a person does with the measure. */
 export interface StageEvents {
-  /** A point is moved. */
+  /** A point was moved. */
   readonly moved: (index: number, to: Vector3) => void;
-  /** A click while points are placed; null where nothing shows. */
+  /** A click while points are placed; null where the picture shows nothing there. */
   readonly picked: (at: Vector3 | null) => void;
-  /** A key at the picture or a handle. */
+  /** A key was pressed on the picture or on a handle. */
   readonly key: (event: KeyboardEvent) => void;
 }
 
-/** Where points stand that a person asks for without pointing: shares of the picture. */
+/** The places of points that a person adds without pointing: shares of the picture. */
 const middle: Readonly<Record<MeasureType, readonly Pixel[]>> = {
   distance: [[0.35, 0.5], [0.65, 0.5]],
   angle: [[0.65, 0.5], [0.4, 0.65], [0.5, 0.3]],
@@ -50,7 +50,7 @@ const middle: Readonly<Record<MeasureType, readonly Pixel[]>> = {
   sphere: [[0.5, 0.5], [0.65, 0.5]],
 };
 
-/** One measure in a view: lines in its scene and faint ones over its picture, handles, and the clicks that place points. */
+/** One measure in a view: lines in its scene, faint lines over its picture, handles, and the clicks that place points. */
 export class MeasureStage implements ViewPart {
   readonly key = 'measure';
   readonly #handles: Handles;
@@ -104,13 +104,13 @@ export class MeasureStage implements ViewPart {
     this.#handles.focus(index);
   }
 
-  /** Points in the middle of what is seen, as far away as what the camera looks at; null where there is no picture. */
+  /** Points in the middle of the picture, as far away as the camera's target; null where there is no picture. */
   placesInTheMiddle(volume: Volume, type: MeasureType): readonly Vector3[] | null {
     const picture = this.#picture;
     if (!picture) return null;
     const { camera, width, height } = picture;
     const places = middle[type].map(([x, y]) => placeInPlane(picture, camera.target, [x * width, y * height]));
-    // A box without depth holds nothing.
+    // A box without depth would be empty: move one corner.
     if (type === 'box') places[1] = placeInPlane(picture, middleOf(places, camera.eye), [middle.box[1][0] * width, middle.box[1][1] * height]);
     return places.slice(0, pointCounts[type]).map((place) => fromDrawn(place, volume));
   }
@@ -137,7 +137,7 @@ export class MeasureStage implements ViewPart {
   }
 }
 
-/** A place a little nearer to the eye than the first: by the distance of both. */
+/** A place a little nearer to the eye than the first one: by the distance between both places. */
 function middleOf([from, to]: readonly Vector3[], eye: Vector3): Vector3 {
   const apart = Math.hypot(...from.map((x, axis) => to[axis] - x));
   const away = Math.hypot(...from.map((x, axis) => eye[axis] - x));

@@ -1,4 +1,5 @@
-// What <volume-measure> says of a volume. Points are in world units, of a radar in metres whatever the exaggeration of heights, as `region` is.
+// What <volume-measure> measures in a volume. Points are in world units; for a radar in metres, without the exaggeration of
+// heights, as in `region`.
 import { stretchOf } from '../../radar/polar-geometry.ts';
 import { edgesOfGate, sumUpGates } from '../../radar/gates-inside.ts';
 import { invalidAttribute } from '../../core/errors.ts';
@@ -18,19 +19,22 @@ import { isInMillimetres } from '../../volume/world-axes.ts';
 export { pointCounts } from '../../volume/measures.ts';
 export type { MeasureType } from '../../volume/measures.ts';
 
-/** What was measured: plain data. */
+/** The result of a measurement: plain data. */
 export interface MeasureResult {
   readonly type: MeasureType;
   readonly points: readonly Vector3[];
-  /** Unit of lengths: `mm` of medical files, `m` of a radar's, '' where nobody knows. Volumes are in its cube. */
+  /** Unit of lengths: `mm` for medical files, `m` for a radar, '' where it is not known. Volumes use its cube. */
   readonly lengthUnit: 'mm' | 'm' | '';
   /** A length, degrees, or a volume. */
   readonly value: number;
   /** Twice its standard uncertainty, from the size of the voxels or gates at its points. */
   readonly uncertainty: number;
-  /** Of a box the lengths of its edges, of a sphere its radius. */
+  /** For a box the lengths of its edges, for a sphere its radius. */
   readonly lengths: readonly number[];
-  /** Of the values inside a box or a sphere, in the volume's unit; null for what has no inside, and while they are summed up. */
+  /**
+   * Statistics of the values inside a box or a sphere, in the volume's unit; null for other measures, and while the values are
+   * summed up.
+   */
   readonly statistics: Statistics | null;
   /** Unit of the values, or ''. */
   readonly unit: string;
@@ -64,7 +68,7 @@ function lengthUnitOf(volume: Volume): 'mm' | 'm' | '' {
 
 const measures = { distance: measureDistance, angle: measureAngle, box: measureBox, sphere: measureSphere } satisfies Record<MeasureType, (points: readonly Vector3[], edgesAt: EdgesAt) => Measured>;
 
-/** What is known at once: all but the statistics. */
+/** What can be measured at once: everything except the statistics. */
 export function measure(volume: Volume, type: MeasureType, points: readonly Vector3[]): MeasureResult {
   const edgesAt: EdgesAt = isPolar(volume) ? (place) => edgesOfGate(volume, place) : () => edgesOfVoxel(volume);
   const [from, to] = points;
@@ -76,7 +80,7 @@ function edgesOfVoxel({ grid: { indexToWorld: m } }: Volume): readonly Vector3[]
   return [0, 1, 2].map((c): Vector3 => [m[c], m[4 + c], m[8 + c]]);
 }
 
-/** Sums up what is inside; null for what has no inside. */
+/** Sum up the values inside; null for a measure without an inside. */
 export function sumUp(volume: Volume, type: MeasureType, points: readonly Vector3[]): Generator<void, Statistics> | null {
   if (type !== 'box' && type !== 'sphere') return null;
   const solid = solidOf(type, points);
@@ -85,12 +89,12 @@ export function sumUp(volume: Volume, type: MeasureType, points: readonly Vector
   return grid.kind === 'cartesian' ? sumUpVoxels({ ...volume, grid }, solid) : null;
 }
 
-/** A point in the world as it is drawn. */
+/** Convert a point to the world as it is drawn. */
 export function toDrawn([x, y, z]: Vector3, { grid }: Pick<Volume, 'grid'>): Vector3 {
   return [x, y, z * stretchOf(grid)];
 }
 
-/** The other way round. */
+/** Convert a point from the world as it is drawn. */
 export function fromDrawn([x, y, z]: Vector3, { grid }: Pick<Volume, 'grid'>): Vector3 {
   return [x, y, z / stretchOf(grid)];
 }

@@ -1,4 +1,4 @@
-// Values and gradients of a volume, for a histogram: taken when an editor asks, a few milliseconds at a time.
+// Values and gradients of a volume, for a histogram: collected when an editor needs them, a few milliseconds at a time.
 import { cartesianGradient } from '../../optics/rays/gradient.ts';
 import { perWorldUnit } from '../../optics/rays/patch-classify.ts';
 import { cartesianField } from '../../optics/rays/ray-field.ts';
@@ -15,22 +15,22 @@ export interface SampledPlane {
   readonly gradients: Float32Array;
 }
 
-/** Enough for a picture of a few thousand bins. */
+/** The maximum number of samples: enough for a picture of a few thousand bins. */
 const mostSamples = 120_000;
 
-/** Places that are looked at, of which those without data tell nothing. */
+/** The maximum number of places to try; places without data give no sample. */
 const mostPlaces = 4 * mostSamples;
 
-/** Places between two looks at the clock. */
+/** The number of places between two checks of the clock. */
 const batch = 64;
 
-/** No longer than this is the page kept waiting, milliseconds. */
+/** The page is blocked for no longer than this at a time, milliseconds. */
 const slice = 8;
 
-/** Evenly spread places of a volume, always the same ones. Source: Roberts 2018, the R3 sequence */
+/** Steps between evenly spread places of a volume, which are always the same. Source: Roberts 2018, the R3 sequence */
 const steps: Vector3 = [0.8191725133961645, 0.6710436067037893, 0.5497004779019703];
 
-/** The samples, step by step. Volumes of labels have no gradients. @returns null for these */
+/** Collect the samples, step by step. Volumes of labels have no gradients. @returns null for these */
 export function* samplePlane(volume: Volume, most = mostSamples): Generator<undefined, SampledPlane | null> {
   if (volume.isDiscrete) return null;
   const { grid } = volume;
@@ -51,7 +51,7 @@ export function* samplePlane(volume: Volume, most = mostSamples): Generator<unde
   return { values: values.subarray(0, count), gradients: gradients.subarray(0, count) };
 }
 
-/** The same between other work of the page. @returns null too where it is not wanted any more */
+/** The same in small parts, so that the page can work in between. @returns null also where it is no longer needed */
 export async function collectSamples(volume: Volume, signal: AbortSignal): Promise<SampledPlane | null> {
   const work = samplePlane(volume);
   while (!signal.aborted) {

@@ -1,4 +1,4 @@
-// Lines that an element beside a view puts into its scene: loaded by the elements that do.
+// Lines that an element attached to a view puts into its scene: loaded by the elements that have such lines.
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Lines, Scene } from '../model/scene.ts';
 import type { ViewPart, ViewSocket } from '../model/view-socket.ts';
@@ -11,14 +11,14 @@ export class ViewLines implements ViewPart {
   readonly key = 'lines';
   #lines: Lines = [];
   #color: LineColor = [1, 1, 1];
-  /** Scenes that have or had lines. */
+  /** Scenes that have, or had, lines. */
   readonly #told = new WeakSet<Scene>();
 
   constructor(readonly socket: ViewSocket) {
     void socket.join(this);
   }
 
-  /** Show lines in place of those before. Places are the world's, as it is drawn. */
+  /** Show these lines in place of the previous ones. Places are in the world as it is drawn. */
   show(lines: readonly (readonly Vector3[])[], color: LineColor): void {
     if (JSON.stringify([lines, color]) === JSON.stringify([this.#lines, this.#color])) return;
     this.#lines = lines;
@@ -32,7 +32,7 @@ export class ViewLines implements ViewPart {
   }
 
   apply(scene: Scene): void {
-    // What draws lines is loaded with the first.
+    // The code that draws lines is loaded with the first lines.
     if (this.#lines.length === 0 && !this.#told.has(scene)) return;
     this.#told.add(scene);
     void scene.loadLines().then((lines) => lines?.show(this.#lines, this, this.#color));
