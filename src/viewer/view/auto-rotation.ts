@@ -1,11 +1,11 @@
-// The camera goes around a volume by itself: loaded with the first element that has `auto-rotate`.
+// Turns the camera around a volume without interaction: loaded with the first element that has `auto-rotate`.
 import { invalidAttribute } from '../../core/errors.ts';
 import { isNumber } from '../model/parse-attributes.ts';
 import { socketOf } from '../model/view-socket.ts';
 import type { Viewer } from './viewer.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
 
-/** An element whose camera may go around by itself. */
+/** An element whose camera may turn without interaction. */
 export interface RotatingView extends HTMLElement {
   readonly autoRotate: boolean;
   readonly autoRotateDelay: number | null;
@@ -16,32 +16,32 @@ export interface RotatingView extends HTMLElement {
 /** ms. */
 const defaultDelay = 3000;
 
-/** Radians a second: a turn takes 64 seconds, as in `<model-viewer>`. */
+/** Radians a second: one turn takes 64 seconds, as in `<model-viewer>`. */
 const usualSpeed = Math.PI / 32;
 
-/** From now on an element obeys its attributes for going around. */
+/** From now on the attributes of an element control its rotation. */
 export function rotate(view: RotatingView, presenter: VolumePresenter): void {
   const socket = socketOf(view);
-  // It stays, with what a person has said, when the attribute goes.
+  // It stays when the attribute goes, with what the person has chosen.
   if (!socket.last('rotation')) void socket.join({ key: 'rotation', rotation: new AutoRotation(view, presenter) });
   socket.last('rotation')!.follow();
 }
 
 /**
- * Lets a camera go around by itself: while the element is in sight, no hand is on it or was a moment ago, and neither a person nor
- * the system's wish for less motion has stopped it.
+ * Turns a camera without interaction: while the element is visible, nobody interacts with it or did a moment ago, and neither a
+ * person nor the system's setting for less motion has stopped it.
  */
 export class AutoRotation {
-  /** What a person said last; null where nobody said anything. */
+  /** The last choice of a person; null where nobody has chosen. */
   #asked: boolean | null = null;
   #inSight = false;
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** Radians a second, and the texts that say so. */
+  /** Radians a second, and the attribute texts from which it was read. */
   #speed = 0;
   #read = '';
   readonly #fingers = new Set<number>();
   readonly #reduced = matchMedia('(prefers-reduced-motion: reduce)');
-  /** The viewer that has been told, and what: radians a millisecond. */
+  /** The viewer that has the last speed, and that speed: radians a millisecond. */
   #told: { readonly viewer: Viewer; readonly spin: number } | null = null;
 
   constructor(readonly view: RotatingView, readonly presenter: VolumePresenter) {
@@ -65,12 +65,12 @@ export class AutoRotation {
     this.#wait();
   }
 
-  /** Whether a person, or the system, wants it to stand still. */
+  /** Whether a person, or the system's setting, has stopped it. */
   get stopped(): boolean {
     return !(this.#asked ?? !this.#reduced.matches);
   }
 
-  /** A person stops it, or lets it go on: then at once. */
+  /** A person stops the rotation, or lets it continue, then at once. */
   toggle(): void {
     this.#asked = this.stopped;
     clearTimeout(this.#timer);
@@ -79,7 +79,7 @@ export class AutoRotation {
     this.view.requestUpdate();
   }
 
-  /** The attributes may be others, or there is another viewer. */
+  /** The attributes, or the viewer, may have changed. */
   follow(): void {
     const { autoRotateDelay, rotationPerSecond } = this.view;
     const texts = `${autoRotateDelay} ${rotationPerSecond}`;
@@ -91,7 +91,7 @@ export class AutoRotation {
     this.#apply();
   }
 
-  /** A hand has moved the camera, or it was placed: it stays for a while. */
+  /** A person has moved the camera, or it was placed: it stays there for a while. */
   #wait(): void {
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => {
@@ -106,7 +106,7 @@ export class AutoRotation {
     const { viewer } = this.presenter;
     if (!viewer) return;
     const goes = autoRotate && this.#inSight && !this.stopped && this.#timer === undefined && this.#fingers.size === 0;
-    const spin = goes ? -this.#speed / 1000 : 0; // The volume turns to the right of who looks at it, so the camera goes to the left.
+    const spin = goes ? -this.#speed / 1000 : 0; // The volume turns to the right as a person sees it, so the camera goes to the left.
     if (this.#told?.viewer === viewer && this.#told.spin === spin) return;
     this.#told = { viewer, spin };
     viewer.rig.spin = spin;
@@ -121,6 +121,6 @@ function read({ autoRotateDelay, rotationPerSecond: text }: RotatingView): { rea
   const [, number, unit] = /^\s*(\S*?)(deg|rad|%)\s*$/i.exec(text) ?? [];
   const units = new Map([['deg', Math.PI / 180], ['rad', 1], ['%', usualSpeed / 100]]);
   const speed = isNumber(number ?? '') ? Number(number) * units.get(unit.toLowerCase())! : NaN;
-  // Faster than half a turn in a frame nothing can be seen of it.
+  // With more than half a turn in a frame, nobody could see the rotation.
   return Math.abs(speed) <= 20 * Math.PI ? { value: speed } : { error: invalidAttribute('rotation-per-second', text, 'an angle such as 10deg or 0.2rad, or a percentage such as 50%, ten turns at most') };
 }

@@ -1,4 +1,4 @@
-// Words over a picture at rest that shows nothing: loaded with the first that may.
+// A text over a picture at rest that shows nothing: loaded with the first picture that may show nothing.
 import { faint } from '../../quality/error-estimate.ts';
 import type { Pixels } from '../../optics/rays/between-pixels.ts';
 import { english } from '../../messages/english-blank.ts';
@@ -14,12 +14,12 @@ import { wearSheet } from '../overlays/wear-sheet.ts';
 /** Detail of `picture-blank`. */
 export interface BlankPicture {
   /**
-   * Why nothing is to be seen: no voxel has a value (`noData`), the transfer function is `transparent`, all `values` are where it is, all
-   * `labels` are hidden, all is `cut` away, the volume is out of `sight`, or what is there is too `faint`. Of a radar scan: there are
-   * `noEchoes`, or `weakEchoes` alone; both are right pictures.
+   * Why nothing is visible: no voxel has a value (`noData`), the transfer function is `transparent` everywhere, or for all
+   * `values`; all `labels` are hidden, everything is `cut` away, the volume is out of `sight`, or what the picture shows is too
+   * `faint`. For a radar scan: there are `noEchoes`, or only `weakEchoes`; both pictures are right.
    */
   readonly cause: BlankCause['cause'];
-  /** The words over the picture. */
+  /** The text over the picture. */
   readonly message: string;
 }
 
@@ -28,7 +28,7 @@ export interface NotedView extends HTMLElement {
   readonly renderStats: RenderStats | null;
   readonly paused: boolean;
   whenRendered(): Promise<void>;
-  /** Call back after each update of the element. */
+  /** Register an object that is called after each update of the element. */
   addController(controller: { hostUpdated(): void }): void;
 }
 
@@ -70,7 +70,7 @@ const styles = `
 
 const noted = new WeakSet<NotedView>();
 
-/** From now on an element says so where its pictures at rest show nothing. */
+/** From now on an element shows a note where its pictures at rest show nothing. */
 export function noteBlank(view: NotedView, presenter: VolumePresenter): void {
   if (noted.has(view)) return;
   noted.add(view);
@@ -79,12 +79,12 @@ export function noteBlank(view: NotedView, presenter: VolumePresenter): void {
   note.follow();
 }
 
-/** Whether the picture is at rest, and nothing else is told of it. Scans that play may be empty. */
+/** Whether the picture is at rest, and there is no other message about it. While scans play, pictures may be empty. */
 function isFinal({ renderStats, paused }: NotedView, { viewer, errors }: VolumePresenter): boolean {
   return viewer !== null && paused && renderStats?.converged === true && !viewer.loop.unfinished && !errors.first;
 }
 
-/** The largest opacity in the present picture, 0..1: of the volume and of all that is around it. */
+/** The largest opacity in the present picture, 0..1: of the volume and of everything around it. */
 function largestAlpha({ data }: Pixels): number {
   let largest = 0;
   for (let i = 3; i < data.length; i += 4) if (data[i] > largest) largest = data[i];
@@ -95,7 +95,7 @@ class BlankNote {
   readonly #words: Words<typeof english>;
   #element: HTMLElement | null = null;
   #cause: BlankCause | null = null;
-  /** Of which frame it is known whether it shows something. */
+  /** The last frame that was checked. */
   #judged: RenderStats | null = null;
   #pending: RenderStats | null = null;
 
@@ -109,10 +109,10 @@ class BlankNote {
       this.#judged = null;
       if (this.#cause && !this.#isStillBlank()) this.#say(null);
       if (renderStats?.converged && !renderStats.error?.rays && this.#pending !== renderStats) void this.#judge(renderStats);
-    } else if (this.#cause) this.#write(); // The language may be another one.
+    } else if (this.#cause) this.#write(); // The language may have changed.
   }
 
-  /** What shows in motion, before it is final, is no longer nothing. */
+  /** A picture in motion, before it is final, may already show something. */
   #isStillBlank(): boolean {
     const { view: { paused }, presenter: { viewer, errors } } = this;
     const scene = viewer?.pictures.parts.keeper.scene;
@@ -122,7 +122,7 @@ class BlankNote {
   async #judge(stats: RenderStats): Promise<void> {
     const { view, presenter } = this;
     this.#pending = stats;
-    // Surfaces, labels and shapes that are on their way show something soon.
+    // Surfaces, labels and shapes that are still loading will show something soon.
     await view.whenRendered().catch(() => {});
     if (this.#pending === stats) this.#pending = null;
     const { viewer } = presenter;
@@ -143,7 +143,7 @@ class BlankNote {
     if (!volume || !optics) return null;
     const seen = scene.whatIsSeen();
     const inSight = seen?.cells.includes(1) ? seenPixels(scene, frames.sizeIn(scene)) !== null : null;
-    // Of a volume of labels what is drawn has places in the list of ids, and so has its range.
+    // In a volume of labels, the drawn values and their range are indices in the list of ids.
     return findBlankCause({ volume, optics, cuts, labels, inSight, isMoved: viewer.leftAttributes, alpha });
   }
 
@@ -152,12 +152,12 @@ class BlankNote {
     this.#cause = cause;
     if (!cause) this.#element?.replaceChildren();
     else this.#write();
-    if (JSON.stringify(cause) === JSON.stringify(before)) return; // Another frame, and the same is to be said of it.
+    if (JSON.stringify(cause) === JSON.stringify(before)) return; // Another frame with the same message.
     const detail: BlankPicture | null = cause && { cause: cause.cause, message: this.#describe(cause) };
     this.view.dispatchEvent(new CustomEvent('picture-blank', { detail }));
   }
 
-  /** What listens hears what comes into an element that was there before. */
+  /** Screen readers announce text that is added to an element that already exists. */
   #write(): void {
     const { shadowRoot: root, ownerDocument: document } = this.view;
     if (!root || !this.#cause) return;

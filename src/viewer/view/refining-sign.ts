@@ -1,8 +1,8 @@
-// The line at the lower edge of a picture that is being made finer: loaded with the first picture that takes long.
+// The line at the lower edge of a picture while a finer one is in progress: loaded with the first picture that takes long.
 import type { RenderStats } from '../model/render-stats.ts';
 import { wearSheet } from '../overlays/wear-sheet.ts';
 
-/** An element whose pictures get finer at rest. */
+/** An element whose pictures become finer at rest. */
 export interface RefinedView extends HTMLElement {
   readonly renderStats: RenderStats | null;
   readonly paused: boolean;
@@ -50,12 +50,12 @@ const styles = `
   .refining { display: none; }
 }`;
 
-/** How often the sign follows the picture, ms: it stays for as long as the picture is coarse, and nothing runs after that. */
+/** How often the sign is updated, ms: it stays while the picture is coarse, and nothing runs after that. */
 const pace = 100;
 
 /**
- * Show that a picture is being made finer, and how far that is where it is known; resolves when that is over.
- * @param refined - the pictures; null where none is being made finer
+ * Show that a finer picture is in progress, and its progress where it is known; resolves when the picture is final.
+ * @param refined - returns the pictures; null where no finer one is in progress
  */
 export async function showSign(view: RefinedView, refined: () => { readonly gathered: number | null } | null): Promise<void> {
   const { shadowRoot: root, ownerDocument: document } = view;
@@ -64,7 +64,7 @@ export async function showSign(view: RefinedView, refined: () => { readonly gath
   const sign = document.createElement('div');
   sign.className = 'refining';
   sign.setAttribute('part', 'refining');
-  sign.ariaHidden = 'true'; // Who listens is told of what is there, and that does not change.
+  sign.ariaHidden = 'true'; // Screen readers report what the picture shows, and the sign does not change that.
   const line = sign.appendChild(document.createElement('div'));
   root.append(sign);
   for (let pictures = refined(); pictures; pictures = refined()) {

@@ -1,18 +1,21 @@
 import type { RefinedView } from './refining-sign.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
 
-/** After so long at rest without a final picture a sign says that one is on its way, ms. */
+/** If a picture at rest is not final after this time, a sign shows that a better one is in progress, ms. */
 const patience = 1000;
 
 const timers = new WeakMap<Element, ReturnType<typeof setTimeout>>();
 
-/** Whether a coarse picture is at rest, and a finer one is being made. */
+/** Whether a coarse picture is at rest, and a finer one is in progress. */
 export function isRefining({ renderStats, paused }: RefinedView, { viewer }: Pick<VolumePresenter, 'viewer'>): boolean {
   if (!viewer || !paused || !renderStats || renderStats.converged || viewer.volume?.coarse) return false;
   return viewer.canDraw && viewer.wantsPicture && viewer.loop.unfinished && !viewer.moving && !viewer.animating;
 }
 
-/** A frame was drawn: where final pictures do not come at once, a sign says that they are on their way. What draws it is loaded then. */
+/**
+ * Called after each frame: where final pictures do not come soon, a sign shows that they are in progress. The code that draws the
+ * sign is loaded then.
+ */
 export function followRefining(view: RefinedView, presenter: Pick<VolumePresenter, 'viewer'>): void {
   if (!isRefining(view, presenter)) {
     clearTimeout(timers.get(view));
@@ -23,7 +26,7 @@ export function followRefining(view: RefinedView, presenter: Pick<VolumePresente
 }
 
 async function show(view: RefinedView, presenter: Pick<VolumePresenter, 'viewer'>): Promise<void> {
-  // Without that part the picture is what it is.
+  // If that part can't be loaded, there is no sign.
   const part = isRefining(view, presenter) ? await import('./refining-sign.ts').catch(() => null) : null;
   await part?.showSign(view, () => (isRefining(view, presenter) ? presenter.viewer!.pictures : null));
   timers.delete(view);

@@ -8,7 +8,7 @@ import type { Viewer } from './viewer.ts';
 import { styleOf } from '../model/volume-info.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
-/** What is about to be shown. */
+/** What will be shown next. */
 export interface Foretold {
   readonly volume: Volume;
   readonly optics: VolumeOptics;
@@ -16,11 +16,11 @@ export interface Foretold {
 }
 
 /**
- * Have a viewer's scene that waits for its volume compile what draws it, by a picture of one pixel that is wiped away before anybody sees it.
- * Of a radar that takes as long as all else before its first picture.
+ * Precompile, in a viewer's scene that waits for its volume, the code that draws it: by a picture of one pixel that is cleared
+ * before anybody sees it. For a radar, compiling takes as long as all other work before its first picture.
  */
 export function rehearse(viewer: Viewer | null, foretold: Foretold): void {
-  viewer?.pictures.parts.keeper.rehearse((scene) => draw(scene, foretold).catch(() => {})); // What is wrong is told when the picture is drawn.
+  viewer?.pictures.parts.keeper.rehearse((scene) => draw(scene, foretold).catch(() => {})); // An error is reported when the picture itself is drawn.
 }
 
 async function draw(scene: Scene, { volume, optics, cuts }: Foretold): Promise<void> {
@@ -29,9 +29,9 @@ async function draw(scene: Scene, { volume, optics, cuts }: Foretold): Promise<v
   if (!(await scene.bringVolume(volume, () => false))) return;
   const shown = new ShownVolume();
   Object.assign(shown, { volume, optics, cuts }).furnish(scene);
-  scene.resize(1, 1); // Seen from anywhere: an author's viewpoint stays as it is.
+  scene.resize(1, 1); // From any direction: an author's viewpoint stays as it is.
   scene.setSubsteps(wholeSteps);
   scene.draw(stepLengthOf(volume.grid, 1));
-  scene.resize(1, 2); // Nothing is left on a canvas of another size.
+  scene.resize(1, 2); // A canvas that changes its size is cleared.
   await scene.finished();
 }

@@ -27,19 +27,19 @@ import { ShownVolume } from '../cuts/shown-volume.ts';
 import type { FileGoal } from '../frames/take-picture.ts';
 import type { CameraState } from './write-camera.ts';
 
-/** What a viewer tells. */
+/** What a viewer reports. */
 export interface ViewerListener {
   rendered(stats: RenderStats): void;
   /** A person, or something in the scene, moved the camera. */
   cameraMoved(): void;
   drawingFailed(error: unknown): void;
-  /** The words for a ring around a radar: its radius, metres, or null for the mark of the north. */
+  /** Write the label of a ring around a radar: its radius, metres, or null for the mark of the north. */
   labelRing: RingWriter;
 }
 
 /**
- * Draws one volume in an element: what is to be seen (ShownVolume), from where (CameraRig), when (FrameLoop), how well
- * (QualityControl), and with which scene (SceneKeeper). All but the scene stays when the WebGL context is given back.
+ * Draws one volume in an element: what is visible (ShownVolume), from where (CameraRig), when (FrameLoop), at which quality
+ * (QualityControl), and with which scene (SceneKeeper). Everything except the scene stays when the WebGL context is given back.
  */
 export class Viewer implements FrameHost, SceneUser, SocketViewer {
   readonly rig = new CameraRig();
@@ -53,11 +53,11 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   readonly #keeper: SceneKeeper;
   readonly pictures: PictureDrawing;
   readonly frames: FrameDrawing;
-  /** The last volume that was to be shown and is not in place yet; what came before it is given up. */
+  /** Identifies the last volume that is still loading into the scene; earlier ones are given up. */
   #entrance: object | null = null;
   #framingComing: Promise<void> | null = null;
   #createFraming: typeof createFraming | null = null;
-  /** Before the frame that is being drawn. */
+  /** Whether the camera moved before the present frame. */
   #wasMoving = false;
   #disposed = false;
 
@@ -76,7 +76,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     return this.pictures.drawn;
   }
 
-  /** The volume that pictures are of. */
+  /** The volume in the pictures. */
   get volume(): Volume | null {
     return this.shown.volume;
   }
@@ -85,12 +85,12 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     return this.shown.optics;
   }
 
-  /** What the picture is seen through; null before there is a volume. */
+  /** The camera of the picture; null before there is a volume. */
   get camera(): CameraState | null {
     return this.ready ? { ...this.rig.camera, orbit: this.rig.orbit } : null;
   }
 
-  /** Whether the camera is elsewhere than where attributes place it. */
+  /** Whether the camera is not where the attributes place it. */
   get leftAttributes(): boolean {
     return this.rig.touched || this.rig.spun || this.#author.drives;
   }
@@ -99,15 +99,15 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     return this.#keeper.scene;
   }
 
-  /** Whether it is known what to draw. */
+  /** Whether the volume and its appearance are known. */
   get ready(): boolean {
     return this.shown.isReady;
   }
 
   /**
-   * Show a volume. Until all of it is on the GPU the old picture stays.
-   * @param readCuts - called when the volume is in place: what changes from then on has to be told
-   * @param signal - aborted where the volume is no longer wanted; nothing happens then
+   * Show a volume. The old picture stays until the GPU has all of the volume.
+   * @param readCuts - called when the volume is in place; callers must report later changes of cuts
+   * @param signal - aborted where the volume is no longer needed; nothing happens then
    */
   async show(volume: Volume, optics: VolumeOptics, readCuts: () => Cuts, signal?: AbortSignal): Promise<void> {
     await this.#framingComing;
@@ -120,27 +120,27 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     await this.#wear(optics);
   }
 
-  /** Bring a volume into the scene, where there is one. @returns whether it is still wanted */
+  /** Put a volume into the scene, where there is one. @returns whether it is still needed */
   async #bring(volume: Volume, optics: VolumeOptics, signal?: AbortSignal): Promise<boolean> {
     const entrance = (this.#entrance = {});
     const keeper = this.#keeper;
     const givenUp = (): boolean => this.#disposed || this.#entrance !== entrance || signal?.aborted === true;
     try {
-      // Where the scene goes or comes meanwhile, it is done again in the next one, or left to what builds that.
+      // If the scene goes or comes meanwhile, try again with the next scene, or leave it to the code that builds that scene.
       for (let isThere = false; !isThere; ) {
         const { scene } = keeper;
         await scene?.prepare(volume, optics);
         if (givenUp()) return false;
         if (scene === keeper.scene) isThere = !scene || (await scene.bringVolume(volume, () => givenUp() || scene !== keeper.scene));
       }
-      this.shown.volume = volume; // At once: a scene that comes a moment later has to have it.
+      this.shown.volume = volume; // At once: a scene that comes a moment later must have it.
       return true;
     } finally {
       if (this.#entrance === entrance) this.#entrance = null;
     }
   }
 
-  /** @throws {VolumeViewError} `format/unsupported` where a part of the package that they need is not there */
+  /** @throws {VolumeViewError} `format/unsupported` where a part of the package that they need could not be loaded */
   async setOptics(optics: VolumeOptics): Promise<void> {
     const ids = this.volume?.ids;
     await this.#wear(ids ? await opticsByPlace(ids, optics) : optics);
@@ -149,20 +149,20 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   async #wear(optics: VolumeOptics): Promise<void> {
     const { scene } = this.#keeper;
     if (this.shown.wear(optics)) await scene?.setStyle(this.shown.style);
-    if (scene !== this.#keeper.scene) return; // A new one knows already.
+    if (scene !== this.#keeper.scene) return; // A new scene already has them.
     await scene?.setOptics(this.shown.optics!);
     this.#quality.forgetProbes();
     this.invalidate();
   }
 
-  /** The language may be another one. */
+  /** Write the labels again: the language may have changed. */
   relabel(): void {
     this.#labels?.writeTexts();
   }
 
-  /** A volume is on its way, or it is no more. */
+  /** A volume is loading, or no longer is. */
   readonly expect = (isComing: boolean): void => this.#keeper.expect(isComing);
-  /** Show one part of the present volume, slices of it, and rings around it. @param optics - with which it is framed */
+  /** Show one part of the present volume, slices of it, and rings around it. @param optics - used to frame it */
   setCuts(cuts: Cuts, optics = this.optics): void {
     const { volume } = this.shown;
     this.shown.cuts = cuts;
@@ -192,31 +192,31 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     this.loop.request();
   }
 
-  /** The element came nearer, went away, or is asked for. */
+  /** The element came nearer or went away, or a script waits for its picture. */
   followPresence(): void {
     this.#keeper.review();
   }
 
-  /** How far hands and attributes may bring the camera, and how it gets there. */
+  /** Set how far interaction and attributes may move the camera, and how fast it gets there. */
   setLimits(limits: CameraLimits): void {
     this.rig.setLimits(limits);
     this.invalidate();
   }
 
-  /** Place the camera by attributes: it glides there where there is a picture. The author's viewpoint wins. */
+  /** Place the camera by attributes: it moves there smoothly if there is a picture. The author's viewpoint has priority. */
   setCamera(attributes: CameraAttributes): void {
     this.rig.setAttributes(attributes, !this.drawn);
     if (this.rig.framesItself) this.#framingComing ??= this.#loadFraming();
     this.#resetAuthorCamera();
   }
 
-  /** Back to the author's view. */
+  /** Go back to the author's view. */
   resetCamera(): void {
     this.rig.reset();
     this.#resetAuthorCamera();
   }
 
-  /** Comes while the data do. Without it the whole volume is framed. */
+  /** Load the framing code at the same time as the data. Without it the whole volume is framed. */
   async #loadFraming(): Promise<void> {
     const part = await import('../camera/framing.ts').catch(() => null);
     this.#createFraming = part?.createFraming ?? null;
@@ -225,13 +225,13 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     if (this.#author.drives) this.#author.follow(this.#keeper.scene, true);
   }
 
-  /** Be at once where attributes or a person send the camera. */
+  /** Move the camera at once to where attributes or a person send it. */
   jumpToGoal(): void {
     this.rig.jump();
     this.invalidate();
   }
 
-  /** Frame the subject again, where there is no picture yet and nobody has moved the camera. */
+  /** Frame the subject again, if there is no picture yet and nobody has moved the camera. */
   reframe(): void {
     if (!this.drawn && !this.leftAttributes) this.rig.resetAtOnce();
   }
@@ -248,7 +248,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     this.invalidate();
   }
 
-  /** Resolves when the picture is final: full steps, nothing moving, nothing changed since. */
+  /** Resolves when the picture is final: all steps, nothing moves, nothing has changed since. */
   async settled(): Promise<void> {
     await this.#keeper.scene?.othersReady();
     await this.loop.settled();
@@ -257,7 +257,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   /** Draw one frame at once and wait for the GPU. */
   async redraw(): Promise<RenderStats> {
     await this.#keeper.scene?.othersReady();
-    if (this.rig.placing) this.rig.jump(); // The frame is one of the present settings.
+    if (this.rig.placing) this.rig.jump(); // The frame must have the camera of the present settings.
     return this.#keeper.withScene((scene) => this.loop.drawNow(() => this.frames.drawNow(scene)));
   }
 
@@ -267,7 +267,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     return this.#keeper.withScene((scene) => takePicture(scene, this.frames, goal));
   }
 
-  /** Give the context and the GPU's memory back. */
+  /** Give back the context and the GPU's memory. */
   dispose(): void {
     this.#disposed = true;
     this.loop.end();
@@ -279,7 +279,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     this.loop.wake();
   }
 
-  // What the frame loop asks.
+  // What the frame loop needs.
 
   get canDraw(): boolean {
     return this.#keeper.scene !== null;
@@ -316,7 +316,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     this.#keeper.endFrame();
   }
 
-  // What the keeper of the scene asks.
+  // What the scene keeper needs.
 
   get givenUp(): boolean {
     return this.#disposed;

@@ -17,32 +17,32 @@ import type { Viewer } from './viewer.ts';
 import { describeVolume } from '../model/volume-info.ts';
 import type { VolumeInfo, VolumeOptics } from '../model/volume-info.ts';
 
-/** Whose volumes are presented. */
+/** What a presenter needs of its view. */
 export interface PresenterHost {
   /** Its children may be slices. */
   readonly host: HTMLElement;
   readonly settings: Settings;
-  /** Whether the picture is near enough to be seen soon, asked for, or eager. */
+  /** Whether the picture is near enough to be visible soon, a script waits for it, or it is eager. */
   readonly awake: boolean;
-  /** Something happened that pages can listen to. */
+  /** Send an event to the page. */
   emit(type: string, detail: unknown): void;
-  /** What the element shows beside the picture is otherwise. */
+  /** What the element shows in addition to the picture has changed. */
   changed(): void;
-  /** Work that a script that waits for the picture has to wait for. */
+  /** Add work that scripts wait for when they wait for the picture. */
   track(work: Promise<unknown>): void;
 }
 
-/** Brings volumes into the picture, each with the look and the cuts that the settings ask for. It keeps them when there is no viewer. */
+/** Shows volumes in the picture, each with the appearance and the cuts of the settings. It keeps them while there is no viewer. */
 export class VolumePresenter implements LookHost, SocketView {
   /** null while the element is in no page. */
   viewer: Viewer | null = null;
   readonly look: LookReader;
   readonly #cuts: CutReader;
   #volume: Volume | null = null;
-  /** What of several scans stays from one to the next. */
+  /** What stays the same from one scan to the next. */
   #model: ScanModel | null = null;
   #info: VolumeInfo | null = null;
-  /** What of the files of what is beside the volume is not shown, by who shows it; see `tellBeside`. */
+  /** What of attached files is not shown, by the object that shows them; see `tellBeside`. */
   readonly besideNotices = new Map<object, readonly FileNotices[]>();
 
   constructor(readonly user: PresenterHost, readonly errors: ErrorBoard) {
@@ -51,7 +51,7 @@ export class VolumePresenter implements LookHost, SocketView {
     socketOf(user.host).view = this;
   }
 
-  /** The last good volume, which may be that of a source before. */
+  /** The last good volume; it may belong to the previous source. */
   get volume(): Volume | null {
     return this.#volume;
   }
@@ -60,7 +60,7 @@ export class VolumePresenter implements LookHost, SocketView {
     return this.#info;
   }
 
-  /** Whether something of the files is not in the picture, or not as it is there. */
+  /** Whether something of the files is not in the picture, or is changed in it. */
   get hasNotices(): boolean {
     return this.besideNotices.size > 0 || !!(this.#info?.notices?.length || this.#info?.reduced);
   }
@@ -90,12 +90,12 @@ export class VolumePresenter implements LookHost, SocketView {
     return this.viewer?.drawn === this.#volume;
   }
 
-  /** Another source is wanted: what follows has nothing to do with the scans before. */
+  /** Another source was requested: its volumes are independent of the earlier scans. */
   forgetModel(): void {
     this.#model = null;
   }
 
-  /** There is no volume any more. */
+  /** There is no longer a volume. */
   empty(): void {
     this.#volume = null;
     this.#info = null;
@@ -104,8 +104,8 @@ export class VolumePresenter implements LookHost, SocketView {
   }
 
   /**
-   * Bring a volume into the picture; until all of it is there the one before stays.
-   * @returns its look, with which the page is to be told of it
+   * Show a volume in the picture; the previous one stays until the GPU has all of the new one.
+   * @returns its appearance, which the caller then announces to the page together with the volume
    * @throws what drawing throws, and the signal's reason
    */
   async show(volume: Volume, signal: AbortSignal): Promise<VolumeOptics> {
@@ -114,7 +114,7 @@ export class VolumePresenter implements LookHost, SocketView {
     const model = followModel(this.#model, volume);
     const read = (model === this.#model && this.look.current) || (await this.look.readFirst(model));
     signal.throwIfAborted();
-    // A look that the coarse picture has already is the same object, so that no table is made again.
+    // If the coarse picture already has an equal appearance, the same object is used, so that its tables are not made again.
     const optics = !volume.ids && JSON.stringify(viewer.optics) === JSON.stringify(read) ? viewer.optics! : read;
     this.#model = model;
     await this.#cuts.prepare(volume);
@@ -123,7 +123,7 @@ export class VolumePresenter implements LookHost, SocketView {
     signal.throwIfAborted();
     this.#volume = volume;
     this.#info = describeVolume(volume);
-    if (!this.#cuts.isReady(volume)) this.cutAnew(); // One came while the volume was on its way.
+    if (!this.#cuts.isReady(volume)) this.cutAnew(); // A cut was added while the volume was loading.
     return optics;
   }
 
@@ -131,13 +131,16 @@ export class VolumePresenter implements LookHost, SocketView {
     this.announce(await this.show(volume, new AbortController().signal));
   }
 
-  /** Tell the page of the volume that came. */
+  /** Notify the page of the new volume. */
   announce(optics: VolumeOptics): void {
     this.user.emit('load', this.#info);
     this.look.tell(optics);
   }
 
-  /** A picture of a small volume until the large one is there; of a radar, what draws it is made ready. What is wrong with its attributes is told then. */
+  /**
+   * Show a picture of a small volume until the large one is there; for a radar, precompile the drawing code. Errors in its
+   * attributes are reported with the large volume.
+   */
   async showCoarse({ volume, of }: CoarseVolume, signal: AbortSignal): Promise<void> {
     try {
       const optics = await this.look.read(of);
@@ -146,11 +149,11 @@ export class VolumePresenter implements LookHost, SocketView {
       if (isPolar(volume)) (await import('./rehearse.ts')).rehearse(this.viewer, { volume, optics, cuts: this.#cuts.read(volume, of) });
       else await this.viewer?.show(volume, optics, () => this.#cuts.read(volume, of), signal);
     } catch {
-      // The large one follows, and fails in the same way.
+      // The large volume follows, and fails in the same way.
     }
   }
 
-  /** A load has ended. Where a coarse picture was shown of what did not come, what was there before is back. */
+  /** A load has ended. If it failed after its coarse picture was shown, the previous volume is shown again. */
   async endLoad(done: boolean): Promise<void> {
     const [volume, optics, viewer] = [this.#volume, this.look.current, this.viewer];
     if (!done && volume && optics && viewer?.volume?.coarse) {
@@ -169,10 +172,10 @@ export class VolumePresenter implements LookHost, SocketView {
     }
   }
 
-  /** There are volume nodes of X3D's. @param load - what reads them, @param readLook - reads the look anew */
+  /** There are volume nodes of X3D. @param load - loads the code that reads them, @param readLook - reads the appearance again */
   followNodes(load: () => Promise<VolumeNodeReader>, readLook: () => void): void {
     const { look } = this;
-    // What was loaded then follows them.
+    // The loaded code then follows them itself.
     if (!look.nodes) this.track((look.nodes = load()).then((nodes) => nodes.follow(this, readLook), readLook));
   }
 
@@ -184,7 +187,7 @@ export class VolumePresenter implements LookHost, SocketView {
     this.user.track(work);
   }
 
-  /** The region, a slice or the rings are others. A volume that is on its way reads them when it is there. */
+  /** The region, a slice or the rings have changed. A volume that is still loading reads them when it is there. */
   cutAnew(): void {
     const shown = this.viewer?.volume;
     if (!shown) return;
@@ -193,7 +196,7 @@ export class VolumePresenter implements LookHost, SocketView {
       if (volume && !volume.coarse) this.viewer!.setCuts(this.#readCuts(volume));
     };
     if (this.#cuts.isReady(shown)) apply();
-    // What they tell is not taken back by the end of the loading.
+    // Errors that `apply` reports must stay, so it runs after the end of the loading, which clears errors.
     else this.track(this.errors.run('slices', null, () => this.#cuts.prepare(shown, true)).then((isLoaded) => isLoaded && apply()));
   }
 

@@ -2,19 +2,19 @@ import type { Camera, Orbit } from '../../optics/rays/camera.ts';
 import { length, scale, subtract } from '../../volume/matrix.ts';
 import type { TimeChangeDetail } from '../loading/scan-player.ts';
 
-/** What a view is besides its camera. */
+/** A view: its camera and its scan. */
 export interface SeenView {
   readonly camera: CameraState | null;
   readonly scan: TimeChangeDetail | null;
 }
 
-/** All of a camera. */
+/** All values of a camera. */
 export interface CameraState extends Camera {
-  /** As `camera-change` tells it: around the author's viewpoint, where there is one. */
+  /** As in `camera-change`: around the author's viewpoint, where there is one. */
   readonly orbit: Orbit;
 }
 
-/** The attributes that place a camera. It stands upright, so that what is tilted by the author's viewpoint is not. */
+/** The attributes that place a camera. They keep it upright, so a tilt by the author's viewpoint is lost. */
 export interface CameraTexts {
   readonly 'camera-orbit': string;
   readonly 'camera-target': string;
@@ -25,7 +25,8 @@ export interface CameraTexts {
 export function writeCamera({ eye, target, up, fieldOfView }: Camera): CameraTexts {
   const radius = length(subtract(eye, target));
   const [x, y, z] = scale(subtract(eye, target), 1 / radius);
-  // Straight above and below only the up vector tells the angle around the axis: this sum of both does everywhere.
+  // Straight above and below, only the up vector gives the angle around the axis: this combination of both vectors works
+  // everywhere.
   const flat = Math.hypot(x, y);
   const theta = Math.atan2(up[0] * z - x * flat, y * flat - up[1] * z);
   const digits = Math.min(100, Math.max(0, 6 - Math.floor(Math.log10(radius))));
@@ -38,10 +39,10 @@ export function writeCamera({ eye, target, up, fieldOfView }: Camera): CameraTex
   };
 }
 
-/** What a person changes of the look. */
+/** The attributes of the appearance that a person can change. */
 const edited: readonly string[] = ['transfer-function', 'transfer-function-2d', 'opacity-factor', 'light-factor'];
 
-/** The attributes that show a view again. @param read - the text of an attribute as it stands; null where it is absent */
+/** The attributes that restore a view. @param read - returns the present text of an attribute; null where it is absent */
 export function writeView({ camera, scan }: SeenView, read: (attribute: string) => string | null): Record<string, string> {
   const looks = edited.map((name) => [name, read(name)]).filter(([, text]) => text !== null);
   return {
