@@ -1,14 +1,14 @@
 import type { CameraRig } from './camera-rig.ts';
 import type { Scene } from '../model/scene.ts';
 
-/** Keeps the camera rig and the author's own viewpoint, where there is one, in step. Scenes may come and go meanwhile. */
+/** Keeps the camera rig in agreement with the author's own viewpoint, where there is one. Scenes may come and go meanwhile. */
 export class AuthorView {
   /** Whether the author has a viewpoint. */
   #drives = false;
   #last = '';
   /** The author's viewpoint as it was before a person moved it. */
   #given = '';
-  /** The next scene begins at the author's viewpoint, wherever a person had moved it. */
+  /** Whether the next scene starts at the author's viewpoint, even if a person had moved it. */
   #anew = false;
 
   constructor(readonly rig: CameraRig) {}
@@ -17,7 +17,10 @@ export class AuthorView {
     return this.#drives;
   }
 
-  /** Turning starts from the author's viewpoint, and again whenever they change it. @param force - also where they did not */
+  /**
+   * Turning starts from the author's viewpoint, and again whenever the author changes it. @param force - restart also where it has
+   * not changed
+   */
   follow(scene: Scene | null, force = false): void {
     if (!scene) {
       this.#anew ||= force;
@@ -37,14 +40,14 @@ export class AuthorView {
     this.#last = now;
   }
 
-  /** Follow in a new scene: a person's turn around a viewpoint that is what it was holds on. */
+  /** Follow in a new scene: if the viewpoint has not changed, a person's turn around it is kept. */
   enter(scene: Scene): void {
     const author = scene.authorCamera();
     if (author && !this.#anew && JSON.stringify(author.camera) === this.#given) this.#last = this.#given;
     else this.follow(scene, true);
   }
 
-  /** Look at the scene from where the rig is, unless the author's viewpoint stands where they put it. */
+  /** Set the scene's camera to that of the rig, unless the author's viewpoint is still where the author put it. */
   aim(scene: Scene, aspect: number): void {
     this.rig.setAspect(aspect);
     if (this.#drives && !this.rig.touched && !this.rig.moving && !this.rig.spun) return;

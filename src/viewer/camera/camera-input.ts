@@ -3,51 +3,52 @@ import { canZoom, pan, placeIn, rotate, zoomAt, zoomFrom } from './camera-moves.
 import type { CameraRig, Pose } from './camera-rig.ts';
 import { RightButton } from './right-button.ts';
 
-/** A drag across the element's height turns the camera by this much, radians. */
+/** A drag across the element's height turns the camera by this angle, radians. */
 const turnPerHeight = Math.PI * 1.2;
 
 /** Wheel pixels that double the distance. */
 const wheelPixelsPerDoubling = 600;
 
-/** The same of two fingers on a trackpad, which browsers tell as a wheel with Ctrl: 100 pixels are a factor of e. */
+/** The same for two fingers on a trackpad, which browsers report as a wheel with Ctrl: 100 pixels are a factor of e. */
 const pinchPixelsPerDoubling = 100 * Math.LN2;
 
-/** Of a wheel that really turns while Ctrl is held a notch is 100 pixels and more; a pinch has less in one event. */
+/** The maximum for a pinch in one event. One notch of a real wheel while Ctrl is held is 100 pixels or more. */
 const mostPinchPixels = 25;
 
 /** Wheel lines and pages in pixels. */
 const wheelUnits: readonly number[] = [1, 16, 400];
 
 /**
- * A finger turns the picture after so many CSS pixels, across and along the way in which it may scroll the page: the browser
- * needs some to see that it does, and nothing should move meanwhile.
+ * A finger turns the picture after this many CSS pixels, across and along the direction in which it may scroll the page: the
+ * browser needs some pixels to detect scrolling, and nothing should move meanwhile.
  */
 const fingerSlop = { across: 6, along: 32 };
 
-/** Two fingers on a trackpad, as Safari tells of them. */
+/** A gesture of two fingers on a trackpad, as Safari reports it. */
 type GestureEvent = MouseEvent & { readonly scale: number };
 
 type Place = readonly [x: number, y: number];
 
 /**
- * Mouse, touch and keyboard on an element, as movements of a camera. The page keeps scrolling: the wheel zooms only
- * after a press on the element or with Ctrl or Meta, and scrolls the page again where it can't zoom further, and a finger that starts up or down scrolls (CSS touch-action).
+ * Turns mouse, touch and keyboard input on an element into movements of a camera. The page can still scroll: the wheel zooms only
+ * after a press on the element or with Ctrl or Meta, and scrolls the page again where it can't zoom further; a finger that starts
+ * up or down scrolls (CSS touch-action).
  */
 export class CameraInput {
-  /** Where in the picture each finger or button is. */
+  /** The place of each finger or button in the picture. */
   readonly #pointers = new Map<number, Place>();
   readonly #abort = new AbortController();
   readonly #rightButton: RightButton;
   #pans = false;
-  /** Where one finger was put down that has not turned the picture yet. */
+  /** Where a single finger was put down that has not turned the picture yet. */
   #resting: { readonly x: number; readonly y: number } | null = null;
-  /** Where the camera wanted to be before the first pointer was put down. */
+  /** The camera's goal before the first pointer was put down. */
   #before: { readonly goal: Pose; readonly touched: boolean } | null = null;
   #engaged = false;
 
   /**
    * @param changed - called after each movement
-   * @param reset - called when the person asks for the first view
+   * @param reset - called when the person wants the first view back
    */
   constructor(
     readonly target: HTMLElement,
@@ -62,7 +63,7 @@ export class CameraInput {
     listen('pointermove', (event) => this.#move(event));
     for (const name of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) listen(name, (event) => this.#release(event));
     listen('mousedown', (event) => this.#keepFromScrolling(event));
-    // With two fingers the page does not scroll, whichever way they go.
+    // With two fingers the page does not scroll, in whichever direction they move.
     listen('touchmove', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault());
     listen('wheel', (event) => this.#wheel(event));
     listen('keydown', (event) => this.#key(event));
@@ -78,7 +79,7 @@ export class CameraInput {
 
   #press(event: PointerEvent): void {
     const { button, shiftKey, pointerId, pointerType, clientX: x, clientY: y } = event;
-    // The right button with Shift is the browser's, as is any beyond the third.
+    // The browser handles the right button with Shift, and all buttons after the third.
     if (button > 2 || (button === 2 && shiftKey)) return;
     this.#engaged = true;
     if (this.#pointers.size === 0) {
@@ -114,7 +115,7 @@ export class CameraInput {
     return false;
   }
 
-  /** Of two fingers one has moved: what lies between them follows. */
+  /** One of two fingers has moved: the place between them follows. */
   #pinch(last: Place, now: Place, other: Place): void {
     const [before, after] = [last, now].map(([x, y]) => Math.hypot(x - other[0], y - other[1]));
     pan(this.rig, [(now[0] - last[0]) / 2, (now[1] - last[1]) / 2]);
@@ -124,7 +125,7 @@ export class CameraInput {
   #release(event: PointerEvent): void {
     if (!this.#pointers.delete(event.pointerId)) return;
     this.#rightButton.release(event);
-    // The page scrolls instead, or the system has other plans: it was no movement of the camera.
+    // The page scrolls instead, or the system uses the touch: undo the movement of the camera.
     if (event.type === 'pointercancel' && this.#before) {
       this.rig.aim(this.#before.goal, this.#before.touched);
       this.actions.changed();
@@ -132,11 +133,11 @@ export class CameraInput {
   }
 
   #leave(): void {
-    // The wheel must scroll the page again once the mouse has been elsewhere.
+    // After the mouse has left the picture, the wheel must scroll the page again.
     if (this.#pointers.size === 0) this.#engaged = false;
   }
 
-  /** Browsers scroll by the middle button. */
+  /** Browsers scroll with the middle button: prevent that. */
   #keepFromScrolling(event: MouseEvent): void {
     if (event.button !== 1) return;
     event.preventDefault();
@@ -150,14 +151,15 @@ export class CameraInput {
     const doublings = event.ctrlKey
       ? Math.min(mostPinchPixels, Math.max(-mostPinchPixels, pixels)) / pinchPixelsPerDoubling
       : pixels / wheelPixelsPerDoubling;
-    // At the limit the page scrolls again. With Ctrl, as of a pinch on a trackpad, browsers would zoom the page: that stays still.
+    // At the limit the page scrolls again. With Ctrl, as for a pinch on a trackpad, browsers would zoom the page: that is
+    // prevented.
     if (!zooms && pixels !== 0 && !canZoom(this.rig, 2 ** doublings)) return;
     event.preventDefault();
     zoomFrom(this.rig, 2 ** doublings, placeIn(this.target, event));
     this.actions.changed();
   }
 
-  /** Safari on a Mac tells of a pinch on the trackpad by events of its own; on a phone fingers are told as pointers too. */
+  /** Safari on a Mac reports a pinch on the trackpad by events of its own; on a phone, fingers are also reported as pointers. */
   #listenToGestures(signal: AbortSignal): void {
     let last = 1;
     for (const name of ['gesturestart', 'gesturechange']) {

@@ -4,7 +4,7 @@ import type { CameraRig } from './camera-rig.ts';
 /** One press of an arrow key, radians. */
 const turnPerKey = Math.PI / 24;
 
-/** With Shift, in half the picture's height. */
+/** One press with Shift, in units of half the picture's height. */
 const panPerKey = 0.1;
 
 const zoomPerKey = 1.1;
@@ -19,9 +19,9 @@ const arrows: Readonly<Record<string, readonly [x: number, y: number]>> = {
 const zooms: Readonly<Record<string, number>> = { '+': 1 / zoomPerKey, '=': 1 / zoomPerKey, '-': zoomPerKey, _: zoomPerKey };
 
 /**
- * Do what a key says: the arrows turn the volume their way, as dragging does, and move it with Shift; plus and minus zoom.
- * @param reset - called at the keys that go back to the first view
- * @returns whether the key says anything here
+ * Handle a key: the arrows turn the volume in their direction, as dragging does, and move it with Shift; plus and minus zoom.
+ * @param reset - called for the keys that go back to the first view
+ * @returns whether the key has an effect here
  */
 export function pressKey({ key, shiftKey }: KeyboardEvent, rig: CameraRig, reset: () => void): boolean {
   if (Object.hasOwn(arrows, key)) {

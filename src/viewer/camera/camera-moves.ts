@@ -1,13 +1,16 @@
-// What hands do to a camera. Places in the picture are in half its height, from its middle, to the right and up.
+// Movements of a camera by a person. Places in the picture are in units of half its height, from its middle, to the right and up.
 import { placeInElement } from '../../page/pointer-place.ts';
 import type { PagePoint } from '../../page/pointer-place.ts';
 import { add, cross, length, normalize, scale, subtract } from '../../volume/matrix.ts';
 import type { CameraRig } from './camera-rig.ts';
 
-/** How far from the middle of the subject a person gets what they look at, in its radii: some of it is always in the picture. */
+/**
+ * How far a person can move the camera's target from the middle of the subject, in radii of the subject: some of the subject is
+ * always in the picture.
+ */
 const reach = 1;
 
-/** Nearer to a limit than this share of the distance, the camera is there: no picture shows it. */
+/** If the camera is nearer to a limit than this share of the distance, it counts as at the limit: no picture shows the difference. */
 const limitSlack = 1e-6;
 
 /** Turn by angles in radians. */
@@ -22,13 +25,13 @@ export function zoom(rig: CameraRig, factor: number): void {
   if (factor > 0) rig.aim({ ...rig.goal, radius: rig.goal.radius * factor }, true);
 }
 
-/** Whether the camera comes closer (factor below 1) or goes away: at its limit it does not. */
+/** Whether the camera can come closer (factor below 1) or go away: at its limit it can't. */
 export function canZoom(rig: CameraRig, factor: number): boolean {
   const { goal } = rig;
   return Math.abs(rig.within({ ...goal, radius: goal.radius * factor }).radius / goal.radius - 1) > limitSlack;
 }
 
-/** Move what is seen in the plane of what is looked at: it goes with the hand. */
+/** Move the volume in the plane of the camera's target, so that it follows the pointer. */
 export function pan(rig: CameraRig, [x, y]: readonly [x: number, y: number]): void {
   const { goal } = rig;
   const { eye, target, up, fieldOfView } = rig.cameraAt(goal);
@@ -37,23 +40,23 @@ export function pan(rig: CameraRig, [x, y]: readonly [x: number, y: number]): vo
   const { center, radius } = rig.subject;
   const before = subtract(target, center);
   const after = add(before, add(scale(right, -x * halfHeight), scale(up, -y * halfHeight)));
-  // The subject can't be lost; an author may look farther beside it.
+  // A person can't lose the subject; an author may look farther to its side.
   const share = Math.min(1, Math.max(reach * radius, length(before)) / length(after));
   rig.aim({ ...goal, target: add(center, scale(after, share)) }, true);
 }
 
-/** Come closer (factor below 1) or go away; what lies at a place of the picture stays there. */
+/** Come closer (factor below 1) or go away; the place under the pointer stays where it is in the picture. */
 export function zoomAt(rig: CameraRig, factor: number, [x, y]: readonly [x: number, y: number]): void {
   const before = rig.goal.radius;
   zoom(rig, factor);
-  // Less than the factor where the camera can't come nearer.
+  // The change is smaller than the factor where the camera can't come nearer.
   const share = before / rig.goal.radius - 1;
   if (share !== 0) pan(rig, [-x * share, -y * share]);
 }
 
 /**
- * The same, of what has no hold on the picture: a wheel, a key, a button. Going away, the camera never comes to look farther beside what it
- * looked at first, and beyond the distance where it stood first it comes back to that.
+ * The same for input that holds no place of the picture: a wheel, a key, a button. While the camera goes away, its target never
+ * moves farther from the first target; beyond the first distance it returns to the first target.
  */
 export function zoomFrom(rig: CameraRig, factor: number, place: readonly [x: number, y: number]): void {
   const before = rig.goal;
@@ -63,12 +66,12 @@ export function zoomFrom(rig: CameraRig, factor: number, place: readonly [x: num
   const [was, is] = [before.target, goal.target].map((target) => subtract(target, home.target));
   const [near, far] = [length(was), length(is)];
   const rounding = 1e-9 * goal.radius;
-  // At the limit too, where it does not go away any more.
+  // Also at the limit, where the camera no longer goes away.
   const share = far > near + rounding ? 1 / factor : Math.min(1, Math.max(before.radius, home.radius) / (before.radius * factor));
   if (far > share * near + rounding) rig.aim({ ...goal, target: add(home.target, scale(was, share)) }, true);
 }
 
-/** Where in an element's picture a pointer is. */
+/** The place of a pointer in an element's picture. */
 export function placeIn(element: HTMLElement, point: PagePoint): [x: number, y: number] {
   const [x, y] = placeInElement(element, point);
   const { clientWidth, clientHeight } = element;

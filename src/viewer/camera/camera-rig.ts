@@ -9,47 +9,50 @@ import { defaultLimits } from '../model/camera-attributes.ts';
 import type { CameraAttributes, CameraLimits } from '../model/camera-attributes.ts';
 import type { Radius } from '../model/parse-attributes.ts';
 
-/** What the camera looks at. */
+/** The object that the camera looks at. */
 export interface Subject {
   readonly center: Vector3;
-  /** Of the sphere that holds the volume, world length. */
+  /** Radius of the sphere that contains the volume, world length. */
   readonly radius: number;
-  /** Whether it is the weather over a map: then north is ahead and there is more of the ground to be seen. */
+  /** Whether it is weather over a map: then north is ahead, and the picture shows more of the ground. */
   readonly isWeather?: boolean;
-  /** Whether it stands in for a volume that follows, in the same place, and is framed as that one is. */
+  /** Whether it is shown in place of a volume that is still loading, which has the same place and the same framing. */
   readonly isCoarse?: boolean;
-  /** Frames what is seen of it, where something is; asked for once. */
+  /** Frames the visible part of the volume, where there is one; called once. */
   readonly findFraming?: () => Framing | null;
 }
 
-/** Where a camera of a direction stands that has all in its picture that is to be seen; null where nothing is. @param target - null where it may be chosen */
+/**
+ * The position of a camera with a given direction that has all visible parts in its picture; null where nothing is visible.
+ * @param target - null where the function may choose it
+ */
 export type Framing = (view: FramedView, target: Vector3 | null) => { target: Vector3; radius: number } | null;
 
-/** From the patient's front left, a little from above: three faces of a volume are seen. */
+/** From the patient's front left, a little from above: three faces of a volume are visible. */
 const defaults = { theta: Math.PI / 6, phi: (75 * Math.PI) / 180, fieldOfView: Math.PI / 6 };
 
 /** From the south, and from higher up. */
 const weatherDefaults = { ...defaults, theta: Math.PI + Math.PI / 9, phi: (62 * Math.PI) / 180 };
 
 /**
- * Share of the bounding sphere that a radius of 100 % fits into the picture. It depends on nothing but the volume's box, so that
- * an author's per cents hold whatever is seen of it.
+ * Share of the bounding sphere that a radius of 100 % fits into the picture. It depends only on the volume's box, so that an
+ * author's percentages do not change with the visible part.
  */
 const framedShare = 0.68;
 
-/** Closest that anybody gets, in radii of the subject. */
+/** The smallest distance, in radii of the subject. */
 const nearest = 0.02;
 
-/** Farthest that anybody gets, in distances that just show the subject: it is still seen well. */
+/** The largest distance, as a multiple of the distance that just shows the subject: at this distance it is still clearly visible. */
 const farthest = 4;
 
-/** The camera comes to rest where it stays within this part of the picture. */
+/** The camera stops when it is nearer to its goal than this share of the picture. */
 const atRest = 2e-4;
 
-/** Time in which the camera makes up for 63 % of what it lags behind the hand, ms. */
+/** Time in which the camera covers 63 % of its distance from the pointer, ms. */
 const lag = 60;
 
-/** Where a camera stands, and what it looks at. */
+/** The position of a camera, and its target. */
 export interface Pose extends Orbit {
   /** World coordinates. */
   readonly target: Vector3;
@@ -58,27 +61,30 @@ export interface Pose extends Orbit {
 }
 
 /**
- * Where the camera is and where it wants to be. The frame in which it turns is the world's (z up), or that of the
- * author's viewpoint, so that turning begins from what the author chose.
+ * Where the camera is and where it is going. It turns in the frame of the world (z up), or in that of the author's viewpoint, so
+ * that turning starts from the author's choice.
  */
 export class CameraRig {
   #attributes: CameraAttributes = {};
   #limits = defaultLimits;
   #subject: Subject = { center: [0, 0, 0], radius: 1 };
-  /** By what was seen of it when it came: other colours and scans leave the view as it is. Undefined where that is not known. */
+  /**
+   * Computed from the visible part when the subject came: other colours and scans do not change the view. Undefined where the
+   * visible part is not known.
+   */
   #framing: Framing | null | undefined;
   #aspect = 1;
   #frame: readonly [Vector3, Vector3, Vector3] = worldFrame;
   #goal: Pose = { theta: 0, phi: 0, radius: 1, target: [0, 0, 0], fieldOfView: defaults.fieldOfView };
   #pose: Pose = this.#goal;
-  /** Where it was placed. */
+  /** The pose where it was placed. */
   #home: Pose = this.#goal;
   #touched = false;
   #placing = false;
   #lag = lag;
-  /** Radians in a millisecond by which the camera goes around by itself. */
+  /** Speed of automatic rotation, radians a millisecond. */
   spin = 0;
-  /** How far it has gone around by itself, on top of its pose, radians. */
+  /** The angle of the automatic rotation so far, in addition to its pose, radians. */
   #spun = 0;
 
   /** The camera at this moment. */
@@ -103,17 +109,17 @@ export class CameraRig {
     return this.#subject;
   }
 
-  /** Where it wants to be. */
+  /** The pose to which the camera is going. */
   get goal(): Pose {
     return this.#spun ? { ...this.#goal, theta: this.#goal.theta + this.#spun } : this.#goal;
   }
 
-  /** Where it was placed, and goes back to. */
+  /** The pose where it was placed, to which it can return. */
   get home(): Pose {
     return this.#home;
   }
 
-  /** Whether the camera has not yet arrived. */
+  /** Whether the camera is still on its way. */
   get moving(): boolean {
     return this.#pose !== this.#goal;
   }
@@ -123,20 +129,20 @@ export class CameraRig {
     return this.#touched;
   }
 
-  /** Whether it has gone around by itself since it was placed. */
+  /** Whether it has rotated automatically since it was placed. */
   get spun(): boolean {
     return this.#spun !== 0;
   }
 
-  /** Whether it is on a way that attributes send it. */
+  /** Whether it is moving to where attributes place it. */
   get placing(): boolean {
     return this.#placing && this.moving;
   }
 
   /**
-   * Place the camera by attributes. What a person did with it is given up.
-   * @param atOnce - whether it is there at once, and does not glide
-   * @throws {VolumeViewError} `attribute/invalid` where that is no place to look from; the camera then stays
+   * Place the camera by attributes. Earlier movements by a person are dropped.
+   * @param atOnce - whether it moves there at once, not smoothly
+   * @throws {VolumeViewError} `attribute/invalid` where the place is not possible; the camera then stays
    */
   setAttributes(attributes: CameraAttributes, atOnce = true): void {
     const before = this.#attributes;
@@ -150,7 +156,7 @@ export class CameraRig {
     throw new VolumeViewError('attribute/invalid', 'camera-orbit, camera-target or field-of-view got a number that is too large or too small.');
   }
 
-  /** Keep within other limits from now on. A camera that nobody moved is where it was placed, as far as they let it. */
+  /** Apply other limits from now on. A camera that nobody moved goes to where it was placed, as far as the limits allow. */
   setLimits(limits: CameraLimits): void {
     this.#limits = limits;
     this.#keepSpun();
@@ -158,16 +164,16 @@ export class CameraRig {
     else if (this.#frame === worldFrame) this.resetAtOnce();
   }
 
-  /** Whether it stands at a distance that suits what is seen. */
+  /** Whether it chooses a distance that suits the visible part. */
   get framesItself(): boolean {
     return !this.#attributes.radius;
   }
 
-  /** Another volume is seen from where the author placed the camera; of one in the same place the view stays. */
+  /** A new volume is seen from where the author placed the camera; if it is in the same place as the old one, the view stays. */
   setSubject(subject: Subject): void {
     const { center, radius, isCoarse } = this.#subject;
     if (![subject.radius, ...subject.center].every(isFinite)) return;
-    const isNear = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-9 * radius; // A coarse volume's bounds are rounded otherwise.
+    const isNear = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-9 * radius; // The bounds of a coarse volume are rounded differently.
     const isSame = isNear(radius, subject.radius) && center.every((c, axis) => isNear(c, subject.center[axis]));
     const isStillHeld = !isCoarse || subject.isCoarse;
     if (isSame && isStillHeld && (this.#framing !== undefined || !subject.findFraming)) return;
@@ -176,7 +182,7 @@ export class CameraRig {
     if (!isSame || !this.#touched) this.resetAtOnce();
   }
 
-  /** The picture's width / height. While nobody touched the camera, the subject stays framed. */
+  /** Set the picture's width / height. While nobody has moved the camera, the subject stays framed. */
   setAspect(aspect: number): void {
     if (aspect === this.#aspect) return;
     this.#aspect = aspect;
@@ -206,9 +212,9 @@ export class CameraRig {
     this.#frame = worldFrame;
     this.#touched = false;
     const [angle, aspect] = [fieldOfView ?? defaults.fieldOfView, this.#aspect];
-    // Turns of a larger angle would be lost in its rounding.
+    // Rounding would lose the turns of a larger angle.
     const orbit = { theta: (theta ?? usual.theta) % (2 * Math.PI), phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)) };
-    // With a distance of the author's own nothing depends on what is seen.
+    // If the author gives a distance, the view does not depend on the visible part.
     const framed = radius ? null : this.#framing?.({ ...orbit, fieldOfView: angle, aspect }, target ?? null);
     this.#home = {
       ...orbit,
@@ -220,7 +226,7 @@ export class CameraRig {
     this.#takeShortWay();
   }
 
-  /** What a person did by hand, and what it did by itself, is where the next way begins. */
+  /** The next movement starts from what a person did, and from the automatic rotation so far. */
   #send(): void {
     this.#placing = false;
     this.#lag = this.#limits.decay;
@@ -236,20 +242,20 @@ export class CameraRig {
     this.#pose = isThere ? this.#goal : { ...this.#pose, theta: this.#pose.theta + by };
   }
 
-  /** Nobody is turned around more than half, unless limits lie on that way. */
+  /** Never turn the camera by more than half a turn, unless limits are in the way. */
   #takeShortWay(): void {
     const { min, max } = this.#limits;
     const turns = Math.round((this.#goal.theta - this.#pose.theta) / (2 * Math.PI));
     if (turns && isFinite(turns) && min.theta === undefined && max.theta === undefined) this.#pose = { ...this.#pose, theta: this.#pose.theta + 2 * Math.PI * turns };
   }
 
-  /** @param usual - where nothing is said, in distances that just show the subject */
+  /** @param usual - used where there is no radius, as a multiple of the distance that just shows the subject */
   #lengthOf(radius: Radius | undefined, fieldOfView: number, usual: number): number {
     if (radius && 'world' in radius) return radius.world;
     return framingDistance(this.#subject.radius * framedShare, fieldOfView, this.#aspect) * (radius?.fraction ?? usual);
   }
 
-  /** A pose within the limits. Angles of a viewpoint are its own, and have none but the poles. */
+  /** A pose within the limits. Angles around an author's viewpoint are not limited, except by the poles. */
   within(pose: Pose): Pose {
     const { min, max } = this.#limits;
     const [least, most] = this.#frame === worldFrame ? [min, max] : [{}, {}];
@@ -264,18 +270,18 @@ export class CameraRig {
     };
   }
 
-  /** Be where the author placed the camera. */
+  /** Move at once to where the author placed the camera. */
   resetAtOnce(): void {
     this.#place();
     this.jump();
   }
 
-  /** Be at once where it wants to be. */
+  /** Move at once to the goal. */
   jump(): void {
     this.#pose = this.#goal;
   }
 
-  /** Turn to a side of the world, the short way, radians. */
+  /** Turn to a side of the world, by the shorter way, radians. */
   turnTo(theta: number, phi: number): void {
     this.#touched = true;
     this.#frame = worldFrame;
@@ -283,12 +289,12 @@ export class CameraRig {
     const round = 2 * Math.PI;
     const near = theta - round * Math.round((theta - this.#goal.theta) / round);
     const { theta: most } = this.within({ ...this.#goal, theta: near });
-    // Limits may leave another turn only.
+    // The limits may allow only another turn.
     const one = near === most ? near : near + Math.sign(most - near) * round;
     this.#goal = this.within({ ...this.#goal, theta: this.within({ ...this.#goal, theta: one }).theta === one ? one : near, phi });
   }
 
-  /** Go to a pose. @param touched - whether a person's hand brought it there */
+  /** Go to a pose. @param touched - whether a person moved the camera there */
   aim(goal: Pose, touched: boolean): void {
     if (touched) this.#keepSpun();
     this.#placing = false;
@@ -297,7 +303,7 @@ export class CameraRig {
     this.#touched = touched;
   }
 
-  /** Follow the goal for some milliseconds. */
+  /** Follow the goal for this time, in milliseconds. */
   advance(ms: number, immediately: boolean): void {
     if (this.spin) this.#goAround(ms);
     if (!this.moving) return;
@@ -316,10 +322,10 @@ export class CameraRig {
       Math.abs(next.radius / to.radius - 1) +
       length(subtract(next.target, to.target)) / to.radius +
       Math.abs(next.fieldOfView / to.fieldOfView - 1);
-    this.#pose = left >= atRest ? next : to; // Also where nobody can say how far it is.
+    this.#pose = left >= atRest ? next : to; // Also where the distance is not a number.
   }
 
-  /** Between limits it goes to and fro. */
+  /** Rotate automatically; between limits the camera goes back and forth. */
   #goAround(ms: number): void {
     const next = this.#spun + this.spin * ms;
     const theta = this.#pose.theta + next;

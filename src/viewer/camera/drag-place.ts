@@ -1,10 +1,11 @@
-// Where places of the world go that are dragged in a picture. Pixels are CSS pixels from the picture's left and top edge.
+// Computes where places of the world move that a person drags in a picture. Pixels are CSS pixels from the picture's left and top
+// edge.
 import { viewMatrix } from '../../optics/rays/camera.ts';
 import type { Camera } from '../../optics/rays/camera.ts';
 import { add, dot, normalize, scale, transformDirection, transformPoint } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 
-/** A picture, and what it is seen through. */
+/** A picture, and its camera. */
 export interface SeenPicture {
   readonly camera: Camera;
   /** CSS pixels. */
@@ -14,10 +15,10 @@ export interface SeenPicture {
 
 export type Pixel = readonly [x: number, y: number];
 
-/** A line in the world that points at the eye so nearly that it is shorter than this, as a share of its length, has no direction in the picture. */
+/** A line in the world that points almost at the eye has no useful direction in the picture: the limit is this share of its length. */
 const foreshortened = 0.25;
 
-/** World length of a pixel at a place before the eye; 0 or less behind it. */
+/** World length of a pixel at a place in front of the eye; 0 or less behind it. */
 export function lengthOfPixel({ camera, height }: SeenPicture, at: Vector3): number {
   return (-transformPoint(viewMatrix(camera), at)[2] * 2 * Math.tan(camera.fieldOfView / 2)) / height;
 }
@@ -28,7 +29,7 @@ export function axesOf(camera: Camera): { readonly right: Vector3; readonly up: 
   return { right: [m[0], m[1], m[2]], up: [m[4], m[5], m[6]], away: [-m[8], -m[9], -m[10]] };
 }
 
-/** The place that is seen at a pixel, in the plane through another place that faces the camera. */
+/** The place at a pixel, in the plane that faces the camera and contains the place `through`. */
 export function placeInPlane(picture: SeenPicture, through: Vector3, [x, y]: Pixel): Vector3 {
   const { camera, width, height } = picture;
   const { right, up, away } = axesOf(camera);
@@ -38,10 +39,10 @@ export function placeInPlane(picture: SeenPicture, through: Vector3, [x, y]: Pix
 }
 
 /**
- * The place on a line that is seen nearest to a pixel. Where the line points at the eye it has no direction in the picture: then
- * up in the picture is away from the eye.
- * @param from - the pixel where the drag began, at which the place `through` was
- * @param direction - of any length but zero
+ * The place on a line that appears nearest to a pixel. If the line points at the eye, it has no direction in the picture: then a
+ * drag upwards moves the place away from the eye.
+ * @param from - the pixel where the drag started, at which the place `through` was
+ * @param direction - of any length except zero
  */
 export function placeOnLine(picture: SeenPicture, { through, direction, from }: { through: Vector3; direction: Vector3; from: Pixel }, to: Pixel): Vector3 {
   const along = normalize(direction);
@@ -61,21 +62,23 @@ export function placeOnLine(picture: SeenPicture, { through, direction, from }: 
   return add(through, scale(along, (r * c - p) / (q - r * e)));
 }
 
-/** Pixels that a key moves a place, and with Shift. */
+/** Pixels that a key moves a place, without and with Shift. */
 const [keyStep, shiftStep] = [4, 40];
 
-/** To the right, up and away from the eye. */
+/** To the right, up, and away from the eye. */
 const keys: Readonly<Record<string, Vector3>> = {
   ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0], PageUp: [0, 0, 1], PageDown: [0, 0, -1],
 };
 
-/** Of a direction in the picture less than this does not follow a key. */
+/** A key has no effect if the line has less than this share of its direction in the picture. */
 const leastShare = 0.2;
 
 /**
- * Where a key moves a place: arrows in the plane that faces the camera, and Page up and Page down away from the eye and towards it.
- * @param along - the only direction in which it moves: arrows move it the way it runs in the picture, and Page up and down along it and back
- * @returns null where the key says nothing
+ * Where a key moves a place: the arrows in the plane that faces the camera, Page up and Page down away from the eye and towards
+ * it.
+ * @param along - the only direction in which it moves: the arrows move it as the line runs in the picture, Page up and Page down
+ * forwards and backwards on the line
+ * @returns null where the key has no effect
  */
 export function moveByKey(picture: SeenPicture, at: Vector3, { key, shiftKey }: { readonly key: string; readonly shiftKey: boolean }, along?: Vector3): Vector3 | null {
   if (!Object.hasOwn(keys, key)) return null;

@@ -8,8 +8,8 @@ import { socketOf } from '../model/view-socket.ts';
 import type { Framing } from './camera-rig.ts';
 
 /**
- * Frames what a look shows of a volume, and the parts that its element has by the time of the next picture: those that come
- * later do not move the camera. It is loaded where an author leaves the distance to the camera.
+ * Frames the visible part of a volume, and the parts that the element has at the time of the next picture: later parts do not move
+ * the camera. This code is loaded where the author gives no distance for the camera.
  */
 export function createFraming(volume: Volume, look: TransferFunction, shown: GridFrame, host?: Element): Framing {
   const places = findSeenPlaces(volume, look, shown);

@@ -6,7 +6,7 @@ import type { Vector3 } from '../../volume/matrix.ts';
 /**
  * Where a camera shows a place of the world.
  * @param size - of the picture, CSS pixels
- * @returns CSS pixels from its left and top edge; null for what is behind the eye
+ * @returns CSS pixels from its left and top edge; null for a place behind the eye
  */
 export function projectPlace(camera: Camera, world: Vector3, { width, height }: { readonly width: number; readonly height: number }): readonly [x: number, y: number] | null {
   const [x, y, z] = transformPoint(viewMatrix(camera), world);

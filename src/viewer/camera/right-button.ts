@@ -1,13 +1,13 @@
-/** Less than this is a click, CSS pixels. */
+/** A shorter movement than this is a click, CSS pixels. */
 const slop = 3;
 
-/** After a drag the menu is asked for at once, if at all, ms. */
+/** After a drag, the system requests the context menu within this time, if at all, ms. */
 const soon = 200;
 
 /**
- * The right button of a mouse, which drags, or else asks for the context menu. Windows asks for it with the release: then a
- * drag drops it. Other systems ask with the press: then it is held back, and asked for anew on release, so that a menu of the
- * page's own opens; the browser's own can't be opened by a script, and is there with Shift.
+ * The right button of a mouse: it drags, or opens the context menu. Windows requests the menu at the release: after a drag that
+ * request is dropped. Other systems request it at the press: the request is held back, and sent again at the release, so that the
+ * page's own menu opens; a script can't open the browser's menu, which needs Shift.
  */
 export class RightButton {
   #from: { x: number; y: number } | null = null;
@@ -25,7 +25,7 @@ export class RightButton {
     this.#held = null;
   }
 
-  /** Whether a press is no click any more. Without a press of the right button there is nothing to wait for. */
+  /** Whether a press is now a drag, not a click. Without a press of the right button it is one at once. */
   drags({ clientX, clientY }: PointerEvent): boolean {
     const { x, y } = this.#from ?? { x: Infinity, y: Infinity };
     this.#dragged ||= Math.hypot(clientX - x, clientY - y) > slop;

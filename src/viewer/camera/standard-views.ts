@@ -1,7 +1,7 @@
 import type { StandardViewName } from '../../messages/terms.ts';
 import type { VolumeInfo } from '../model/volume-info.ts';
 
-/** Where the camera stands, radians: around the vertical axis, 0 being the front, and from straight above. */
+/** A direction of the camera, radians: around the vertical axis, with 0 at the front, and from straight above. */
 export interface StandardView {
   readonly name: StandardViewName;
   readonly theta: number;
@@ -11,7 +11,7 @@ export interface StandardView {
 const degree = Math.PI / 180;
 const level = 90 * degree;
 
-/** A theta of 90 degrees is the left of a patient, who looks at who stands in front. */
+/** A theta of 90 degrees is the left of a patient, who faces the person in front. */
 const sides: readonly StandardView[] = [
   { name: 'front', theta: 0, phi: level },
   { name: 'back', theta: 180 * degree, phi: level },
@@ -21,7 +21,7 @@ const sides: readonly StandardView[] = [
   { name: 'bottom', theta: 0, phi: 180 * degree },
 ];
 
-/** From a little above the ground, the east being +x; above it north is up. */
+/** From a little above the ground, with the east at +x; in the view from above, north is up. */
 const compass: readonly StandardView[] = [
   { name: 'south', theta: 180 * degree, phi: 75 * degree },
   { name: 'north', theta: 0, phi: 75 * degree },
@@ -30,7 +30,7 @@ const compass: readonly StandardView[] = [
   { name: 'above', theta: 180 * degree, phi: 0 },
 ];
 
-/** The views that a person may choose of a volume. */
+/** The standard views of a volume that a person can choose. */
 export function listStandardViews({ moment, site }: Pick<VolumeInfo, 'moment' | 'site'>): readonly StandardView[] {
   return moment !== undefined || site !== undefined ? compass : sides;
 }
