@@ -1,24 +1,24 @@
 import type { BesideTarget } from '../model/label-target.ts';
 
-/** The element that asks for it. */
+/** The element that owns the attachment. */
 export interface BesideHost<Target extends BesideTarget> {
-  /** null while it is in no page. */
+  /** null while the element is in no page. */
   target(): Target | null;
   failed(error: unknown): void;
 }
 
-/** Brings something beside a volume into the picture. What is asked for last counts, and what fails leaves the last good one. */
+/** Shows something that is attached to a volume in the picture. The last request counts, and an error leaves the last good state. */
 export abstract class BesideKeeper<Target extends BesideTarget, Host extends BesideHost<Target>> {
   #run = new AbortController();
 
   constructor(readonly host: Host) {}
 
-  /** Load and show what is asked for now. */
+  /** Load and show the present request. */
   refresh(): void {
     this.#run.abort();
     const { signal } = (this.#run = new AbortController());
     const target = this.host.target();
-    if (!target || (!target.volume && !target.awake)) return; // What is far away is loaded with its volume.
+    if (!target || (!target.volume && !target.awake)) return; // What is far away is loaded together with its volume.
     target.track(this.read(target, signal).catch((error: unknown) => {
       if (signal.aborted) return;
       this.unread(target);
@@ -26,7 +26,7 @@ export abstract class BesideKeeper<Target extends BesideTarget, Host extends Bes
     }));
   }
 
-  /** The element has left its page. @param target - where it was */
+  /** The element has left its page. @param target - its former target */
   leave(target: Target): void {
     this.#run.abort();
     this.forget(target);
@@ -34,13 +34,13 @@ export abstract class BesideKeeper<Target extends BesideTarget, Host extends Bes
     target.reportFiles([]);
   }
 
-  /** @param signal - of what is not asked for any more */
+  /** @param signal - aborted when the request is replaced */
   protected abstract read(target: Target, signal: AbortSignal): Promise<void>;
 
-  /** Nothing of it stays there, and nothing goes on. */
+  /** Remove it from the target, and stop all work. */
   protected abstract forget(target: Target): void;
 
-  /** What is asked for could not be had: what would be wrong there is to go. */
+  /** The request has failed: remove what would be wrong on the present volume. */
   protected unread(_target: Target): void {}
 
   protected fail(error: unknown): void {

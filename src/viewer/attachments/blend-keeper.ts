@@ -1,4 +1,4 @@
-// The second volume of X3D's BlendedVolumeStyle as a layer over the first: loaded with the first of them.
+// Shows the second volume of X3D's BlendedVolumeStyle as a layer over the first: loaded with the first such style.
 import { VolumeViewError } from '../../core/errors.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
 import { childrenOf } from '../../page/page-children.ts';
@@ -24,13 +24,13 @@ import type { SecondVolume } from '../../x3d/nodes/volume-textures.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
 import type { ViewSocket } from '../model/view-socket.ts';
 
-/** X3D's own: what is bright is opaque. */
+/** X3D's default: bright values are opaque. */
 const gray = '0% #000 0, 100% #fff 100%';
 
-/** What X3D calls 1 in an image. */
+/** The value in an image that X3D calls 1. */
 const white = 255;
 
-/** A page's own layer goes before a blend. */
+/** A page's own layer has priority over a blend. */
 class BlendTarget extends OverlayTarget {
   get isTaken(): boolean {
     return childrenOf(this.view.host, 'volume-layer').length > 0;
@@ -41,7 +41,7 @@ class BlendTarget extends OverlayTarget {
   }
 }
 
-/** Keeps the second volume of a view. */
+/** Controls the second volume of a view. */
 export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarget>> {
   readonly #target: BlendTarget;
   readonly #files = new LastWork<Volume>();
@@ -81,7 +81,7 @@ export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarge
     const colors = texture || opacityFactor !== null ? await readOpacityMap(texture, opacityFactor) : gray;
     signal.throwIfAborted();
     const { volume: over } = target;
-    if (!over) return; // It tells when it is there.
+    if (!over) return; // The target reports the volume when it is there.
     const volume = voxels.mosaic && !isPolar(over) && !isPolar(loaded) ? stretchOver(loaded, over) : placeOverlay(loaded, over, voxels.url);
     const window = voxels.mosaic ? ([0, white] as const) : (volume.window ?? volume.range);
     const transferFunction = await resolveTransferFunction(colors, window);
@@ -93,7 +93,7 @@ export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarge
   }
 }
 
-/** An image of slices says no place: X3D's textures fill the volume's box, each on a grid of its own. */
+/** An image of slices has no place of its own: X3D's textures fill the volume's box, each on its own grid. */
 export function stretchOver(volume: Volume, over: Volume): Volume {
   const { dimensions } = volume.grid;
   const [scale, offset] = [1, 0.5].map((share) => dimensions.map((n) => share / n) as unknown as Vector3);

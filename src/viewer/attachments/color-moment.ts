@@ -1,4 +1,4 @@
-// A radar scan in the colours of another of its moments: loaded where a view asks for it.
+// Shows a radar scan in the colours of another of its moments: loaded where a view requests it.
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
 import type { Color } from '../../optics/transfer/transfer-function.ts';
@@ -17,26 +17,26 @@ import type { TimeChangeDetail } from '../loading/scan-player.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
 import { socketOf } from '../model/view-socket.ts';
 
-/** A <volume-view> that may want such colours. */
+/** A <volume-view> that may request such colours. */
 export interface ColoredView extends HTMLElement {
   readonly colorMoment: string | null;
   readonly scan: TimeChangeDetail | null;
 }
 
-/** Of gates that have no such moment. */
+/** The colour of gates without a value of that moment. */
 const missing: Color = [0.55, 0.55, 0.55];
 
 const known = new WeakMap<ColoredView, ColorMoment>();
 
-/** The colours of a view: told of each of its updates. */
+/** The colours of a view; to be refreshed after each of its updates. */
 export function colorsOf(view: ColoredView): ColorMoment {
   if (!known.has(view)) known.set(view, new ColorMoment(view));
   return known.get(view)!;
 }
 
 /**
- * A layer that colours a scan, wherever it is as strong as anywhere.
- * @throws {VolumeViewError} `format/unsupported` where its gates are others
+ * A layer that colours a scan with the same strength everywhere.
+ * @throws {VolumeViewError} `format/unsupported` where its gates differ
  */
 export async function colorByMoment(over: PolarVolume, volume: PolarVolume, name: string): Promise<ViewOverlay> {
   checkSameGates(over, volume);
@@ -45,7 +45,7 @@ export async function colorByMoment(over: PolarVolume, volume: PolarVolume, name
   return makeOverlay({ volume, over, transferFunction, blend: 'color', opacityFactor: 1, missing }, name, secondMomentField(over, volume));
 }
 
-/** A layer over a radar scan that looks as its author says. */
+/** A layer over a radar scan, with the appearance that its author gives. */
 export function overRadar(shown: ShownOverlay, name: string): ViewOverlay {
   return makeOverlay(shown, name, secondMomentField(shown.over as PolarVolume, shown.volume as PolarVolume));
 }
@@ -53,7 +53,7 @@ export function overRadar(shown: ShownOverlay, name: string): ViewOverlay {
 class ColorMoment {
   readonly #target: OverlayTarget;
   #run = new AbortController();
-  /** What is shown or on its way: the moment, of which volume, in which viewer and scan. */
+  /** What is shown or loading: the moment, the volume, the viewer, and the scan. */
   #of: readonly unknown[] = [];
   #isShown = false;
 
@@ -62,7 +62,10 @@ class ColorMoment {
     for (const type of ['load', 'time-change']) view.addEventListener(type, () => void this.refresh());
   }
 
-  /** Load and show what is asked for now, unless it is. @returns resolves when the next picture shows it, whether it is another one then */
+  /**
+   * Load and show the present request, unless it is shown already. @returns resolves when the next picture shows it, with whether
+   * that picture is different
+   */
   async refresh(): Promise<boolean> {
     const { view } = this;
     const { volume, viewer } = this.#target.view;
@@ -73,7 +76,7 @@ class ColorMoment {
     this.#of = of;
     this.#run.abort();
     const { signal } = (this.#run = new AbortController());
-    if (!moment && before) this.#target.cleared(); // Else what is told is a <volume-layer>'s.
+    if (!moment && before) this.#target.cleared(); // Else the error may belong to a <volume-layer>.
     const isWanted = moment !== null && volume !== null && viewer !== null;
     if (!isWanted && !this.#isShown) return false;
     const work = (isWanted ? this.#read(moment, volume, signal) : this.#wear(null)).catch((error: unknown) => this.#fail(error, signal));
@@ -89,7 +92,7 @@ class ColorMoment {
     const volume = await this.#load(moment, signal);
     signal.throwIfAborted();
     if (!isPolar(volume)) throw new VolumeViewError('format/unsupported', `color-moment got "${moment.slice(0, 60)}", which is on no radar's gates; expected another moment of the scan.`);
-    // Meanwhile another scan may have come; it has been told of, and this goes on for that.
+    // Meanwhile another scan may have come; another refresh works for that one.
     if (volume.radar?.time !== over.radar?.time) return;
     const overlay = await colorByMoment(over, volume, moment);
     signal.throwIfAborted();
@@ -105,7 +108,7 @@ class ColorMoment {
     const several = scan !== null && scan.count > 1;
     const which = settings.stack ? { url: urls[0], files: urls } : urls.length > 1 ? { url: urls[index] } : { url: urls[0], ...(several ? { scan: { index } } : {}) };
     const request = { ...(settings.source && readSource(settings.source)), ...which, moment, limits: deviceLimits(probeDevice()) };
-    return loadBeside(request, signal); // Nobody tells when the view is gone.
+    return loadBeside(request, signal); // Nobody reports when the view is gone, so the volume is not kept.
   }
 
   async #wear(overlay: ViewOverlay | null): Promise<void> {

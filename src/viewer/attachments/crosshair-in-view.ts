@@ -1,4 +1,4 @@
-// The crosshair that panes of a view share, over the view's picture: loaded with the first pane that belongs to a view.
+// Shows the crosshair that panes of a view share over the view's picture: loaded with the first pane that belongs to a view.
 import { asVolumeViewError } from '../../core/errors.ts';
 import type { VolumeViewError } from '../../core/errors.ts';
 import type { Camera } from '../../optics/rays/camera.ts';
@@ -15,7 +15,7 @@ import { socketOf } from '../model/view-socket.ts';
 import type { ViewPart, ViewSocket } from '../model/view-socket.ts';
 import type { VolumePick } from '../model/volume-pick.ts';
 
-/** A view that panes belong to. */
+/** A view to which panes belong. */
 export interface CrosshairView extends PickedView {
   readonly camera: Camera | null;
 }
@@ -26,17 +26,17 @@ export interface JoiningPane {
   /** CSS colour of its own crosshair. */
   readonly color: () => string;
   readonly failed: (error: VolumeViewError) => void;
-  /** What was told is right again. */
+  /** The reported errors are gone. */
   readonly mended: () => void;
 }
 
-/** Show a pane's crosshair in its view, and have clicks on the view and its `cursor` move it. @returns what ends it */
+/** Show a pane's crosshair in its view, and let clicks on the view and its `cursor` move it. @returns a function that ends it */
 export function joinView(view: CrosshairView, pane: JoiningPane): () => void {
   const shown = socketOf(view).parts.find((part) => part instanceof CrosshairInView);
   return (shown ?? new CrosshairInView(view)).join(pane);
 }
 
-/** Three lines along the axes of the world through a place, from side to side of the box around a grid; none outside of it. */
+/** Three lines along the axes of the world through a place, from side to side of the box around a grid; none for a place outside it. */
 export function crosshairLines(grid: GridFrame, place: Vector3): readonly (readonly Vector3[])[] {
   const all = corners(grid);
   const [low, high] = [Math.min, Math.max].map((least) => place.map((_, axis) => least(...all.map((corner) => corner[axis]))));
@@ -47,22 +47,22 @@ export function crosshairLines(grid: GridFrame, place: Vector3): readonly (reado
 class CrosshairInView implements ViewPart {
   readonly key = 'crosshair';
   readonly #socket: ViewSocket;
-  /** The last one is shown. */
+  /** The crosshair of the last pane is shown. */
   readonly #panes: JoiningPane[] = [];
   #abort: AbortController | null = null;
   #overlay: LineOverlay | null = null;
-  /** The texts of `cursor` and `crosshair` that were taken. */
+  /** The last texts of `cursor` and `crosshair` that were applied. */
   #cursor: string | null = null;
   #word: string | null = null;
   #isHidden = false;
-  /** Which attributes can't be read. */
+  /** The attributes that can't be read, with their errors. */
   readonly #wrong = new Map<string, VolumeViewError>();
 
   constructor(readonly view: CrosshairView) {
     this.#socket = socketOf(view);
   }
 
-  /** Where the panes are; the middle of the volume where nobody has put them anywhere. */
+  /** The place of the panes' crosshair; the middle of the volume where nobody has moved it. */
   get cursor(): Vector3 | null {
     const volume = this.#socket.view?.viewer?.volume;
     return this.#panes.at(-1)?.crosshair.place ?? (volume ? middleOf(volume.grid) : null);
@@ -131,7 +131,7 @@ class CrosshairInView implements ViewPart {
     }
   }
 
-  /** Once for each text, as a person may move it then. */
+  /** Only once for each text, because a person may move the crosshair afterwards. */
   #readCursor(): void {
     const text = this.view.getAttribute('cursor');
     if (text === this.#cursor) return;
@@ -141,7 +141,7 @@ class CrosshairInView implements ViewPart {
     });
   }
 
-  /** What can't be read leaves it as it was. */
+  /** A text that can't be read changes nothing. */
   #readWord(): void {
     const text = this.view.getAttribute('crosshair');
     if (text === this.#word) return;
@@ -151,7 +151,7 @@ class CrosshairInView implements ViewPart {
     });
   }
 
-  /** Over the picture. */
+  /** Draw the crosshair over the picture. */
   place(): void {
     const { camera, clientWidth: width, clientHeight: height } = this.view;
     const viewer = this.#socket.view?.viewer;
@@ -167,7 +167,7 @@ class CrosshairInView implements ViewPart {
   }
 }
 
-/** Where panes are that nobody has moved. */
+/** The place of panes whose crosshair nobody has moved. */
 function middleOf(grid: GridFrame): Vector3 {
   const all = corners(grid);
   return [0, 1, 2].map((axis) => (all[0][axis] + all[7][axis]) / 2) as unknown as Vector3;

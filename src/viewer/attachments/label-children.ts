@@ -5,11 +5,11 @@ import { childrenOf } from '../../page/page-children.ts';
 import { isNumber, parseFactor } from '../model/parse-attributes.ts';
 import type { LabelOverride } from '../model/view-labels.ts';
 
-/** What the `<volume-label>` children of an element say. */
+/** The overrides in the `<volume-label>` children of an element. */
 export interface LabelChildren {
-  /** By id; of several children with one id the first. */
+  /** By id; if several children have the same id, the first one counts. */
   readonly overrides: ReadonlyMap<number, LabelOverride>;
-  /** What is wrong with the first one that can't be read; what it says is left out. */
+  /** The error of the first child that can't be read; such children are left out. */
   readonly error: VolumeViewError | null;
 }
 
@@ -27,7 +27,7 @@ export function readLabelChildren(parent: Element): LabelChildren {
   return { overrides, error };
 }
 
-/** The id that a child is about. @throws {VolumeViewError} `attribute/invalid` */
+/** The id of the label that a child describes. @throws {VolumeViewError} `attribute/invalid` */
 function readLabelId(child: Element): number {
   const text = child.getAttribute('value') ?? '';
   const id = isNumber(text.trim()) ? Number(text) : NaN;

@@ -4,19 +4,19 @@ import type { TransferFunction } from '../../optics/transfer/transfer-function.t
 import { mostGroups } from '../../volume/labels.ts';
 import type { LabelEntry } from '../model/view-labels.ts';
 
-/** Labels that are written alike are a group. */
+/** Labels with the same text are a group. */
 export interface LabelGroups {
-  /** Of the groups, from 1; those that labels without one have, 0. */
+  /** Numbers of the groups, by text, from 1; labels without a text have 0. */
   readonly numbers: ReadonlyMap<string, number>;
-  /** By group from 1. */
+  /** Functions of the groups, from group 1 on. */
   readonly functions: readonly TransferFunction[];
-  /** What is wrong with the first that can't be read; its labels have the volume's own. */
+  /** The error of the first text that can't be read; its labels use the volume's own function. */
   readonly error: unknown;
 }
 
 const none: LabelGroups = { numbers: new Map(), functions: [], error: null };
 
-/** Reads the transfer functions of labels, and keeps them while they are the same. */
+/** Reads the transfer functions of labels, and keeps them while they are unchanged. */
 export class LabelFunctions {
   #key = '';
   #kept: Promise<LabelGroups> = Promise.resolve(none);
@@ -33,7 +33,7 @@ export class LabelFunctions {
   }
 }
 
-/** @param firsts - by text the first label that has it */
+/** @param firsts - the first label with each text */
 async function readAll(firsts: ReadonlyMap<string, number>, window: readonly [number, number]): Promise<LabelGroups> {
   const numbers = new Map<string, number>();
   const functions: TransferFunction[] = [];

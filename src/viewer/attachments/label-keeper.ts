@@ -19,18 +19,18 @@ import { placeLabels, refuseRadar } from './place-labels.ts';
 import { describeLabels, styleLabels } from '../model/view-labels.ts';
 import type { LabelEntry } from '../model/view-labels.ts';
 
-/** Whose labels they are. */
+/** What the controller of labels needs of its element. */
 export interface LabelKeeperHost extends BesideHost<LabelTarget> {
-  /** What is said of labels. @param ids - of the file */
+  /** What the author says about labels. @param ids - of the file */
   said(ids: readonly number[]): LabelChildren;
-  /** Load the file, where it is not one of labels as they are. */
+  /** Load the file, where its values need a change before they are labels. */
   load?(src: string, signal: AbortSignal): Promise<LabelFile>;
   readonly wanted: () => { readonly src: string | null; readonly table: string | null; readonly hidden: boolean; readonly transferFunction: string | null };
-  /** There are other labels, or they look otherwise. */
+  /** The labels, or their appearance, have changed. */
   changed(): void;
 }
 
-/** Labels that are shown, and on what. */
+/** The labels that are shown, and their volume. */
 interface Worn {
   readonly map: LabelMap;
   readonly table: LabelTable | null;
@@ -39,11 +39,11 @@ interface Worn {
   readonly volume: Volume;
 }
 
-/** Loads labels and their table, brings them onto the volume's grid, and keeps what is chosen. */
+/** Loads labels and their table, resamples them to the volume's grid, and keeps the choices of persons and scripts. */
 export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
-  /** What a person or a script has chosen: whether a label is hidden. */
+  /** For each label, the choice of a person or a script: whether it is hidden. */
   readonly #chosen = new Map<number, boolean>();
-  /** Whether what is hidden is seen as a trace. */
+  /** Whether hidden labels stay faintly visible, as ghosts. */
   #ghosts = false;
   readonly #files = new LastWork<LabelFile>();
   readonly #tables = new LastWork<LabelTable>();
@@ -52,31 +52,34 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
   #entries: readonly LabelEntry[] = [];
   #nameOf: (id: number) => string | null = () => null;
   readonly #functions = new LabelFunctions();
-  /** That transfer functions of labels were read for. */
+  /** The window for which transfer functions of labels were read. */
   #window = '';
   #wears = 0;
-  /** Whether the target showed them when labels were styled last. */
+  /** Whether the target could show ghosts when labels were styled last. */
   #showsGhosts = false;
-  /** What was asked for last could not be had. */
+  /** Whether the last request has failed. */
   #isLacking = false;
 
-  /** The labels, that of nothing first, but for a volume that is labels itself, where nothing never shows; none before they are there. */
+  /**
+   * The labels, starting with "no label"; a volume that is itself labels never shows that one, so it is left out. Empty before the
+   * labels are loaded.
+   */
   get entries(): readonly LabelEntry[] {
     return this.#worn?.isOwn ? this.#entries.slice(1) : this.#entries;
   }
 
-  /** As a pane of the volume has them; null where it has none. @param opacity - over its greys, 0..1 */
+  /** The labels as a pane of the volume shows them; null where it has none. @param opacity - over its grey values, 0..1 */
   inPane(volume: Volume | null, opacity: number): PaneLabels | null {
     const worn = this.#worn;
     const worldToIndex = worn && worn.volume === volume && invertAffine((volume.grid as CartesianGrid).indexToWorld);
     if (!worldToIndex) return null;
-    // A volume that is labels has their colours already.
+    // A volume that is itself labels already has their colours.
     return paneLabels({ map: worn.map, styles: styleLabels(this.#entries) }, { worldToIndex, nameOf: this.#nameOf, opacity: worn.isOwn ? 0 : opacity });
   }
 
   protected override unread(target: LabelTarget): void {
     this.#isLacking = true;
-    // Labels of another volume say nothing of this one.
+    // The labels of another volume do not fit this one.
     if (this.#worn?.volume !== target.volume) this.#wear(null).catch(() => {});
   }
 
@@ -92,19 +95,19 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     this.host.changed();
   }
 
-  /** What is said of labels, or chosen, is otherwise. */
+  /** What is said about labels, or chosen, has changed. */
   restyle(): void {
     const target = this.host.target();
     if (this.#worn && target) target.track(this.#wear(this.#worn).catch((error: unknown) => this.fail(error)));
   }
 
-  /** The volume looks otherwise: presets of labels span its window. */
+  /** The volume's appearance has changed: presets of labels span its window. */
   rewindow(): void {
     const target = this.host.target();
     if ((this.#window && this.#window !== String(target?.window)) || (this.#ghosts && this.#showsGhosts !== target?.showsGhosts)) this.restyle();
   }
 
-  /** Choose which labels are hidden: those, and no other. @param ghosts - whether they are seen as a trace; as before where absent */
+  /** Choose which labels are hidden: these, and no others. @param ghosts - whether they stay faintly visible; unchanged where absent */
   choose(hidden: Iterable<number>, ghosts = this.#ghosts): void {
     this.#ghosts = ghosts;
     const all = new Set(hidden);
@@ -113,7 +116,7 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     this.restyle();
   }
 
-  /** What an author says of it counts again. */
+  /** Use the author's setting for a label again. */
   forgetChoice(id: number): void {
     this.#chosen.delete(id);
   }
@@ -125,18 +128,18 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
       target.reportFiles([]);
       return this.#wear(null);
     }
-    // Both are on their way at once; where the one fails, the other one's failure is not told.
+    // Both load at the same time; if one fails, an error of the other is not reported.
     const [file, names] = await Promise.all([
       src ? this.#files.get(src, signal, (stop) => (this.host.load ?? loadLabelFile)(src, stop)) : null,
       table ? this.#tables.get(table, signal, (stop) => loadTold(table, stop)) : null,
     ]);
     signal.throwIfAborted();
     const { volume } = target;
-    if (!volume) return; // It tells when it is there.
+    if (!volume) return; // The target reports the volume when it is there.
     refuseRadar(volume);
     if (!src && !table && !volume.named) throw new VolumeViewError('attribute/invalid', '<volume-labels> got neither src nor table; expected src="labels.nii.gz" with the labels, or table="names.tsv" with the names of those that the volume has.');
     const from = file ?? { ...labelsIn(volume, target.file), format: volume.format, named: volume.named };
-    if (!file && !volume.isDiscrete) return target.takeAsLabels(volume); // And tells when it is there.
+    if (!file && !volume.isDiscrete) return target.takeAsLabels(volume); // The target reports this volume too when it is there.
     const url = src ?? target.file;
     const map = await this.#placed.get(`${url} ${JSON.stringify(volume.grid)}`, signal, (stop) => placeLabels(from, volume, url, stop));
     signal.throwIfAborted();
@@ -169,19 +172,19 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
   }
 }
 
-/** A table, and what the file itself says of labels that are not in it. */
+/** A table, completed by labels that only the file names. */
 function withNamed(table: LabelTable | null, named: readonly NamedLabel[] = []): LabelTable | null {
   if (named.length === 0) return table;
   const rows = named.map((label): [number, LabelRow] => [label.id, { ...label, opacity: 1, hidden: false }]);
   return { format: 'file', problems: [], ...table, rows: new Map([...rows, ...(table?.rows ?? [])]) };
 }
 
-/** Each label of such a volume is one value. */
+/** In such a volume each label is a single value. */
 function ownHaveNone(): VolumeViewError {
   return new VolumeViewError('attribute/invalid', 'transfer-function of <volume-labels> or of a <volume-label> is for labels beside a volume, and here the volume is the labels; expected none. Use color and opacity.');
 }
 
-/** A table; what could not be used of it is told to who made the page. */
+/** Load a table; its unusable parts are reported to the author of the page. */
 async function loadTold(url: string, signal: AbortSignal): Promise<LabelTable> {
   const table = await loadLabelTable(url, signal);
   if (table.problems.length > 0) console.warn(`<volume-labels>: of the ${table.format} table ${url} some could not be used.\n${table.problems.join('\n')}`);

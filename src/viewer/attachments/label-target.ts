@@ -32,7 +32,7 @@ export class PresenterTarget extends PresenterPlace<ViewLabels> implements Label
     return this.view.look.current?.window ?? this.volume?.window ?? this.volume?.range ?? null;
   }
 
-  /** Of values of rays there are no traces: what is hidden would count as much as all else. */
+  /** In a projection there are no ghosts: a hidden label would count as much as all others. */
   get showsGhosts(): boolean {
     return this.view.look.current?.projection === null;
   }
@@ -54,18 +54,18 @@ export class PresenterTarget extends PresenterPlace<ViewLabels> implements Label
 
   override failed(error: unknown): void {
     const told = asVolumeViewError(error, 'labels');
-    // Attributes have words that fit.
+    // Errors of attributes already have suitable messages.
     if (/^(source|format)/.test(told.code)) told.topic = 'labels';
     super.failed(told);
   }
 }
 
-/** Whether an element is a pane with a file of its own. */
+/** Whether an element is a pane with its own file. */
 export function isOwnPane(parent: Element | null): boolean {
   return parent?.localName === 'volume-slice-view' && parent.hasAttribute('src');
 }
 
-/** The error for labels that have nothing to be on. @param parent - what is around them */
+/** The error for labels without a volume. @param parent - the element around them */
 export function noTarget(parent: Element | null): VolumeViewError {
   const got = parent?.localName === 'volume-view' || isOwnPane(parent) ? `is the second one in its <${parent!.localName}>; the first one holds. Put what it says into one` : 'got no volume around it; expected it between the tags of a <volume-view>, or of a <volume-slice-view> with src';
   return new VolumeViewError('attribute/invalid', `<volume-labels> ${got}.`);

@@ -5,7 +5,7 @@ import { paneOverlay } from '../../panes/pane-overlay.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
 
-/** @param field - of the layer, by places of the volume's unit cube */
+/** @param field - of the layer, by places in the volume's unit cube */
 export function makeOverlay(shown: ShownOverlay, name: string, field: FieldStage = cartesianOverlay(shown)): ViewOverlay {
   const inPane = isPolar(shown.volume) ? null : paneOverlay(shown);
   return {

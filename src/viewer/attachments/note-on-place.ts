@@ -2,12 +2,12 @@ import { corners } from '../../volume/grid.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 
-/** So many times as large as the volume, a surface is in other units. */
+/** A surface that is this many times larger than the volume is in other units. */
 const tooLarge = 20;
 
 /**
- * Words for an author whose surface is not where the volume is: of another file, in other units, or along other axes.
- * @returns null where it lies in the volume, or around it
+ * A message for an author whose surface is not where the volume is: it belongs to another file, has other units, or other axes.
+ * @returns null where the surface is in the volume, or around it
  */
 export function noteOnPlace({ low, high }: { readonly low: Vector3; readonly high: Vector3 }, grid: GridFrame): string | null {
   const axes = [0, 1, 2].map((axis) => {

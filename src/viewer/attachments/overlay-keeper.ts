@@ -19,26 +19,26 @@ import { placeOverlay } from './place-overlay.ts';
 import { sharedVolumes } from '../loading/shared-volumes.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
 
-/** What an author says of a layer. */
+/** The layer as its author requests it. */
 export interface OverlayWishes extends OverlayWords {
   readonly src: string | null;
   readonly label: string | null;
   readonly hidden: boolean;
 }
 
-/** Whose layer it is. */
+/** What the controller of a layer needs of its element. */
 export interface OverlayKeeperHost extends BesideHost<OverlayTarget> {
   readonly wanted: () => OverlayWishes;
-  /** There is another layer, or it looks otherwise. */
+  /** The layer, or its appearance, has changed. */
   changed(): void;
 }
 
-/** Loads a layer, finds out what it looks like, and puts it over the volume. */
+/** Loads a layer, reads its appearance, and puts it over the volume. */
 export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost> {
   readonly #files = new LastWork<Volume>();
   #volume: Volume | null = null;
   #look: OverlayLook | null = null;
-  /** What it is over now. */
+  /** The volume below the layer. */
   #over: Volume | null = null;
 
   /** The layer's own volume; null before it is there. */
@@ -51,7 +51,7 @@ export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost
   }
 
   protected override unread(target: OverlayTarget): void {
-    // A layer over another volume says nothing of this one.
+    // The layer of another volume does not fit this one.
     if (this.#over !== target.volume) this.#drop(target).catch(() => {});
   }
 
@@ -82,7 +82,7 @@ export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost
     const loaded = await this.#files.get(url, signal, (stop) => loadBeside({ url, limits: deviceLimits(probeDevice()) }, stop, this));
     signal.throwIfAborted();
     const { volume: over } = target;
-    if (!over) return; // It tells when it is there.
+    if (!over) return; // The target reports the volume when it is there.
     const volume = placeOverlay(withoutIds(loaded), over, url);
     const look = await resolveOverlayLook(words, volume);
     const name = label ?? volume.title ?? volume.radar?.moment ?? '';
@@ -97,7 +97,7 @@ export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost
     this.host.changed();
   }
 
-  /** Another moment of the same scan. @param plain - whether its colours are its own, as strong everywhere */
+  /** Another moment of the same scan. @param plain - whether it has its own colours, with the same strength everywhere */
   async #overRadar(shown: ShownOverlay, name: string, plain: boolean): Promise<ViewOverlay> {
     const { colorByMoment, overRadar } = await loadPart(import('./color-moment.ts'), 'shows a second moment');
     return plain && shown.blend === 'color' ? colorByMoment(shown.over as PolarVolume, shown.volume as PolarVolume, name) : overRadar(shown, name);

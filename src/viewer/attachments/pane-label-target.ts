@@ -7,25 +7,25 @@ import { tellBeside } from '../model/beside-notices.ts';
 import type { FileNotices, ToldFile } from '../model/beside-notices.ts';
 import type { LabelTarget } from './label-target.ts';
 
-/** A pane that has a volume of its own. */
+/** A pane with its own volume. */
 export interface LabelledPane {
   readonly volume: () => Volume | null;
   readonly file: () => string;
-  /** Its labels, or what is said of them, are others. */
+  /** Its labels, or what is said about them, have changed. */
   changed(): void;
   /** Show another volume in place of its own. */
   take(volume: Volume): void;
 }
 
-/** Labels in a <volume-slice-view> with a file of its own. */
+/** Labels in a <volume-slice-view> with its own file. */
 export class PaneTarget implements LabelTarget {
   readonly awake = true;
   /** Panes have no transfer functions of labels. */
   readonly window = null;
   readonly showsGhosts = false;
-  /** The transfer function of a volume that is labels itself. */
+  /** The transfer function of a volume that is itself labels. */
   look: TransferFunction | null = null;
-  /** What is wrong with the labels. */
+  /** The error of the labels. */
   error: VolumeViewError | null = null;
   /** What of the labels' file is not shown. */
   readonly besideNotices = new Map<object, readonly FileNotices[]>();
@@ -41,7 +41,7 @@ export class PaneTarget implements LabelTarget {
     return this.pane.file();
   }
 
-  /** Resolves when what is under way is done. */
+  /** Resolves when all running work is done. */
   get done(): Promise<unknown> {
     return this.#work;
   }

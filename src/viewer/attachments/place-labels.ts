@@ -10,14 +10,14 @@ import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { LabelFile } from '../loading/label-files.ts';
 
-/** Work goes on for so long before the page has its turn, ms. */
+/** Time of work before the page gets a turn, ms. */
 const turn = 12;
 
 /**
  * The labels of a file on a volume's grid.
  * @param url - of the file, for messages
- * @throws {VolumeViewError} `format/unsupported` where nothing tells how the two lie to each other, or they have no place in common;
- * the signal's reason
+ * @throws {VolumeViewError} `format/unsupported` where their relative position is not known, or they do not overlap; the signal's
+ * reason
  */
 export async function placeLabels(file: LabelFile, volume: Volume, url: string, signal: AbortSignal): Promise<LabelMap> {
   const name = url.slice(0, 200);
@@ -29,7 +29,8 @@ export async function placeLabels(file: LabelFile, volume: Volume, url: string, 
     throw new VolumeViewError('format/unsupported', `the labels of ${name} are on a grid of ${file.voxels.grid.dimensions.join(' x ')} voxels and the volume on one of ${whole.dimensions.join(' x ')}, and an image does not say where it lies; expected the same grid, or files with a place, such as NIfTI.`);
   }
   const voxels = unknown ? { ...file.voxels, grid: whole } : file.voxels;
-  // On the grid of a volume that was made smaller each box has the label that most of it has; from any other grid the one at its centre.
+  // On the grid of a volume that was made smaller, each box gets its most frequent label; from any other grid, the label at its
+  // centre.
   const goal = isSameGrid(voxels.grid, whole) ? whole : grid;
   const { map, within } = await inTurns(resampleLabels(voxels, file.found, goal), signal);
   if (within > 0) return goal === grid || !volume.reduced ? map : reduceLabels(map, grid.dimensions);
@@ -54,14 +55,14 @@ function isSameGrid(a: CartesianGrid, b: CartesianGrid): boolean {
   return String(a.dimensions) === String(b.dimensions) && a.indexToWorld.every((entry, i) => Math.abs(entry - b.indexToWorld[i]) * (i % 4 < 3 ? a.dimensions[i % 4] : 1) < near);
 }
 
-/** Whether a file says where it lies. An image doesn't; its manifest may. */
+/** Whether a file has a place. An image has none, but its manifest may give one. */
 export function isPlaced({ format, grid: { dimensions, spacing, indexToWorld } }: { readonly format: string; readonly grid: CartesianGrid }): boolean {
   if (/^(nifti|nrrd|metaimage)/i.test(format)) return true;
   const usual = axialIndexToWorld(dimensions, spacing);
   return indexToWorld.some((entry, i) => Math.abs(entry - usual[i]) > 1e-6 * Math.max(...spacing));
 }
 
-/** Do long work between a page's frames. @throws the signal's reason */
+/** Do long work in parts, with time for the page in between. @throws the signal's reason */
 async function inTurns<T>(work: Generator<void, T>, signal: AbortSignal): Promise<T> {
   for (let end = performance.now() + turn; ; ) {
     const step = work.next();

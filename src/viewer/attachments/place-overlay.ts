@@ -9,13 +9,13 @@ import type { Volume } from '../../volume/volume.ts';
 import { isPlaced } from './place-labels.ts';
 import { checkSameGates } from '../loading/same-gates.ts';
 
-/** Of two things of one body, the one is at most so many times as large. Metres are a thousand millimetres. */
+/** The maximum ratio of size of two volumes of the same body. Metres are a thousand millimetres. */
 const sizes = 100;
 
 /**
- * A layer's volume where it belongs: one without a place is on the grid of the volume that it is over.
+ * A layer's volume at its place: one without a place gets the grid of the volume below it.
  * @param url - of the file, for messages
- * @throws {VolumeViewError} `format/unsupported` where nothing tells how the two lie to each other, or they have no place in common
+ * @throws {VolumeViewError} `format/unsupported` where their relative position is not known, or they do not overlap
  */
 export function placeOverlay(volume: Volume, over: Volume, url: string): Volume {
   const name = url.slice(0, 200);
@@ -46,7 +46,7 @@ export function placeOverlay(volume: Volume, over: Volume, url: string): Volume 
 
 const rounded = (length: number): string => String(Number(length.toPrecision(3)));
 
-/** Whether two boxes have anything in common, as far as the axes of either tell. */
+/** Whether two boxes overlap, judged along the axes of both. */
 function meet(a: Volume['grid'], b: Volume['grid']): boolean {
   return [[a, b], [b, a]].every(([from, to]) => {
     const matrix = toOverlay(from, to);

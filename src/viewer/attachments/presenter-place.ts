@@ -4,18 +4,18 @@ import type { Aspect } from '../model/error-board.ts';
 import type { Scene } from '../model/scene.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
 
-/** A <volume-view> as the place of something that is shown with its volume, and the part of the view that shows it. */
+/** A <volume-view> as the target of something that is shown with its volume; it is also the part that shows it in the view. */
 export abstract class PresenterPlace<Value extends { readonly shown: unknown }> implements ViewPart {
   abstract readonly key: 'labels' | 'overlay';
-  /** What is shown from here; null for nothing. */
+  /** What this place shows; null for nothing. */
   protected value: Value | null = null;
-  /** Scenes that have or had it. */
+  /** Scenes that have, or had, a value. */
   readonly #told = new WeakSet<Scene>();
 
-  /** @param aspect - of what can fail */
+  /** @param aspect - under which errors are reported */
   constructor(readonly socket: ViewSocket, readonly aspect: Aspect) {}
 
-  /** Nobody makes such a place before its element is defined. */
+  /** Such a place is only made after its element is defined. */
   get view(): SocketView {
     return this.socket.view!;
   }
@@ -25,7 +25,7 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
     return this.view.volume;
   }
 
-  /** Whether a volume is being loaded, or would be: the picture is near enough to be seen soon. */
+  /** Whether a volume is loading, or would load if there were one: the picture is near enough to be visible soon. */
   get awake(): boolean {
     return this.view.awake;
   }
@@ -35,7 +35,7 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
     return this.view.settings.src ?? '';
   }
 
-  /** Show something else; null for nothing. @returns resolves when the next picture shows it @throws {VolumeViewError} */
+  /** Show another value; null for nothing. @returns resolves when the next picture shows it @throws {VolumeViewError} */
   async wear(value: Value | null): Promise<void> {
     const before = this.value;
     this.value = value;
@@ -45,7 +45,7 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
   }
 
   apply(scene: Scene): Promise<void> | void {
-    // Whichever place it is from. What draws it is loaded with the first.
+    // The last value counts, from whichever place it is. The code that draws it is loaded with the first value.
     const shown = this.socket.last(this.key)?.shown ?? null;
     if (!shown && !this.#told.has(scene)) return;
     this.#told.add(scene);
@@ -58,7 +58,7 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
 
   protected abstract tell(scene: Scene, shown: Value['shown'] | null): Promise<void>;
 
-  /** Work that a script that waits for the picture has to wait for. It does not reject. */
+  /** Add work that scripts wait for when they wait for the picture. It does not reject. */
   track(work: Promise<unknown>): void {
     this.view.track(work);
   }

@@ -1,4 +1,4 @@
-// X3D's volume nodes among the children of an element: loaded with the first of them.
+// Reads X3D's volume nodes among the children of an element: loaded with the first of them.
 import { isWrapper } from '../../page/page-children.ts';
 import { VolumeViewError } from '../../core/errors.ts';
 import { loadPart } from '../../core/load-part.ts';
@@ -20,32 +20,32 @@ import { meantChildren } from '../../page/unclosed.ts';
 import { containerFieldOf, X3dFields } from '../../x3d/nodes/x3d-fields.ts';
 
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();
-/** What of X3D may stand around a volume's styles. */
+/** Whether an X3D node may be around a volume's styles. */
 const isAround = (node: Element): boolean => isWrapper(node) || /^(x3d|scene|group|transform|volumedata|isosurfacevolumedata|segmentedvolumedata)$/i.test(node.nodeName);
 
-/** What nodes say of a look. */
+/** What nodes say about an appearance. */
 interface Said {
   chains: StyleChain[];
   projection: ProjectionKind | null;
-  /** X3D's: of an atlas a share. 0 where there is none. */
+  /** X3D's intensity threshold: a share of the values of an atlas. 0 where there is none. */
   threshold: number;
-  /** A second volume, and the share of the first. */
+  /** A second volume, and the weight of the first. */
   second?: Omit<SecondVolume, 'opacityFactor'> & { readonly weight: number };
 }
 
 const nothingSaid = (): Said => ({ chains: [{ weight: 1, styles: [] }], projection: null, threshold: 0 });
 
-/** Of each view that has or had segments, or a second volume, who keeps them. */
+/** The controllers of segments, and of second volumes, for each view that has or had one. */
 const segmentKeepers = new WeakMap<Element, SegmentKeeper>();
 const blendKeepers = new WeakMap<Element, BlendKeeper>();
 
-/** Of each view, the last reading of what nodes say: parts and textures of one before may come later. */
+/** The last reading of nodes for each view: parts and textures of an earlier reading may come later. */
 const readings = new WeakMap<Element, object>();
 
 export { follow } from '../../x3d/nodes/read-atlas.ts';
 
 /**
- * A look with what X3D's volume nodes among an element's children say: attributes of the element go before these.
+ * An appearance, completed by X3D's volume nodes among an element's children: attributes of the element have priority.
  * @throws {VolumeViewError} `attribute/invalid`
  */
 export async function withVolumeNodes(presenter: { readonly user: { readonly host: Element } }, look: VolumeOptics, { grid }: Pick<ScanModel, 'grid'>): Promise<VolumeOptics> {
@@ -54,7 +54,7 @@ export async function withVolumeNodes(presenter: { readonly user: { readonly hos
   readings.set(host, reading);
   const isLast = (): boolean => readings.get(host) === reading;
   const { second, ...styled } = readAll(host, await withNodeColors(host, look, { isScene: isOfAtlas(host), grid }));
-  if (!isLast()) return styled; // What is said now is read already.
+  if (!isLast()) return styled; // A later reading has already read the present nodes.
   const segmented = findNode(host, 'segmentedvolumedata');
   const segments = segmented ? readSegmented(host, segmented) : null;
   if (segments) await showSegments(host, segments, isLast);
@@ -70,7 +70,7 @@ function isOfAtlas(host: Element): boolean {
   return Boolean(standIn(host, 'src'));
 }
 
-/** The second volume is a layer, which something else keeps. */
+/** The second volume is a layer, which has its own controller. */
 async function showSecond(host: Element, second: SecondVolume, isLast: () => boolean): Promise<void> {
   if (!blendKeepers.has(host)) {
     const { BlendKeeper } = await loadPart(import('./blend-keeper.ts'), 'blends two volumes');
@@ -83,7 +83,7 @@ function findNode(host: Element, name: string): Element | undefined {
   return [...host.querySelectorAll('*')].find((one) => nameOf(one) === name);
 }
 
-/** Segments are labels of the volume, which something else keeps. */
+/** Segments are labels of the volume, which have their own controller. */
 async function showSegments(host: Element, segments: Segments, isLast: () => boolean): Promise<void> {
   if (!segmentKeepers.has(host)) {
     const { SegmentKeeper } = await loadPart(import('./segment-keeper.ts'), 'shows segments');
@@ -97,7 +97,7 @@ function readSegmented(host: Element, node: Element): Segments {
   return { identifiers: readIdentifiers(node), enabled: readEnabled(node), all: readSegments(host), window: isShare ? [0, atlasUnit] : null, opacityFactor: readOpacityFactor(host, isOfAtlas(host)) };
 }
 
-/** What each style says of its segment, in order. */
+/** What each style says about its segment, in order. */
 function readSegments(host: Element): Segment[] {
   return listStyles(meantChildren(host), host).map((style) => {
     const said = nothingSaid();
@@ -111,7 +111,7 @@ function isPlain({ chains, projection }: Said): boolean {
   return !projection && chains.length === 1 && chains[0].styles.length === 0;
 }
 
-/** The same but for textures. @throws {VolumeViewError} `attribute/invalid` */
+/** The same without textures. @throws {VolumeViewError} `attribute/invalid` */
 export function readVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics {
   const { second: _, ...styled } = readAll(host, look);
   return styled;
@@ -134,12 +134,12 @@ function readAll(host: Element, look: VolumeOptics): VolumeOptics & Pick<Said, '
     throw forbidden('<ProjectionVolumeStyle> got other styles beside it; expected it alone, as X3D composes no projections. Set enabled="false" on one of them.');
   }
   const hasStyles = said.chains.length > 1 || said.chains[0].styles.length > 0;
-  // Those of attributes.
+  // The styles from attributes.
   const given = look.styles?.[0].styles ?? [];
   return { ...look, projection: look.projection ?? said.projection, ...(said.projection && said.threshold > 0 && { intensityThreshold: said.threshold * unit }), ...(second && { second, opacityFactor: look.opacityFactor * second.weight }), ...(hasStyles && { styles: said.chains.map(({ weight, styles }) => ({ weight, styles: [...styles, ...given] })) }) };
 }
 
-/** What is done to all surfaces alike; null where each has a shaded style of its own, or none. */
+/** The styles for all surfaces together; null where each has a shaded style of its own, or none. */
 function readSurfaceStyles(enabled: readonly Element[]): readonly VolumeStyle[] | null {
   const other = enabled.find((one) => !/^(shaded|opacitymap)volumestyle$/.test(nameOf(one)));
   if (!other) return null;
@@ -155,13 +155,13 @@ function refuseOthers(host: Element): void {
   if (nodes.length > 1) throw forbidden(`volume-view got ${nodes.length} volume nodes, <${nodes[0].localName}> and <${nodes[1].localName}>; expected one. Write a volume-view for each.`);
 }
 
-/** The style that all segments have. */
+/** The style that applies to all segments. */
 function leadStyle(host: Element, styles: readonly Element[]): Element[] {
   const lead = leadOf(readSegments(host), readEnabled(findNode(host, 'segmentedvolumedata')!));
   return lead < 0 ? [] : [styles[lead]];
 }
 
-/** The styles among elements, in order; HTML puts what follows a style that was not closed into it, where it is read as what follows. */
+/** The styles among elements, in order. If a style has no end tag, HTML puts the next styles into it: these are read as its siblings. */
 function listStyles(elements: Iterable<Element>, host: Element): Element[] {
   return [...elements].flatMap((one) => {
     if (isAround(one)) return listStyles(meantChildren(one), host);
@@ -173,17 +173,17 @@ function listStyles(elements: Iterable<Element>, host: Element): Element[] {
   });
 }
 
-/** Whether styles within it are its own. */
+/** Whether the styles inside an element belong to it. */
 function holdsStyles(style: Element): boolean {
   return /^(composed|blended)volumestyle$/i.test(style.localName);
 }
 
-/** @param around - the styles that it stands in: USE may name one of them, which would have no end */
+/** @param around - the styles that contain this one: if USE names one of them, reading would never end */
 function readStyle(element: Element, said: Said, around: readonly Element[] = []): void {
   const fields = new X3dFields(element, `<${element.localName}>`);
   if (!fields.flag('enabled', true)) return;
   const name = nameOf(element);
-  if (name === 'opacitymapvolumestyle') return; // It is what a volume looks like in any case.
+  if (name === 'opacitymapvolumestyle') return; // It sets the transfer function, which is read elsewhere.
   if (name === 'composedvolumestyle') return readHeld(element, said, around);
   if (name === 'projectionvolumestyle') {
     if (around.length > 0) throw forbidden(`<${element.localName}> stands in another style; expected it alone, as X3D composes no projections.`);
@@ -198,7 +198,7 @@ function readStyle(element: Element, said: Said, around: readonly Element[] = []
   if (style) said.chains = [{ weight: 1, styles: checkLight([...said.chains[0].styles, style]) }];
 }
 
-/** The styles that one holds, one after the other. */
+/** Read the styles inside another one, one after the other. */
 function readHeld(element: Element, said: Said, around: readonly Element[]): void {
   if (around.includes(element)) throw forbidden(`<${element.localName}> got a USE of itself within it; expected the DEF of another style. Leave it out.`);
   for (const one of listStyles(meantChildren(element), element.closest('volume-view') ?? element)) readStyle(one, said, [...around, element]);
@@ -209,7 +209,10 @@ function checkLight(styles: readonly VolumeStyle[]): readonly VolumeStyle[] {
   return styles;
 }
 
-/** The volume in the styles before, and the same volume in others: two chains that are added by their weights. Or another volume. */
+/**
+ * Blend the volume in the earlier styles with the same volume in other styles: two chains that are added by their weights. Or
+ * blend it with another volume.
+ */
 function readBlended(fields: X3dFields, said: Said, around: readonly Element[]): void {
   const { element } = fields;
   if (around.some((one) => nameOf(one) === 'blendedvolumestyle')) throw forbidden(`<${element.localName}> stands in another style; expected it outside of that.`);

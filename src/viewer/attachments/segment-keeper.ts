@@ -1,4 +1,4 @@
-// X3D's segments as labels of the volume: loaded with the first SegmentedVolumeData.
+// Shows X3D's segments as labels of the volume: loaded with the first SegmentedVolumeData.
 import { VolumeViewError } from '../../core/errors.ts';
 import type { Color } from '../../optics/transfer/transfer-function.ts';
 import { childrenOf } from '../../page/page-children.ts';
@@ -13,12 +13,12 @@ import type { LabelOverride, ViewLabels } from '../model/view-labels.ts';
 import type { ViewSocket } from '../model/view-socket.ts';
 import type { Volume } from '../../volume/volume.ts';
 
-/** What an author says of segments. */
+/** What an author says about segments. */
 export interface Segments {
   readonly identifiers: Identifiers;
   readonly enabled: readonly boolean[];
   readonly all: readonly Segment[];
-  /** What their textures span; null for what the volume shows. */
+  /** The values that their textures span; null for the window of the volume. */
   readonly window: readonly [number, number] | null;
   /** See `readOpacityMap`. */
   readonly opacityFactor: number | null;
@@ -27,7 +27,7 @@ export interface Segments {
 /** X3D's segments have no colours of their own. */
 const white: Color = [1, 1, 1];
 
-/** A page's own labels go before segments. */
+/** A page's own labels have priority over segments. */
 class SegmentTarget extends PresenterTarget {
   span: Segments['window'] = null;
 
@@ -44,7 +44,7 @@ class SegmentTarget extends PresenterTarget {
   }
 }
 
-/** Keeps the segments of a view. */
+/** Controls the segments of a view. */
 export class SegmentKeeper {
   readonly #target: SegmentTarget;
   readonly #keeper: LabelKeeper;
@@ -66,7 +66,7 @@ export class SegmentKeeper {
     host.addEventListener('optics-change', () => this.#keeper.rewindow());
   }
 
-  /** @param isLast - whether nothing else is said meanwhile: textures may come late @throws {VolumeViewError} */
+  /** @param isLast - whether no newer segments have come meanwhile: textures may load slowly @throws {VolumeViewError} */
   async show(segments: Segments, isLast: () => boolean): Promise<void> {
     if (this.#target.isTaken) {
       throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got <volume-labels> beside it; expected one of the two, as a volume has one set of labels. The <volume-labels> is drawn.');
@@ -90,7 +90,7 @@ export class SegmentKeeper {
   }
 }
 
-/** What tells one texture from another, and how it is read. */
+/** Identifies a texture, and how it is read. */
 function nameOf({ url, mosaic, slices, most }: Identifiers): string {
   return [url, mosaic && `${mosaic.columns}x${mosaic.rows}`, slices, most].filter((part) => part !== undefined && part !== null).join(' ');
 }
@@ -99,14 +99,14 @@ function loadIdentifiers({ most, ...request }: Identifiers, signal: AbortSignal)
   return labelFileOf(request, signal, (volume) => (most === null ? volume : spread(volume, most)));
 }
 
-/** X3DOM's shares of pixels as numbers of segments, of which it has so many. */
+/** Convert X3DOM's shares of pixels to numbers of segments; `most` is the number of segments in X3DOM. */
 function spread(volume: Volume, most: number): Volume {
   const { ids, samples } = volume;
   const full = samples instanceof Uint16Array || (ids?.at(-1) ?? 0) > 255 ? 65535 : 255;
   return { ...volume, ids: undefined, samples: samples.map((pixel) => segmentOf((ids ? ids[pixel] : pixel) / full, most)) };
 }
 
-/** Segment 0 begins at 0, and segment n at (n + 1/2) / most. */
+/** Segment 0 starts at 0, and segment n at (n + 1/2) / most. */
 export function segmentOf(share: number, most: number): number {
   return Math.max(0, Math.floor(share * most - 0.5));
 }

@@ -14,18 +14,18 @@ import { parsePlace, SliceReader } from '../cuts/slice-attributes.ts';
 import type { PlaneAttributes } from '../cuts/slice-attributes.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
-/** The grey is seen through labels, and their colours are told apart. */
+/** The grey values stay visible through labels, and people can still distinguish the colours. */
 const usualLabelOpacity = 0.5;
 
-/** What the attributes of a pane say, whatever the volume. What is null follows from it. */
+/** What the attributes of a pane say, independent of the volume. The volume determines what is null. */
 export interface SliceAttributes extends PlaneAttributes, Pick<SliceLook, 'isNearest'> {
   readonly drag: DragKind;
   readonly cursor: Vector3 | null;
-  /** Of labels over the grey, 0..1. */
+  /** Opacity of labels over the grey values, 0..1. */
   readonly labelOpacity: number;
 }
 
-/** @param text - of an attribute, null where it is absent @throws {VolumeViewError} `attribute/invalid` */
+/** @param text - returns the text of an attribute, null where it is absent @throws {VolumeViewError} `attribute/invalid` */
 export function readSliceAttributes(text: (name: string) => string | null): SliceAttributes {
   const reader = new SliceReader(text);
   return {
@@ -37,20 +37,23 @@ export function readSliceAttributes(text: (name: string) => string | null): Slic
   };
 }
 
-/** Whose colours and window a pane may share. */
+/** The view whose colours and window a pane may use. */
 export interface SharedLook {
   readonly optics: VolumeOptics | null;
-  /** As the page gives it to the <volume-view>. */
+  /** The window that the page gives the <volume-view>. */
   readonly window: readonly [number, number] | null;
 }
 
-/** How a volume's slices look: what the pane says, else its <volume-view>, else what suits the values. @param own - colours of a volume that is labels itself @throws {VolumeViewError} */
+/**
+ * The appearance of a volume's slices: from the pane, else from its <volume-view>, else what suits the values. @param own -
+ * colours of a volume that is itself labels @throws {VolumeViewError}
+ */
 export async function resolveSliceLook({ window, colors, ...attributes }: SliceAttributes, volume: Volume, shared: SharedLook | null, own?: TransferFunction | null): Promise<SliceLook> {
   const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
   return { ...attributes, window: window ?? shared?.window ?? suitingWindow(volume), colors: isColored ? (shared?.optics?.transferFunction ?? own ?? (await resolveTransferFunction(await suggestedOf(volume), volume.window ?? volume.range))) : null };
 }
 
-/** @throws {VolumeViewError} of a volume that has no such slices */
+/** @throws {VolumeViewError} for a volume that has no such slices */
 export function refuseNoSlices(volume: Volume): void {
   if (isPolar(volume)) {
     throw new VolumeViewError('format/unsupported', 'a radar scan has no axial, coronal or sagittal slices; put <volume-slice type="cappi"> or another one into its <volume-view>');

@@ -13,35 +13,35 @@ import { readSliceAttributes, refuseNoSlices, resolveSliceLook } from './slice-l
 import type { SharedLook, SliceAttributes } from './slice-look.ts';
 import { ViewJoiner } from './view-joiner.ts';
 
-/** What a pane is to show. */
+/** What a pane must show. */
 export interface Shown {
   readonly volume: Volume | null;
-  /** Whose panes have one crosshair, where they are in no group. */
+  /** Panes with the same owner share a crosshair, if they are in no group. */
   readonly owner: object;
   readonly group: string | null;
-  /** Of the <volume-view> that it belongs to. */
+  /** The appearance of the <volume-view> to which the pane belongs. */
   readonly shared: SharedLook | null;
-  /** The labels of its volume, as opaque as a pane has them; undefined for none. */
+  /** The labels of its volume, with the opacity of the pane; undefined for none. */
   readonly labels?: (opacity: number) => PaneLabels | null;
-  /** The transfer function of a volume that is labels itself, where it has another than its file's. */
+  /** The transfer function of a volume that is itself labels, if it is not the one from the file. */
   readonly look?: TransferFunction | null;
 }
 
-/** Whose pane it is. */
+/** What the presenter needs of its pane. */
 export interface SlicePresenterHost {
   /** Whether it is in a page. */
   readonly isThere: () => boolean;
   /** The text of an attribute; null where it is absent. */
   readonly text: (name: string) => string | null;
   readonly shown: () => Shown;
-  /** Something is to be seen otherwise. */
+  /** What is shown has changed. */
   changed(): void;
-  /** The crosshair is elsewhere, or the window another. */
+  /** The crosshair has moved, or the window has changed. */
   moved(what: 'cursor' | 'window'): void;
   failed(error: VolumeViewError): void;
 }
 
-/** Brings volumes and attributes into a pane, and draws it once a frame at most. */
+/** Applies volumes and attributes to a pane, and draws it at most once a frame. */
 export class SlicePresenter {
   readonly pane = new SlicePane(findCrosshair(null, this));
   #error: VolumeViewError | null = null;
@@ -53,20 +53,20 @@ export class SlicePresenter {
   #frame = 0;
   #run = 0;
   #refreshing: Promise<void> = Promise.resolve();
-  /** Settled when the frame that is asked for has been drawn, or given up. */
+  /** Settled when the requested frame has been drawn, or given up. */
   #drawing: Promise<void> = Promise.resolve();
   #settleDrawing: () => void = () => {};
-  /** What was told last: place and window. */
+  /** The place and the window that were reported last. */
   #told: readonly [place: Vector3, window: readonly [number, number]] | null = null;
 
   constructor(readonly host: SlicePresenterHost) {}
 
-  /** What is wrong with the present attributes or the volume. */
+  /** The error of the present attributes or of the volume. */
   get error(): VolumeViewError | null {
     return this.#error;
   }
 
-  /** Resolves when the picture is as fine as it gets: nothing is being read, waits for a frame, or is painted. */
+  /** Resolves when the picture is final: nothing is being read, waits for a frame, or is being painted. */
   async drawn(): Promise<void> {
     const stages = (): readonly Promise<void>[] => [this.#refreshing, this.#drawing, this.pane.painter.done];
     for (let last: readonly Promise<void>[] = []; stages().some((stage, i) => stage !== last[i]);) {
@@ -95,7 +95,7 @@ export class SlicePresenter {
     this.#settleDrawing();
   }
 
-  /** Take in attributes and volume as they are now. @param changed - whether an attribute has just been written */
+  /** Apply the present attributes and volume. @param changed - whether an attribute has just been written */
   refresh(changed: (name: 'cursor' | 'at') => boolean): void {
     const run = ++this.#run;
     this.#refreshing = this.#read(run, changed).catch((error: unknown) => {
@@ -103,14 +103,14 @@ export class SlicePresenter {
     });
   }
 
-  /** Something went wrong; the last good picture stays. */
+  /** Report an error; the last good picture stays. */
   fail(error: unknown): void {
     this.#error = asVolumeViewError(error, 'volume-slice-view');
     this.host.changed();
     this.host.failed(this.#error);
   }
 
-  /** With the next frame. */
+  /** Draw in the next frame. */
   redraw(): void {
     if (this.#frame !== 0 || !this.host.isThere()) return;
     this.#drawing = new Promise((resolve) => (this.#settleDrawing = resolve));
@@ -142,7 +142,7 @@ export class SlicePresenter {
     this.redraw();
   }
 
-  /** Put the crosshair where the attributes say it is: once, as a person may move it then. */
+  /** Put the crosshair where the attributes place it: only once, because a person may move it afterwards. */
   #place({ cursor, at }: SliceAttributes, isNew: (name: 'cursor' | 'at') => boolean): void {
     if (cursor && isNew('cursor')) this.pane.crosshair.moveTo(cursor);
     if (at !== null && isNew('at')) this.pane.goTo(at);
@@ -159,18 +159,18 @@ export class SlicePresenter {
     if (!sliced) return;
     const before = this.#told;
     this.#told = [place, window];
-    // The first place is news too.
+    // The first place is reported too.
     if (String(before?.[0]) !== String(place)) this.host.moved('cursor');
     if (before && String(before[1]) !== String(window)) this.host.moved('window');
   }
 }
 
-/** Of a pane's crosshair, which is alike in the picture of its view. */
+/** The colour of a pane's crosshair; it is the same in the picture of the view. */
 function colorOf(picture: Element | null): string {
   return (picture && getComputedStyle(picture).getPropertyValue('--volume-slice-crosshair-color').trim()) || '#ffd24d';
 }
 
-/** Whether what was zoomed to in one volume is there in the other: the next scan in time, say. */
+/** Whether a place or zoom in one volume is also valid in the other: in the next scan in time, for instance. */
 function isSameGrid(one: Volume | null, other: Volume | undefined): boolean {
   return JSON.stringify(one?.grid) === JSON.stringify(other?.grid);
 }

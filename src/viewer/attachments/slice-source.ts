@@ -5,17 +5,17 @@ import { sharedVolumes } from '../loading/shared-volumes.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import type { Volume } from '../../volume/volume.ts';
 
-/** No graphics processor sets a limit: all the file has is shown, as far as a page's memory goes. */
+/** No GPU sets a limit here: the whole file is shown, as far as the memory of a page allows. */
 const limits: DeviceLimits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 30 };
 
-/** Who shows what is loaded. */
+/** What loading needs of the pane. */
 export interface SliceSourceHost {
   progress(progress: LoadProgress | null): void;
   loaded(volume: Volume): void;
   failed(error: unknown): void;
 }
 
-/** Loads the one file of a pane that stands alone; the last good volume stays until another is there. */
+/** Loads the single file of a pane that stands alone; the last good volume stays until a new one is there. */
 export class SliceSource {
   #url: string | null = null;
   #loading: AbortController | null = null;
@@ -23,12 +23,12 @@ export class SliceSource {
 
   constructor(readonly host: SliceSourceHost) {}
 
-  /** Resolves when what was asked for last is there, has failed, or is not wanted any more. */
+  /** Resolves when the last request is loaded, has failed, or is no longer needed. */
   get loaded(): Promise<void> {
     return this.#loaded;
   }
 
-  /** Load a file, unless it is the one that is there or on its way. */
+  /** Load a file, unless it is already loaded or loading. */
   load(url: string): void {
     if (url === this.#url) return;
     this.stop();
@@ -37,7 +37,7 @@ export class SliceSource {
     this.#loaded = this.#load(url, signal);
   }
 
-  /** Nothing of it goes on; the next load begins anew. */
+  /** Stop loading; the next load starts from the beginning. */
   stop(): void {
     this.#loading?.abort();
     this.#url = null;

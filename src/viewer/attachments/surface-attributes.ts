@@ -11,22 +11,22 @@ import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { invalid, isNumber, parseNumbers, parseWord } from '../model/parse-attributes.ts';
 
-/** What an element asks for; the request is null while it is not known. */
+/** What an element requests; the request is null while it is not known. */
 export interface WantedSurface {
   readonly request: SurfaceRequest | null;
   readonly look: Omit<ShownSurface, 'surface'>;
 }
 
-/** Gives the text of an attribute; null where it is absent. */
+/** Returns the text of an attribute; null where it is absent. */
 type ReadText = (name: string) => string | null;
 
-/** Of a surface without colours: warm and bright, as of plaster. */
+/** For a surface without colours: warm and bright, like plaster. */
 const plain = { color: [0.9, 0.83, 0.73], usesOwnColors: true } as const;
 
-/** Tiles at most: those of a quarter of the Earth's widest radar. */
+/** Maximum number of tiles: those of a quarter of the area of the widest radar on Earth. */
 const maxTiles = 64;
 
-/** What a `<volume-surface>` asks for. @throws {VolumeViewError} `attribute/invalid`, `source/not-found` */
+/** What a `<volume-surface>` requests. @throws {VolumeViewError} `attribute/invalid`, `source/not-found` */
 export function readSurface(read: ReadText): WantedSurface {
   const space = read('space')?.trim();
   const [url, ...more] = urlsOf(read('src'), 'volume-surface', 'src="brain.surf.gii"');
@@ -35,7 +35,10 @@ export function readSurface(read: ReadText): WantedSurface {
   return { request, look: readLook(read, 'volume-surface') };
 }
 
-/** What a `<volume-terrain>` asks for, under a volume; null where there is none yet. @throws {VolumeViewError} `attribute/invalid`, `source/not-found` */
+/**
+ * What a `<volume-terrain>` requests, under a volume; null where there is no volume yet. @throws {VolumeViewError}
+ * `attribute/invalid`, `source/not-found`
+ */
 export function readTerrain(read: ReadText, volume: Volume | null): WantedSurface {
   const files = urlsOf(read('src'), 'volume-terrain', 'src="N46E007.hgt"');
   const text = read('corner')?.trim();
@@ -55,7 +58,7 @@ function radarOf(volume: Volume): TerrainRequest['radar'] {
 
 function urlsOf(text: string | null, tag: string, example: string): string[] {
   const trimmed = (text ?? '').trim();
-  // A URL may have commas.
+  // A URL may contain commas.
   const words = trimmed.startsWith('data:') ? [trimmed] : trimmed.split(/\s+/).filter((word) => word !== '');
   if (words.length === 0) throw new VolumeViewError('attribute/invalid', `<${tag}> got no src; expected ${example}`);
   return words.map(resolveUrl);
@@ -67,7 +70,7 @@ function readLook(read: ReadText, tag: string): WantedSurface['look'] {
   const color = colored ? parseCssColor(colored) : null;
   if (colored && !color) throw invalid(`color of a ${tag}`, colored, 'a CSS colour, like "#ff8800" or "orange"');
   const opacity = faint ? (isNumber(faint) ? Number(faint) : Number.NaN) : (color?.alpha ?? 1);
-  // x3dom would draw it before or behind all of the volume, and not in it.
+  // x3dom would draw it in front of or behind the whole volume, and not inside it.
   if (opacity !== 1) {
     throw new VolumeViewError('attribute/invalid', `opacity of <${tag}> got ${faint ?? `${color!.alpha} by its color`}; expected 1. A translucent surface within a volume can not be drawn rightly yet: make the volume clearer instead (opacity-factor), or cut it open`);
   }

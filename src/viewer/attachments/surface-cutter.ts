@@ -1,4 +1,4 @@
-// Loaded with the first surface that is cut with its volume.
+// Cuts surfaces: loaded with the first surface that is cut together with its volume.
 import { stretchOf } from '../../radar/polar-geometry.ts';
 import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
 import { cutSurface } from '../../volume/cut-surface.ts';
@@ -6,21 +6,21 @@ import { boundsBetween, sidesOf } from '../../volume/world-cut.ts';
 import type { WorldCut } from '../../volume/world-cut.ts';
 import type { SocketView } from '../model/view-socket.ts';
 
-/** What a cut may take of a frame, ms. */
+/** Time that a cut may take in a frame, ms. */
 const frameShareMs = 8;
 
 /** A frame of the page, ms. */
 const frameMs = 16;
 
-/** A drag that rests this long has come to a pause, ms. */
+/** A drag has paused when nothing has moved for this time, ms. */
 const pauseMs = 150;
 
-/** Of the time, a tenth at most goes into cuts that take long. */
+/** After a slow cut, wait for this many times its duration: then at most a tenth of the time is for cuts. */
 const restPerCut = 10;
 
 /**
- * Cuts a surface by what cuts its volume. While that changes, the surface follows in each frame if that leaves time for the picture; else when
- * it comes to a pause, or has gone on for ten times as long as the last cut took.
+ * Cuts a surface where its volume is cut. While the cuts change, the surface follows in each frame if that leaves time for the
+ * picture; else it follows when the change pauses, or has gone on for ten times as long as the last cut took.
  */
 export class SurfaceCutter {
   #whole: ShownSurface | null = null;
@@ -30,14 +30,14 @@ export class SurfaceCutter {
   #endedMs = 0;
   /** Time of the page's frame in which it was cut. */
   #frame: unknown = null;
-  /** When the next cut is due, and what waits for it. */
+  /** When the next cut is due, and the work that waits for it. */
   #dueMs = 0;
   #waiting: Promise<void> | null = null;
 
-  /** @param again - shows the surface once more, cut anew */
+  /** @param again - shows the surface again, newly cut */
   constructor(readonly view: SocketView, readonly again: () => Promise<void>) {}
 
-  /** What is left of a surface; null where that is nothing. The same object where nothing has changed. */
+  /** The rest of a surface after the cuts; null where nothing is left. The same object where nothing has changed. */
   cut(whole: ShownSurface): ShownSurface | null {
     const away = this.#away;
     const key = JSON.stringify(away);
@@ -52,7 +52,7 @@ export class SurfaceCutter {
     return this.#left;
   }
 
-  /** What cuts the volume may be another. */
+  /** Called when the cuts of the volume may have changed. */
   readonly follow = (): void => {
     if (JSON.stringify(this.#away) === this.#key) return;
     const now = performance.now();

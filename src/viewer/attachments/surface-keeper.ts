@@ -12,10 +12,10 @@ import { placesOf } from './surface-places.ts';
 import type { WantedSurface } from './surface-attributes.ts';
 import type { SurfaceTarget } from './surface-target.ts';
 
-/** Whose surface it is. */
+/** What the controller of a surface needs of its element. */
 export interface SurfaceKeeperHost extends BesideHost<SurfaceTarget> {
   readonly localName: string;
-  /** null where nothing is to be shown. @throws {VolumeViewError} */
+  /** null where nothing must be shown. @throws {VolumeViewError} */
   wanted(volume: Volume | null): WantedSurface | null;
   came(surface: Surface): void;
   progress(progress: LoadProgress): void;
@@ -25,9 +25,9 @@ export interface SurfaceKeeperHost extends BesideHost<SurfaceTarget> {
 export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost> {
   readonly #files = new LastWork<Surface>();
   #shown: ShownSurface | null = null;
-  /** The page was told of it. */
+  /** The surface that was last reported to the page. */
   #told: Surface | null = null;
-  /** Where the radar is that terrain was made for. */
+  /** The place of the radar for which the terrain was made. */
   #site = '';
 
   /** The surface in the picture, or the last one. */
@@ -43,7 +43,7 @@ export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost
 
   protected override async read(target: SurfaceTarget, signal: AbortSignal): Promise<void> {
     const site = JSON.stringify(target.volume?.radar?.site);
-    // Under another radar, or none, it would lie where it is not.
+    // Under another radar, or none, the terrain would be in a wrong place.
     if (this.#shown?.surface.terrain && site !== this.#site) await target.show((this.#shown = this.#told = null));
     signal.throwIfAborted();
     const wanted = this.host.wanted(target.volume);
@@ -53,7 +53,7 @@ export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost
       return target.show((this.#shown = this.#told = null));
     }
     const { request, look } = wanted;
-    if (!request) return; // The volume tells when it is there.
+    if (!request) return; // The volume reports itself when it is there.
     const surface = await this.#files.get(JSON.stringify(request), signal, (stop) => this.#load(request, stop));
     if (look.isCut) await target.prepareCuts();
     signal.throwIfAborted();

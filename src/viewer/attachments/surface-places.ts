@@ -1,10 +1,13 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Surface } from '../../volume/surface.ts';
 
-/** Vertices that are taken for all: enough that none reaches visibly beyond them. */
+/** The number of vertices that stand for all: enough that none of the others is visibly outside them. */
 const mostPlaces = 2000;
 
-/** Places that a camera which frames a surface has to have in its picture. Of terrain none: it is the ground as far as a radar reaches. */
+/**
+ * Places that must be in the picture of a camera that frames a surface. For terrain there are none: it is the ground as far as a
+ * radar reaches.
+ */
 export function placesOf({ parts, terrain }: Surface): Vector3[] {
   if (terrain) return [];
   const count = parts.reduce((sum, { positions }) => sum + positions.length / 3, 0);

@@ -9,36 +9,36 @@ import type { Scene } from '../model/scene.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
 import type { SurfaceCutter } from './surface-cutter.ts';
 
-/** What is wrong with surfaces of a view, by the elements that ask for them. */
+/** The errors of surfaces in a view, by the elements that own them. */
 const problems = new WeakMap<ViewSocket, Map<Element, unknown>>();
 
-/** A surface's place in a <volume-view>, and the part of the view that shows it. */
+/** The place of a surface in a <volume-view>; it is also the part that shows it in the view. */
 export class SurfaceTarget implements BesideTarget, ViewPart {
   readonly key: string;
   #waitNoMore = (): void => {};
-  /** What was last to be shown, whole. */
+  /** The last surface to be shown, uncut. */
   #whole: ShownSurface | null = null;
   #shown: ShownSurface | null = null;
-  /** null until it is to be cut. */
+  /** null until a surface must be cut. */
   #cutter: SurfaceCutter | null = null;
-  /** It could not be brought into the last scene. */
+  /** Whether the surface could not be put into the last scene. */
   #isLacking = false;
-  /** What brings it there. */
+  /** The work that puts it there. */
   #bringing: Promise<void> | null = null;
-  /** How many calls of `show` wait: they say what went wrong. */
+  /** The number of waiting calls of `show`: they report errors themselves. */
   #waiting = 0;
 
-  /** @param element - asks for the surface */
+  /** @param element - owns the surface */
   constructor(readonly socket: ViewSocket, readonly element: HTMLElement) {
     this.key = element.localName;
   }
 
-  /** Nobody makes such a place before its view is defined. */
+  /** Such a place is only made after its view is defined. */
   get view(): SocketView {
     return this.socket.view!;
   }
 
-  /** What is in the picture: what is left of the surface where it is cut. */
+  /** The surface in the picture: what is left of it after cuts. */
   get surface(): ShownSurface | null {
     return this.#shown;
   }
@@ -48,7 +48,7 @@ export class SurfaceTarget implements BesideTarget, ViewPart {
     return this.view.volume;
   }
 
-  /** Whether a volume is being loaded, or would be: the picture is near enough to be seen soon. */
+  /** Whether a volume is loading, or would load if there were one: the picture is near enough to be visible soon. */
   get awake(): boolean {
     return this.view.awake;
   }
@@ -61,13 +61,13 @@ export class SurfaceTarget implements BesideTarget, ViewPart {
     if (this.#whole?.isCut) this.#cutter?.follow();
   }
 
-  /** Load what cuts surfaces, before one is shown that is to be cut. @throws {VolumeViewError} `format/unsupported` */
+  /** Load the code that cuts surfaces, before a surface with cuts is shown. @throws {VolumeViewError} `format/unsupported` */
   async prepareCuts(): Promise<void> {
     const { SurfaceCutter } = await loadPart(import('./surface-cutter.ts'), 'cuts surfaces');
     this.#cutter ??= new SurfaceCutter(this.view, () => this.show(this.#whole).catch((error: unknown) => this.failed(error)));
   }
 
-  /** @param whole - null for none @throws {VolumeViewError} `format/unsupported` where what draws it can not be loaded */
+  /** @param whole - null for none @throws {VolumeViewError} `format/unsupported` where the code that draws it can not be loaded */
   async show(whole: ShownSurface | null): Promise<void> {
     const hasJoined = this.#whole !== null;
     this.#whole = whole;
@@ -86,7 +86,7 @@ export class SurfaceTarget implements BesideTarget, ViewPart {
     }
   }
 
-  /** The picture does not wait for what draws surfaces. */
+  /** The picture does not wait for the code that draws surfaces. */
   apply(scene: Scene): void {
     const bringing = (this.#bringing = this.#bring(scene));
     const isAwaited = this.#waiting > 0;
@@ -97,7 +97,7 @@ export class SurfaceTarget implements BesideTarget, ViewPart {
     return this.#bring(scene);
   }
 
-  /** Work that a script that waits for the picture has to wait for. It does not reject. */
+  /** Add work that scripts wait for when they wait for the picture. It does not reject. */
   track(work: Promise<unknown>): void {
     this.view.track(work);
   }
@@ -120,17 +120,17 @@ export class SurfaceTarget implements BesideTarget, ViewPart {
     this.view.reportFiles(this.element, files);
   }
 
-  /** The surface is of this view no longer. */
+  /** The surface no longer belongs to this view. */
   async leave(): Promise<void> {
     this.#waitNoMore();
-    await this.show(null).catch(() => {}); // Nothing of it is to be drawn.
+    await this.show(null).catch(() => {}); // Errors do not matter: nothing of it must be drawn.
   }
 
   get #isInScene(): boolean {
     return Boolean(this.view.viewer?.scene) && !this.#isLacking;
   }
 
-  /** A scene may be half built: it has looked for surfaces, and is not in use yet. */
+  /** Wait for a scene that is half built: it has already applied its parts, and is not in use yet. */
   async #sceneComes(): Promise<void> {
     const { viewer, host } = this.view;
     if (viewer?.scene || !viewer?.volume) return;

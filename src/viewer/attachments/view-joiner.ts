@@ -1,7 +1,10 @@
 import type { Crosshair } from '../../panes/crosshair.ts';
 import type { CrosshairView, JoiningPane } from './crosshair-in-view.ts';
 
-/** Has a pane's crosshair shown in the picture of the view that it belongs to. What does so is loaded with the first; without it the pane is what it is. */
+/**
+ * Shows a pane's crosshair in the picture of the view to which the pane belongs. The code for this is loaded with the first such
+ * pane; if it can't be loaded, the pane works without it.
+ */
 export class ViewJoiner {
   #joined: { readonly view: object | null; readonly crosshair: Crosshair } | null = null;
   #end = (): void => {};
