@@ -63,8 +63,8 @@ class ColorMoment {
   }
 
   /**
-   * Load and show the present request, unless it is shown already. @returns resolves when the next picture shows it, with whether
-   * that picture is different
+   * Load and show the present request, unless it is shown already.
+   * @returns resolves when the next picture shows it, with whether that picture is different
    */
   async refresh(): Promise<boolean> {
     const { view } = this;

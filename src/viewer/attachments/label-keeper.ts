@@ -95,7 +95,7 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     this.host.changed();
   }
 
-  /** What is said about labels, or chosen, has changed. */
+  /** The settings of labels, or the choices of a person, have changed. */
   restyle(): void {
     const target = this.host.target();
     if (this.#worn && target) target.track(this.#wear(this.#worn).catch((error: unknown) => this.fail(error)));

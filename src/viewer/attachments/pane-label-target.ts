@@ -11,7 +11,7 @@ import type { LabelTarget } from './label-target.ts';
 export interface LabelledPane {
   readonly volume: () => Volume | null;
   readonly file: () => string;
-  /** Its labels, or what is said about them, have changed. */
+  /** Its labels, or their settings, have changed. */
   changed(): void;
   /** Show another volume in place of its own. */
   take(volume: Volume): void;

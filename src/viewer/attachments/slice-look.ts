@@ -45,8 +45,9 @@ export interface SharedLook {
 }
 
 /**
- * The appearance of a volume's slices: from the pane, else from its <volume-view>, else what suits the values. @param own -
- * colours of a volume that is itself labels @throws {VolumeViewError}
+ * The appearance of a volume's slices: from the pane, else from its <volume-view>, else what suits the values.
+ * @param own - colours of a volume that is itself labels
+ * @throws {VolumeViewError}
  */
 export async function resolveSliceLook({ window, colors, ...attributes }: SliceAttributes, volume: Volume, shared: SharedLook | null, own?: TransferFunction | null): Promise<SliceLook> {
   const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';

@@ -36,8 +36,8 @@ export function readSurface(read: ReadText): WantedSurface {
 }
 
 /**
- * What a `<volume-terrain>` requests, under a volume; null where there is no volume yet. @throws {VolumeViewError}
- * `attribute/invalid`, `source/not-found`
+ * What a `<volume-terrain>` requests, under a volume; null where there is no volume yet.
+ * @throws {VolumeViewError} `attribute/invalid`, `source/not-found`
  */
 export function readTerrain(read: ReadText, volume: Volume | null): WantedSurface {
   const files = urlsOf(read('src'), 'volume-terrain', 'src="N46E007.hgt"');

@@ -18,8 +18,8 @@ export class AuthorView {
   }
 
   /**
-   * Turning starts from the author's viewpoint, and again whenever the author changes it. @param force - restart also where it has
-   * not changed
+   * Turning starts from the author's viewpoint, and again whenever the author changes it.
+   * @param force - restart also where it has not changed
    */
   follow(scene: Scene | null, force = false): void {
     if (!scene) {

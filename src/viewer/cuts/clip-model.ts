@@ -21,7 +21,7 @@ export interface ClipGrip {
 
 /**
  * What a plane or a box cuts, and how a person drags it: the attributes count until a person moves it. All input and output is in
- * the coordinates of `region`, except for grips.
+ * the coordinates of `region`; only its handles are in world coordinates.
  */
 export class ClipModel {
   #said: ClipAttributes = { kind: 'plane', normal: [0, 0, 1], at: null };

@@ -81,7 +81,7 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
     if (pass.over) await before;
     const limit = pass.over ? pass.height : most;
     for (let firstRow = 0; firstRow < pass.height; ) {
-      // A coarser lattice needs more picture rows for the same number of pixels.
+      // A row of a coarser lattice has fewer pixels, so that a piece has more of its rows.
       const count = Math.min(Math.max(minRows, wholeRows * Math.round(next / wholeRows)) * pass.stride, pass.height - firstRow);
       scene.gather(stepLength, { pass, firstRow, rows: count }, { width, height });
       firstRow += count;

@@ -55,8 +55,9 @@ const usualError = 1;
 const searchedAtOnce = 2 ** 18;
 
 /**
- * Do some work in parts, and leave the page time in between. @param goesOn - whether the view is still needed @returns null where
- * it is not
+ * Do some work in parts, and leave the page time in between.
+ * @param goesOn - whether the view is still needed
+ * @returns null where it is not
  */
 export async function aside<T>(work: Waiting<T>, scene: Scene, goesOn: () => boolean): Promise<{ readonly value: T } | null> {
   while (goesOn()) {

@@ -72,7 +72,7 @@ export class PictureDrawing {
 
   /**
    * Draw a picture at rest that takes long, piece by piece.
-   * @param pieces - rows of the first piece, and what each may take, ms
+   * @param pieces - rows of the first piece, and the time that each may take, ms
    * @returns null where something changed meanwhile
    * @throws {VolumeViewError} `format/unsupported` where that part of the package could not be loaded
    */

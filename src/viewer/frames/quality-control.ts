@@ -167,8 +167,8 @@ export class QualityControl {
   }
 
   /**
-   * Learn from the time of a picture that was drawn at once, and from the GPU's part of it, where that is known. @param pixels -
-   * of the full picture
+   * Learn from the time of a picture that was drawn at once, and from the GPU's part of it, where that is known.
+   * @param pixels - of the full picture
    */
   took(plan: FramePlan, pixels: number, ms: number, gpuMs: number | null = null): void {
     this.#hasSpared ||= plan.sampling !== allRays;

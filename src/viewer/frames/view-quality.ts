@@ -25,8 +25,8 @@ export { seenPixels } from './measure-quality.ts';
 provideCoarsePictures((gl) => new AdaptivePicture(gl));
 
 /**
- * Load the code that cuts steps by the values at their ends: only a few levels, and steps that an author gives, need it. @throws
- * {VolumeViewError} `format/unsupported`
+ * Load the code that cuts steps by the values at their ends: only a few levels, and steps that an author gives, need it.
+ * @throws {VolumeViewError} `format/unsupported`
  */
 export async function loadSubsteps(): Promise<void> {
   const { cuttingSteps } = await loadPart(import('../../renderer/ray/substep-part.ts'), 'cuts steps');

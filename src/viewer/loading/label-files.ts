@@ -25,8 +25,8 @@ export interface LabelFile {
 const limits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 30 };
 
 /**
- * Load a file with labels, with the readers of volumes.
- * @throws {VolumeViewError} as volumes do, and `format/unsupported` where its values are no labels
+ * Load a file with labels, by the readers of volume files.
+ * @throws {VolumeViewError} as loading volumes does, and `format/unsupported` where its values are not labels
  */
 export async function loadLabelFile(url: string, signal: AbortSignal): Promise<LabelFile> {
   if (/\s/.test(url.trim())) throw new VolumeViewError('attribute/invalid', 'src of <volume-labels> names several files; expected one.');

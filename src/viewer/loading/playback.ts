@@ -63,8 +63,8 @@ export class Playback {
   }
 
   /**
-   * The same as `start`; resolves when scans play. @throws {DOMException} `AbortError` where it is paused before that,
-   * `NotSupportedError` where there is at most one scan
+   * The same as `start`; resolves when scans play.
+   * @throws {DOMException} `AbortError` where it is paused before that, `NotSupportedError` where there is at most one scan
    */
   play(): Promise<void> {
     this.start();

@@ -87,8 +87,8 @@ export class ScanSequence {
   }
 
   /**
-   * Load a scan, which is now the requested one; @throws {VolumeViewError} as loadVolume does, AbortError where another one was
-   * requested meanwhile
+   * Load a scan, which is now the requested one.
+   * @throws {VolumeViewError} as loadVolume does, AbortError where another one was requested meanwhile
    */
   async get(index: number, onProgress: LoadProgressListener = ignore): Promise<Volume> {
     this.#wanted = index;

@@ -1,14 +1,14 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { OrbitAttribute } from './parse-attributes.ts';
 
-/** How an author places the camera; every part may be left out. */
+/** The place of the camera as an author gives it; every part may be absent. */
 export interface CameraAttributes extends OrbitAttribute {
   readonly target?: Vector3;
   /** Vertical, radians. */
   readonly fieldOfView?: number;
 }
 
-/** How far a camera may be turned and moved away, and how it gets there. */
+/** Limits for turning a camera and for its distance, and the speed of its movements. */
 export interface CameraLimits {
   /** The smallest and the largest angles and distances of the camera; where one is absent, the limit follows from the volume. */
   readonly min: OrbitAttribute;

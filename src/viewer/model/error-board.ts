@@ -24,7 +24,7 @@ const aspects = {
 
 export type Aspect = keyof typeof aspects;
 
-/** What an error board reports to its element. */
+/** What an `ErrorBoard` reports to its element. */
 export interface ErrorListener {
   /** The file that is shown or loaded, for messages about unexpected errors. */
   readonly file: string;

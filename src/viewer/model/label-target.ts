@@ -27,7 +27,7 @@ export interface LabelTarget extends BesideTarget {
   readonly showsGhosts: boolean;
   /** Show labels; null for none. @throws {VolumeViewError} */
   wear(labels: ViewLabels | null): Promise<void>;
-  /** Set the appearance of a volume that is itself labels, where its page says nothing; null to derive it from the values. */
+  /** Set the appearance of a volume that is itself labels, where its page gives none; null to derive it from the values. */
   dress(transferFunction: TransferFunction | null): void;
   /** Show a volume's values as labels, after they were read as intensities. @throws {VolumeViewError} */
   takeAsLabels(volume: Volume): Promise<void>;

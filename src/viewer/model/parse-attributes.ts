@@ -9,7 +9,7 @@ export { invalid };
 /** A length on an orbit: world units, or a part of the distance at which the volume just fits. */
 export type Radius = { readonly world: number } | { readonly fraction: number };
 
-/** What `camera-orbit` says; undefined where it says `auto`. */
+/** The values of `camera-orbit`; undefined where it has `auto`. */
 export interface OrbitAttribute {
   readonly theta?: number;
   readonly phi?: number;
@@ -45,7 +45,7 @@ export function parseWord<const Word extends string>(name: string, text: string,
   return word;
 }
 
-/** `low high`, rising. */
+/** `low high`, the lower value first. */
 export function parseWindow(text: string): [number, number] {
   const [low, high] = parseNumbers('value-window', text, 2);
   if (!(low < high && Math.max(-low, high) < largestValue)) throw invalid('value-window', text, 'the lower value first, both nearer to 0 than 1e300, like "-150 250"');

@@ -1,4 +1,4 @@
-/** Work that somebody may wait for, and that may lead to more. */
+/** Work that callers may wait for, and that may start more work. */
 export class PendingWork {
   #last: Promise<unknown> = Promise.resolve();
 

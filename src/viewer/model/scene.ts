@@ -42,8 +42,8 @@ export interface SceneLines {
   /** @param color - red, green and blue, 0..1 */
   show(lines: Lines, owner: object, color: readonly [red: number, green: number, blue: number]): void;
   /**
-   * @param shown - null for none. @returns resolves when the next picture shows it; rejects where the code that draws surfaces
-   * could not be loaded
+   * @param shown - null for none.
+   * @returns resolves when the next picture shows it; rejects where the code that draws surfaces could not be loaded
    */
   showSurface(shown: ShownSurface | null, owner: object): Promise<void>;
 }
@@ -64,8 +64,8 @@ export interface Scene {
    */
   bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean>;
   /**
-   * @returns resolves when the next picture shows them: at once where no code has to be loaded. @throws {VolumeViewError}
-   * `format/unsupported`
+   * @returns resolves when the next picture shows them: at once where no code has to be loaded.
+   * @throws {VolumeViewError} `format/unsupported`
    */
   setOptics(optics: Optics): Promise<void>;
   /**
@@ -96,7 +96,7 @@ export interface Scene {
   readonly animating: boolean;
   /** null where the author has no viewpoint. */
   authorCamera(): AuthorCamera | null;
-  /** Undo what `setCamera` did to the author's viewpoint. */
+  /** Undo the change of the author's viewpoint by `setCamera`. */
   resetAuthorCamera(): void;
   setCamera(camera: Camera): void;
   /** Device pixels. */
@@ -113,7 +113,7 @@ export interface Scene {
    * curvature than `edgeCurvature`, 1/255, get several where there are surfaces of values.
    */
   setMaxCurvature(maxCurvature: number, edgeCurvature?: number): void;
-  /** How steps are cut, in all pictures and probes from now on. */
+  /** Set how steps are cut, in all pictures and probes from now on. */
   setSubsteps(substeps: Substeps): void;
   /**
    * The rays of the next picture as they are cast, in float64, without the shapes at which some rays end; null without a volume.
@@ -155,8 +155,10 @@ export interface Scene {
   gpuMs(): Promise<number | null>;
 
   /**
-   * Draw some rays of the last picture with another step length. @param alone - no ray ends at a shape @returns a function that
-   * reads these rays, to be called before others are drawn: null where the context was lost; or null where the device can't do it
+   * Draw some rays of the last picture with another step length.
+   * @param alone - no ray ends at a shape
+   * @returns a function that reads these rays, to be called before others are drawn: null where the context was lost; or null
+   * where the device can't do it
    */
   startProbe(stepLength: number, lattice: PixelLattice, picture: Size, alone?: boolean): (() => Float32Array | null) | null;
   /** The last picture: premultiplied, bottom row first. */

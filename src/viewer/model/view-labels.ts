@@ -3,7 +3,7 @@ import type { Color } from '../../optics/transfer/transfer-function.ts';
 import type { LabelStyle, ShownLabels } from '../../volume/labels.ts';
 import type { LabelTable } from '../../formats/label-tables/label-table.ts';
 
-/** The labels of a volume in an element, as its picture and its picks need them. */
+/** The labels of a volume in an element, with what its picture and its picks need. */
 export interface ViewLabels {
   /** null where the volume itself is the labels. */
   readonly shown: ShownLabels | null;
@@ -21,7 +21,7 @@ export interface LabelOverride {
   readonly transferFunction?: string;
 }
 
-/** One label, with all that is known of it. */
+/** One label, with all its properties. */
 export interface LabelEntry {
   readonly id: number;
   /** '' for the id of "no label". */

@@ -20,12 +20,12 @@ import type { VolumeOptics } from './volume-info.ts';
  * these members whenever it needs them; `update` reports that one of them has a new value.
  */
 export interface ViewPart {
-  /** What kind of part it is; of an element its tag. */
+  /** The kind of the part; for an element, its tag. */
   readonly key: string;
   /** The element that owns the part. */
   readonly element?: HTMLElement;
 
-  // In the scene.
+  // Members for the scene.
 
   /**
    * Put the part into a scene: called for each scene that the view gets, before its first picture, and after `update`. If it
@@ -47,7 +47,7 @@ export interface ViewPart {
   /** Called when the cuts of the volume may have changed. */
   cutsChanged?(): void;
 
-  // Over the picture, and in panes.
+  // Members over the picture, and in panes.
 
   /** Move what the part shows over the picture to its place: called after each picture, and after `update`. @param view - of the picture */
   place?(view: View): void;
@@ -56,7 +56,7 @@ export interface ViewPart {
   /** The place of the view's `cursor`; null where the part does not know it. */
   readonly cursor?: Vector3 | null;
 
-  // For companions and the view itself.
+  // Members for companions and for the view itself.
 
   /** Turns the camera without interaction. The view calls `follow` when attributes, or the viewer, may have changed. */
   readonly rotation?: { readonly stopped: boolean; toggle(): void; follow(): void };
@@ -231,7 +231,8 @@ export function socketOf(element: Element & { [key]?: ViewSocket }): ViewSocket 
 
 /**
  * The substitute for an attribute that an author has not written, for instance from an X3D scene among the children. null for
- * none. @param property - name of the attribute's property
+ * none.
+ * @param property - name of the attribute's property
  */
 export function standIn(view: Element, property: string): string | null {
   return socketOf(view).parts.map((part) => part.attribute?.(property) ?? null).find((text) => text !== null) ?? null;

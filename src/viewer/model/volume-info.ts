@@ -16,7 +16,7 @@ export interface VolumeInfo {
   readonly unit: string;
   /** Smallest and largest data value. */
   readonly range: readonly [number, number];
-  /** How often which values occur. */
+  /** How often each value occurs. */
   readonly histogram: Histogram;
   /** The format of the file, 'NIfTI-1' for instance. */
   readonly format: string;
@@ -24,21 +24,21 @@ export interface VolumeInfo {
   readonly indexToWorld: Matrix4;
   /** The title of the volume, if its manifest has one. */
   readonly title?: string;
-  /** Whether its file says that the world's axes are a patient's: x to the right, y to the front, z to the head. */
+  /** Whether the world's axes are those of a patient, as its file says: x to the right, y to the front, z to the head. */
   readonly anatomical?: boolean;
   /** To whom the data belong, if its manifest says so. */
   readonly credit?: string;
-  /** Of a radar scan: the quantity that is shown, as its file names it. */
+  /** For a radar scan: the quantity that is shown, as its file names it. */
   readonly moment?: string;
-  /** Of a radar scan: all quantities of its file. */
+  /** For a radar scan: all quantities of its file. */
   readonly moments?: readonly string[];
-  /** Of a radar scan: where the radar is, in degrees north and east, and metres of its antenna above sea level. */
+  /** For a radar scan: where the radar is, in degrees north and east, and metres of its antenna above sea level. */
   readonly site?: { readonly name?: string; readonly latitude?: number; readonly longitude?: number; readonly height?: number };
-  /** Of a radar scan: when it began, ISO 8601 in UTC. */
+  /** For a radar scan: when it began, ISO 8601 in UTC. */
   readonly time?: string;
   /** Set where only the first part of a damaged radar file could be read: what is missing. */
   readonly partial?: string;
-  /** Of a radar scan: the sweeps that are shown, by ascending elevation: degrees, how many radials and gates, and metres to the first gate and from gate to gate. */
+  /** For a radar scan: the sweeps that are shown, by ascending elevation: degrees, how many radials and gates, and metres to the first gate and from gate to gate. */
   readonly sweeps?: readonly { readonly elevation: number; readonly radials: number; readonly gates: number; readonly firstGate: number; readonly gateLength: number }[];
   /**
    * What of the file is not shown, or is shown changed, in words: other sweeps of a radar scan, and why; further volumes; what its
@@ -53,11 +53,11 @@ export interface VolumeInfo {
 
 /** The appearance of a loaded volume as numbers, from attributes, file and histogram together. */
 export interface VolumeOptics {
-  /** Colour and opacity by data value, ascending; a preset as its stops. */
+  /** Colour and opacity by data value, ascending; a preset is given by its stops. */
   readonly transferFunction: readonly Stop[];
   /** Data values that presets and percentages span. */
   readonly window: readonly [number, number];
-  /** World length over which a stop's opacity holds. */
+  /** World length to which the opacity of a stop refers. */
   readonly referenceLength: number;
   /** Multiplies the extinction. */
   readonly opacityFactor: number;

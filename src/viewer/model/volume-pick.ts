@@ -39,9 +39,9 @@ export interface VolumePick {
   readonly labelName?: string;
   /** Values of `<volume-layer>`, or of the `color-moment` of a radar, at that place; absent where no such layer is over the volume. */
   readonly layers?: readonly LayerValue[];
-  /** How opaque the picture is there, 0..1. */
+  /** Opacity of the picture at the place, 0..1. */
   readonly opacity: number;
-  /** Colour that the transfer function gives this place, '#rrggbb'. */
+  /** Colour of the place by the transfer function, '#rrggbb'. */
   readonly color: string;
   /** The place as the radar sees it; null for other volumes, and on a surface: see `radar` of `surface`. */
   readonly radar: RadarPlace | null;
@@ -49,7 +49,7 @@ export interface VolumePick {
   readonly surface?: PickedSurface;
 }
 
-/** A surface that somebody pointed at. */
+/** A surface that a person pointed at. */
 export interface PickedSurface {
   readonly type: 'surface' | 'terrain';
   /** The `<volume-surface>` or `<volume-terrain>`. */
@@ -90,11 +90,11 @@ export interface RadarPlace {
 
 /** One gate of a radar, and its middle. */
 export interface RadarGate {
-  /** Number of the sweep among those of the volume, the lowest being 0. */
+  /** Number of the sweep in the volume; the lowest sweep is 0. */
   readonly sweep: number;
-  /** Number of the radial in it, by ascending azimuth from 0. */
+  /** Number of the radial in its sweep, by ascending azimuth from 0. */
   readonly radial: number;
-  /** Number of the gate on it, from 0. */
+  /** Number of the gate on its radial, from 0. */
   readonly gate: number;
   /** Metres. */
   readonly range: number;

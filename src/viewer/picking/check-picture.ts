@@ -55,8 +55,8 @@ export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null>
 const digit = 2 ** -20;
 
 /**
- * The same rays among values with changed last digits; the change varies from place to place. @param digits - 0 for the unchanged
- * values
+ * The same rays among values with changed last digits; the change varies from place to place.
+ * @param digits - 0 for the unchanged values
  */
 function withDigits(stages: RayStages, { range }: Volume, digits: number): RayStages {
   if (digits === 0) return stages;

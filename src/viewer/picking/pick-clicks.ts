@@ -1,4 +1,4 @@
-// Clicks and taps on a picture, which pick what is there: loaded where an element is `pickable` or has a readout.
+// Clicks and taps on a picture, which pick the place under them: loaded where an element is `pickable` or has a readout.
 import { placeInElement } from '../../page/pointer-place.ts';
 import type { VolumePick } from '../model/volume-pick.ts';
 

@@ -19,7 +19,7 @@ export interface ScenePlace {
   readonly scenes: SceneFactory;
 }
 
-/** What a scene keeper needs of its owner. */
+/** What the controller of a scene needs of its owner. */
 export interface SceneUser extends SceneContents {
   /** Whether the volume and its appearance are known. */
   readonly ready: boolean;
@@ -75,8 +75,8 @@ export class SceneKeeper implements ContextHolder {
   }
 
   /**
-   * The rays of the picture on the page, in float64: from the scene, or from the one before it. @param looks - as in
-   * `Scene.twins`, for the present scene
+   * The rays of the picture on the page, in float64: from the scene, or from the one before it.
+   * @param looks - as in `Scene.twins`, for the present scene
    */
   twins(looks: boolean): RayTwins | null {
     return this.#scene?.twins(looks) ?? this.#lastTwins;

@@ -316,7 +316,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     this.#keeper.endFrame();
   }
 
-  // What the scene keeper needs.
+  // What the controller of the scene needs.
 
   get givenUp(): boolean {
     return this.#disposed;
