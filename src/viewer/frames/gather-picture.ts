@@ -18,7 +18,7 @@ export interface Gathering extends Pieces {
 }
 
 /**
- * Minimum number of rows in a piece. It is also a multiple of `wholeRows`: GPUs draw quads of 2 x 2 pixels, and draw a quad twice
+ * Minimum number of rows in a piece. The number is always a multiple of `wholeRows`: GPUs draw quads of 2 x 2 pixels, and draw a quad twice
  * where two pieces share it.
  */
 const minRows = 8;

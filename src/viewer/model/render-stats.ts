@@ -27,9 +27,9 @@ export interface RenderStats {
    */
   readonly error: PictureError | null;
   /**
-   * Whether that error is within `max-error`. Where it is not, more steps do not help: the difference is smaller than 8 bits show,
-   * or needs more than 4,096 steps; or `steps` are given; or no pixel of the volume shows anything, see `picture-blank`. null
-   * where `error` is null.
+   * Whether that error is within `max-error`. Where it is not, more steps would not help: `max-error` is smaller than 8 bits show,
+   * or would need more than 4,096 steps; or the author gives `steps`; or no pixel of the volume shows anything, see
+   * `picture-blank`. null where `error` is null.
    */
   readonly keepsMaxError: boolean | null;
 }

@@ -42,7 +42,7 @@ export interface SceneLines {
   /** @param color - red, green and blue, 0..1 */
   show(lines: Lines, owner: object, color: readonly [red: number, green: number, blue: number]): void;
   /**
-   * @param shown - null for none.
+   * @param shown - null for none
    * @returns resolves when the next picture shows it; rejects where the code that draws surfaces could not be loaded
    */
   showSurface(shown: ShownSurface | null, owner: object): Promise<void>;
@@ -157,8 +157,8 @@ export interface Scene {
   /**
    * Draw some rays of the last picture with another step length.
    * @param alone - no ray ends at a shape
-   * @returns a function that reads these rays, to be called before others are drawn: null where the context was lost; or null
-   * where the device can't do it
+   * @returns a function that reads these rays: call it before others are drawn; it returns null where the context was lost.
+   * null instead of the function where the device can't do it
    */
   startProbe(stepLength: number, lattice: PixelLattice, picture: Size, alone?: boolean): (() => Float32Array | null) | null;
   /** The last picture: premultiplied, bottom row first. */

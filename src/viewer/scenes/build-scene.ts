@@ -11,7 +11,7 @@ export interface SceneContents {
   readonly volume: Volume | null;
   /** Not null as long as a scene is needed. */
   readonly optics: VolumeOptics | null;
-  /** The parts that also belong into the scene. */
+  /** The parts that also belong in the scene. */
   readonly socket: Pick<ViewSocket, 'version' | 'applyTo'>;
   /** Whether a scene is no longer needed. */
   readonly givenUp: boolean;
