@@ -112,7 +112,7 @@ class BlankNote {
     } else if (this.#cause) this.#write(); // The language may have changed.
   }
 
-  /** A picture in motion, before it is final, may already show something. */
+  /** Whether the picture is still blank: in motion, before it is final, it may already show something. */
   #isStillBlank(): boolean {
     const { view: { paused }, presenter: { viewer, errors } } = this;
     const scene = viewer?.pictures.parts.keeper.scene;
