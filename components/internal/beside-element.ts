@@ -4,13 +4,16 @@ import { childrenOf, hostOf } from '../../src/page/page-children.ts';
 import { ReflectingElement } from './reflecting-element.ts';
 import { tell } from './volume-view-events.ts';
 
-/** Loads what such an element asks for, and puts it there. */
+/** Loads what the attributes of such an element name, adds it to the target and removes it again. */
 interface Keeper<Target> {
   refresh(): void;
   leave(target: Target): void;
 }
 
-/** An element that puts something beside the volume of the element around it. It follows that one's volumes, and takes what it put there along. */
+/**
+ * An element that adds something to the volume of the element around it (its host). It follows the volumes of the host, and removes what it
+ * added when it leaves.
+ */
 export abstract class BesideElement<Target> extends ReflectingElement {
   #around: HTMLElement | null = null;
   #target: Target | null = null;
@@ -18,21 +21,21 @@ export abstract class BesideElement<Target> extends ReflectingElement {
 
   protected abstract readonly keeper: Keeper<Target>;
 
-  /** Why it can't be there; null where it can. */
+  /** The reason why the element can't be inside `around`; null where it can. */
   protected abstract refuse(around: HTMLElement | null): VolumeViewError | null;
 
-  /** @param around - defined by now @param stay - ends when this element leaves it */
+  /** Join the host. @param around - the host, already defined @param stay - aborted when this element leaves the host */
   protected abstract join(around: HTMLElement, stay: AbortSignal): Target;
 
-  /** It has taken along what it had put there. */
+  /** Called after the element has left its host and removed what it had added. */
   protected left(_around: HTMLElement): void {}
 
-  /** Where it puts something; null while it is nowhere. */
+  /** What the element adds something to; null while it has no host. */
   protected get target(): Target | null {
     return this.#target;
   }
 
-  /** The file that it asks for, for messages. */
+  /** The file that `src` names, for error messages. */
   protected get file(): string {
     return this.readText('src') ?? '';
   }
@@ -45,13 +48,13 @@ export abstract class BesideElement<Target> extends ReflectingElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    // Being moved within the page takes it out and puts it back at once, often with the element around it.
+    // Moving an element within the page disconnects it and connects it again at once, often together with its host.
     queueMicrotask(() => {
       if (!this.isConnected) this.#leave();
     });
   }
 
-  /** The view around it has begun anew in another document. */
+  /** The element is now in another document, where the view around it has started again. */
   override adoptedCallback(): void {
     super.adoptedCallback();
     this.#leave();
@@ -61,7 +64,7 @@ export abstract class BesideElement<Target> extends ReflectingElement {
     this.keeper.refresh();
   }
 
-  /** It is drawn by the element around it, and has nothing to show of its own. */
+  /** The host draws what this element adds. The element itself shows nothing. */
   protected override createRenderRoot(): HTMLElement {
     return this;
   }
@@ -77,7 +80,7 @@ export abstract class BesideElement<Target> extends ReflectingElement {
     const { signal } = (this.#stay = new AbortController());
     const problem = this.refuse(around);
     if (problem) {
-      console.warn(problem.message); // There is no picture in which it could stand.
+      console.warn(problem.message); // There is no picture in which the error could be shown.
       return this.tellError(problem);
     }
     await customElements.whenDefined(around!.localName);
@@ -96,7 +99,7 @@ export abstract class BesideElement<Target> extends ReflectingElement {
     this.keeper.leave(target);
     if (around!.contains(this)) return;
     this.left(around!);
-    // Where only one can be, the next one takes its place.
+    // Where a host takes only one such element, the next one replaces this one.
     const [next] = childrenOf(around!, this.localName);
     if (next instanceof BesideElement && !next.#target) void next.#enter(around);
   }

@@ -3,7 +3,7 @@ import { isOurs } from './define.ts';
 import { onNotice } from './notice-root.ts';
 import type { openRoots } from './open-roots.ts';
 
-/** Fetch the code of the companions that the page has, or will have, wherever they are: see `OpenRoots`. */
+/** Fetch the code of the companions that the page has now or gets later, wherever they are: see `OpenRoots`. */
 export function startCompanions(): void {
   // Modules are imported in Node too, where there is no page.
   if (typeof document === 'undefined') return;
@@ -15,7 +15,7 @@ export function startCompanions(): void {
   onNotice((element) => void watchRoots().then((roots) => roots?.notice(element)));
 }
 
-/** Watches the document, until somebody looks through the shadow roots too. */
+/** Watches the document until `openRoots` does so: that one also watches the shadow roots. */
 let observer: MutationObserver;
 
 function lookThrough(node: Node): void {
@@ -32,7 +32,7 @@ function see({ localName, shadowRoot }: Element): void {
 
 let watching: Promise<typeof openRoots | null> | null = null;
 
-/** What looks through shadow roots is loaded with the first element that has one, or may get one. */
+/** Load the code that watches shadow roots. This happens with the first element that has a shadow root, or may get one. */
 function watchRoots(): Promise<typeof openRoots | null> {
   return (watching ??= import('./open-roots.ts').then(({ openRoots: roots }) => {
     observer.disconnect();
@@ -45,10 +45,10 @@ function watchRoots(): Promise<typeof openRoots | null> {
   }));
 }
 
-/** Load an element of ours. Another one may have a name like them, and a view in its shadow root. */
+/** Load the code of one of our elements. An element of somebody else may have a name like ours, and a view in its shadow root. */
 function startCompanion(localName: string): void {
   if (localName === 'volume-view' || coming.has(localName) || isOurs(localName)) return;
-  // A file that did not come is asked for again by the next such element.
+  // If a file could not be loaded, the next element of that name requests it again.
   coming.set(localName, import('./elements.ts').then(({ elements }): Promise<unknown> => (Object.hasOwn(elements, localName) ? elements[localName]() : watchRoots()))
     .catch((error: unknown) => console.error(error)).finally(() => coming.delete(localName)));
 }

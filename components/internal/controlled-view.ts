@@ -2,7 +2,7 @@ import type { LitElement } from 'lit';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import type { CameraState } from '../../src/viewer/view/write-camera.ts';
 
-/** What the controls need of the element that they are over. */
+/** What the controls need from the element that they are drawn over. */
 export interface ControlledView extends LitElement {
   readonly controls: boolean;
   readonly autoRotate: boolean;

@@ -4,7 +4,7 @@
  */
 export class CustomStates<State extends string> {
   readonly #host: HTMLElement;
-  /** null where the browser has none, or only those of the first draft, which wants names with dashes. */
+  /** null where the browser has no custom states, or only those of the first draft, which needs names with dashes. */
   readonly #states: Set<string> | null;
 
   constructor(host: HTMLElement) {

@@ -1,11 +1,11 @@
 import { version } from './version.ts';
 
-/** Where an element's class says what version it is of. */
+/** The key under which the class of an element stores its version. */
 const versionKey = Symbol.for('volume-view.version');
 
 type Versioned = CustomElementConstructor & { [versionKey]?: string };
 
-/** Whether an element of this name is defined, and by this package. */
+/** Whether an element of this name is defined, and this package has defined it. */
 export function isOurs(localName: string): boolean {
   const element = customElements.get(localName);
   return element !== undefined && versionKey in element;
@@ -14,11 +14,11 @@ export function isOurs(localName: string): boolean {
 let hasTold = false;
 
 /**
- * Define an element, unless the page has one of this name: of several copies of a script the first one holds. Where it is
- * of another version, the console says so, once.
+ * Define an element, unless the page already has one of this name: where a script is loaded several times, the first copy counts. If the
+ * first copy has another version, a warning in the console says so, once.
  */
 export function define(name: string, element: CustomElementConstructor): void {
-  // Modules are imported in Node too, which has no elements unless somebody brings them.
+  // Modules are also imported in Node, which has no custom elements unless a script adds them.
   if (typeof customElements === 'undefined') return;
   const first: Versioned | undefined = customElements.get(name);
   if (!first) {

@@ -1,14 +1,14 @@
-/** An attribute that had another name. */
+/** The present name of an attribute that had another name before. */
 interface Renamed {
   /** Its present name. */
   readonly attribute: string;
-  /** What to write now, where it is not the same value under that name. */
+  /** What authors should write now, where it is more than the new name. */
   readonly instead?: string;
-  /** What the old text says in the present words, where they differ. */
+  /** Translates the old value to the present one, where they differ. */
   readonly translate?: (text: string) => string | null;
 }
 
-/** Old names of attributes of <volume-view>. They go on working. */
+/** Old names of attributes of <volume-view>. They still work. */
 const renamed: Readonly<Record<string, Renamed>> = {
   window: { attribute: 'value-window' },
   play: { attribute: 'autoplay' },
@@ -23,7 +23,7 @@ export const oldAttributes = Object.keys(renamed);
 
 const told = new Set<string>();
 
-/** The present name of an attribute. An old one is told, once for all elements of a page. */
+/** The present name of an attribute. An old name causes a warning, once for all elements of a page. */
 export function renameAttribute(name: string): string {
   if (!Object.hasOwn(renamed, name)) return name;
   const { attribute, instead = attribute } = renamed[name];
@@ -31,14 +31,14 @@ export function renameAttribute(name: string): string {
   return attribute;
 }
 
-/** Tell a page's author, once for each name, that one has become old. */
+/** Warn the author of the page that a name is old, once for each name. */
 export function warnOfOldName(old: string, now: string): void {
   if (told.has(old)) return;
   told.add(old);
   console.warn(`<volume-view>: ${old} is an old name; write ${now}.`);
 }
 
-/** The text of an attribute, by its present name, else by the old one. */
+/** The text of an attribute: under its present name, else under its old name. */
 export function readAttribute(element: Element, name: string): string | null {
   const text = element.getAttribute(name);
   if (text !== null) return text;
@@ -49,7 +49,7 @@ export function readAttribute(element: Element, name: string): string | null {
   return null;
 }
 
-/** Take away what an attribute was called before, as it has a new value now. */
+/** Remove the attribute under its old names, as it now has a value under its present name. */
 export function removeOldAttributes(element: Element, name: string): void {
   for (const [old, { attribute }] of Object.entries(renamed)) {
     if (attribute === name) element.removeAttribute(old);

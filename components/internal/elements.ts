@@ -1,7 +1,7 @@
-// The one table of the elements that belong to <volume-view>. An element is a folder of components and a line here: from it come
-// what is loaded when a page has such a tag, the files of the build, and the entries of the package.
+// The one table of the elements that belong to <volume-view>. To add an element, add a folder in components and a line here. Three things
+// use the table: the code that loads an element when a page has its tag, the files of the build, and the entry points of the package.
 
-/** Fetches and defines an element, by its name. */
+/** Functions that fetch and define an element, by its tag name. */
 export const elements: Readonly<Record<string, () => Promise<unknown>>> = {
   'volume-clip': () => import('../volume-clip/define.ts'),
   'volume-label': () => import('../volume-label/define.ts'),

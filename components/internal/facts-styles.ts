@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** A companion that tells what things are and how much: names beside their texts, a hint, and buttons below. */
+/** Styles of a companion that lists facts and values: names next to their texts, a hint, and buttons below. */
 export const factsStyles = css`
   :host {
     --_soft: color-mix(in srgb, currentColor 72%, transparent);

@@ -1,6 +1,6 @@
 import type { FieldProviders } from '../../src/renderer/layers/volume-layer.ts';
 
-/** What draws volumes that are not on cartesian grids; loaded when the first one comes. */
+/** The code that draws volumes whose grid is not cartesian. It is loaded with the first such volume. */
 export const fieldProviders: FieldProviders = {
   polar: async () => (await import('../../src/radar/gpu/polar-provider.ts')).polarProvider,
   polarTaps: async () => (await import('../../src/radar/gpu/polar-taps.ts')).polarTapsOf,

@@ -1,4 +1,4 @@
-/** A frame that is removed does not tell what is in it, and observers would go on without end: so its window is asked. */
+/** When an iframe is removed, its elements are not notified, and observers would run forever. So we listen to the window of the frame. */
 export function onFrameGone(element: Element, act: () => void): void {
   const frame = element.ownerDocument.defaultView;
   if (frame && frame !== window) frame.addEventListener('pagehide', () => element.ownerDocument.defaultView === frame && act(), { once: true });

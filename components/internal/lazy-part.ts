@@ -1,20 +1,23 @@
 import { nothing } from 'lit';
 import type { LitElement } from 'lit';
 
-/** What an element draws as a part of itself. */
+/** A part of an element that the element draws inside itself. */
 export interface DrawnPart {
   render(): unknown;
   dispose(): void;
 }
 
-/** A part of an element that is loaded when it first has some of it. Without it the picture is what it is. */
+/**
+ * A part of an element whose code is loaded when the element first needs it. If the code can't be loaded, the element works without this
+ * part.
+ */
 export class LazyPart {
   #part: DrawnPart | null = null;
   #isWanted = false;
 
   constructor(readonly host: LitElement, readonly load: () => Promise<DrawnPart>) {}
 
-  /** There is something for it to show, or there is not. */
+  /** Load the part when it has something to show, and drop it when it has nothing. */
   follow(wanted: boolean): void {
     if (wanted === this.#isWanted) return;
     this.#isWanted = wanted;

@@ -4,12 +4,12 @@ import { PictureAttributes } from './picture-attributes.ts';
 import { number, pair, transferFunction } from './property-kinds.ts';
 import { property, writeSafely } from './reflecting-element.ts';
 
-/** What an editor changes. */
+/** The properties that an editor changes. */
 const edited = ['transferFunction', 'transferFunction2d', 'opacityFactor', 'lightFactor'] as const;
 
-/** What an author wants the volume to look like. */
+/** The attributes that say how the volume should look. */
 export class LookAttributes extends PictureAttributes {
-  /** What an editor of the transfer function changes, all at once: four of the attributes. */
+  /** The four attributes that an editor of the transfer function changes, all at once. */
   get appearance(): Appearance {
     return Object.fromEntries(edited.map((name) => [name, this[name]])) as unknown as Appearance;
   }
@@ -18,18 +18,18 @@ export class LookAttributes extends PictureAttributes {
     let given: Partial<Appearance> = { transferFunction: '?' };
     try {
       given = { ...appearance };
-    } catch {} // It can't be read, and the element says so.
-    // What is the same, or not said, stays as the page wrote it.
+    } catch {} // It can't be read, and the element shows an error.
+    // Values that are unchanged or not given stay as the page wrote them.
     for (const name of edited) if (name in given && given[name] !== this[name]) (this as Record<string, unknown>)[name] = given[name];
   }
 
   /**
-   * One word for colours, light, opacity and projection that suit the data: `textbook` and `flat`; `mip`, but for labels; of CT and MRI `xray` and `skin`; of CT
-   * `bone` and `vessels`. Other attributes win over it.
+   * One word for colours, light, opacity and projection that suit the data: `textbook` and `flat` for all data; `mip` for all data except
+   * labels; `xray` and `skin` for CT and MRI; `bone` and `vessels` for CT. Other attributes override it.
    */
   @property() look!: string | null;
 
-  /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */
+  /** The name of a preset, or stops `value colour opacity, ...`; by default a preset that suits the histogram of the data. */
   @property({ attribute: 'transfer-function' })
   get transferFunction(): string | null {
     return this.readText('transfer-function');
@@ -40,40 +40,45 @@ export class LookAttributes extends PictureAttributes {
   }
 
   /**
-   * Shows one value of each ray in the colours of the transfer function, instead of all that shines and absorbs along it:
-   * the largest, `max`, the smallest, `min`, or the `average`. The largest opacity then counts as 1.
+   * Shows one value of each ray in the colours of the transfer function, instead of all that shines and absorbs along the ray: `max`, the
+   * largest value, `min`, the smallest, or `average`. The largest opacity then counts as 1.
    */
   @property() projection!: 'max' | 'min' | 'average' | null;
 
   /**
-   * `lit` shows how surfaces in the volume stand, by a light at the eye and the X3D lights among the children; `unlit` shows colours as the
-   * legend has them. By default the surfaces of `surface-values` are lit, and nothing else. A `projection` is never lit.
+   * `lit` shows the orientation of surfaces in the volume, by a light at the eye and the X3D lights among the children; `unlit` shows the
+   * colours as they are in the legend. By default only the surfaces of `surface-values` are lit. A `projection` is never lit.
    */
   @property() shading!: 'lit' | 'unlit' | null;
 
   /**
-   * Surfaces on which the data have a value: `value colour opacity, ...`, four at most, each lit. A value is a number or a percentage of the
-   * window; an opacity, 1 by default, is what one surface hides. Without a `transfer-function` there is nothing but surfaces.
+   * Surfaces where the data have a given value: `value colour opacity, ...`, at most four, each lit. A value is a number or a percentage of
+   * the window. The opacity, 1 by default, is the share of light that one surface blocks. Without a `transfer-function` only these surfaces
+   * are shown.
    */
   @property({ attribute: 'surface-values' }) surfaceValues!: string | null;
 
   /**
-   * Factors of the opacity by how steeply values change: `gradient factor, ...`, for instance `0 0, 10% 1`, which leaves boundaries and clears what is
-   * even. A gradient is in data units per world unit (of a CT, HU per millimetre), or a percentage of the window along a reference length; it rises.
+   * Factors of the opacity that depend on how steeply values change: `gradient factor, ...`. For instance `0 0, 10% 1` keeps boundaries and
+   * hides regions of even values. A gradient is in data units per world unit (of a CT, HU per millimetre), or a percentage of the window
+   * along a reference length. Gradients have to ascend.
    */
   @property({ attribute: 'gradient-opacity' }) gradientOpacity!: string | null;
 
   /**
-   * Colours and opacities by value and gradient: `box low high low high colour opacity`, values before gradients, and
-   * `gaussian value gradient width width colour opacity`, separated by commas, eight at most. It stands in for `transfer-function`; gradients are as in
+   * Colours and opacities by value and gradient: `box low high low high colour opacity`, values before gradients, and `gaussian value
+   * gradient width width colour opacity`, separated by commas, at most eight. It replaces `transfer-function`; gradients are as in
    * `gradient-opacity`.
    */
   @property({ attribute: 'transfer-function-2d' }) transferFunction2d!: string | null;
 
-  /** Data values `low high` that presets and percentages span; by default the histogram's. */
+  /** The range of data values, `low high`, that presets and percentages refer to; by default that of the histogram. */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;
 
-  /** World length over which a stop's opacity holds; by default 1 % of the volume's longest edge, less where it is thin. */
+  /**
+   * The world length to which the opacity of a stop refers; by default 1 % of the longest edge of the volume, less where the volume is
+   * thin.
+   */
   @property({ attribute: 'reference-length', kind: number }) referenceLength!: number | null;
 
   /**

@@ -1,33 +1,36 @@
 import { isOurs } from './define.ts';
 import { onNotice } from './notice-root.ts';
 
-/** Whether the shadow tree of an element of this name may have elements of ours in it. Of ours, that of one has. */
+/**
+ * Whether the shadow tree of an element of this name may contain elements of ours. Of our own elements, only <volume-workspace> contains
+ * such elements.
+ */
 const mayHoldOthers = (localName: string): boolean => localName === 'volume-workspace' || !isOurs(localName);
 
 /** A tree of a page: the document, or an open shadow root in it. */
 type Root = Document | ShadowRoot;
 
 export interface RootsListener {
-  /** Called for every element that is in the page, or comes into it. */
+  /** Called for every element that is in the page now or is added later. */
   seen?(element: Element): void;
-  /** Called after elements came or went, or an `id` changed. */
+  /** Called after elements were added or removed, or an `id` changed. */
   changed?(): void;
 }
 
 /**
- * The trees of a page, watched while somebody listens: the document, and all open shadow roots that are reached from it.
- * A shadow root that an element gets long after it came into the page makes no mutation that could be observed: it is
- * found when the definition of its element comes, when a <volume-view> or a companion in it is connected, or when its
- * host is put in anew. What is in a closed shadow root and connected notices it too, and nobody else looks into it.
+ * The trees of a page: the document, and all open shadow roots that can be reached from it. They are watched while there are listeners.
+ * If an element gets a shadow root long after it came into the page, no mutation can be observed. Such a root is found when the element
+ * is defined, when a <volume-view> or a companion in it is connected, or when its host is inserted again. A closed shadow root is watched
+ * from when an element of ours in it is connected; `find` does not search it.
  */
 class OpenRoots {
   readonly #roots = new Set<Root>();
   readonly #listeners = new Set<RootsListener>();
-  /** Names of custom elements whose definition is waited for. */
+  /** Names of custom elements whose definition we wait for. */
   readonly #awaited = new Set<string>();
   #observer: MutationObserver | null = null;
 
-  /** @returns how to stop */
+  /** @returns a function that stops listening */
   listen(listener: RootsListener): () => void {
     this.#listeners.add(listener);
     if (!this.#observer) {
@@ -39,7 +42,7 @@ class OpenRoots {
     return () => this.#forget(listener);
   }
 
-  /** An element is in the page: its root and those around it are watched, if anybody listens. */
+  /** An element was added to the page: watch its root and the roots around it, if there are listeners. */
   notice(element: Element): void {
     if (!this.#observer) return;
     let isNew = false;
@@ -49,7 +52,7 @@ class OpenRoots {
     if (isNew) this.#tell();
   }
 
-  /** The first element that a search finds in the document, or else in an open shadow root. */
+  /** The first result of a search: in the document, else in an open shadow root. */
   find<Found>(search: (root: Root) => Found | null): Found | null {
     for (const root of this.#roots) {
       const isOpen = root.isConnected && !(root instanceof ShadowRoot && root.mode === 'closed');
@@ -67,7 +70,7 @@ class OpenRoots {
     this.#roots.clear();
   }
 
-  /** @returns whether it was not watched already */
+  /** @returns whether the root was not yet watched */
   #enter(root: Root): boolean {
     if (this.#roots.has(root)) return false;
     this.#roots.add(root);
@@ -84,7 +87,7 @@ class OpenRoots {
     else if (localName.includes('-') && element.matches(':not(:defined)')) void this.#await(localName);
   }
 
-  /** Once an element is defined it may have a shadow root. */
+  /** When the element is defined, it may have a shadow root. */
   async #await(localName: string): Promise<void> {
     if (this.#awaited.has(localName)) return;
     this.#awaited.add(localName);

@@ -1,13 +1,13 @@
-/** The attributes `width` and `height`, as an image has them: the size of the element, where the page's CSS says none. */
+/** The attributes `width` and `height`, as on an image: the size of the element where the CSS of the page sets none. */
 export class OwnSize {
   #sheet: CSSStyleSheet | null = null;
   #looked = false;
 
-  /** @param width - the attribute's text: pixels, or a percentage; what is no length is left out */
+  /** Apply the two attributes. @param width - text of the attribute: pixels, or a percentage; invalid lengths are ignored */
   set(root: ShadowRoot, width: string | null, height: string | null): void {
     const text = writeSize(readLength(width), readLength(height));
     if (!this.#sheet && text) {
-      // A sheet, as a page's policy may forbid style elements, and the element's own style is the page's.
+      // We use a style sheet: the page's policy may forbid style elements, and the `style` attribute belongs to the page.
       this.#sheet = new CSSStyleSheet();
       root.adoptedStyleSheets = [...root.adoptedStyleSheets, this.#sheet];
     }
@@ -17,12 +17,12 @@ export class OwnSize {
   }
 }
 
-/** A line of text has no width and no height that a picture could take. */
+/** An inline element has no width and no height that a picture could take. */
 function warnOfInline(host: Element): void {
   if (getComputedStyle(host).display === 'inline') console.warn('<volume-view>: the CSS of the page makes it display: inline, a box without a size; write display: block or inline-block.');
 }
 
-/** As of an image: what follows the number is overlooked, but for the sign of a percentage. */
+/** Read a length as images do: ignore what follows the number, except a percent sign. */
 function readLength(text: string | null): string | null {
   const [, number, percent] = /^\s*(\d*\.?\d+)(%?)/.exec(text ?? '') ?? [];
   return Number(number) > 0 ? number + (percent || 'px') : null;

@@ -2,7 +2,7 @@ import type { Vector3 } from '../../src/volume/matrix.ts';
 import { numbers, text } from './property-kinds.ts';
 import type { Kind } from './property-kinds.ts';
 
-/** Places, three numbers each. */
+/** A list of places, three numbers each. */
 export const places: Kind<readonly Vector3[] | null> = {
   read: (text) => {
     const found = numbers.read(text);

@@ -3,24 +3,24 @@ import { writeTransferFunction } from '../../src/optics/transfer/write-transfer-
 import type { Vector3 } from '../../src/volume/matrix.ts';
 
 /**
- * How the values of a property are written in its attribute. Whatever a script writes becomes text, also what can't be
- * read again: then the element says what is wrong with it, as with a text of HTML.
+ * How the values of a property are written in its attribute. Any value that a script sets becomes text, even an invalid one: then the
+ * element reports the error, as it does for text in HTML.
  */
 export interface Kind<T> {
-  /** The value that a text says, null where there is none or it can't be read. @param text - null where the attribute is absent */
+  /** The value of a text; null where there is no text or it can't be read. @param text - null where the attribute is absent */
   read(text: string | null): T;
-  /** @returns null for no attribute */
+  /** @returns the text; null removes the attribute */
   write(value: T | string | null | undefined): string | null;
 }
 
-/** As JavaScript writes it. */
+/** The text as JavaScript writes it. */
 const write = (value: string | number | boolean | null | undefined): string | null => (value === null || value === undefined ? null : String(value));
 
 const isNumber = (text: string): boolean => text.trim() !== '' && Number.isFinite(Number(text));
 
 export const text: Kind<string | null> = { read: (text) => text, write };
 
-/** There or not, whatever its text. */
+/** A boolean: true where the attribute is present, whatever its text. */
 export const flag: Kind<boolean> = { read: (text) => text !== null, write: (value) => (value ? '' : null) };
 
 export const number: Kind<number | null> = {
@@ -28,7 +28,7 @@ export const number: Kind<number | null> = {
   write,
 };
 
-/** A number, or the word for letting the element choose. */
+/** A number, or `auto` where the element chooses. */
 export const numberOrAuto: Kind<number | 'auto' | null> = {
   read: (text) => (text?.trim().toLowerCase() === 'auto' ? 'auto' : number.read(text)),
   write,
@@ -37,7 +37,7 @@ export const numberOrAuto: Kind<number | 'auto' | null> = {
 /** A number, or else a text. */
 export const numberOrText: Kind<number | string | null> = { read: (text) => number.read(text) ?? text, write };
 
-/** A number, nothing for what is chosen for it, or the word for none. */
+/** A number; or an empty text, for a number that the element chooses; or `none`. */
 export const numberOrFlag: Kind<number | boolean | 'none'> = {
   read: (text) => (text?.trim() === '' ? true : text?.trim().toLowerCase() === 'none' ? 'none' : (number.read(text) ?? false)),
   write: (value) => (value === true ? '' : value === false ? null : write(value)),
@@ -52,7 +52,7 @@ export const numbers: Kind<readonly number[] | null> = {
   write: (value) => write(typeof value === 'object' ? value?.join(' ') : value),
 };
 
-/** So many numbers. */
+/** Exactly `count` numbers. */
 function exactly<Numbers extends readonly number[]>(count: number): Kind<Numbers | null> {
   const read = (text: string | null): Numbers | null => {
     const found = numbers.read(text);
@@ -64,7 +64,7 @@ function exactly<Numbers extends readonly number[]>(count: number): Kind<Numbers
 export const pair = exactly<readonly [number, number]>(2);
 export const vector = exactly<Vector3>(3);
 
-/** Two opposite corners. */
+/** Two opposite corners of a box. */
 export const box = exactly<readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number]>(6);
 
 /** Columns and rows, `10x10`. */
@@ -76,7 +76,7 @@ export const size: Kind<readonly [columns: number, rows: number] | null> = {
   write: (value) => write(typeof value === 'object' ? value?.join('x') : value),
 };
 
-/** A preset's name, or stops: as text, or for writing as a list too. */
+/** The name of a preset, or stops: a text, or, for writing, a list too. */
 export const transferFunction: Kind<string | readonly Stop[] | null> = {
   read: (text) => text,
   write: (value) => (value && typeof value === 'object' ? writeTransferFunction(value) : write(value)),

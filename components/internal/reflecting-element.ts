@@ -3,8 +3,8 @@ import { text } from './property-kinds.ts';
 import type { Kind } from './property-kinds.ts';
 
 /**
- * An element whose attributes are what it holds, as with the elements of HTML: to set a property writes its attribute at
- * once, to read one reads it. So there is one truth, and the property of an attribute that can't be read is null.
+ * An element that keeps its values in its attributes, as the elements of HTML do: setting a property writes its attribute at once, reading
+ * a property reads the attribute. So each value is stored in one place only. If an attribute can't be read, its property is null.
  */
 export class ReflectingElement extends LitElement {
   protected override createRenderRoot(): HTMLElement | ShadowRoot {
@@ -16,7 +16,7 @@ export class ReflectingElement extends LitElement {
     }
   }
 
-  /** The element has come into another document, where it has to be given its styles anew. */
+  /** The element was moved into another document, where its styles have to be applied again. */
   adoptedCallback(): void {
     void import('./wear-styles.ts').then(({ wearStyles }) => wearStyles(this), () => {});
   }
@@ -31,7 +31,7 @@ export class ReflectingElement extends LitElement {
     else this.setAttribute(attribute, text);
   }
 
-  /** To write the same text again is a change too, as with the elements of HTML. */
+  /** Writing the same text again counts as a change too, as for the elements of HTML. */
   override attributeChangedCallback(name: string, old: string | null, _value: string | null): void {
     const { elementProperties } = this.constructor as typeof LitElement;
     for (const [property, { attribute }] of elementProperties) {
@@ -40,20 +40,23 @@ export class ReflectingElement extends LitElement {
   }
 }
 
-/** What accessors need of an element: its protected part. */
+/** The protected members of an element that accessors need. */
 interface TextHolder {
   readText(attribute: string): string | null;
   writeText(attribute: string, text: string | null): void;
 }
 
 export interface PropertyOptions<T> {
-  /** By default the property's own name. */
+  /** Default: the name of the property. */
   attribute?: string;
-  /** By default text. */
+  /** Default: text. */
   kind?: Kind<T>;
 }
 
-/** The text of a value, whatever a script gives. Of one that has none it is one that no attribute takes, and the element says so. */
+/**
+ * The text of any value that a script sets. If the value has no text, the result is a text that no attribute accepts, so that the element
+ * reports an error.
+ */
 export function writeSafely<T>(write: (value: T) => string | null, value: T): string | null {
   try {
     return write(value);
@@ -62,13 +65,13 @@ export function writeSafely<T>(write: (value: T) => string | null, value: T): st
   }
 }
 
-/** Decorates a property that an attribute holds. A class that has accessors of its own for it keeps them. */
+/** Decorator for a property that is stored in an attribute. Accessors that the class itself has for the property are kept. */
 export function property<T>({ attribute, kind }: PropertyOptions<T> = {}) {
   return (prototype: ReflectingElement, name: string, own?: PropertyDescriptor): void => {
     const { read, write } = (kind ?? text) as Kind<unknown>;
     const { constructor } = prototype as { constructor: unknown };
     const attributeName = attribute ?? name;
-    // One text that can't be read is not the other: the old value says nothing of whether there is a change.
+    // Two different texts that can't be read both give null, so the old value does not show whether there is a change.
     (constructor as typeof LitElement).createProperty(name, { attribute: attributeName, noAccessor: true, hasChanged: () => true });
     if (own) return;
     Object.defineProperty(prototype, name, {

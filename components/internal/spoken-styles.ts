@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** What is for screen readers alone. */
+/** Styles of text that is only for screen readers. */
 export const spokenStyles = css`
   .spoken {
     position: absolute;

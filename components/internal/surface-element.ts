@@ -8,7 +8,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { BesideElement } from './beside-element.ts';
 import { tell } from './volume-view-events.ts';
 
-/** An element that puts a surface into the scene of the `<volume-view>` around it. */
+/** An element that adds a surface to the scene of the `<volume-view>` around it. */
 export abstract class SurfaceElement extends BesideElement<SurfaceTarget> {
   protected override readonly keeper = new SurfaceKeeper({
     localName: this.localName,
@@ -24,13 +24,13 @@ export abstract class SurfaceElement extends BesideElement<SurfaceTarget> {
     new MutationObserver(() => this.requestUpdate()).observe(this, { attributes: true, attributeFilter: ['hidden'] });
   }
 
-  /** What its attributes ask for. @throws {VolumeViewError} */
+  /** Read which surface the attributes ask for. @throws {VolumeViewError} */
   protected abstract readWanted(read: (name: string) => string | null, volume: Volume | null): WantedSurface;
 
-  /** What pages are told of a surface. */
+  /** The description of a surface that pages get. */
   protected abstract describe(surface: Surface): unknown;
 
-  /** What is shown. */
+  /** The surface that is shown. */
   protected get surface(): Surface | null {
     return this.keeper.surface;
   }

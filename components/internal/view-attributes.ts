@@ -2,7 +2,7 @@ import { oldAttributes, readAttribute, removeOldAttributes, renameAttribute } fr
 import { noticeRoot } from './notice-root.ts';
 import { ReflectingElement } from './reflecting-element.ts';
 
-/** How a `<volume-view>` reads and writes its attributes, old spellings among them. */
+/** How a `<volume-view>` reads and writes its attributes, with their old names. */
 export class ViewAttributes extends ReflectingElement {
   static override get observedAttributes(): string[] {
     return [...super.observedAttributes, ...oldAttributes];
@@ -21,7 +21,7 @@ export class ViewAttributes extends ReflectingElement {
     return readAttribute(this, attribute);
   }
 
-  /** The text that tells what is seen, where a person may have changed that: by default what the author says. */
+  /** The text that describes the present view, where a person may have changed it; by default the text of the attribute. */
   protected readSeen(attribute: 'camera-orbit' | 'camera-target'): string | null {
     return this.readText(attribute);
   }

@@ -1,8 +1,8 @@
-/** Of the sign for what of a file is not in a picture, for the shadow root of the element around it. */
+/** Styles of the sign for parts of a file that are not in the picture. They go into the shadow root of the element around it. */
 export const noticeStyles = `
 .notice {
   position: absolute;
-  z-index: 2; /* What it says is above the letters of a marker. */
+  z-index: 2; /* Its text lies above the letters of a marker. */
   inset: 4px;
   inset-block-start: var(--_notice-top, 4px);
   display: flex;

@@ -9,24 +9,25 @@ import { Words } from '../../src/messages/words.ts';
 import type { DrawnPart } from './lazy-part.ts';
 import { noticeStyles } from './view-notices-styles.ts';
 
-/** What is told of. */
+/** Where the notices come from. */
 export interface NoticeSource {
   readonly info: Pick<VolumeInfo, 'notices' | 'reduced'> | null;
-  /** Of files beside the volume, by who shows them. */
+  /** Notices of additional files, by the object that shows the files. */
   readonly besideNotices: ReadonlyMap<object, readonly FileNotices[]>;
 }
 
-/** More lines than this nobody reads: `left` of the volume has them all. */
+/** Maximum number of lines, as nobody reads more: `left` of the volume has them all. */
 const mostLines = 40;
 
 /**
- * A sign in a corner of a picture that something of a file is not in it, or not as it is there, and what. It tells it where a mouse is over it, where it has
- * the focus of the keys, and where it was pressed; Escape, or a press elsewhere, closes it. Loaded where there is something to tell.
+ * A sign in a corner of a picture. It says that a part of a file is not in the picture, or is shown differently, and which part. The text
+ * opens when the mouse is over the sign, when the sign has the keyboard focus, and when it is pressed; Escape, or a press elsewhere, closes
+ * it. The code is loaded when there is a notice.
  */
 export class ViewNotices implements DrawnPart {
   readonly #words: Words<NoticeTerms>;
   readonly #abort = new AbortController();
-  /** Why it is open. */
+  /** The reasons why it is open. */
   readonly #open = new Set<'pointed' | 'focused' | 'pressed'>();
 
   constructor(readonly host: LitElement, readonly source: () => NoticeSource) {
@@ -58,7 +59,7 @@ export class ViewNotices implements DrawnPart {
     </div>`;
   }
 
-  /** What readers wrote is English, as their errors are. */
+  /** The notices of readers are in English, as their errors are. */
   #list(): { text: string; lang?: string }[] {
     const { info, besideNotices } = this.source();
     const own = info?.notices ?? [];

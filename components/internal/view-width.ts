@@ -2,7 +2,7 @@ import { css } from 'lit';
 import type { ReactiveController } from 'lit';
 import type { VolumeLink } from './volume-link.ts';
 
-/** The space between a companion and what is above it. The page's CSS goes before. */
+/** The space between a companion and the element above it. The CSS of the page overrides it. */
 export const companionGap = css`
   :host {
     margin-block-start: 8px;
@@ -10,9 +10,9 @@ export const companionGap = css`
 `;
 
 /**
- * Keeps a companion as wide as its <volume-view>, where both are in one block and the view is narrower than that: under a
- * `<volume-view width="640">` the legend ends where the picture ends. Below a small picture it keeps 300 pixels, as there is
- * nothing to be read in less. In any other layout, the layout says how wide.
+ * Keeps a companion as wide as its <volume-view>, where both are in one block and the view is narrower than the block: under a
+ * `<volume-view width="640">` the legend ends where the picture ends. Below a small picture it keeps 300 pixels, as less is too narrow to
+ * read. In any other layout, the layout decides the width.
  */
 class ViewWidth implements ReactiveController {
   readonly #resizing = new ResizeObserver(() => this.#match());
@@ -48,13 +48,13 @@ class ViewWidth implements ReactiveController {
   }
 }
 
-/** The link of a companion that keeps the width of its view. */
+/** The link of a companion that has the width of its view. */
 export function withViewWidth(link: VolumeLink): VolumeLink {
   link.host.addController(new ViewWidth(link));
   return link;
 }
 
-/** Whether a view leaves room in the block that it and a companion are in. */
+/** Whether a view is narrower than the block that contains it and a companion. */
 function isNarrow(view: HTMLElement, { parentElement }: Element): boolean {
   if (!parentElement || view.parentElement !== parentElement) return false;
   const stacks = /^(block|flow-root|list-item)$/.test(getComputedStyle(parentElement).display) && getComputedStyle(view).float === 'none';

@@ -6,32 +6,30 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { openRoots } from './open-roots.ts';
 import type { VolumeView } from '../volume-view/volume-view.ts';
 
-/** An element that speaks of a <volume-view>. */
+/** An element that shows something about a <volume-view>. */
 export interface Companion extends ReactiveControllerHost, HTMLElement {
   /** The id of that <volume-view>; null for the nearest one. */
   readonly htmlFor: string | null;
 }
 
-/** What a volume tells that most companions show. */
+/** The events of a view after which most companions update. */
 const usualEvents: readonly string[] = ['load', 'optics-change'];
 
 /**
- * Finds a companion's <volume-view> and follows it: in whatever order elements are put into the page, defined, named and
- * taken out.
- *
- * With `for` it is the one of this id, in the companion's own tree, in a tree around it, or in any open shadow root.
- * Without, it is the nearest one: that around the companion, else the first in the smallest element that holds both, else
- * the first in any open shadow root.
+ * Finds the <volume-view> of a companion and follows it. It works in whatever order the elements are inserted, defined, named and removed.
+ * With `for` it is the view with this id: in the companion's own tree, in a tree around it, or in any open shadow root. Without `for`, it
+ * is the nearest view: the one around the companion, else the first one in the smallest element that contains both, else the first one in
+ * any open shadow root.
  */
 export class VolumeLink implements ReactiveController {
-  /** By it a view knows its companions. */
+  /** The part through which a view knows its companion. */
   readonly #part: ViewPart;
   #view: VolumeView | null = null;
   #stop: (() => void) | null = null;
 
   /**
-   * @param changed - called when there is another volume, another look, or none any more
-   * @param events - of the volume, at which it is called too
+   * @param changed - called when there is another volume, another appearance, or no volume any longer
+   * @param events - events of the view after which `changed` is called too
    */
   constructor(
     readonly host: Companion,
@@ -46,12 +44,12 @@ export class VolumeLink implements ReactiveController {
     return this.#view;
   }
 
-  /** The last good volume of the view, with its samples; null before there is one. */
+  /** The last volume of the view that loaded without error, with its samples; null before there is one. */
   get volume(): Volume | null {
     return this.#view && socketOf(this.#view).volume;
   }
 
-  /** What is lacking to show something, in words; null where all is there. */
+  /** A sentence that says what is missing before something can be shown; null where nothing is missing. */
   describeLack(terms: CompanionTerms): string | null {
     if (this.#view) return this.#view.optics ? null : terms.noVolume;
     return terms.noView(this.host.htmlFor);
@@ -69,13 +67,13 @@ export class VolumeLink implements ReactiveController {
     this.#follow(null);
   }
 
-  /** Look again: the host has another `for`, or the page has changed. */
+  /** Search again: the host has another `for`, or the page has changed. */
   find(): void {
     if (!this.host.isConnected) return;
     const { htmlFor } = this.host;
     const found = htmlFor === null ? findNearest(this.host) : findById(this.host, htmlFor);
     if (found !== this.#view) this.#follow(found);
-    else if (!found) this.changed(); // The words name another id.
+    else if (!found) this.changed(); // The message names another id.
   }
 
   #follow(view: VolumeView | null): void {
@@ -107,7 +105,7 @@ function findNearest(start: Element): VolumeView | null {
   return openRoots.find((root) => root.querySelector('volume-view'));
 }
 
-/** The element whose shadow tree a node is the root of. */
+/** The element whose shadow root a node is; null for any other node. */
 function hostOf(node: Node): Element | null {
   return node instanceof ShadowRoot ? node.host : null;
 }

@@ -5,7 +5,7 @@ import { isInMillimetres, isPatient } from '../../src/volume/world-axes.ts';
 import type { Language } from '../../src/messages/language.ts';
 import type { ReadoutTerms } from '../../src/messages/readout-terms.ts';
 
-/** What something is, and how much of it. */
+/** One row: a name and its value as text. */
 export interface Row {
   readonly name: string;
   readonly text: string;
@@ -15,20 +15,20 @@ export interface Row {
 export interface RowStyle {
   readonly language: Language;
   readonly terms: ReadoutTerms;
-  /** As an author says it: `patient` or `xyz`; null for what suits the volume. */
+  /** The attribute as the author wrote it: `patient` or `xyz`; null for the system that suits the volume. */
   readonly coordinates: string | null;
-  /** Whether labels lie over the volume. */
+  /** Whether the volume has labels. */
   readonly hasLabels?: boolean;
-  /** What the layer over the volume is called; '' where nobody says, null where there is none. */
+  /** The name of the layer over the volume; '' where it has no name, null where there is no layer. */
   readonly layer?: string | null;
 }
 
-/** Digits of a value: all that 16 bits have. */
+/** Digits of a value: enough for all values of 16 bits. */
 const valueDigits = 6;
 
 /**
- * What is known of a place, in words. A volume has the same rows wherever somebody points.
- * @param pick - null for nothing
+ * All facts about a place, in words. A volume has the same rows at every place.
+ * @param pick - null for no place
  */
 export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: RowStyle): Row[] {
   const { terms, language } = style;
@@ -68,7 +68,7 @@ function listRadarRows(place: Omit<RadarPlace, 'gate'> | null, { site }: VolumeI
   ];
 }
 
-/** A place in words, to a tenth of a voxel or so. */
+/** A place in words, with a precision of about a tenth of a voxel. */
 export function writePlace(world: Vector3, volume: VolumeInfo, { language, terms, coordinates }: RowStyle): string {
   const decimals = Math.min(6, Math.max(0, Math.round(1 - Math.log10(Math.min(...volume.spacing)))));
   const asked = coordinates?.trim().toLowerCase();
@@ -79,6 +79,6 @@ export function writePlace(world: Vector3, volume: VolumeInfo, { language, terms
     return terms.millimetres(parts.join(' '));
   }
   const plain = world.map((length, axis) => `${'xyz'[axis]} ${language.fixed(length, decimals)}`).join(' ');
-  // Whose axes they are, nobody says; the unit, the format does.
+  // The file does not say whose axes these are; but the format says the unit.
   return asked !== 'xyz' && isInMillimetres(volume) ? terms.millimetres(plain) : plain;
 }

@@ -10,21 +10,21 @@ import type { VolumeInfo, VolumeOptics } from '../../src/viewer/model/volume-inf
 
 /** Detail of `progress`. */
 export interface ProgressDetail {
-  /** Bytes done. */
+  /** Bytes done so far. */
   readonly loaded: number;
-  /** Bytes in all; 0 where nobody knows. */
+  /** Total bytes; 0 where the number is unknown. */
   readonly total: number;
-  /** What is going on. */
+  /** The present step. */
   readonly phase: 'fetch' | 'decode';
 }
 
 /** Detail of `error`. */
 export interface ErrorDetail {
-  /** One of the codes of `errors.ts`; they stay from version to version. */
+  /** One of the codes of `errors.ts`; they stay the same in later versions. */
   readonly code: VolumeViewError['code'];
-  /** In words: what was got, what was expected, what to do. */
+  /** A message: what was received, what was expected, what to do. */
   readonly message: string;
-  /** What was caught below it, if anything. */
+  /** The error that caused this one, if any. */
   readonly cause: unknown;
 }
 
@@ -36,7 +36,7 @@ export interface CameraChangeDetail {
   readonly target: Vector3;
 }
 
-/** The element's own events beside those of every element. */
+/** The element's own events, in addition to those of every element. */
 export interface VolumeViewEventMap extends Omit<HTMLElementEventMap, 'load' | 'progress' | 'error'> {
   load: CustomEvent<VolumeInfo>;
   progress: CustomEvent<ProgressDetail>;
@@ -51,7 +51,7 @@ export interface VolumeViewEventMap extends Omit<HTMLElementEventMap, 'load' | '
   'volume-pick': CustomEvent<VolumePick | null>;
 }
 
-/** Listeners that are given the right events. */
+/** Methods that give listeners the right event types. */
 export interface VolumeViewListeners {
   addEventListener<K extends keyof VolumeViewEventMap>(
     type: K,
@@ -67,7 +67,10 @@ export interface VolumeViewListeners {
   removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
 }
 
-/** Fire an event at an element. Here, or the manifest's analyzer takes "type" for an event's name. */
+/**
+ * Fire an event at an element. The function is in this file, as the analyzer of the manifest would otherwise take "type" for the name of an
+ * event.
+ */
 export function tell(element: Element, type: string, detail: unknown): void {
   element.dispatchEvent(new CustomEvent(type, { detail }));
 }

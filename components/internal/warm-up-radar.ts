@@ -1,4 +1,5 @@
-// Loads, one beside the other, what the picture of a radar needs, while its file is read: it would come one after the other then.
+// Loads the code for the picture of a radar in parallel, while the radar's file is read. Without this, the modules would load one after the
+// other.
 import { fieldProviders } from './field-providers.ts';
 
 const parts = [
@@ -10,4 +11,4 @@ const parts = [
   fieldProviders.polar!(),
 ];
 
-for (const part of parts) part.catch(() => {}); // Told when it is needed.
+for (const part of parts) part.catch(() => {}); // The error is reported when the module is needed.
