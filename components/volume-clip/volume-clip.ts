@@ -19,17 +19,17 @@ import type { VolumeView } from '../volume-view/volume-view.ts';
 type Box = readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number];
 
 /**
- * A plane or a box that cuts the volume of a `<volume-view>` open, with handles over its picture: dragged by mouse and finger, and
- * moved by keys. A volume is cut by six planes at most, ClipPlanes among them, and one box is cut out of it.
+ * A plane or a box that cuts the volume of a `<volume-view>` open, with handles over its picture: mouse and finger drag them, and
+ * keys move them. At most six planes cut a volume, X3D's ClipPlanes included, and one box is cut out of it.
  *
- * Without `for` it cuts the nearest `<volume-view>`: the one around it, else the first in the smallest element that holds both.
+ * Without `for` it cuts the nearest `<volume-view>`: the one around it, else the first one in the smallest element that contains both.
  * With `hidden` it cuts nothing.
  *
  * `<volume-clip for="head" type="plane" normal="1 0 0" at="0"></volume-clip>`
  *
  * @tag volume-clip
  * @cssproperty --volume-view-handle-color - of the `<volume-view>`: colour of the handles, which are the view's parts `handle`
- * @fires {CustomEvent<ClipShape>} clip-change - a person moves it; the detail says where it is
+ * @fires {CustomEvent<ClipShape>} clip-change - a person moves it; the detail gives its new position
  */
 export class VolumeClip extends ReflectingElement {
   /** The id of the `<volume-view>`; by default the nearest one. */
@@ -41,13 +41,10 @@ export class VolumeClip extends ReflectingElement {
    */
   @property() type!: string | null;
 
-  /** Of a plane: the direction that it is at right angles to, `x y z`. What lies there is kept. By default upwards, `0 0 1`. */
+  /** Of a plane: its normal, `x y z`. The part of the volume on that side is kept. By default upwards, `0 0 1`. */
   @property({ kind: vector }) normal!: Vector3 | null;
 
-  /**
-   * Of a box: whether what is `inside` is kept, or what is `outside`.
-   * @default inside
-   */
+  /** Of a box: whether the `inside` or the `outside` is kept. @default inside */
   @property() keep!: string | null;
 
   readonly #model = new ClipModel();
@@ -63,7 +60,7 @@ export class VolumeClip extends ReflectingElement {
   };
   #view: VolumeView | null = null;
   #handles: Handles | null = null;
-  /** What is wrong with the attributes. */
+  /** The error in the attributes, if any. */
   #error: unknown = null;
 
   constructor() {
@@ -72,8 +69,8 @@ export class VolumeClip extends ReflectingElement {
   }
 
   /**
-   * Of a plane: its place along the normal, in world units (mm). By default the middle of the volume. Of a radar, heights are those
-   * before they are exaggerated. To read it tells where a person moved it.
+   * Of a plane: its position along the normal, in world units (mm). By default the middle of the volume. For a radar, heights are those
+   * before the exaggeration. Reading it returns the position to which a person moved it.
    */
   @property({ kind: number })
   get at(): number | null {
@@ -86,8 +83,8 @@ export class VolumeClip extends ReflectingElement {
   }
 
   /**
-   * Of a box: two opposite corners, `x0 y0 z0 x1 y1 z1`, as the view's `region` has them. By default all of the volume, or an eighth
-   * of it where what is outside is kept. To read it tells where a person moved it.
+   * Of a box: two opposite corners, `x0 y0 z0 x1 y1 z1`, written as the view's `region`. By default all of the volume, or an eighth of it
+   * where the outside is kept. Reading it returns the box to which a person moved it.
    */
   @property({ kind: box })
   get box(): Box | null {
@@ -113,7 +110,7 @@ export class VolumeClip extends ReflectingElement {
     this.#cut();
   }
 
-  /** Its handles are in the view; it has nothing to show of its own. */
+  /** Its handles are in the view. The element itself shows nothing. */
   protected override createRenderRoot(): HTMLElement {
     return this;
   }
@@ -136,11 +133,11 @@ export class VolumeClip extends ReflectingElement {
     try {
       this.#model.said = readClipAttributes((name) => this.readText(name));
     } catch (error) {
-      this.#error = error; // The view tells it, where it would be cut.
+      this.#error = error; // The view that would be cut shows the error.
     }
   }
 
-  /** Another view, or none, or another volume in it. */
+  /** Called when there is another view, or none, or another volume in it. */
   #follow(): void {
     const { view } = this.#link;
     if (view !== this.#view) {

@@ -64,7 +64,7 @@ export const styles = [spokenStyles, css`
     list-style: none;
   }
 
-  /* Of a thousand rows only those in sight are laid out. */
+  /* Of a thousand rows, only the visible ones are laid out. */
   li {
     display: flex;
     align-items: center;
@@ -119,7 +119,7 @@ export const styles = [spokenStyles, css`
   .hint {
     margin: 0;
     font-size: 0.9em;
-    unicode-bidi: plaintext; /* English in a page written from right to left. */
+    unicode-bidi: plaintext; /* English text in a page written from right to left. */
   }
 
   :focus-visible {

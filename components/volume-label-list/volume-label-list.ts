@@ -14,28 +14,28 @@ import type { VolumeLabelInfo, VolumeLabels } from '../volume-labels/volume-labe
 import { companionGap, withViewWidth } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 
-/** Rows at most: who has more labels searches. */
+/** Maximum number of rows: with more labels, people use the search. */
 const mostRows = 2000;
 
 /**
- * The labels of a volume, with their colours and names: a box to show or hide each, a button that shows it alone, and a field that finds
- * one by name. What is chosen is kept by the `<volume-labels>`; attributes stay as they are.
+ * The labels of a volume, with their colours and names: a box to show or hide each label, a button that shows it alone, and a field that
+ * finds a label by name. The `<volume-labels>` element keeps the choice; attributes do not change.
  *
- * Without `for` it speaks of the nearest `<volume-view>`: the one around it, else the first in the smallest element that
- * holds both.
+ * Without `for` it belongs to the nearest `<volume-view>`: the one around it, else the first one in the smallest element that
+ * contains both.
  *
  * @tag volume-label-list
- * @csspart list - all of it
+ * @csspart list - the whole list
  * @csspart search - the field that finds labels
  * @csspart button - each button
  * @csspart row - a label
  * @csspart swatch - its colour
- * @csspart name - what it is called
- * @csspart count - how many are shown
- * @csspart hint - what is said where there are no labels
- * @cssproperty --volume-label-list-height - of the rows at most, which scroll then; 20rem by default
+ * @csspart name - its name
+ * @csspart count - how many labels are shown
+ * @csspart hint - the text where there are no labels
+ * @cssproperty --volume-label-list-height - maximum height of the rows, which scroll then; 20rem by default
  * @cssproperty --volume-label-list-accent - colour of the boxes
- * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
+ * @cssproperty --volume-view-focus-color - colour of the ring around the element with the focus; by default that of the text
  */
 export class VolumeLabelList extends ReflectingElement {
   static override readonly styles = [companionGap, styles];
@@ -106,7 +106,7 @@ export class VolumeLabelList extends ReflectingElement {
   };
 }
 
-/** Whether a label is what somebody looks for: all words are in its name, whatever their case and accents; or it is its number. */
+/** Whether a label matches a search: all words are in its name, ignoring case and accents; or the search is its number. */
 function finder(search: string, otherParts: string): (label: VolumeLabelInfo) => boolean {
   const words = fold(search).split(/[\s_-]+/).filter(Boolean);
   return ({ id, name }) => {

@@ -3,8 +3,8 @@ import { number } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 
 /**
- * What one label is called and looks like, in a `<volume-labels>`. It says more than the table there; what it leaves out is the table's.
- * With `hidden` it is not shown at first.
+ * The name and appearance of one label in a `<volume-labels>`. It overrides the table there; values that it leaves out come from the table.
+ * With `hidden` the label is not shown at first.
  *
  * `<volume-label value="17" name="Left hippocampus" color="#ff8800"></volume-label>`
  *
@@ -12,24 +12,24 @@ import { property, ReflectingElement } from '../internal/reflecting-element.ts';
  * @fires {CustomEvent<ErrorDetail>} error - there is no `<volume-labels>` around it
  */
 export class VolumeLabel extends ReflectingElement {
-  /** The label's id in the file, a whole number. 0 is what has no label: with a low opacity the rest of the volume becomes glass. */
+  /**
+   * The id of the label in the file, a whole number. 0 stands for voxels without a label: with a low opacity for 0, the rest of the volume
+   * becomes like glass.
+   */
   @property({ kind: number }) value!: number | null;
 
-  /** What it is called. */
+  /** Its name. */
   @property() name!: string | null;
 
   /** A CSS colour. */
   @property() color!: string | null;
 
-  /**
-   * How much is left of the opacity that the volume has there, 0 to 1.
-   * @default 1
-   */
+  /** Factor of the opacity that the volume has in this label, 0 to 1. @default 1 */
   @property({ kind: number }) opacity!: number | null;
 
   /**
-   * What its values look like: a preset's name, or stops, as of the `<volume-view>`; by default as all of the volume. In 3D it then has the
-   * colours of this function. Labels that say the same are a group; there may be four groups.
+   * Transfer function for the values in this label: the name of a preset, or stops, as on the `<volume-view>`; by default that of the whole
+   * volume. In 3D the label then has the colours of this function. Labels with the same function are a group; there may be four groups.
    */
   @property({ attribute: 'transfer-function' }) transferFunction!: string | null;
 
@@ -38,7 +38,7 @@ export class VolumeLabel extends ReflectingElement {
     tellIfLost(this, 'volume-labels');
   }
 
-  /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
+  /** The `<volume-view>` draws it. The element itself shows nothing. */
   protected override createRenderRoot(): HTMLElement {
     return this;
   }

@@ -12,11 +12,11 @@ import { BesideElement } from '../internal/beside-element.ts';
 import { property } from '../internal/reflecting-element.ts';
 import { tell } from '../internal/volume-view-events.ts';
 
-/** One label of a volume, as pages and companions see it. */
+/** One label of a volume, as pages and companions get it. */
 export interface VolumeLabelInfo {
-  /** The id in the file; 0 is what has no label. */
+  /** The id in the file; 0 stands for voxels without a label. */
   readonly id: number;
-  /** Its number where nobody names it; '' of what has no label. */
+  /** Its name, or its number where it has no name; '' for voxels without a label. */
   readonly name: string;
   /** '#rrggbb' */
   readonly color: string;
@@ -26,26 +26,31 @@ export interface VolumeLabelInfo {
 }
 
 /**
- * The names of a volume's parts: an atlas or a segmentation beside the scan, with its table of names and colours. It colours what
- * the `<volume-view>` around it shows, in 3D and in its panes, and names what somebody points at.
+ * The names of the parts of a volume: an atlas or a segmentation in addition to the scan, with its table of names and colours. It
+ * colours the volume of the `<volume-view>` around it, in 3D and in its panes, and names the part at the pointer.
  *
  * With `hidden` the volume is shown without them.
  *
  * `<volume-view src="head.nii.gz"><volume-labels src="atlas.nii.gz" table="dseg.tsv"></volume-labels></volume-view>`
  *
  * @tag volume-labels
- * @slot - `<volume-label>` elements, which say more of a label than the table does
- * @fires {CustomEvent<null>} labels-change - there are other labels, or they look otherwise; it bubbles
+ * @slot - `<volume-label>` elements, which override the table for a label
+ * @fires {CustomEvent<null>} labels-change - the labels or their appearance have changed; it bubbles
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good labels stay
  */
 export class VolumeLabels extends BesideElement<LabelTarget> {
-  /** A file with a label for each voxel, a whole number: NIfTI, NRRD or MetaImage. Without it, the volume itself is the labels. */
+  /**
+   * A file with a label, a whole number, for each voxel: NIfTI, NRRD or MetaImage. Without it, the values of the volume itself are the
+   * labels.
+   */
   @property() src!: string | null;
 
-  /** A table of names and colours, as BIDS, FreeSurfer, ITK-SNAP or NiiVue write them. */
+  /** A table of names and colours in a format of BIDS, FreeSurfer, ITK-SNAP or NiiVue. */
   @property() table!: string | null;
 
-  /** What the values of all labels look like of which no `<volume-label>` says it: a preset's name, or stops. By default as all of the volume. */
+  /**
+   * Transfer function for all labels whose `<volume-label>` has none: the name of a preset, or stops. By default that of the whole volume.
+   */
   @property({ attribute: 'transfer-function' }) transferFunction!: string | null;
 
   readonly #watcher = new MutationObserver((records) => this.#follow(records));
@@ -57,24 +62,27 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
     failed: (error) => this.tellError(error),
   });
 
-  /** What panes and companions have of them. */
+  /** What panes and companions use of the labels. */
   readonly #part: ViewPart = {
     key: 'volume-labels',
     element: this,
     inPane: (volume, opacity) => this.keeper.inPane(volume, opacity),
-    // What else is hidden stays as it is, a ghost or not.
+    // The other hidden labels stay as they are, with or without a ghost.
     showLabel: (id, isShown) => {
       const others = this.hiddenLabels.filter((other) => other !== id);
       this.keeper.choose(isShown ? others : [...others, id]);
     },
   };
 
-  /** The labels in the file, what has none (id 0) first, unless the volume itself is the labels; none before they are there. */
+  /**
+   * The labels in the file, first the voxels without a label (id 0), unless the values of the volume are the labels; empty before they are
+   * loaded.
+   */
   get labels(): readonly VolumeLabelInfo[] {
     return this.keeper.entries.map(({ id, name, color, opacity, hidden }) => ({ id, name, color: writeColor(color), opacity, hidden }));
   }
 
-  /** The ids of those that are not shown. To set it shows all others. */
+  /** The ids of the labels that are not shown. Setting it shows all others. */
   get hiddenLabels(): readonly number[] {
     return this.keeper.entries.filter(({ hidden }) => hidden).map(({ id }) => id);
   }
@@ -84,16 +92,16 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
   }
 
   /**
-   * Show some labels and nothing else, what has no label neither.
+   * Show some labels and nothing else, not even voxels without a label.
    * @param ids - of the labels
-   * @param rest - `ghost` leaves all else as a grey trace around them, until `showAll()` or `hiddenLabels` is set
+   * @param rest - `ghost` shows everything else as a grey trace around them, until `showAll()` or `hiddenLabels` is set
    */
   showOnly(ids: readonly number[], rest?: 'ghost'): void {
     const shown = new Set(ids);
     this.keeper.choose(this.keeper.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id), rest === 'ghost');
   }
 
-  /** Show all labels, and what has none. */
+  /** Show all labels, and voxels without one. */
   showAll(): void {
     this.hiddenLabels = [];
   }
@@ -125,7 +133,7 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
     return isOwnPane(around) ? socket.last('labelTarget')! : new PresenterTarget(socket);
   }
 
-  /** The companions of a view that it leaves hear it no longer from here. */
+  /** The events of this element no longer reach the companions of the view that it has left, so the event is fired on the view. */
   protected override left(around: HTMLElement): void {
     tell(around, 'labels-change', null);
   }

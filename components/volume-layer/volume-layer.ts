@@ -10,29 +10,29 @@ import { BesideElement } from '../internal/beside-element.ts';
 import { number, pair, transferFunction } from '../internal/property-kinds.ts';
 import { property, writeSafely } from '../internal/reflecting-element.ts';
 
-/** What a layer looks like: its stops, and the data values that presets and percentages span. */
+/** The appearance of a layer: its stops, and the data values that presets and percentages refer to. */
 export interface LayerLook {
   readonly transferFunction: readonly Stop[];
   readonly window: readonly [number, number];
 }
 
 /**
- * A second volume over the first one: a map of statistics on a brain, a PET on a CT. It lies where its file says, on a grid of its own; what of it
- * is outside of the first volume's box is not shown. One for each `<volume-view>`.
+ * A second volume over the first one: a map of statistics on a brain, a PET on a CT. Its file gives its position; it has a grid of its own.
+ * Parts outside the box of the first volume are not shown. A `<volume-view>` can have one layer.
  *
  * With `hidden` the volume is shown without it.
  *
  * `<volume-view src="head.nii.gz"><volume-layer src="motor.nii.gz"></volume-layer></volume-view>`
  *
  * @tag volume-layer
- * @fires {CustomEvent<null>} layer-change - there is another layer, or it looks otherwise; it bubbles
+ * @fires {CustomEvent<null>} layer-change - the layer or its appearance has changed; it bubbles
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good layer stays
  */
 export class VolumeLayer extends BesideElement<OverlayTarget> {
   /** The file: NIfTI, NRRD, MetaImage, or a mosaic's manifest. */
   @property() src!: string | null;
 
-  /** Colour and opacity by data value, as of `<volume-view>`. By default what the values suggest: two colours for values of both signs. */
+  /** Colour and opacity by data value, as on `<volume-view>`. The default depends on the values: two colours if they have both signs. */
   @property({ attribute: 'transfer-function' })
   get transferFunction(): string | null {
     return this.readText('transfer-function');
@@ -42,22 +42,20 @@ export class VolumeLayer extends BesideElement<OverlayTarget> {
     this.writeText('transfer-function', writeSafely(transferFunction.write, value));
   }
 
-  /** Data values that presets and percentages span, `low high`. */
+  /** The range of data values, `low high`, that presets and percentages refer to. */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [number, number] | null;
 
   /**
-   * `mix`: both are seen in one place, as two fogs are. `color`: the first volume's shapes in this one's colours; the larger its opacity, the more.
+   * `mix`: both volumes are visible at a place, like two fogs. `color`: the shapes of the first volume in the colours of this one; the
+   * larger its opacity, the stronger its colour.
    * @default mix
    */
   @property() blend!: string | null;
 
-  /**
-   * Multiplies how much of it there is.
-   * @default 1
-   */
+  /** Multiplies its opacity. @default 1 */
   @property({ attribute: 'opacity-factor', kind: number }) opacityFactor!: number | null;
 
-  /** What it is called where values are told, `t value` for instance; by default the title of its file. */
+  /** Its name next to values, `t value` for instance; by default the title of its file. */
   @property() label!: string | null;
 
   protected override readonly keeper = new OverlayKeeper({
@@ -80,13 +78,13 @@ export class VolumeLayer extends BesideElement<OverlayTarget> {
     new MutationObserver(() => this.keeper.refresh()).observe(this, { attributes: true, attributeFilter: ['hidden'] });
   }
 
-  /** The loaded layer: dimensions, unit, value range ...; null before it is there. */
+  /** The loaded layer: dimensions, unit, value range ...; null before it is loaded. */
   get volume(): VolumeInfo | null {
     const { volume } = this.keeper;
     return volume && describeVolume(volume);
   }
 
-  /** What it looks like; null before it is there. */
+  /** Its appearance; null before it is loaded. */
   get look(): LayerLook | null {
     return this.keeper.look;
   }
@@ -99,7 +97,7 @@ export class VolumeLayer extends BesideElement<OverlayTarget> {
     return new OverlayTarget(socketOf(view));
   }
 
-  /** The companions of a view that it leaves hear it no longer from here. */
+  /** The events of this element no longer reach the companions of the view that it has left, so the event is fired on the view. */
   protected override left(view: HTMLElement): void {
     this.#announce(view);
   }

@@ -46,7 +46,7 @@ export const styles = css`
     display: grid;
     overflow: hidden;
     border-radius: 5px;
-    /* As behind a volume: pale colours are seen on pale pages too. */
+    /* As behind a volume: pale colours stay visible on pale pages too. */
     background: var(--volume-legend-background, linear-gradient(#262d3a, #0d1016));
     box-shadow: 0 0 0 1px var(--_line);
   }
@@ -79,7 +79,7 @@ export const styles = css`
     order: -1;
   }
 
-  /* Values rise from left to right, and numbers are right of an upright scale, whichever way the page is written. */
+  /* Values rise from left to right, and numbers are to the right of a vertical scale, in any writing direction of the page. */
   .scale {
     direction: ltr;
   }
@@ -108,7 +108,7 @@ export const styles = css`
     white-space: nowrap;
   }
 
-  /* Numbers at the ends stay within the scale's length. */
+  /* Numbers at the ends stay within the length of the scale. */
   .flat .ticks span {
     inset-inline-start: calc(100% * var(--at));
     translate: calc(-100% * var(--shift)) 0;

@@ -17,27 +17,27 @@ import { styles } from './volume-legend-styles.ts';
 import { companionGap, withViewWidth } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 
-/** Stops that are all drawn: as many as an author may write. Labels may have more, of which some are. */
+/** Maximum number of stops that are drawn: as many as an author may write. Labels may have more stops; then only some are drawn. */
 const mostDrawn = 1024;
 
-/** Numbers along the scale, at most. */
+/** Maximum number of numbers along the scale. */
 const maxTicks = 9;
 
 /**
- * The colours of a volume and what values they stand for. The band shows them as on an opaque ground; what stands on it
- * is the higher, the more opaque the value is.
+ * The colours of a volume and their values. The band shows the colours on an opaque background; the height of the curve on it
+ * shows the opacity of each value.
  *
- * Without `for` it speaks of the nearest `<volume-view>`: the one around it, else the first in the smallest element that
- * holds both.
+ * Without `for` it belongs to the nearest `<volume-view>`: the one around it, else the first one in the smallest element that
+ * contains both.
  *
  * @tag volume-legend
- * @csspart title - what the values are, and their unit
+ * @csspart title - the name of the values, and their unit
  * @csspart bar - the colours
  * @csspart ticks - the numbers
- * @csspart offset - what all numbers are to be added to, where only their last digits differ
- * @csspart hint - what is said where there is no volume
- * @cssproperty --volume-legend-background - what is behind the colours; dark by default, as behind a volume
- * @cssproperty --volume-legend-length - length of the scale where it is upright; 14rem by default
+ * @csspart offset - the number to add to all numbers, where only their last digits differ
+ * @csspart hint - the text where there is no volume
+ * @cssproperty --volume-legend-background - background of the colours; dark by default, as behind a volume
+ * @cssproperty --volume-legend-length - length of a vertical scale; 14rem by default
  */
 export class VolumeLegend extends ReflectingElement {
   static override readonly styles = [companionGap, styles];
@@ -45,10 +45,10 @@ export class VolumeLegend extends ReflectingElement {
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
 
-  /** What the values are, `Reflectivity` for instance; by default the volume's title. An empty one shows none. */
+  /** Name of the values, `Reflectivity` for instance; by default the title of the volume. An empty text shows no title. */
   @property() label!: string | null;
 
-  /** The scale of the `<volume-layer>` over the volume, or of a radar's `color-moment`, instead of the volume's own. */
+  /** Shows the scale of the `<volume-layer>` over the volume, or of the `color-moment` of a radar, instead of the volume's own. */
   @property({ kind: flag }) layer!: boolean;
 
   /**
@@ -70,7 +70,7 @@ export class VolumeLegend extends ReflectingElement {
     const optics = this.#link.view?.optics;
     if (!volume || !optics) return html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`;
     const over = this.layer && this.#link.view ? socketOf(this.#link.view).last('overlay') : null;
-    if (this.layer && !over) return nothing; // It is on its way, or hidden.
+    if (this.layer && !over) return nothing; // The layer is still loading, or hidden.
     const { unit, range } = over?.shown.volume ?? volume;
     const title = over?.name ?? volume.title ?? '';
     const stops = over?.shown.transferFunction ?? optics.transferFunction;

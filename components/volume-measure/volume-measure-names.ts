@@ -4,7 +4,7 @@ import type { Vector3 } from '../../src/volume/matrix.ts';
 import { isRadar, writePlace } from '../internal/volume-readout-rows.ts';
 import type { MeasureTongue } from './volume-measure-rows.ts';
 
-/** What the handles of a measure are called, and where they are. */
+/** Names of the handles of a measure, with their places as text. */
 export function namePoints(
   { points, count, name }: { readonly points: readonly Vector3[]; readonly count: number; readonly name: string }, info: VolumeInfo, tongue: MeasureTongue,
 ): Pick<Handle, 'name' | 'place' | 'keys'>[] {

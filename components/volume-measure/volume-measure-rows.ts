@@ -1,23 +1,23 @@
-// What a measure comes to, in words.
+// The result of a measure as text.
 import type { MeasureResult } from '../../src/viewer/tools/measuring.ts';
 import type { Statistics } from '../../src/volume/statistics.ts';
 import type { Language } from '../../src/messages/language.ts';
 import type { MeasureWordTerms } from '../../src/messages/measure-words.ts';
 import type { Row } from '../internal/volume-readout-rows.ts';
 
-/** In which words and numbers a measure is told. */
+/** The language and messages in which a measure is written. */
 export interface MeasureTongue {
   readonly language: Language;
   readonly terms: MeasureWordTerms;
 }
 
-/** Digits of a value: all that 16 bits have. */
+/** Digits of a value: enough for all values of 16 bits. */
 const valueDigits = 6;
 
-/** Lengths from here on are written in the larger unit. */
+/** Lengths from this number on are written in the larger unit. */
 const large = { m: 1000, mm: Infinity, '': Infinity };
 
-/** The number of a measure, with what it may be off. */
+/** The number of a measure with its uncertainty. */
 export function writeMeasure(result: MeasureResult, { language, terms }: MeasureTongue): string {
   const { type, value, uncertainty, lengthUnit } = result;
   if (type === 'angle') return terms.plusMinus(`${writeRounded(value, uncertainty, language)}°`, `${writeUncertainty(uncertainty, language)}°`);
@@ -25,7 +25,7 @@ export function writeMeasure(result: MeasureResult, { language, terms }: Measure
   return `${terms.plusMinus(writeRounded(value / factor, uncertainty / factor, language), writeUncertainty(uncertainty / factor, language))}${unit && ` ${unit}`}`;
 }
 
-/** What of it is known, one line each. @param isRadar - whether gates are inside and not voxels */
+/** All results of a measure, one row each. @param isRadar - whether it contains gates instead of voxels */
 export function listMeasure(result: MeasureResult, isRadar: boolean, tongue: MeasureTongue): Row[] {
   const { terms } = tongue;
   const { type, lengths, lengthUnit } = result;
@@ -69,7 +69,7 @@ function volumeScale(volume: number, unit: MeasureResult['lengthUnit']): { facto
   return volume >= 1000 && unit === 'mm' ? { factor: 1000, unit: 'cm³' } : unit === 'm' && volume >= 1e8 ? { factor: 1e9, unit: 'km³' } : { factor: 1, unit: `${unit}³` };
 }
 
-/** Decimals after which a number says nothing more: two digits of its uncertainty. */
+/** The useful number of decimals: two digits of the uncertainty. */
 function decimalsOf(uncertainty: number): number {
   return uncertainty > 0 ? Math.min(9, Math.max(0, 1 - Math.floor(Math.log10(uncertainty)))) : 3;
 }

@@ -21,33 +21,33 @@ import { styles } from './volume-measure-styles.ts';
 import { isRadar } from '../internal/volume-readout-rows.ts';
 import type { Row } from '../internal/volume-readout-rows.ts';
 
-/** A screen reader is told what stands there for so long, ms. */
+/** A screen reader gets the result when it has not changed for this time, ms. */
 const restMs = 500;
 
 const usualColor = '#3ec1ff';
 
 /**
- * A distance, an angle, or the values inside a box or a sphere, measured in the picture of a `<volume-view>`: with lines in the scene
- * and handles to drag, by mouse, finger and keys. Each number says how exactly the voxels let one know it.
+ * A distance, an angle, or the values inside a box or a sphere, measured in the picture of a `<volume-view>`: with lines in the scene,
+ * and handles to drag by mouse and finger or to move by keys. Each number comes with the uncertainty that follows from the voxels.
  *
- * Without `for` it measures in the nearest `<volume-view>`: the one around it, else the first in the smallest element that
- * holds both.
+ * Without `for` it measures in the nearest `<volume-view>`: the one around it, else the first one in the smallest element that
+ * contains both.
  *
- * With `hidden` nothing of it is seen, in the picture neither.
+ * With `hidden` nothing of it is visible, not even in the picture.
  *
  * `<volume-measure for="head" type="distance" points="-40 10 20, 35 10 20"></volume-measure>`
  *
  * @tag volume-measure
- * @csspart measure - all of it
- * @csspart name - what is measured
- * @csspart row - a name and what belongs to it
+ * @csspart measure - the whole element
+ * @csspart name - the name of the measure
+ * @csspart row - a name and its text
  * @csspart button - each button
- * @csspart hint - what is said beside them
- * @csspart error - what is said where something is wrong
- * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
- * @cssproperty --volume-view-error-background - what is behind the words that say what is wrong
- * @cssproperty --volume-view-error-color - their colour
- * @fires {CustomEvent<MeasureResult | null>} measure-change - something else is measured, or values inside have been added up; null where there is nothing any more
+ * @csspart hint - the text next to the buttons
+ * @csspart error - the text of an error
+ * @cssproperty --volume-view-focus-color - colour of the ring around the element with the focus; by default that of the text
+ * @cssproperty --volume-view-error-background - background of the text of an error
+ * @cssproperty --volume-view-error-color - its colour
+ * @fires {CustomEvent<MeasureResult | null>} measure-change - the measure has changed, or the values inside have been added up; null when there is nothing to measure any longer
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good measure stays
  */
 export class VolumeMeasure extends ReflectingElement {
@@ -57,13 +57,13 @@ export class VolumeMeasure extends ReflectingElement {
   @property({ attribute: 'for' }) htmlFor!: string | null;
 
   /**
-   * `distance` between two points, `angle` at the second of three, `box` with two opposite corners along the axes of the
-   * world, or `sphere` with its centre and a point on it.
+   * `distance` between two points, `angle` at the second of three points, `box` with two opposite corners along the axes of the world, or
+   * `sphere` with its centre and a point on it.
    * @default distance
    */
   @property() type!: string | null;
 
-  /** What it is called; by default its type. */
+  /** Its name; by default its type. */
   @property() label!: string | null;
 
   /** CSS colour of its lines and handles. */
@@ -82,13 +82,13 @@ export class VolumeMeasure extends ReflectingElement {
   #stage: MeasureStage | null = null;
   #color: { css: string; rgb: LineColor } = { css: usualColor, rgb: parseCssColor(usualColor)!.color };
   #error: VolumeViewError | null = null;
-  /** What a screen reader is told, and when. */
+  /** The text that a screen reader got last, and the timer for the next one. */
   #told = '';
   #timer = 0;
 
   /**
-   * Where it is measured, `x y z, x y z`, in world units (of medical files mm; of a radar metres east, north and above the antenna,
-   * whatever the exaggeration of heights). Without, a person places the points. To read it tells where they are now.
+   * The points of the measure, `x y z, x y z`, in world units (mm for medical files; for a radar metres east, north and above the antenna,
+   * before the exaggeration of heights). Without it, a person places the points. Reading it returns the present points.
    */
   @property({ kind: places })
   get points(): readonly Vector3[] | null {
@@ -104,7 +104,7 @@ export class VolumeMeasure extends ReflectingElement {
     new MutationObserver(() => this.#hide()).observe(this, { attributes: true, attributeFilter: ['hidden'] });
   }
 
-  /** What was measured; null before. While values inside are added up its `statistics` are null. */
+  /** The result; null before there is one. While the values inside are being added up, its `statistics` are null. */
   get result(): MeasureResult | null {
     return this.#model.result;
   }
@@ -139,7 +139,7 @@ export class VolumeMeasure extends ReflectingElement {
     }
   }
 
-  /** Another view, or none, or another volume in it. */
+  /** Called when there is another view, or none, or another volume in it. */
   #follow(): void {
     const { view } = this.#link;
     const picture = view?.shadowRoot?.querySelector('.picture');
@@ -164,7 +164,7 @@ export class VolumeMeasure extends ReflectingElement {
     this.#model.cancel();
   };
 
-  /** Nobody can place what isn't seen. */
+  /** Nobody can place a measure that is hidden. */
   #hide(): void {
     if (this.hidden) this.#model.cancel();
     this.requestUpdate();
@@ -178,7 +178,7 @@ export class VolumeMeasure extends ReflectingElement {
     if (!points) return;
     this.#model.complete(points);
     await this.updateComplete;
-    this.#stage?.focus(0); // Keys move it at once.
+    this.#stage?.focus(0); // So that keys move it at once.
   };
 
   #show(): void {
@@ -196,7 +196,7 @@ export class VolumeMeasure extends ReflectingElement {
     });
   }
 
-  /** What is there is told once it is still. */
+  /** Send the result to the screen reader when it no longer changes. */
   #speakLater(): void {
     clearTimeout(this.#timer);
     this.#timer = window.setTimeout(() => this.#say(this.#model.placing ? this.#prompt : this.#rows.map(({ name, text }) => `${name} ${text}`).join(', ')), restMs);

@@ -3,15 +3,18 @@ const svg = 'http://www.w3.org/2000/svg';
 /** Four lines around a gap, in a box of 25 by 25. */
 const lines = 'M0 12.5H8.5M16.5 12.5H25M12.5 0V8.5M12.5 16.5V25';
 
-/** From the middle of the cross to the name and its margin, CSS pixels. */
+/** Distance from the middle of the cross to the name, with its margin, CSS pixels. */
 const besideCross = 16;
 
-/** A cross over a picture, which shows the place that a readout speaks of, and what the part there is called. It takes no clicks, and no room. Screen readers hear the readout. */
+/**
+ * A cross over a picture. It shows the place of the readout, and the name of the part at that place. It takes no clicks, and no room in the
+ * layout. It is hidden from screen readers, as they read the readout.
+ */
 export class Marker {
   readonly #element = document.createElement('div');
   readonly #name = document.createElement('div');
 
-  /** @param picture - the part of a view that holds its picture */
+  /** @param picture - the part of a view that contains its picture */
   constructor(picture: Element) {
     const element = this.#element;
     element.ariaHidden = 'true';
@@ -20,7 +23,7 @@ export class Marker {
     const drawing = element.appendChild(document.createElementNS(svg, 'svg'));
     drawing.setAttribute('viewBox', '0 0 25 25');
     drawing.style.cssText = 'display: block; inline-size: 100%; block-size: 100%';
-    // Bright on dark: it is seen on any picture.
+    // Bright on dark: it is visible on any picture.
     for (const [color, width] of [['#000', '4'], ['currentColor', '1.5']]) {
       const path = drawing.appendChild(document.createElementNS(svg, 'path'));
       path.setAttribute('d', lines);
@@ -34,13 +37,13 @@ export class Marker {
     picture.append(element);
   }
 
-  /** @param place - CSS pixels from the left and top edge; null for nowhere */
+  /** @param place - CSS pixels from the left and top edge; null to hide the cross */
   show(place: readonly [x: number, y: number] | null): void {
     const { style, parentElement } = this.#element;
     style.display = place ? 'block' : 'none';
     if (!place) return;
     [style.left, style.top] = place.map((pixels) => `${pixels.toFixed(2)}px`);
-    // To the side, and above or below, where there is more room.
+    // The name goes to the side, and above or below, where there is more room.
     const [width, height] = [parentElement!.clientWidth, parentElement!.clientHeight];
     const [isRight, isLow] = [place[0] > width / 2, place[1] > height / 2];
     const room = Math.max(0, (isRight ? place[0] : width - place[0]) - besideCross);

@@ -8,12 +8,12 @@ import type { VolumeView } from '../volume-view/volume-view.ts';
 
 type Place = readonly [x: number, y: number];
 
-/** At these the same place may have another value. */
+/** After these events the same place may have another value. */
 const changes = ['load', 'optics-change', 'time-change'];
 
 /**
- * What somebody points at in a view: with the mouse over it, by a click or a tap, which keeps the place, and by a
- * crosshair that keys move.
+ * The place that a person points at in a view: with the mouse over it, by a click or a tap, which keeps the place, and by a crosshair that
+ * keys move.
  */
 export class ReadoutPointer {
   readonly #abort = new AbortController();
@@ -21,15 +21,15 @@ export class ReadoutPointer {
   readonly #release: () => void;
   #mouse: Place | null = null;
   #crosshair: Place | null = null;
-  /** Where somebody clicked last, and what is there. */
+  /** The place that was clicked last, and the result of the pick there. */
   #kept: { readonly world: Vector3; readonly pick: VolumePick | null } | null = null;
-  /** How often somebody or something asked what is at the place that is kept: the last answer counts. */
+  /** Number of picks at the kept place: only the result of the last one is used. */
   #asked = 0;
   #frame = 0;
-  /** From where the picture is seen, and how large it is. */
+  /** The camera and the size of the picture at the last check. */
   #seen = '';
 
-  /** @param listener - called with what is there, and whether somebody points at anything */
+  /** @param listener - called with the pick, and with whether anybody points at something */
   constructor(readonly view: VolumeView, picture: Element, readonly listener: (pick: VolumePick | null, points: boolean) => void) {
     const { signal } = this.#abort;
     this.#marker = new Marker(picture);
@@ -43,7 +43,7 @@ export class ReadoutPointer {
     view.addEventListener('render', () => this.#follow(), { signal });
   }
 
-  /** What is there is named in the picture too: the readout may be out of sight. */
+  /** Show the name of the part in the picture too, as the readout may be out of sight. */
   told(pick: VolumePick | null, points: boolean): void {
     this.#marker.tell(pick?.labelName ?? null);
     this.listener(pick, points);
@@ -60,7 +60,7 @@ export class ReadoutPointer {
     return this.#crosshair !== null;
   }
 
-  /** Put a crosshair where somebody pointed last, or else into the middle; or take it away. */
+  /** Put a crosshair at the place that was clicked last, else in the middle; or remove it. */
   setCrosshair(on: boolean): void {
     const { clientWidth: width, clientHeight: height } = this.view;
     this.#crosshair = on ? (this.#keptPlace() ?? [width / 2, height / 2]) : null;
@@ -77,7 +77,7 @@ export class ReadoutPointer {
     this.#request();
   }
 
-  /** Tell the page what is at the crosshair, as a click would. */
+  /** Fire the event for the place of the crosshair, as a click would. */
   clickCrosshair(): void {
     if (this.#crosshair) void clicksOn(this.view).fire(this.#crosshair);
   }
@@ -95,7 +95,7 @@ export class ReadoutPointer {
   }
 
   #keep(pick: VolumePick | null): void {
-    this.#asked++; // What is on its way is of an older place.
+    this.#asked++; // A pick that is still running belongs to an older place.
     this.#kept = pick && { world: pick.world, pick };
     this.#request();
   }
@@ -114,7 +114,7 @@ export class ReadoutPointer {
     this.#request();
   }
 
-  /** The picture may be seen from elsewhere, or have another size. */
+  /** The camera or the size of the picture may have changed. */
   #follow(): void {
     const { camera, clientWidth, clientHeight } = this.view;
     const seen = JSON.stringify([camera, clientWidth, clientHeight]);
@@ -129,7 +129,7 @@ export class ReadoutPointer {
     return place && place[0] >= 0 && place[1] >= 0 && place[0] <= width && place[1] <= height ? place : null;
   }
 
-  /** Look once a frame, whatever happens meanwhile. */
+  /** Pick once per frame, however often this is called. */
   #request(): void {
     cancelAnimationFrame(this.#frame);
     this.#frame = requestAnimationFrame(() => void this.#look());

@@ -6,7 +6,7 @@ const ownStyles = css`
   .swatch {
     display: inline-block;
     margin-inline-end: 0.5em;
-    border-radius: 50%; /* No box to tick. */
+    border-radius: 50%; /* Round, as a square would look like a checkbox. */
   }
 
   .swatch[hidden] {

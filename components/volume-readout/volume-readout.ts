@@ -11,32 +11,32 @@ import { styles } from './volume-readout-styles.ts';
 import { companionGap, withViewWidth } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 
-/** A screen reader is told what stands there for so long, ms. */
+/** A screen reader gets the text when it has not changed for this time, ms. */
 const restMs = 500;
 
-/** CSS pixels that a key moves the crosshair, and with Shift. */
+/** CSS pixels by which a key moves the crosshair, without and with Shift. */
 const [keyStep, shiftStep] = [4, 40];
 
 const arrows: Readonly<Record<string, readonly [x: number, y: number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 /**
- * What is at the place of the picture that somebody points at: the value with its unit, and where it is. The place follows the
- * mouse; a click or a tap keeps it. With the crosshair, keys move it. Clicks and the crosshair's Enter fire `volume-pick` at the view.
+ * The values at the place of the picture that a person points at: the value with its unit, and the position. The place follows the
+ * mouse; a click or a tap keeps it. With the crosshair, keys move it. Clicks, and Enter on the crosshair, fire `volume-pick` on the view.
  *
- * Without `for` it speaks of the nearest `<volume-view>`: the one around it, else the first in the smallest element that
- * holds both.
+ * Without `for` it belongs to the nearest `<volume-view>`: the one around it, else the first one in the smallest element that
+ * contains both.
  *
  * @tag volume-readout
- * @csspart readout - all of it
- * @csspart row - a name and what belongs to it
- * @csspart name - what it is: value, place, voxel ...
- * @csspart text - how much
+ * @csspart readout - the whole readout
+ * @csspart row - a name and its text
+ * @csspart name - the name: value, place, voxel ...
+ * @csspart text - the value as text
  * @csspart swatch - a dot in the colour that the value has in the picture
  * @csspart button - the button that shows the crosshair
- * @csspart keys - what takes the keys while there is a crosshair
- * @csspart hint - what is said beside the button, and where there is no volume
- * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
- * @cssproperty --volume-view-marker-color - of the `<volume-view>`: colour of the cross at the place, which is the view's part `marker`; the name of a label beside it is `marker-name`
+ * @csspart keys - the element that takes the keys while there is a crosshair
+ * @csspart hint - the text next to the button, and where there is no volume
+ * @cssproperty --volume-view-focus-color - colour of the ring around the element with the focus; by default that of the text
+ * @cssproperty --volume-view-marker-color - of the `<volume-view>`: colour of the cross at the place, which is the view's part `marker`; the label's name next to it is the part `marker-name`
  */
 export class VolumeReadout extends ReflectingElement {
   static override readonly styles = [companionGap, styles];
@@ -45,8 +45,8 @@ export class VolumeReadout extends ReflectingElement {
   @property({ attribute: 'for' }) htmlFor!: string | null;
 
   /**
-   * How places are written: `patient` with the letters of the patient's sides, in mm, or `xyz`; by default what suits the
-   * file. A radar's are written as the radar sees them.
+   * How places are written: `patient` with the letters of the patient's sides, in mm, or `xyz`; the default suits the file. Places in a
+   * radar scan are written as the radar measures them.
    */
   @property() coordinates!: string | null;
 
@@ -55,7 +55,7 @@ export class VolumeReadout extends ReflectingElement {
   #pointer: ReadoutPointer | null = null;
   #pick: VolumePick | null = null;
   #points = false;
-  /** What a screen reader is told, and when. */
+  /** The text that a screen reader got last, and the timer for the next one. */
   #told = '';
   #timer = 0;
 
@@ -68,7 +68,7 @@ export class VolumeReadout extends ReflectingElement {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
   }
 
-  /** Another view, or none, or another volume in it. */
+  /** Called when there is another view, or none, or another volume in it. */
   #follow(): void {
     const { view } = this.#link;
     const picture = view?.shadowRoot?.querySelector('.picture');
@@ -115,7 +115,7 @@ export class VolumeReadout extends ReflectingElement {
     </div>`;
   }
 
-  /** The colour is the value's. */
+  /** The swatch has the colour of the value. */
   #renderRows(): unknown {
     const rows = this.#rows;
     const colored = Math.max(0, rows.findIndex(({ name }) => name === this.#words.terms.value));
@@ -150,7 +150,7 @@ export class VolumeReadout extends ReflectingElement {
   }
 }
 
-/** @param color - of the value, '' where nothing is pointed at; null for rows that have none */
+/** @param color - of the value, '' where there is no pick; null for rows without a colour */
 function renderRow({ name, text }: Row, color: string | null): unknown {
   return html`<div class="row" part="row"><dt part="name"><span dir="auto">${name}</span></dt><dd part="text">${color === null ? nothing : html`<span class="swatch" part="swatch" ?hidden=${color === ''} .style=${`background: ${color}`}></span>`}<bdi>${text}</bdi></dd></div>`;
 }

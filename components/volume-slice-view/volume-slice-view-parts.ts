@@ -1,4 +1,4 @@
-// What stands on a slice: letters, place, window, value, scale bar, crosshair.
+// The parts drawn on a slice: letters, place, window, value, scale bar, crosshair.
 import { html, nothing } from 'lit';
 import type { LoadProgress } from '../../src/formats/base/load-request.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
@@ -17,30 +17,30 @@ import type { SliceTerms } from '../../src/messages/terms.ts';
 
 /** Detail of `cursor-change`. */
 export interface SliceCursorDetail {
-  /** Where the crosshair is, world units: of medical files mm to the patient's right, front and head. */
+  /** Position of the crosshair, world units: for medical files mm to the patient's right, front and head. */
   readonly cursor: Vector3;
-  /** The value of the voxel there; null where there is none. */
+  /** The value of the voxel at that place; null where there is none. */
   readonly value: number | null;
-  /** What `<volume-labels>` calls the part there; null where there is none. */
+  /** The name in `<volume-labels>` of the part at that place; null where there is none. */
   readonly label: string | null;
 }
 
-/** In which words and numbers a slice is told. */
+/** The language and messages in which a slice is described. */
 export interface SliceTongue {
   readonly language: Language;
   readonly terms: SliceTerms;
 }
 
-/** Longest bar, as a share of the pane's width. */
+/** Maximum length of the bar, as a share of the width of the pane. */
 const longestBar = 0.3;
 
-/** A length in a volume's world, with its unit where its format has one. */
+/** A length in the world of a volume, with its unit where the format has one. */
 function writeLength(length: number, volume: Volume, { language, terms }: SliceTongue): string {
   const written = language.number(length);
   return isInMillimetres(volume) ? terms.millimetres(written) : written;
 }
 
-/** Where the slice is: `S 23.5 mm`, or a number where nobody knows whose world it is. */
+/** The position of the slice: `S 23.5 mm`, or a number where the file does not say whose axes they are. */
 export function describePlace(pane: SlicePane, tongue: SliceTongue): string {
   const { normal } = pane.plane;
   const d = Number(toPlane(pane.plane, pane.place).d.toFixed(2));
@@ -50,17 +50,17 @@ export function describePlace(pane: SlicePane, tongue: SliceTongue): string {
   return `${sideLetters(d < 0 ? scale(normal, -1) : normal)} ${writeLength(Math.abs(d), volume, tongue)}`;
 }
 
-/** What the label under the crosshair is called, and the value there, with its unit. */
+/** The name of the label at the crosshair, and the value there, with its unit. */
 export function describeValue(pane: SlicePane, { language, terms }: SliceTongue): string {
   const value = pane.sliced?.valueAt(pane.place) ?? null;
   if (value === null) return terms.noValue;
   const { unit, isDiscrete } = pane.sliced!.volume;
   const name = pane.labels?.nameAt(pane.place) ?? (isDiscrete ? nameInFile(pane.sliced!.volume, value) : null);
-  if (isDiscrete && name !== null) return name; // The value is nothing but its number.
+  if (isDiscrete && name !== null) return name; // The value is only the number of the label.
   return `${name === null ? '' : `${name} · `}${language.value(value, unit)}`;
 }
 
-/** The window in words: what `W 400  L 40` means. */
+/** The window as text: the meaning of `W 400  L 40`. */
 export function describeWindow(pane: SlicePane, { language, terms }: SliceTongue): string {
   const [low, high] = pane.window;
   const { unit } = pane.sliced!.volume;
@@ -100,13 +100,13 @@ export function renderCrosshair({ point }: SlicePane): unknown {
   return html`<div class="line across" part="crosshair" .style=${`top: ${point[1] - 0.5}px`}></div><div class="line up" part="crosshair" .style=${`left: ${point[0] - 0.5}px`}></div>`;
 }
 
-/** What lies over the greys of a volume of a view, or of a pane's own: its layer, and its labels. @param opacity - of labels */
+/** The colours over the greys of a volume of a view, or of the pane's own volume: its layer, and its labels. @param opacity - of labels */
 export function labelsOf(view: HTMLElement | null, volume: Volume | null, opacity: number): PaneLabels | null {
   const socket = view && socketOf(view);
   return joinPaneLabels([socket?.last('overlay')?.inPane(volume) ?? null, ...(socket?.parts.map((part) => part.inPane?.(volume, opacity) ?? null) ?? [])]);
 }
 
-/** How much of a file is there, 0..1; undefined where nobody knows. */
+/** Share of a file that has loaded, 0..1; undefined where it is unknown. */
 export function shareOf({ loaded, total, phase }: LoadProgress): number | undefined {
   return phase === 'fetch' && total > 0 ? Math.min(1, loaded / total) : undefined;
 }

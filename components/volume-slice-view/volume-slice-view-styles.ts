@@ -3,7 +3,7 @@ import { spokenStyles } from '../internal/spoken-styles.ts';
 
 const ownStyles = css`
   :host {
-    --_notice-top: 28px; /* Below the window. */
+    --_notice-top: 28px; /* Below the text of the window. */
     --_rim: 0 0 1px #000, 0 0 2px #000, 0 0 2px #000, 0 0 3px #000, 0 0 3px #000, 0 0 5px #000, 0 0 5px #000;
     display: block;
     position: relative;
@@ -73,18 +73,18 @@ const ownStyles = css`
     position: absolute;
     padding: 6px 8px;
     white-space: nowrap;
-    /* Shadows on top of each other are a dark rim, on which white is read over bright tissue too. */
+    /* Several shadows on top of each other make a dark rim, so that white text is readable over bright tissue too. */
     text-shadow: var(--_rim);
     pointer-events: none;
   }
 
   .top.left { top: 0; left: 0; }
-  /* It says in words what it means, to a mouse that rests on it. */
+  /* When the mouse rests on it, its title says in words what it means. */
   .top.right { top: 0; right: 0; text-align: end; white-space: pre; pointer-events: auto; }
   .bottom.left { bottom: 26px; left: 0; }
   .bottom.right { bottom: 26px; right: 0; max-inline-size: calc(50% - 1.5em); text-align: end; white-space: normal; overflow-wrap: anywhere; }
 
-  /* A label's name may be long. */
+  /* The name of a label may be long. */
   .bottom.right .told {
     display: -webkit-box;
     -webkit-box-orient: vertical;

@@ -30,35 +30,35 @@ import { styles } from './volume-slice-view-styles.ts';
 export type { SliceCursorDetail } from './volume-slice-view-parts.ts';
 
 /**
- * A slice of a volume in a pane of its own, as radiology shows it, with letters of the patient's sides, a scale bar and a
- * crosshair. It is drawn from the samples themselves, in 64-bit floats, without a graphics processor.
+ * A slice of a volume in a pane of its own, as in radiology, with letters of the patient's sides, a scale bar and a
+ * crosshair. It is computed from the samples on the CPU, in 64-bit floats, without the GPU.
  *
- * With `src` it stands alone. Else it shows the volume of the `<volume-view>` that `for` names, or of the nearest one. All panes
- * of one volume, or of one `group`, have one crosshair.
+ * With `src` it works alone. Without it, it shows the volume of the `<volume-view>` that `for` names, or of the nearest one. All panes
+ * of one volume, or of one `group`, share one crosshair.
  *
  * `<volume-slice-view for="head" type="coronal"></volume-slice-view>`
  *
  * @tag volume-slice-view
  * @csspart picture - the picture, which takes the focus
- * @csspart place - where the slice is
+ * @csspart place - the position of the slice
  * @csspart window - width and level of the window
  * @csspart scale - the scale bar and its length
  * @csspart value - the value at the crosshair
  * @csspart side - each letter of a patient's side
  * @csspart crosshair - each of its two lines
- * @csspart slider - goes through the slices
- * @csspart hint - what is said where there is no volume
- * @csspart notice-sign - the sign that something of the file of `src` is not in the picture, or not as it is there
- * @csspart notice-text - what it says
- * @csspart error - what is said where something is wrong
+ * @csspart slider - moves through the slices
+ * @csspart hint - the text where there is no volume
+ * @csspart notice-sign - the sign that a part of the file of `src` is not in the picture, or is shown differently
+ * @csspart notice-text - its text
+ * @csspart error - the text of an error
  * @cssproperty --volume-slice-crosshair-color - colour of the crosshair
  * @cssproperty --volume-slice-accent - colour of the slider
- * @cssproperty --volume-view-notice-color - colour of the sign for what of a file is not in the picture, and of its words
- * @cssproperty --volume-view-notice-background - what is behind both
- * @cssproperty --volume-view-focus-color - colour of the frame around what has the focus
- * @cssproperty --volume-view-error-background - what is behind the words that say what is wrong
+ * @cssproperty --volume-view-notice-color - colour of the sign for parts of a file that are not in the picture, and of its text
+ * @cssproperty --volume-view-notice-background - background of both
+ * @cssproperty --volume-view-focus-color - colour of the frame around the element with the focus
+ * @cssproperty --volume-view-error-background - background of the text of an error
  * @cssproperty --volume-view-error-color - their colour
- * @fires {CustomEvent<SliceCursorDetail>} cursor-change - where the crosshair is: at first, and when it has moved, in this pane or in one that it follows
+ * @fires {CustomEvent<SliceCursorDetail>} cursor-change - the position of the crosshair: at first, and when it has moved, in this pane or in another pane that shares it
  * @fires {CustomEvent<{ window: readonly [number, number] }>} window-change - a person has chosen another window
  * @fires {CustomEvent<null>} load - the file of `src` has been loaded
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good picture stays
@@ -78,25 +78,22 @@ export class VolumeSliceView extends ReflectingElement {
    */
   @property() type!: string | null;
 
-  /** Of an oblique slice: the direction a person looks in, `x y z`, from the patient's left to right, back to front and feet to head. */
+  /** Of an oblique slice: the direction of view, `x y z`, from the patient's left to right, back to front and feet to head. */
   @property({ kind: vector }) normal!: Vector3 | null;
 
-  /** Which slice: its place in world units (mm) along the axis that it cuts. By default the crosshair's. */
+  /** Position of the slice in world units (mm) along the axis that it cuts. By default that of the crosshair. */
   @property({ kind: number }) at!: number | null;
 
-  /**
-   * How thick the slice is, in world units (mm).
-   * @default 0
-   */
+  /** Thickness of the slice, in world units (mm). @default 0 */
   @property({ kind: number }) thickness!: number | null;
 
-  /**
-   * What of a thick slice's values is shown: `average`, `max` or `min`.
-   * @default average
-   */
+  /** Which value of a thick slice is shown: `average`, `max` or `min`. @default average */
   @property() projection!: string | null;
 
-  /** Data values of black and white, `low high`. By default that of the `<volume-view>`, soft tissue of a CT, or what suits the values. */
+  /**
+   * Data values of black and white, `low high`. By default those of the `<volume-view>`, the window for soft tissue of a CT, or a window
+   * that suits the values.
+   */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [number, number] | null;
 
   /**
@@ -105,47 +102,40 @@ export class VolumeSliceView extends ReflectingElement {
    */
   @property({ attribute: 'window-function' }) windowFunction!: string | null;
 
-  /**
-   * `linear`, or `nearest`: each voxel as a block. Labels are always shown so.
-   * @default linear
-   */
+  /** `linear`, or `nearest`: each voxel as a block. Labels are always shown as blocks. @default linear */
   @property() interpolation!: string | null;
 
-  /** `gray`, or `volume`: the colours of the transfer function. By default those only of labels and of maps of both signs. */
+  /**
+   * `gray`, or `volume`: the colours of the transfer function. The default is `volume` for labels and for maps of both signs, else `gray`.
+   */
   @property() colors!: string | null;
 
-  /**
-   * What a drag moves: the `cursor`, or the `window`. The right button moves the other.
-   * @default cursor
-   */
+  /** What a drag with the left button changes: the `cursor`, or the `window`. The right button changes the other. @default cursor */
   @property() drag!: string | null;
 
-  /**
-   * Of the colours of `<volume-labels>` over the grey, 0 to 1.
-   * @default 0.5
-   */
+  /** Opacity of the colours of `<volume-labels>` over the grey, 0 to 1. @default 0.5 */
   @property({ attribute: 'label-opacity', kind: number }) labelOpacity!: number | null;
 
-  /** Panes of one group have one crosshair, whatever they show. By default that are all panes of one volume. */
+  /** Panes of one group share one crosshair, whatever they show. By default all panes of one volume are a group. */
   @property() group!: string | null;
 
-  /** What the picture is, in words; by default the kind of slice and its place. */
+  /** A description of the picture; by default the kind of slice and its position. */
   @property() alt!: string | null;
 
   @query('canvas') private readonly _canvas!: HTMLCanvasElement;
   @query('.picture') private readonly _picture!: HTMLElement;
   @state() private _progress: LoadProgress | null = null;
-  /** What a screen reader is told. */
+  /** The text for screen readers. */
   @state() private _said = '';
 
   readonly #words = new CompanionWords(this);
   readonly #terms = new Words(this, english);
   readonly #link = new VolumeLink(this, () => this.#presenter.refresh(() => false), ['load', 'optics-change', 'time-change', 'labels-change', 'layer-change']);
   readonly #resizing = new ResizeObserver(() => this.#resize());
-  /** The volume of `src`, and what is known of it. */
+  /** The volume of `src`, and its description. */
   #own: Volume | null = null;
   #info: VolumeInfo | null = null;
-  /** Of a file of its own: of another one's, that one's view tells. */
+  /** Notices of the file of `src`: for the volume of a view, the view shows them. */
   readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => ({ info: this.#info, besideNotices: this.#labelTarget.besideNotices })));
   #saying = 0;
 
@@ -164,7 +154,7 @@ export class VolumeSliceView extends ReflectingElement {
     failed: (error) => this.#presenter.fail(error),
   });
 
-  /** What labels between its tags are shown on. */
+  /** The target to which labels between the tags of this element are applied. */
   readonly #labelTarget = new PaneTarget({
     volume: () => this.#own,
     file: () => this.src ?? '',
@@ -172,7 +162,7 @@ export class VolumeSliceView extends ReflectingElement {
     take: (volume) => this.#take(volume),
   });
 
-  /** Where the crosshair is, world units; null before there is a volume. To set it writes the attribute `cursor`. */
+  /** Position of the crosshair, world units; null before there is a volume. Setting it writes the attribute `cursor`. */
   @property({ kind: vector })
   get cursor(): Vector3 | null {
     const { sliced, place } = this.#presenter.pane;
@@ -183,7 +173,7 @@ export class VolumeSliceView extends ReflectingElement {
     this.writeText('cursor', writeSafely(vector.write, cursor));
   }
 
-  /** Resolves when the picture for the present attributes is there, as fine as it gets; at once where nothing is to be shown. */
+  /** Resolves when the picture for the present attributes is drawn at its final quality; at once where nothing is to be shown. */
   async whenRendered(): Promise<void> {
     await this.updateComplete;
     await this.#source.loaded;
@@ -221,7 +211,7 @@ export class VolumeSliceView extends ReflectingElement {
   protected override updated(changed: PropertyValues<this>): void {
     this.#notices.follow(this.#labelTarget.besideNotices.size > 0 || !!(this.#info?.notices?.length || this.#info?.reduced));
     if (changed.has('src') && this.isConnected) this.#follow();
-    // What this element itself is told of is no attribute.
+    // Names with an underscore are internal state, not attributes.
     if ([...changed.keys()].some((name) => !String(name).startsWith('_'))) this.#presenter.refresh((name) => changed.has(name));
   }
 
@@ -264,7 +254,7 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   #enter(): void {
-    // Its size is known before anything is drawn: the observer tells it a frame later.
+    // The size has to be known before anything is drawn: the observer reports it a frame later.
     this.#resize();
     this.#presenter.enter(this._picture, this._canvas);
     this.#resizing.observe(this);
@@ -277,7 +267,7 @@ export class VolumeSliceView extends ReflectingElement {
     tell(this, 'load', null);
   }
 
-  /** Load what `src` names. */
+  /** Load the file of `src`. */
   #follow(): void {
     const { src } = this;
     if (src) return this.#source.load(src);
@@ -305,7 +295,7 @@ export class VolumeSliceView extends ReflectingElement {
     if (this.shadowRoot?.activeElement === this._picture) this.#sayLater(what);
   }
 
-  /** Place and value, or the window, are told once a hand is still. */
+  /** Send place and value, or the window, to screen readers when the interaction has stopped. */
   #sayLater(what: 'cursor' | 'window'): void {
     clearTimeout(this.#saying);
     this.#saying = setTimeout(() => {

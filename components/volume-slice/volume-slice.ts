@@ -4,10 +4,10 @@ import { number, pair, vector } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 
 /**
- * A slice in the picture of the `<volume-view>` around it. It hides what is behind it. A volume has at most four that are not hidden.
+ * A slice in the picture of the `<volume-view>` around it. It hides the volume behind it. A volume has at most four visible slices.
  *
- * Of a radar scan it is a cut in the colours of its transfer function: values are interpolated between gates, and exact at them.
- * Where there are no data, and where the transfer function shows nothing of them, it is not there. Of any other volume it is
+ * Of a radar scan it is a cut in the colours of the transfer function: values are interpolated between gates, and exact at the gates.
+ * It leaves open the places without data, and those where the transfer function is transparent. Of any other volume it is
  * a plane, in grey as in radiology.
  *
  * `<volume-slice type="cappi" height="3000"></volume-slice>`, `<volume-slice type="axial" at="20"></volume-slice>`
@@ -17,40 +17,36 @@ import { property, ReflectingElement } from '../internal/reflecting-element.ts';
  */
 export class VolumeSlice extends ReflectingElement {
   /**
-   * `ppi`: the cone of one sweep; `cappi`: all that is at one height; `rhi`: what stands above an azimuth, from the radar
-   * outward; `section`: what stands above the line between two points. Of volumes that are not a radar's: `axial`, `coronal`,
-   * `sagittal`, or `oblique`.
+   * `ppi`: the cone of one sweep; `cappi`: everything at one height; `rhi`: everything above an azimuth, from the radar outward; `section`:
+   * everything above the line between two points. For volumes that are not from a radar: `axial`, `coronal`, `sagittal`, or `oblique`.
    */
   @property() type!: string | null;
 
-  /** Of a `ppi`: degrees; the sweep nearest to it is shown. By default the lowest one. */
+  /** Of a `ppi`: degrees; the nearest sweep is shown. By default the lowest one. */
   @property({ kind: number }) elevation!: number | null;
 
-  /** Of a `ppi`, instead of `elevation`: number of the sweep, the lowest one being 0. */
+  /** Of a `ppi`, instead of `elevation`: number of the sweep, from 0 for the lowest one. */
   @property({ kind: number }) sweep!: number | null;
 
-  /** Of a `cappi`: metres above sea level where the file says how high the radar stands, else above its antenna. */
+  /** Of a `cappi`: metres above sea level where the file gives the altitude of the radar, else above its antenna. */
   @property({ kind: number }) height!: number | null;
 
   /** Of an `rhi`: degrees clockwise from north. */
   @property({ kind: number }) azimuth!: number | null;
 
-  /** Of a `section`: where it begins, metres east and north of the radar, `x y`. */
+  /** Of a `section`: its first end, metres east and north of the radar, `x y`. */
   @property({ kind: pair }) from!: readonly [east: number, north: number] | null;
 
-  /** Of a `section`: where it ends, metres east and north of the radar, `x y`. */
+  /** Of a `section`: its other end, metres east and north of the radar, `x y`. */
   @property({ kind: pair }) to!: readonly [east: number, north: number] | null;
 
-  /** Of a plane: its place in world units (mm) along the axis that it cuts. By default the middle of the volume. */
+  /** Of a plane: its position in world units (mm) along the axis that it cuts. By default the middle of the volume. */
   @property({ kind: number }) at!: number | null;
 
-  /** Of an `oblique` plane: the direction that it is at right angles to, `x y z`. */
+  /** Of an `oblique` plane: its normal, `x y z`. */
   @property({ kind: vector }) normal!: Vector3 | null;
 
-  /**
-   * Of a plane: how thick it is, in world units (mm). It shows what of the values in it `projection` says.
-   * @default 0
-   */
+  /** Of a plane: its thickness, in world units (mm). `projection` chooses which of the values in it is shown. @default 0 */
   @property({ kind: number }) thickness!: number | null;
 
   /**
@@ -59,7 +55,10 @@ export class VolumeSlice extends ReflectingElement {
    */
   @property() projection!: string | null;
 
-  /** Of a plane: data values of black and white, `low high`. By default that of the `<volume-view>`, soft tissue of a CT, or what suits the values. */
+  /**
+   * Of a plane: data values of black and white, `low high`. By default those of the `<volume-view>`, the window for soft tissue of a CT, or
+   * a window that suits the values.
+   */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [number, number] | null;
 
   /**
@@ -68,7 +67,10 @@ export class VolumeSlice extends ReflectingElement {
    */
   @property({ attribute: 'window-function' }) windowFunction!: string | null;
 
-  /** Of a plane: `gray`, or `volume` for the colours of the transfer function. By default those only of labels and of maps of both signs. */
+  /**
+   * Of a plane: `gray`, or `volume` for the colours of the transfer function. The default is `volume` for labels and for maps of both
+   * signs, else `gray`.
+   */
   @property() colors!: string | null;
 
   override connectedCallback(): void {
@@ -76,7 +78,7 @@ export class VolumeSlice extends ReflectingElement {
     tellIfLost(this, 'volume-view');
   }
 
-  /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
+  /** The `<volume-view>` draws it. The element itself shows nothing. */
   protected override createRenderRoot(): HTMLElement {
     return this;
   }

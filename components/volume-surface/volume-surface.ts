@@ -6,18 +6,18 @@ import { flag, number } from '../internal/property-kinds.ts';
 import { property } from '../internal/reflecting-element.ts';
 import { SurfaceElement } from '../internal/surface-element.ts';
 
-/** What a `<volume-surface>` has loaded. */
+/** The description of a loaded `<volume-surface>`. */
 export interface VolumeSurfaceInfo {
-  /** What the file is, for people. */
+  /** The format of the file, as a name for people. */
   readonly format: string;
   readonly triangles: number;
-  /** Corners of the box around all of it, world units (mm). */
+  /** Corners of the box around the whole surface, world units (mm). */
   readonly bounds: readonly [low: Vector3, high: Vector3];
 }
 
 /**
- * A surface from a file in the picture of the `<volume-view>` around it: a cortex, a bone, a mould. The volume before it veils it, and it
- * hides what is behind it.
+ * A surface from a file in the picture of the `<volume-view>` around it: a cortex, a bone, a mould. The volume in front of it covers it
+ * partly, and it hides the volume behind it.
  *
  * With `hidden` it is not shown.
  *
@@ -35,19 +35,22 @@ export class VolumeSurface extends SurfaceElement {
   /** A CSS colour. By default the colours of the file where it has some, else a warm white. */
   @property() color!: string | null;
 
-  /**
-   * Only 1: a translucent surface is refused, as it could not be drawn rightly within a volume.
-   * @default 1
-   */
+  /** Only 1 is allowed: a translucent surface is refused, as it could not be drawn correctly within a volume. @default 1 */
   @property({ kind: number }) opacity!: number | null;
 
-  /** Which way the file's axes run: `ras`, to the right, front and head, or `lps`, to the left, back and head. By default what the file says, else `ras`. */
+  /**
+   * Directions of the axes of the file: `ras`, to the right, front and head, or `lps`, to the left, back and head. By default those in the
+   * file, else `ras`.
+   */
   @property() space!: string | null;
 
-  /** Whether what cuts the volume cuts the surface too: `region`, `cutout` of the view, and `<volume-clip>`. By default these lay it bare. */
+  /**
+   * Whether the cuts of the volume cut the surface too: `region` and `cutout` of the view, and `<volume-clip>`. By default these expose the
+   * surface.
+   */
   @property({ kind: flag, attribute: 'cut-with-volume' }) cutWithVolume!: boolean;
 
-  /** The surface in the picture; null before it is there. */
+  /** The surface in the picture; null before it is loaded. */
   get info(): VolumeSurfaceInfo | null {
     return this.surface && this.describe(this.surface);
   }

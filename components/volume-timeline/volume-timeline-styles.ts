@@ -25,7 +25,7 @@ export const styles = css`
     gap: 8px 16px;
   }
 
-  /* Time runs from left to right, as in players everywhere. */
+  /* Time runs from left to right, as in most media players. */
   .buttons,
   .track {
     direction: ltr;
@@ -168,7 +168,7 @@ export const styles = css`
     background: var(--volume-timeline-accent, currentColor);
   }
 
-  /* It waits: only after a while, or it would flicker with every scan. */
+  /* It is loading. The animation starts after a delay, or it would flicker with every scan. */
   [aria-busy='true'] input {
     animation: wait 1s 0.3s ease-in-out infinite alternate;
   }
@@ -196,7 +196,7 @@ export const styles = css`
     background: var(--_line);
   }
 
-  /* Names at the ends stay within the slider's length. */
+  /* Names at the ends stay within the length of the slider. */
   .name {
     position: absolute;
     inset-block-start: 6px;

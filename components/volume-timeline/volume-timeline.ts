@@ -22,19 +22,19 @@ const icons = {
 /**
  * The scans of a volume in time: previous, play and next, and a slider over all of them.
  *
- * Without `for` it speaks of the nearest `<volume-view>`: the one around it, else the first in the smallest element that
- * holds both.
+ * Without `for` it belongs to the nearest `<volume-view>`: the one around it, else the first one in the smallest element that
+ * contains both.
  *
  * @tag volume-timeline
- * @csspart timeline - all of it
+ * @csspart timeline - the whole timeline
  * @csspart buttons - around the three buttons
  * @csspart button - each of them
  * @csspart time - the time of the scan that is shown
  * @csspart slider - the slider, an input of the type range
- * @csspart ticks - a mark for each scan, 120 at most, and times below some of them
- * @csspart hint - what is said where there is nothing to choose from
- * @csspart error - what is said where `time-zone` can't be read
- * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
+ * @csspart ticks - a mark for each scan, at most 120, and times below some of them
+ * @csspart hint - the text where there is only one scan or none
+ * @csspart error - the text where `time-zone` can't be read
+ * @cssproperty --volume-view-focus-color - colour of the ring around the element with the focus; by default that of the text
  * @cssproperty --volume-timeline-accent - colour of the slider's thumb; by default that of the text
  */
 export class VolumeTimeline extends ReflectingElement {
@@ -43,16 +43,13 @@ export class VolumeTimeline extends ReflectingElement {
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
 
-  /**
-   * In which zone times are written: a name such as `Australia/Sydney`, or `local` for the reader's.
-   * @default UTC
-   */
+  /** Time zone in which times are written: a name such as `Australia/Sydney`, or `local` for that of the reader. @default UTC */
   @property({ attribute: 'time-zone' }) timeZone!: string | null;
 
   readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']));
   readonly #words = new CompanionWords(this);
 
-  /** Where the slider was put by hand, until that scan is shown. */
+  /** The scan that a person chose with the slider, until that scan is shown. */
   #chosen: number | null = null;
 
   protected override willUpdate(changed: PropertyValues<this>): void {
@@ -94,7 +91,7 @@ export class VolumeTimeline extends ReflectingElement {
     </div>`;
   }
 
-  /** The language with the zone of times; a zone that nobody knows is told, and times stay in UTC. */
+  /** The language with the time zone. An unknown zone is reported, and times stay in UTC. */
   #readZone(): { language: Language; problem: VolumeViewError | null } {
     const { language } = this.#words;
     const asked = this.timeZone?.trim() ?? '';
@@ -115,7 +112,7 @@ export class VolumeTimeline extends ReflectingElement {
 
   #togglePlay(): void {
     const { view } = this.#link;
-    if (view?.paused) view.play().catch(() => {}); // What stands in the way, the view shows itself.
+    if (view?.paused) view.play().catch(() => {}); // The view itself shows the error.
     else view?.pause();
   }
 
@@ -142,12 +139,12 @@ function renderTime(times: readonly (string | null)[], index: number, language: 
     <span class="count"><bdi dir="ltr">${language.number(index + 1)} / ${language.number(times.length)}</bdi></span>`;
 }
 
-/** Marks below the slider: more of them than it has room for would be a bar, and as many elements as there are scans. */
+/** Maximum number of marks below the slider: more would look like a solid bar, and need one element for each scan. */
 const maxTicks = 120;
 
 /**
- * The first and the last are named, and as many between as have room; the slider's thumb keeps half its width from the ends.
- * Of very many scans only some have a mark; the slider, its keys and the buttons reach all.
+ * The first and the last scan have a name, and as many between as there is room for; the thumb of the slider stays half its width from the
+ * ends. Of very many scans only some have a mark; the slider, its keys and the buttons reach all of them.
  */
 function renderTicks(times: readonly (string | null)[], language: Language): unknown {
   const label = scanLabeller(times, language);

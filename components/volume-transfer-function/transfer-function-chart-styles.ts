@@ -1,13 +1,13 @@
 import { css } from 'lit';
 
-/** The chart of the editor: histogram, curve, handles, scales. */
+/** Styles of the editor's chart: histogram, curve, handles, scales. */
 export const chartStyles = css`
-  /* The same dark ground as behind a volume, so that colours look as they do there. */
+  /* The same dark background as behind a volume, so that colours look the same. */
   .plot {
     position: relative;
     box-sizing: border-box;
     block-size: var(--volume-chart-height, 12rem);
-    /* Room for the handles at the edges, of the same ground. */
+    /* Room for the handles at the edges, with the same background. */
     border: solid transparent;
     border-width: 8px 12px;
     border-radius: 8px 8px 0 0;
@@ -15,7 +15,7 @@ export const chartStyles = css`
     color: #e8ecf2;
   }
 
-  /* Values rise from left to right, whichever way the page is written. */
+  /* Values rise from left to right, in any writing direction of the page. */
   .plot,
   .strip,
   .values {

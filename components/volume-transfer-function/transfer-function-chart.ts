@@ -1,4 +1,4 @@
-// The editor's chart: how often which values occur, the curve, and the handles of its stops.
+// The editor's chart: the number of voxels for each value, the curve, and the handles of its stops.
 import { html, nothing, svg } from 'lit';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts';
@@ -13,7 +13,7 @@ import { stopBounds } from '../../src/editor/transfer-function-edits.ts';
 import type { Language } from '../../src/messages/language.ts';
 import { renderGradientStops } from '../internal/color-gradient.ts';
 
-/** What a chart shows. */
+/** The contents of a chart. */
 export interface Chart {
   readonly histogram: Histogram;
   /** Data values at its left and right edge. */
@@ -23,10 +23,10 @@ export interface Chart {
   readonly language: Language;
 }
 
-/** Labels below the chart; as many as a narrow phone has room for. */
+/** Maximum number of labels below the chart; as many as a narrow phone has room for. */
 const maxTicks = 6;
 
-/** The chart with its scales and the opaque colours. It is decoration to those who hear the handles read. */
+/** The chart with its scales and the opaque colours. Screen readers skip it, as they read the handles. */
 export function renderChart(chart: Chart, plot: unknown): unknown {
   return html`<div>${plot}${renderStrip()}${renderValueScale(chart)}</div>`;
 }
@@ -43,14 +43,14 @@ export function renderPicture({ histogram, domain, stops }: Chart): unknown {
   </svg>`;
 }
 
-/** The numbers of the upward axis. */
+/** The numbers of the vertical axis. */
 export function renderOpacityScale({ language }: Chart): unknown {
   return html`<div class="opacities" aria-hidden="true">
     ${opacityTicks.map((opacity) => html`<span .style=${`--y: ${toHeight(opacity)}`}>${language.percent(opacity)}</span>`)}
   </div>`;
 }
 
-/** The numbers of the axis across; the last of them has the unit. */
+/** The numbers of the horizontal axis; the last one has the unit. */
 export function renderValueScale({ domain, unit, language }: Pick<Chart, 'domain' | 'unit' | 'language'>): unknown {
   const { ticks, offset } = labelTicks(domain, maxTicks, language);
   return html`<div class="values" aria-hidden="true">
@@ -60,7 +60,7 @@ export function renderValueScale({ domain, unit, language }: Pick<Chart, 'domain
   ${offset ? html`<div class="offset" aria-hidden="true">${offset}</div>` : nothing}`;
 }
 
-/** The opaque colours along the value axis, in the picture's gradient. */
+/** The opaque colours along the axis of values, with the gradient of the picture. */
 function renderStrip(): unknown {
   return html`<svg part="strip" class="strip" viewBox="0 0 ${boxLength} 1" preserveAspectRatio="none" aria-hidden="true">
     <path fill="url(#colors)" d="M0 0H${boxLength}V1H0Z"></path>

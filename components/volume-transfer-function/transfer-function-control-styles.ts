@@ -1,13 +1,13 @@
 import { css } from 'lit';
 
-/** Fields, sliders and buttons of the editor. */
+/** Styles of the fields, sliders and buttons of the editor. */
 export const controlStyles = css`
   .buttons {
     gap: 6px;
   }
 
   label {
-    unicode-bidi: plaintext; /* English in a page written from right to left. */
+    unicode-bidi: plaintext; /* English text in a page written from right to left. */
     display: grid;
     gap: 3px;
     color: var(--_soft);

@@ -1,4 +1,4 @@
-// What surrounds the editor's chart: fields of a stop, bands, factors, buttons.
+// The parts around the editor's chart: fields of a stop, bands, factors, buttons.
 import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { Stop } from '../../src/optics/transfer/transfer-function.ts';
@@ -9,12 +9,12 @@ import type { Band } from '../../src/editor/transfer-function-bands.ts';
 import type { Language } from '../../src/messages/language.ts';
 import type { CompanionTerms } from '../../src/messages/terms.ts';
 
-/** Parts of a range input from 0 to 1: finer than a hand is. */
+/** Step of a range input from 0 to 1: finer than a person can drag. */
 const fineStep = 0.001;
 
 const valueOf = (event: Event): string => (event.target as HTMLInputElement).value;
 
-/** What the fields of a stop tell: a colour while it is picked, `done` once a field is left. */
+/** Events of the fields of a stop: `change` also while a colour is being picked, `done` when a field is left. */
 export interface StopFieldsListener {
   change(change: { value?: number; opacity?: number; color?: string }): void;
   done(): void;
@@ -23,19 +23,19 @@ export interface StopFieldsListener {
 }
 
 /**
- * Value, opacity and colour of the chosen stop, exactly.
- * @param step - what values are rounded to when they are dragged; the field shows a digit more
+ * Fields for the exact value, opacity and colour of the chosen stop.
+ * @param step - values are rounded to this step while a stop is dragged; the field shows one more digit
  */
 export function renderStopFields(
   { stop, unit, step, removable, terms }: { stop: Stop; unit: string; step: number; removable: boolean; terms: CompanionTerms },
   listener: StopFieldsListener,
 ): unknown {
-  // Not live(): the volume may answer an earlier edit while a person types, and what is typed has to stay.
+  // Not live(): the volume may respond to an earlier edit while a person types, and the typed text has to stay.
   const field = (name: 'value' | 'opacity', shown: string, scale: number): unknown => {
     const enter = ({ target }: Event): void => {
       const input = target as HTMLInputElement;
       const number = input.valueAsNumber;
-      input.value = shown; // What is no number, or no further than it was, shows what holds.
+      input.value = shown; // If the text is no number, or its value is out of range, the field shows the current value again.
       if (Number.isFinite(number)) listener.change({ [name]: number * scale });
       listener.done();
     };
@@ -57,14 +57,14 @@ function renderColor(color: string, label: string, change: (color: string) => vo
   return html`<input type="color" aria-label=${label} .value=${live(color)} @input=${(event: Event) => change(valueOf(event))} @change=${done} />`;
 }
 
-/** What the bands tell. */
+/** Events of the bands. */
 export interface BandsListener {
   /** @param change - height: 0..1 of a slider, as in the chart */
   change(index: number, change: { color?: string; height?: number }): void;
   done(): void;
 }
 
-/** A colour and a slider for every band, from the lowest. */
+/** A colour and a slider for every band, from the lowest one. */
 export function renderBands({ bands, unit, language }: { bands: readonly Band[]; unit: string; language: Language }, listener: BandsListener): unknown {
   const { terms } = language;
   return html`<ul class="bands" part="bands">
@@ -82,10 +82,10 @@ export function renderBands({ bands, unit, language }: { bands: readonly Band[];
   </ul>`;
 }
 
-/** Powers of two that a factor's slider reaches to either side of 1. */
+/** The range of a factor's slider to either side of 1, in powers of two. */
 const reachOf = { opacityFactor: 4, lightFactor: 2 } as const;
 
-/** A slider of one factor, whose middle is 1. */
+/** A slider for one factor; 1 is in its middle. */
 export function renderFactor(
   { name, label, factor, language }: { name: keyof typeof reachOf; label: string; factor: number; language: Language },
   change: (factor: number) => void,
@@ -101,7 +101,7 @@ export function renderFactor(
   </label>`;
 }
 
-/** What the buttons can do at the moment, and what they tell. */
+/** The state of the buttons, and their events. */
 export interface ToolbarState {
   readonly canUndo: boolean;
   readonly canRedo: boolean;
@@ -121,7 +121,7 @@ export function renderToolbar(state: ToolbarState, terms: CompanionTerms): unkno
   </div>`;
 }
 
-/** The text to be copied by hand, where the page may not write to the clipboard. */
+/** The text for copying by hand, where the page may not write to the clipboard. */
 export function renderCopyText(text: string | null, terms: CompanionTerms): unknown {
   return text === null ? nothing : html`<label class="by-hand">${terms.copyByHand}
     <textarea readonly rows="3" .value=${text} @focus=${(event: Event) => (event.target as HTMLTextAreaElement).select()}></textarea>

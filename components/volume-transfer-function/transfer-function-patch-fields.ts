@@ -7,9 +7,9 @@ import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts
 import type { Language } from '../../src/messages/language.ts';
 import type { PlaneTerms } from '../../src/messages/plane-terms.ts';
 
-/** What the fields tell: a colour while it is picked, `done` once a field is left. */
+/** Events of the fields: also while a colour is being picked; `done` when a field is left. */
 export interface PatchFieldsListener {
-  /** @param which - of `numbersOf` */
+  /** @param which - index of the number, as in `numbersOf` */
   number(which: number, number: number): void;
   look(look: { readonly color?: string; readonly opacity?: number }): void;
   done(): void;
@@ -18,7 +18,7 @@ export interface PatchFieldsListener {
 }
 
 interface PatchFields {
-  /** Undefined where there is none. */
+  /** Undefined where nothing is chosen. */
   readonly patch: Patch | undefined;
   readonly hasRoom: boolean;
   readonly terms: PlaneTerms;
@@ -47,7 +47,10 @@ function renderNumbers(patch: Patch, terms: PlaneTerms, { number, done }: PatchF
   }));
 }
 
-/** What is no number, or can't be, shows what holds. Not live(): what is being typed stays. */
+/**
+ * A field for a number. If the text is no number, or not allowed, the field shows the current number again. Not live(): the text that a
+ * person is typing has to stay.
+ */
 function renderNumber(label: string, shown: number, enter: (number: number) => void): unknown {
   const text = String(shown);
   const onChange = ({ target }: Event): void => {

@@ -1,13 +1,13 @@
 import { css } from 'lit';
 
-/** The editor's chart of values and gradients. */
+/** Styles of the editor's chart of values and gradients. */
 export const planeStyles = css`
   .plane {
     block-size: var(--volume-chart-height, 16rem);
     border-radius: 8px;
   }
 
-  /* Parts end at the edge; grips reach over it. */
+  /* Shapes are clipped at the edge; grips may extend over it. */
   .plane .chart {
     overflow: hidden;
   }

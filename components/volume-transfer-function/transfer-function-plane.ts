@@ -1,4 +1,4 @@
-// The editor's chart of values and gradients: loaded with the first editor that shows it.
+// The editor's chart of values and gradients. It is loaded with the first editor that shows it.
 import { html, nothing, svg } from 'lit';
 import type { ReactiveControllerHost } from 'lit';
 import { nameColor } from '../../src/editor/color-names.ts';
@@ -20,13 +20,13 @@ import { PlaneWords } from '../../src/messages/plane-words.ts';
 import { renderValueScale } from './transfer-function-chart.ts';
 import { renderPatchFields } from './transfer-function-patch-fields.ts';
 
-/** Bins of the histogram, across and upwards. */
+/** Number of bins of the histogram, horizontally and vertically. */
 const bins = [160, 80] as const;
 
-/** Units of the chart's drawing. */
+/** Width and height of the drawing, in its own units. */
 const size = 1000;
 
-/** What the chart is drawn for. */
+/** The inputs of the chart. */
 interface PlaneChart {
   readonly volume: Volume;
   readonly domain: readonly [number, number];
@@ -34,15 +34,15 @@ interface PlaneChart {
   readonly language: Language;
 }
 
-/** The counting of a volume, and what came of it: null where nothing did. */
+/** A count of the values in a volume, and its result: null where it failed. */
 interface Counting {
-  /** Not kept for it: another mode asks for none any more. */
+  /** A weak reference: the count must not keep the volume in memory when another mode no longer needs it. */
   readonly volume: WeakRef<Volume>;
   readonly control: AbortController;
   samples?: PlaneSamples | null;
 }
 
-/** Boxes and Gaussians over a histogram of values and gradients, to be edited. */
+/** Boxes and Gaussians over a histogram of values and gradients, with handles to edit them. */
 export class Plane {
   readonly editor: PatchEditor;
   readonly #words: PlaneWords;
@@ -84,7 +84,7 @@ export class Plane {
       <div id="patch-keys" class="spoken">${terms.patchKeys}</div>`;
   }
 
-  /** Draw the histogram, after the chart is there. */
+  /** Draw the histogram, when the chart is in the page. */
   paint(root: ParentNode): void {
     const canvas = root.querySelector<HTMLCanvasElement>('.plane canvas');
     const samples = this.#counted?.samples;
@@ -105,13 +105,13 @@ export class Plane {
     context.putImageData(picture, 0, 0);
   }
 
-  /** What a key does at an element. @returns whether it does anything */
+  /** Handle a key that was pressed at an element. @returns whether the key has an effect */
   press(event: KeyboardEvent): boolean {
     const taken = takenBy(event.target);
     return taken !== null && this.editor.press(event, taken);
   }
 
-  /** A grip has got the focus, or a key there was let go. */
+  /** Called when a grip has got the focus, or a key was released at a grip. */
   follow(target: EventTarget | null): Taken | null {
     const taken = takenBy(target);
     if (taken && taken.index !== this.editor.chosen) {

@@ -19,7 +19,7 @@ import { styles } from './transfer-function-styles.ts';
 import { companionGap, withViewWidth } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 
-/** Detail of `input` and `change`: what has been written to the volume. */
+/** Detail of `input` and `change`: the values that have been written to the volume. */
 export interface TransferFunctionDetail {
   /** The text of the attribute `transfer-function`. */
   readonly transferFunction: string;
@@ -34,10 +34,10 @@ export interface TransferFunctionDetail {
 /**
  * An editor of a volume's transfer function: its histogram, the curve with a handle for every stop, and the two factors;
  * or, with `mode="bands"`, one colour and one opacity for each range of values; or, with `mode="2d"`, boxes and Gaussians over a histogram of
- * values and gradients. What is edited is seen in the volume at once.
+ * values and gradients. The volume shows each edit at once.
  *
- * Without `for` it edits the nearest `<volume-view>`: the one around it, else the first in the smallest element that
- * holds both.
+ * Without `for` it edits the nearest `<volume-view>`: the one around it, else the first one in the smallest element that
+ * contains both.
  *
  * @tag volume-transfer-function
  * @csspart chart - histogram and curve
@@ -47,16 +47,16 @@ export interface TransferFunctionDetail {
  * @csspart bands - the bands
  * @csspart factors - opacity and light
  * @csspart toolbar - the buttons
- * @csspart hint - what is said where there is no volume
- * @csspart error - what is said where an attribute cannot be read
- * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus
- * @cssproperty --volume-view-error-background - what is behind the words that say that an attribute cannot be read
- * @cssproperty --volume-view-error-color - their colour
+ * @csspart hint - the text where there is no volume
+ * @csspart error - the text where an attribute cannot be read
+ * @cssproperty --volume-view-focus-color - colour of the ring around the element with the focus
+ * @cssproperty --volume-view-error-background - background of the text where an attribute cannot be read
+ * @cssproperty --volume-view-error-color - its colour
  * @cssproperty --volume-accent - colour of sliders and of the chosen stop
  * @cssproperty --volume-chart-height - height of the chart; 12rem by default
- * @cssproperty --volume-chart-background - what is behind the chart; dark by default, as behind a volume
- * @fires {CustomEvent<TransferFunctionDetail>} input - an edit goes on, and the volume has followed; once a frame at most
- * @fires {CustomEvent<TransferFunctionDetail>} change - an edit is done: it can be undone now
+ * @cssproperty --volume-chart-background - background of the chart; dark by default, as behind a volume
+ * @fires {CustomEvent<TransferFunctionDetail>} input - an edit goes on, and the volume has followed; at most once per frame
+ * @fires {CustomEvent<TransferFunctionDetail>} change - an edit is finished: it can be undone now
  */
 export class VolumeTransferFunction extends ReflectingElement {
   static override readonly styles = [companionGap, styles];
@@ -71,19 +71,19 @@ export class VolumeTransferFunction extends ReflectingElement {
   @property() mode!: string | null;
 
   /**
-   * Number of bands of equal width; 15 by default. They divide the window; where the unit is dBZ, -5 to 70.
+   * Number of bands of equal width; 15 by default. They divide the window, or, where the unit is dBZ, the range from -5 to 70.
    * @default 15
    */
   @property({ kind: number }) bands!: number | null;
 
-  /** Values at which bands begin and end, ascending, instead of bands of equal width. */
+  /** Values at the edges of the bands, ascending, instead of bands of equal width. */
   @property({ attribute: 'band-edges', kind: numbers }) bandEdges!: readonly number[] | null;
 
   @state() private _chosen = 0;
-  /** What became of copying, and the text where it has to be copied by hand. */
+  /** The result of copying, and the text where a person has to copy it. */
   @state() private _copy: { said: keyof CompanionTerms & ('copied' | 'copyRefused'); byHand: string | null } | null = null;
 
-  /** The chart of values and gradients, or why it is not there. */
+  /** The chart of values and gradients, or the error that prevented it. */
   @state() private _plane: Plane | VolumeViewError | null = null;
 
   @query('.plot') private readonly _plot!: HTMLElement | null;
@@ -129,7 +129,7 @@ export class VolumeTransferFunction extends ReflectingElement {
     </div>`;
   }
 
-  /** The part that differs with the mode; where an attribute can't be read, the words that say so. */
+  /** The part that depends on the mode; or an error text where an attribute can't be read. */
   #attemptMode(chart: Chart): unknown {
     try {
       const mode = this.mode?.trim().toLowerCase() ?? 'stops';
@@ -225,7 +225,7 @@ export class VolumeTransferFunction extends ReflectingElement {
     this._plot?.querySelectorAll<HTMLElement>('.handle')[index]?.focus({ preventScroll: true });
   }
 
-  /** The volume has been given what was edited. */
+  /** The edit has been written to the volume. */
   #onWritten(type: 'input' | 'change'): void {
     if (type === 'change') this._copy = null;
     this.requestUpdate();
@@ -248,7 +248,7 @@ export class VolumeTransferFunction extends ReflectingElement {
     if (!typing && (this.#editor.press(event, stopOf(target)) || this.#openPlane()?.press(event))) event.preventDefault();
   };
 
-  /** A key that was held is one edit. */
+  /** All the repeats of a held key are one edit. */
   readonly #onKeyUp = ({ target }: KeyboardEvent): void => {
     if (stopOf(target) !== null || this.#openPlane()?.follow(target)) this.#editor.session.commit();
   };
@@ -266,13 +266,13 @@ export class VolumeTransferFunction extends ReflectingElement {
   }
 }
 
-/** Number of the stop that an element is the handle of; null for any other. */
+/** Index of the stop to which a handle belongs; null for any other element. */
 function stopOf(target: EventTarget | null): number | null {
   const { index } = (target as HTMLElement).dataset;
   return index === undefined ? null : Number(index);
 }
 
-/** Inner inputs' own events stay inside: the element has events of the same names. */
+/** Events of the inner inputs must not leave the element, as it has events of the same names. */
 function stop(event: Event): void {
   event.stopPropagation();
 }

@@ -1,21 +1,21 @@
-// The code of a frame that shows a view in another page: loaded when a person asks for it.
+// The code of an iframe that shows a view in another page. It is loaded when a person asks for the code.
 import { findX3domUrl } from '../../src/x3d/x3dom-url.ts';
 import type { ControlledView } from '../internal/controlled-view.ts';
 import { findCompanion } from '../internal/find-companion.ts';
 
-/** Attributes that a frame's address has no use for: they are for scripts, or for the page around. */
+/** Attributes that are not written to the address of the iframe: they are for scripts, or for the page around. */
 const left = new Set(['crosshair', 'cursor', 'height', 'pickable', 'poster', 'width', 'loading']);
 
-/** Between the parts of the frame, CSS pixels. */
+/** Gap between the parts of the iframe, CSS pixels. */
 const gap = 16;
 
 /**
- * The code of a frame with a view as it is seen now, its attributes, and its legend and timeline.
+ * The code of an iframe with the present view, its attributes, and its legend and timeline.
  * @param lang - of its words
- * @returns `missing`: where the page for frames was looked for, and is not
+ * @returns `missing`: the address where the page for iframes was not found
  */
 export async function writeEmbedCode(view: ControlledView, lang: string): Promise<{ readonly code: string } | { readonly missing: string }> {
-  // It lies where the package's other files are.
+  // The page is next to the other files of the package.
   const page = new URL('embed.html', new URL(findX3domUrl(), document.baseURI));
   const isThere = await fetch(page, { method: 'HEAD' }).then(({ ok }) => ok, () => false);
   if (!isThere) return { missing: page.href };
@@ -36,7 +36,7 @@ export async function writeEmbedCode(view: ControlledView, lang: string): Promis
   return { code: `<iframe ${Object.entries(attributes).map(([name, value]) => `${name}="${escape(value)}"`).join(' ')}></iframe>` };
 }
 
-/** Attributes of HTML's own, of styles and of scripts stay in the page. */
+/** Whether an attribute belongs to the view. Attributes of HTML, of styles and of scripts stay in the page. */
 function isOwn(view: ControlledView, name: string): boolean {
   const { observedAttributes } = view.constructor as unknown as { observedAttributes: readonly string[] };
   return observedAttributes.includes(name) && !left.has(name);

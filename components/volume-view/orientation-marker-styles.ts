@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** Of the marker in a corner of a picture, joined to the styles of <volume-view> when it is loaded. */
+/** Styles of the marker in a corner of a picture. They are added to the styles of <volume-view> when the marker is loaded. */
 export const styles = css`
   .marker {
     --_side: min(var(--volume-view-marker-size, 96px), 45%);
@@ -50,7 +50,7 @@ export const styles = css`
     touch-action: manipulation;
   }
 
-  /* Fingers are wider than letters. */
+  /* Touch areas are larger than the letters. */
   .marker button::before {
     content: '';
     position: absolute;

@@ -6,13 +6,15 @@ import type { StandardView } from '../../src/viewer/camera/standard-views.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import type { ControlTerms } from '../../src/messages/terms.ts';
 
-/** From the middle to a letter, of the marker's side. */
+/** Distance from the middle to a letter, as a share of the side of the marker. */
 const reach = 0.37;
 
-/** A letter nearer than this to the middle, of the reach, is hidden where another one is before it. */
+/** A letter nearer to the middle than this share of `reach` is hidden where another letter is in front of it. */
 const covered = 0.3;
 
-/** Letters around a point, as they lie in the picture; each turns to its side. Nothing where nobody knows the sides. */
+/**
+ * Letters around a point, as their directions are in the picture; each one turns the view to its side. Empty where the sides are unknown.
+ */
 export function renderMarker(volume: VolumeInfo, camera: Camera, terms: ControlTerms, turn: (view: StandardView) => void): unknown {
   const marks = placeMarks(camera, listSides(volume));
   if (marks.length === 0) return '';

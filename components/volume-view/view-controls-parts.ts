@@ -2,7 +2,7 @@ import { html, nothing } from 'lit';
 import type { StandardView } from '../../src/viewer/camera/standard-views.ts';
 import type { ControlTerms } from '../../src/messages/terms.ts';
 
-/** What may be left out. */
+/** The controls that may be left out. */
 export type ControlName = 'play' | 'rotate' | 'views' | 'zoom' | 'reset' | 'fullscreen' | 'save' | 'copy' | 'embed' | 'help' | 'hint';
 
 /** Lines in a box of 24 by 24. */
@@ -22,12 +22,12 @@ const icons = {
 
 export type Act = (action: Exclude<ControlName, 'zoom'> | 'zoomin' | 'zoomout' | 'more') => void;
 
-/** What the bar shows. */
+/** The state of the bar. */
 export interface BarState {
   readonly open: string | null;
-  /** Whether scans play; null where there are none to be played. */
+  /** Whether scans play; null where there are no scans to play. */
   readonly playing: boolean | null;
-  /** Whether the camera goes around by itself; null where it never does. */
+  /** Whether the camera rotates by itself; null where it never does. */
   readonly rotating: boolean | null;
   readonly isFull: boolean;
   has(name: ControlName): boolean;
@@ -45,7 +45,7 @@ export function renderBar(terms: ControlTerms, { open, playing, rotating, isFull
     @click=${() => act(action)}
   ><svg viewBox="0 0 24 24" aria-hidden="true"><path d=${icons[icon]}></path></svg></button>`;
   const hasMore = has('save') || has('copy') || has('embed') || has('help');
-  // Where there is no room they are under "More".
+  // Where there is no room for these buttons, they are under "More".
   const more = hasMore ? 'wide' : '';
   return html`<div class="bar" part="controls-bar">
     ${playing === null ? nothing : button('play', playing ? 'pause' : 'play', playing ? terms.pauseScans : terms.playScans)}
@@ -79,7 +79,7 @@ export function renderHelp({ help, helpLines }: ControlTerms): unknown {
   </div>`;
 }
 
-/** @param told - a sentence, and a text where the browser did not let us copy it */
+/** @param told - a sentence, and a text where the browser did not allow copying */
 export function renderCopied({ sentence, text }: { readonly sentence: string; readonly text: string }): unknown {
   return html`<div class="panel" part="controls-panel" role="status">
     <p>${sentence}</p>${text === '' ? nothing : html`<textarea readonly aria-label=${sentence} .value=${text} @focus=${selectAll}></textarea>`}

@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** Of the controls over a picture, joined to the styles of <volume-view> when they are loaded. */
+/** Styles of the controls over a picture. They are added to the styles of <volume-view> when the controls are loaded. */
 export const styles = css`
   :host(:fullscreen) {
     inline-size: 100%;
@@ -27,7 +27,7 @@ export const styles = css`
     color: var(--_ink);
   }
 
-  /* What went wrong stands at the bottom: the buttons make way, and what they open is above it. */
+  /* An error message is at the bottom: the buttons move to the top, and their panels are above the message. */
   :host(:state(error)) .controls {
     z-index: 1;
     inset-block: 8px auto;
@@ -158,7 +158,7 @@ export const styles = css`
     pointer-events: none;
   }
 
-  /* On a phone all is in one row: what few need there is under "More", and the hint is small. */
+  /* On a phone everything is in one row: rarely used buttons are under "More", and the hint is small. */
   .controls .narrow {
     display: none;
   }
@@ -184,7 +184,7 @@ export const styles = css`
     }
   }
 
-  /* The bar with all buttons takes a second row. */
+  /* The bar with all buttons would take a second row. */
   @container (inline-size < 264px) {
     .bar .wide {
       display: none;
@@ -205,7 +205,7 @@ export const styles = css`
     }
   }
 
-  /* There is no room for words. */
+  /* There is no room for the text. */
   @container (inline-size < 250px) {
     .controls .hint {
       display: none;

@@ -16,31 +16,31 @@ import { styles as markerStyles } from './orientation-marker-styles.ts';
 import { styles } from './view-controls-styles.ts';
 import type { ControlledView } from '../internal/controlled-view.ts';
 
-/** What is open above the bar. */
+/** The panel that is open above the bar. */
 type Panel = 'views' | 'more' | 'help' | 'copied' | 'failed';
 
-/** What a press of a zoom button does to the distance. */
+/** The factor by which one press of a zoom button changes the distance. */
 const zoomPerPress = 1.25;
 
-/** Longer addresses are refused by servers, and by what people paste them into. */
+/** Servers refuse longer addresses, and so do the programs into which people paste them. */
 const longestSource = 8000;
 
-/** A hint is for those who have not yet turned anything in this page. */
+/** The hint is shown until a person has turned a view in this page. */
 let isHintNeeded = true;
 
 /**
- * The controls over a picture: the element draws them as a part of itself. Loaded when one has `controls`, or one of them alone: `auto-rotate`, which
- * a person has to be able to stop, or `orientation-marker`.
+ * The controls over a picture. The element draws them as a part of itself. The code is loaded when an element has `controls`, or one of two
+ * attributes that need a part of them: `auto-rotate`, which a person has to be able to stop, or `orientation-marker`.
  */
 export class ViewControls {
   readonly #words: Words<ControlTerms>;
   readonly #abort = new AbortController();
   #panel: Panel | null = null;
-  /** What stands in the panel that is open: a sentence, and what a person may copy by hand. */
+  /** The contents of the open panel: a sentence, and a text that a person may copy by hand. */
   #told = { sentence: '', text: '' };
   #marker: typeof MarkerPart | null = null;
 
-  /** @param hand - moves the camera, while there is a picture */
+  /** @param hand - the viewer whose camera the buttons move; null while there is no picture */
   constructor(readonly view: ControlledView, readonly hand: () => Pick<Viewer, 'resetCamera' | 'turnTo' | 'invalidate' | 'rig'> | null) {
     this.#words = new Words(view, english);
     const root = view.renderRoot as ShadowRoot;
@@ -48,14 +48,14 @@ export class ViewControls {
     const { signal } = this.#abort;
     view.addEventListener('camera-change', () => this.#endHint(), { signal });
     document.addEventListener('fullscreenchange', () => view.requestUpdate(), { signal });
-    void customElements.whenDefined('volume-timeline').then(() => view.requestUpdate()); // It has a button for playing, too.
-    // A press anywhere else closes what is open, as menus do.
+    void customElements.whenDefined('volume-timeline').then(() => view.requestUpdate()); // The timeline has a play button, too.
+    // A press anywhere else closes the panel, as with menus.
     document.addEventListener('pointerdown', (event) => {
       if (this.#panel && !event.composedPath().some((part) => part instanceof Element && part.matches('.controls'))) this.#open(null);
     }, { signal, capture: true });
   }
 
-  /** The attribute is gone. */
+  /** Called when the attribute has been removed. */
   dispose(): void {
     this.#abort.abort();
     const root = this.view.renderRoot as ShadowRoot;
@@ -139,7 +139,7 @@ export class ViewControls {
       case 'help':
         return this.#open(this.#panel === action ? null : action);
       case 'play':
-        if (this.view.paused) this.view.play().catch(() => undefined); // What stands in the way, the view shows itself.
+        if (this.view.paused) this.view.play().catch(() => undefined); // The view itself shows the error.
         else this.view.pause();
         return;
       case 'rotate':
@@ -192,7 +192,7 @@ export class ViewControls {
       link.href = URL.createObjectURL(await this.view.toBlob());
       link.download = `${nameOfPicture(this.view)}.png`;
       link.click();
-      // The browser has taken what it needs when the page next has time.
+      // By then the browser has finished with the link.
       setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
       this.#open(null);
     } catch {
@@ -214,7 +214,7 @@ export class ViewControls {
     else await this.#offer(written.code, copiedEmbed, copyEmbedByHand);
   }
 
-  /** Into the clipboard, or, where the page may not, into a field from which a person copies it. */
+  /** Copy a text to the clipboard; if the page may not do so, show a field from which a person copies it. */
   async #offer(text: string, copied: string, byHand: string): Promise<void> {
     const isCopied = await Promise.resolve().then(() => navigator.clipboard.writeText(text)).then(() => true, () => false);
     this.#told = isCopied ? { sentence: copied, text: '' } : { sentence: byHand, text };
@@ -232,7 +232,7 @@ export class ViewControls {
 
 const sheets = [styles.styleSheet!, markerStyles.styleSheet!];
 
-/** Whether another page can load what a view shows. What lies on a person's own computer it can't. */
+/** Whether another page can load the source of a view. It can't load files on a person's own computer. */
 function isEmbeddable({ src }: ControlledView): boolean {
   return location.protocol !== 'file:' && src !== null && src.trim() !== '' && src.length < longestSource && !/(^|\s)(blob|file):/i.test(src);
 }
@@ -242,12 +242,12 @@ function isFullscreen(view: ControlledView): boolean {
   return (root instanceof ShadowRoot ? root : document).fullscreenElement === view;
 }
 
-/** A frame without the permission refuses; the button is then hidden, or a person sees that nothing happens. */
+/** An iframe without the permission refuses; then the button is hidden, or a press has no effect. */
 async function toggleFullscreen(view: ControlledView): Promise<void> {
   await (isFullscreen(view) ? document.exitFullscreen() : view.requestFullscreen()).catch(() => undefined);
 }
 
-/** A file's name without its ending, of letters that all systems take. */
+/** The name of a file without its extension, with characters that all systems allow. */
 function nameOfPicture({ src }: ControlledView): string {
   const path = (src ?? '').trim().split(/\s+/)[0].replace(/[?#].*$/, '');
   const name = path.startsWith('data:') || path.startsWith('blob:') ? '' : path.slice(path.lastIndexOf('/') + 1);

@@ -5,9 +5,9 @@ import { SourceAttributes } from '../internal/source-attributes.ts';
 /** The names of the properties that attributes hold. */
 type PropertyName = Exclude<keyof VolumeViewAttributes, keyof ReflectingElement | 'appearance'>;
 
-/** What an author writes on `<volume-view>`. A property is null where its attribute is absent or can't be read. */
+/** The attributes that an author writes on `<volume-view>`. A property is null where its attribute is absent or can't be read. */
 export class VolumeViewAttributes extends SourceAttributes {
-  /** The attributes as they stand, by property, and null where absent. They are read where they are used, which tells what is wrong with them. */
+  /** The texts of the attributes, by property; null where absent. The code that uses a text reads it, and reports what is wrong with it. */
   protected get given(): { readonly [Name in PropertyName]: string | null } {
     const { elementProperties } = this.constructor as typeof VolumeViewAttributes;
     const texts: Record<PropertyKey, string | null> = {};

@@ -5,14 +5,14 @@ import type { RingWriter } from '../../src/viewer/cuts/ring-labels.ts';
 import type { ViewTerms } from '../../src/messages/terms.ts';
 import type { Words } from '../../src/messages/words.ts';
 
-/** What stands in the picture's place until there is one. */
+/** The image that is shown until there is a picture. */
 export function renderPoster(poster: string | null): unknown {
   return html`<slot name="poster">
     ${poster ? html`<img class="poster" part="poster" src=${poster} alt="" />` : nothing}
   </slot>`;
 }
 
-/** How far loading is; a bar that runs to and fro where nobody knows the end. */
+/** The progress of loading; a bar that moves to and fro where the total is unknown. */
 export function renderProgress({ loaded, total }: LoadProgress, { loading }: ViewTerms): unknown {
   const share = total > 0 ? Math.min(1, loaded / total) : undefined;
   return html`<div class="progress" part="progress">
@@ -20,11 +20,16 @@ export function renderProgress({ loaded, total }: LoadProgress, { loading }: Vie
   </div>`;
 }
 
-/** Addresses, up to the folder and the name. A reader has no use for all of them, and they may hold what is secret; the event has them whole. */
+/**
+ * Addresses, matched up to the last folder and the name. Readers do not need the whole address, and it may contain secrets; the event has
+ * the whole address.
+ */
 const addresses = /\w+:\/\/[^\s"?#/]*(?:\/[^\s"?#/]+)*?\/((?:[^\s"?#/]+\/)?[^\s"?#/]+)(?![^\s"?#])[^\s";]*/g;
 
-/** What went wrong: a line for the reader, and what the page's author can do. It can be focused, as it may have to be scrolled.
- * @param retry - loads the file once more */
+/**
+ * The error message: a line for the reader, and what the author of the page can do. It can have the focus, as it may have to be scrolled.
+ * @param retry - loads the file once more
+ */
 export function renderError({ code, message, topic }: VolumeViewError, { errors, tryAgain }: ViewTerms, retry: () => void): unknown {
   const headline = errors[topic!] ?? errors[code] ?? errors[code.split('/')[0] as keyof typeof errors];
   return html`<div class="error" part="error" role="alert" tabindex="0"><slot name="error">
@@ -34,13 +39,13 @@ export function renderError({ code, message, topic }: VolumeViewError, { errors,
   </slot></div>`;
 }
 
-/** What a screen reader is told: nothing of errors, which are told where they are shown. */
+/** The text for screen readers. It contains no errors, as these are read where they are shown. */
 export function describeStatus(progress: LoadProgress | null, hasPicture: boolean, words: Words<ViewTerms>): string {
   if (progress) return describeProgress(progress, words);
   return hasPicture ? words.terms.loaded : '';
 }
 
-/** The words for a ring around a radar, for the mark of the north, and for what has to be known of the scan. */
+/** The text of a ring around a radar, of the mark of the north, and of the notes on the scan. */
 export function describeRing(what: Parameters<RingWriter>[0], words: Words<ViewTerms>): string {
   const { north, kilometres, heightsTimes } = words.terms;
   if (what === null) return north;
@@ -48,7 +53,7 @@ export function describeRing(what: Parameters<RingWriter>[0], words: Words<ViewT
   return [what.name, what.stretch === 1 ? '' : heightsTimes(words.number(what.stretch))].filter(Boolean).join(' · ');
 }
 
-/** How far loading is, in tens of per cent, so that nobody is read a hundred numbers. */
+/** The progress of loading, in steps of ten per cent, so that a screen reader does not read a hundred numbers. */
 function describeProgress({ loaded, total, phase }: LoadProgress, words: Words<ViewTerms>): string {
   const { loading, loadingPercent, decoding } = words.terms;
   if (phase === 'decode') return decoding;

@@ -5,18 +5,18 @@ export const styles = css`
     display: block;
     position: relative;
     box-sizing: border-box;
-    /* Not hidden: a box that can be scrolled would be, to find what has the focus. */
+    /* Not `hidden`: the browser could scroll such a box to show the element with the focus. */
     overflow: clip;
     min-inline-size: 0;
     min-block-size: 0;
     max-block-size: 100vh;
-    /* Where nothing makes its width it is that of replaced elements, and what is inside never has a say. */
+    /* Where nothing sets the width, it is that of replaced elements; the contents never change it. */
     contain: inline-size layout paint style;
     contain-intrinsic-inline-size: min(300px, 100vw);
     color: #e8ecf2;
     background: radial-gradient(circle at 50% 45%, #262d3a, #0d1016 75%);
     font: 14px / 1.45 system-ui, sans-serif;
-    /* On paper too the picture stands on its ground. */
+    /* The picture keeps its background on paper too. */
     -webkit-print-color-adjust: exact;
     print-color-adjust: exact;
   }
@@ -25,7 +25,8 @@ export const styles = css`
     display: none;
   }
 
-  /* The height where nothing makes it. A ratio of the host itself would go before the insets of an absolute box, and would make a box with a height narrow. */
+  /* The height where nothing sets it. An aspect ratio on the host itself would override the insets of an absolute box, and would make a
+     box with a set height narrow. */
   :host::before {
     content: '';
     display: block;
@@ -159,7 +160,7 @@ export const styles = css`
   }
 
   @media print {
-    /* Paper has another width, and nothing is drawn for it. */
+    /* Paper has another width, and the picture is not drawn again for it. */
     canvas {
       object-fit: contain;
     }
@@ -182,7 +183,7 @@ export const styles = css`
     unicode-bidi: plaintext;
   }
 
-  /* Ground and page have one colour then. */
+  /* In this mode the background and the page have the same colour. */
   @media (forced-colors: active) {
     :host {
       outline: 1px solid CanvasText;

@@ -18,58 +18,58 @@ import { x3dScenes } from '../internal/x3d-scenes.ts';
 import { keepScenesFromX3dom } from '../../src/x3d/own-scenes.ts';
 
 /**
- * A volume in the page: a CT, an MRI or any other scan, drawn with correct opacity, turning under mouse, finger and
- * keys. X3D elements between the tags (`<shape>`, `<viewpoint>`, `<directionallight>` ...) are live parts of the scene.
+ * A volume in the page: a CT, an MRI or any other scan, drawn with correct opacity. Mouse, finger and
+ * keys turn it. X3D elements between the tags (`<shape>`, `<viewpoint>`, `<directionallight>` ...) are live parts of the scene.
  *
  * @tag volume-view
  * @slot - X3D elements that join the scene, X3D's volume styles that draw it, and `<volume-slice>` elements that cut it, `<volume-labels>` that name its parts, a `<volume-layer>` over it, `<volume-surface>` and `<volume-terrain>` that stand in it
- * @slot poster - what stands there until the first picture, instead of the `poster` image
- * @slot progress - what is shown while a file loads, instead of the bar
- * @slot error - what is shown when something failed, instead of the message
+ * @slot poster - shown until the first picture, instead of the `poster` image
+ * @slot progress - shown while a file loads, instead of the bar
+ * @slot error - shown when something failed, instead of the message
  * @csspart picture - the picture, which takes the focus
  * @csspart poster - the poster image
  * @csspart progress - around the progress bar
  * @csspart error - around the error message
- * @csspart retry - the button in it that loads the file once more
+ * @csspart retry - the button in the error message that loads the file again
  * @csspart controls - around all of the `controls`
  * @csspart controls-bar - the bar of buttons
- * @csspart controls-panel - what a button opens: views, more, help
- * @csspart controls-hint - what is said at first
+ * @csspart controls-panel - the panel that a button opens: views, more, help
+ * @csspart controls-hint - the text that is shown at first
  * @csspart control - each button
  * @csspart marker - around the letters of `orientation-marker`
  * @csspart marker-side - each of them
- * @csspart blank - the words over a picture at rest in which nothing is to be seen
- * @csspart notice-sign - the sign that something of a file is not in the picture, or not as it is there
- * @csspart notice-text - what it says when it is pointed at, has the focus or is pressed
- * @csspart refining - the line at the lower edge while a picture that takes long is made finer
+ * @csspart blank - the text over a picture at rest in which nothing is visible
+ * @csspart notice-sign - the sign that a part of a file is not in the picture, or is shown differently
+ * @csspart notice-text - its text, shown when the sign is pointed at, has the focus or is pressed
+ * @csspart refining - the line at the lower edge while a picture is being refined for a long time
  * @cssproperty --volume-view-focus-color - colour of the frame around the picture that has the focus
  * @cssproperty --volume-view-progress-color - colour of the progress bar
- * @cssproperty --volume-view-error-background - what is behind an error message
+ * @cssproperty --volume-view-error-background - background of an error message
  * @cssproperty --volume-view-error-color - its colour
- * @cssproperty --volume-view-controls-background - what is behind the controls
+ * @cssproperty --volume-view-controls-background - background of the controls
  * @cssproperty --volume-view-controls-color - their colour
- * @cssproperty --volume-view-blank-background - what is behind the words over a picture that shows nothing
- * @cssproperty --volume-view-blank-color - their colour
- * @cssproperty --volume-view-notice-color - colour of the sign for what of a file is not in the picture, and of its words
- * @cssproperty --volume-view-notice-background - what is behind both
- * @cssproperty --volume-view-refining-color - colour of the line while a picture is made finer
+ * @cssproperty --volume-view-blank-background - background of the text over a picture that shows nothing
+ * @cssproperty --volume-view-blank-color - its colour
+ * @cssproperty --volume-view-notice-color - colour of the sign for parts of a file that are not in the picture, and of its text
+ * @cssproperty --volume-view-notice-background - background of both
+ * @cssproperty --volume-view-refining-color - colour of the line while a picture is being refined
  * @cssproperty --volume-view-marker-color - colour of the letters and lines of `orientation-marker`
- * @cssproperty --volume-view-marker-background - what is behind its letters
+ * @cssproperty --volume-view-marker-background - background of its letters
  * @cssproperty --volume-view-marker-hover - the same under the pointer
  * @cssproperty --volume-view-marker-size - its side; 96px by default
  * @cssproperty --volume-view-label-color - colour of the labels of rings
  * @fires {CustomEvent<VolumeInfo>} load - a volume has been loaded; the detail describes it
  * @fires {CustomEvent<ProgressDetail>} progress - bytes came in or were decoded
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good picture stays
- * @fires {CustomEvent<CameraChangeDetail>} camera-change - a person moved the camera; after each frame of the movement
- * @fires {CustomEvent<VolumeOptics | null>} optics-change - the volume looks otherwise; null where it is gone
+ * @fires {CustomEvent<CameraChangeDetail>} camera-change - a person has moved the camera; fired after each frame of the movement
+ * @fires {CustomEvent<VolumeOptics | null>} optics-change - the appearance of the volume has changed; null when the volume is gone
  * @fires {CustomEvent<RenderStats>} render - a frame has been drawn
  * @fires {CustomEvent<PictureCheck>} picture-check - a picture at rest was checked, see `self-check`
- * @fires {CustomEvent<BlankPicture | null>} picture-blank - a picture at rest shows nothing, though it should: the detail says why, in words too; null as soon as something shows again
- * @fires {CustomEvent<VolumePick | null>} volume-pick - a place was pointed at, see `pickable`; the detail says what is there, null for nothing
- * @fires {CustomEvent<TimeChangeDetail>} time-change - of several scans, another one is in the picture
- * @fires {CustomEvent<null>} play - scans begin to be gone through
- * @fires {CustomEvent<null>} pause - they no longer are: `pause` was called, or all of them failed
+ * @fires {CustomEvent<BlankPicture | null>} picture-blank - a picture at rest shows nothing, though it should: the detail gives the reason, in words too; null as soon as something is visible again
+ * @fires {CustomEvent<VolumePick | null>} volume-pick - a place was clicked, see `pickable`; the detail describes it, null where nothing is visible
+ * @fires {CustomEvent<TimeChangeDetail>} time-change - another one of several scans is in the picture
+ * @fires {CustomEvent<null>} play - scans start to play
+ * @fires {CustomEvent<null>} pause - scans no longer play: `pause` was called, or all scans failed
  * @fires {CustomEvent<null>} scans-change - the list of scans, their times, or whether they play or load has changed
  */
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- only overloads are merged in, see below
@@ -91,7 +91,7 @@ export class VolumeView extends VolumeViewMembers {
   readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => this._session.presenter));
   readonly #size = new OwnSize();
 
-  /** Let the picture take the focus, and keys turn it. */
+  /** Give the focus to the picture, so that keys turn it. */
   override focus(options?: FocusOptions): void {
     this._picture?.focus(options);
   }
@@ -104,13 +104,13 @@ export class VolumeView extends VolumeViewMembers {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    // Being moved within the page takes an element out and puts it back at once: only a real goodbye takes it down.
+    // Moving an element within the page disconnects it and connects it again at once: the session ends only if the element stays out.
     queueMicrotask(() => {
       if (!this.isConnected) this._session.leave();
     });
   }
 
-  /** What watches the page and draws in it belongs to the document before. */
+  /** The observers and the scene belong to the previous document. */
   override adoptedCallback(): void {
     super.adoptedCallback();
     this._session.leave();
@@ -138,7 +138,7 @@ export class VolumeView extends VolumeViewMembers {
     this.#states.set('playing', !playback.paused);
     this.#controls.follow(this.controls || this.autoRotate || this.orientationMarker);
     this.#notices.follow(presenter.hasNotices);
-    if (changed.size === 0) return; // What the session itself told is shown now.
+    if (changed.size === 0) return; // The update shows a change in the session; no attribute has changed.
     const { given } = this;
     this.#size.set(this.shadowRoot!, given.width, given.height);
     this._session.apply(readSettings(given), (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)));
@@ -166,7 +166,7 @@ export class VolumeView extends VolumeViewMembers {
   }
 
   readonly #retry = (): void => {
-    this.focus(); // The button goes with its error; what reads by keys goes on at the picture.
+    this.focus(); // The button disappears with the error; keyboard users go on at the picture.
     this.reload();
   };
 

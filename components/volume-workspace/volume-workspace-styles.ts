@@ -19,7 +19,7 @@ export const styles = css`
     gap: var(--_gap);
   }
 
-  /* A phone: one below the other. */
+  /* A phone: everything in one column. */
   .stage {
     display: grid;
     gap: var(--_gap);
@@ -73,7 +73,7 @@ export const styles = css`
     }
   }
 
-  /* A desk: two by two, no higher than the screen. */
+  /* A desktop: two by two, no higher than the screen. */
   @container (inline-size >= 720px) {
     .stage.panes {
       grid-template-columns: repeat(2, minmax(0, 1fr));
@@ -113,7 +113,7 @@ export const styles = css`
     }
   }
 
-  /* A wide desk: what is said of the volume is a column of its own. */
+  /* A wide desktop: the companions are in a column of their own. */
   @container (inline-size >= 1100px) {
     .workspace.sided {
       grid-template-columns: minmax(0, 1fr) 18rem;

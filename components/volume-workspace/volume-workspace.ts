@@ -8,10 +8,10 @@ import type { VolumeView } from '../volume-view/volume-view.ts';
 import { tell } from '../internal/volume-view-events.ts';
 import { styles } from './volume-workspace-styles.ts';
 
-/** Planes in the order in which panes stand. */
+/** Planes in the order of the panes. */
 const planes = ['axial', 'sagittal', 'coronal'] as const;
 
-/** Companions in the order in which they stand, and when a volume has something for them. */
+/** Companions in their order in the layout, and the volumes that they suit. */
 const companions: Readonly<Record<string, { suits: (view: VolumeView) => boolean; render: () => TemplateResult }>> = {
   timeline: { suits: ({ times }) => times.length > 1, render: () => html`<volume-timeline part="timeline"></volume-timeline>` },
   legend: { suits: () => true, render: () => html`<volume-legend part="legend"></volume-legend>` },
@@ -19,16 +19,16 @@ const companions: Readonly<Record<string, { suits: (view: VolumeView) => boolean
   'label-list': { suits: (view) => view.querySelector('volume-labels') !== null, render: () => html`<volume-label-list part="label-list"></volume-label-list>` },
 };
 
-/** What the `<volume-view>` says that may change what suits it. */
+/** The events of the `<volume-view>` after which other companions may suit it. */
 const events = ['load', 'scans-change', 'labels-change'];
 
 /**
- * A volume, three panes of slices, and what is said of it: legend, readout, list of labels, timeline. It lays them out by the room
- * that there is: two by two on a desk, one below the other on a phone. What is in it belongs to its `<volume-view>`, without `for`.
+ * A volume, three panes of slices, and its companions: legend, readout, list of labels, timeline. The layout depends on the room:
+ * two by two on a desktop, one below the other on a phone. Its contents belong to its `<volume-view>`, without `for`.
  *
  * `<volume-workspace><volume-view src="head.nii.gz" alt="Brain"></volume-view></volume-workspace>`
  *
- * Put a companion of your own into it with `slot="side"`: it takes the place of the one that would come by itself.
+ * Put a companion of your own into it with `slot="side"`: it replaces the one that the workspace would add.
  *
  * @tag volume-workspace
  * @slot - the `<volume-view>`
@@ -40,21 +40,18 @@ const events = ['load', 'scans-change', 'labels-change'];
  * @csspart legend - the legend
  * @csspart readout - the readout
  * @csspart label-list - the list, where there are labels
- * @csspart error - what is said where an attribute has a wrong word
- * @fires {CustomEvent<ErrorDetail>} error - an attribute has a wrong word; it is left out
+ * @csspart error - the text where an attribute has a wrong word
+ * @fires {CustomEvent<ErrorDetail>} error - an attribute has a wrong word; the attribute is ignored
  * @cssproperty --volume-workspace-gap - space between its parts; 8px by default
  */
 export class VolumeWorkspace extends ReflectingElement {
   static override readonly styles = styles;
 
-  /**
-   * Which panes: a list of `axial`, `sagittal` and `coronal`, or `none`. A radar has none.
-   * @default axial sagittal coronal
-   */
+  /** Which panes are shown: a list of `axial`, `sagittal` and `coronal`, or `none`. A radar has none. @default axial sagittal coronal */
   @property() panes!: string | null;
 
   /**
-   * Which companions: a list of `timeline`, `legend`, `readout` and `label-list`, or `none`.
+   * Which companions are shown: a list of `timeline`, `legend`, `readout` and `label-list`, or `none`.
    * @default those for which the volume has something
    */
   @property() companions!: string | null;
@@ -79,7 +76,7 @@ export class VolumeWorkspace extends ReflectingElement {
     this._view = null;
   }
 
-  /** Its first `<volume-view>`, and which companions the author has put in. */
+  /** Find the first `<volume-view>`, and the companions that the author has added. */
   #follow(): void {
     const view = this.querySelector('volume-view');
     if (view !== this._view) {
