@@ -1,11 +1,12 @@
-// `npm run build` here: the program and its modules, from TypeScript and the readers of the element, as JavaScript for Node.
+// `npm run build` in this folder: builds the program and its modules, from TypeScript and the readers of the element, as JavaScript for
+// Node.
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 
 const folder = dirname(fileURLToPath(import.meta.url));
 
-/** Build dist. @returns {Promise<void>} */
+/** Build the folder dist. @returns {Promise<void>} */
 export async function buildPrepare() {
   await build({
     configFile: false,

@@ -1,25 +1,25 @@
 /**
- * Every error that reaches an author. `code` is stable (pages may switch on it), `message` is in an author's words and
- * says what was got, what was expected and what to do.
+ * Every error that reaches an author. `code` is stable (pages may switch on it). `message` is in the words of an author, and says what was
+ * received, what was expected and what to do.
  */
 export type ErrorCode =
   /** The file could not be fetched: missing, refused, or no network. */
   | 'source/not-found'
-  /** The server can not send the file now, or it broke off again and again. To try it again may help. */
+  /** The server can't send the file now, or the connection broke several times. Trying again may help. */
   | 'source/unavailable'
-  /** Nothing more of the file comes, or what decodes it no longer answers. To try it again may help. */
+  /** No more bytes of the file arrive, or its decoder no longer answers. Trying again may help. */
   | 'source/stalled'
   /** The server sends the file without permission for this page (CORS), or the page may not reach it. */
   | 'source/cross-origin'
-  /** The bytes are of no type that is known here. */
+  /** The type of the bytes is unknown. */
   | 'format/unknown'
   /** The type is known, but this variant of it is not supported. */
   | 'format/unsupported'
   /** The file ends early or contradicts itself. */
   | 'format/corrupt'
-  /** The header asks for more memory than is sane. */
+  /** The header asks for more memory than is reasonable. */
   | 'format/too-large'
-  /** The mosaic's tiles do not fit the image. */
+  /** The tiles of the mosaic do not fit the image. */
   | 'mosaic/layout'
   /** A JSON manifest with a missing or wrong field. */
   | 'manifest/invalid'
@@ -29,23 +29,23 @@ export type ErrorCode =
   | 'attribute/invalid'
   /** The device, browser or page has no WebGL. */
   | 'webgl/unavailable'
-  /** WebGL is there, but lacks something that is needed. */
+  /** WebGL is there, but a feature that is needed is missing. */
   | 'webgl/unsupported'
   /** The composed shader did not compile. */
   | 'webgl/shader'
-  /** The GPU ran out of memory, or the context was lost and did not come back. */
+  /** The GPU ran out of memory, or the context was lost and was not restored. */
   | 'webgl/context-lost'
-  /** The GPU draws otherwise than `self-check` finds on the processor. */
+  /** The GPU draws something different from what `self-check` computes on the CPU. */
   | 'webgl/inaccurate'
   /** x3dom could not be loaded. */
   | 'x3dom/unavailable'
-  /** A mistake of this package, whatever the page and the file are; the message names what was being worked on. */
+  /** A mistake in this package, not in the page or the file; the message names the task that failed. */
   | 'internal';
 
 /** An error with a stable code and a message for the author of a page. */
 export class VolumeViewError extends Error {
   readonly code: ErrorCode;
-  /** What of an element it is about, where that has words of its own for readers. */
+  /** The part of an element that the error is about, where readers get a message of its own for it. */
   topic?: 'labels';
 
   constructor(code: ErrorCode, message: string, options?: { cause?: unknown }) {
@@ -56,15 +56,15 @@ export class VolumeViewError extends Error {
 }
 
 /**
- * Whatever was thrown, as an error that a page can be told of. What has no words of its own is a mistake of this package.
- * @param subject - the attributes or the file that were being worked on
+ * Turn anything that was thrown into an error for the page. An error of an unknown kind is a mistake in this package.
+ * @param subject - the attributes or the file of the task that failed
  */
 export function asVolumeViewError(error: unknown, subject: string): VolumeViewError {
   if (error instanceof VolumeViewError) return error;
   return new VolumeViewError('internal', `volume-view failed at ${subject}, and the page is not to blame (${String(error)}). Please report it.`, { cause: error });
 }
 
-/** The error for an attribute that can't be read. The value is shortened: it may come from a stranger. */
+/** The error for an attribute that can't be read. The value is shortened, as it may come from an unknown source. */
 export function invalidAttribute(name: string, value: string, expected: string): VolumeViewError {
   return new VolumeViewError('attribute/invalid', `${name} got "${value.slice(0, 60)}"${value.length > 60 ? ` and so on, ${value.length} characters` : ''}; expected ${expected}.`);
 }

@@ -1,8 +1,8 @@
 import { VolumeViewError } from './errors.ts';
 
 /**
- * Wait for a part of the package that is loaded when it is needed.
- * @param what - it does, as in "that shows several scans"
+ * Wait for a part of the package that is loaded on demand.
+ * @param what - the part does, as in "that shows several scans"
  * @throws {VolumeViewError} `format/unsupported`
  */
 export function loadPart<T>(loading: Promise<T>, what: string): Promise<T> {

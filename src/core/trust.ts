@@ -10,15 +10,15 @@ interface PolicyFactory {
 let policy: TextPolicy | undefined;
 
 /**
- * A text of this package or of x3dom, as a page wants it that has Trusted Types. Nothing that a file, an attribute or an
- * element says may come here.
+ * Mark a text of this package or of x3dom as trusted, for pages that use Trusted Types. Never pass a text from a file, an attribute or an
+ * element.
  */
 export function trust(text: string, kind: keyof TextPolicy): string {
   const asItIs = (own: string): string => own;
   try {
     policy ??= (globalThis as { trustedTypes?: PolicyFactory }).trustedTypes?.createPolicy('volume-view', { createScriptURL: asItIs, createHTML: asItIs });
   } catch {
-    // The page allows no policy of this name. It may do without.
+    // The page does not allow a policy of this name. It may work without one.
   }
   return policy ? policy[kind](text) : text;
 }

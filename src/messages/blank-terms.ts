@@ -1,8 +1,8 @@
-/** The words over a picture in which nothing is to be seen. */
+/** The messages over a picture in which nothing is visible. */
 export interface BlankTerms {
-  /** Before the cause; but not where a radar met nothing, which is a right picture. */
+  /** Goes before the cause; not used where a radar has no echoes, as that picture is correct. */
   readonly blankPicture: string;
-  /** Why, and what an author can do. */
+  /** The cause, and what an author can do. */
   readonly blankCauses: {
     readonly noData: string;
     readonly transparent: string;
@@ -14,7 +14,7 @@ export interface BlankTerms {
     readonly faint: string;
     /** A radar scan without any echo. */
     readonly noEchoes: string;
-    /** A radar scan whose echoes all are weaker than those that its colours show, which begin at this value. */
+    /** A radar scan whose echoes are all too weak to have a colour: the colours begin at this value. */
     readonly weakEchoes: (value: string) => string;
   };
 }

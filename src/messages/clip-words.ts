@@ -7,7 +7,7 @@ import { Language } from './language.ts';
 import type { CompanionTerms } from './terms.ts';
 import { Words } from './words.ts';
 
-/** The language of a clip's handles. */
+/** The messages of a clip's handles, in the language of the page. */
 export class ClipWords extends Words<CompanionTerms & HandleTerms & ClipTerms> {
   constructor(host: ConstructorParameters<typeof Words>[0]) {
     super(host, { ...companions, ...handles, ...english });

@@ -1,6 +1,6 @@
 import type { BlankTerms } from './blank-terms.ts';
 
-/** Of pictures in which nothing is to be seen: loaded with the first of them. */
+/** English messages for pictures in which nothing is visible. The file is loaded with the first such picture. */
 export const english: BlankTerms = {
   blankPicture: 'Nothing to see here.',
   blankCauses: {

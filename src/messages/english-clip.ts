@@ -1,6 +1,6 @@
 import type { ClipTerms } from './clip-terms.ts';
 
-/** Of planes and boxes that cut volumes, which are loaded where a page has some. */
+/** English messages for planes and boxes that cut volumes. The file is loaded where a page has some. */
 export const english: ClipTerms = {
   clipPlane: 'Cutting plane',
   clipBox: 'Cutting box',

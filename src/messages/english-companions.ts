@@ -1,6 +1,6 @@
 import type { CompanionTerms } from './terms.ts';
 
-/** Apart from those of <volume-view>, which every page loads. */
+/** English messages of the companions. They are not in the file of <volume-view>, which every page loads. */
 export const english: CompanionTerms = {
   noView: (id) => `There is no <volume-view${id === null ? '' : ` id="${id}"`}> in this page.`,
   noVolume: 'No volume is loaded yet.',

@@ -1,6 +1,6 @@
 import type { ControlTerms } from './terms.ts';
 
-/** Of the controls, which are loaded where a page has them. */
+/** English messages of the controls. The file is loaded where a page has controls. */
 export const english: ControlTerms = {
   controls: 'Controls of the picture',
   playScans: 'Play',

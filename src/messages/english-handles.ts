@@ -1,6 +1,6 @@
 import type { HandleTerms } from './handle-terms.ts';
 
-/** Of handles over a picture, which are loaded with the elements that have some. */
+/** English messages for handles over a picture. The file is loaded with the elements that have handles. */
 export const english: HandleTerms = {
   handleKeys: 'Arrow keys move it across the picture, Page up and Page down away and nearer, with Shift farther.',
   handleKeysAlong: 'Arrow keys, Page up and Page down move it, with Shift farther.',

@@ -1,6 +1,6 @@
 import type { LabelTerms } from './label-terms.ts';
 
-/** Of the list of labels, which is loaded where a page has one. */
+/** English messages of the list of labels. The file is loaded where a page has such a list. */
 export const english: LabelTerms = {
   labelList: 'Labels',
   findLabel: 'Find a label',

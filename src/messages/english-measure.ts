@@ -1,6 +1,6 @@
 import type { MeasureTerms } from './measure-terms.ts';
 
-/** Of measures, which are loaded where a page has some. */
+/** English messages of measures. The file is loaded where a page has measures. */
 export const english: MeasureTerms = {
   measure: { distance: 'Distance', angle: 'Angle', box: 'Box', sphere: 'Sphere' },
   measureButton: 'Measure',

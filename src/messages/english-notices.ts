@@ -1,6 +1,6 @@
 import type { NoticeTerms } from './notice-terms.ts';
 
-/** Loaded with the first sign. */
+/** English messages of the sign for notices. The file is loaded with the first sign. */
 export const english: NoticeTerms = {
   notices: (count) => `Notes on the data: ${count}`,
   noticesAre: 'Not in the picture, or not as in the file:',

@@ -1,6 +1,6 @@
 import type { ReadoutTerms } from './readout-terms.ts';
 
-/** Of the readout, which is loaded where a page has one. */
+/** English messages of the readout. The file is loaded where a page has a readout. */
 export const english: ReadoutTerms = {
   readout: 'Values in the picture',
   value: 'Value',

@@ -1,6 +1,6 @@
 import type { SliceTerms } from './terms.ts';
 
-/** Of panes with slices, which are loaded where a page has some. */
+/** English messages of panes with slices. The file is loaded where a page has such panes. */
 export const english: SliceTerms = {
   slice: { axial: 'Axial slice', coronal: 'Coronal slice', sagittal: 'Sagittal slice', oblique: 'Oblique slice' },
   sliceAt: (slice, place) => `${slice}, ${place}`,

@@ -1,7 +1,7 @@
-/** The words of handles over a picture. */
+/** The messages of handles over a picture. */
 export interface HandleTerms {
-  /** What the keys do to a handle that moves freely. */
+  /** Help: how keys move a handle that moves freely. */
   readonly handleKeys: string;
-  /** What they do to one that moves along one direction. */
+  /** Help: how keys move a handle that moves along one direction. */
   readonly handleKeysAlong: string;
 }

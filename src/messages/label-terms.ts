@@ -1,21 +1,21 @@
-/** The words of <volume-label-list>. Numbers come as text, already written as the language writes them. */
+/** The messages of <volume-label-list>. Numbers are passed as text, already formatted for the language. */
 export interface LabelTerms {
-  /** Name of all of it. */
+  /** Name of the whole list. */
   readonly labelList: string;
-  /** In the field that searches. */
+  /** Placeholder of the search field. */
   readonly findLabel: string;
-  /** On the button that shows all of them. */
+  /** The button that shows all labels. */
   readonly allLabels: string;
-  /** On the button of a label that hides all others, and the same with the label's name. */
+  /** The button of a label that hides all other labels, and the same with the label's name. */
   readonly onlyThis: string;
   readonly onlyLabel: (name: string) => string;
-  /** What has no label. */
+  /** Name of the voxels without a label. */
   readonly otherParts: string;
-  /** How many are shown. */
+  /** Number of the labels that are shown. */
   readonly labelsShown: (shown: string, count: string) => string;
-  /** So many more are not listed. */
+  /** Number of the labels that are not listed. */
   readonly moreLabels: (count: string) => string;
-  /** The volume has none. */
+  /** The volume has no labels. */
   readonly noLabels: string;
   readonly labelsComing: string;
   /** The search finds nothing. */

@@ -1,22 +1,25 @@
 import type { CompanionTerms } from './terms.ts';
 
-/** Beyond these, numbers are written with an exponent. */
+/** Numbers smaller or larger than these are written with an exponent. */
 const [tiny, huge] = [1e-6, 1e15];
 
-/** Below this numbers have fewer digits the smaller they are, down to none: those that a number is written with are all that there are. */
+/**
+ * The smallest normal number. Numbers below it have fewer significant digits the smaller they are: only the digits of the shortest text of
+ * such a number are exact.
+ */
 const leastNormal = 2 ** -1022;
 
-/** All that a number may have. */
+/** Maximum number of significant digits of a 64-bit float. */
 export const mostDigits = 17;
 
-/** Making one takes longer than using it a hundred times. */
+/** Creating a format takes longer than using it a hundred times. */
 const numberFormats = new Map<string, Intl.NumberFormat>();
 
-/** One language as the companions need it: its words, and how it writes numbers and times. */
+/** One language for the companions: its messages, and its formats of numbers and times. */
 export class Language {
   /**
    * @param code - BCP 47, like `en` or `de-AT`
-   * @param timeZone - in which times are written, as `Intl` names zones
+   * @param timeZone - the zone in which times are written, as `Intl` names zones
    */
   constructor(
     readonly code: string,
@@ -24,14 +27,14 @@ export class Language {
     readonly timeZone = 'UTC',
   ) {}
 
-  /** At most so many significant digits, without grouping, and the minus sign that is as wide as a plus. */
+  /** A number with at most this number of significant digits, without grouping, and with the minus sign that is as wide as a plus. */
   number(value: number, digits = 4): string {
     const size = Math.abs(value);
     const notation = size !== 0 && (size < tiny || size >= huge) ? 'scientific' : 'standard';
     return this.#write(value, { maximumSignificantDigits: digits, notation });
   }
 
-  /** So many decimals, whether they are noughts or not: a number that changes keeps its width. */
+  /** A number with exactly this number of decimals, zeros too: a number that changes keeps its width. */
   fixed(value: number, decimals: number): string {
     return this.#write(Number(value.toFixed(decimals)), { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
   }
@@ -41,20 +44,20 @@ export class Language {
     return unit ? `${this.number(value, digits)} ${unit}` : this.number(value, digits);
   }
 
-  /** Two values of one unit, with as many digits as tell them apart. */
+  /** Two values of one unit, with enough digits to differ. */
   range(low: number, high: number, unit: string): string {
     const digits = this.digitsToTell(low, high);
     return this.terms.range(this.number(low, digits), this.value(high, unit, digits));
   }
 
-  /** Significant digits by which two numbers differ: as many as usual, or more. */
+  /** The number of significant digits by which two numbers differ: the usual number, or more. */
   digitsToTell(low: number, high: number, usual = 4): number {
     if (low === high) return usual;
     for (let digits = usual; digits < mostDigits; digits++) if (this.number(low, digits) !== this.number(high, digits)) return digits;
     return mostDigits;
   }
 
-  /** A share of 0 to 1 in per cent, at most so many digits. */
+  /** A share of 0 to 1 in per cent, with at most this number of significant digits. */
   percent(share: number, digits = 4): string {
     return this.#write(share, { style: 'percent', maximumSignificantDigits: digits });
   }
@@ -65,19 +68,19 @@ export class Language {
     return this.percent(Number(opacity.toFixed(4)), 3);
   }
 
-  /** What the zone of a time is called: `UTC`, `AEDT`, `GMT+1`. */
+  /** Name of the zone of a time: `UTC`, `AEDT`, `GMT+1`. */
   zone(time: string): string {
     if (this.timeZone === 'UTC') return this.terms.utc;
     const parts = new Intl.DateTimeFormat(this.code, { timeZone: this.timeZone, timeZoneName: 'short' }).formatToParts(new Date(time));
     return parts.find(({ type }) => type === 'timeZoneName')!.value;
   }
 
-  /** The day of a time in UTC, ISO 8601, in the language's zone: `20 Dec 2018` in British English. */
+  /** The day of a time in UTC, ISO 8601, converted to the zone of the language: `20 Dec 2018` in British English. */
   day(time: string): string {
     return this.#date(time, { day: 'numeric', month: 'short', year: 'numeric' });
   }
 
-  /** The clock time of a time in UTC, ISO 8601, in the language's zone, of 24 hours as weather and radiology have it. */
+  /** The clock time of a time in UTC, ISO 8601, converted to the zone of the language, with 24 hours as in weather and radiology. */
   clock(time: string, withSeconds: boolean): string {
     return this.#date(time, { hour: '2-digit', minute: '2-digit', second: withSeconds ? '2-digit' : undefined, hourCycle: 'h23' });
   }
@@ -86,8 +89,8 @@ export class Language {
     const key = `${this.code} ${Object.entries(options).join(' ')}`;
     let format = numberFormats.get(key);
     if (!format) numberFormats.set(key, (format = new Intl.NumberFormat(this.code, { useGrouping: false, ...options })));
-    const digits = value !== 0 && Math.abs(value) < leastNormal ? (String(value) as unknown as number) : value + 0; // Browsers take decimal texts too; older ones read the number in them.
-    return format.format(digits).replaceAll('-', '−'); // + 0: there is no minus zero on a scale
+    const digits = value !== 0 && Math.abs(value) < leastNormal ? (String(value) as unknown as number) : value + 0; // Browsers accept decimal texts too; older browsers convert them to numbers.
+    return format.format(digits).replaceAll('-', '−'); // + 0: a scale has no minus zero
   }
 
   #date(time: string, options: Intl.DateTimeFormatOptions): string {

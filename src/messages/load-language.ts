@@ -1,6 +1,6 @@
 import type { Terms } from './terms.ts';
 
-/** The languages that come with the package, and their files. */
+/** The languages of the package, and their files. */
 const files: Readonly<Record<string, () => Promise<{ readonly terms: Terms }>>> = {
   ar: () => import('./locales/ar.ts'),
   de: () => import('./locales/de.ts'),
@@ -12,9 +12,9 @@ const files: Readonly<Record<string, () => Promise<{ readonly terms: Terms }>>> 
 };
 
 /**
- * The words of a language that comes with the package.
+ * The messages of a language of the package.
  * @param code - BCP 47, like `de-AT`
- * @returns null where the package has none; of Chinese it has those in simplified characters
+ * @returns null where the package has none; its Chinese is in simplified characters only
  */
 export async function loadLanguage(code: string): Promise<Terms | null> {
   const { language, script } = new Intl.Locale(code).maximize();

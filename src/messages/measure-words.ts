@@ -9,10 +9,10 @@ import type { ReadoutTerms } from './readout-terms.ts';
 import type { CompanionTerms } from './terms.ts';
 import { Words } from './words.ts';
 
-/** The words of a measure, its handles, and the places of these. */
+/** The messages of a measure, of its handles, and of their places. */
 export type MeasureWordTerms = CompanionTerms & ReadoutTerms & HandleTerms & MeasureTerms;
 
-/** The language of a measure. */
+/** The messages of a measure, in the language of the page. */
 export class MeasureWords extends Words<MeasureWordTerms> {
   constructor(host: ConstructorParameters<typeof Words>[0]) {
     super(host, { ...companions, ...readout, ...handles, ...english });

@@ -1,13 +1,13 @@
-// How scans and their times are named, in the zone of the language.
+// Names of scans and their times, in the zone of the language.
 import type { Language } from './language.ts';
 
-/** One short name a scan: its clock time, with seconds where minutes don't tell them apart; its number without a time. */
+/** A short name for each scan: its clock time, with seconds where minutes are not enough to differ; its number where it has no time. */
 export function labelScans(times: readonly (string | null)[], language: Language): string[] {
   const label = scanLabeller(times, language);
   return times.map((_, i) => label(i));
 }
 
-/** Names single ones of many scans: thousands are not named for one that is looked at. */
+/** Returns a function that names one scan, so that a page with thousands of scans does not have to name all of them. */
 export function scanLabeller(times: readonly (string | null)[], language: Language): (index: number) => string {
   const known = times.filter((time) => time !== null);
   const needSeconds = new Set(known.map((time) => time.slice(0, 16))).size < known.length;
@@ -17,7 +17,7 @@ export function scanLabeller(times: readonly (string | null)[], language: Langua
   };
 }
 
-/** One scan in words, for those who hear it: `15:10 UTC, 20 Jun 2011, scan 2 of 3`. */
+/** One scan in words, for screen readers: `15:10 UTC, 20 Jun 2011, scan 2 of 3`. */
 export function describeScan(times: readonly (string | null)[], index: number, language: Language): string {
   const { terms } = language;
   const time = times[index];

@@ -1,9 +1,9 @@
-/** The words of the sign for what of a file is not in the picture. What it is follows in English. */
+/** The messages of the sign for parts of a file that are not in the picture. The notices themselves are in English. */
 export interface NoticeTerms {
-  /** Name of the sign. @param count - of what it tells */
+  /** Name of the sign. @param count - number of notices */
   readonly notices: (count: string) => string;
-  /** Above what it tells. */
+  /** The headline above the notices. */
   readonly noticesAre: string;
-  /** A volume was made smaller. Both are voxels along its three axes, like `512 × 512 × 300`. */
+  /** The resolution of a volume was reduced. Both texts are numbers of voxels along its three axes, like `512 × 512 × 300`. */
   readonly madeSmaller: (from: string, to: string) => string;
 }

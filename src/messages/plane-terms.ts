@@ -1,17 +1,17 @@
-/** The words of the editor of values and gradients. */
+/** The messages of the editor of values and gradients. */
 export interface PlaneTerms {
   /** Name of the chart. */
   readonly valuesAndGradients: string;
-  /** Of a volume of labels, which has no gradients. */
+  /** For a volume of labels, which has no gradients. */
   readonly noGradients: string;
   readonly boxOf: (number: string, count: string) => string;
   readonly gaussianOf: (number: string, count: string) => string;
-  /** Of what changes the size of a box or a Gaussian. @param name - `boxOf` or `gaussianOf` */
+  /** Name of the grip that changes the size of a box or a Gaussian. @param name - `boxOf` or `gaussianOf` */
   readonly sizeOf: (name: string) => string;
   readonly patchState: (values: string, gradients: string, opacity: string, color: string) => string;
-  /** What the keys do. */
+  /** Help for the keys. */
   readonly patchKeys: string;
-  /** What to do where there is nothing yet. */
+  /** The hint while there are no boxes and no Gaussians. */
   readonly drawBox: string;
   readonly valueFrom: string;
   readonly valueTo: string;

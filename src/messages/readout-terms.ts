@@ -1,11 +1,11 @@
-/** The words of <volume-readout>. Numbers come as text, already written as the language writes them. */
+/** The messages of <volume-readout>. Numbers are passed as text, already formatted for the language. */
 export interface ReadoutTerms {
-  /** Name of all of it. */
+  /** Name of the whole readout. */
   readonly readout: string;
   readonly value: string;
-  /** Of a label map. */
+  /** Name of the row for the label. */
   readonly label: string;
-  /** Of a second volume over the first one, where nobody says what it is called. */
+  /** Name of a second volume over the first one, where it has no name of its own. */
   readonly layer: string;
   readonly place: string;
   readonly voxel: string;
@@ -25,12 +25,12 @@ export interface ReadoutTerms {
   readonly millimetres: (lengths: string) => string;
   readonly kilometres: (distance: string) => string;
   readonly metres: (height: string) => string;
-  /** What is said while nothing is pointed at. */
+  /** The hint while nothing is pointed at. */
   readonly pointHint: string;
-  /** Nothing shows where somebody points. */
+  /** Nothing is visible at the place of the pointer. */
   readonly nothingThere: string;
   /** The button that shows a crosshair, which keys move. */
   readonly crosshair: string;
-  /** What the keys do to it. */
+  /** Help for the keys of the crosshair. */
   readonly crosshairKeys: string;
 }

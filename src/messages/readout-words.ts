@@ -5,7 +5,7 @@ import type { ReadoutTerms } from './readout-terms.ts';
 import type { CompanionTerms } from './terms.ts';
 import { Words } from './words.ts';
 
-/** The language of a readout. */
+/** The messages of a readout, in the language of the page. */
 export class ReadoutWords extends Words<CompanionTerms & ReadoutTerms> {
   constructor(host: ConstructorParameters<typeof Words>[0]) {
     super(host, { ...companions, ...english });

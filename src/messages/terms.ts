@@ -8,46 +8,49 @@ import type { NoticeTerms } from './notice-terms.ts';
 import type { PlaneTerms } from './plane-terms.ts';
 import type { ReadoutTerms } from './readout-terms.ts';
 
-/** Names of hues and of what has none. */
+/** Names of hues, and of colours without a hue. */
 export type ColorName =
   | 'red' | 'orange' | 'yellow' | 'green' | 'turquoise' | 'blue' | 'violet' | 'pink' | 'brown' | 'white' | 'grey' | 'black';
 
-/** What an error is about: the first word of its code, or the whole code where that has words of its own. */
+/** The topic of an error: the first word of its code, or the whole code where it has a message of its own. */
 type ErrorTopic = ErrorCode extends infer Code ? (Code extends `${infer Topic}/${string}` ? Topic : Code) : never;
 
 /**
- * All words that a person reads in the elements, or hears. Numbers and times come as text, already written as the
- * language writes them. English ones are built in; a translation may leave out any.
+ * All messages of the elements, for readers and for screen readers. Numbers and times are passed as text, already formatted for the
+ * language. The English messages are built in; a translation may leave out any message.
  */
 export type Terms = ViewTerms & CompanionTerms & ControlTerms & SliceTerms & ReadoutTerms & HandleTerms & ClipTerms & LabelTerms & MeasureTerms & NoticeTerms & PlaneTerms & BlankTerms;
 
-/** The words of <volume-view>. */
+/** The messages of <volume-view>. */
 export interface ViewTerms {
-  /** Name of a picture that the page gives none. */
+  /** Name of a picture where the page gives none. */
   readonly volumePicture: string;
-  /** What the keys do to the picture. */
+  /** Help: how keys move the picture. */
   readonly cameraKeys: string;
   readonly loading: string;
   readonly loadingPercent: (percent: string) => string;
   readonly decoding: string;
   readonly loaded: string;
-  /** What went wrong, for the reader of a page; what its author can do follows in English. The code itself goes before its topic. */
+  /**
+   * The error messages for the reader of a page; what its author can do follows in English. A message for the code is used before the
+   * message for its topic.
+   */
   readonly errors: Readonly<Record<ErrorTopic | 'labels', string> & Partial<Record<ErrorCode, string>>>;
-  /** On a button below an error that may pass. */
+  /** The button below an error that may be temporary. */
   readonly tryAgain: string;
-  /** Where the rings around a radar are marked. */
+  /** The mark of the north at the rings around a radar. */
   readonly north: string;
   readonly kilometres: (distance: string) => string;
-  /** In the corner of a radar's picture: by how much its heights are stretched. */
+  /** In the corner of a radar's picture: the factor by which its heights are exaggerated. */
   readonly heightsTimes: (factor: string) => string;
 }
 
-/** Sides that a volume is seen from: of a box or a patient, or of the weather over a map. */
+/** Standard views, named by the side of the viewer: of a box or a patient, or of the weather over a map. */
 export type StandardViewName = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'south' | 'north' | 'west' | 'east' | 'above';
 
-/** The words of its controls. */
+/** The messages of the controls of <volume-view>. */
 export interface ControlTerms {
-  /** Name of all of them together. */
+  /** Name of all the controls together. */
   readonly controls: string;
   readonly playScans: string;
   readonly pauseScans: string;
@@ -60,7 +63,7 @@ export interface ControlTerms {
   readonly orientation: string;
   readonly zoomIn: string;
   readonly zoomOut: string;
-  /** The picture goes around by itself, or does no longer. */
+  /** The picture starts or stops to rotate by itself. */
   readonly startRotation: string;
   readonly stopRotation: string;
   readonly resetView: string;
@@ -71,47 +74,47 @@ export interface ControlTerms {
   readonly savePicture: string;
   readonly copyView: string;
   readonly copied: string;
-  /** Above a text that the browser did not let us copy. */
+  /** Above a text that the browser did not allow to be copied. */
   readonly copyByHand: string;
-  /** The code of a frame that shows the view in another page. */
+  /** The code of an iframe that shows the view in another page. */
   readonly copyEmbed: string;
   readonly copiedEmbed: string;
   readonly copyEmbedByHand: string;
-  /** The page for frames is not where it was looked for. */
+  /** The page for iframes was not found at its address. */
   readonly embedMissing: (address: string) => string;
   readonly embedFailed: string;
   readonly help: string;
   readonly close: string;
-  /** What is said at first, to those with a mouse and those with fingers. */
+  /** The first hint, for people with a mouse, and for people with a touch screen. */
   readonly mouseHint: string;
   readonly touchHint: string;
   readonly saveFailed: string;
-  /** What can be done, and how. */
+  /** Help: actions, and how to do them. */
   readonly helpLines: readonly (readonly [what: string, how: string])[];
 }
 
-/** The words of panes with slices. */
+/** The messages of panes with slices. */
 export interface SliceTerms {
   readonly slice: Readonly<Record<'axial' | 'coronal' | 'sagittal' | 'oblique', string>>;
-  /** A slice and where it is. */
+  /** A slice and its position. */
   readonly sliceAt: (slice: string, place: string) => string;
   readonly millimetres: (length: string) => string;
-  /** What is shown of a slice that is not thin. */
+  /** The value that is shown of a thick slice. */
   readonly slab: Readonly<Record<'average' | 'max' | 'min', (thickness: string) => string>>;
   /** Width and level of the window, as radiologists write them. */
   readonly window: (width: string, level: string) => string;
-  /** The same in words, for those who do not know these letters: at which values black ends and white begins. */
+  /** The same in words, for readers who do not know these letters: the values at which black ends and white begins. */
   readonly windowWords: (window: { readonly width: string; readonly level: string; readonly black: string; readonly white: string }) => string;
-  /** What the keys do. */
+  /** Help for the keys. */
   readonly sliceKeys: string;
-  /** The crosshair is outside of the volume. */
+  /** The crosshair is outside the volume. */
   readonly noValue: string;
   readonly loading: string;
 }
 
-/** The words of its companions. */
+/** The messages of the companions of <volume-view>. */
 export interface CompanionTerms {
-  /** A companion's hint; the id is null where the page names none. */
+  /** The hint of a companion; the id is null where the page names none. */
   readonly noView: (id: string | null) => string;
   readonly noVolume: string;
 
@@ -120,7 +123,7 @@ export interface CompanionTerms {
   readonly colors: Readonly<Record<ColorName, string>>;
   readonly lightColor: (color: string) => string;
   readonly darkColor: (color: string) => string;
-  /** A legend that has no name of its own. */
+  /** A legend without a name of its own. */
   readonly legend: string;
   /** A scale in words: its name, its range, and its colours from the lowest value. */
   readonly scale: (label: string, range: string, colors: readonly string[]) => string;
@@ -137,13 +140,13 @@ export interface CompanionTerms {
   readonly utc: string;
   readonly scanOf: (number: string, count: string) => string;
   readonly noScan: string;
-  /** There is nothing to choose from; the time is null where nobody knows it. */
+  /** There is only one scan; its time is null where it is unknown. */
   readonly oneScan: (time: string | null) => string;
 
   readonly transferFunction: string;
   readonly stopOf: (number: string, count: string) => string;
   readonly stopState: (value: string, opacity: string, color: string) => string;
-  /** What the keys do to a stop. */
+  /** Help: how keys change a stop. */
   readonly stopKeys: string;
   /** The unit is empty where there is none. */
   readonly valueIn: (unit: string) => string;

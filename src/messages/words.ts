@@ -3,7 +3,7 @@ import type { Terms } from './terms.ts';
 
 type ReactiveHost = ConstructorParameters<typeof LocalizeController>[0];
 
-/** What the registry holds for one language. It may be shared with other libraries of the page: our words are one entry. */
+/** The entry of one language in the registry. Other libraries of the page may use the same registry: our messages are one entry. */
 interface Entry {
   $code: string;
   $name: string;
@@ -11,23 +11,23 @@ interface Entry {
   volumeView: string;
 }
 
-/** The languages of the package that have been asked for, by code; null until one is there, and where there is none. */
+/** The languages of the package that have been requested, by code; null until the messages are loaded, and where the package has none. */
 const shipped = new Map<string, Partial<Terms> | null>();
 
 /**
- * Give the elements of this page another language; they use it where the nearest `lang` attribute names it.
+ * Add a language for the elements of this page; they use it where the nearest `lang` attribute names it.
  * @param code - BCP 47, like `de` or `pt-BR`
- * @param terms - what is left out stays English; a second call for the same language replaces the first
+ * @param terms - missing messages stay English; a second call for the same language replaces the first
  */
 export function registerTranslation(code: string, terms: Partial<Terms>): void {
-  // The direction of writing comes from the page, through CSS; the registry wants one all the same.
+  // The direction of writing comes from the page, through CSS; but the registry needs a value.
   const entry = { $code: code, $name: code, $dir: 'ltr' as const, volumeView: terms };
   register(entry);
 }
 
-/** The words of one element, in the language of the page around it. The element is drawn anew when that changes. */
+/** The messages of one element, in the language of the page around it. When the language changes, the element is rendered again. */
 export class Words<Own extends Partial<Terms>> extends LocalizeController<Entry> {
-  /** @param english - for what no translation has */
+  /** @param english - used where no translation has the message */
   constructor(
     host: ReactiveHost,
     readonly english: Own,
@@ -45,16 +45,18 @@ export class Words<Own extends Partial<Terms>> extends LocalizeController<Entry>
     return findLanguage(this.host) ?? super.lang();
   }
 
-  /** What the page has registered goes before what comes with the package, and English fills what is missing. */
+  /** Messages that the page has registered override those of the package; English ones fill the gaps. */
   get terms(): Own {
     const own = findShipped(this.lang());
-    // An entry that is no function is given back as it is, here an object.
+    // The registry returns an entry that is no function unchanged; here it is an object.
     const registered = this.exists('volumeView', {}) ? (this.term('volumeView') as unknown as Partial<Own>) : null;
     return own || registered ? { ...this.english, ...own, ...registered } : this.english;
   }
 }
 
-/** The package's words of a language. Its file is fetched when an element first needs it, and elements are updated then. */
+/**
+ * The package's messages of a language. The file is fetched when an element first needs it, and elements are updated when it has loaded.
+ */
 function findShipped(code: string): Partial<Terms> | null {
   if (/^en\b/i.test(code)) return null;
   if (!shipped.has(code)) {
@@ -63,7 +65,7 @@ function findShipped(code: string): Partial<Terms> | null {
       shipped.set(code, terms);
       if (terms) update();
     }).catch(() => {
-      // A language that did not come leaves the words English; the next page tries again.
+      // If a language can't be loaded, the messages stay English; the next page tries again.
     });
   }
   return shipped.get(code)!;
@@ -91,7 +93,7 @@ function isLanguage(code: string): boolean {
 
 let watcher: MutationObserver | null = null;
 
-/** The registry sees the attributes of the root element only. */
+/** The registry observes only the attributes of the root element. */
 function watchLanguages(): void {
   if (watcher) return;
   watcher = new MutationObserver(update);

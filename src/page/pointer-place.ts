@@ -1,7 +1,8 @@
-// From a pointer in the page to a place in an element. Whatever listens to pointers asks here: a page may show the element scaled, zoomed, turned or in perspective,
-// by itself or by anything around it, and pixels of the page are not the element's own then.
+// Converts the position of a pointer in the page to a place in an element. All code that listens to pointers uses this: a page may scale,
+// zoom or turn the element or show it in perspective, directly or through an element around it. Then pixels of the page are not pixels of
+// the element.
 
-/** Where a pointer is: an event's. */
+/** The position of a pointer: that of an event. */
 export interface PagePoint {
   readonly clientX: number;
   readonly clientY: number;
@@ -10,20 +11,20 @@ export interface PagePoint {
 /** A place in an element: its own CSS pixels from the left and the top edge, within its border. */
 export type ElementPlace = readonly [x: number, y: number];
 
-/** Shares of width and height at the four corners, in order around the element. */
+/** The four corners as shares of width and height, in order around the element. */
 const corners = [[0, 0], [1, 0], [1, 1], [0, 1]] as const;
 
-/** What marks the corners of an element that has been asked for. */
+/** The box with the markers of the corners, for each element that has been measured. */
 const markers = new WeakMap<HTMLElement, HTMLElement>();
 
 /**
- * Where in an element a pointer is, whatever transforms, zooms and perspectives of CSS the page has. Along with `clientWidth` and `clientHeight`: a pointer at
- * the lower right corner is there.
- *
- * The browser itself is asked where it shows the corners, as four invisible points in the element: `getBoundingClientRect` of what is turned is the box around it, and
- * no property tells how all that is around the element is transformed.
- * @param element - one that its absolute children are placed in; of one with a shadow root they are in that
- * @returns the element's middle where it is seen edge-on, so that it has no place for a pointer
+ * The place of a pointer in an element, for all CSS transforms, zooms and perspectives of the page. It fits `clientWidth` and
+ * `clientHeight`: a pointer at the lower right corner has these values.
+ * We put four invisible points at the corners of the element and ask the browser where it shows them: `getBoundingClientRect` of a turned
+ * element is only the box around it, and no property gives the sum of all transforms around the element.
+ * @param element - one whose absolutely positioned children are placed relative to it; in an element with a shadow root, the points are in
+ * that root
+ * @returns the middle of the element where it is seen edge-on, as a pointer has no place in it then
  */
 export function placeInElement(element: HTMLElement, { clientX, clientY }: PagePoint): ElementPlace {
   const marks = [...cornersOf(element).children].map((mark) => mark.getBoundingClientRect());
@@ -31,16 +32,19 @@ export function placeInElement(element: HTMLElement, { clientX, clientY }: PageP
   return [across * element.clientWidth, down * element.clientHeight];
 }
 
-/** Where in an element the middle of something is that stands in it, as `placeInElement` has it. Its `offsetWidth` and `offsetHeight` are the element's own pixels already. */
+/**
+ * The place of the middle of `part` in the element that contains it, as in `placeInElement`. `offsetWidth` and `offsetHeight` of the part
+ * are already pixels of the element.
+ */
 export function middleInElement(element: HTMLElement, part: Element): ElementPlace {
   const { left, top, width, height } = part.getBoundingClientRect();
   return placeInElement(element, { clientX: left + width / 2, clientY: top + height / 2 });
 }
 
 /**
- * Where a point is in a square that has been mapped to four corners by a projective map.
+ * The place of a point in a square that a projective map has mapped to four corners.
  * Source: P. Heckbert, Fundamentals of Texture Mapping and Image Warping, 1989, section 2.2.3
- * @param quad - where (0, 0), (1, 0), (1, 1) and (0, 1) are
+ * @param quad - the images of (0, 0), (1, 0), (1, 1) and (0, 1)
  * @returns shares of the square's sides; null where it has no area
  */
 export function shareInQuad([[x0, y0], [x1, y1], [x2, y2], [x3, y3]]: readonly (readonly [x: number, y: number])[], [x, y]: readonly [x: number, y: number]): readonly [number, number] | null {

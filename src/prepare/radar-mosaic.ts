@@ -11,16 +11,16 @@ import type { WrittenMosaic } from './write-polar-mosaic.ts';
 export interface RadarMosaicFiles {
   readonly png: Uint8Array;
   readonly manifest: WrittenMosaic['manifest'];
-  /** Largest difference between a value and what the image holds. */
+  /** Largest difference between a value and the value in the image. */
   readonly rounding: number;
-  /** What is missing of a file that was cut short. */
+  /** Says what is missing from a file that ends too early. */
   readonly partial?: string;
 }
 
 /**
  * One moment of any radar file as an image and its manifest.
  * @param name - of the file, for messages
- * @param moment - of the reflectivities the one that most sweeps hold where undefined
+ * @param moment - where undefined, the reflectivity that the largest number of sweeps have
  * @throws {VolumeViewError} as the readers do
  */
 export async function makeRadarMosaic(bytes: Uint8Array<ArrayBuffer>, name: string, moment?: string): Promise<RadarMosaicFiles> {
@@ -34,7 +34,7 @@ export async function makeRadarMosaic(bytes: Uint8Array<ArrayBuffer>, name: stri
   return { png: encodePng(image), manifest, rounding, ...(radar.partial === undefined ? {} : { partial: radar.partial }) };
 }
 
-/** Gray of 8 or 16 bits. */
+/** A grey image of 8 or 16 bits. */
 export function encodePng(image: WrittenMosaic['image']): Uint8Array {
   const depth = image.data instanceof Uint8Array ? 8 : 16;
   return encode({ ...image, channels: 1, depth }, { zlib: { level: 9 } });

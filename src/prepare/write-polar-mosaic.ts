@@ -8,26 +8,26 @@ import type { ChosenSweep } from '../formats/radar/choose-sweeps.ts';
 import { isFolding } from '../formats/radar/moment-kind.ts';
 import type { RadarFile, RadarMoment, RadarSweep, SweepData } from '../formats/radar/radar-file.ts';
 
-/** Angles that are written are this much off at most, degrees. */
+/** Maximum error of the written angles, degrees. */
 const finestAngle = 1e-5;
 
-/** Values from here on make a 16-bit pixel. */
+/** The largest value of a 16-bit pixel. */
 const highestPixel = 65535;
 
-/** An image, and a manifest that lacks nothing but the image's name. */
+/** An image, and a manifest that lacks only the name of the image. */
 export interface WrittenMosaic {
   readonly image: GrayImage;
-  /** As JSON has it: 'COLUMNSxROWS' for the mosaic. */
+  /** In JSON, `mosaic` is a text: 'COLUMNSxROWS'. */
   readonly manifest: Omit<Manifest, 'image' | 'mosaic'> & { readonly mosaic: string };
-  /** Largest difference between a value of the file and what the mosaic holds; 0 where integers are kept as they are. */
+  /** Largest difference between a value of the file and the value in the mosaic; 0 where integers are kept as they are. */
   readonly rounding: number;
 }
 
 /**
- * Write one moment of a radar file as a mosaic: the sweeps that a volume of it would show, a tile each, in the order of
- * their elevations; radials and gates as they are in the file. Integers are kept; floats, and integers on scales that
- * differ, become 16-bit pixels, 65,534 equal steps from the least value to the greatest.
- * @param moment - as the file names it; of the reflectivities the one that most sweeps hold where undefined
+ * Write one moment of a radar file as a mosaic: the sweeps that a volume of the file would show, one tile each, in the order of their
+ * elevations; radials and gates as they are in the file. Integers are kept. Floats, and integers on scales that differ, become 16-bit
+ * pixels: 65,534 equal steps from the smallest value to the largest.
+ * @param moment - its name in the file; where undefined, the reflectivity that the largest number of sweeps have
  * @throws {VolumeViewError} as a volume of the file does
  */
 export function writePolarMosaic(file: RadarFile, moment?: string): WrittenMosaic {
@@ -59,7 +59,7 @@ export function writePolarMosaic(file: RadarFile, moment?: string): WrittenMosai
 }
 
 interface Pixels {
-  /** A sweep each, 0 for no data. */
+  /** One array for each sweep, 0 for no data. */
   readonly pixels: readonly (Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>)[];
   readonly slope: number;
   readonly intercept: number;
@@ -87,7 +87,7 @@ function quantise(sweeps: readonly SweepData[]): Pixels {
   }
   if (high < low) [low, high] = [0, 0];
   const slope = high > low ? (high - low) / (highestPixel - 1) : 1;
-  // The least value is pixel 1: 0 is no data.
+  // The smallest value is pixel 1: 0 means no data.
   const intercept = low - slope;
   const pixels = sweeps.map((data) => {
     const written = new Uint16Array(data.samples.length);
@@ -99,7 +99,7 @@ function quantise(sweeps: readonly SweepData[]): Pixels {
   return { pixels, slope, intercept, rounding: slope / 2, isWide: true };
 }
 
-/** Visit every gate that holds data. */
+/** Visit every gate that has data. */
 function eachValue({ samples, slope, intercept }: SweepData, visit: (value: number, index: number) => void): void {
   const isFloat = samples instanceof Float32Array;
   for (let i = 0; i < samples.length; i++) {
@@ -109,7 +109,7 @@ function eachValue({ samples, slope, intercept }: SweepData, visit: (value: numb
 
 type Described = Omit<Manifest, 'image' | 'mosaic' | 'slices' | 'slope' | 'intercept'>;
 
-/** What the file says, once for all tiles where it is the same for all. */
+/** The fields of the manifest. A field that is the same for all tiles is written once. */
 function describe(
   file: RadarFile,
   moment: RadarMoment,
@@ -145,7 +145,7 @@ function describe(
   };
 }
 
-/** First radial and step where radials are evenly spaced, else all of them. */
+/** The first radial and the step where radials are evenly spaced, else all radials. */
 function describeAzimuths(azimuths: Float64Array): Pick<ManifestSweep, 'azimuth' | 'azimuths'> {
   const [first] = azimuths;
   const around = 360 / azimuths.length;
@@ -155,7 +155,7 @@ function describeAzimuths(azimuths: Float64Array): Pick<ManifestSweep, 'azimuth'
   return { azimuths: writeAngles(azimuths) };
 }
 
-/** All of them, where they are not the sweep's. */
+/** The elevation of each radial, where they differ from that of the sweep. */
 function describeElevations(sweep: RadarSweep): Pick<ManifestSweep, 'elevations'> {
   const elevations = ownElevations(sweep);
   return elevations ? { elevations: writeAngles(elevations) } : {};
@@ -170,7 +170,7 @@ function isSameAngle(a: number, b: number): boolean {
   return Math.min(apart, 360 - apart) < finestAngle;
 }
 
-/** What is the same in all, compared as JSON; undefined where it is not. */
+/** The value that is the same in all, compared as JSON; undefined where they differ. */
 function sameOf<T>(values: readonly T[]): T | undefined {
   const [first] = values;
   return values.every((value) => JSON.stringify(value) === JSON.stringify(first)) ? first : undefined;

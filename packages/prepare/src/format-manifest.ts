@@ -1,4 +1,4 @@
-/** A manifest as JSON; lists and objects that hold nothing deeper stand on one line. */
+/** Write a manifest as JSON; lists and objects without nested ones are on one line. */
 export function formatManifest(manifest: object): string {
   const oneLine = (inner: string): string => inner.replace(/\s+/g, ' ');
   const text = JSON.stringify(manifest, null, 2)

@@ -3,8 +3,8 @@ import { basename } from 'node:path';
 const word = (text: string): string => text.replace(/[^\p{L}\p{N}._-]+/gu, '_').replace(/^\.+/, '_').slice(0, 100);
 
 /**
- * The name, without an ending, of the files that are made of one: the file's own name, and what is shown of it. The file itself
- * says what that is, so nothing in it may lead to another folder or to a hidden file.
+ * The name, without an extension, of the files that are made from one file: the name of that file, and the quantity that is shown. Both
+ * come from the file, so no character in them may lead to another folder or to a hidden file.
  * @param path - of the file that is read
  * @param quantity - of a radar file
  */

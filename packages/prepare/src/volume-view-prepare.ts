@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// The program. A radar file becomes an image with a manifest; any file becomes a page that holds it.
+// The program. It makes a radar file into an image with a manifest, and any file into a page that contains it.
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { basename } from 'node:path';
 import { inspect, parseArgs } from 'node:util';
@@ -13,7 +13,7 @@ const usage = `volume-view-prepare FILE [--as mosaic] [--moment NAME] [--out NAM
 volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
     a page NAME.html with the file inside, which works from disk beside volume-view.iife.js`;
 
-/** What npm and other programs call help is no error. */
+/** The error for wrong arguments. */
 class Misuse extends Error {}
 
 async function writeMosaic(path: string, moment: string | undefined, out: string | undefined): Promise<void> {

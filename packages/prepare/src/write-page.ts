@@ -1,13 +1,13 @@
-/** Bytes of the largest file that a page may hold: some browsers open no larger pages. */
+/** Maximum number of bytes of a file in a page: some browsers open no larger pages. */
 export const maxPageBytes = 64 * 2 ** 20;
 
 const entities: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
 const escape = (text: string): string => text.replace(/[&<>"]/g, (sign) => entities[sign]);
 
 /**
- * A page that holds a volume and works from disk, beside `volume-view.iife.js`.
+ * Write a page that contains a volume and works from disk, in the same folder as `volume-view.iife.js`.
  * @param bytes - of a file that <volume-view> reads, at most `maxPageBytes`
- * @param alt - what the volume shows, in words
+ * @param alt - a description of the volume
  * @throws {RangeError} where the file is larger
  */
 export function writePage(bytes: Uint8Array, alt: string): string {
