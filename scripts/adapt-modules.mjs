@@ -1,4 +1,4 @@
-// What differs between the modules of the source and those of the package's builds, as plugins of the bundler.
+// Plugins of the bundler for the few differences between the modules of the source and those of the package's builds.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
@@ -6,24 +6,24 @@ import { escapeToAscii, stripCss, stripGlsl } from './strip-sources.mjs';
 
 const main = join(projectRoot, 'src/index.ts');
 
-// The source names the worker and x3dom as the development servers find them. In dist they lie elsewhere, and must
-// still read `new URL('…', import.meta.url)` to the letter, because consumers' bundlers look for just that text.
-// Vite would resolve (and inline) such an expression itself, so it sees a mark, which is replaced in what it wrote.
+// The source names the files of the worker and of x3dom at the addresses of the development servers. In dist they are in other folders, but
+// the text `new URL('…', import.meta.url)` must stay exactly like this, as the bundlers of the package's users look for it. Vite would
+// resolve (and inline) such an expression itself. So vite gets a mark, and we replace the mark in its output.
 const WORKER_EXPRESSION = `new URL('./decode-worker.ts', import.meta.url)`;
 export const WORKER_MARK = '__VOLUME_VIEW_DECODE_WORKER__';
 const X3DOM_EXPRESSION = `new URL('../../node_modules/x3dom/x3dom.js', import.meta.url)`;
 export const X3DOM_MARK = '__VOLUME_VIEW_X3DOM_URL__';
 const SCRIPT_URL_MODULE = 'virtual:script-url';
 
-// An image or a form that is called "currentScript" is document.currentScript, whatever its src: so the property itself is
-// asked. It is known only while the script runs.
+// An image or a form with the name "currentScript" hides document.currentScript, whatever its src. So we read the property of the
+// prototype. It has a value only while the script runs.
 const SCRIPT_URL_CODE = `
 const script = Reflect.get(Document.prototype, 'currentScript', document);
 export const scriptUrl = (script instanceof HTMLScriptElement && script.src) || Reflect.get(Node.prototype, 'baseURI', document);`;
 
 /**
- * What differs in the modules for bundlers: x3dom and the worker are texts too, which are loaded where a bundler has left their files
- * behind, and culori is inside, since not every bundler finds what it exports.
+ * The differences in the modules for bundlers: x3dom and the worker are included as texts too, which are loaded where a bundler has not
+ * copied their files, and culori is included, since not every bundler finds its exports.
  * @param {{ worker: string, x3dom: string, cssColor: string }} texts
  * @returns {import('vite').Plugin}
  */
@@ -50,10 +50,10 @@ export const isTextSurer = (url) => !url || url.endsWith('/decode-worker.js');`,
   };
 }
 
-/** Of the classic script: a worker with the readers that most pages need, and one with all. */
+/** For the classic script: a worker with the readers that pages usually need, and one with all readers. */
 const WORKER_TEXTS = { usual: 'virtual:usual-worker', all: 'virtual:whole-worker' };
 
-// Which of them comes first the file's name tells; what the first can not read it leaves to the next.
+// The name of the file decides which of them is used first; a file that the first one can't read goes to the other one.
 const CLASSIC_WORKER_SOURCE = `
 const usual = async () => (await import('${WORKER_TEXTS.usual}')).text;
 const all = async () => (await import('${WORKER_TEXTS.all}')).text;
@@ -61,7 +61,7 @@ export const listWorkerTexts = (url) => (/^(data|blob):|\\.(nii|img|hdr)(\\.gz)?
 export const isTextSurer = () => false;`;
 
 /**
- * The few modules that differ between source and dist.
+ * The few modules that differ between the source and dist.
  * @param {{ workerTexts?: { usual: string, all: string } }} options - workerTexts: for the classic script
  * @returns {import('vite').Plugin}
  */
@@ -92,7 +92,7 @@ export function adaptModules({ workerTexts }) {
     },
     transform(code, id) {
       if (id.endsWith('-styles.ts')) return { code: stripCss(code), map: null };
-      // It runs before any lazy part does.
+      // It runs before any part that is loaded later.
       if (id === main && isClassic) return { code: `export { scriptUrl } from '${SCRIPT_URL_MODULE}';\nexport { injectScript } from './page/inject-script.ts';\n${code}`, map: null };
       if (id.endsWith('/src/worker/create-worker.ts')) return replaceUrl(code, WORKER_EXPRESSION, WORKER_MARK, 'decode-worker.js');
       if (id.endsWith('/src/x3d/x3dom-url.ts')) return replaceUrl(code, X3DOM_EXPRESSION, X3DOM_MARK, 'x3dom.js');
@@ -101,11 +101,11 @@ export function adaptModules({ workerTexts }) {
   };
 }
 
-/** What a worker for usual NIfTI files loads when it is needed. */
+/** The modules that a worker for usual NIfTI files loads on demand. */
 const USUAL_PARTS = /\/(nifti|nifti-rare-headers|unusual-look|check-geometry|explain-failure|foreign-formats|fetch-again|reduce)\.ts$/;
 
 /**
- * A worker for usual NIfTI files: all that other formats need is left out, and asked for in vain.
+ * A worker for usual NIfTI files: it leaves out the modules of all other formats, and importing them fails.
  * @type {import('vite').Plugin}
  */
 export const withoutRareParts = {

@@ -1,9 +1,9 @@
-/** What an entry imports at once. */
+/** The modules that an entry imports statically. */
 export const atOnce = { name: 'at-once', tags: /** @type {['$initial']} */ (['$initial']) };
 
 /**
- * How a bundle is split: what an entry imports at once is one file, whoever else imports parts of it. That is fewer requests,
- * and it packs better.
+ * How a bundle is split: all modules that an entry imports statically are one file, even if other entries import some of them. This needs
+ * fewer requests, and compresses better.
  * @type {import('vite').Rolldown.OutputOptions}
  */
 export const AT_ONCE = { codeSplitting: { groups: [atOnce] } };

@@ -1,13 +1,13 @@
-// The package, in three shapes from one source:
+// Builds the package, in three forms from one source:
 //   dist/esm/**              unbundled modules with bare imports, for bundlers and Node
 //   dist/volume-view.js      one module (plus lazy chunks) for a page without a bundler
-//   dist/volume-legend.js .. each companion alone, for such a page too; volume-view.js fetches what a page needs by itself
-//   dist/volume-view.iife.js a classic script, for file:// pages and sandboxed frames, where modules are blocked, and beside it
-//   dist/classic/**          what of it few pages need
-//   dist/embed.html          a page with one volume, for frames
-//   dist/from-disk.html      a page that writes a file into a page, which then works from disk
-//   dist/volume-view.css     the box of the element before its script has come
-// and beside them the types, the decode worker, x3dom as a classic script, and the licences of what is bundled.
+//   dist/volume-legend.js .. each companion alone, for such a page too; volume-view.js itself fetches those that a page needs
+//   dist/volume-view.iife.js a classic script, for file:// pages and sandboxed iframes, where modules are blocked
+//   dist/classic/**          the parts of the classic script that few pages need
+//   dist/embed.html          a page with one volume, for iframes
+//   dist/from-disk.html      a page that makes a page with a volume inside, which then works from disk
+//   dist/volume-view.css     the box of the element before its script has loaded
+// It also writes the types, the decode worker, x3dom as a classic script, and the licences of the bundled packages.
 import { spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { join, posix } from 'node:path';
@@ -20,20 +20,22 @@ import { projectRoot } from './shared-data.mjs';
 import { escapeToAscii } from './strip-sources.mjs';
 import { writeTagData } from './write-tag-data.mjs';
 
-/** What pages are served from. */
+/** The folder that pages are served from. */
 const served = join(projectRoot, 'dist');
-/** Where the build goes first: a page of `dist` that is open meanwhile finds its files until all of the new ones are there. */
+/**
+ * The build is first written to this folder: a page of `dist` that is open during a build finds its files until all new files are there.
+ */
 const dist = join(projectRoot, `dist-next-${process.pid}`);
 const main = join(projectRoot, 'src/index.ts');
-/** Every element is a folder of components that has a file which defines it. */
+/** Every element is a folder of components with a file that defines the element. */
 const companions = readdirSync(join(projectRoot, 'components')).filter((name) => !['internal', 'volume-view'].includes(name) && existsSync(join(projectRoot, 'components', name, 'define.ts')));
 const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/${name}/define.ts`));
 const worker = join(projectRoot, 'src/worker/decode-worker.ts');
 
-// Of the modules for bundlers these lie in dist itself. A bundler that leaves the expression as it is makes it mean a file
-// beside the bundle, and not some folders above.
+// In the modules for bundlers, these files are in dist itself. Where a bundler leaves the expression unchanged, it then names a file next
+// to the bundle, and not one some folders above.
 const besideParts = ['create-worker', 'x3dom-url', 'x3dom-beside-page'];
-const withoutUrl = join(projectRoot, 'src/x3d/x3dom-beside-page.ts'); // Parcel's.
+const withoutUrl = join(projectRoot, 'src/x3d/x3dom-beside-page.ts'); // For Parcel.
 
 /**
  * One run of vite's library mode.
@@ -60,7 +62,7 @@ async function bundle({ entry, format, output, extra, workerTexts, plugins = [] 
       minify: true,
       sourcemap: false,
       lib: { entry, formats: [format], name: 'VolumeView' },
-      // Vite leaves the white space of ES libraries alone; these files are for browsers, so they are minified whole.
+      // Vite does not remove white space in ES libraries; these files are for browsers, so they are minified fully.
       rolldownOptions: { preserveEntrySignatures: 'allow-extension', output: { minify: true, ...output } },
       ...extra,
     },
@@ -69,7 +71,7 @@ async function bundle({ entry, format, output, extra, workerTexts, plugins = [] 
 }
 
 /**
- * A file with all that it imports, as one text.
+ * A file with all its imports, as one text.
  * @param {string} entry
  * @param {'es' | 'iife'} format - iife is a classic script
  * @param {import('vite').Plugin[]} [plugins]
@@ -82,7 +84,7 @@ async function buildText(entry, format, plugins) {
 
 /** @param {string} workerSource - the worker's text as one classic script */
 async function buildUnbundled(workerSource) {
-  // Bare imports stay, but for the compiler's own helper of decorators, which no consumer has.
+  // Bare imports stay, except for the compiler's own helper for decorators, which users of the package do not have.
   const isBare = (/** @type {string} */ id) => !/^([./\0]|@oxc-project\/runtime)/.test(id) && !id.startsWith(projectRoot);
   await bundle({
     entry: [main, ...definitions, withoutUrl],
@@ -108,7 +110,7 @@ function listFiles(folder, pattern) {
   return entries.filter((entry) => entry.isFile() && pattern.test(entry.name)).map((entry) => join(entry.parentPath, entry.name));
 }
 
-/** Put the real addresses where the marks are. */
+/** Replace the marks by the real addresses. */
 function replaceMarks() {
   let workers = 0;
   for (const file of listFiles(dist, /\.js$/)) {
@@ -137,14 +139,14 @@ function buildManifest() {
 
 function buildTypes() {
   runTool('typescript/bin/tsc', ['-p', 'tsconfig.build.json', '--outDir', join(dist, 'types')]);
-  // tsc keeps `./x.ts` in declarations; consumers without allowImportingTsExtensions need `./x.js`.
+  // tsc keeps `./x.ts` in declarations; users without allowImportingTsExtensions need `./x.js`.
   for (const file of listFiles(join(dist, 'types'), /\.d\.ts$/)) {
     const text = readFileSync(file, 'utf8');
     writeFileSync(file, text.replace(/((?:from|import)\s*\(?\s*['"]\.{1,2}\/[^'"]*)\.ts(['"])/g, '$1.js$2'));
   }
 }
 
-/** Every package that reaches dist, with its licence text. */
+/** Write the licence texts of all packages that are part of dist. */
 function writeLicences() {
   /** @type {Map<string, string>} */
   const texts = new Map();
@@ -171,12 +173,12 @@ function readX3dom() {
   return note + escapeToAscii(text);
 }
 
-/** The page for frames, the one that makes pages for the disk, and the style sheet for pages whose script comes late. */
+/** Copy the page for iframes, the page that makes pages for the disk, and the style sheet for pages whose script is late. */
 function copyPages() {
   for (const name of ['embed.html', 'embed.css', 'embed.js', 'from-disk.html', 'from-disk.css', 'from-disk.js', 'volume-view.css']) copyFileSync(join(projectRoot, 'scripts/zip', name), join(dist, name));
 }
 
-/** Put the new build where the old one is: two renames, between which nothing is missing for longer than a moment. */
+/** Put the new build in the place of the old one, with two renames: files are missing only for a moment between them. */
 function replaceServed() {
   const old = `${dist}-old`;
   if (existsSync(served)) renameSync(served, old);
@@ -184,7 +186,7 @@ function replaceServed() {
   rmSync(old, { recursive: true, force: true });
 }
 
-// A build that fails leaves nothing behind, and the old one where it is.
+// If a build fails, it removes its own files, and the old build stays in its place.
 process.on('exit', () => rmSync(dist, { recursive: true, force: true }));
 rmSync(dist, { recursive: true, force: true });
 mkdirSync(dist, { recursive: true });
@@ -199,7 +201,7 @@ for (const name of companions) {
   const entry = join(projectRoot, `components/${name}/define.ts`);
   await bundle({ entry, format: 'es', output: { entryFileNames: `${name}.js`, chunkFileNames: 'chunks/[name]-[hash].js' } });
 }
-// What every reader of a grid needs is one file, too.
+// The modules that every reader of a grid needs are one file, too.
 const gridSamples = { name: 'grid-samples', test: /src.(formats.base.(number-types|count-sample-bytes|list-left|piece-reader|place-volume|respace|store-samples)|volume.detail-offset)\.ts$/ };
 await bundle({
   entry: worker,

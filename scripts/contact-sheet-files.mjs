@@ -3,21 +3,21 @@ import { basename } from 'node:path';
 
 /** @typedef {{ src: string, name: string, attributes?: string, mayBeShown: boolean }} Subject - `src` is relative to the data's folder */
 
-/** What the formats are called that are read. DICOM is not. */
+/** Names of the files in formats that we read. DICOM is not one of them. */
 const readable = /(\.(nii|nii\.gz|nrrd|mhd|hdf|h5|nc)|_V06|\d{8}_?\d{6}\.gz|aorta\d+\.png)$/;
 
-/** Folders whose licence lets pictures of their data stand in the docs; see the README of the data. */
+/** Folders whose licence allows pictures of their data in the docs; see the README of the data. */
 const shown = ['mni152_nilearn', 'nibabel_4d', 'ch2_mricron', 'cfradial_pyart'];
 
-/** An image does not say what it holds: of the aorta the tags are those of the paper's page. */
+/** An image does not describe its contents: for the aorta, the attributes are those on the page of the paper. */
 const aorta = {
   'aorta1024.png': 'mosaic="10x10" slices="96" spacing="3.2 3.2 -3" reference-length="5.4"',
   'aorta4096.png': 'mosaic="10x10" slices="96" spacing="0.8 0.8 -3" reference-length="5.4"',
 };
 
 /**
- * Every file of a folder of real data that can be read, in an order that does not change. Of files in many formats or times
- * one is enough.
+ * Every readable file in a folder of real data, in an order that does not change. Where a file exists in many formats or times,
+ * one of them is enough.
  * @param {string} folder
  * @returns {Subject[]}
  */

@@ -1,6 +1,7 @@
-// What a bare tag shows of every real file in ../shared/data, and how much of the picture it fills:
-// npm run contact-sheet [-- --size 320x240] [--only TEXT] [--keep FOLDER]. It writes docs/images/contact-sheet.webp from those
-// files whose licence allows it, and prints the shares. Without these data it says so and leaves the sheet as it is.
+// Shows the picture of a tag without options for every real file in ../shared/data, and the share of the picture that is filled:
+// npm run contact-sheet [-- --size 320x240] [--only TEXT] [--keep FOLDER].
+// It writes docs/images/contact-sheet.webp from the files whose licence allows it, and prints the shares. Without these data it says so and
+// does not change the sheet.
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -33,7 +34,7 @@ async function photograph(page, subject) {
   const seen = await page.evaluate(async () => {
     const view = /** @type {any} */ (document.querySelector('volume-view'));
     try {
-      view.setAttribute('rings', 'none'); // They may reach beyond what is framed.
+      view.setAttribute('rings', 'none'); // Rings may be outside the framed part.
       await view.whenRendered();
       const image = await createImageBitmap(await view.toBlob());
       const canvas = new OffscreenCanvas(image.width, image.height);

@@ -1,13 +1,13 @@
-// Brodmann's areas as a label file of 2 mm and a table of names, for the demo of labels. The areas come from a package (see
-// demos/data/LICENSES.md); of its voxels of 1 mm every second one is taken along each axis. Names and colours are our own.
+// Makes Brodmann's areas for the demo of labels: a label file of 2 mm and a table of names. The areas come from a package (see
+// demos/data/LICENSES.md) with voxels of 1 mm; we take every second one along each axis. Names and colours are our own.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gunzipSync, gzipSync } from 'node:zlib';
 
-/** Voxels of the file that become one. */
+/** Number of voxels of the file, along each axis, that become one. */
 const step = 2;
 
-/** What the areas are for: hues by part of the brain, so that neighbours are told apart. */
+/** The areas by function. The hue depends on the part of the brain, so that neighbours have different colours. */
 const areas = /** @type {const} */ ([
   [1, 'Primary somatosensory cortex, middle', 'S1', '#f6a04d'],
   [2, 'Primary somatosensory cortex, back', 'S1', '#f7c069'],
@@ -65,13 +65,13 @@ export function writeDemoLabels(source, target) {
   const file = Buffer.alloc(352 + to[0] * to[1] * to[2]);
   from.copy(file, 0, 0, 348);
   file.writeFloatLE(352, 108);
-  file.fill(0, 148, 228); // Its description.
+  file.fill(0, 148, 228); // The description in the header.
   file.write('Brodmann areas, 2 mm, from mricron-data', 148, 'latin1');
   to.forEach((n, axis) => {
     file.writeInt16LE(n, 42 + 2 * axis);
     file.writeFloatLE(from.readFloatLE(80 + 4 * axis) * step, 80 + 4 * axis);
   });
-  // The first voxel stays where it is: its column of the affine is all that changes.
+  // The first voxel keeps its place: only the columns of the affine change, not the offset.
   for (const row of [280, 296, 312]) for (const axis of [0, 1, 2]) file.writeFloatLE(from.readFloatLE(row + 4 * axis) * step, row + 4 * axis);
   file.write('n+1\0', 344, 'latin1');
   for (let k = 0, at = 352; k < to[2]; k++) {
@@ -80,7 +80,7 @@ export function writeDemoLabels(source, target) {
     }
   }
   const packed = gzipSync(file, { level: 9 });
-  packed[9] = 255; // The operating system, so that every one writes the same bytes.
+  packed[9] = 255; // The byte for the operating system is set, so that all systems write the same bytes.
   writeFileSync(join(target, 'brodmann-2mm.nii.gz'), packed);
   const rows = areas.map(([index, name, abbreviation, color]) => [index, `${name} (area ${index})`, abbreviation || 'n/a', color].join('\t'));
   writeFileSync(join(target, 'brodmann-dseg.tsv'), ['index\tname\tabbreviation\tcolor', ...rows, ''].join('\n'));

@@ -1,16 +1,16 @@
-// A made-up map of z values, as of a study in which people moved the fingers of their right hand, for the demo of layers: no data of anybody.
-// It lies in the space of the head that it is for, on a coarser grid of its own, and follows that head's grey matter.
+// Makes a synthetic map of z values for the demo of layers, as in a study in which people moved the fingers of their right hand: no data of
+// any person. It is in the space of the head that it belongs to, on a coarser grid of its own, and follows the grey matter of that head.
 import { writeFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 
 /** Edge of a voxel, mm. */
 const spacing = 3;
 
-/** z of a step of the file's whole numbers. */
+/** The z value of one step of the integers in the file. */
 const slope = 0.1;
 
 /**
- * What such a study finds, roughly: place in MNI space, mm; reach along x, y and z; z at its middle.
+ * Approximate results of such a study: position in MNI space, mm; extent along x, y and z; z value in the middle.
  * @type {readonly { at: readonly [number, number, number], reach: readonly [number, number, number], z: number }[]}
  */
 const places = [
@@ -22,14 +22,14 @@ const places = [
   { at: [-14, -20, 6], reach: [7, 7, 6], z: 4.6 }, // Thalamus.
   { at: [-26, 0, 2], reach: [6, 9, 6], z: 3.8 }, // Putamen.
   { at: [19, -52, -23], reach: [11, 9, 7], z: 8.5 }, // Cerebellum, right.
-  { at: [38, -24, 57], reach: [11, 10, 11], z: -5.5 }, // The other hand's cortex rests.
-  { at: [0, -56, 28], reach: [9, 12, 12], z: -5.5 }, // So do the areas of day-dreaming.
+  { at: [38, -24, 57], reach: [11, 10, 11], z: -5.5 }, // The cortex of the other hand is at rest.
+  { at: [0, -56, 28], reach: [9, 12, 12], z: -5.5 }, // So are the areas of day-dreaming.
   { at: [-46, -68, 34], reach: [10, 10, 10], z: -4.6 },
   { at: [48, -66, 34], reach: [10, 10, 10], z: -4.6 },
   { at: [0, 52, 2], reach: [10, 10, 14], z: -4.8 },
 ];
 
-/** Numbers from -1 to 1 that are the same in every run. @param {number} seed */
+/** Random numbers from -1 to 1, the same in every run. @param {number} seed */
 function randomNumbers(seed) {
   let state = seed;
   return () => {
@@ -46,7 +46,10 @@ export function writeDemoMotor(path, { dimensions: [nx, ny, nz], origin, samples
   const size = [nx, ny, nz].map((n) => Math.floor(n / spacing));
   let largest = 0;
   for (const x of samples) largest = Math.max(largest, x);
-  /** Share of a voxel that is grey matter, by its brightness: between that of what is around the brain and white matter. @param {number} bright */
+  /**
+   * Share of grey matter in a voxel, by its brightness, which is between that around the brain and that of white matter.
+   * @param {number} bright
+   */
   const grey = (bright) => Math.exp(-(((bright / largest - 0.62) / 0.16) ** 2));
   const waves = Array.from({ length: 24 }, ((random) => () => ({ k: [random(), random(), random()].map((x) => 0.35 * x), phase: 3 * random() }))(randomNumbers(7)));
   const values = new Uint8Array(size[0] * size[1] * size[2]);
@@ -83,7 +86,7 @@ export function writeDemoMotor(path, { dimensions: [nx, ny, nz], origin, samples
   file.write('n+1\0', 344, 'latin1');
   Buffer.from(values).copy(file, 352);
   const packed = gzipSync(file, { level: 9 });
-  packed[9] = 255; // The operating system, so that every one writes the same bytes.
+  packed[9] = 255; // The byte for the operating system is set, so that all systems write the same bytes.
   writeFileSync(path, packed);
   console.log(`${path.split('/').at(-1)}: ${size.join(' x ')}, ${packed.length} bytes`);
 }

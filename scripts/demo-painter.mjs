@@ -1,4 +1,4 @@
-// Draws solids into a grid of voxels with smooth edges, as a scanner's partial volumes are.
+// Draws solids into a grid of voxels with smooth edges, like the partial volumes of a scanner.
 
 /** @typedef {[number, number, number]} Point - world units */
 /** @typedef {(x: number, y: number, z: number) => number} Distance - world units, below 0 inside */
@@ -14,7 +14,7 @@ export function seededRandom(seed) {
   };
 }
 
-/** Distance to an ellipsoid, near enough at its surface. @param {Point} center @param {Point} radii @returns {Distance} */
+/** Distance to an ellipsoid, accurate enough near its surface. @param {Point} center @param {Point} radii @returns {Distance} */
 export function ellipsoid([cx, cy, cz], [rx, ry, rz]) {
   return (x, y, z) => {
     const [a, b, c] = [(x - cx) / rx, (y - cy) / ry, (z - cz) / rz];
@@ -49,10 +49,10 @@ export class Painter {
   }
 
   /**
-   * Fill a solid, over what is there.
+   * Fill a solid; it replaces the present values.
    * @param {Distance} distance
    * @param {number} value
-   * @param {[Point, Point]} [box] - world corners that hold the solid; the whole grid where absent
+   * @param {[Point, Point]} [box] - world corners of a box that contains the solid; the whole grid where absent
    */
   fill(distance, value, box) {
     const range = [0, 1, 2].map((axis) => {
@@ -75,7 +75,12 @@ export class Painter {
     ]);
   }
 
-  /** A tube through points, its radius going from the first to the last. @param {Point[]} points @param {[number, number]} radii @param {number} value */
+  /**
+   * A tube through points; its radius changes from the first value to the last.
+   * @param {Point[]} points
+   * @param {[number, number]} radii
+   * @param {number} value
+   */
   tube(points, [first, last], value) {
     for (let i = 0; i + 1 < points.length; i++) {
       const at = (/** @type {number} */ n) => first + ((last - first) * n) / (points.length - 1);

@@ -1,32 +1,32 @@
-// A made-up weather radar that scans made-up weather (demo-weather.mjs): 14 elevations of 360 rays of 400 gates, as in the
-// paper of 2011, three times, ten minutes apart. What makes it a radar's picture and no model's:
-//   - beams are bent by the standard atmosphere (4/3 Earth) and a degree wide: far away they see thick layers;
+// Makes the scans of a synthetic weather radar that scans synthetic weather (demo-weather.mjs): 14 elevations of 360 rays of 400 gates,
+// as in the paper of 2011, three times, ten minutes apart. These effects of a real radar are simulated:
+//   - beams are bent by the standard atmosphere (4/3 Earth) and a degree wide: far away they average over thick layers;
 //   - a sweep takes 20 seconds, and the weather moves on between sweeps;
-//   - the farther, the stronger an echo must be to be seen; what is weaker is no data, and so is its velocity;
-//   - velocity is what moves along the beam, the fall of rain and hail included, and folds at the Nyquist velocity; VRADDH is
-//     the same as a perfect program would unfold it;
+//   - the farther away, the stronger an echo must be to be detected; weaker echoes, and their velocities, become no data;
+//   - velocity is the component along the beam, the fall of rain and hail included, and folds at the Nyquist velocity; VRADDH is
+//     the same velocity without folding, as from a perfect unfolding program;
 //   - both are noisy.
-// It leaves out: attenuation, ground clutter, side lobes, second trips.
+// These are not simulated: attenuation, ground clutter, side lobes, second trips.
 import { seededRandom } from './demo-painter.mjs';
 import { fallSpeed, weatherAt } from './demo-weather.mjs';
 
-/** As of the radar at Captains Flat (shared data, odim_au40), whose scan is the nearest to the paper's. */
+/** As at the radar in Captains Flat (shared data, odim_au40), whose scan is the most similar to that of the paper. */
 const elevations = [0.5, 0.9, 1.3, 1.8, 2.4, 3.1, 4.2, 5.6, 7.4, 10, 13.3, 17.9, 23.9, 32];
 const [rays, gates, firstGate, gateLength] = [360, 400, 250, 500];
 const beamWidth = 1;
 const nyquist = 16;
 const secondsPerSweep = 20;
 
-/** When the scans begin: three, ten minutes apart. */
+/** Start times of the scans: three, ten minutes apart. */
 export const scanTimes = ['2011-06-20T15:00:00Z', '2011-06-20T15:10:00Z', '2011-06-20T15:20:00Z'];
 
-/** dBZ that is just seen at 1 km; the threshold grows with the square of the range. */
+/** The weakest echo, in dBZ, that is detected at 1 km; the threshold grows with the square of the range. */
 const sensitivity = -36;
 
-/** Parts of a beam, degrees above its middle, and how much of the echo is theirs (Gaussian, 3 dB width, there and back). */
+/** Parts of a beam: degrees above its middle, and share of the echo (Gaussian, 3 dB width, in both directions). */
 const beamParts = [-0.5, -0.25, 0, 0.25, 0.5].map((above) => ({ above, share: 0.5 ** (2 * (2 * above / beamWidth) ** 2) }));
 
-/** Pixels are half a dBZ; the velocities share the other 255 values. */
+/** A pixel step is half a dBZ; the velocities are spread over the other 255 values. */
 const packing = {
   DBZH: { slope: 0.5, intercept: -32.5 },
   VRADH: { slope: (2 * nyquist) / 254, intercept: -nyquist - (2 * nyquist) / 254 },
@@ -89,7 +89,7 @@ function sweep(elevation, weather, { geometry, random }) {
 }
 
 /**
- * What comes back from a gate: reflectivity over the beam's width, and velocity away from the radar, weighted by it.
+ * The signal from a gate: reflectivity over the width of the beam, and velocity away from the radar, weighted by it.
  * @param {{ range: number, azimuth: number, elevation: number }} beam
  * @param {ReturnType<typeof weatherAt>} weather
  * @param {typeof import('../src/radar/polar-geometry.ts')} geometry
@@ -101,12 +101,12 @@ function receive(beam, weather, { beamToLocal, standardEarthRadius }) {
     const elevation = beam.elevation + above;
     const [x, y, z] = beamToLocal({ ...beam, elevation }, standardEarthRadius);
     shares += share;
-    if (z < 0) continue; // Below the horizon is the ground.
+    if (z < 0) continue; // Below the horizon there is the ground.
     const reflectivity = weather.reflectivity(x, y, z);
     echo += share * reflectivity;
     if (reflectivity < 1e-3) continue;
     const [u, v, w] = weather.wind(x, y, z);
-    // The horizon turns away along the ground, so the beam climbs more steeply there than here.
+    // Due to the curved Earth, the beam climbs more steeply over the ground there than at the radar.
     const slope = (elevation * Math.PI) / 180 + Math.hypot(x, y) / standardEarthRadius;
     const away = (u * Math.sin(azimuth) + v * Math.cos(azimuth)) * Math.cos(slope) + (w - fallSpeed(z, reflectivity)) * Math.sin(slope);
     momentum += share * reflectivity * away;
@@ -114,17 +114,17 @@ function receive(beam, weather, { beamToLocal, standardEarthRadius }) {
   return { reflectivity: echo / shares, velocity: momentum / echo };
 }
 
-/** Speeds beyond the Nyquist velocity come out at the other end. @param {number} velocity */
+/** Speeds beyond the Nyquist velocity wrap around to the other end. @param {number} velocity */
 function fold(velocity) {
   return velocity - 2 * nyquist * Math.round(velocity / (2 * nyquist));
 }
 
-/** A pixel from 1 up: 0 is no data. @param {number} value @param {{ slope: number, intercept: number }} scale */
+/** A pixel from 1 up: 0 means no data. @param {number} value @param {{ slope: number, intercept: number }} scale */
 function pack(value, { slope, intercept }) {
   return Math.min(255, Math.max(1, Math.round((value - intercept) / slope)));
 }
 
-/** Numbers around 0 with a deviation of 1. Source: Box and Muller 1958 @param {() => number} random */
+/** Random numbers around 0 with a standard deviation of 1. Source: Box and Muller 1958 @param {() => number} random */
 function normal(random) {
   return Math.sqrt(-2 * Math.log(1 - random())) * Math.cos(2 * Math.PI * random());
 }

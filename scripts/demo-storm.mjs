@@ -1,5 +1,5 @@
-// A made-up thunderstorm on a cartesian grid, reflectivity in dBZ: two cells, their anvil, and rain behind them.
-// World: x east, y north, z up, metres; the wind aloft blows to the north-east.
+// Makes a synthetic thunderstorm on a cartesian grid, reflectivity in dBZ: two cells, their anvil, and rain behind them. World: x east, y
+// north, z up, metres; the wind at height blows to the north-east.
 import { Painter, seededRandom } from './demo-painter.mjs';
 
 export const noEcho = -32;
@@ -25,7 +25,7 @@ export function paintStorm() {
 }
 
 /**
- * A leaning column: strongest low down, weaker to its top.
+ * A leaning column: strongest near the ground, weaker towards its top.
  * @param {number} x @param {number} y @param {number} z
  * @param {{ x: number, y: number, reach: number, top: number, peak: number }} shape - peak: dBZ
  */
@@ -38,7 +38,7 @@ function cell(x, y, z, { x: cx, y: cy, reach, top, peak }) {
   return core - aloft - vault - (z > top ? (z - top) / 60 : 0);
 }
 
-/** The ice that the cells' tops spread downwind. @param {number} x @param {number} y @param {number} z */
+/** The ice that spreads downwind from the tops of the cells. @param {number} x @param {number} y @param {number} z */
 function anvil(x, y, z) {
   const [along, across] = [(x + 8000) * 0.8 + (y + 8000) * 0.6, -(x + 8000) * 0.6 + (y + 8000) * 0.8];
   const middle = 11600 + 0.012 * along;
@@ -48,7 +48,7 @@ function anvil(x, y, z) {
   return 27 - 20 * edge - 14 * ((z - middle) / thick) ** 2;
 }
 
-/** Steady rain behind the cells, brightest where the snow melts, at 4 km. @param {number} x @param {number} y @param {number} z */
+/** Steady rain behind the cells, strongest where the snow melts, at 4 km. @param {number} x @param {number} y @param {number} z */
 function rain(x, y, z) {
   const edge = ((x + 26000) / 30000) ** 2 + ((y - 14000) / 25000) ** 2;
   const melting = 8 * Math.exp(-(((z - 4000) / 450) ** 2));

@@ -1,17 +1,17 @@
-// Surfaces for the demos: the white matter of the demos' head as GIfTI, and the heights of an island that does not exist, as SRTM's tiles.
+// Makes surfaces for the demos: the white matter of the demo head as GIfTI, and the heights of a fictional island as tiles of SRTM.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { deflateSync, gunzipSync, gzipSync } from 'node:zlib';
 import { makeNoise, smooth } from './demo-storm.mjs';
 
-/** Voxels that become one along each axis, and the value (0 to 255) at which white matter begins. */
+/** Number of voxels that become one along each axis, and the value (0 to 255) at which white matter begins. */
 const [step, level] = [3, 172];
 
-/** Rounds of smoothing: each inwards and a little more outwards, so that nothing shrinks (Taubin, SIGGRAPH 1995). */
+/** Smoothing rounds: each one goes inwards and then a little more outwards, so that the surface does not shrink (Taubin, SIGGRAPH 1995). */
 const [rounds, inwards, outwards] = [10, 0.5, -0.53];
 
 /**
- * The white matter of the head as a closed surface. It is drawn for a picture, and measures nothing.
+ * The white matter of the head as a closed surface. It is for pictures only, not for measurements.
  * @param {string} folder - of the demos' data
  */
 export function writeWhiteMatter(folder) {
@@ -50,13 +50,13 @@ function readHead(file) {
   return { samples, dimensions, origin };
 }
 
-/** Means of each and its two neighbours, by 1, 2 and 1. @param {Float64Array} samples @param {number} stride */
+/** Weighted means of each sample and its two neighbours, by 1, 2 and 1. @param {Float64Array} samples @param {number} stride */
 function blur(samples, stride) {
   const before = samples.slice();
   for (let i = stride; i < samples.length - stride; i++) samples[i] = (before[i - stride] + 2 * before[i] + before[i + stride]) / 4;
 }
 
-/** What hangs together of the largest piece. @param {ArrayLike<number>} inside @param {number[]} dimensions */
+/** The largest connected piece. @param {ArrayLike<number>} inside @param {number[]} dimensions */
 function keepLargest(inside, [nx, ny, nz]) {
   const names = new Int32Array(inside.length);
   /** @type {number[]} */
@@ -82,8 +82,8 @@ function keepLargest(inside, [nx, ny, nz]) {
 }
 
 /**
- * A vertex in each cell that the surface runs through, at the mean of where it crosses the cell's edges, and a square for each edge
- * between inside and outside (surface nets: Gibson, MICCAI 1998).
+ * A vertex in each cell that the surface runs through, at the mean of the points where it crosses the edges of the cell, and a square for
+ * each edge between inside and outside (surface nets: Gibson, MICCAI 1998).
  * @param {Float64Array} samples @param {Int32Array} inside @param {number[]} dimensions
  */
 function wrap(samples, inside, [nx, ny, nz]) {
@@ -136,13 +136,13 @@ function relax(places, triangles) {
   }
 }
 
-/** Samples of a tile's side, of 3 seconds of arc. */
+/** Number of samples along the side of a tile, one every 3 seconds of arc. */
 const side = 1201;
 
 /** Metres to which heights are rounded, so that the files are small. */
 const rounding = 10;
 
-/** Four tiles around the place where the equator and the prime meridian meet, where there is nothing but sea. @param {string} folder */
+/** Four tiles around the point where the equator meets the prime meridian; in reality there is only sea. @param {string} folder */
 export function writeIsland(folder) {
   mkdirSync(join(folder, 'island'), { recursive: true });
   const noises = [1, 2, 3, 4].map((seed) => makeNoise(20 + seed));
@@ -155,7 +155,7 @@ export function writeIsland(folder) {
       }
     }
     const packed = gzipSync(tile, { level: 9 });
-    packed[9] = 255; // The operating system, so that every one writes the same bytes.
+    packed[9] = 255; // The byte for the operating system is set, so that all systems write the same bytes.
     const name = `${south < 0 ? 'S01' : 'N00'}${west < 0 ? 'W001' : 'E000'}.hgt.gz`;
     writeFileSync(join(folder, 'island', name), packed);
     console.log(`island/${name}: ${packed.length} bytes`);

@@ -1,5 +1,5 @@
-// A CT phantom: a torso in Hounsfield units, made up, with what CT presets show: skin, fat, bones, lungs, vessels.
-// World: x right, y anterior, z superior, mm. It suggests anatomy and teaches none.
+// Makes a synthetic CT phantom: a torso in Hounsfield units, with the tissues that CT presets show: skin, fat, bones, lungs, vessels.
+// World: x right, y anterior, z superior, mm. The anatomy is only approximate; do not learn it from here.
 import { Painter, seededRandom } from './demo-painter.mjs';
 
 /** @typedef {import('./demo-painter.mjs').Point} Point */
@@ -26,7 +26,7 @@ function trunk(z) {
   return { rx: 148 + 8 * Math.sin((z + 40) / 60) - 30 * shoulder ** 2, ry: 100 + 6 * Math.sin((z - 20) / 70) - 28 * shoulder ** 2 };
 }
 
-/** Distance to the trunk's surface, less `depth`. @param {number} depth @returns {import('./demo-painter.mjs').Distance} */
+/** Distance to the surface of the trunk, minus `depth`. @param {number} depth @returns {import('./demo-painter.mjs').Distance} */
 function trunkSurface(depth) {
   return (x, y, z) => {
     const { rx, ry } = trunk(z);
@@ -45,7 +45,7 @@ function paintBody(torso) {
 
 /** @param {Painter} torso */
 function paintOrgans(torso) {
-  torso.ellipsoid([0, 18, -140], [112, 62, 72], -85); // The fat that bowels lie in.
+  torso.ellipsoid([0, 18, -140], [112, 62, 72], -85); // The fat around the bowels.
   for (let n = 0; n < 14; n++) {
     const angle = n * 2.4;
     const reach = 22 + 5 * n;
@@ -98,7 +98,7 @@ function paintSpine(torso) {
     }
     torso.tube([[0, -86, z - 6], [0, -91, z - 18]], [4, 3], HU.cortex * 0.7);
   }
-  torso.tube([[0, -74, -175], [0, -74, 175]], [7.5, 7.5], 25); // The canal.
+  torso.tube([[0, -74, -175], [0, -74, 175]], [7.5, 7.5], 25); // The spinal canal.
 }
 
 /** @param {Painter} torso */
@@ -133,7 +133,7 @@ function paintVessels(torso) {
     torso.tube([[2, -14, 78], [side * 34, -14, 52]], [7, 5], HU.air);
     branchInLung(torso, { from: [side * 22, -6, 46], direction: [side, -0.1, -0.15], radius: 6.5, length: 27, depth: 6 }, seededRandom(11 + side));
   }
-  torso.tube([[-14, 30, 28], [-12, 20, 56], [-24, -6, 52]], [13, 9], 210); // To the lungs.
+  torso.tube([[-14, 30, 28], [-12, 20, 56], [-24, -6, 52]], [13, 9], 210); // The pulmonary arteries.
   torso.tube([[-6, 16, 24], [12, 24, 52], [12, 16, 76], [2, -6, 92], [-14, -28, 84], [-21, -32, 56], [-20, -28, 0], [-10, -22, -80], [-4, -20, -150]], [14, 10], HU.contrast);
   for (const [start, end] of /** @type {[Point, Point][]} */ ([[[10, 10, 84], [24, 14, 175]], [[2, -2, 92], [-14, 10, 175]], [[-8, -16, 92], [-30, -4, 175]]])) {
     torso.tube([start, [end[0] * 0.7, end[1], 130], end], [6.5, 4.5], HU.contrast - 10);
@@ -148,7 +148,7 @@ function paintVessels(torso) {
 }
 
 /**
- * A tree of vessels, as a lung's: each stem ends in three thinner ones.
+ * A tree of vessels, as in a lung: each stem ends in three thinner ones.
  * @param {Painter} torso
  * @param {{ from: Point, direction: Point, radius: number, length: number, depth: number }} stem
  * @param {() => number} random
@@ -167,7 +167,7 @@ function branchInLung(torso, stem, random) {
   }
 }
 
-/** Scanner noise of about 8 HU within the body, in steps of 16 HU: finer ones would only make the file larger. @param {Painter} torso */
+/** Scanner noise of about 8 HU within the body, in steps of 16 HU: smaller steps would only make the file larger. @param {Painter} torso */
 function addNoise(torso) {
   const random = seededRandom(2011);
   torso.all((index) => {

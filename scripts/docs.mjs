@@ -1,5 +1,6 @@
-// `npm run docs` writes docs/reference.md and the pages in docs/reference, one for each element, from the comments of the elements, of
-// the types of their events and properties, and of the error codes. `--check` fails if a page is out of date, missing or left over.
+// `npm run docs` writes docs/reference.md and the pages in docs/reference, one for each element. The text comes from the comments of the
+// elements, from the types of their events and properties, and from the error codes. `--check` fails if a page is out of date, missing or
+// no longer needed.
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -22,7 +23,7 @@ function linkType(type) {
 }
 
 /**
- * A table with a heading, or nothing where there are no rows.
+ * A table with a heading, or an empty text where there are no rows.
  * @param {string} title
  * @param {string[]} heads
  * @param {string[][]} rows
@@ -33,7 +34,7 @@ function writeTable(title, heads, rows) {
   return [`## ${title}`, '', line(heads), line(heads.map(() => '---')), ...rows.map(line), '', ''].join('\n');
 }
 
-/** @param {Entry} method - its name and parameters, and what is said of them */
+/** @param {Entry} method - its name, parameters and descriptions */
 function describeMethod(method) {
   /** @type {Entry[]} */
   const parameters = method.parameters ?? [];
@@ -72,7 +73,7 @@ function describeElement(element) {
   ].join('');
 }
 
-/** Members of the element's class, or of the part of it that is a file of its own. @param {Entry} member */
+/** Whether a member is in the class of the element, or in a part of that class with a file of its own. @param {Entry} member */
 function isOwn({ inheritedFrom }) {
   return !inheritedFrom || inheritedFrom.name.endsWith('Members');
 }
@@ -80,12 +81,12 @@ function isOwn({ inheritedFrom }) {
 const howAttributesHold = `Setting a property writes its attribute at once; reading it reads the attribute. It is null (or false) if the attribute is absent, which means
 the default, or cannot be read. Scripts may also set the text that would stand in HTML.\n\n`;
 
-/** The text of a comment without its stars. @param {string | undefined} comment */
+/** The text of a comment without its asterisks. @param {string | undefined} comment */
 const plain = (comment) => cell((comment ?? '').replace(/^\s*\* ?/gm, ''));
 
 /**
- * The fields of an interface with their comments. The manifest knows classes only, hence this small reader, which
- * trusts the formatting of this project: a closing brace in the first column ends an interface.
+ * The fields of an interface with their comments. The manifest contains classes only, so we need this small reader. It
+ * depends on the formatting of this project: a closing brace in the first column ends an interface.
  * @param {string} name
  */
 function describeInterface(name) {
@@ -108,7 +109,7 @@ function describeErrors() {
     [...text.matchAll(/\/\*\*([^/]*?)\*\/\s*\| '([^']+)'/g)].map(([, comment, name]) => [code(name), plain(comment)]));
 }
 
-/** Sources of the interfaces that the reference speaks of. */
+/** Source texts of the interfaces in the reference. */
 const sources = ['components', 'src/viewer', 'src/quality', 'src/optics', 'src/volume', 'src/editor']
   .flatMap((folder) => readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)))
   .map((file) => readFileSync(file, 'utf8'));
@@ -123,7 +124,7 @@ const all = modules.flatMap((/** @type {Entry} */ module) => module.declarations
 // <volume-view> first, then its companions.
 const elements = [...all.filter((one) => one.tagName === 'volume-view'), ...all.filter((one) => one.tagName !== 'volume-view')];
 
-/** The pages that explain how each element is used. @type {Record<string, readonly [title: string, page: string][]>} */
+/** The pages that explain how to use each element. @type {Record<string, readonly [title: string, page: string][]>} */
 const guides = {
   'volume-view': [['Data', 'data.md'], ['Looks and presets', 'looks.md'], ['Transfer functions', 'transfer-functions.md'], ['Camera', 'camera.md']],
   'volume-clip': [['Cutting', 'cutting.md']],
@@ -169,7 +170,7 @@ const wanted = new Map([...pages].map(([path, text]) => [path, `${notes(text).tr
 const present = ['reference.md', ...readdirSync(mkdirs(join(folder, 'reference'))).map((name) => `reference/${name}`)];
 const leftOver = present.filter((path) => !wanted.has(path));
 
-/** @param {string} path - of a folder, which is made if it is not there @returns {string} it */
+/** @param {string} path - of a folder, which is created if it does not exist @returns {string} the same path */
 function mkdirs(path) {
   mkdirSync(path, { recursive: true });
   return path;

@@ -1,4 +1,4 @@
-// Which Chromium runs the tests, and with which switches.
+// Finds the Chromium for the tests, and its switches.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { accessSync, constants, existsSync, readFileSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
@@ -6,7 +6,7 @@ import { pathToFileURL } from 'node:url';
 
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome', 'msedge'];
 
-/** Where installers put Chrome when it is not on the PATH. */
+/** The usual places of Chrome when it is not on the PATH. */
 function listUsualPlaces() {
   if (process.platform === 'darwin') {
     const apps = ['Google Chrome', 'Chromium', 'Microsoft Edge'];
@@ -33,7 +33,7 @@ function isExecutable(path) {
 }
 
 /**
- * A program's path from the PATH, else null.
+ * The path of a program on the PATH, else null.
  * @param {string} name
  */
 export function findOnPath(name) {
@@ -78,27 +78,27 @@ export function installPackages(packages) {
   const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
   /** @param {string[]} args */
   const apt = (args) => spawnSync('apt-get', args, { env, stdio: ['ignore', 'ignore', 'inherit'] }).status === 0;
-  apt(['update', '-q']); // May fail in part (one dead mirror) and the install still work.
+  apt(['update', '-q']); // This may fail in part (one dead mirror), and the install still works.
   return apt(['install', '-y', '-q', '--no-install-recommends', ...packages]);
 }
 
 /**
- * The path of a Chromium or Chrome, installed if need be and possible.
+ * The path of a Chromium or Chrome, which is installed if it is missing and can be installed.
  * @returns {Promise<string>}
  * @throws with the one command to run
  */
 export async function findBrowser() {
   const found = process.env.CHROME_PATH ? findSystemBrowser() : ((await findPlaywrightChromium()) ?? findSystemBrowser());
   if (found) return found;
-  // Ubuntu's `chromium` package is a stub that needs snap, so look again rather than trust apt's word.
+  // Ubuntu's `chromium` package is a stub that needs snap, so search again: success of apt is not enough.
   const installed = canInstallPackages() && installPackages(['chromium']) ? findSystemBrowser() : null;
   if (installed) return installed;
   throw new Error('No Chrome or Chromium was found. Run: npx playwright install --with-deps chromium');
 }
 
 /**
- * What Chromium leaves out. Each window would load the list of suggestions of an address bar that no one sees, twice, in a process of its own: more
- * than half of the work of opening a page. A second such switch replaces Playwright's, so what it leaves out is named again.
+ * Features of Chromium that we disable. Each window would load the suggestions of its invisible address bar, twice, in a process of its
+ * own: more than half of the work of opening a page. This switch replaces the one of Playwright, so the list repeats Playwright's features.
  */
 const disabledFeatures = [
   ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'],
@@ -107,11 +107,11 @@ const disabledFeatures = [
   ...['LensOverlay', 'MediaRouter', 'OptimizationHints', 'NetworkTimeServiceQuerying', 'AimEnabled'],
 ];
 
-/** Switches for every browser that we start: WebGL in software (or on the GPU), and no talk with the network. */
+/** Switches for every browser that we start: WebGL in software (or on the GPU), and no connections to services of the browser. */
 export function listLaunchArgs() {
-  // ANGLE would also translate each program for the CPU when it is linked, though most are never drawn with.
+  // ANGLE would also compile each program for the CPU when it is linked, though most programs are never used for drawing.
   const noWarmUp = '--disable-angle-features=warmUpPipelineCacheAtLink';
-  // What one context has compiled the next one of the same program uses again.
+  // A program that one context has compiled is used again by the next context.
   const oneCache = '--enable-angle-features=preferGlobalPipelineCache';
   const gl =
     process.env.VOLUME_VIEW_GPU === '1'
@@ -130,14 +130,14 @@ export function listLaunchArgs() {
 }
 
 /**
- * Switches for the browsers of the tests: pages are put together without GL. In software that is a fifth of the work of opening a page, and WebGL itself is
- * what it was. Benches leave it as visitors have it.
+ * Switches for the browsers of the tests: pages are composed without GL. With software rendering this saves a fifth of the work of opening
+ * a page; WebGL itself does not change. Benchmarks do not use it, so that they measure what visitors get.
  */
 export function listTestArgs() {
   return process.env.VOLUME_VIEW_GPU === '1' ? listLaunchArgs() : [...listLaunchArgs(), '--disable-gpu-compositing'];
 }
 
-// `node scripts/find-browser.mjs` says what would be used.
+// `node scripts/find-browser.mjs` prints the browser that would be used.
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const path = await findBrowser();
   console.log(`${path}\n${execFileSync(path, ['--version', ...listLaunchArgs()], { encoding: 'utf8' }).trim()}`);

@@ -1,5 +1,5 @@
-// Which files import each other in a ring: imports and exports of types count, `import('…')` too, in code and in types.
-// oxlint's import/no-cycle knows the static ones only.
+// Finds files that import each other in a cycle. Imports and exports of types count, and so does `import('…')`, in code and in types.
+// oxlint's import/no-cycle finds only static imports.
 import { readFileSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { parseSync } from 'vite';
@@ -7,7 +7,7 @@ import { parseSync } from 'vite';
 const IMPORTS = new Set(['ImportDeclaration', 'ExportNamedDeclaration', 'ExportAllDeclaration', 'ImportExpression', 'TSImportType']);
 
 /**
- * The specifiers of all that a node of a syntax tree, or what it holds, imports.
+ * The specifiers of all imports in a node of a syntax tree and its children.
  * @param {any} node
  * @returns {string[]}
  */
@@ -18,7 +18,7 @@ function listSpecifiers(node) {
 }
 
 /**
- * The files of a list that one of them imports.
+ * The files of a list that a file imports.
  * @param {string} file - absolute
  * @param {ReadonlySet<string>} files - absolute
  */
@@ -31,9 +31,9 @@ function listImports(file, files) {
 }
 
 /**
- * One ring for each group of files that import each other: the shortest way from one of them back to itself.
+ * One cycle for each group of files that import each other: the shortest path from one of them back to itself.
  * @param {readonly string[]} paths - files of code
- * @returns {string[][]} rings of absolute paths, none of them twice; empty where there is no cycle
+ * @returns {string[][]} cycles of absolute paths, each path only once; empty where there is no cycle
  */
 export function findCycles(paths) {
   const files = new Set(paths.map((path) => resolve(path)));
@@ -52,7 +52,7 @@ export function findCycles(paths) {
 /**
  * @param {string} start
  * @param {ReadonlyMap<string, readonly string[]>} graph
- * @returns {string[] | undefined} the files of the shortest ring through `start`, in the order in which they import
+ * @returns {string[] | undefined} the files of the shortest cycle through `start`, in the order of their imports
  */
 function findWayBack(start, graph) {
   /** @type {Map<string, string>} */

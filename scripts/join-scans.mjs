@@ -1,6 +1,6 @@
 /**
- * One manifest of several: what is the same in all of them stands once, the rest with each scan. Times of single sweeps
- * are left out.
+ * Make one manifest from several: fields that are the same in all of them are written once, the others with each scan. Times of
+ * single sweeps are left out.
  * @param {readonly Record<string, unknown>[]} manifests - in the order of time
  */
 export function joinScans(manifests) {

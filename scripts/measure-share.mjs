@@ -1,15 +1,15 @@
-/** From this opacity on a pixel counts as seen, of 255. */
+/** Pixels with at least this opacity, of 255, count as visible. */
 const seenFrom = 13;
 
-/** Lines of pixels with fewer seen ones than this share of the picture's shorter side are stray. */
+/** Lines of pixels are ignored if their share of visible pixels, of the picture's shorter side, is below this. */
 const strayShare = 0.004;
 
 /**
- * How much of a picture is filled by what is seen in it.
+ * The share of a picture that its visible part fills.
  * @param {Uint8Array} alpha - of each pixel, row by row
  * @param {readonly [number, number]} size
- * @returns {{ width: number, height: number, fits: number, isCut: boolean } | null} shares of the sides; `fits` is that of the
- * side which it fills the most; `isCut` where it reaches the edge. Null where nothing is seen.
+ * @returns {{ width: number, height: number, fits: number, isCut: boolean } | null} shares of the sides; `fits` is the larger of
+ * the two; `isCut` where the visible part reaches the edge. Null where nothing is visible.
  */
 export function measureShare(alpha, [width, height]) {
   const counts = [new Uint32Array(width), new Uint32Array(height)];

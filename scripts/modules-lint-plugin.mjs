@@ -1,10 +1,10 @@
-// The architecture's rule as a lint rule: who may import what. Dynamic imports and import types count too, which is
-// why this is not `no-restricted-imports`.
+// The rule of the architecture as a lint rule: which module may import which. Dynamic imports and import types count too;
+// `no-restricted-imports` does not check these.
 import { dirname, relative, resolve, sep } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
 
 /**
- * Each module, and the modules it may import from besides itself. `viewer/model`: that folder alone.
+ * Each module, and the modules that it may import from, in addition to itself. `viewer/model` means that folder only.
  * @type {Record<string, string[]>}
  */
 const MAY_IMPORT = {
@@ -33,8 +33,8 @@ const MAY_IMPORT = {
 };
 
 /**
- * The folders of a module, in their order: a file imports from its own folder and from those before it. `.` are the files
- * that lie in the module itself.
+ * The folders of a module, in their order: a file may import from its own folder and from the folders before it. `.` means the files
+ * in the module itself.
  * @type {Record<string, string[]>}
  */
 const FOLDERS = {
@@ -45,16 +45,16 @@ const FOLDERS = {
 };
 
 /**
- * Packages that one module alone knows.
+ * Packages that only one module may import.
  * @type {Record<string, string>}
  */
 const OWNED_PACKAGES = { lit: 'components', x3dom: 'x3d', '@shoelace-style': 'messages' };
 
-/** Modules that lie in the folder of another one. */
+/** Modules in the folder of another module. */
 const NESTED = ['radar/gpu', 'x3d/nodes'];
 
 /**
- * The module of a file, and its folder there; undefined for files outside of all (tests, scripts).
+ * The module of a file, and its folder there; undefined for files outside all modules (tests, scripts).
  * @param {string} file - absolute
  */
 function findPlace(file) {
@@ -66,14 +66,15 @@ function findPlace(file) {
 }
 
 /**
- * What is wrong with an import of one folder from another of the same module, or null.
+ * The error of an import between two folders of the same module, or null.
  * @param {string} name - of the module @param {string} from @param {string} to - folders
- * @param {{ isType: boolean, isDefinition: boolean }} what - isDefinition: of a file that defines an element
+ * @param {{ isType: boolean, isDefinition: boolean }} what - isDefinition: it imports a file that defines an element
  */
 function findBackArrow(name, from, to, { isType, isDefinition }) {
   if (from === to) return null;
   if (name === 'components') {
-    // An element is a folder of its own. What several need lies in internal; of another element its types are known, and what defines it.
+    // An element is a folder of its own. Code for several elements is in internal; an element may import from another one only types, and
+    // the file that defines it.
     if (isType || to === 'internal' || isDefinition) return null;
     return `components/${from} may not import from components/${to}; it may from: internal, what defines elements, and types from all`;
   }
@@ -85,7 +86,7 @@ function findBackArrow(name, from, to, { isType, isDefinition }) {
   return `${name}/${from} may not import from ${name}/${to}; it may from: ${order.slice(0, here).join(', ') || 'nowhere'}`;
 }
 
-// oxlint hands over ESTree nodes; its own types for them are not public under a stable name, hence `any`.
+// oxlint passes ESTree nodes; it has no public types with a stable name for them, so we use `any`.
 
 const oneWay = {
   meta: { type: 'problem', schema: [] },
@@ -123,10 +124,12 @@ const oneWay = {
   },
 };
 
-/** A name that says: for nobody but this object. x3dom's own fields have such names too, and all of them are used in src/x3d. */
+/** A name for private use within one object. x3dom's own fields have such names too, and all of them are used in src/x3d. */
 const PRIVATE = /^_[a-z]/;
 
-/** What begins with an underscore is read through `this` alone; what others need joins the view by its socket, or is asked for there. */
+/**
+ * Names that begin with an underscore may be read only through `this`. Other code joins the view through its socket, or asks the socket.
+ */
 const ownPrivates = {
   meta: { type: 'problem', schema: [] },
   /** @param {any} context */
@@ -178,10 +181,10 @@ const noUnfinished = {
   }),
 };
 
-/** Attributes whose text is read by people, or to them. */
+/** Attributes whose text people read, or screen readers read aloud. */
 const SPOKEN = /\b(?:aria-(?:label|description|valuetext|roledescription|placeholder)|title|alt|placeholder)="([^"]*)"/g;
 
-/** Words of people stand in src/messages, where there may be other languages; a template has none. */
+/** Texts for people belong in src/messages, where they can be translated; a template contains none. */
 const noLiteralWords = {
   meta: { type: 'problem', schema: [] },
   create: (/** @type {any} */ context) => ({

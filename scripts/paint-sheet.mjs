@@ -1,5 +1,5 @@
 /**
- * In a page: pictures with their names, side by side.
+ * Runs in a page: paints pictures with their names, side by side.
  * @param {{ cells: readonly { picture: string, name: string }[], columns: number, cell: [number, number] }} sheet
  */
 export async function paintSheet({ cells, columns, cell: [w, h] }) {
@@ -12,7 +12,7 @@ export async function paintSheet({ cells, columns, cell: [w, h] }) {
   context.font = '13px system-ui, sans-serif';
   context.fillStyle = '#222';
   for (const [i, { picture, name }] of cells.entries()) {
-    if (picture === '') continue; // A place that stays empty.
+    if (picture === '') continue; // This place stays empty.
     const image = new Image();
     image.src = `data:image/png;base64,${picture}`;
     await image.decode();

@@ -1,4 +1,4 @@
-// Ends an end-to-end run with the names of what failed and of what took longest, and the line that scripts/test.mjs adds up.
+// Ends an end-to-end run with the names of the failed and of the slowest tests, and the line that scripts/test.mjs adds up.
 import { stripVTControlCharacters } from 'node:util';
 
 export default class CountsReporter {

@@ -1,10 +1,11 @@
-// Pages of the unit tests, for @web/test-runner-playwright: a page of its own for each file would cost a window and a process, more than most files' tests take.
+// Reuses pages in the unit tests of @web/test-runner-playwright: a new page for each file would cost a window and a process, which takes
+// longer than the tests of a usual file.
 
 /** @typedef {import('playwright').BrowserContext} BrowserContext */
 
 /**
- * A file gets a context, and the page in it, that no other file is using; the runner has left that page for `about:blank`, which ends all that ran in it.
- * A page that crashed is not used again: its file ends with an error, and never gives it back.
+ * A file gets a context, and the page in it, that no other file is using. The runner has left that page for `about:blank`, which ends all
+ * its scripts. A page that crashed is not used again: its file ends with an error, and the context never comes back to the list.
  */
 export function reusePages() {
   /** @type {BrowserContext[]} */
@@ -13,7 +14,7 @@ export function reusePages() {
   /** @param {import('playwright').Browser} browser */
   async function openContext(browser) {
     const context = await browser.newContext();
-    // What the runner calls when a file is done. The browser closes them all at the end.
+    // The runner calls this when a file is finished. The browser closes all contexts at the end.
     context.close = async () => void free.push(context);
     return context;
   }

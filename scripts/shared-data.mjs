@@ -1,5 +1,5 @@
-// Larger real data sets lie beside the checkout, in ../shared/data, on machines that have them.
-// The dev server, the test runner and the end-to-end server all show that folder at /shared-data/.
+// Larger real data sets are in ../shared/data, next to the checkout, on machines that have them. The dev server, the test runner and the
+// end-to-end server all serve that folder at /shared-data/.
 import { existsSync, statSync } from 'node:fs';
 import { dirname, join, normalize, resolve, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';

@@ -1,5 +1,5 @@
-// A plain server of the checkout on 127.0.0.1, for tests of the built package and for the other engines.
-// A second port is another origin: /cors/… sends Access-Control-Allow-Origin, /no-cors/… does not.
+// A simple server of the checkout on 127.0.0.1, for tests of the built package and for the other engines. A second port is another origin:
+// /cors/… sends Access-Control-Allow-Origin, /no-cors/… does not.
 import { createReadStream } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname } from 'node:path';
@@ -11,7 +11,7 @@ const TYPES = {
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript; charset=utf-8',
   '.mjs': 'text/javascript; charset=utf-8',
-  '.ts': 'text/javascript; charset=utf-8', // Tests put a script there.
+  '.ts': 'text/javascript; charset=utf-8', // Tests put a script at such an address.
   '.css': 'text/css; charset=utf-8',
   '.json': 'application/json',
   '.map': 'application/json',
@@ -64,7 +64,7 @@ function sendBytes(response, bytes) {
 }
 
 /**
- * Keep a page that a test has written, until another one takes its address.
+ * Store a page that a test has written, until another page replaces it at the same address.
  * @param {import('node:http').IncomingMessage} request - PUT, with the page in its body
  * @param {import('node:http').ServerResponse} response
  * @param {Map<string, string>} pages - by path and query
@@ -100,9 +100,9 @@ function listen(listener, port) {
 }
 
 /**
- * @param {{ port?: number, crossPort?: number, made?: Record<string, () => Uint8Array>, root?: string, takesPages?: boolean }} [options] - made: what is
- *   served without being a file, by path; root: the folder that is served, by default the checkout; takesPages:
- *   pages may be put where they are then served, and browsers may keep what is built, as they would of a host that means it
+ * @param {{ port?: number, crossPort?: number, made?: Record<string, () => Uint8Array>, root?: string, takesPages?: boolean }} [options] - made: contents
+ * that are served without a file, by path; root: the folder that is served, by default the checkout; takesPages: tests may put pages on
+ * the server, and browsers may cache the built files, as on a production server
  * @returns {Promise<{ url: string, crossUrl: string, close: () => void }>} no slash at the end of the addresses
  */
 export async function startStaticServer({ port = 0, crossPort = 0, made = {}, root = projectRoot, takesPages = false } = {}) {
@@ -110,7 +110,7 @@ export async function startStaticServer({ port = 0, crossPort = 0, made = {}, ro
   const pages = new Map();
   const own = await listen((request, response) => {
     const path = readPath(request.url);
-    if (path === '/favicon.ico') response.writeHead(204).end(); // Browsers ask unbidden; a 404 would be a console message.
+    if (path === '/favicon.ico') response.writeHead(204).end(); // Browsers request it by themselves; a 404 would be a console message.
     else if (Object.hasOwn(made, path)) sendBytes(response, made[path]());
     else if (takesPages && request.method === 'PUT') void takePage(request, response, pages);
     else if (pages.has(request.url ?? '')) response.writeHead(200, { 'content-type': TYPES[extname(path)] ?? TYPES['.html'], 'cache-control': 'no-cache' }).end(pages.get(request.url ?? ''));

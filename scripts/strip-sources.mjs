@@ -1,14 +1,14 @@
-// Texts as the built files have them: without what is for readers of the source.
+// Removes from source texts what the built files do not need.
 
 /**
- * GLSL without comments, indentation and blanks that mean nothing: these are for readers of the source. Lines of the
- * preprocessor stay as they are.
+ * GLSL without comments, indentation and blanks without meaning: the built files do not need them. Preprocessor lines
+ * do not change.
  * @param {string} text
  */
 export function stripGlsl(text) {
   const bare = text.replace(/\/\*[\s\S]*?\*\//g, ' ').replace(/\/\/.*$/gm, '');
   const lines = bare.split('\n').map((line) => line.trim()).filter(Boolean);
-  // Two signs in a row would become another operator.
+  // Without the blank, two signs in a row would become another operator.
   const keepsBlanks = (/** @type {string} */ line) => /[-+]\s+[-+]/.test(line);
   const pack = (/** @type {string} */ line) => (keepsBlanks(line) ? line : line.replace(/\s*([-+*/=<>!&|?:;,(){}[\]])\s*/g, '$1'));
   const packed = lines.map((line) => (line.startsWith('#') ? `\n${line}\n` : `${pack(line)} `));
@@ -16,7 +16,7 @@ export function stripGlsl(text) {
 }
 
 /**
- * Style sheets in a script without what is for readers of the source.
+ * Style sheets in a script, without comments and without needless blanks.
  * @param {string} code
  */
 export function stripCss(code) {
@@ -27,8 +27,8 @@ export function stripCss(code) {
 }
 
 /**
- * A script in ASCII: a page that does not say its character set has its classic scripts read in another one than UTF-8,
- * and then no signature of a file and no sign of a text would be right.
+ * A script in ASCII: where a page does not declare its character set, browsers do not read its classic scripts as UTF-8.
+ * Then signatures of files and special characters in texts would be wrong.
  * @param {string} code
  */
 export function escapeToAscii(code) {

@@ -1,4 +1,4 @@
-// What tests in Node find as in the server of the tests in a browser: files of the project by their paths.
+// Lets tests in Node fetch files of the project by their paths, as from the test server in a browser.
 import { readFileSync } from 'node:fs';
 import { findFile, findSharedData, projectRoot } from './shared-data.mjs';
 

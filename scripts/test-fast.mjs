@@ -1,5 +1,5 @@
-// `npm run test:fast`: the tests of test/unit in Node, without a browser. Arguments are parts of file names.
-// Node 20 reads no TypeScript, so they are bundled into a folder of their own first. mocha runs the files on all cores.
+// `npm run test:fast`: the tests of test/unit in Node, without a browser. Arguments are parts of file names. Node 20 can't read TypeScript,
+// so the tests are first bundled into a folder of their own. mocha runs the files on all cores.
 import { mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
@@ -50,6 +50,6 @@ if (files.length === 1) await mocha.loadFilesAsync();
 const runner = mocha.run((failures) => {
   const { passes = 0 } = runner.stats ?? {};
   console.log(`${passes} passed, ${failures} failed`);
-  process.exit(failures > 0 ? 1 : 0); // Some tests leave a time-out or a worker behind.
+  process.exit(failures > 0 ? 1 : 0); // Some tests leave a timer or a worker running.
 });
 runner.on('fail', (test) => console.log(`FAILED: ${test.fullTitle()}`));

@@ -1,5 +1,6 @@
-// `npm test`: every part, and as the last line the sum. With `--engines`, the smoke test in the other engines too; with
-// `--bundlers`, the apps of test/bundlers, which are installed for it. A part is a program that ends with `N passed, N failed`, or, where it counts nothing, is one check itself.
+// `npm test` runs every part; the last line is the sum. With `--engines`, it also runs the smoke test in the other engines; with
+// `--bundlers`, also the apps of test/bundlers, which are then installed. A part is a program that ends with `N passed, N failed`; a part
+// that counts nothing is one check.
 import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
@@ -11,8 +12,8 @@ const bin = (path) => join(projectRoot, 'node_modules', path);
  * @typedef {object} Part
  * @property {string} title
  * @property {string[]} args - of node
- * @property {boolean} counts - whether it says how many passed and failed
- * @property {string} [after] - the part whose files it reads, or whose files would change under it
+ * @property {boolean} counts - whether it prints how many tests passed and failed
+ * @property {string} [after] - the part whose files it reads, or which reads files that it changes
  * @property {boolean} [browser] - whether it runs a browser, which keeps all cores busy
  */
 
@@ -28,7 +29,7 @@ const parts = [
   { title: 'Build', args: ['scripts/build.mjs'], counts: false },
   { title: 'Docs: the reference is what the code says', args: ['scripts/docs.mjs', '--check'], counts: false, after: 'Build' },
   { title: 'Docs: links', args: ['test/package/doc-links.mjs'], counts: true },
-  // The check of the reference writes the manifest of the elements anew, which is packed.
+  // The check of the reference writes the manifest of the elements again, and the package contains that file.
   { title: 'Package', args: ['test/package/run.mjs'], counts: true, after: 'Docs: the reference is what the code says' },
   { title: 'Package volume-view-prepare', args: ['test/package/prepare.mjs'], counts: true, after: 'Build' },
   { title: 'Build: dist stays whole meanwhile', args: ['test/package/rebuild.mjs'], counts: true, after: 'Package' },
@@ -45,9 +46,9 @@ if (process.argv.includes('--bundlers')) {
 }
 
 /**
- * Run one part, and show what it says: of a browser's, which takes minutes, at once, of others whole when it ends.
+ * Run one part, and show its output: for a part with a browser, which takes minutes, at once; for others when it ends.
  * @param {Part} part
- * @returns {Promise<{ status: number, output: string, seconds: number }>} with what it wrote to its standard output
+ * @returns {Promise<{ status: number, output: string, seconds: number }>} with its standard output
  */
 function runPart({ title, args, browser = false }) {
   return new Promise((resolve) => {
@@ -77,9 +78,9 @@ function runPart({ title, args, browser = false }) {
 const ended = new Map();
 
 /**
- * Run parts, each after the one that it names.
+ * Run parts, each one after the part that its `after` names.
  * @param {Part[]} waiting
- * @param {number} atOnce - so many of them
+ * @param {number} atOnce - maximum number of parts that run at the same time
  */
 async function runParts(waiting, atOnce) {
   /** @type {Set<Promise<void>>} */
@@ -98,7 +99,7 @@ async function runParts(waiting, atOnce) {
   }
 }
 
-// What needs no browser is mostly one thread: two at a time.
+// Parts without a browser mostly use one thread: run two at a time.
 await runParts(parts.filter(({ browser }) => !browser), 2);
 await runParts(parts.filter(({ browser }) => browser), 1);
 
@@ -111,7 +112,7 @@ for (const part of parts) {
   const { status, output, seconds } = /** @type {NonNullable<ReturnType<typeof ended.get>>} */ (ended.get(part));
   const found = counts ? [...output.matchAll(/^(\d+) passed, (\d+) failed$/gm)].at(-1) : undefined;
   const partPassed = found ? Number(found[1]) : Number(!counts && status === 0);
-  // A part that ends badly has failed, whatever it counted; so has one that counts and did not say how much.
+  // A part with an exit code other than 0 has failed, whatever it counted; so has a part that should count but printed no numbers.
   const partFailed = Math.max(found ? Number(found[2]) : 0, Number(status !== 0 || (counts && !found)));
   passed += partPassed;
   failed += partFailed;

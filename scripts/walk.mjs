@@ -1,4 +1,4 @@
-// A long random walk through an element's life: `npm run walk -- --steps 2000 --seed 7 --engine Firefox`; see test/engines/walk.js.
+// A long random walk through the states of an element: `npm run walk -- --steps 2000 --seed 7 --engine Firefox`; see test/engines/walk.js.
 import { spawnSync } from 'node:child_process';
 import { parseArgs } from 'node:util';
 import { projectRoot } from './shared-data.mjs';

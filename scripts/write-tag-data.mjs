@@ -1,5 +1,5 @@
-// What editors and frameworks know of the tags, all from the custom-elements manifest: types of JSX and Vue, and data for VS Code and
-// JetBrains. scripts/build.mjs calls it.
+// Writes descriptions of the tags for editors and frameworks, all from the custom-elements manifest: types of JSX and Vue, and data for VS
+// Code and JetBrains. scripts/build.mjs calls it.
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
@@ -11,7 +11,7 @@ const oneLine = (text) => (text ?? '').replace(/\s+/g, ' ').trim();
 /** @param {string} text */
 const comment = (text) => `/** ${oneLine(text).replaceAll('*/', '* /')} */`;
 
-/** The elements of the manifest, with the module that each is in. @returns {Entry[]} */
+/** The elements of the manifest, each with the module that defines it. @returns {Entry[]} */
 function readElements() {
   const { modules } = JSON.parse(readFileSync(join(projectRoot, 'custom-elements.json'), 'utf8'));
   return modules
@@ -19,12 +19,12 @@ function readElements() {
     .filter((/** @type {Entry} */ one) => one.tagName);
 }
 
-/** Words that an attribute may be, where its type names them. @param {Entry} attribute */
+/** Allowed words of an attribute, where its type names them. @param {Entry} attribute */
 const listValues = (attribute) => [...(attribute.type?.text ?? '').matchAll(/'([^']+)'/g)].map(([, value]) => value);
 
 const isFlag = (/** @type {Entry} */ attribute) => attribute.type?.text === 'boolean';
 
-/** What all of them say of a tag or an attribute. @param {Entry} one */
+/** The fields that all formats have for a tag or an attribute. @param {Entry} one */
 const described = (one) => ({ name: one.name, description: oneLine(one.description) });
 
 /** Data for VS Code (`html.customData`). @param {Entry[]} elements */
@@ -69,7 +69,11 @@ function writeWebTypes(elements, version) {
   };
 }
 
-/** A property takes its text too; one of them is written otherwise than it is read. @param {Entry} element @param {Entry} attribute */
+/**
+ * The type for writing a property. A property accepts its text too, and one property accepts more types than it returns.
+ * @param {Entry} element
+ * @param {Entry} attribute
+ */
 function typeProperty({ name }, { fieldName }) {
   const stops = fieldName === 'transferFunction' ? ' | readonly Stop[]' : '';
   return `${name}['${fieldName}']${stops} | string`;
@@ -84,7 +88,11 @@ function typeAttributes(element) {
   ]);
 }
 
-/** A type of all that an element types itself, some of which HTML types otherwise. @param {Entry} element @param {string[]} events */
+/**
+ * A type with all names for which an element has its own types; some of these have other types in HTML.
+ * @param {Entry} element
+ * @param {string[]} events
+ */
 function listOwn(element, events) {
   const names = (element.attributes ?? []).flatMap((/** @type {Entry} */ one) => [`'${one.fieldName}'`, `'${one.name}'`]);
   return [...new Set([...events, ...names])].join(' | ') || 'never';
@@ -95,7 +103,7 @@ function typeEvents(element, nameListener) {
   return (element.events ?? []).flatMap((/** @type {Entry} */ one) => [comment(one.description), `${nameListener(one.name)}?: ((event: ${one.type.text}) => void) | undefined;`]);
 }
 
-/** The file that exports each type: by its name, the path of its declarations. @returns {Map<string, string>} */
+/** The file that exports each type: the path of its declarations, by its name. @returns {Map<string, string>} */
 function findTypes() {
   const paths = ['components', 'src'].flatMap((folder) => readdirSync(join(projectRoot, folder), { recursive: true }).map((name) => `${folder}/${String(name).replaceAll('\\', '/')}`));
   return new Map(paths.filter((path) => path.endsWith('.ts')).flatMap((path) => {
@@ -104,7 +112,7 @@ function findTypes() {
   }));
 }
 
-/** The beginning of a file of types: all that it may name. @param {Entry[]} elements */
+/** The beginning of a file of types: it imports all types that the file may use. @param {Entry[]} elements */
 function importTypes(elements) {
   const types = findTypes();
   const events = elements.flatMap((element) => element.events ?? []).flatMap((/** @type {Entry} */ one) => one.type.text.match(/\w+/g));
@@ -120,12 +128,12 @@ function importTypes(elements) {
 /** @param {string} head @param {string[]} lines */
 const block = (head, lines) => [`${head} {`, ...lines.map((line) => `  ${line}`), '}', ''];
 
-/** Listeners of React's own. */
+/** Listeners that React itself defines. */
 const reactOnly = ['onLoad', 'onError', 'onProgress', 'onPlay', 'onPause', 'onInput', 'onChange'].map((name) => `'${name}'`);
 
 /** JSX as React 19 types it. @param {Entry[]} elements */
 function writeReact(elements) {
-  // React listens to `onload` as it is written; its own `onLoad` and the like never hear of an event that does not bubble.
+  // React listens to `onload` exactly as written; its own `onLoad` and similar listeners never get an event that does not bubble.
   const props = elements.flatMap((element) => [
     '',
     ...block(`export interface ${element.name}Props extends Omit<HTMLAttributes<${element.name}>, ${listOwn(element, reactOnly)}>, RefAttributes<${element.name}>`,
@@ -139,10 +147,10 @@ function writeReact(elements) {
   ].join('\n');
 }
 
-/** An event as Vue names its listener: `camera-change`, `onCameraChange`. @param {string} name */
+/** The name of Vue's listener for an event: `onCameraChange` for `camera-change`. @param {string} name */
 const nameVueListener = (name) => `'on${name.replace(/(?:^|-)(.)/g, (_, /** @type {string} */ letter) => letter.toUpperCase())}'`;
 
-/** Components as Vue's language tools look them up in templates. @param {Entry[]} elements */
+/** The components for Vue's language tools, which look them up in templates. @param {Entry[]} elements */
 function writeVue(elements) {
   const props = elements.flatMap((element) => {
     const own = listOwn(element, (element.events ?? []).map((/** @type {Entry} */ one) => nameVueListener(one.name)));

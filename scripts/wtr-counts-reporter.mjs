@@ -1,8 +1,8 @@
-// Ends a unit-test run with the line that scripts/test.mjs adds up, and names what failed, what was left out and what took longest.
+// Ends a unit-test run with the line that scripts/test.mjs adds up, and names the failed, the skipped and the slowest tests.
 import { relative } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
 
-/** Characters of a message. */
+/** Maximum number of characters of a message. */
 const longest = 400;
 
 /** @typedef {import('@web/test-runner-core').TestSuiteResult} TestSuiteResult */
@@ -22,7 +22,7 @@ export function countsReporter() {
     start({ sessions }) {
       const start = Date.now();
       sessions.on('session-status-updated', ({ id, status, testFile }) => {
-        // The first ones have begun already.
+        // The first sessions have already begun.
         if (!begun.has(id)) begun.set(id, status === 'INITIALIZING' ? Date.now() : start);
         if (status === 'FINISHED') times.push({ file: relative(projectRoot, testFile), seconds: (Date.now() - /** @type {number} */ (begun.get(id))) / 1000 });
       });
@@ -35,10 +35,10 @@ export function countsReporter() {
         const tests = listTests(session.testResults);
         const failures = tests.filter((test) => !test.passed && !test.skipped).length;
         passed += tests.filter((test) => test.passed).length;
-        // A file that does not load has no failed test, and is a failure all the same.
+        // A file that does not load has no failed test, but counts as a failure.
         failed += session.passed ? failures : Math.max(failures, 1);
         const file = relative(projectRoot, session.testFile ?? 'a file');
-        // Of a file that does not load, and of hooks, which no test knows of.
+        // Errors of a file that does not load, and of hooks, as they belong to no test.
         for (const { message } of session.passed ? [] : session.errors) console.log(`\nnot ok: ${file}: ${message.slice(0, longest)}`);
         if (!session.passed && failures === 0 && session.errors.length === 0) console.log(`\nnot ok: ${file}: it ended badly`);
         for (const test of tests.filter((one) => !one.passed && !one.skipped)) console.log(`\nnot ok: ${test.name}: ${test.error?.message.slice(0, longest) ?? 'it did not run'}`);
@@ -46,7 +46,7 @@ export function countsReporter() {
       }
       times.sort((a, b) => b.seconds - a.seconds);
       if (times.length > 1) for (const { file, seconds } of times.slice(0, 12)) console.log(`${seconds.toFixed(1).padStart(6)} s ${file}`);
-      // On a line of its own: the runner's progress may have left terminal codes on the present one.
+      // On a line of its own: the runner's progress may have left terminal codes on the present line.
       console.log(`\n${passed} passed, ${failed} failed`);
     },
   };

@@ -1,5 +1,5 @@
-// Scenes of the form of X3DOM's own examples for volumes: the same nodes, fields and numbers, with data of this project.
-// X3DOM's examples with an ImageTexture3D name NRRD files, which X3DOM does not read: here they have an atlas in its place.
+// Scenes like X3DOM's own examples for volumes: the same nodes, fields and numbers, with data of this project. X3DOM's examples with an
+// ImageTexture3D name NRRD files, which X3DOM can't read: here they have an atlas instead.
 
 /**
  * A volume as an image of slices.
@@ -11,16 +11,16 @@
  * @property {Atlas} brain
  * @property {Atlas} body
  * @property {Atlas} inside - of the body
- * @property {Atlas} halves - of the brain: the number of a half in each voxel
+ * @property {Atlas} halves - of the brain: each voxel has the number of its half
  * @property {string} colors - URL of a transfer function's image
  */
 
 /**
  * @typedef {object} ExampleScene
- * @property {string} file - X3DOM's, in its repository
- * @property {string} title - what is different in it
+ * @property {string} file - the path in X3DOM's repository
+ * @property {string} title - the difference from the other scenes
  * @property {(data: Data) => string} html
- * @property {string} [code] - of the error that the element tells; absent where there is none
+ * @property {string} [code] - code of the error that the element reports; absent where there is none
  */
 
 const functional = 'test/functional/volren';
@@ -30,12 +30,16 @@ const regression = 'test/regression-suite/test/cases';
 const atlasOf = ({ url, slices, across, down }, field = 'voxels') =>
   `<ImageTextureAtlas containerField='${field}' url='${url}' numberOfSlices='${slices}' slicesOverX='${across}' slicesOverY='${down}'></ImageTextureAtlas>`;
 
-/** The frame of the examples that other programs of X3D have too: small, and seen from near. @param {{ view: string, sky?: string, lamp?: string, scale: string }} frame @param {string} volume */
+/**
+ * The frame of the examples that other X3D programs have too: small, and seen from near.
+ * @param {{ view: string, sky?: string, lamp?: string, scale: string }} frame
+ * @param {string} volume
+ */
 const small = ({ view, sky, lamp = '', scale }, volume) => `<scene><group>
   <viewpoint ${view}></viewpoint><background ${sky ? `skyColor='${sky}'` : ''}></background>${lamp}
   <transform scale='${scale} ${scale} ${scale}'>${volume}</transform></group></scene>`;
 
-/** The frame of those of X3DOM's own. @param {string} volume @param {string} sky */
+/** The frame of X3DOM's own examples. @param {string} volume @param {string} sky */
 const large = (volume, sky = '0 0 0') => `<scene><background skyColor='${sky}'></background><viewpoint description='Default' zNear='0.0001' zFar='100'></viewpoint><transform>${volume}</transform></scene>`;
 
 const backpack = { view: "orientation='-0.981013 -0.121179 -0.151425 4.93207' position='0.0469256 -0.208028 0.0503946'", sky: '1 1 1', scale: '0.117188' };

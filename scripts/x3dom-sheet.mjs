@@ -1,6 +1,7 @@
-// Scenes of the form of X3DOM's own examples, as X3DOM draws them and as the element does: npm run x3dom-sheet -- --x3dom FILE [--only TEXT]
-// [--keep FOLDER]. FILE is X3DOM's x3dom-full.js: the package of npm has no volume nodes. It writes docs/images/x3dom-beside.webp,
-// and prints how much of each picture is seen. Without that file it says so and leaves the sheet as it is.
+// Compares scenes like X3DOM's own examples, drawn by X3DOM and by the element:
+// npm run x3dom-sheet -- --x3dom FILE [--only TEXT] [--keep FOLDER].
+// FILE is X3DOM's x3dom-full.js, as the package of npm has no volume nodes. It writes docs/images/x3dom-beside.webp, and prints the visible
+// share of each picture. Without that file it says so and does not change the sheet.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -17,7 +18,7 @@ const sheetFile = 'docs/images/x3dom-beside.webp';
 const folder = '/x3dom-sheet';
 const [side, shown, pairsAcross] = [320, 150, 4];
 
-/** A torso's slices from back to front, as one sees it from the front. @param {(hu: number) => number} byteOf */
+/** The slices of a torso from back to front, as seen from the front. @param {(hu: number) => number} byteOf */
 function tileTorso(byteOf) {
   const { dimensions: [nx, ny, nz], values } = torso;
   const [across, down] = [torsoAtlas.across, torsoAtlas.down];
@@ -32,7 +33,7 @@ function tileTorso(byteOf) {
   return encode({ width, height: nz * down, data, channels: 1, depth: 8 });
 }
 
-/** From a value to another one, 0 to 255. @type {(low: number, high: number) => (hu: number) => number} */
+/** Maps a range of values to 0 to 255. @type {(low: number, high: number) => (hu: number) => number} */
 const span = (low, high) => (hu) => Math.max(0, Math.min(255, Math.round((255 * (hu - low)) / (high - low))));
 
 const torso = paintTorso();
@@ -46,7 +47,7 @@ function tileHalves() {
   return encode({ width, height, data: Uint8Array.from({ length: width * height }, (_, i) => Number((i % width) % tile >= tile / 2)), channels: 1, depth: 8 });
 }
 
-/** Skin as a veil, vessels and organs red, bones white: byte, and red, green, blue and opacity. */
+/** Skin transparent, vessels and organs red, bones white: a byte, then red, green, blue and opacity. */
 const stops = [[0, 230, 150, 110, 0], [70, 230, 150, 110, 0], [85, 235, 160, 130, 40], [110, 200, 60, 50, 70], [150, 240, 210, 160, 150], [255, 255, 250, 240, 255]];
 
 function paintColors() {
@@ -83,7 +84,7 @@ const serveFiles = {
 
 const style = `<style>body { margin: 0 } x3d, volume-view { display: block; width: ${side}px; height: ${side}px; border: 0 !important } volume-view::part(error) { display: none }</style>`;
 
-/** X3DOM looks for the size of a texture once a second. */
+/** X3DOM checks the size of a texture once per second. */
 const timeOfX3dom = 3500;
 
 /** @param {import('@playwright/test').Page} page @param {string} html */
@@ -98,7 +99,7 @@ async function drawByElement(page, html) {
   await page.evaluate(() => customElements.whenDefined('volume-view').then(() => /** @type {any} */ (document.querySelector('volume-view')).whenRendered().catch(() => {})));
 }
 
-/** Of a picture, what is not its background: per cent, and the mean of its strongest tenth. @param {Uint8Array} png */
+/** The part of a picture that is not background: per cent, and the mean of its strongest tenth. @param {Uint8Array} png */
 function measure(png) {
   const { data: pixels, channels, width, height } = decode(png);
   const differences = Array.from({ length: width * height }, (_, i) => Math.max(...[0, 1, 2].map((c) => Math.abs(pixels[channels * i + c] - pixels[c])))).filter((x) => x > 3);
@@ -108,7 +109,7 @@ function measure(png) {
 }
 
 /**
- * In a page: pairs of pictures with their titles.
+ * Runs in a page: paints pairs of pictures with their titles.
  * @param {{ pairs: readonly { title: string, pictures: readonly string[] }[], across: number, size: number }} sheet
  */
 async function paintSheet({ pairs, across, size }) {

@@ -1,20 +1,20 @@
-// The package as classic scripts: volume-view.iife.js, and beside it the folder classic with what few pages need.
+// Builds the package as classic scripts: volume-view.iife.js, and next to it the folder classic with the parts that few pages need.
 import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { projectRoot } from '../shared-data.mjs';
 
-/** What of the entry is the package's, and not what its parts need of it. */
+/** The public exports of the entry, without those that only its parts use. */
 const PUBLIC = /^(?!injectScript$|scriptUrl$).{3,}$/;
 
-/** As the bundler writes `import('…')`, imports and exports. */
+/** The code that the bundler writes for `import('…')`, for imports and for exports. */
 const IMPORTED = /Promise\.resolve\(\)\.then\(\(\)=>require\(([`"'])\.\/([\w.-]+\.js)\1\)\)/g;
 const NEEDED = /\brequire\(([`"'])\.\/([\w.-]+\.js)\1\)/g;
 const EXPORTED = /(?<![\w$.{])exports(?=\.[\w$]+=|,)/g;
 
 /**
  * @param {readonly import('vite').Rolldown.OutputChunk[]} found - CommonJS, all in one folder
- * @param {string} dist - where they go
+ * @param {string} dist - the folder for the files
  */
 export function writeClassic(found, dist) {
   mkdirSync(join(dist, 'classic'), { recursive: true });
@@ -53,7 +53,7 @@ function writeFactory({ code, fileName }, numbers) {
 }
 
 /**
- * What each part that is asked for needs at once beside itself and the entry, directly or not.
+ * The parts that each part needs at once when it is requested, directly or not, in addition to itself and the entry.
  * @param {readonly import('vite').Rolldown.OutputChunk[]} chunks - the entry first
  * @param {ReadonlyMap<string, number>} numbers
  */

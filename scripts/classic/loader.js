@@ -1,5 +1,6 @@
-// Begins the classic script: what a page needs at once is in it, part 0, and all else lies beside it, in scripts of their own that are
-// run when they are needed. A part is a function, which its script puts into this list; those of other versions are in it, too.
+// The beginning of the classic script. The code that a page needs at once is in this script, as part 0. All other parts are scripts of
+// their own in the folder next to it, and run on demand. A part is a function, which its script puts into this list; parts of other
+// versions are in the list, too.
 const parts = (globalThis.volumeViewParts ??= {});
 const modules = {};
 const coming = {};
@@ -8,13 +9,13 @@ function keyOf(part) {
   return part + '-' + VERSION;
 }
 
-/** A part that is there, and what it needs. */
+/** Return a part that has been loaded, and run it with its imports if it has not run yet. */
 function need(part) {
   if (!modules[part]) parts[keyOf(part)](need, load, (modules[part] = {}));
   return modules[part];
 }
 
-/** A part that may not be there yet. What could not be loaded is tried again when it is asked for again. */
+/** Return a part that may not have been loaded yet. If loading fails, the next request tries again. */
 function load(part) {
   return Promise.all([part].concat(PART_NEEDS[part] || []).map(bring)).then(function () {
     return need(part);
@@ -23,7 +24,7 @@ function load(part) {
 
 function bring(part) {
   if (parts[keyOf(part)]) return null;
-  // The entry may still be running, where elements stand in the page already.
+  // The entry may still be running, where the page already contains elements.
   return (coming[part] ??= Promise.resolve()
     .then(function () {
       const entry = need(0);

@@ -1,5 +1,5 @@
-// embed.html?src=scan.nii.gz&alt=Brain&controls: a page with one volume, for an <iframe>. Attributes come from its address, those
-// of this list alone: whoever writes the address may be a stranger.
+// embed.html?src=scan.nii.gz&alt=Brain&controls: a page with one volume, for an <iframe>. Attributes come from its address, but only those
+// in this list, as the address may be written by anybody.
 (() => {
   const attributes = [
     'src', 'stack', 'mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'color-moment', 'beam-model',
@@ -21,7 +21,7 @@
   const view = document.createElement('volume-view');
   for (const name of attributes) if (given.has(name)) view.setAttribute(name, given.get(name));
   main.append(view);
-  // Whoever writes the frame thinks of the page around it; addresses count from this page.
+  // Authors of the iframe may expect addresses relative to the page around it; but they are relative to this page.
   view.addEventListener('error', ({ detail }) => {
     const src = given.get('src').trim();
     if (detail?.code !== 'source/not-found' || /^(\w+:|\/)/.test(src) || main.querySelector('.hint')) return;

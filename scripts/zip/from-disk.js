@@ -1,6 +1,6 @@
-// from-disk.html: makes a page that has a volume in itself, and so can be opened from disk.
+// from-disk.html: makes a page that contains a volume, and so can be opened from disk.
 (() => {
-  /** Larger files make pages that some browsers do not open. */
+  /** Some browsers can't open the pages of larger files. */
   const MAX_BYTES = 64 * 2 ** 20;
   const [file, alt, save, status, place] = ['file', 'alt', 'save', 'status', 'view'].map((id) => document.getElementById(id));
   /** @type {{ name: string, url: string } | null} the file as a data: URL */
@@ -14,7 +14,7 @@
     reader.readAsDataURL(new Blob([blob], { type: 'application/octet-stream' }));
   });
 
-  /** The tag, in a document of its own or in this one: attributes are set, no text is put together. */
+  /** The tag, created in a document of its own or in this one. Attributes are set by methods, so no HTML text is composed. */
   const makeView = (owner) => {
     const view = owner.createElement('volume-view');
     view.setAttribute('controls', '');
