@@ -1,5 +1,5 @@
 // Makes a synthetic thunderstorm on a cartesian grid, reflectivity in dBZ: two cells, their anvil, and rain behind them. World: x east, y
-// north, z up, metres; the wind at height blows to the north-east.
+// north, z up, metres; the wind higher up blows to the north-east.
 import { Painter, seededRandom } from './demo-painter.mjs';
 
 export const noEcho = -32;

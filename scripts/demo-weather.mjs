@@ -88,7 +88,7 @@ export function weatherAt(time) {
 
 /** Speed at which rain, or snow above the freezing level, falls through the air, m/s. @param {number} z @param {number} reflectivity */
 export function fallSpeed(z, reflectivity) {
-  // Atlas, Srivastava and Sekhon 1973; air is thinner at height (Foote and du Toit 1969).
+  // Atlas, Srivastava and Sekhon 1973; air is thinner higher up (Foote and du Toit 1969).
   const speed = z > freezingLevel ? 1.2 : 2.6 * Math.max(1, reflectivity) ** 0.107;
   return speed * Math.exp((0.4 * z) / 10_000);
 }

@@ -1,7 +1,7 @@
 /** Pixels with at least this opacity, of 255, count as visible. */
 const seenFrom = 13;
 
-/** Lines of pixels are ignored if their share of visible pixels, of the picture's shorter side, is below this. */
+/** A row or column of pixels is ignored if it has fewer visible pixels than this share of the picture's shorter side. */
 const strayShare = 0.004;
 
 /**

@@ -47,7 +47,7 @@ function tileHalves() {
   return encode({ width, height, data: Uint8Array.from({ length: width * height }, (_, i) => Number((i % width) % tile >= tile / 2)), channels: 1, depth: 8 });
 }
 
-/** Skin transparent, vessels and organs red, bones white: a byte, then red, green, blue and opacity. */
+/** Skin translucent, vessels and organs red, bones white: a byte, then red, green, blue and opacity. */
 const stops = [[0, 230, 150, 110, 0], [70, 230, 150, 110, 0], [85, 235, 160, 130, 40], [110, 200, 60, 50, 70], [150, 240, 210, 160, 150], [255, 255, 250, 240, 255]];
 
 function paintColors() {

@@ -17,6 +17,7 @@ const usualEvents: readonly string[] = ['load', 'optics-change'];
 
 /**
  * Finds the <volume-view> of a companion and follows it. It works in whatever order the elements are inserted, defined, named and removed.
+ *
  * With `for` it is the view with this id: in the companion's own tree, in a tree around it, or in any open shadow root. Without `for`, it
  * is the nearest view: the one around the companion, else the first one in the smallest element that contains both, else the first one in
  * any open shadow root.

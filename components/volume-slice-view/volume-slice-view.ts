@@ -57,7 +57,7 @@ export type { SliceCursorDetail } from './volume-slice-view-parts.ts';
  * @cssproperty --volume-view-notice-background - background of both
  * @cssproperty --volume-view-focus-color - colour of the frame around the element with the focus
  * @cssproperty --volume-view-error-background - background of the text of an error
- * @cssproperty --volume-view-error-color - their colour
+ * @cssproperty --volume-view-error-color - its colour
  * @fires {CustomEvent<SliceCursorDetail>} cursor-change - the position of the crosshair: at first, and when it has moved, in this pane or in another pane that shares it
  * @fires {CustomEvent<{ window: readonly [number, number] }>} window-change - a person has chosen another window
  * @fires {CustomEvent<null>} load - the file of `src` has been loaded

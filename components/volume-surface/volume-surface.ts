@@ -25,7 +25,7 @@ export interface VolumeSurfaceInfo {
  *
  * @tag volume-surface
  * @fires {CustomEvent<VolumeSurfaceInfo>} load - another surface is in the picture
- * @fires {CustomEvent<ProgressDetail>} progress - bytes came in
+ * @fires {CustomEvent<ProgressDetail>} progress - bytes have arrived
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good surface stays
  */
 export class VolumeSurface extends SurfaceElement {

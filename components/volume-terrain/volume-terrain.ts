@@ -29,7 +29,7 @@ export interface VolumeTerrainInfo {
  *
  * @tag volume-terrain
  * @fires {CustomEvent<VolumeTerrainInfo>} load - another terrain is in the picture
- * @fires {CustomEvent<ProgressDetail>} progress - bytes came in
+ * @fires {CustomEvent<ProgressDetail>} progress - bytes have arrived
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good terrain stays
  */
 export class VolumeTerrain extends SurfaceElement {

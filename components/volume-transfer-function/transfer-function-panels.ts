@@ -35,7 +35,7 @@ export function renderStopFields(
     const enter = ({ target }: Event): void => {
       const input = target as HTMLInputElement;
       const number = input.valueAsNumber;
-      input.value = shown; // If the text is no number, or its value is out of range, the field shows the current value again.
+      input.value = shown; // If the text is no number, or the stop can't go there, the field shows the current value again.
       if (Number.isFinite(number)) listener.change({ [name]: number * scale });
       listener.done();
     };

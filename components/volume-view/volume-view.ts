@@ -22,7 +22,7 @@ import { keepScenesFromX3dom } from '../../src/x3d/own-scenes.ts';
  * keys turn it. X3D elements between the tags (`<shape>`, `<viewpoint>`, `<directionallight>` ...) are live parts of the scene.
  *
  * @tag volume-view
- * @slot - X3D elements that join the scene, X3D's volume styles that draw it, and `<volume-slice>` elements that cut it, `<volume-labels>` that name its parts, a `<volume-layer>` over it, `<volume-surface>` and `<volume-terrain>` that stand in it
+ * @slot - X3D elements that become part of the scene, X3D's volume styles that draw the volume, `<volume-slice>` elements that cut it, `<volume-labels>` that name its parts, a `<volume-layer>` over it, `<volume-surface>` and `<volume-terrain>` that stand in it
  * @slot poster - shown until the first picture, instead of the `poster` image
  * @slot progress - shown while a file loads, instead of the bar
  * @slot error - shown when something failed, instead of the message
@@ -59,7 +59,7 @@ import { keepScenesFromX3dom } from '../../src/x3d/own-scenes.ts';
  * @cssproperty --volume-view-marker-size - its side; 96px by default
  * @cssproperty --volume-view-label-color - colour of the labels of rings
  * @fires {CustomEvent<VolumeInfo>} load - a volume has been loaded; the detail describes it
- * @fires {CustomEvent<ProgressDetail>} progress - bytes came in or were decoded
+ * @fires {CustomEvent<ProgressDetail>} progress - bytes have arrived or have been decoded
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good picture stays
  * @fires {CustomEvent<CameraChangeDetail>} camera-change - a person has moved the camera; fired after each frame of the movement
  * @fires {CustomEvent<VolumeOptics | null>} optics-change - the appearance of the volume has changed; null when the volume is gone

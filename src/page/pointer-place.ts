@@ -20,6 +20,7 @@ const markers = new WeakMap<HTMLElement, HTMLElement>();
 /**
  * The place of a pointer in an element, for all CSS transforms, zooms and perspectives of the page. It fits `clientWidth` and
  * `clientHeight`: a pointer at the lower right corner has these values.
+ *
  * We put four invisible points at the corners of the element and ask the browser where it shows them: `getBoundingClientRect` of a turned
  * element is only the box around it, and no property gives the sum of all transforms around the element.
  * @param element - one whose absolutely positioned children are placed relative to it; in an element with a shadow root, the points are in
