@@ -28,7 +28,7 @@ type Box = readonly [x0: number, y0: number, z0: number, x1: number, y1: number,
  * `<volume-clip for="head" type="plane" normal="1 0 0" at="0"></volume-clip>`
  *
  * @tag volume-clip
- * @cssproperty --volume-view-handle-color - of the `<volume-view>`: colour of the handles, which are the view's parts `handle`
+ * @cssproperty --volume-view-handle-color - of the `<volume-view>`: colour of the handles, which are parts `handle` of the view
  * @fires {CustomEvent<ClipShape>} clip-change - a person moves it; the detail gives its new position
  */
 export class VolumeClip extends ReflectingElement {

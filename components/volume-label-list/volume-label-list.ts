@@ -29,8 +29,8 @@ const mostRows = 2000;
  * @csspart search - the field that finds labels
  * @csspart button - each button
  * @csspart row - a label
- * @csspart swatch - its colour
- * @csspart name - its name
+ * @csspart swatch - the colour of a label
+ * @csspart name - the name of a label
  * @csspart count - how many labels are shown
  * @csspart hint - the text where there are no labels
  * @cssproperty --volume-label-list-height - maximum height of the rows, which scroll then; 20rem by default

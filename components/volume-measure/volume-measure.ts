@@ -46,7 +46,7 @@ const usualColor = '#3ec1ff';
  * @csspart error - the text of an error
  * @cssproperty --volume-view-focus-color - colour of the ring around the element with the focus; by default that of the text
  * @cssproperty --volume-view-error-background - background of the text of an error
- * @cssproperty --volume-view-error-color - its colour
+ * @cssproperty --volume-view-error-color - colour of the text of an error
  * @fires {CustomEvent<MeasureResult | null>} measure-change - the measure has changed, or the values inside have been added up; null when there is nothing to measure any longer
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good measure stays
  */

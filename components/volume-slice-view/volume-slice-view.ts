@@ -54,10 +54,10 @@ export type { SliceCursorDetail } from './volume-slice-view-parts.ts';
  * @cssproperty --volume-slice-crosshair-color - colour of the crosshair
  * @cssproperty --volume-slice-accent - colour of the slider
  * @cssproperty --volume-view-notice-color - colour of the sign for parts of a file that are not in the picture, and of its text
- * @cssproperty --volume-view-notice-background - background of both
+ * @cssproperty --volume-view-notice-background - background of the sign and of its text
  * @cssproperty --volume-view-focus-color - colour of the frame around the element with the focus
  * @cssproperty --volume-view-error-background - background of the text of an error
- * @cssproperty --volume-view-error-color - its colour
+ * @cssproperty --volume-view-error-color - colour of the text of an error
  * @fires {CustomEvent<SliceCursorDetail>} cursor-change - the position of the crosshair: at first, and when it has moved, in this pane or in another pane that shares it
  * @fires {CustomEvent<{ window: readonly [number, number] }>} window-change - a person has chosen another window
  * @fires {CustomEvent<null>} load - the file of `src` has been loaded

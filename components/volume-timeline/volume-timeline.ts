@@ -27,8 +27,8 @@ const icons = {
  *
  * @tag volume-timeline
  * @csspart timeline - the whole timeline
- * @csspart buttons - around the three buttons
- * @csspart button - each of them
+ * @csspart buttons - the box around the three buttons
+ * @csspart button - each of the three buttons
  * @csspart time - the time of the scan that is shown
  * @csspart slider - the slider, an input of the type range
  * @csspart ticks - a mark for each scan, at most 120, and times below some of them

@@ -51,7 +51,7 @@ export interface TransferFunctionDetail {
  * @csspart error - the text where an attribute cannot be read
  * @cssproperty --volume-view-focus-color - colour of the ring around the element with the focus
  * @cssproperty --volume-view-error-background - background of the text where an attribute cannot be read
- * @cssproperty --volume-view-error-color - its colour
+ * @cssproperty --volume-view-error-color - colour of the text where an attribute cannot be read
  * @cssproperty --volume-accent - colour of sliders and of the chosen stop
  * @cssproperty --volume-chart-height - height of the chart; 12rem by default
  * @cssproperty --volume-chart-background - background of the chart; dark by default, as behind a volume

@@ -11,7 +11,7 @@ const gap = 16;
 
 /**
  * The code of an iframe with the present view, its attributes, and its legend and timeline.
- * @param lang - of its words
+ * @param lang - language of its texts
  * @returns `missing`: the address where the page for iframes was not found
  */
 export async function writeEmbedCode(view: ControlledView, lang: string): Promise<{ readonly code: string } | { readonly missing: string }> {

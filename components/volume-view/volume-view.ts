@@ -28,16 +28,16 @@ import { keepScenesFromX3dom } from '../../src/x3d/own-scenes.ts';
  * @slot error - shown when something failed, instead of the message
  * @csspart picture - the picture, which takes the focus
  * @csspart poster - the poster image
- * @csspart progress - around the progress bar
- * @csspart error - around the error message
+ * @csspart progress - the box around the progress bar
+ * @csspart error - the box around the error message
  * @csspart retry - the button in the error message that loads the file again
- * @csspart controls - around all of the `controls`
+ * @csspart controls - the box around all of the `controls`
  * @csspart controls-bar - the bar of buttons
  * @csspart controls-panel - the panel that a button opens: views, more, help
  * @csspart controls-hint - the text that is shown at first
- * @csspart control - each button
- * @csspart marker - around the letters of `orientation-marker`
- * @csspart marker-side - each of them
+ * @csspart control - each button of the controls
+ * @csspart marker - the box around the letters of `orientation-marker`
+ * @csspart marker-side - each letter
  * @csspart blank - the text over a picture at rest in which nothing is visible
  * @csspart notice-sign - the sign that a part of a file is not in the picture, or is shown differently
  * @csspart notice-text - its text, shown when the sign is pointed at, has the focus or is pressed
@@ -45,18 +45,18 @@ import { keepScenesFromX3dom } from '../../src/x3d/own-scenes.ts';
  * @cssproperty --volume-view-focus-color - colour of the frame around the picture that has the focus
  * @cssproperty --volume-view-progress-color - colour of the progress bar
  * @cssproperty --volume-view-error-background - background of an error message
- * @cssproperty --volume-view-error-color - its colour
+ * @cssproperty --volume-view-error-color - colour of the text of an error message
  * @cssproperty --volume-view-controls-background - background of the controls
- * @cssproperty --volume-view-controls-color - their colour
+ * @cssproperty --volume-view-controls-color - colour of the controls
  * @cssproperty --volume-view-blank-background - background of the text over a picture that shows nothing
- * @cssproperty --volume-view-blank-color - its colour
+ * @cssproperty --volume-view-blank-color - colour of this text
  * @cssproperty --volume-view-notice-color - colour of the sign for parts of a file that are not in the picture, and of its text
- * @cssproperty --volume-view-notice-background - background of both
+ * @cssproperty --volume-view-notice-background - background of the sign and of its text
  * @cssproperty --volume-view-refining-color - colour of the line while a picture is being refined
  * @cssproperty --volume-view-marker-color - colour of the letters and lines of `orientation-marker`
- * @cssproperty --volume-view-marker-background - background of its letters
- * @cssproperty --volume-view-marker-hover - the same under the pointer
- * @cssproperty --volume-view-marker-size - its side; 96px by default
+ * @cssproperty --volume-view-marker-background - background of the letters of `orientation-marker`
+ * @cssproperty --volume-view-marker-hover - background of a letter under the pointer
+ * @cssproperty --volume-view-marker-size - width and height of `orientation-marker`; 96px by default
  * @cssproperty --volume-view-label-color - colour of the labels of rings
  * @fires {CustomEvent<VolumeInfo>} load - a volume has been loaded; the detail describes it
  * @fires {CustomEvent<ProgressDetail>} progress - bytes have arrived or have been decoded
@@ -175,7 +175,7 @@ export class VolumeView extends VolumeViewMembers {
   }
 }
 
-// Listeners get the right event types. Declaring the overloads by merging leaves the class's code alone.
+// Listeners get the right event types. The overloads are merged into the type, so the code of the class does not change.
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging
 export interface VolumeView {
   addEventListener: VolumeViewListeners['addEventListener'] & LitElement['addEventListener'];

@@ -33,9 +33,9 @@ const events = ['load', 'scans-change', 'labels-change'];
  * @tag volume-workspace
  * @slot - the `<volume-view>`
  * @slot side - companions of your own, after the others
- * @csspart stage - around the volume and the panes
+ * @csspart stage - the box around the volume and the panes
  * @csspart pane - each pane
- * @csspart side - around the companions
+ * @csspart side - the box around the companions
  * @csspart timeline - the timeline, where there are several scans
  * @csspart legend - the legend
  * @csspart readout - the readout
