@@ -103,7 +103,10 @@ export class PictureAttributes extends ViewAttributes {
    */
   @property({ attribute: 'auto-rotate', kind: flag }) autoRotate!: boolean;
 
-  /** Milliseconds until `auto-rotate` begins, counted from the first picture and from the last movement by a person. @default 3000 */
+  /**
+   * Milliseconds until `auto-rotate` begins, counted from the first picture and from the last movement by a person.
+   * @default 3000
+   */
   @property({ attribute: 'auto-rotate-delay', kind: number }) autoRotateDelay!: number | null;
 
   /**
@@ -120,7 +123,10 @@ export class PictureAttributes extends ViewAttributes {
    */
   @property({ attribute: 'orientation-marker', kind: flag }) orientationMarker!: boolean;
 
-  /** What mouse, fingers and keys move: the camera, or, with `none`, nothing. @default auto */
+  /**
+   * What mouse, fingers and keys move: the camera, or, with `none`, nothing.
+   * @default auto
+   */
   @property() interaction!: string | null;
 
   /**
@@ -160,7 +166,10 @@ export class PictureAttributes extends ViewAttributes {
     this.writeText('cursor', writeSafely(vector.write, value));
   }
 
-  /** Whether the picture shows the crosshair of the panes of this view too: `auto`, or `none`. @default auto */
+  /**
+   * Whether the picture shows the crosshair of the panes of this view too: `auto`, or `none`.
+   * @default auto
+   */
   @property() crosshair!: 'auto' | 'none' | null;
 
   /** Width of the element where CSS sets none: pixels, or a percentage. Together with `height` it sets the aspect ratio. */

@@ -26,7 +26,10 @@ export class SourceAttributes extends LookAttributes {
    */
   @property({ kind: vector }) spacing!: Vector3 | null;
 
-  /** The grid of the data in a mosaic: `cartesian`, or `spherical` for the sweeps of a radar, one in each tile. @default cartesian */
+  /**
+   * The grid of the data in a mosaic: `cartesian`, or `spherical` for the sweeps of a radar, one in each tile.
+   * @default cartesian
+   */
   @property() coordinates!: string | null;
 
   /** Elevations of the mosaic of a radar, degrees, one for each tile: `0.5 1.2 2.4`. */
@@ -75,6 +78,9 @@ export class SourceAttributes extends LookAttributes {
    */
   @property({ kind: flag }) autoplay!: boolean;
 
-  /** Scans per second while they play, or as many as can be loaded and drawn; 2 by default. @default 2 */
+  /**
+   * Scans per second while they play, or as many as can be loaded and drawn; 2 by default.
+   * @default 2
+   */
   @property({ attribute: 'play-speed', kind: number }) playSpeed!: number | null;
 }

@@ -44,7 +44,10 @@ export class VolumeClip extends ReflectingElement {
   /** Of a plane: its normal, `x y z`. The part of the volume on that side is kept. By default upwards, `0 0 1`. */
   @property({ kind: vector }) normal!: Vector3 | null;
 
-  /** Of a box: whether the `inside` or the `outside` is kept. @default inside */
+  /**
+   * Of a box: whether the `inside` or the `outside` is kept.
+   * @default inside
+   */
   @property() keep!: string | null;
 
   readonly #model = new ClipModel();

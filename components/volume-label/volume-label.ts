@@ -24,7 +24,10 @@ export class VolumeLabel extends ReflectingElement {
   /** A CSS colour. */
   @property() color!: string | null;
 
-  /** Factor of the opacity that the volume has in this label, 0 to 1. @default 1 */
+  /**
+   * Factor of the opacity that the volume has in this label, 0 to 1.
+   * @default 1
+   */
   @property({ kind: number }) opacity!: number | null;
 
   /**

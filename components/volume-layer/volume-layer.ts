@@ -52,7 +52,10 @@ export class VolumeLayer extends BesideElement<OverlayTarget> {
    */
   @property() blend!: string | null;
 
-  /** Multiplies its opacity. @default 1 */
+  /**
+   * Multiplies its opacity.
+   * @default 1
+   */
   @property({ attribute: 'opacity-factor', kind: number }) opacityFactor!: number | null;
 
   /** Its name next to values, `t value` for instance; by default the title of its file. */

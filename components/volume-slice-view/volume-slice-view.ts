@@ -84,10 +84,16 @@ export class VolumeSliceView extends ReflectingElement {
   /** Position of the slice in world units (mm) along the axis that it cuts. By default that of the crosshair. */
   @property({ kind: number }) at!: number | null;
 
-  /** Thickness of the slice, in world units (mm). @default 0 */
+  /**
+   * Thickness of the slice, in world units (mm).
+   * @default 0
+   */
   @property({ kind: number }) thickness!: number | null;
 
-  /** Which value of a thick slice is shown: `average`, `max` or `min`. @default average */
+  /**
+   * Which value of a thick slice is shown: `average`, `max` or `min`.
+   * @default average
+   */
   @property() projection!: string | null;
 
   /**
@@ -102,7 +108,10 @@ export class VolumeSliceView extends ReflectingElement {
    */
   @property({ attribute: 'window-function' }) windowFunction!: string | null;
 
-  /** `linear`, or `nearest`: each voxel as a block. Labels are always shown as blocks. @default linear */
+  /**
+   * `linear`, or `nearest`: each voxel as a block. Labels are always shown as blocks.
+   * @default linear
+   */
   @property() interpolation!: string | null;
 
   /**
@@ -110,10 +119,16 @@ export class VolumeSliceView extends ReflectingElement {
    */
   @property() colors!: string | null;
 
-  /** What a drag with the left button changes: the `cursor`, or the `window`. The right button changes the other. @default cursor */
+  /**
+   * What a drag with the left button changes: the `cursor`, or the `window`. The right button changes the other.
+   * @default cursor
+   */
   @property() drag!: string | null;
 
-  /** Opacity of the colours of `<volume-labels>` over the grey, 0 to 1. @default 0.5 */
+  /**
+   * Opacity of the colours of `<volume-labels>` over the grey, 0 to 1.
+   * @default 0.5
+   */
   @property({ attribute: 'label-opacity', kind: number }) labelOpacity!: number | null;
 
   /** Panes of one group share one crosshair, whatever they show. By default all panes of one volume are a group. */

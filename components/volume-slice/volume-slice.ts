@@ -46,7 +46,10 @@ export class VolumeSlice extends ReflectingElement {
   /** Of an `oblique` plane: its normal, `x y z`. */
   @property({ kind: vector }) normal!: Vector3 | null;
 
-  /** Of a plane: its thickness, in world units (mm). `projection` chooses which of the values in it is shown. @default 0 */
+  /**
+   * Of a plane: its thickness, in world units (mm). `projection` chooses which of the values in it is shown.
+   * @default 0
+   */
   @property({ kind: number }) thickness!: number | null;
 
   /**

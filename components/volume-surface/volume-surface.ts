@@ -35,7 +35,10 @@ export class VolumeSurface extends SurfaceElement {
   /** A CSS colour. By default the colours of the file where it has some, else a warm white. */
   @property() color!: string | null;
 
-  /** Only 1 is allowed: a translucent surface is refused, as it could not be drawn correctly within a volume. @default 1 */
+  /**
+   * Only 1 is allowed: a translucent surface is refused, as it could not be drawn correctly within a volume.
+   * @default 1
+   */
   @property({ kind: number }) opacity!: number | null;
 
   /**

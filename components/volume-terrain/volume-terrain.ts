@@ -45,7 +45,10 @@ export class VolumeTerrain extends SurfaceElement {
   /** A CSS colour. By default muted colours by height. */
   @property() color!: string | null;
 
-  /** Only 1 is allowed: translucent terrain is refused, as it could not be drawn correctly within a volume. @default 1 */
+  /**
+   * Only 1 is allowed: translucent terrain is refused, as it could not be drawn correctly within a volume.
+   * @default 1
+   */
   @property({ kind: number }) opacity!: number | null;
 
   /**

@@ -43,7 +43,10 @@ export class VolumeTimeline extends ReflectingElement {
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
 
-  /** Time zone in which times are written: a name such as `Australia/Sydney`, or `local` for that of the reader. @default UTC */
+  /**
+   * Time zone in which times are written: a name such as `Australia/Sydney`, or `local` for that of the reader.
+   * @default UTC
+   */
   @property({ attribute: 'time-zone' }) timeZone!: string | null;
 
   readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']));

@@ -47,7 +47,10 @@ const events = ['load', 'scans-change', 'labels-change'];
 export class VolumeWorkspace extends ReflectingElement {
   static override readonly styles = styles;
 
-  /** Which panes are shown: a list of `axial`, `sagittal` and `coronal`, or `none`. A radar has none. @default axial sagittal coronal */
+  /**
+   * Which panes are shown: a list of `axial`, `sagittal` and `coronal`, or `none`. A radar has none.
+   * @default axial sagittal coronal
+   */
   @property() panes!: string | null;
 
   /**
