@@ -5,7 +5,7 @@ export const styles = css`
     display: block;
     position: relative;
     box-sizing: border-box;
-    /* Not `hidden`: the browser could scroll such a box to show the element with the focus. */
+    /* Not "hidden": the browser could scroll such a box to show the element with the focus. */
     overflow: clip;
     min-inline-size: 0;
     min-block-size: 0;
