@@ -37,6 +37,12 @@ const worker = join(projectRoot, 'src/worker/decode-worker.ts');
 const besideParts = ['create-worker', 'x3dom-url', 'x3dom-beside-page'];
 const withoutUrl = join(projectRoot, 'src/x3d/x3dom-beside-page.ts'); // For Parcel.
 
+/** A chunk that defines an element is called after it. @param {{ facadeModuleId: string | null, name: string }} chunk */
+function nameChunk({ facadeModuleId, name }) {
+  const element = /components[\\/]([\w-]+)[\\/]define\.ts$/.exec(facadeModuleId ?? '')?.[1];
+  return `chunks/${element ?? name}-[hash].js`;
+}
+
 /**
  * One run of vite's library mode.
  * @param {object} options
@@ -195,11 +201,11 @@ await buildUnbundled(workerSource);
 await bundle({
   entry: main,
   format: 'es',
-  output: { entryFileNames: 'volume-view.js', chunkFileNames: 'chunks/[name]-[hash].js', ...AT_ONCE },
+  output: { entryFileNames: 'volume-view.js', chunkFileNames: nameChunk, ...AT_ONCE },
 });
 for (const name of companions) {
   const entry = join(projectRoot, `components/${name}/define.ts`);
-  await bundle({ entry, format: 'es', output: { entryFileNames: `${name}.js`, chunkFileNames: 'chunks/[name]-[hash].js' } });
+  await bundle({ entry, format: 'es', output: { entryFileNames: `${name}.js`, chunkFileNames: nameChunk } });
 }
 // The modules that every reader of a grid needs are one file, too.
 const gridSamples = { name: 'grid-samples', test: /src.(formats.base.(number-types|count-sample-bytes|list-left|piece-reader|place-volume|respace|store-samples)|volume.detail-offset)\.ts$/ };

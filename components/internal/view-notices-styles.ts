@@ -5,6 +5,7 @@ export const noticeStyles = `
   z-index: 2; /* Its text lies above the letters of a marker. */
   inset: 4px;
   inset-block-start: var(--_notice-top, 4px);
+  container-type: size;
   display: flex;
   flex-direction: column;
   align-items: flex-end;
@@ -47,6 +48,17 @@ export const noticeStyles = `
   stroke: currentColor;
   stroke-width: 2;
   stroke-linecap: round;
+}
+/* A thumbnail is not covered by its sign. */
+@container (max-width: 150px) {
+  .notice > button {
+    inline-size: 16px;
+    block-size: 16px;
+  }
+  .notice svg {
+    inline-size: 12px;
+    block-size: 12px;
+  }
 }
 .notice .told {
   box-sizing: border-box;

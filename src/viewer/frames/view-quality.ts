@@ -17,6 +17,7 @@ import type { Scene } from '../model/scene.ts';
 import { aside, errorAtHalf, ErrorProbe } from './measure-quality.ts';
 import { timeSampling } from './time-sampling.ts';
 
+export { faint } from '../../quality/error-estimate.ts';
 export { cutSteps } from '../../quality/levels.ts';
 export { planFrame } from '../../quality/plan-frame.ts';
 export { SteadyTime } from '../../quality/steady-time.ts';

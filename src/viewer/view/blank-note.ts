@@ -1,10 +1,10 @@
 // A text over a picture at rest that shows nothing: loaded with the first picture that may show nothing.
-import { faint } from '../../quality/error-estimate.ts';
 import type { Pixels } from '../../optics/rays/between-pixels.ts';
 import { english } from '../../messages/english-blank.ts';
 import { Words } from '../../messages/words.ts';
 import { findBlankCause } from '../frames/blank-cause.ts';
 import type { BlankCause } from '../frames/blank-cause.ts';
+import type * as ViewQuality from '../frames/view-quality.ts';
 import type { RenderStats } from '../model/render-stats.ts';
 import type { Scene } from '../model/scene.ts';
 import type { Viewer } from './viewer.ts';
@@ -71,10 +71,10 @@ const styles = `
 const noted = new WeakSet<NotedView>();
 
 /** From now on an element shows a note where its pictures at rest show nothing. */
-export function noteBlank(view: NotedView, presenter: VolumePresenter): void {
+export async function noteBlank(view: NotedView, presenter: VolumePresenter): Promise<void> {
   if (noted.has(view)) return;
   noted.add(view);
-  const note = new BlankNote(view, presenter);
+  const note = new BlankNote(view, presenter, await import('../frames/view-quality.ts')); // Each picture at rest has it.
   view.addController({ hostUpdated: () => note.follow() });
   note.follow();
 }
@@ -99,7 +99,7 @@ class BlankNote {
   #judged: RenderStats | null = null;
   #pending: RenderStats | null = null;
 
-  constructor(readonly view: NotedView, readonly presenter: VolumePresenter) {
+  constructor(readonly view: NotedView, readonly presenter: VolumePresenter, readonly quality: typeof ViewQuality) {
     this.#words = new Words(view as unknown as ConstructorParameters<typeof Words>[0], english);
   }
 
@@ -116,7 +116,7 @@ class BlankNote {
   #isStillBlank(): boolean {
     const { view: { paused }, presenter: { viewer, errors } } = this;
     const scene = viewer?.pictures.parts.keeper.scene;
-    return scene !== null && scene !== undefined && paused && !errors.first && largestAlpha(scene.readPicture()) <= faint;
+    return scene !== null && scene !== undefined && paused && !errors.first && largestAlpha(scene.readPicture()) <= this.quality.faint;
   }
 
   async #judge(stats: RenderStats): Promise<void> {
@@ -130,14 +130,14 @@ class BlankNote {
     const scene = viewer?.pictures.parts.keeper.scene;
     if (!viewer || !scene || !isCurrent()) return;
     const alpha = largestAlpha(scene.readPicture());
-    const cause = alpha <= faint ? await this.#findCause(viewer, scene, alpha) : null;
+    const cause = alpha <= this.quality.faint ? await this.#findCause(viewer, scene, alpha) : null;
     if (!isCurrent()) return;
     this.#judged = stats;
     this.#say(cause);
   }
 
   async #findCause(viewer: Viewer, scene: Scene, alpha: number): Promise<BlankCause | null> {
-    const { seenPixels } = await import('../frames/view-quality.ts');
+    const { seenPixels } = this.quality;
     const { pictures: { parts: { shown } }, frames } = viewer;
     const { volume, optics, cuts, labels } = shown;
     if (!volume || !optics) return null;
