@@ -1,4 +1,4 @@
-// Transfer functions of groups of labels.
+// Rays through volumes in which groups of labels have transfer functions of their own.
 import { dataEnds } from './rays/cast-ray.ts';
 import { groupOf, labelledEnds, labelShade, wear } from './attachments/labels.ts';
 import type { LabelledSample } from './attachments/labels.ts';
@@ -11,12 +11,12 @@ import type { ReferenceScene } from './reference.ts';
 import { composite } from './rays/segment.ts';
 import type { TransferFunction } from './transfer/transfer-function.ts';
 
-/** What each group's transfer function makes of values. @param scene - whose own transfer function does not matter */
+/** The optics of each group's transfer function. @param scene - its own transfer function is replaced */
 export function groupOptics(functions: readonly TransferFunction[], scene: ReferenceScene): RayOptics[] {
   return functions.map((transferFunction) => opticsOf({ ...scene, transferFunction }));
 }
 
-/** The stages of a scene's rays in which groups of labels have transfer functions of their own. @param groups - by group from 1 */
+/** The stages of a scene's rays when groups of labels have transfer functions of their own. @param groups - by group from 1 */
 export function groupedStagesOf(scene: ReferenceScene, setup: RaySetup, groups: readonly RayOptics[], own?: RayOptics): RayStages {
   const stages = stagesOf(scene, setup, own);
   const opticalScale = (setup.diameter * scene.opacityFactor) / scene.referenceLength;
@@ -24,8 +24,8 @@ export function groupedStagesOf(scene: ReferenceScene, setup: RaySetup, groups: 
 }
 
 /**
- * Stages in which groups of labels look as transfer functions of their own say.
- * @param others - what these make of values, by group from 1
+ * Adds the transfer functions of groups of labels to stages.
+ * @param others - the classification by each group's transfer function, by group from 1
  */
 export function groupStages(stages: RayStages, others: readonly ClassifyStage[]): RayStages {
   const classify = groupClassify([stages.classify, ...others]);
@@ -33,7 +33,8 @@ export function groupStages(stages: RayStages, others: readonly ClassifyStage[])
 }
 
 /**
- * A piece of a ray in one group has its function's means. Steps are cut by the function that wants more of them.
+ * If a piece of a ray lies in one group, it has the means of that group's function. The function that needs the most substeps decides how
+ * a step is cut.
  * @param all - by group from 0
  * Twin: shaders/chunks/classify/label-functions.glsl
  */
@@ -46,7 +47,8 @@ export function groupClassify(all: readonly ClassifyStage[]): ClassifyStage {
 }
 
 /**
- * Where the ends of a piece of a ray are of different groups, each half is classified by itself: its values run to the middle of both.
+ * If the two ends of a piece of a ray are in different groups, each half is classified by itself. The values of each half end in the
+ *  middle between both ends.
  * Twin: shaders/chunks/attachments/label-looks.glsl
  */
 export function groupShade(classify: ClassifyStage, field: FieldStage): ShadeStage {

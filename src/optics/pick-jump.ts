@@ -1,26 +1,27 @@
-/** A piece of a ray: where it begins and how long it is, and by how much it makes the ray more opaque. A surface is 0 long. */
+/** A piece of a ray: where it begins, how long it is, and how much opacity it adds to the ray. A surface has length 0. */
 export interface Rise {
   readonly begin: number;
   readonly span: number;
   readonly height: number;
 }
 
-/** Pieces of a ray that follow one another, from the first to the last, and by how much they make it more opaque together. */
+/** Pieces of a ray that follow one another, from the first to the last, and the opacity that they add together. */
 export interface Jump {
   readonly first: number;
   readonly last: number;
   readonly height: number;
 }
 
-/** Two things are told apart where between them less than this share of either is added to a length. */
+/** Two things count as separate if, between them, the opacity added per length falls below this share of both peaks. */
 const valleyShare = 0.5;
 
 /**
- * Where the opacity of a ray jumps most: the largest of its rises, each from one valley of its steepness to the next. Of two
+ * Where the opacity of a ray jumps most: the highest of its rises. A rise runs from one valley of the steepness to the next. If two
+ *  rises are equally high, the front one counts. A surface is always a rise of its own.
  * that are equally high it is the one in front. A surface is a thing of its own.
- * @returns null where nothing is to be seen
- * Source: Wiebel, Vos, Foerster and Hege, *WYSIWYP: What You See Is What You Pick*, 2012; shallow valleys, which noise
- * and the kinks of interpolation make, are no valleys here
+ * @returns null if nothing is visible
+ * Source: Wiebel, Vos, Foerster and Hege, *WYSIWYP: What You See Is What You Pick*, 2012. Noise and the kinks of interpolation make
+ * shallow valleys; these do not count here
  */
 export function findJump(rises: readonly Rise[]): Jump | null {
   let highest: Jump | null = null;

@@ -11,21 +11,21 @@ import type { Ray } from './rays/rays.ts';
 import { evaluate } from './transfer/transfer-function.ts';
 import type { Premultiplied, TransferFunction } from './transfer/transfer-function.ts';
 
-/** Which place of a ray is meant: see `pickRay`. */
+/** Which place on a ray to pick: see `pickRay`. */
 export type PickAt = 'jump' | 'surface' | 'max';
 
 export const pickPlaces: readonly PickAt[] = ['jump', 'surface', 'max'];
 
-/** What is shown of values along a ray. */
+/** How values along a ray are shown. */
 export interface PickedLook {
-  /** Brightened. */
+  /** Already brightened. */
   readonly transferFunction: TransferFunction;
-  /** Brightened: of groups of labels, from 1. */
+  /** Already brightened: the functions of groups of labels, from 1. */
   readonly functions?: readonly TransferFunction[];
   readonly projection: ProjectionKind | null;
   /** See `RayStyle.intensityThreshold`. */
   readonly intensityThreshold?: number;
-  /** Whether there is nothing but surfaces. */
+  /** Whether only surfaces are visible. */
   readonly isClear?: boolean;
 }
 
@@ -35,38 +35,38 @@ export interface RayPick {
   readonly place: Vector3;
   /** What the whole ray shows. */
   readonly color: Premultiplied;
-  /** The value of the surface that is there. */
+  /** The value of the iso-surface at this place, if it is on one. */
   readonly surface?: number;
 }
 
-/** Where on a ray. */
+/** A place along a ray. */
 interface Found {
   readonly at: number;
   /** See `RayPick`. */
   readonly surface?: number;
 }
 
-/** Below this opacity, half a level of a picture, nothing shows. */
+/** Below this opacity (half a level of an 8-bit picture) nothing is visible. */
 const invisible = 1 / 510;
 
-/** Where a ray is as opaque as this, a person takes what is there for its surface. */
+/** Where a ray has this opacity, a person sees a surface. */
 const surfaceOpacity = 0.5;
 
-/** More than rounding of a length in bounding diameters. */
+/** In bounding diameters; larger than the rounding error of a length. */
 const gapSlack = 1e-9;
 
-/** Parts of a segment in which a place is looked for, and how often. */
+/** To find a place, a segment is divided into this many parts, this many times. */
 const [parts, rounds] = [16, 2];
 
 /**
- * The place of a ray that a person means who points at its pixel. The ray runs through the same stages as in the picture.
+ * Finds the place that a person means when they point at the ray's pixel. The ray runs through the same stages as in the picture.
  *
- * - `jump`: where the opacity gathered so far jumps most; of this jump, the place where half of it is reached.
- * - `surface`: where the opacity gathered so far passes a half; nowhere if it never does.
- * - `max`: where the largest value is that shows, and is not hidden by what is before it.
+ * - `jump`: the gathered opacity has its largest jump; the place is where half of this jump is reached.
+ * - `surface`: the place where the gathered opacity passes one half; no place if it never does.
+ * - `max`: the place of the largest value that is visible and is not hidden by matter in front of it.
  *
- * With a projection it is where the value is that the ray shows; of an average, where the largest value is.
- * @returns null where nothing shows
+ * With a projection, it is the place of the value that the ray shows. For an average, it is the place of the largest value.
+ * @returns null if nothing is visible
  */
 export function pickRay(stages: RayStages, ray: Ray, { at, look }: { readonly at: PickAt; readonly look: PickedLook }): RayPick | null {
   let crossed: Interval | null = null;
@@ -78,23 +78,23 @@ export function pickRay(stages: RayStages, ray: Ray, { at, look }: { readonly at
   }, ray);
   const { entry, exit, behind } = crossed!;
   if (!(color[3] >= invisible) || (found === null && !behind)) return null;
-  // What stands where a ray begins, as a slice on a cut face does, has no way before it.
+  // An object exactly where a ray begins (for example a slice on a cut face) has no path in front of it.
   const { at: along, surface } = (found as Found | null) ?? { at: null };
   const t = along === null ? exit : entry + along / ray.lengthPerT;
   return { place: add(ray.point, scale(ray.direction, t)), color, ...(surface !== undefined && { surface }) };
 }
 
-/** A ray that has been walked. */
+/** A ray after it was cast. */
 interface Walked {
   readonly seen: Seen;
   readonly path: Path;
   readonly segments: readonly Segment[];
   readonly rises: readonly Rise[];
-  /** What it shows of the volume itself. */
+  /** The colour of the volume alone. */
   readonly color: Premultiplied;
 }
 
-/** Gather as the picture does, and keep what was gathered where. */
+/** Gathers as the picture does, and records what each piece added. */
 function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void): Gathering {
   const segments: Segment[] = [];
   const rises: Rise[] = [];
@@ -110,7 +110,7 @@ function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void)
     segments.push(segment);
     rises.push({ begin: segment.begin, span: segment.span, height });
   };
-  /** Where the pieces so far end. What comes later has been cut out, and what stands on both sides of it are two things. */
+  /** Where the pieces so far end. If the next piece begins later, a part was cut out, and the pieces on its two sides are separate things. */
   const walkedTo = (): number => {
     const last = segments[segments.length - 1];
     return last ? last.begin + last.span : 0;
@@ -147,10 +147,10 @@ function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void)
   };
 }
 
-/** @returns how far along the path it is; null where there is none */
+/** @returns the distance along the path; null if there is no such place */
 function findPlace(walked: Walked, { at, look }: { readonly at: PickAt; readonly look: PickedLook }, { behind }: Interval): Found | null {
   const { path, color } = walked;
-  // What stands at the end of the ray, if anything does, hides all that is behind it.
+  // An object at the end of the ray, if there is one, hides everything behind it.
   const end = behind ? { height: (1 - color[3]) * behind[3], at: path.total } : null;
   if (look.projection) return end && end.height > color[3] ? end : findExtreme(walked, look, Infinity);
   if (at === 'max') return (look.isClear ? findHighest(walked) : findExtreme(walked, look, hiddenFrom(walked))) ?? end;
@@ -159,7 +159,7 @@ function findPlace(walked: Walked, { at, look }: { readonly at: PickAt; readonly
   return jump && reach(walked, jump.first, jump.height / 2);
 }
 
-/** From where on nothing shows any more. */
+/** From this place on, nothing is visible any longer. */
 function hiddenFrom({ rises, path }: Walked): number {
   let opacity = 0;
   for (const { begin, span, height } of rises) {
@@ -179,7 +179,7 @@ function findExtreme({ segments, path, seen }: Walked, { transferFunction, funct
   return search.find(path);
 }
 
-/** Of the surfaces that are not hidden, the one of the largest value. */
+/** Of the surfaces that are not hidden, the one with the largest value. */
 function findHighest(walked: Walked): Found | null {
   const last = hiddenFrom(walked);
   let highest: Found | null = null;
@@ -190,7 +190,7 @@ function findHighest(walked: Walked): Found | null {
   return highest;
 }
 
-/** Where the segments from the first on have made the ray more opaque by a height. */
+/** The place where the segments, from the first on, have added a given opacity. */
 function reach({ segments, rises, path, seen }: Walked, first: number, height: number): Found | null {
   let [before, sum] = [0, 0];
   for (let i = 0; i < first; i++) before += rises[i].height;
@@ -204,8 +204,8 @@ function reach({ segments, rises, path, seen }: Walked, first: number, height: n
 }
 
 /**
- * Where on a segment a share of what it adds is added.
- * @param opacity - gathered before it
+ * The place on a segment where a given share of its opacity has been added.
+ * @param opacity - gathered before this segment
  */
 function reachWithin({ path, seen, opacity }: { readonly path: Path; readonly seen: Seen; readonly opacity: number }, { begin, span }: Segment, share: number): Found {
   let [from, length, wanted, gathered] = [begin, span, share, opacity];
@@ -226,7 +226,7 @@ function reachWithin({ path, seen, opacity }: { readonly path: Path; readonly se
     for (let i = 0; i < part; i++) gathered += heights[i];
     [from, length, wanted] = [from + (part * length) / parts, length / parts, Math.min(1, rest / heights[part])];
   }
-  // Beside a place without data it is at the end that has some.
+  // Next to a place without data, take the end that has data.
   const places = [from + wanted * length, from, from + length];
   return { at: places.find((at) => path.sampleAt(at).valid) ?? places[0] };
 }

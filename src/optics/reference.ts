@@ -17,7 +17,7 @@ import type { Ray, RaySetup } from './rays/rays.ts';
 import { maxSubsteps } from './transfer/substep-limits.ts';
 import type { OpticalFactors, Premultiplied, TransferFunction } from './transfer/transfer-function.ts';
 
-/** Everything that a picture depends on: what its rays' stages are built from. */
+/** Everything that a picture depends on. The stages of its rays are built from this. */
 export interface ReferenceScene extends OpticalFactors {
   readonly grid: GridFrame;
   readonly samples: Samples;
@@ -29,32 +29,35 @@ export interface ReferenceScene extends OpticalFactors {
   readonly referenceLength: number;
   /** World length of a step. */
   readonly stepLength: number;
-  /** No step is cut into more substeps; as the shader does where absent. */
+  /** A step is cut into at most this many substeps; if absent, the limit of the shader. */
   readonly maxSubsteps?: number;
   /** See `RayStages`. */
   readonly leastSubsteps?: (place: Vector3) => number;
-  /** What is there; the samples on the grid where absent. */
+  /** The field that rays sample; if absent, the samples on the grid. */
   readonly field?: FieldStage;
-  /** What else is known of places, and how that changes what is seen. */
+  /** More fields at each place, and how they change what is visible. */
   readonly moreFields?: readonly SecondFieldStage[];
   readonly shades?: readonly ShadeStage[];
-  /** What else ends rays but the volume's bounds and the region's. */
+  /** What ends rays in addition to the bounds of the volume and of the region. */
   readonly ends?: readonly IntervalStage[];
-  /** What stands in for the transfer function. */
+  /** Replaces the classification by the transfer function. */
   readonly classifyBy?: (usual: ClassifyStage) => ClassifyStage;
-  /** What rays come to; emission and absorption where absent, which looks for where the transfer function becomes opaque at once. */
+  /**
+   * How a ray adds up its segments. If absent: emission and absorption, with a search for places where the transfer function becomes
+   * opaque at once.
+   */
   readonly gather?: GatherStage;
 }
 
 /**
- * The picture in plain float64: what every GPU result is compared with.
+ * Renders the picture in plain float64. Every GPU result is compared with it.
  * @returns Float64Array of shape [height, width, 4], top row first, premultiplied, 0..1
  */
 export function renderReference(scene: ReferenceScene, rays: RaySetup, width: number, height: number): Float64Array {
   return renderStages(stagesOf(scene, rays), rays, width, height);
 }
 
-/** The same of rays whose stages are known. */
+/** The same for rays whose stages are already known. */
 export function renderStages(stages: RayStages, rays: RaySetup, width: number, height: number): Float64Array {
   const picture = new Float64Array(width * height * 4);
   for (let row = 0; row < height; row++) {
@@ -67,7 +70,7 @@ export function renderStages(stages: RayStages, rays: RaySetup, width: number, h
   return picture;
 }
 
-/** One ray of a scene. @param optics - kept of the scene, for many rays */
+/** Casts one ray of a scene. @param optics - prepared from the scene once, to share among many rays */
 export function castSceneRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, optics?: RayOptics): Premultiplied {
   return castRay(stagesOf(scene, setup, optics), ray);
 }
@@ -78,7 +81,7 @@ const asItIs = (usual: ClassifyStage): ClassifyStage => usual;
 export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOptics = opticsOf(scene)): RayStages {
   const { grid, stepLength, referenceLength, opacityFactor } = scene;
   const field = scene.field ?? cartesianField({ ...scene, dimensions: grid.dimensions });
-  // Where values kink is known on cartesian grids alone; and pictures in motion, whose steps are not cut, do not look for jumps.
+  // Only cartesian grids know where values kink. Pictures in motion do not cut their steps, so they do not look for jumps.
   const isCut = (scene.maxSubsteps ?? maxSubsteps) > 1 || scene.leastSubsteps !== undefined;
   const jumps = scene.gather || !field.kinksBetween || !isCut ? [] : findOpaqueJumps(optics.transferFunction, voxelRatioOf(scene));
   return {
@@ -95,7 +98,7 @@ export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOpti
   };
 }
 
-/** What a scene's rays need of its transfer function: worth keeping for many rays. */
+/** What a scene's rays need of its transfer function. Keep it to cast many rays. */
 export function opticsOf(scene: ReferenceScene): RayOptics {
   return prepareOptics(brighten(scene.transferFunction, scene.lightFactor), voxelRatioOf(scene));
 }

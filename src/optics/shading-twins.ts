@@ -1,4 +1,5 @@
-// The float64 twins of light, rendering styles, surfaces and transfer functions by gradient: loaded with the first ray that is cast through one.
+// The float64 twins of light, rendering styles, surfaces and transfer functions by gradient. They are loaded with the first ray that needs
+// one of them.
 import type { Volume } from '../volume/volume.ts';
 import { cartesianGradient } from './rays/gradient.ts';
 import type { GradientStage } from './rays/gradient.ts';
@@ -10,7 +11,7 @@ export { lightPatches, patchClassify } from './rays/patch-classify.ts';
 export { styledShade, stylesAt } from './rays/styled.ts';
 export { brightenSurfaces, surfaceGather } from './surfaces/surfaces.ts';
 
-/** A field that is known around each place. */
+/** A field whose gradient is known at each place. */
 export interface SlopedField {
   readonly gradient: GradientStage;
   readonly isFolded: FieldStage['isFolded'];

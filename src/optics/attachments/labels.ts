@@ -4,21 +4,24 @@ import { composite } from '../rays/segment.ts';
 import type { Premultiplied } from '../transfer/transfer-function.ts';
 import { voteOfCorners } from '../rays/vote.ts';
 
-/** What is known of a place of a labelled volume. */
+/** A sample of a labelled volume. */
 export interface LabelledSample extends Sample {
   /** The label's id. */
   readonly label: number;
   readonly style: LabelStyle;
 }
 
-/** What labels add to rays. @param projects - whether these show values, to which neither opacity nor labels' colours matter */
+/**
+ * The stages that labels add to rays.
+ * @param projects - whether the rays are projections: these show values, so neither opacity nor the labels' colours matter
+ */
 export function labelStages(labels: ShownLabels, projects: boolean): Pick<RayStages, 'moreFields' | 'shades'> {
   return { moreFields: [labelField(labels, projects)], shades: projects ? [] : [labelShade] };
 }
 
 /**
  * The label of each place, by the vote of the eight voxels around it.
- * @param hides - what is hidden counts as without data, as it does to projections
+ * @param hides - whether hidden labels count as places without data, as they do for projections
  * Twin: shaders/chunks/attachments/labels.glsl
  */
 export function labelField({ map, styles }: ShownLabels, hides = false): SecondFieldStage {
@@ -30,8 +33,9 @@ export function labelField({ map, styles }: ShownLabels, hides = false): SecondF
 }
 
 /**
- * Labels colour what is seen, and multiply its extinction. Where the ends of a piece of a ray have different looks, its front
- * half has that of its front end and its back half that of its back end. Beside a place without data there is one half alone.
+ * Labels colour what is visible and multiply its extinction. If the two ends of a piece of a ray have different label styles, the
+ * front half gets the style of the front end and the back half that of the back end. Next to a place without data, the other end's style
+ * counts for both.
  * Twin: shaders/chunks/attachments/label-looks.glsl
  */
 export const labelShade: ShadeStage = ({ front, back }, seen) => {
@@ -42,17 +46,17 @@ export const labelShade: ShadeStage = ({ front, back }, seen) => {
   return both;
 };
 
-/** What is known of both ends of a piece of a ray, of which one stands for the other where that has no data. */
+/** The samples at both ends of a piece of a ray. If one end has no data, the other end stands for it. */
 export function labelledEnds(front: Sample, back: Sample): [LabelledSample, LabelledSample] {
   return [(front.valid ? front : back) as LabelledSample, (back.valid ? back : front) as LabelledSample];
 }
 
-/** Whether a place's label hides it, where it has one. */
+/** Whether the place has a label that is hidden. */
 export function isHidden({ style }: Sample): boolean {
   return (style as LabelStyle | undefined)?.opacityFactor === 0;
 }
 
-/** Which of the labels' transfer functions a place has, from 1; 0 for the volume's own. */
+/** The number of the labels' transfer function at this place, from 1; 0 for the volume's own. */
 export function groupOf({ style }: Sample): number {
   return (style as LabelStyle | undefined)?.group ?? 0;
 }
@@ -61,7 +65,7 @@ function isAlike(a: LabelStyle, b: LabelStyle): boolean {
   return a.opacityFactor === b.opacityFactor && a.color.every((x, c) => x === b.color[c]);
 }
 
-/** What a share of a piece of a ray shows in a label's look: extinction times the factor, colours times the label's. */
+/** Applies a label's style to a share of a piece of a ray: extinction times the factor, colours times the label's colour. */
 export function wear([red, green, blue, alpha]: Premultiplied, { color, opacityFactor }: LabelStyle, share: number): Premultiplied {
   if (!(alpha > 0)) return [0, 0, 0, 0];
   const opacity = opacityFactor > 0 ? -Math.expm1(opacityFactor * share * Math.log1p(-alpha)) : 0;

@@ -11,35 +11,38 @@ import type { FieldStage, RayStages, Sample, SecondFieldStage, Segment, ShadeSta
 import { largestOpacity } from '../transfer/transfer-function.ts';
 import type { Color, OpticalFactors, Premultiplied, TransferFunction } from '../transfer/transfer-function.ts';
 
-/** How a second field joins the first: as a medium of its own in the same place, or as the colour of the first. */
+/** How a second field joins the first: as a second medium in the same place, or as the colour of the first. */
 export type OverlayBlend = 'mix' | 'color';
 
 export const overlayBlends: readonly OverlayBlend[] = ['mix', 'color'];
 
 /** A second field over a volume. */
 export interface ShownOverlay {
-  /** Its samples, on a grid of its own; or another moment of the same radar's gates. */
+  /** The layer's samples, on a grid of its own; or another moment of the same radar's gates. */
   readonly volume: Volume;
-  /** What it is over: a radar's moment belongs to one scan, and anything else to where it lies. */
+  /** The volume below the layer. A radar's moment belongs to one scan; any other layer belongs to a place in the world. */
   readonly over: Volume;
   readonly transferFunction: TransferFunction;
   readonly blend: OverlayBlend;
-  /** Multiplies its extinction, beside the picture's own factor. */
+  /** Multiplies the layer's extinction, in addition to the picture's own factor. */
   readonly opacityFactor: number;
-  /** What colours the volume where the layer has no data; null for its own colour. */
+  /** The colour of the volume where the layer has no data; null for the volume's own colour. */
   readonly missing: Color | null;
 }
 
-/** A deeper piece of a ray is opaque: float32 does not tell how much deeper it is. */
+/** A piece of a ray with a larger optical depth is opaque: float32 cannot distinguish larger depths. */
 export const deepest = 12;
 
-/** Where a layer ends with the volume, rounding must not tell whether a ray's ends are inside: shares of its edges. */
+/** Where a layer ends together with the volume, rounding must not decide whether a ray's ends are inside. In shares of the layer's edges. */
 export const edgeSlack = 1e-5;
 
-/** Opacity that stands for all of a layer's colour: so small that extinction is proportional to it, and large enough for a half float. */
+/**
+ * This opacity stands for the full colour of a layer. It is so small that extinction is proportional to it, and large enough
+ * for a half float.
+ */
 const allOfColor = 0.004;
 
-/** What a layer's table is made of: where it colours, its largest opacity stands for all of its colour. */
+/** The colours of a layer's table. With the blend `color`, the largest opacity stands for the layer's full colour. */
 export function overlayColors({ transferFunction, blend }: ShownOverlay, lightFactor: number): TransferFunction {
   const bright = brighten(transferFunction, lightFactor);
   if (blend === 'mix') return bright;
@@ -47,10 +50,10 @@ export function overlayColors({ transferFunction, blend }: ShownOverlay, lightFa
   return bright.map((stop) => ({ ...stop, opacity: (stop.opacity / largest) * allOfColor }));
 }
 
-/** Extinction in the table that stands for all of a layer's colour. */
+/** The extinction in the table that stands for the layer's full colour. */
 export const fullColor = extinction(allOfColor);
 
-/** Whether a layer is over a volume: another one may have come meanwhile. */
+/** Whether a layer belongs to a volume: the volume may have changed in the meantime. */
 export function isOver({ over }: ShownOverlay, volume: Volume): boolean {
   if (volume === over) return true;
   if (isPolar(volume) || isPolar(over)) return false;
@@ -58,19 +61,19 @@ export function isOver({ over }: ShownOverlay, volume: Volume): boolean {
   return a.every((entry, i) => Math.abs(entry - b[i]) <= 1e-6 * Math.max(1, Math.abs(entry)));
 }
 
-/** The volume's unit cube to the layer's; null where there is none. */
+/** Maps the volume's unit cube to the layer's; null if there is no such map. */
 export function toOverlay(grid: Grid, overlay: Grid): Matrix4 | null {
   const back = invertAffine(unitToWorld(overlay));
   return back && multiply(back, unitToWorld(grid));
 }
 
-/** What is known of a place of a volume with a layer over it. */
+/** A sample of a volume that has a layer over it. */
 export interface OverlaidSample extends Sample {
   /** Data value of the layer; NaN where it has none. */
   readonly overlay: number;
 }
 
-/** What rays meet of a layer, by places of the volume's unit cube. Twin: shaders/chunks/attachments/overlay-cartesian.glsl */
+/** The field of a layer, by places of the volume's unit cube. Twin: shaders/chunks/attachments/overlay-cartesian.glsl */
 export function cartesianOverlay({ volume, over }: ShownOverlay): FieldStage {
   const field = cartesianField({ ...volume, dimensions: volume.grid.dimensions });
   const toUnit = toOverlay(over.grid, volume.grid);
@@ -83,13 +86,13 @@ export function cartesianOverlay({ volume, over }: ShownOverlay): FieldStage {
   };
 }
 
-/** What of a layer is known of each place. @param field - of the layer, by places of the volume's unit cube */
+/** Adds the layer's value to each sample. @param field - of the layer, by places of the volume's unit cube */
 export function overlayField(field: FieldStage): SecondFieldStage {
   return (place, known): OverlaidSample => ({ ...known, overlay: field.sampleAt(place).value });
 }
 
 /**
- * What a layer adds to rays.
+ * The stages that a layer adds to rays.
  * @param field - of the layer, by places of the volume's unit cube
  * @param optics - of the picture
  * @param diameter - of the rays: world length of one unit of a segment's span
@@ -103,7 +106,7 @@ export function overlayStages(
   };
 }
 
-/** See shaders/chunks/attachments/overlay.glsl, overlayShade, its twin. */
+/** Twin: overlayShade in shaders/chunks/attachments/overlay.glsl, which explains it. */
 export function overlayShade(
   overlay: ShownOverlay, field: Pick<FieldStage, 'isFolded'>, { lightFactor, opticalScale }: { readonly lightFactor: number; readonly opticalScale: number },
 ): ShadeStage {
@@ -128,7 +131,7 @@ export function overlayShade(
     };
 }
 
-/** Extinctions add, and so does the light of both. @param ratio - of the length to that over which the mean holds */
+/** Adds the extinctions, and the light of both. @param ratio - this length, divided by the length to which the mean belongs */
 function mix(seen: Premultiplied, mean: Premultiplied, ratio: number): Premultiplied {
   const depth = Math.min(deepest, mean[3] * ratio);
   if (!(depth > 0)) return seen;
@@ -138,7 +141,7 @@ function mix(seen: Premultiplied, mean: Premultiplied, ratio: number): Premultip
   return [of(0), of(1), of(2), opacity];
 }
 
-/** The volume's extinction in the layer's colour. */
+/** Keeps the volume's extinction, and gives it the layer's colour. */
 function tint(seen: Premultiplied, mean: Premultiplied, { known, missing }: { readonly known: number; readonly missing: Color | null }): Premultiplied {
   const own = known * Math.min(1, mean[3] / fullColor);
   const lacking = missing ? 1 - known : 0;

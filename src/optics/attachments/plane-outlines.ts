@@ -14,13 +14,13 @@ export type HalfSpace = Plane;
 /** A straight edge in a picture: device coordinates of its ends. */
 export type Outline = readonly [fromX: number, fromY: number, toX: number, toY: number];
 
-/** A plane is cut where it comes nearer to the eye than this, in bounding diameters of depth. */
+/** The part of a plane that is nearer to the eye than this is cut off. In bounding diameters of depth. */
 const nearest = 1e-3;
 
 /**
- * The edges of planes as a picture shows them: a picture jumps there, and where a plane is seen from its side they are all
- * that is seen of it.
- * @param planes - each with what it ends at, beside the bounds of what is shown
+ * The edges of planes as they appear in a picture. The picture jumps at these edges; if a plane is seen from its side, only its edges
+ * are visible.
+ * @param planes - each with the half-spaces that limit it, in addition to the bounds of the visible volume
  */
 export function outlinesOf(planes: readonly (Plane & { readonly within?: readonly HalfSpace[] })[], rays: RaySetup): Outline[] {
   const project = projector(rays);
@@ -34,7 +34,7 @@ export function outlinesOf(planes: readonly (Plane & { readonly within?: readonl
 
 /**
  * Whether an edge runs through a rectangle, by its separating axes.
- * @param middle - and half its sides, device coordinates
+ * @param middle - of the rectangle, in device coordinates
  * Twin: shaders/chunks/attachments/outlines.glsl
  */
 export function meetsOutline([fromX, fromY, toX, toY]: Outline, middle: readonly [number, number], reach: readonly [number, number]): boolean {
@@ -43,7 +43,7 @@ export function meetsOutline([fromX, fromY, toX, toY]: Outline, middle: readonly
   return Math.abs(ax * by - ay * bx) <= Math.abs(bx - ax) * reach[1] + Math.abs(by - ay) * reach[0];
 }
 
-/** The unit cube of what a matrix leads to. */
+/** The unit cube of the space that a matrix maps to, as half-spaces. */
 function cube(m: Matrix4): HalfSpace[] {
   return [0, 1, 2].flatMap((axis): HalfSpace[] => {
     const normal: Vector3 = [m[4 * axis], m[4 * axis + 1], m[4 * axis + 2]];
@@ -51,7 +51,7 @@ function cube(m: Matrix4): HalfSpace[] {
   });
 }
 
-/** Of a plane what may lie in the unit cube, and more. */
+/** A square of the plane that is larger than the part that may lie in the unit cube. */
 function largeSquare({ normal, offset }: Plane): Vector3[] {
   const along = normal.map(Math.abs);
   const axis = along.indexOf(Math.max(...along));
@@ -64,7 +64,7 @@ function largeSquare({ normal, offset }: Plane): Vector3[] {
   });
 }
 
-/** What of a convex polygon is in a half-space. Source: Sutherland and Hodgman 1974 */
+/** The part of a convex polygon that lies in a half-space. Source: Sutherland and Hodgman 1974 */
 function clip(polygon: readonly Vector3[], { normal, offset }: HalfSpace): Vector3[] {
   return polygon.flatMap((corner, i) => {
     const next = polygon[(i + 1) % polygon.length];
@@ -76,19 +76,19 @@ function clip(polygon: readonly Vector3[], { normal, offset }: HalfSpace): Vecto
   });
 }
 
-/** Where places of the unit cube are in the picture. */
+/** Maps places of the unit cube to the picture. */
 interface Projector {
   place(p: Vector3): readonly [x: number, y: number];
-  /** What is farther from the eye than a depth, in bounding diameters. */
+  /** The half-space that is farther from the eye than a depth, in bounding diameters. */
   before(depth: number): HalfSpace;
 }
 
-/** The inverse of rays: their directions, or points where all are parallel, span the picture. */
+/** The inverse of the rays. The picture is spanned by their directions or, if all rays are parallel, by their points. */
 function projector({ point: [p0, px, py], direction: [d0, dx, dy], eyeT }: RaySetup): Projector {
   const isParallel = eyeT === -Infinity;
   const eye = isParallel ? p0 : (p0.map((x, axis) => x + eyeT * d0[axis]) as unknown as Vector3);
   const [across, up] = isParallel ? [px, py] : [dx, dy];
-  const m = invertAffine([0, 1, 2].flatMap((axis) => [across[axis], up[axis], d0[axis], eye[axis]]).concat(0, 0, 0, 1))!; // Rays are not all in a plane.
+  const m = invertAffine([0, 1, 2].flatMap((axis) => [across[axis], up[axis], d0[axis], eye[axis]]).concat(0, 0, 0, 1))!; // Rays are not all in one plane.
   const row = (r: number, p: Vector3): number => m[4 * r] * p[0] + m[4 * r + 1] * p[1] + m[4 * r + 2] * p[2] + m[4 * r + 3];
   return {
     place: (p) => (isParallel ? [row(0, p), row(1, p)] : [row(0, p) / row(2, p), row(1, p) / row(2, p)]),

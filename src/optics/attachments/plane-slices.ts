@@ -11,9 +11,9 @@ import { slackAt } from '../rays/slack.ts';
 import { evaluate } from '../transfer/transfer-function.ts';
 import type { Color, TransferFunction } from '../transfer/transfer-function.ts';
 
-/** How thick a plane is: what all values along a line through it come to. Places without data are left out. */
+/** The thickness of a plane. All values along a line through it are combined into one. Places without data are left out. */
 export interface PlaneSlab {
-  /** From one side to the other, in the unit cube: the plane is in its middle. */
+  /** From one side of the slab to the other, in the unit cube. The plane is in the middle. */
   readonly way: Vector3;
   readonly kind: ProjectionKind;
 }
@@ -21,16 +21,16 @@ export interface PlaneSlab {
 /** A plane through a volume on which its values are painted. */
 export interface PlaneSlice extends Plane {
   readonly kind: 'plane';
-  /** null where it shows the values on it alone. */
+  /** null if it shows only the values on the plane itself. */
   readonly slab: PlaneSlab | null;
-  /** Data values of black and white; null for the colours of the transfer function. */
+  /** The data values of black and white; null to use the colours of the transfer function. */
   readonly window: readonly [number, number] | null;
 }
 
-/** Where the transfer function's opacity is below this, a slice in its colours is not there. */
+/** Where the transfer function's opacity is below this, a slice in its colours is not drawn. */
 export const minSliceOpacity = 1e-5;
 
-/** Colour of a value where opacity is taken as 1; null where there is no data, or nothing is to be seen of it. */
+/** The colour of a value if opacity counts as 1; null if there is no data or nothing is visible. */
 export function straightColor(transferFunction: TransferFunction, value: number): Color | null {
   if (Number.isNaN(value)) return null;
   const [red, green, blue, opacity] = evaluate(transferFunction, value);
@@ -38,9 +38,9 @@ export function straightColor(transferFunction: TransferFunction, value: number)
 }
 
 /**
- * The nearest plane on which there are data ends a ray, and stands behind what is before it. One on a cut face, or on a face of
- * the volume, is seen from both of its sides.
- * @param field - what is there
+ * The nearest plane that has data ends a ray, and its colour stands behind everything in front of it. A plane on a cut face, or on a face
+ * of the volume, is visible from both sides.
+ * @param field - the values of the volume
  * @param colors - of the transfer function, brightened
  * Twin: shaders/chunks/attachments/plane-slices.glsl
  */
@@ -64,7 +64,7 @@ export function planeInterval(planes: readonly PlaneSlice[], field: FieldStage, 
   };
 }
 
-/** What a thick plane shows at a place: exact between planes of voxels' centres. Twin: shaders/chunks/attachments/plane-slices.glsl */
+/** The value of a slab at a place: exact between planes of voxels' centres. Twin: shaders/chunks/attachments/plane-slices.glsl */
 export function sampleSlab(field: FieldStage, place: Vector3, { way, kind }: PlaneSlab): Sample {
   const from = add(place, scale(way, -0.5));
   const [entry, exit] = intersectUnitCube(from, way).map((share) => Math.min(1, Math.max(0, share)));

@@ -8,16 +8,16 @@ import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 /** Left, bottom, right and top, in device coordinates. */
 export type DeviceRectangle = readonly [number, number, number, number];
 
-/** What is nearer to the eye than this share of the farthest corner's distance is cut off: there is nothing in between that counts. */
+/** Places nearer to the eye than this share of the farthest corner's distance are cut off: nothing that matters is so near. */
 const minDepth = 1e-6;
 
 /** A corner in clip coordinates. */
 type Corner = readonly [x: number, y: number, w: number];
 
 /**
- * The part of a picture in which the seen cells lie: those behind the eye, and beside the picture, are out of sight.
+ * The part of a picture in which the visible cells lie. Cells behind the eye or outside the picture do not count.
  * @param view - row-major, world to eye; projection - row-major
- * @returns null where none is in sight
+ * @returns null if no cell is in the picture
  */
 export function boundSeenCells(
   { grid, macrocells: { dimensions: cells } }: { readonly grid: GridFrame; readonly macrocells: Pick<Macrocells, 'dimensions'> },
@@ -28,7 +28,7 @@ export function boundSeenCells(
   const least = minDepth * Math.max(...cornersOf([0, 0, 0], [1, 1, 1], toClip).map(([, , w]) => Math.abs(w)));
   const edge = (cell: number, axis: number): number => Math.min(1, (cell * cellSize) / grid.dimensions[axis]);
   let bounds: DeviceRectangle = nowhere;
-  /** Where some cells of a row appear, from one to another. */
+  /** Where the cells of a row, from one index to another, appear in the picture. */
   const appear = (from: number, to: number, j: number, k: number): Appearance => {
     const corners = cornersOf([edge(from, 0), edge(j, 1), edge(k, 2)], [edge(to, 0), edge(j + 1, 1), edge(k + 1, 2)], toClip);
     const isAhead = corners.every(([, , w]) => w >= least);
@@ -49,7 +49,7 @@ export function boundSeenCells(
         bounds = join(bounds, all.part);
         continue;
       }
-      // What of the row is in the picture may be cells in between, of which nothing is seen.
+      // The row is partly outside the picture, and not all of its cells are visible: look at each one.
       for (let i = first; i <= last; i++) {
         const one = run[i] === 1 ? appear(i, i + 1, j, k) : null;
         if (one?.tellsMore) bounds = join(bounds, one.part);
@@ -59,13 +59,13 @@ export function boundSeenCells(
   return bounds === nowhere ? null : bounds;
 }
 
-/** What is in sight of some cells. */
+/** What is in the picture of some cells. */
 interface Appearance {
-  /** The part of the picture that they are in. */
+  /** The part of the picture that shows them. */
   readonly part: DeviceRectangle;
-  /** Whether all of them are in it. */
+  /** Whether they are wholly in the picture. */
   readonly isWhole: boolean;
-  /** Whether it reaches farther than what is known. */
+  /** Whether this part extends the bounds found so far. */
   readonly tellsMore: boolean;
 }
 
@@ -80,7 +80,7 @@ function join(a: DeviceRectangle, b: DeviceRectangle): DeviceRectangle {
   return [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[2], b[2]), Math.max(a[3], b[3])];
 }
 
-/** What is ahead of the eye: corners, and where edges and diagonals between them meet a plane just in front of it. */
+/** What lies in front of the eye: corners, and the points where edges and diagonals between corners meet a plane just in front of it. */
 function cutCorners(corners: readonly Corner[], least: number): Corner[] {
   const ahead = corners.filter(([, , w]) => w >= least);
   const behind = corners.filter(([, , w]) => w < least);
@@ -101,7 +101,7 @@ function boundPlaces(corners: readonly Corner[]): DeviceRectangle {
   return [left, bottom, right, top];
 }
 
-/** Of a box in the unit cube. @param m - row-major, to clip coordinates */
+/** The corners of a box in the unit cube. @param m - row-major, to clip coordinates */
 function cornersOf(low: Vector3, high: Vector3, m: Matrix4): Corner[] {
   const corners: Corner[] = [];
   for (let corner = 0; corner < 8; corner++) {

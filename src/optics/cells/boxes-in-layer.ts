@@ -1,23 +1,23 @@
-// Where the macrocells of a volume lie in a layer over it, and what values the layer has there.
+// Where the macrocells of a volume lie in a layer over it, and which values the layer has there.
 import { cellSize } from '../../volume/cell-size.ts';
 import { transformPoint } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Grid, Volume } from '../../volume/volume.ts';
 import { toOverlay } from '../attachments/overlay.ts';
 
-/** Along the axes of a layer's unit cube, which it may reach beyond. */
+/** A box along the axes of a layer's unit cube. It may reach beyond the cube. */
 export interface UnitBox {
   readonly low: Vector3;
   readonly high: Vector3;
 }
 
-/** Of places in the unit cube, for rounding. */
+/** Allowance for rounding of places in the unit cube. */
 const rounding = 1e-6;
 
-/** Of places among voxels, for rounding. */
+/** Allowance for rounding of places among voxels. */
 const voxelRounding = 1e-3;
 
-/** The box of a layer that a macrocell of a volume is in, by the cell's whole numbers. Null where one of the two is flat. */
+/** Maps a macrocell of a volume (by its whole-number index) to the box of the layer that contains it. Null if one of the two is flat. */
 export function boxesIn(over: Grid, layer: Grid): ((cell: Vector3) => UnitBox) | null {
   const matrix = toOverlay(over, layer);
   if (!matrix) return null;
@@ -33,22 +33,25 @@ export function boxesIn(over: Grid, layer: Grid): ((cell: Vector3) => UnitBox) |
   };
 }
 
-/** Whether a box lies beside the layer altogether. */
+/** Whether a box lies wholly outside the layer. */
 export function isBeside({ low, high }: UnitBox): boolean {
   return low.some((x) => x > 1) || high.some((x) => x < 0);
 }
 
-/** Whether a box reaches beyond the layer, by more than boxes are made larger for rounding. */
+/** Whether a box reaches beyond the layer by more than the boxes were enlarged for rounding. */
 export function reachesBeyond({ low, high }: UnitBox): boolean {
   return low.some((x) => x < -2 * rounding) || high.some((x) => x > 1 + 2 * rounding);
 }
 
-/** Voxels that samples in a box lie between, as if there were voxels everywhere. */
+/** Number of voxels that the samples in a box interpolate, as if there were voxels everywhere. */
 export function countTouched({ low, high }: UnitBox, dimensions: Vector3): number {
   return dimensions.reduce((product, n, axis) => product * ((high[axis] - low[axis]) * n + 2), 1);
 }
 
-/** Least and largest data value of the voxels that samples in a box lie between; the least lies above the largest where these have no data. */
+/**
+ * Smallest and largest data value of the voxels that the samples in a box interpolate. If these have no data, the smallest
+ * is above the largest.
+ */
 export function boxReader({ samples, grid: { dimensions }, slope, intercept }: Volume): (box: UnitBox) => readonly [low: number, high: number] {
   const [nx, ny] = dimensions;
   const inside = (index: number, axis: number): number => Math.min(dimensions[axis] - 1, Math.max(0, index));
@@ -60,7 +63,7 @@ export function boxReader({ samples, grid: { dimensions }, slope, intercept }: V
       const row = nx * (y + ny * z);
       for (let at = row + first[0]; at <= row + last[0]; at++) {
         const stored = samples[at];
-        if (stored < least) least = stored; // NaN is neither.
+        if (stored < least) least = stored; // Both comparisons are false for NaN.
         if (stored > most) most = stored;
       }
     }

@@ -9,49 +9,52 @@ import type { JumpDepth } from '../transfer/jump-depth.ts';
 import type { StyleRange } from './style-detail.ts';
 import type { TransferFunction } from '../transfer/transfer-function.ts';
 
-/** What a volume looks like, as far as it matters to what could be missed. */
+/** How a volume appears, as far as it matters for what samples could miss. */
 export interface SeenVolume {
   readonly volume: Pick<Volume, 'grid' | 'macrocells' | 'slope' | 'intercept'>;
-  /** A byte a macrocell: 1 where something can be seen. */
+  /** One byte per macrocell: 1 where something is visible. */
   readonly cells: Uint8Array;
-  /** Brightened. */
+  /** Already brightened. */
   readonly transferFunction: TransferFunction;
   /** Reference lengths per world length, times the opacity factor. */
   readonly opticalScale: number;
-  /** Brightened: those that labels have beside the volume's own. */
+  /** Already brightened: the functions of labels, in addition to the volume's own. */
   readonly functions?: readonly TransferFunction[];
   /**
-   * What labels and a layer make of the optical depth that could be missed in a cell, times the samples a voxel.
-   * @param depthIn - that depth, as far as a transfer function makes it
+   * The optical depth that could be missed in a cell when labels and a layer are included, times the samples per voxel.
+   * @param depthIn - that depth from a transfer function alone
    */
   readonly more?: (cell: number, depthIn: (range: EmissionRange) => number, kind: RangeKind, samplesAVoxel: number) => number;
-  /** Whether something may hide what is behind it, however short the way through it. */
+  /** Whether an object may hide what is behind it, even if a ray's way through it is very short. */
   readonly hasSurfaces?: boolean;
-  /** Optical depths of what shows amid values where a transfer function does not tell that it does. */
+  /** Optical depths of visible things between values, where the transfer function does not show them. */
   readonly jumps?: readonly JumpDepth[];
-  /** Values at which it becomes opaque at once and rays look for the places where they touch that, data values: no samples are needed to find them. */
+  /**
+   * Data values at which the transfer function becomes opaque at once. Rays search for the places of these values, so no samples are
+   * needed to find them.
+   */
   readonly found?: readonly number[];
-  /** What light and styles make of it. */
+  /** How light and styles change the emission. */
   readonly style?: StyleRange;
 }
 
-/** Voxels that a thing may be long which lies between the samples of a step: the tent that one voxel makes. */
+/** The length in voxels of the smallest thing that may lie between the samples of a step: the tent that one voxel makes. */
 const thingLength = 2;
 
 const unstyled = { most: 1, apart: 0 };
 
-/** Cells that are looked at between two pauses: they take a few milliseconds. */
+/** Number of cells that are processed between two pauses. This takes a few milliseconds. */
 export const cellsAtOnce = 2 ** 14;
 
-/** Samples a voxel that a cell may need; the code of a cell is the power of two. */
+/** Samples per voxel that a cell may need. The code of a cell is the power of two. */
 export const detailCodes = [1, 2, 4, 8] as const;
 
 /**
- * How much brighter or darker, 0..1, a single thing in each cell could make a pixel than the samples of so many a voxel tell:
- * by how far values may be from the straight line between samples, and how much the emission changes there.
+ * How much brighter or darker, 0..1, a single thing in each cell could make a pixel than samples at a given number per voxel show.
+ * It depends on how far values may be from the straight line between samples, and on how much the emission changes there.
  * @param kind - `among`: any change counts, which bounds the error; `offLine`: where the emission is linear in the value,
- * what one sample loses the next one has too much, and nothing is lost of the whole
- * @returns with `isQuick` no less than without, and much sooner: as if any value of the cell might lie next to any other
+ * one sample has too little and the next too much, so nothing of the sum is lost
+ * @returns with `isQuick` at least as much, and much faster: as if any two values of the cell could lie next to each other
  */
 export function measureMissable(
   { volume, transferFunction, opticalScale, more, jumps = [], style }: SeenVolume, kind: RangeKind,
@@ -64,7 +67,8 @@ export function measureMissable(
     const range = Math.abs(b - a);
     const apart = isQuick ? range : Math.min(range, (offLine * Math.abs(slope) * roughness[cell]) / samplesAVoxel);
     const [least, most] = [Math.min(a, b), Math.max(a, b)];
-    // A ray may pass a surface, or a gradient that shows, between two samples that are not on it: no steps are spent on that, but it is told.
+    // Between two samples, a ray may pass through a surface, or through a visible gradient, that neither sample hits. No steps are added
+    // for this, but the error reports it.
     const isBent = kind === 'among' && apart > 0;
     const styled = isBent && style ? style(least, most) : unstyled;
     const depthIn = (of: EmissionRange): number => (styled.most * of[kind](least, most, apart) + (styled.apart > 0 ? styled.apart * of.largest(least, most) : 0)) * length;
@@ -75,8 +79,8 @@ export function measureMissable(
 
 /**
  * How finely each cell has to be sampled so that nothing in it is lost.
- * @param lost - what may be lost of a thing, 0..1
- * @returns a byte a cell: which of `detailCodes` it needs
+ * @param lost - how much of a thing may be lost, 0..1
+ * @returns a byte per cell: which of `detailCodes` it needs
  */
 export function* seekDetail(seen: SeenVolume, lost: number): Waiting<Uint8Array<ArrayBuffer>> {
   const missable = measureMissable(seen, 'offLine');
@@ -91,7 +95,7 @@ export function* seekDetail(seen: SeenVolume, lost: number): Waiting<Uint8Array<
   return codes;
 }
 
-/** Of a cell in which rays look for where they touch what is opaque: two samples a voxel. */
+/** The code of a cell in which rays search for opaque values: two samples per voxel. */
 const codeToLook = 1;
 
 function findsIn({ volume: { macrocells: { low, high }, slope, intercept }, found = [] }: SeenVolume): (cell: number) => boolean {

@@ -1,13 +1,13 @@
 import type { Macrocells } from '../../volume/macrocells.ts';
 
-/** How much more than its largest value a cell is said to hold, as a share of the domain: what rounding on a GPU may add. */
+/** A share of the domain that is added to the largest value of a cell: rounding on a GPU may add that much. */
 const margin = 1e-4;
 
 /**
- * The largest value that each cell can hold, or with sign -1 the smallest, as a share of a domain: rounded outward, so that
+ * The largest value that each cell can hold (with sign -1: the smallest), as a share of a domain. It is rounded outward, so that
  * no value of a cell is beyond it.
  * @param toShare - share of the domain = scale * stored value + offset
- * @returns a byte a cell: 0 where it holds no data, else from 1 for the domain's low end to 255 for its high end; with sign
+ * @returns a byte per cell: 0 if it holds no data, else from 1 for the domain's low end to 255 for its high end; with sign
  * -1 the other way round
  */
 export function measureCellLimits(

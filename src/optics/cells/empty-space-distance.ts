@@ -1,22 +1,22 @@
 import type { Macrocells } from '../../volume/macrocells.ts';
 import type { TransferFunction } from '../transfer/transfer-function.ts';
 
-/** Rings beyond this count as this: they have to fit a byte. */
+/** The largest number of rings that is stored, so that it fits a byte. */
 const maxRings = 255;
 
-/** Whether any of the values between two, both included, can show in a macrocell. Data units. */
+/** Whether any value of a range (both ends included) can be visible in a macrocell. Data units. */
 export type Contribution = (low: number, high: number, cell: number) => boolean;
 
 /**
- * How far each macrocell is from anything that can be seen: 0 for a cell in which something can show, else the number of
- * rings of cells around it, itself being the first, in which nothing can. A ray may cross those without looking.
+ * How far each macrocell is from anything visible. It is 0 for a cell in which something can be visible. Else it is the number of
+ * rings of cells (the cell itself is the first) in which nothing can be. A ray may cross these rings without sampling.
  *
- * Crossing several empty cells at once skips nothing: neighbouring cells share voxels, so the ranges of connected empty
- * cells overlap and lie in one and the same gap of the transfer function. Cells that are empty for different reasons are not
- * crossed together: a piece of a ray may begin where values do not show and end in a hidden label, and show a little.
- * @param contributions - values show that all of them let through
+ * A ray that crosses several empty cells at once misses nothing: neighbouring cells share voxels, so the ranges of connected empty
+ * cells overlap and lie in the same gap of the transfer function. Cells that are empty for different reasons are not crossed
+ * together: a piece of a ray may begin at values that are not visible and end in a hidden label, and be slightly visible.
+ * @param contributions - a value is visible if all of them let it through
  * @param slope - data value = slope * stored value + intercept
- * @returns one byte a cell, i fastest
+ * @returns one byte per cell, i fastest
  * Source: the distance field of Deakin and Knoll, *Efficient ray casting of volumetric images using distance maps for
  * empty space skipping*, 2020
  */
@@ -40,13 +40,13 @@ export function measureEmptySpace(
   return farthest;
 }
 
-/** Codes of cells in which something can be seen: as many as `detailCodes` of optics/cells/cell-detail.ts has. */
+/** Number of codes of cells in which something is visible: as many as `detailCodes` in optics/cells/cell-detail.ts. */
 export const cellCodes = 4;
 
 /**
- * What the shader reads of each cell: how far it is from anything that can be seen, or how finely it has to be sampled.
- * @param distances - of `measureEmptySpace`, overwritten
- * @param codes - below `cellCodes`; 0 for all where absent
+ * What the shader reads for each cell: how far it is from anything visible or, if something in it is visible, how finely to sample it.
+ * @param distances - from `measureEmptySpace`; they are overwritten
+ * @param codes - below `cellCodes`; if absent, all are 0
  */
 export function encodeCells(distances: Uint8Array<ArrayBuffer>, codes?: Uint8Array): Uint8Array<ArrayBuffer> {
   for (let cell = 0; cell < distances.length; cell++) {
@@ -55,7 +55,7 @@ export function encodeCells(distances: Uint8Array<ArrayBuffer>, codes?: Uint8Arr
   return distances;
 }
 
-/** Values from one to another of which some are seen; at an open end nothing is. */
+/** A range of values of which some are visible. At an open end, the end value itself is not. */
 interface VisibleSpan {
   low: number;
   high: number;
@@ -63,7 +63,7 @@ interface VisibleSpan {
   openHigh: boolean;
 }
 
-/** Ascending, neighbours that touch in one: there are few, whatever the number of stops. */
+/** In ascending order. Neighbours that touch are joined, so the list is short for any number of stops. */
 function listVisibleSpans(transferFunction: TransferFunction): VisibleSpan[] {
   const last = transferFunction.length - 1;
   const spans: VisibleSpan[] = [];
@@ -88,7 +88,7 @@ function listVisibleSpans(transferFunction: TransferFunction): VisibleSpan[] {
 }
 
 function meets(spans: readonly VisibleSpan[], low: number, high: number): boolean {
-  // The first one that ends behind `low`: of labels there may be tens of thousands.
+  // Binary search for the first span that ends behind `low`: labels may have tens of thousands of spans.
   let [from, to] = [0, spans.length];
   while (from < to) {
     const middle = (from + to) >> 1;
@@ -100,13 +100,16 @@ function meets(spans: readonly VisibleSpan[], low: number, high: number): boolea
   return span !== undefined && (span.openLow ? high > span.low : high >= span.low);
 }
 
-/** What a transfer function shows. */
+/** Which values a transfer function makes visible. */
 export function contributionOf(transferFunction: TransferFunction): (low: number, high: number) => boolean {
   const spans = listVisibleSpans(transferFunction);
   return (low, high) => meets(spans, low, high);
 }
 
-/** Chebyshev distances by one pass forth and one back over half of the 26 neighbours each, in a frame that has no data. */
+/**
+ * Chebyshev distances by two passes, forward and backward. Each pass looks at half of the 26 neighbours. A frame of cells without data
+ * surrounds the grid.
+ */
 function spread(distances: Uint8Array, [nx, ny, nz]: readonly [number, number, number]): Uint8Array<ArrayBuffer> {
   const [row, slice] = [nx + 2, (nx + 2) * (ny + 2)];
   const framed = new Uint8Array(slice * (nz + 2)).fill(maxRings);
@@ -130,7 +133,7 @@ function spread(distances: Uint8Array, [nx, ny, nz]: readonly [number, number, n
   return spreadOut;
 }
 
-/** The neighbours that a pass in the order of the cells has been at before. */
+/** The neighbours that a pass in the order of the cells has already visited. */
 const half: readonly (readonly [number, number, number])[] = [-1, 0, 1]
   .flatMap((dz) => [-1, 0, 1].flatMap((dy) => [-1, 0, 1].map((dx) => [dx, dy, dz] as const)))
   .filter(([dx, dy, dz]) => dz > 0 || (dz === 0 && (dy > 0 || (dy === 0 && dx > 0))));

@@ -5,17 +5,17 @@ import type { SeenVolume } from './cell-detail.ts';
 import { emission } from '../transfer/emission.ts';
 import { rangeEmission } from '../transfer/emission-range.ts';
 
-/** What the labels of each macrocell look like. */
+/** The appearance of the labels in each macrocell. */
 export interface CellLooks {
-  /** The largest factor of the extinction; 0 where all are hidden. */
+  /** The largest factor of the extinction; 0 if all labels are hidden. */
   readonly most: Float32Array;
-  /** By how much the factors of extinction, and of extinction times a colour, differ at the most. */
+  /** The largest difference between the factors of extinction, or between the factors of extinction times a colour. */
   readonly spread: Float32Array;
-  /** Which groups those have that are not hidden: a bit each. */
+  /** The groups of the labels that are not hidden: one bit each. */
   readonly groups: Uint8Array;
 }
 
-/** @param styles - of all numbers */
+/** @param styles - by label number */
 export function lookOfCells({ starts, numbers }: LabelCells, styles: readonly LabelStyle[]): CellLooks {
   const factors = styles.map(({ color, opacityFactor }) => [opacityFactor, ...color.map((channel) => channel * opacityFactor)]);
   const most = new Float32Array(starts.length - 1);
@@ -38,12 +38,12 @@ export function lookOfCells({ starts, numbers }: LabelCells, styles: readonly La
 }
 
 /**
- * Of a way through a label that is known by samples of which h lie on a voxel, up to 1 / h is not known: that much of a voxel may
- * look like the label beside it. Its standard deviation is half of that, and its mean is 0.
+ * If h samples per voxel are taken, the length of a way through a label is uncertain by up to 1 / h voxel: that part may
+ * have the style of the neighbouring label. Its standard deviation is half of that, and its mean is 0.
  */
 const unknown = { among: 1, offLine: 0.5 } as const;
 
-/** What labels make of the optical depth that could be missed in a cell: see `SeenVolume`. */
+/** The optical depth that could be missed in a cell when labels are included: see `SeenVolume`. */
 export function labelledDetail({ most, spread, groups }: CellLooks, { volume, transferFunction, functions = [], opticalScale }: Omit<SeenVolume, 'cells' | 'more'>): NonNullable<SeenVolume['more']> {
   const { macrocells: { low, high }, slope, intercept, grid } = volume;
   const all = [transferFunction, ...functions];
@@ -53,12 +53,12 @@ export function labelledDetail({ most, spread, groups }: CellLooks, { volume, tr
     const present = all.map((_, group) => group).filter((group) => groups[cell] & (1 << group));
     if (present.length === 0) return 0;
     const missed = most[cell] * Math.max(...present.map((group) => depthIn(ranges[group])));
-    // Between two functions all that there is of either may differ.
+    // Between two functions, the whole emission of either may differ.
     const differs = present.length > 1 ? most[cell] : spread[cell];
     if (!(differs > 0)) return missed;
     const ends = [slope * low[cell] + intercept, slope * high[cell] + intercept];
     const [from, to] = [Math.min(...ends), Math.max(...ends)];
-    // No more than what is at one of the ends, and how much there is between them.
+    // An upper bound: the emission at one of the ends, plus the largest change of emission between them.
     const largestOf = (group: number): number => Math.min(...ends.map((value) => Math.max(...emission(all[group], value)))) + ranges[group].among(from, to, to - from);
     return missed + unknown[kind] * differs * Math.max(...present.map(largestOf)) * length;
   };

@@ -5,8 +5,8 @@ import { powerOfSteps } from '../transfer/power-of-steps.ts';
 import { maxSubsteps } from '../transfer/substep-limits.ts';
 
 /**
- * Substeps at the least of steps that begin at a place, by the code of its macrocell. Twin: shaders/chunks/walk/empty-space.glsl
- * @param codes - of `findDetail`
+ * The smallest number of substeps for steps that begin at a place, by the code of its macrocell. Twin: shaders/chunks/walk/empty-space.glsl
+ * @param codes - from `findDetail`
  */
 export function leastSubsteps(volume: SeenVolume['volume'], codes: Uint8Array, voxelsPerStep: number): (place: Vector3) => number {
   const { grid, macrocells: { dimensions: cells } } = volume;

@@ -14,23 +14,26 @@ import type { Premultiplied, TransferFunction } from '../transfer/transfer-funct
 import { fullColor, overlayColors } from '../attachments/overlay.ts';
 import type { ShownOverlay } from '../attachments/overlay.ts';
 
-/** What values a layer has in each macrocell of the volume that it is over. */
+/** The values of a layer in each macrocell of the volume below it. */
 export interface OverlayCells {
-  /** Data values; the least lies above the largest where there are none. */
+  /** Data values. If there are none, the smallest is above the largest. */
   readonly low: Float64Array;
   readonly high: Float64Array;
   /** See `Macrocells`, in data values. */
   readonly roughness: Float64Array;
   /** 1 where the layer ends in the cell. */
   readonly ends: Uint8Array;
-  /** Least and largest data value where it ends; the least lies above the largest where it has none there. */
+  /** Smallest and largest data value at the layer's edge. If there are none, the smallest is above the largest. */
   readonly edge: readonly [number, number];
 }
 
-/** Voxels of a layer are read one by one where there are no more, which takes a tenth of a second: macrocells tell of wide blocks alone. */
+/**
+ * Up to this many voxels of a layer are read one by one, which takes a tenth of a second. Beyond it, only the layer's macrocells are read:
+ * they describe wider blocks.
+ */
 const mostReads = 2 ** 23;
 
-/** Of no values. */
+/** The range of no values. */
 const none: readonly [number, number] = [Infinity, -Infinity];
 
 export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
@@ -45,7 +48,7 @@ export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
     cells.roughness[cell] = Math.max(cells.roughness[cell], Math.abs(slope) * macrocells.roughness[from]);
   };
   if (isPolar(over)) {
-    // The same gates in the same box.
+    // Both have the same gates in the same box.
     for (let cell = 0; cell < length; cell++) include(cell, cell);
     return cells;
   }
@@ -68,7 +71,7 @@ export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
   return cells;
 }
 
-/** Values of the outermost voxels. */
+/** Smallest and largest value of the outermost voxels. */
 function measureEdge({ samples, grid: { dimensions: [nx, ny, nz] }, slope, intercept }: Volume): readonly [number, number] {
   let [low, high] = none;
   for (let k = 0; k < nz; k++) for (let j = 0; j < ny; j++) {
@@ -82,19 +85,22 @@ function measureEdge({ samples, grid: { dimensions: [nx, ny, nz] }, slope, inter
   return [low, high];
 }
 
-/** Macrocells hold a voxel on each side that another one has too: this far beyond them nothing else counts, voxels. */
+/**
+ * Macrocells share a voxel with their neighbours on each side. Within this distance (in voxels) beyond its edge, a cell still holds all
+ * that counts.
+ */
 const shared = 0.25;
 
-/** Which macrocells of a layer hold all that is in a box: from the first to the last along each axis. */
+/** The macrocells of a layer that hold everything in a box: from the first to the last along each axis. */
 function blocksOf({ low, high }: UnitBox, { grid: { dimensions }, macrocells }: Volume): { readonly first: Vector3; readonly last: Vector3 } {
   const toBlock = (position: number, axis: number): number => Math.min(macrocells.dimensions[axis] - 1, Math.max(0, Math.floor(position / cellSize)));
   const from = low.map((x, axis) => toBlock(x * dimensions[axis] + shared, axis));
   const to = high.map((x, axis) => toBlock(x * dimensions[axis] - shared, axis));
-  // A box may be smaller than what is shared.
+  // A box may be smaller than the shared part.
   return { first: from.map((at, axis) => Math.min(at, to[axis])) as unknown as Vector3, last: to.map((at, axis) => Math.max(at, from[axis])) as unknown as Vector3 };
 }
 
-/** Where a layer shows something of its own, whatever the volume has there: a byte a macrocell. Null for one that only colours. */
+/** Where a layer itself is visible, whatever values the volume has there: a byte per macrocell. Null for a layer that only colours. */
 export function shownByOverlay({ low, high }: OverlayCells, { blend, transferFunction }: ShownOverlay): Uint8Array | null {
   if (blend === 'color') return null;
   const shows = contributionOf(transferFunction);
@@ -102,8 +108,9 @@ export function shownByOverlay({ low, high }: OverlayCells, { blend, transferFun
 }
 
 /**
- * What a layer adds to the optical depth that could be missed in a cell: see `SeenVolume`. One whose voxels are larger than the volume's is
- * the straighter between its samples, and one with smaller ones may do anything between its least and its largest value.
+ * What a layer adds to the optical depth that could be missed in a cell: see `SeenVolume`. If the layer's voxels are larger
+ * than the volume's,
+ * the layer is straighter between samples. If they are smaller, it may take any value between its smallest and its largest.
  */
 export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { seen, lightFactor }: {
   readonly seen: Omit<SeenVolume, 'cells'>;
@@ -117,7 +124,10 @@ export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { see
   const seenOf = rangeSeen(colors);
   const finest = finestSpacing(grid);
   const ratio = finest / finestSpacing(overlay.volume.grid);
-  /** How far values are off a straight line between samples, by voxels of the layer from one to the next: a share of the roughness. */
+  /**
+   * How far values may be off a straight line between samples, as a share of the roughness. The samples are this many voxels
+   * of the layer apart.
+   */
   const straightOver = (voxels: number): number => offLine * (voxels > 1 ? voxels ** 2 : voxels);
   const length = 2 * finest * seen.opticalScale;
   return (cell, depthIn, kind, samplesAVoxel) => {
@@ -127,7 +137,7 @@ export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { see
     const isBound = kind === 'among';
     const apart = Math.min(high - low, straightOver(isBound ? ratio / samplesAVoxel : ratio) * cells.roughness[cell]);
     if (overlay.blend === 'mix' && isBound) {
-      // What is dense anyway hides what is missed behind it.
+      // Dense matter hides what is missed behind it.
       const reach = (length * overlay.opacityFactor) / samplesAVoxel;
       // Where a step leaves the layer, half of the step counts.
       const atEdge = cells.ends[cell] ? seenOf(reach / 4).largest(...cells.edge) : 0;
@@ -144,18 +154,18 @@ export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { see
   };
 }
 
-/** More than this counts as this, which an 8-bit picture does not tell from it. */
+/** Larger opacities count as this: an 8-bit picture cannot distinguish them. */
 const mostSeen = 0.9999;
 
-/** How what is seen of a length differs among values. */
+/** How much the visible effect of a length differs among values. */
 interface SeenRange {
-  /** See `EmissionRange`: of 0..1. */
+  /** See `EmissionRange`; results are in 0..1. */
   among(low: number, high: number, apart: number): number;
-  /** The largest of values between two; 0 where there are none. */
+  /** The largest result for values between two; 0 if there are none. */
   largest(low: number, high: number): number;
 }
 
-/** @returns for a length, in reference lengths; each is prepared once */
+/** @returns a function of a length in reference lengths; each length is prepared once */
 function rangeSeen(colors: TransferFunction): (ratio: number) => SeenRange {
   const known = new Map<number, SeenRange>();
   return (ratio) => {

@@ -1,4 +1,4 @@
-// In which macrocells patches of values and gradients may show something.
+// In which macrocells patches of values and gradients may be visible.
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { Contribution } from './empty-space-distance.ts';
@@ -7,17 +7,19 @@ import { perWorldUnit } from '../rays/patch-classify.ts';
 import { leastGradient, spanOfPatch } from '../transfer/patches.ts';
 import type { Patch } from '../transfer/patches.ts';
 
-/** Shaders round. */
+/** Allowance for rounding in shaders. */
 const slack = 1.001;
 
 /**
- * The largest gradient that each macrocell may have, in data units per world unit: taps of central differences lie in the cell or the one beside it, and
- * no two values of these differ by more than their range. Where one tap stands for two, as next to places without data, a change counts in full.
+ * The largest gradient that each macrocell may have, in data units per world unit. Taps of central differences lie in the cell or a
+ * neighbouring one, and
+ * two values of these differ by at most their range. If one tap stands for two, as next to places without data, the full difference counts.
  */
 export function boundGradients({ macrocells: { dimensions: [nx, ny, nz], low, high }, slope, grid, hasNoData }: Volume): Float32Array {
   const m = normalsToWorld(grid);
   const axes = [0, 1, 2].map((axis) => [m[axis], m[4 + axis], m[8 + axis]]);
-  // Of no change along any axis beyond 1 the longest image: a sum of the products of the axes, of which those of a rectangular grid are 0.
+  // An upper bound of the length of the image of any change of at most 1 along each axis: all products of the axes are summed; for a
+  // rectangular grid, those of two different axes are 0.
   const longest = Math.sqrt(axes.reduce((sum, a) => axes.reduce((s, b) => s + Math.abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]), sum), 0));
   const perRange = slack * longest * perWorldUnit(grid) * Math.abs(slope) * (hasNoData ? 1 : 0.5);
   const bounds = new Float32Array(low.length);
@@ -39,7 +41,7 @@ export function boundGradients({ macrocells: { dimensions: [nx, ny, nz], low, hi
   return bounds;
 }
 
-/** Which cells may have gradients that patches show. A radar's may be of any size. */
+/** Which cells may have gradients that patches make visible. A radar's gradients may have any size, so all its cells count. */
 export function contributionOfGradients(patches: readonly Patch[], volume: Volume): Contribution {
   if (isPolar(volume)) return () => true;
   const bounds = boundGradients(volume);

@@ -2,10 +2,10 @@ import type { Macrocells } from '../../volume/macrocells.ts';
 import type { Contribution } from './empty-space-distance.ts';
 
 /**
- * In which macrocells something can be seen.
- * @param contributions - values show that all of them let through
+ * In which macrocells something is visible.
+ * @param contributions - a value is visible if all of them let it through
  * @param slope - data value = slope * stored value + intercept
- * @returns a byte a cell, i fastest: 1 where something can, else 0
+ * @returns a byte per cell, i fastest: 1 if something is visible, else 0
  */
 export function findSeenCells(
   { low, high }: Macrocells, contributions: readonly Contribution[], { slope, intercept }: { slope: number; intercept: number },

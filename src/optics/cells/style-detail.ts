@@ -1,4 +1,4 @@
-// What light and styles may change between two samples, where values alone change little: what is stated as the largest error counts it.
+// How much light and styles may change between two samples whose values differ little. The stated largest error includes this.
 import type { GridFrame } from '../../volume/grid.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { domainOf } from '../transfer/emission.ts';
@@ -9,40 +9,40 @@ import type { TransferFunction } from '../transfer/transfer-function.ts';
 import { buildStyleTable, flatFactor, flatOf, shareOfChange, styleColumns } from '../transfer/volume-styles.ts';
 import type { StyleChain, VolumeStyle } from '../transfer/volume-styles.ts';
 
-/** What styles do to the extinction of what shows amid values. */
+/** How styles change the extinction of what is visible for a range of values. */
 export interface StyleChange {
   /** The largest factor. */
   readonly most: number;
-  /** By how much of the extinction what is seen of one and the same value may differ, colours among it. */
+  /** The largest difference in appearance that one and the same value may have, colours included, as a share of the extinction. */
   readonly apart: number;
 }
 
-/** Of cells with values between two, data units. */
+/** The change in cells with values in a range, data units. */
 export type StyleRange = (low: number, high: number) => StyleChange;
 
-/** A volume in a style. */
+/** A volume and its style. */
 export interface StyledLook {
   readonly volume: Pick<Volume, 'range'> & { readonly grid: GridFrame & { readonly kind?: string } };
   readonly transferFunction: TransferFunction;
   readonly referenceLength: number;
 }
 
-/** Of central differences: no axis has more than half of what values differ. */
+/** For central differences: along each axis, a difference is at most half of the range of values. */
 const steepest = Math.sqrt(3) / 2;
 
-/** Changes of values from voxel to voxel that there may be; a radar's gates are of any size. */
+/** The largest change of values from voxel to voxel. A radar's gates may have any size, so theirs has no limit. */
 function changeAmong({ grid }: StyledLook['volume']): (low: number, high: number) => number {
   return (low, high) => (grid.kind === 'polar' && high > low ? Infinity : steepest * (high - low));
 }
 
-/** Of light on fog: what is seen may be anything up to the opacity, where it is no flat place. */
+/** For light on fog: where the field is not flat, the light that is seen may be anything up to the opacity. */
 export function rangeLight({ volume, transferFunction }: StyledLook): StyleRange {
   const flat = fogFlat * flatChange(domainOf(transferFunction), volume.range);
   const change = changeAmong(volume);
   return (low, high) => ({ most: 1, apart: weighUpTo(change(low, high), flat) });
 }
 
-/** Of styles, by their own table. */
+/** For styles, from their own table. */
 export function rangeStyles(chains: readonly StyleChain[], look: StyledLook): StyleRange {
   const { volume, transferFunction, referenceLength } = look;
   const flat = flatChange(domainOf(transferFunction), volume.range);
@@ -78,7 +78,7 @@ function isColored({ kind }: VolumeStyle): boolean {
   return kind !== 'boundary' && kind !== 'gradient' && kind !== 'silhouette';
 }
 
-/** The least and the largest of a row of factors, up to a share of it. */
+/** The smallest and largest factor in a row of the table, from its beginning to a share of it. */
 function extremes(table: Float64Array, channel: number): (share: number) => readonly [number, number] {
   const known: (readonly [number, number])[] = [];
   for (let i = 0; i < styleColumns; i++) {

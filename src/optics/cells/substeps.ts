@@ -3,23 +3,23 @@ import { maxSubsteps } from '../transfer/substep-limits.ts';
 
 /** How steps are cut into substeps. */
 export interface Substeps {
-  /** Of a step, where much may be seen at its ends. */
+  /** The largest number of substeps of a step where much may be visible at its ends. */
   readonly most: number;
-  /** Voxels of the finest axis that a step is long, so that cells are sampled as finely as they need; 0 where they have no say. */
+  /** The length of a step in voxels of the finest axis, so that each cell is sampled as finely as it needs; 0 if cells do not matter. */
   readonly voxelsPerStep: number;
-  /** What may be lost of a thing, 0..1, see `findDetail` of optics/cells/cell-detail.ts. */
+  /** How much of a thing may be lost, 0..1, see `findDetail` of optics/cells/cell-detail.ts. */
   readonly mayLose: number;
-  /** That function, which comes with what chooses steps: pictures before need none. */
+  /** `findDetail`. It is loaded with the code that chooses steps; earlier pictures do not need it. */
   readonly findDetail?: (seen: SeenVolume, mayLose: number) => Uint8Array;
 }
 
-/** Whether steps are cut at all, as in pictures at rest. */
+/** Whether steps are cut at all. Pictures at rest cut them. */
 export function isCut({ most, voxelsPerStep }: Substeps): boolean {
   return most > 1 || voxelsPerStep > 0;
 }
 
-/** Not at all. */
+/** Steps are not cut. */
 export const wholeSteps: Substeps = { most: 1, voxelsPerStep: 0, mayLose: 0 };
 
-/** By what is at the ends of steps alone. */
+/** Only the samples at the ends of a step decide how it is cut. */
 export const allSubsteps: Substeps = { most: maxSubsteps, voxelsPerStep: 0, mayLose: 0 };

@@ -5,13 +5,13 @@ export interface Pixels {
   readonly height: number;
 }
 
-/** What is interpolated between four pixels of a picture that has every second pixel along each axis. */
+/** Pixels interpolated between four pixels of a picture that has only every second pixel along each axis. */
 export interface Quad {
   /** RGBA of the four pixels of the whole picture: the one that is known, right of it, above it, and right above. */
   readonly colors: Float64Array;
   /** Curvature of the picture here: the largest second difference of a channel. */
   curvature: number;
-  /** The largest channel of the four known pixels that it lies between. */
+  /** The largest channel value of the four known pixels around it. */
   brightest: number;
 }
 
@@ -20,10 +20,10 @@ export function emptyQuad(): Quad {
 }
 
 /**
- * The quad of 2 x 2 pixels at the (x, y) of every second pixel, from the twelve around it: from four in a row, or in the
- * middle of four from twelve. Both are exact for polynomials of third degree.
- * @param picture - one of these pixels, every `stride`th along each axis is taken
- * @param quad - filled, in the picture's own unit
+ * Fills the quad of 2 x 2 pixels at the (x, y) of every second pixel from the twelve known pixels around it. A pixel between two known
+ * ones uses four in a row; the one in the middle of four uses twelve. Both are exact for polynomials of third degree.
+ * @param picture - every `stride`th of its pixels along each axis is used
+ * @param quad - is filled, in the picture's own unit
  * Twin: shaders/chunks/depth/between-pixels.glsl
  */
 export function interpolateQuad({ data, width, height }: Pixels, stride: number, [x, y]: readonly [number, number], quad: Quad): void {

@@ -20,7 +20,7 @@ export interface Orbit {
   readonly radius: number;
 }
 
-/** The camera of an orbit. At the poles the up vector is what it tends to from the front, so nothing flips. */
+/** The camera of an orbit. At the poles, the up vector is the limit as seen from the front, so nothing flips. */
 export function orbitCamera(orbit: Orbit, target: Vector3, fieldOfView: number): Camera {
   const { theta, phi, radius } = orbit;
   const toEye: Vector3 = [-Math.sin(phi) * Math.sin(theta), Math.sin(phi) * Math.cos(theta), Math.cos(phi)];
@@ -28,7 +28,7 @@ export function orbitCamera(orbit: Orbit, target: Vector3, fieldOfView: number):
   return { eye: add(target, scale(toEye, radius)), target, up, fieldOfView };
 }
 
-/** Row-major world-to-eye matrix; the eye looks along -z with y up. */
+/** Row-major world-to-eye matrix. The eye looks along -z, and y is up. */
 export function viewMatrix({ eye, target, up }: Camera): Matrix4 {
   const backward = normalize(subtract(eye, target));
   const right = normalize(cross(up, backward));
@@ -52,7 +52,7 @@ export function projectionMatrix(fieldOfView: number, aspect: number, near: numb
   ];
 }
 
-/** Distance at which a sphere just fits into the narrower side of the picture. */
+/** The distance at which a sphere just fits into the narrower side of the picture. */
 export function framingDistance(radius: number, fieldOfView: number, aspect: number): number {
   const horizontal = 2 * Math.atan(Math.tan(fieldOfView / 2) * aspect);
   return radius / Math.sin(Math.min(fieldOfView, horizontal) / 2);

@@ -8,8 +8,8 @@ import { slackOf } from './slack.ts';
 import type { Premultiplied } from '../transfer/transfer-function.ts';
 
 /**
- * One ray in plain float64: cut into steps from where it enters, the last one being what is left, and steps on which
- * more has to be seen into substeps. On each the data value is taken to run in a straight line between those at its ends.
+ * Casts one ray in plain float64. The ray is cut into steps from its entry on; the last step is the rest. Steps on which more must be
+ * seen are cut into substeps. Along each, the data value is assumed to change linearly between the values at its ends.
  * No early termination, no skipping, no tables. Twin: shaders/programs/ray-caster.frag.glsl
  */
 export function castRay(stages: RayStages, ray: Ray): Premultiplied {
@@ -64,7 +64,7 @@ function walk(stages: RayStages, path: Path, gathering: Gathering): void {
   }
 }
 
-/** Go through a piece of a path from kink to kink. Twin: shaders/chunks/walk/walk-voxels.glsl */
+/** Goes through a piece of a path from kink to kink. Twin: shaders/chunks/walk/walk-voxels.glsl */
 export function walkKinks({ sampleAt, kinksAlong }: Path, [begin, end]: readonly [number, number], add: (piece: CubicPiece) => void): void {
   let [from, front] = [begin, sampleAt(begin)];
   for (const to of [...kinksAlong!(begin, end), end]) {
@@ -92,7 +92,7 @@ function walkPiece({ step, maxSubsteps }: RayStages, { sampleAt, leastSubstepsAt
   }
 }
 
-/** The values at both ends, of which one stands for the other where that has no data. */
+/** The values at both ends. If one end has no data, it gets the value of the other end. */
 export function dataEnds(front: Sample, back: Sample): [number, number] {
   return [front.valid ? front.value : back.value, back.valid ? back.value : front.value];
 }

@@ -6,14 +6,14 @@ import { prepareOptics, transferFunctionClassify } from './ray-classify.ts';
 import type { RayOptics } from './ray-classify.ts';
 import type { ClassifyStage, FieldStage } from './ray-stages.ts';
 
-/** A picture's transfer function, and what goes with it. */
+/** A picture's transfer function and optical settings. */
 interface PictureOptics extends OpticalFactors {
   readonly transferFunction: TransferFunction;
-  /** World length over which a stop's opacity holds. */
+  /** World length to which a stop's opacity belongs. */
   readonly referenceLength: number;
 }
 
-/** Of each transfer function the last ones: to make these takes longer than to cast a ray. */
+/** The last optics of each transfer function: it takes longer to prepare them than to cast a ray. */
 const kept = new WeakMap<TransferFunction, { readonly lightFactor: number; readonly voxelRatio: number; readonly optics: RayOptics }>();
 
 function prepare(transferFunction: TransferFunction, lightFactor: number, voxelRatio: number): RayOptics {
@@ -25,7 +25,7 @@ function prepare(transferFunction: TransferFunction, lightFactor: number, voxelR
 }
 
 /**
- * What a transfer function makes of values in a picture.
+ * The classification of values in a picture by its transfer function.
  * @param diameter - of the rays: world length of one unit of a segment's span
  */
 export function classifyPicture({ transferFunction, lightFactor, opacityFactor, referenceLength }: PictureOptics, grid: GridFrame, diameter: number, field: FieldStage): ClassifyStage {

@@ -5,7 +5,7 @@ import { intersectUnitCube } from './rays.ts';
 import type { Ray } from './rays.ts';
 import { slackOf } from './slack.ts';
 
-/** What is kept of a volume: the places p of the grid's unit cube with normal . p >= offset. */
+/** The part of a volume that stays: the places p of the grid's unit cube with normal . p >= offset. */
 export interface HalfSpace {
   readonly kind: 'half-space';
   readonly normal: Vector3;
@@ -19,13 +19,13 @@ export interface Cutout {
   readonly unitToBox: Matrix4;
 }
 
-/** Half-spaces that a program knows: six planes, and the sides of a box. */
+/** The largest number of half-spaces in a program: six planes, and the six sides of a box. */
 export const maxHalfSpaces = 12;
 
-/** Below this a ray runs along a plane, as in `intersectUnitCube`. */
+/** Below this, a ray counts as parallel to a plane, as in `intersectUnitCube`. */
 const parallel = 1e-9;
 
-/** Rays run where all half-spaces are. Twin: shaders/chunks/walk/clip.glsl */
+/** Limits rays to where all half-spaces overlap. Twin: shaders/chunks/walk/clip.glsl */
 export function clipInterval(kept: readonly HalfSpace[]): IntervalStage {
   return (ray, interval) => {
     const left = kept.reduce((before, one) => keep(one, ray, before), interval);
@@ -40,7 +40,7 @@ function keep({ normal, offset }: HalfSpace, { point, direction }: Ray, interval
   return slope > 0 ? { ...interval, entry: Math.max(interval.entry, t) } : { ...interval, exit: Math.min(interval.exit, t) };
 }
 
-/** A box is cut out of rays: they begin behind it, end before it, or have a gap. Twin: shaders/chunks/walk/cutout.glsl */
+/** Cuts a box out of rays: a ray begins behind it, ends in front of it, or has a gap. Twin: shaders/chunks/walk/cutout.glsl */
 export function cutoutInterval({ unitToBox }: Cutout): IntervalStage {
   return (ray, interval) => {
     const { point, direction } = ray;
@@ -54,7 +54,7 @@ export function cutoutInterval({ unitToBox }: Cutout): IntervalStage {
   };
 }
 
-/** Whether what stands at t has been cut out; what lies on a cut face has not. */
+/** Whether a thing at t has been cut out. A thing on a cut face has not. */
 export function isCutOut(gap: Interval['gap'], t: number, slack: number): boolean {
   return gap !== undefined && t > gap[0] + slack && t < gap[1] - slack;
 }

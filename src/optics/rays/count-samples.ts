@@ -2,11 +2,11 @@ import { countSteps } from './count-steps.ts';
 import { crossVolume, rayThrough } from './rays.ts';
 import type { RaySetup } from './rays.ts';
 
-/** Rays looked at along each side of the picture. */
+/** Number of rays along each side of the picture that are tried. */
 const side = 32;
 
 /**
- * Samples that a picture takes before early ray termination spares some: the mean over a grid of rays, times the
+ * Number of samples of a picture if no ray stops early: the mean over a grid of rays, times the number of
  * pixels.
  * @param stepLength - world length
  */

@@ -1,4 +1,4 @@
-/** Steps on a ray: a rest shorter than a thousandth of a step is no step, but makes the last one longer. */
+/** Number of steps on a ray. A rest that is shorter than a thousandth of a step makes the last step longer. */
 export function countSteps(total: number, step: number): number {
   return Math.max(1, Math.ceil(total / step - 1e-3));
 }

@@ -1,4 +1,4 @@
-/** A cubic by its values at 0, 1, 2 and 3. */
+/** A cubic, given by its values at 0, 1, 2 and 3. */
 export type CubicValues = readonly [number, number, number, number];
 
 /** f(u) = start + linear u + square u^2 + cube u^3. */
@@ -16,7 +16,7 @@ function cubicOf([a, b, c, d]: CubicValues): Cubic {
 }
 
 /**
- * Where a cubic has its local maximum, and where its local minimum, which comes with sign -1: at most one of each. NaN where it has none.
+ * Where a cubic has its local maximum or, with sign -1, its local minimum: at most one of each. NaN if it has none.
  * Twin: shaders/chunks/field/cubic.glsl
  */
 export function turnOfCubic(values: CubicValues, sign: 1 | -1): number {
@@ -24,7 +24,8 @@ export function turnOfCubic(values: CubicValues, sign: 1 | -1): number {
   const a = 3 * cube;
   const inner = b * b - a * c;
   if (!(inner > 0)) return NaN;
-  // Of both roots of a u^2 + 2 b u + c the one where the slope falls, or rises; each in the form that cancels no digits.
+  // Of the two roots of a u^2 + 2 b u + c, the one where the slope falls (or, with sign -1, rises). Each case uses the form
+  // that loses no digits.
   const root = sign * Math.sqrt(inner);
   return sign * b <= 0 ? c / (root - b) : (-b - root) / a;
 }

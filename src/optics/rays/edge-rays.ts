@@ -1,16 +1,18 @@
 import type { Pixels } from './between-pixels.ts';
 
 /**
- * Where the rays of a pixel go that an edge runs through, beside the one through its middle: pixels across and up. With that they are a lattice
- * of which no two stand in the same of five rows or of five columns, so that edges of any slope have five levels.
+ * A pixel that an edge runs through gets more rays in addition to the one through its middle. These are their places, in pixels across
+ * and up. All five
+ * form a lattice: each has its own of five rows and of five columns, so edges of any slope have five levels.
  */
 export const edgeOffsets: readonly (readonly [number, number])[] = [[0.2, 0.4], [-0.4, 0.2], [0.4, -0.2], [-0.2, -0.4]];
 
 /**
- * Through which quads of 2 x 2 pixels of a picture edges run: one of them bends by more than a limit along its row or its column.
+ * Finds the quads of 2 x 2 pixels that an edge runs through: one of their pixels has a second difference above a limit
+ * along its row or column.
  * @param picture - of bytes
- * @param most - 1/255
- * @returns their numbers, row by row from that at the first pixel
+ * @param most - the limit, in 1/255
+ * @returns the numbers of the quads, row by row, beginning with the one at the first pixel
  */
 export function findEdges({ data, width, height }: Pixels, most: number): Float32Array<ArrayBuffer> {
   const columns = Math.ceil(width / 2);
@@ -36,8 +38,8 @@ export function findEdges({ data, width, height }: Pixels, most: number): Float3
 }
 
 /**
- * A picture with the mean of several rays in the pixels of some quads.
- * @param pictures - of one size, by the rays that pixels have: those through their middles first
+ * Returns a picture in which the pixels of some quads have the mean of several rays.
+ * @param pictures - all of one size, one for each ray of a pixel; the first has the rays through the middles
  * @param quads - see `findEdges`
  */
 export function meanAtEdges(pictures: readonly ArrayLike<number>[], quads: Float32Array, width: number): Float64Array {

@@ -3,7 +3,7 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import { orbitCamera } from './camera.ts';
 import type { Orbit } from './camera.ts';
 
-/** From where something is framed. */
+/** The direction from which a camera looks, and its picture. */
 export interface FramedView extends Omit<Orbit, 'radius'> {
   /** Vertical, radians. */
   readonly fieldOfView: number;
@@ -11,13 +11,13 @@ export interface FramedView extends Omit<Orbit, 'radius'> {
   readonly aspect: number;
 }
 
-/** Share of the picture, across or down, that is filled by what is framed. */
+/** Share of the picture's width or height that the framed places fill. */
 const framedShare = 0.86;
 
 /**
- * The nearest camera of a direction that has all places in its picture, with a margin.
- * @param places - one or more
- * @param fixed - what it looks at; where null, what has the places in the middle of the picture, half way through them
+ * The nearest camera in a given direction whose picture contains all places, with a margin.
+ * @param places - at least one
+ * @param fixed - what the camera looks at; if null, the point that puts the places in the middle of the picture, at half their depth
  */
 export function framePlaces(
   places: readonly Vector3[],
@@ -30,7 +30,7 @@ export function framePlaces(
   let distance = -Infinity;
   const tangent = Math.tan(fieldOfView / 2) * framedShare;
   for (const [axis, slope] of [[cross(up, back), tangent * aspect], [up, tangent]] as const) {
-    // A place at x is in the picture of an eye at c, at a distance d, where |x - c| <= slope (d - depth).
+    // An eye at c, at distance d, has a place at x in its picture if |x - c| <= slope (d - depth).
     const toEnd = (sign: number): number => farthest(places.map((place, i) => (sign * dot(axis, place)) / slope + depths[i]), Math.max);
     const [right, left] = [toEnd(1), toEnd(-1)];
     const center = fixed ? dot(axis, fixed) / slope : (right - left) / 2;

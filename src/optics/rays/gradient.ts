@@ -8,16 +8,17 @@ import type { FieldStage, Sample } from './ray-stages.ts';
 export interface Gradient {
   /** Data units from voxel to voxel, along each of the grid's axes. */
   readonly perVoxel: Vector3;
-  /** The direction in the world in which values grow most; of any length. */
+  /** The direction in the world in which values grow fastest; of any length. */
   readonly world: Vector3;
 }
 
-/** @param place - in the unit cube @param known - of that place */
+/** @param place - in the unit cube @param known - the sample at that place */
 export type GradientStage = (place: Vector3, known: Sample) => Gradient;
 
 /**
- * Central differences one voxel apart, of which one stands for the other where there are no data, or a value folds. A place without data faces nowhere.
- * @param tapAt - the sample so many voxels along an axis from the place
+ * Central differences over one voxel on each side. If one side has no data, or a value folds, only the other side counts. A place without
+ * data has no direction.
+ * @param tapAt - the sample one voxel along an axis from the place, on one side
  */
 export function differ(known: Sample, tapAt: (axis: number, side: -1 | 1) => Sample, isFolded: FieldStage['isFolded']): Vector3 {
   if (!known.valid) return [0, 0, 0];
@@ -31,7 +32,10 @@ export function differ(known: Sample, tapAt: (axis: number, side: -1 | 1) => Sam
   return [change(0), change(1), change(2)];
 }
 
-/** Of a field on a cartesian grid. Inside the grid it is what interpolated central differences are. Twin: shaders/chunks/field/gradient-cartesian.glsl */
+/**
+ * The gradient of a field on a cartesian grid. Inside the grid it equals interpolated central differences.
+ * Twin: shaders/chunks/field/gradient-cartesian.glsl
+ */
 export function cartesianGradient(field: FieldStage, grid: GridFrame): GradientStage {
   const toWorld = normalsToWorld(grid);
   return (place, known) => {
@@ -44,24 +48,27 @@ export function cartesianGradient(field: FieldStage, grid: GridFrame): GradientS
   };
 }
 
-/** Row-major: of changes per voxel to directions in the world, the inverse transpose of the grid's matrix in units of its finest voxel. */
+/**
+ * Row-major: maps changes per voxel to directions in the world. It is the inverse transpose of the grid's matrix, in units
+ * of its finest voxel.
+ */
 export function normalsToWorld(grid: GridFrame): Matrix4 {
   const finest = finestSpacing(grid);
   return transposeLinear(invertAffine(grid.indexToWorld) ?? identity).map((x) => x * finest);
 }
 
-/** The linear part alone, rows and columns changed. */
+/** The transpose of the linear part of a matrix, without the translation. */
 export function transposeLinear(m: Matrix4): Matrix4 {
   return [m[0], m[4], m[8], 0, m[1], m[5], m[9], 0, m[2], m[6], m[10], 0, 0, 0, 0, 1];
 }
 
-/** Of what a transfer function spans, a change from voxel to voxel that has half of a surface's light. */
+/** A change from voxel to voxel of this share of the transfer function's span gets half of a surface's light. */
 export const flatShare = 0.02;
 
-/** A function of one value, or of a few that are next to each other, counts as this wide: a share of the data's range. */
+/** The smallest width of a transfer function, as a share of the data's range: for functions of one value, or of a few close values. */
 const leastWidth = 0.05;
 
-/**
+/** If the change from voxel to voxel (data units) is below this, a field counts as flat: it has no direction and is not lit.
  * Data units from voxel to voxel below which a field counts as flat: it faces nowhere, and is not lit.
  * @param domain - data values that the transfer function spans
  * @param range - of the data

@@ -3,8 +3,8 @@ import type { Vector3 } from '../../volume/matrix.ts';
 
 /**
  * Tri-linear interpolation of stored samples, voxel centres at (i + 0.5) / n, constant in the outer half voxels.
- * Voxels without data (NaN; infinities too) are left out: the weights of the others are scaled up, and where these make
- * up less than half there is no data.
+ * Voxels without data (NaN; infinities too) are left out, and the weights of the others are scaled up. If these weights make
+ * up less than half, there is no data.
  * @param p - point in the unit cube
  * @returns stored value, or NaN for no data
  */
@@ -12,7 +12,7 @@ export function interpolate(samples: Samples, dimensions: Vector3, p: Vector3): 
   const [nx, ny, nz] = dimensions;
   const [x, y, z] = [clampToCentres(p[0], nx), clampToCentres(p[1], ny), clampToCentres(p[2], nz)];
   const [i, j, k] = [Math.floor(x), Math.floor(y), Math.floor(z)];
-  // Summed as differences from one of the voxels, so that a constant stays exact to the last digit: a jump may be there.
+  // Summed as differences from one of the voxels, so that a constant stays exact to the last digit: the transfer function may jump there.
   let base = NaN;
   let sum = 0;
   let weights = 0;
@@ -28,7 +28,7 @@ export function interpolate(samples: Samples, dimensions: Vector3, p: Vector3): 
   return weights >= 0.5 ? base + sum / weights : NaN;
 }
 
-/** Voxels from the first one's centre; what is outside of the outermost ones' centres is at these. */
+/** In voxels from the first one's centre; places beyond the outermost centres move to these. */
 function clampToCentres(u: number, n: number): number {
   return Math.min(Math.max(u * n - 0.5, 0), n - 1);
 }

@@ -2,11 +2,11 @@ import { cubicAt, turnOfCubic } from './cubic.ts';
 import type { CubicValues } from './cubic.ts';
 import type { CubicPiece, Sample } from './ray-stages.ts';
 
-/**
- * Look at a piece of a line wherever its largest value may be: at both ends, at both thirds, and where the cubic through these four has its top,
+/** Samples a piece of a line wherever its largest value may be: at both ends, at both thirds, and at the top of the cubic through these four,
+ * if that is above the largest so far. All are samples of the line, so no value is found that the line does not have.
  * if that is above what is known. All are samples of the line, so that nothing is found that is not there.
  * @param sign - -1 for the smallest value
- * @param take - is given what was found where, @returns the largest value so far, times the sign
+ * @param take - gets each sample and its place, @returns the largest value so far, times the sign
  * Twin: shaders/chunks/gather/extreme.glsl, gatherPiece
  */
 export function searchPiece(
@@ -24,7 +24,7 @@ export function searchPiece(
   if (top > 0 && top < 3 && cubicAt(values, top) > best) take(sampleAt(from + top * third), from + top * third);
 }
 
-/** Look at a piece where it turns, in order: what is passed is each of its extremes. @param pass - is given what was found where */
+/** Samples a piece at its ends and where it turns, in order: these are all its extremes. @param pass - gets each sample and its place */
 export function passPiece(
   { from, to, front, back }: CubicPiece, sign: 1 | -1, sampleAt: (at: number) => Sample, pass: (found: Sample, at: number) => void,
 ): void {
@@ -37,14 +37,14 @@ export function passPiece(
   pass(back, to);
 }
 
-/** null where one of them has no data: then values are no cubic. */
+/** null if one of the samples has no data: then the values are no cubic. */
 function valuesOf(samples: readonly Sample[], sign: 1 | -1): CubicValues | null {
   return samples.every(({ valid }) => valid) ? (samples.map(({ value }) => sign * value) as unknown as CubicValues) : null;
 }
 
 /**
- * The mean of a piece, by Simpson's rule, which is exact for cubics.
- * @param weigh - is given what was found, and how much of the length it stands for
+ * The mean of a piece by Simpson's rule, which is exact for cubics.
+ * @param weigh - gets each sample, and the length that it stands for
  */
 export function weighPiece({ from, to, front, back }: CubicPiece, sampleAt: (at: number) => Sample, weigh: (found: Sample, span: number) => void): void {
   const sixth = (to - from) / 6;

@@ -12,7 +12,7 @@ import type { LitMaterial, SceneLights, Shade } from '../transfer/lights.ts';
 import type { Sample, SecondFieldStage, ShadeStage } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 
-/** What lights a volume, and how its surfaces stand. */
+/** The lights of a volume, and the field whose gradient they light. */
 export interface LitScene {
   readonly grid: GridFrame;
   readonly gradient: GradientStage;
@@ -23,10 +23,10 @@ export interface LitScene {
   readonly cuts?: CutFaces;
 }
 
-/** Where a sample is: what the shading of a piece of a ray needs of its ends. Twin: shaders/chunks/walk/points.glsl */
+/** Adds the place of each sample: the shading of a piece of a ray needs it at both ends. Twin: shaders/chunks/walk/points.glsl */
 export const pointField: SecondFieldStage = (place, known) => ({ ...known, point: place });
 
-/** What light makes of a place's colour. @param toEye - of length 1, world */
+/** The light at a place. @param toEye - of length 1, world */
 export type LightStage = (known: Sample, toEye: Vector3) => Shade;
 
 /** Twin: shaders/chunks/shade/lit-sample.glsl, shadeSample */
@@ -44,19 +44,19 @@ export function lightAt({ grid, gradient, flat, lights = headlightAlone, materia
   };
 }
 
-/** Towards the eye, of length 1, world. */
+/** The direction to the eye, of length 1, world. */
 export function towardsEye(grid: GridFrame, ray: Ray): Vector3 {
   return scale(normalize(transformDirection(unitToWorld(grid), ray.direction)), -1);
 }
 
 /**
- * Light on the surfaces that a field has everywhere: where values change. The colour is multiplied by diffuse light, and white
- * is added by the opacity; each is the mean of both ends. Flat places keep their colour, and so does what is next to a cut.
+ * Lights the surfaces that a field has everywhere its values change. The colour is multiplied by diffuse light, and white
+ * is added in proportion to the opacity; each is the mean of both ends. Flat places keep their colour, and so do places next to a cut.
  * Source: Lum, Wilson and Ma 2004. Twin: shaders/chunks/shade/lit.glsl
  */
 export function litShade(scene: LitScene): ShadeStage {
   const light = lightAt({ material: fogMaterial, ...scene, flat: fogFlat * scene.flat });
-  // A sample is of one ray alone.
+  // A sample belongs to one ray only.
   const shadesOf = keepLast((ray: Ray) => {
     const toEye = towardsEye(scene.grid, ray);
     return keepLast((known: Sample) => light(known, toEye));

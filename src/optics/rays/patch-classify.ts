@@ -9,7 +9,7 @@ import type { ClassifyStage, FieldStage, Sample } from './ray-stages.ts';
 import { attenuate } from './segment.ts';
 import type { Premultiplied } from '../transfer/transfer-function.ts';
 
-/** A volume that is shown by value and gradient. */
+/** A volume that is classified by value and gradient. */
 export interface PatchScene {
   /** See `lightPatches`. */
   readonly patches: readonly Patch[];
@@ -20,7 +20,7 @@ export interface PatchScene {
   readonly opticalScale: number;
 }
 
-/** A gradient as `GradientStage` tells it times this is one in data units per world unit. */
+/** Converts a gradient of `GradientStage` to data units per world unit: its factor. */
 export function perWorldUnit(grid: GridFrame & { readonly kind?: string }): number {
   return grid.kind === 'polar' ? 1 : 1 / finestSpacing(grid);
 }
@@ -31,8 +31,9 @@ export function lightPatches(patches: readonly Patch[], lightFactor: number): re
 }
 
 /**
- * What values and gradients look like: pre-integration in closed form, value and gradient running straight between samples that know where they are.
- * All else is as by the transfer function that `usual` is of.
+ * Classification by values and gradients: pre-integration in closed form. Value and gradient change linearly between samples that know
+ * their place.
+ * Everything else is as in `usual`, the classification by a transfer function.
  * Twin: shaders/chunks/classify/patches.glsl
  */
 export function patchClassify(usual: ClassifyStage, { patches, grid, gradient, field, opticalScale }: PatchScene): ClassifyStage {

@@ -2,19 +2,19 @@ import { passPiece, searchPiece, weighPiece } from './line-pieces.ts';
 import type { ProjectionKind } from './ray-style.ts';
 import type { CubicPiece, GatherStage, Path, Sample, Seen, Segment } from './ray-stages.ts';
 
-/** Rounds of samples where the extreme may be, each with a quarter of the step of the one before. */
+/** Rounds of samples around a possible extreme. Each round has a quarter of the previous round's step. */
 export const refinements = 2;
 
 /**
- * A value of each ray in the transfer function's colours, where the largest opacity counts as 1: neither reference length
- * nor steps matter. A ray without data is clear. Twin: shaders/chunks/gather/extreme.glsl and average.glsl
+ * Shows one value per ray in the transfer function's colours. The largest opacity counts as 1: neither reference length
+ * nor steps matter. A ray without data is transparent. Twin: shaders/chunks/gather/extreme.glsl and average.glsl
  * @param threshold - see `RayStyle.intensityThreshold`
  */
 export function projectionGather(kind: ProjectionKind, threshold?: number): GatherStage {
   return kind === 'average' ? averageGather : (seen) => gatherExtreme(seen, kind === 'max' ? 1 : -1, threshold);
 }
 
-/** A value, times the sign, and where it is on its ray. */
+/** A value times the sign, and its place on the ray. */
 interface Found {
   readonly value: number;
   readonly at: number;
@@ -34,11 +34,13 @@ function gatherExtreme({ classify, step }: Seen, sign: 1 | -1, threshold?: numbe
 }
 
 /**
- * The largest value, or with sign -1 the smallest. Of pieces between kinks it is exact. Of samples the error is of second order; where steps
- * are shorter than a voxel it is of first, as tri-linear interpolation has kinks at planes of voxels' centres. So samples are taken where the
- * parabola through the three around the largest has its top, and where straight lines from two sides meet.
- * @param counts - whether a sample takes part
- * @param threshold - the first local extreme from this value on counts, the one of the whole ray where there is none or this is absent
+ * Finds the largest value or, with sign -1, the smallest. For pieces between kinks it is exact. For samples, the error is of second
+ * order; if steps
+ * are shorter than a voxel, it is of first order, as tri-linear interpolation has kinks at planes of voxels' centres. So more samples are
+ * taken: at the
+ * top of the parabola through the three samples around the largest, and where straight lines from both sides meet.
+ * @param counts - whether a sample counts
+ * @param threshold - if given, the first local extreme from this value on counts; if there is none, that of the whole ray
  */
 export function seekExtreme(
   step: number,
@@ -76,7 +78,7 @@ export function seekExtreme(
   };
 }
 
-/** Probe around the best sample: at so far a reach, and where these samples say that a peak may be. */
+/** Takes samples around the best one: at distances of up to two reaches, and where these suggest a peak. */
 function refine(
   best: Found,
   { path, reach, sign }: { readonly path: Path; readonly reach: number; readonly sign: 1 | -1 },
@@ -88,15 +90,15 @@ function refine(
     return found.valid ? sign * found.value : best.value;
   };
   const { pieces } = path;
-  const [first, last] = pieces[pieces.length > 1 && best.at >= pieces[1][0] ? 1 : 0]; // An end may have been rounded, a begin has not.
+  const [first, last] = pieces[pieces.length > 1 && best.at >= pieces[1][0] ? 1 : 0]; // The begin of a piece is exact, but its end may be rounded.
   const places = [-2, -1, 1, 2].map((steps) => Math.min(last, Math.max(first, best.at + steps * reach)));
   for (const at of findPeaks(best, places.map(probe), places)) probe(at);
 }
 
 /**
- * Where a peak may be: the top of the parabola through three samples, and where straight lines from two sides meet, in
+ * Places where a peak may be: the top of the parabola through three samples, and where straight lines from two sides meet, in
  * front and behind.
- * @param values - of two places before the best one, and two after it
+ * @param values - at two places before the best one, and at two after it
  */
 function findPeaks(best: Found, values: readonly number[], places: readonly number[]): number[] {
   const before = best.at - places[1];
@@ -118,7 +120,7 @@ function divide(a: number, b: number): number {
   return a / (Math.abs(b) < 1e-20 ? 1e-20 : b);
 }
 
-/** The integral over the length that has data, divided by that length: exact between kinks, by trapezoids between samples. */
+/** The integral over the length that has data, divided by that length: exact between kinks, with trapezoids between samples. */
 const averageGather: GatherStage = ({ classify }) => {
   const { weigh, find } = meanOf();
   return {
@@ -135,7 +137,7 @@ const averageGather: GatherStage = ({ classify }) => {
   };
 };
 
-/** A running mean: that of a constant is the constant, to the last bit. */
+/** A running mean. The mean of a constant is that constant, to the last bit. */
 function meanOf(): { weigh(sample: Sample, span: number): void; find(): Sample } {
   let [mean, length] = [0, 0];
   return {
@@ -150,7 +152,7 @@ function meanOf(): { weigh(sample: Sample, span: number): void; find(): Sample }
 
 const nothing: Sample = { value: NaN, valid: false };
 
-/** What all values of a line come to, from kink to kink. */
+/** Combines all values of a line into one, from kink to kink. */
 export function mergeLine(kind: ProjectionKind): { addPiece(piece: CubicPiece, path: Path): void; find(path: Path): Sample } {
   if (kind === 'average') {
     const { weigh, find } = meanOf();

@@ -9,16 +9,16 @@ import type { SubstepTable } from '../transfer/substep-table.ts';
 import { evaluate, largestOpacity } from '../transfer/transfer-function.ts';
 import type { Premultiplied, TransferFunction } from '../transfer/transfer-function.ts';
 
-/** What a transfer function makes of values: worth keeping for many rays. */
+/** What rays need of a transfer function. Keep it to cast many rays. */
 export interface RayOptics {
-  /** Brightened. */
+  /** Already brightened. */
   readonly transferFunction: TransferFunction;
   readonly means: SpanMeans;
   readonly substeps: SubstepTable;
 }
 
 /**
- * @param transferFunction - brightened
+ * @param transferFunction - already brightened
  * @param voxelRatio - length of a voxel / reference length, times the opacity factor
  */
 export function prepareOptics(transferFunction: TransferFunction, voxelRatio: number): RayOptics {
@@ -26,7 +26,7 @@ export function prepareOptics(transferFunction: TransferFunction, voxelRatio: nu
 }
 
 /**
- * A transfer function's means over spans of values: pre-integration.
+ * Classifies values by a transfer function's means over spans of values: pre-integration.
  * @param opticalScale - reference lengths per bounding diameter, times the opacity factor
  * Twin: shaders/chunks/classify/classify.glsl
  */
@@ -38,7 +38,7 @@ export function transferFunctionClassify({ transferFunction, means, substeps }: 
       const [from, to] = dataEnds(front, back);
       const ratio = span * opticalScale * (front.valid && back.valid ? 1 : 0.5);
       if (!field.isFolded(from, to)) return attenuate(means.mean(from, to), ratio);
-      // Where a velocity folds in between, half of it is of either end.
+      // If a velocity folds in between, each end counts for half.
       const [near, far] = [means.mean(from, from), means.mean(to, to)];
       return attenuate(near.map((x, c) => (x + far[c]) / 2) as Premultiplied, ratio);
     },

@@ -12,7 +12,7 @@ interface Scaling {
   readonly intercept: number;
 }
 
-/** Samples on a cartesian grid. @param isDiscrete - as a volume's. Twin: shaders/chunks/field/sample-volume.glsl */
+/** The field of samples on a cartesian grid. @param isDiscrete - as in a volume. Twin: shaders/chunks/field/sample-volume.glsl */
 export function cartesianField(
   { samples, dimensions, isDiscrete, ...scaling }: Scaling & { readonly samples: Samples; readonly dimensions: Vector3; readonly isDiscrete?: boolean },
 ): FieldStage {
@@ -21,17 +21,17 @@ export function cartesianField(
   return { ...storedField((place) => interpolate(samples, dimensions, place), scaling), kinksBetween: (from, to) => kinksBetween(dimensions, from, to), kinksAlong };
 }
 
-/** A place of the unit cube by voxels, whole numbers at their centres. */
+/** A place of the unit cube in voxels: whole numbers are at their centres. */
 function inVoxels(dimensions: Vector3, place: Vector3): Vector3 {
   return place.map((x, axis) => x * dimensions[axis] - 0.5) as unknown as Vector3;
 }
 
-/** Ways are no longer than this along each axis, voxels: one, and its rounding. */
+/** The longest way along each axis, in voxels: one, plus its rounding. */
 const mostVoxels = 1.01;
 
 /**
- * Where a way of no more than a voxel along each axis passes planes of voxels' centres, as shares of it: there tri-linear values kink, and
- * nowhere else. Planes at its ends are left out, and on longer ways all. Twin: shaders/chunks/gather/surface-crossings.glsl
+ * Where a way of at most one voxel along each axis passes planes of voxels' centres, as shares of the way. Tri-linear values kink there and
+ * nowhere else. Planes at the ends do not count. Longer ways return none. Twin: shaders/chunks/gather/surface-crossings.glsl
  */
 export function kinksBetween(dimensions: Vector3, from: Vector3, to: Vector3): number[] {
   const ways = dimensions.map((n, axis) => (to[axis] - from[axis]) * n);
@@ -45,8 +45,8 @@ export function kinksBetween(dimensions: Vector3, from: Vector3, to: Vector3): n
 }
 
 /**
- * @param storedAt - stored value at a place of the unit cube, NaN where there is no data
- * @param foldFrom - stored values more than this apart are on two sides of a fold
+ * @param storedAt - stored value at a place of the unit cube; NaN if there is no data
+ * @param foldFrom - stored values that differ by more than this are on two sides of a fold
  */
 export function storedField(storedAt: (place: Vector3) => number, { slope, intercept }: Scaling, foldFrom = Infinity): FieldStage {
   return {

@@ -2,7 +2,7 @@ import type { IntervalStage } from './ray-stages.ts';
 import { crossVolume } from './rays.ts';
 import type { Ray, RaySetup } from './rays.ts';
 
-/** Rays run through the unit cube, and the region in it. Twin: shaders/chunks/walk/region.glsl */
+/** Limits rays to the unit cube and to the region in it. Twin: shaders/chunks/walk/region.glsl */
 export function boxInterval(setup: RaySetup): IntervalStage {
   return (ray, { entry, exit, behind }) => {
     const [from, to] = crossVolume(setup, ray);
@@ -11,8 +11,8 @@ export function boxInterval(setup: RaySetup): IntervalStage {
 }
 
 /**
- * Opaque shapes end rays; they are drawn by another.
- * @param surfaceT - t at which the nearest one stands, Infinity where there is none
+ * Ends rays at opaque shapes. Something else draws the shapes.
+ * @param surfaceT - t of the nearest shape; Infinity if there is none
  * Twin: shaders/chunks/depth/scene-depth.glsl
  */
 export function shapeInterval(surfaceT: (ray: Ray) => number): IntervalStage {

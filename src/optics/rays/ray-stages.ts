@@ -2,22 +2,22 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import type { Ray } from './rays.ts';
 import type { Premultiplied } from '../transfer/transfer-function.ts';
 
-/** What is known of the data at a place of a ray. Twin: shaders, struct Sample, whose value is a share of the domain. */
+/** The data at a place of a ray. Twin: shaders, struct Sample, whose value is a share of the domain. */
 export interface Sample {
   /** Data units; NaN where there is no data. */
   readonly value: number;
   readonly valid: boolean;
-  /** What further field modules found there, by their own names. */
+  /** What further field modules found at this place, by their own names. */
   readonly [more: string]: unknown;
 }
 
-/** Where a ray runs, in its t; entry >= exit where it does not. Twin: shaders/chunks/walk/interval.glsl */
+/** The part of a ray that is drawn, in its t; empty if entry >= exit. Twin: shaders/chunks/walk/interval.glsl */
 export interface Interval {
   readonly entry: number;
   readonly exit: number;
-  /** What stands at the exit; null where it is clear. */
+  /** The colour of what stands at the exit; null if nothing does. */
   readonly behind: Premultiplied | null;
-  /** A part of it that is cut out, t: between entry and exit when it is found. Absent where there is none. */
+  /** A part that is cut out, in t. When it is found, it lies between entry and exit. Absent if there is none. */
   readonly gap?: readonly [number, number];
 }
 
@@ -25,12 +25,12 @@ export interface Interval {
 export interface Segment {
   readonly front: Sample;
   readonly back: Sample;
-  /** Where it begins, and its length: in bounding diameters, from where the ray enters. */
+  /** Its begin and its length: in bounding diameters, from the ray's entry. */
   readonly begin: number;
   readonly span: number;
 }
 
-/** A piece of a line between two planes of voxels' centres, on which values are a cubic of its length; what is known at both ends. */
+/** A piece of a line between two planes of voxels' centres, with the samples at both ends. Along it, values are a cubic. */
 export interface CubicPiece {
   readonly from: number;
   readonly to: number;
@@ -38,87 +38,88 @@ export interface CubicPiece {
   readonly back: Sample;
 }
 
-/** The way of a ray through what is shown, by its length from there in bounding diameters. */
+/** The path of a ray through the visible volume. Places on it are lengths from the ray's entry, in bounding diameters. */
 export interface Path {
   readonly total: number;
-  /** Its pieces, of which there are two where a part of it is cut out. */
+  /** One piece, or two if a part of the path is cut out. */
   readonly pieces: readonly (readonly [begin: number, end: number])[];
   sampleAt(along: number): Sample;
-  /** Substeps that a step has at the least which begins there; 1 where absent. */
+  /** The smallest number of substeps of a step that begins at this place; 1 if absent. */
   leastSubstepsAt?(along: number): number;
-  /** Where values kink on the way from one place to another, see `FieldStage.kinksAlong`; absent where it is not known. */
+  /** Where values kink between two places, see `FieldStage.kinksAlong`; absent if this is not known. */
   kinksAlong?(from: number, to: number): readonly number[];
 }
 
-/** Shortens the interval that the stages before it left. */
+/** Shortens the interval that the stages before it have left. */
 export type IntervalStage = (ray: Ray, interval: Interval) => Interval;
 
-/** What is there, on a grid of its own. */
+/** The values of a volume, by places of its own grid. */
 export interface FieldStage {
   /** @param place - in the unit cube */
   sampleAt(place: Vector3): Sample;
-  /** Whether values fold over between two: there is nothing in between then. */
+  /** Whether values fold over between two: then values in between do not occur. */
   isFolded(from: number, to: number): boolean;
   /**
-   * Where values kink on the way from one place of the unit cube to another, as shares of it: three at the most, between which values are
-   * smooth. None on ways of more than a voxel. Absent where it is not known.
+   * Where values kink on the way from one place of the unit cube to another, as shares of the way. There are at most three;
+   * between them values
+   * are smooth. None on ways longer than a voxel. Absent if kinks are not known.
    */
   kinksBetween?(from: Vector3, to: Vector3): readonly number[];
-  /** The same on a way of any length, ascending: between two of them values are a cubic of its length, or one and the same. */
+  /** The same on a way of any length, ascending. Between two kinks, values are a cubic of the length, or constant. */
   kinksAlong?(from: Vector3, to: Vector3): readonly number[];
 }
 
-/** Finds out more of a place whose value is known. */
+/** Adds more to the sample of a place. */
 export type SecondFieldStage = (place: Vector3, known: Sample) => Sample;
 
-/** What values look like. */
+/** How values appear. */
 export interface ClassifyStage {
   /** Colour and opacity of a piece of a ray. */
   classifySegment(segment: Segment): Premultiplied;
-  /** Colour of a value, premultiplied, where the largest opacity of all counts as 1. */
+  /** Premultiplied colour of a value, if the largest of all opacities counts as 1. */
   classifyValue(value: number): Premultiplied;
   /**
    * Into how many substeps a step is cut.
-   * @param visible - share of what is here that reaches the eye
-   * @param samples - what is known of the ends, of which one or both have data
+   * @param visible - share of the light from here that reaches the eye
+   * @param samples - at both ends; at least one has data
    */
   countSubsteps(ends: readonly [number, number], visible: number, samples: readonly [Sample, Sample]): number;
 }
 
-/** Changes the colour of a piece of a ray, by what is there, and where the ray runs. */
+/** Changes the colour of a piece of a ray, depending on its samples and on the ray. */
 export type ShadeStage = (segment: Segment, seen: Premultiplied, ray: Ray) => Premultiplied;
 
-/** What the stages before it give to a gather stage. */
+/** What a gather stage gets from the stages before it. */
 export interface Seen {
   readonly field: FieldStage;
   readonly classify: ClassifyStage;
   readonly ray: Ray;
   /** In bounding diameters. */
   readonly step: number;
-  /** All that is known of a place of the unit cube. */
+  /** The sample at a place of the unit cube, with all fields. */
   sampleAt(place: Vector3): Sample;
-  /** Classified and shaded. */
+  /** Classifies and shades a segment. */
   seeSegment(segment: Segment): Premultiplied;
-  /** Who wants to know what a segment comes to piece by piece, where it is not one alone: called for each, with its opacity. */
+  /** Reports the pieces of a segment, if it has more than one: called for each piece, with its opacity. */
   readonly tell?: (piece: Segment, opacity: number) => void;
 }
 
-/** One ray's way through a gather stage. */
+/** The state of a gather stage for one ray. */
 export interface Gathering {
-  /** Called for all pieces of a ray, front to back. */
+  /** Called for each segment of a ray, front to back. */
   add(segment: Segment): void;
-  /** Substeps of a step of which one end has data, or both. */
+  /** Number of substeps of a step. At least one of its ends has data. */
   chooseSubsteps(front: Sample, back: Sample): number;
-  /** Stands in for `add` where the path knows its kinks and steps may be cut: called for all pieces between two kinks, front to back. */
+  /** Replaces `add` if the path knows its kinks and steps may be cut: called for each piece between two kinks, front to back. */
   addPiece?(piece: CubicPiece, path: Path): void;
-  /** What the ray shows; `path` is null where it meets nothing. */
+  /** Returns the colour of the ray; `path` is null if the ray meets nothing. */
   finish(path: Path | null): Premultiplied;
 }
 
-/** What a ray comes to. */
+/** Adds up all segments of a ray. */
 export type GatherStage = (seen: Seen) => Gathering;
 
-/** A ray in five stages, and how it is walked. */
+/** A ray's five stages, and how the ray is divided into steps. */
 export interface RayStages {
   readonly intervals: readonly IntervalStage[];
   readonly field: FieldStage;
@@ -126,12 +127,12 @@ export interface RayStages {
   readonly classify: ClassifyStage;
   readonly shades: readonly ShadeStage[];
   readonly gather: GatherStage;
-  /** t at which rays begin. */
+  /** t where rays begin. */
   readonly eyeT: number;
   /** In bounding diameters. */
   readonly step: number;
-  /** No step is cut into more. */
+  /** A step is cut into at most this many substeps. */
   readonly maxSubsteps: number;
-  /** Substeps that a step has at the least, by the macrocell in which it begins. @param place - in the unit cube */
+  /** The smallest number of substeps of a step, by the macrocell in which it begins. @param place - in the unit cube */
   readonly leastSubsteps?: (place: Vector3) => number;
 }

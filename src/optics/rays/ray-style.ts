@@ -2,16 +2,16 @@ import type { Patch } from '../transfer/patches.ts';
 import type { Color } from '../transfer/transfer-function.ts';
 import type { StyleChain, VolumeStyle } from '../transfer/volume-styles.ts';
 
-/** What of a ray's values is shown, instead of emission and absorption. */
+/** Which value of a ray is shown, instead of emission and absorption. */
 export type ProjectionKind = 'max' | 'min' | 'average';
 
 export const projectionKinds: readonly ProjectionKind[] = ['max', 'min', 'average'];
 
-/** How rays show a value of their own. */
+/** How rays show one value each. */
 export interface ProjectedRays {
-  /** Whether that is found whatever the steps; else it is one of the values that samples have. */
+  /** Whether the value is exact, whatever the steps; else it is one of the sampled values. */
   readonly isExact: boolean;
-  /** Whether values change gradually, and not from one to another as labels do. */
+  /** Whether values change gradually. Labels do not: they jump from one value to another. */
   readonly hasValuesBetween: boolean;
 }
 
@@ -20,42 +20,42 @@ export type Shading = 'lit' | 'unlit';
 
 export const shadings: readonly Shading[] = ['lit', 'unlit'];
 
-/** A surface on which a field has a value. */
+/** An iso-surface: where a field has a given value. */
 export interface IsoSurface {
   /** Data units. */
   readonly value: number;
   readonly color: Color;
-  /** 0..1, of each time that a ray passes it. */
+  /** 0..1, for each time that a ray passes through it. */
   readonly opacity: number;
 }
 
-/** Surfaces of some values in a volume. */
+/** The iso-surfaces of a volume. */
 export interface SurfaceStyle {
   /** By ascending value. */
   readonly surfaces: readonly IsoSurface[];
-  /** They have their own colours, without light. */
+  /** Whether the surfaces have their own colours, without light. */
   readonly plain?: true;
-  /** What emits and absorbs is left out: there are surfaces alone. */
+  /** Whether only the surfaces are drawn, without emission and absorption. */
   readonly clear?: true;
-  /** Of surfaces alone: X3D's rendering styles, one after the other, which light them too. */
+  /** For surfaces alone: X3D's rendering styles, one after the other. They also light the surfaces. */
   readonly surfaceStyles?: readonly VolumeStyle[];
 }
 
-/** How rays are drawn where it is not by emission and absorption alone; what is absent is as usual. Styles that are written alike are one. */
+/** How rays are drawn if not by emission and absorption alone. What is absent has its default. Two styles with the same JSON are the same. */
 export interface RayStyle extends Partial<SurfaceStyle> {
-  /** A value of each ray; nothing else of the style counts then. */
+  /** Shows one value of each ray. Then nothing else of the style counts. */
   readonly projection?: ProjectionKind;
-  /** Of the largest value, or the smallest: instead, the first local one from this on, in data units; absent for that of the whole ray. */
+  /** If given, the first local maximum (or minimum) from this value on counts, in data units. If absent, that of the whole ray. */
   readonly intensityThreshold?: number;
-  /** Light on what emits and absorbs. */
+  /** Whether emission is lit. */
   readonly lit?: true;
   /** X3D's rendering styles. */
   readonly styles?: readonly StyleChain[];
-  /** What emits and absorbs goes by value and gradient. */
+  /** Whether emission and absorption depend on value and gradient. */
   readonly patches?: readonly Patch[];
 }
 
-/** Whether nothing changes between two styles, or none. */
+/** Whether two styles are the same; null is no style. */
 export function isSameStyle(a: RayStyle | null, b: RayStyle | null): boolean {
   return JSON.stringify(a) === JSON.stringify(b);
 }

@@ -20,19 +20,19 @@ export interface RaySetup {
   readonly diameter: number;
   /** Row-major 3 x 3: unit-cube direction to world direction in bounding diameters. */
   readonly unitToDiameters: readonly number[];
-  /** Row-major 4 x 4: the grid's unit cube to that of the region that is shown; the identity if all of it is. */
+  /** Row-major 4 x 4: the grid's unit cube to that of the visible region; the identity if all is visible. */
   readonly unitToRegion: Matrix4;
   /** Left, bottom, right and top of the rectangle of the picture that can show the volume, in device coordinates. */
   readonly bounds: readonly [number, number, number, number];
 }
 
-/** Bounds that leave nothing out. */
+/** Bounds that include the whole picture. */
 export const wholePicture: RaySetup['bounds'] = [-1, -1, 1, 1];
 
 /**
  * @param view - row-major world-to-eye matrix, rigid
  * @param projection - row-major, perspective or parallel, without off-axis terms in its last row
- * @param region - its bounds end the rays; null for the grid's own bounds only
+ * @param region - its bounds end the rays; null if only the grid's own bounds do
  * @returns null if the grid is singular: no ray can cross it
  */
 export function setUpRays(grid: GridFrame, view: Matrix4, projection: Matrix4, region: GridFrame | null = null): RaySetup | null {
@@ -55,7 +55,7 @@ export function setUpRays(grid: GridFrame, view: Matrix4, projection: Matrix4, r
     -planeDepth,
   ];
   const directionInEye = (p: Vector3): Vector3 => (perspective ? scale(p, diameter / planeDepth) : [0, 0, -diameter]);
-  // Points relative to the volume's centre, so that a far eye or a far world costs no digits.
+  // Points are relative to the volume's centre, so that a far eye or a far world loses no digits.
   const centerInEye = transformPoint(view, sphere.center);
   const toUnitPoint = (p: Vector3): Vector3 =>
     add([0.5, 0.5, 0.5], transformDirection(toUnit, transformDirection(eyeToWorld, subtract(p, centerInEye))));
@@ -89,7 +89,7 @@ const unitCorners: readonly Vector3[] = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i &
 /** Corners nearer to the eye than this share of the diameter may appear anywhere in the picture. */
 const minDepth = 1e-3;
 
-/** Margin around the bounds, for rounding to 32 bits. */
+/** Margin around the bounds, because numbers are rounded to 32 bits. */
 const margin = 1e-4;
 
 function boundsOf(places: readonly number[][]): RaySetup['bounds'] {
@@ -101,7 +101,7 @@ function boundsOf(places: readonly number[][]): RaySetup['bounds'] {
   ];
 }
 
-/** Pixels of a picture at equal distances: every `stride`th along each axis, beginning with `first`, across and up. */
+/** Pixels of a picture at equal distances: every `stride`th along each axis, from `first` on, across and up. */
 export interface PixelLattice {
   readonly stride: number;
   readonly first: readonly [number, number];
@@ -109,10 +109,10 @@ export interface PixelLattice {
   readonly height: number;
 }
 
-/** The rays of a lattice's pixels, as those of a separate picture. @param picture - pixels of the whole picture */
+/** The rays of a lattice's pixels, as if they were a separate picture. @param picture - size of the whole picture in pixels */
 export function raysOfLattice(rays: RaySetup, picture: { width: number; height: number }, lattice: PixelLattice): RaySetup {
   const { stride, first } = lattice;
-  // Pixel i of n has its middle at (2 i + 1) / n - 1.
+  // The middle of pixel i of n is at (2 i + 1) / n - 1.
   const span = (pixels: number, all: number, begin: number): { scale: number; shift: number } => ({
     scale: (stride * pixels) / all,
     shift: (stride * (pixels - 1) + 2 * begin + 1) / all - 1,
@@ -122,7 +122,7 @@ export function raysOfLattice(rays: RaySetup, picture: { width: number; height: 
   const place = ([c, dx, dy]: RaySetup['point']): RaySetup['point'] =>
     [add(c, add(scale(dx, x.shift), scale(dy, y.shift))), scale(dx, x.scale), scale(dy, y.scale)];
   const [left, bottom, right, top] = rays.bounds;
-  // Whole pixels: an edge across one would be antialiased, and rasterizers move corners to a grid of their own.
+  // Round to whole pixels: an edge across a pixel would be antialiased, and rasterizers move corners to a grid of their own.
   const snap = (edge: number, along: typeof x, pixels: number, round: (pixel: number) => number): number => {
     const pixel = round((((edge - along.shift) / along.scale + 1) / 2) * pixels);
     return (2 * Math.min(pixels, Math.max(0, pixel))) / pixels - 1;
@@ -156,8 +156,8 @@ export function rayThrough(setup: RaySetup, x: number, y: number): Ray {
 }
 
 /**
- * Where a ray enters and leaves what is shown: the unit cube, and the region in it.
- * @returns [entry, exit] in t; entry > exit where it misses
+ * Where a ray enters and leaves the visible volume: the unit cube, and the region in it.
+ * @returns [entry, exit] in t; entry > exit if the ray misses it
  */
 export function crossVolume({ unitToRegion }: RaySetup, { point, direction }: Ray): [number, number] {
   const whole = intersectUnitCube(point, direction);
@@ -166,12 +166,12 @@ export function crossVolume({ unitToRegion }: RaySetup, { point, direction }: Ra
   return [Math.max(whole[0], part[0]), Math.min(whole[1], part[1])];
 }
 
-/** Below this a direction's component counts as parallel to its axis: the slab then is crossed at +-1e9, not 1/0. */
+/** Below this, a direction's component counts as parallel to its axis: the ray then crosses the slab at +-1e9, not at 1/0. */
 const parallel = 1e-9;
 
 /**
  * Where a line crosses the unit cube: the slab method.
- * @returns [entry, exit] in t; entry > exit where it misses
+ * @returns [entry, exit] in t; entry > exit if the line misses it
  * Source: Kay and Kajiya, *Ray Tracing Complex Scenes*, 1986
  */
 export function intersectUnitCube(point: Vector3, direction: Vector3): [number, number] {

@@ -5,9 +5,9 @@ import type { Premultiplied } from '../transfer/transfer-function.ts';
 export { maxSubsteps, substepsPerRoot } from '../transfer/substep-limits.ts';
 
 /**
- * The number of substeps of a step: more where more may be visible on it. This depends on the values around those at its
- * ends, and on the length of a voxel, not of the step, so that it has a limit as steps get shorter, and the order of
- * convergence stays.
+ * The number of substeps of a step: more if more may be visible on it. It depends on the values around those at the
+ * ends of the step, and on the length of a voxel, not of the step. So it has a limit as steps get shorter, and the order of
+ * convergence does not change.
  * @param visible - share of the light from here that reaches the eye
  */
 export function countSubsteps(table: SubstepTable, ends: readonly [number, number], visible: number): number {
@@ -15,7 +15,7 @@ export function countSubsteps(table: SubstepTable, ends: readonly [number, numbe
   return Math.min(maxSubsteps, Math.max(1, substeps));
 }
 
-/** Cube root of the opacity that a voxel may have between two data values. */
+/** Cube root of the largest opacity that a voxel may have between two data values. */
 export function lookUpRoot({ texels, low, high }: SubstepTable, [a, b]: readonly [number, number]): number {
   const { columns, rows } = substepTableSize;
   const shareOf = (value: number): number => Math.min(1, Math.max(0, (value - low) / (high - low)));
@@ -27,7 +27,7 @@ export function lookUpRoot({ texels, low, high }: SubstepTable, [a, b]: readonly
 }
 
 /**
- * What a length of constant mean emission and extinction emits and hides.
+ * The light and the opacity of a length with constant mean emission and extinction.
  * @param mean - extinction times colour, and extinction, per reference length
  * @param ratio - length / reference length, times the opacity factor
  */
@@ -39,7 +39,7 @@ export function attenuate(mean: Premultiplied, ratio: number): Premultiplied {
   return [mean[0] * toLight, mean[1] * toLight, mean[2] * toLight, alpha];
 }
 
-/** Composite a sample behind what has been gathered so far. */
+/** Composites a sample behind everything gathered so far. */
 export function composite(accumulated: Premultiplied, behind: Premultiplied): void {
   const visible = 1 - accumulated[3];
   for (let c = 0; c < 4; c++) accumulated[c] += visible * behind[c];
