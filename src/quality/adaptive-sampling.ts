@@ -5,25 +5,25 @@ import type { SamplingOutcome } from './sampling-outcome.ts';
 import type { Waiting } from '../core/waiting.ts';
 import { withoutThin } from './without-thin.ts';
 
-/** Curvature limits that are tried, 1/255. */
+/** Curvature limits to try, in 1/255. */
 const triedCurvatures: readonly number[] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256];
 
-/** Second differences of bytes reach this. */
+/** The largest second difference of bytes. */
 const largestCurvature = 510;
 
-/** Quads that are tested on each lattice. */
+/** About this many quads are tested on each lattice. */
 const looks = 4096;
 
 /** Mean square of the rounding error of a byte. */
 const rounding = 1 / 12;
 
-/** A picture of a volume with opaque shapes in it. */
+/** The picture of a volume that has opaque shapes in it. */
 export interface AmongShapes {
-  /** Of the volume alone. */
+  /** The picture of the volume alone. */
   readonly picture: Pixels;
   /**
-   * What shapes do to the quads of a lattice with a stride, see optics/rays/depth-jumps.ts. Lines and points do nothing to coarse
-   * lattices. @returns reads it, before others are drawn
+   * The effect of shapes on the quads of a lattice with a stride, see optics/rays/depth-jumps.ts. Lines and points have no effect on coarse
+   * lattices. @returns a function that reads the result; call it before others are drawn
    */
   readonly startJumps: (stride: number, isCoarse: boolean) => () => Pixels;
 }
@@ -32,18 +32,18 @@ export interface AmongShapes {
 interface Quads {
   /** Shares of the whole picture. */
   readonly shares: Float64Array;
-  /** What interpolation loses in them: squared errors, as a share of the picture's mean. */
+  /** What interpolation loses in them: squared errors, as a share of the whole picture's mean. */
   readonly losses: Float64Array;
   /** Share of the picture in which something is visible. */
   visible: number;
 }
 
 /**
- * Predict what adaptive ray sampling does to a picture: rays at every fourth pixel along each axis, then at every second
- * where the curvature is above the limit, then at all where it is again. Graphics processors work on quads of at least
+ * Predicts how adaptive ray sampling changes a picture. It casts rays at every fourth pixel along each axis, then at every second
+ * where the curvature is above the limit, then at every pixel where it still is. Graphics processors work on quads of at least
  * 2 x 2 pixels, so a pixel that needs a ray costs four.
  * @param picture - drawn with all its rays
- * @param stride - of the pixels that a smaller picture would have of this one's
+ * @param stride - distance of the pixels of this picture that a smaller picture would have
  */
 export function predictSampling(picture: Pixels, stride = 1): SamplingOutcome[] {
   return weigh(lookAtQuads(picture, stride), lookAtQuads(picture, 2 * stride));
@@ -56,7 +56,7 @@ function weigh(fine: Quads, coarse: Quads): SamplingOutcome[] {
     let loss = 0;
     for (let curvature = 0; curvature <= largestCurvature; curvature++) {
       if (curvature > maxCurvature) cast += fine.shares[curvature] + coarse.shares[curvature] / 4;
-      // An error in the picture of every second pixel is also in what is interpolated from it.
+      // An error in the picture of every second pixel is also in the pixels interpolated from it.
       else loss += fine.losses[curvature] + coarse.losses[curvature];
     }
     return { maxCurvature, share: cast / fine.visible, error: Math.sqrt(Math.max(0, loss)) };
@@ -65,7 +65,7 @@ function weigh(fine: Quads, coarse: Quads): SamplingOutcome[] {
 
 /**
  * The same at several strides.
- * @param among - where there are shapes in the picture: the volume's part of it
+ * @param among - if there are shapes in the picture: the volume's part of it
  */
 export function* foretellSampling(picture: Pixels, strides: readonly number[], among: AmongShapes | null): Waiting<SamplingOutcome[][]> {
   function* waitForJumps(stride: number, isCoarse: boolean): Waiting<Pixels | undefined> {
@@ -83,7 +83,7 @@ export function* foretellSampling(picture: Pixels, strides: readonly number[], a
   return outcomes;
 }
 
-/** @param stride - of the pixels that are predicted; every second of them is known */
+/** @param stride - distance of the pixels that are predicted; every second of them is known */
 function lookAtQuads(picture: Pixels, stride: number, jumps?: Pixels): Quads {
   const { data, width, height } = picture;
   const [columns, rows] = [width, height].map((pixels) => Math.floor(pixels / (2 * stride)));

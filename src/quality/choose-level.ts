@@ -2,37 +2,38 @@ import { keptError } from './error-estimate.ts';
 import type { ErrorEstimate } from './error-estimate.ts';
 import type { Level } from './levels.ts';
 
-/** A level and the error that it leaves. */
+/** A level, and the error of a picture at this level. */
 export interface LevelChoice {
   readonly level: Level;
   readonly estimate: ErrorEstimate;
-  /** Whether the error is kept. */
+  /** Whether the error is within the limit. */
   readonly isKept: boolean;
 }
 
-/** By no more than this does the next level divide the error: levels are left out only where they could not be enough. */
+/** The next level divides the error by at most this. Levels are skipped only if they cannot be good enough. */
 const bestStep = 4;
 
-/** A level that leaves more than this of the last one's error gains nothing: it has to be finer otherwise. */
+/** If a level leaves more than this share of the last level's error, it gains nothing. Then another kind of refinement is needed. */
 const worthwhile = 0.85;
 
-/** Where the few worst pixels are as wrong as can be, at any level, the mean still tells which is better. */
+/** The few worst pixels may be completely wrong at any level. Then the mean error still shows which level is better. */
 function isWorthwhile(next: ErrorEstimate, last: ErrorEstimate): boolean {
   return keptError(next) < worthwhile * keptError(last) || next.rms < worthwhile * last.rms;
 }
 
-/** The next level that is finer otherwise than the ones before: more substeps where there are some, else more steps. @returns -1 where there is none */
+/** The next level with another kind of refinement: more substeps if there are any, else more steps. @returns -1 if there is none */
 function findFinerOtherwise(levels: readonly Level[], i: number): number {
   const cut = levels.findIndex(({ substeps }) => substeps > levels[i].substeps);
   return cut >= 0 ? cut : levels.findIndex(({ steps, substeps }) => substeps === levels[i].substeps && steps > levels[i].steps);
 }
 
 /**
- * The first level that keeps an error; where none does, the first of those with nearly the smallest. It depends on the
- * levels and their errors alone, so that the same view has the same picture whatever was seen before.
- * @param measure - the estimate for a level; null where it is not wanted any more
- * @param maxError - as `keptError` has it, 1/255
- * @returns null where it was given up
+ * The first level whose error is within a limit; if there is none, the first of those with nearly the smallest error. The choice depends
+ * only on
+ * the levels and their errors, so that the same view has the same picture, whatever was seen before.
+ * @param measure - the estimate for a level; null if it is no longer needed
+ * @param maxError - the limit of `keptError`, in 1/255
+ * @returns null if the choice was given up
  */
 export async function chooseLevel(
   levels: readonly Level[], measure: (level: Level) => Promise<ErrorEstimate | null>, maxError: number,

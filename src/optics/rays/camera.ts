@@ -10,7 +10,7 @@ export interface Camera {
   readonly fieldOfView: number;
 }
 
-/** Where on a sphere around its target a camera stands; the words and signs of `<model-viewer>`. */
+/** Where a camera stands on a sphere around its target. Names and signs are those of `<model-viewer>`. */
 export interface Orbit {
   /** Radians around the vertical axis (world z), counted to the right of the front (world +y). */
   readonly theta: number;

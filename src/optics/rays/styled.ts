@@ -13,22 +13,22 @@ import type { Ray } from './rays.ts';
 import { buildStyleTable, flatFactor, flatOf, gradientReach, shadedOf, shareOfChange, styleColumns } from '../transfer/volume-styles.ts';
 import type { StyleChain, Styled, StyledPlace, StyleMaterial, VolumeStyle } from '../transfer/volume-styles.ts';
 
-/** Places of a volume in X3D's rendering styles. */
+/** A volume that is drawn in X3D's rendering styles, as far as single places need it. */
 export interface StyledPlaces extends Omit<LitScene, 'material'> {
   readonly chains: readonly StyleChain[];
-  /** World length over which a stop's opacity holds. */
+  /** World length to which a stop's opacity belongs. */
   readonly referenceLength: number;
-  /** What of a flat change counts as flat; that of the chains where absent. */
+  /** Which share of a flat change counts as flat; if absent, the one that the chains give. */
   readonly flatPart?: number;
 }
 
-/** What emits and absorbs among it. */
+/** The same with what emission and absorption need. */
 export interface StyledScene extends StyledPlaces {
   /** Reference lengths per bounding diameter, times the opacity factor. */
   readonly opticalScale: number;
 }
 
-/** What is nearly opaque over a reference length is never more so. */
+/** The largest opacity over a reference length. */
 export const mostOpacity = 0.9999;
 
 /** Factors stay below this, so that the shader's products stay numbers. */
@@ -37,25 +37,26 @@ const largestFactor = 1e30;
 const white: Vector3 = [1, 1, 1];
 const { ambient, shininess } = plainMaterial;
 
-/** The material of lit volumes, as X3D would say it. */
+/** The material of lit volumes, in X3D's fields. */
 const plain: StyleMaterial = { ambient, diffuse: white, specular: white, emissive: [0, 0, 0], shininess };
 
-/** How much of light of each kind a material takes, in `LitMaterial`'s terms, and the colours that multiply that. */
+/** The shares of each kind of light that a material reflects, as a `LitMaterial`, and the colours that multiply them. */
 export function splitMaterial(material: StyleMaterial | null): { readonly shares: LitMaterial; readonly colors: StyleMaterial } {
   if (!material) return { shares: plainMaterial, colors: plain };
   return { shares: { ambient: material.ambient, diffuse: 1, specular: 1, shininess: material.shininess }, colors: material };
 }
 
 /**
- * A gradient's length, in flat changes (see `flatChange`) per world unit times this, is the change along a reference length, as a
- * share of what the transfer function spans. Directions in the world have another scale in cartesian grids, see `normalsToWorld`.
+ * Factor for a gradient's length, which is in flat changes (see `flatChange`) per world unit. The product is the change along a reference
+ * length, as
+ * a share of the transfer function's span. Directions in the world have another scale in cartesian grids, see `normalsToWorld`.
  */
 export function perReferenceLength(grid: GridFrame & { readonly kind?: string }, referenceLength: number): number {
   return (flatShare * referenceLength) / (grid.kind === 'polar' ? 1 : finestSpacing(grid));
 }
 
 /**
- * A change along a reference length times this is a share of the reach of `gradient-opacity`; 0 where there is none.
+ * Factor for a change along a reference length. The product is a share of the reach of `gradient-opacity`; 0 if the styles have none.
  * @param flat - see `flatChange`
  */
 export function perGradientReach(styles: readonly VolumeStyle[], flat: number, referenceLength: number): number {
@@ -63,7 +64,7 @@ export function perGradientReach(styles: readonly VolumeStyle[], flat: number, r
   return reach > 0 ? Math.min(largestFactor, flat / (flatShare * referenceLength * reach)) : 0;
 }
 
-/** What the styles do at places of a ray. Twin: shaders/chunks/shade/styled-sample.glsl */
+/** The effect of the styles at places of a ray. Twin: shaders/chunks/shade/styled-sample.glsl */
 export function stylesAt(scene: StyledPlaces): (ray: Ray) => (known: Sample) => Styled {
   const { grid, gradient, flat, lights = headlightAlone, cuts = uncut, chains, referenceLength } = scene;
   const toWorld = unitToWorld(grid);
@@ -76,7 +77,7 @@ export function stylesAt(scene: StyledPlaces): (ray: Ray) => (known: Sample) => 
   const styleAt = (known: Sample, toEye: Vector3): Styled => {
     const place = known.point as Vector3;
     const { perVoxel, world } = gradient(place, known);
-    // None where nothing changes: 1 / the least number would be infinite.
+    // The normal is 0 where nothing changes; 1 / Number.MIN_VALUE would be infinite.
     const normal = scale(world, 1 / Math.max(length(world), 1e-300));
     const at = { place: transformPoint(toWorld, place), normal, toEye };
     const here: StyledPlace = {
@@ -95,8 +96,9 @@ export function stylesAt(scene: StyledPlaces): (ray: Ray) => (known: Sample) => 
 }
 
 /**
- * X3D's rendering styles, of a piece of a ray: colour and opacity are changed by the mean of what the styles do at both ends. Opacities are
- * those over a reference length, whatever the length of the piece: t' = -ln(1 - k (1 - exp(-t))), so that steps do not matter.
+ * X3D's rendering styles on a piece of a ray: they change colour and opacity by the mean of their effect at both ends. They
+ * act on the opacity
+ * over a reference length, whatever the length of the piece: t' = -ln(1 - k (1 - exp(-t))). So the steps do not matter.
  * Source: ISO/IEC 19775-1, 41. Twin: shaders/chunks/shade/styled.glsl
  */
 export function styledShade(scene: StyledScene): ShadeStage {
@@ -107,7 +109,7 @@ export function styledShade(scene: StyledScene): ShadeStage {
     const styled = stylesOf(ray);
     const near = styled(front.valid ? front : back);
     const far = styled(back.valid ? back : front);
-    // Where the volume has no data, a layer may show all along.
+    // If neither end has data in the volume, a layer may be visible over the whole length.
     const ratio = span * opticalScale * (front.valid === back.valid ? 1 : 0.5);
     const own = -Math.expm1(Math.log1p(-Math.min(seen[3], 1 - 1e-16)) / ratio);
     const alpha = -Math.expm1(ratio * Math.log1p(-Math.min(mostOpacity, own * ((near.opacity + far.opacity) / 2))));
@@ -119,7 +121,7 @@ export function styledShade(scene: StyledScene): ShadeStage {
 
 const nothing: Styled = { gain: [0, 0, 0], more: [0, 0, 0], opacity: 0 };
 
-/** How much a surface is turned towards lights: the mean of n . l by intensity, of the side that faces the eye. */
+/** How much a surface faces the lights: the mean of n . l by intensity, for the side that faces the eye. */
 function towardsLights({ headlight, lights }: SceneLights, { place, normal, toEye }: { readonly place: Vector3; readonly normal: Vector3; readonly toEye: Vector3 }): number {
   const facing = dot(normal, toEye);
   const side = Math.min(1, Math.max(-1, facing / softFacing));
@@ -132,7 +134,7 @@ function towardsLights({ headlight, lights }: SceneLights, { place, normal, toEy
   return sum / Math.max(weights, 1e-6);
 }
 
-/** What a chain does at a place. */
+/** The effect of a chain at a place. */
 function lookUpStyle({ table, flat, perReach, shade, colors }: { table: Float64Array; flat: number; perReach: number; shade: Shade | null; colors: StyleMaterial }, { facing, towards, change, weight }: StyledPlace): Styled {
   let [gain, more]: [Vector3, Vector3] = [white, [0, 0, 0]];
   const apply = (factor: Vector3, plus: Vector3): void => {
@@ -152,7 +154,7 @@ function lookUpStyle({ table, flat, perReach, shade, colors }: { table: Float64A
   return { gain, more, opacity: opacity * (perReach > 0 ? lookUpRow(table, 3, change * perReach)[2] : 1) };
 }
 
-/** Linear between a row's entries. */
+/** Interpolates linearly between a row's entries. */
 function lookUpRow(table: Float64Array, row: number, share: number): readonly number[] {
   const at = Math.min(1, Math.max(0, share)) * (styleColumns - 1);
   const low = Math.min(styleColumns - 2, Math.floor(at));

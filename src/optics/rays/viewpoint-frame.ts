@@ -2,9 +2,9 @@ import { add, cross, dot, length, normalize, scale, subtract } from '../../volum
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Camera } from './camera.ts';
 
-/** How a viewpoint is turned around something. */
+/** A viewpoint, as a frame in which it can turn around a target. */
 export interface ViewpointFrame {
-  /** Right, to the eye, and up, of length 1. */
+  /** Unit vectors: to the right, to the eye, and up. */
   readonly frame: readonly [Vector3, Vector3, Vector3];
   readonly target: Vector3;
   /** Radians. */
@@ -14,8 +14,8 @@ export interface ViewpointFrame {
 }
 
 /**
- * How a camera turns around its centre of rotation. Without one, or where it stands in it or right above it, it turns around
- * the point of its axis that is nearest to the subject.
+ * The frame in which a camera turns around its centre of rotation. If there is none, or the camera stands at it or right above it, it turns
+ * around the point of its axis that is nearest to the subject.
  */
 export function frameViewpoint(camera: Camera, centerOfRotation: Vector3 | null, subject: { center: Vector3; radius: number }): ViewpointFrame {
   const forward = normalize(subtract(camera.target, camera.eye));

@@ -2,10 +2,10 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import type { Samples } from '../../volume/volume.ts';
 
 /**
- * Which of a grid's samples a place is of, where these stand for things and nothing lies between them: the eight voxels around
- * it vote by their tri-linear weights, and the value with the most votes wins. Of several with as many it is the smallest, which
- * no turn of the axes changes. What is no number (no data) votes as one thing, smaller than any.
- * @param place - in the unit cube; voxel centres are at (i + 0.5) / n, and the outer half voxels are as their voxels
+ * Finds the sample that a place belongs to, for samples that stand for things, without values in between. The eight voxels around the place
+ * vote by their tri-linear weights, and the value with the most votes wins. If several have the same votes, the smallest wins; so the result
+ * does not depend on the order of the axes. All samples that are no finite number (no data) vote as one value, smaller than any other.
+ * @param place - in the unit cube; voxel centres are at (i + 0.5) / n, and the outer half voxels belong to their voxels
  * @returns the value; NaN for no data
  * Source: Hadwiger, Berger and Hauser, *High-quality two-level volume rendering of segmented data sets on consumer graphics
  * hardware*, 2003. Twin: shaders/chunks/field/vote.glsl
@@ -33,7 +33,7 @@ export function voteOfCorners(samples: Samples, [nx, ny, nz]: Vector3, place: Ve
   return winner === -Infinity ? NaN : winner;
 }
 
-/** The lower of two neighbours, the share of the way to the upper one, and that one. */
+/** The lower of two neighbours, the share of the way to the upper neighbour, and the upper neighbour. */
 function locate(u: number, n: number): [low: number, share: number, high: number] {
   const x = Math.min(Math.max(u * n - 0.5, 0), n - 1);
   const low = Math.floor(x);

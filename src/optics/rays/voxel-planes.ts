@@ -1,14 +1,15 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 
-/** Less than this of a voxel along an axis over the whole of a line is rounding. */
+/** If a whole line moves less than this share of a voxel along an axis, that is rounding. */
 const drift = 1e-9;
 
 /**
- * Where a line meets planes of voxels' centres, between which tri-linear values are one cubic of its length: shares of the line, ascending,
- * each once, without those at its ends. Beyond the outermost centres, where values stay as they are, there are none.
- * @param from - in voxels, whole numbers at centres
- * @param way - of the line, in the same measure
- * @param shift - 0.5 for the planes between voxels, at which the nearest one changes
+ * Where a line meets planes of voxels' centres: shares of the line, ascending, without duplicates and without the line's ends. Between
+ * two planes,
+ * tri-linear values are one cubic of the length. Beyond the outermost centres values are constant, so there are no planes.
+ * @param from - in voxels; whole numbers are at centres
+ * @param way - the vector from the line's begin to its end, also in voxels
+ * @param shift - 0.5 for the planes between voxels, where the nearest voxel changes
  * Twin: shaders/chunks/walk/walk-voxels.glsl
  */
 export function meetVoxelPlanes(from: Vector3, way: Vector3, dimensions: Vector3, shift = 0): number[] {
@@ -28,7 +29,7 @@ export function meetVoxelPlanes(from: Vector3, way: Vector3, dimensions: Vector3
 }
 
 /**
- * The part of a line that lies in the box of all voxels, shares of it; null where none does.
+ * The part of a line that lies in the box of all voxels, as shares of the line; null if no part does.
  * @param from, way - see `meetVoxelPlanes`
  */
 export function cutToVoxels(from: Vector3, way: Vector3, dimensions: Vector3): readonly [number, number] | null {

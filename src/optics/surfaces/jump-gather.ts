@@ -4,22 +4,29 @@ import type { CubicPiece, GatherStage, Path, Segment } from '../rays/ray-stages.
 import { composite } from '../rays/segment.ts';
 import type { Premultiplied } from '../transfer/transfer-function.ts';
 
-/** A part of a ray that hides more than this of what is seen through it is looked at more closely; with more samples a voxel, less. */
+/**
+ * If a part of a ray hides more than this share of the light, it is sampled more closely. With more samples per voxel, the
+ * limit is smaller.
+ */
 export const mostHidden = 0.25;
 
-/** A part of a ray is halved so often at the most. */
+/** A part of a ray is halved at most this many times. */
 export const mostHalvings = 10;
 
-/** Samples that are taken on one part, at the most: about two for each halving before each of several values is passed. */
+/** The largest number of samples on one part: about two for each halving in front of each of several values. */
 export const mostLooks = 256;
 
-/** Less of the light than this is not seen, as where rays end early. */
+/** A smaller share of the light is not visible. Rays also end early by it. */
 const nothing = 1e-3;
 
 /**
- * Emission and absorption that finds what is opaque at once wherever a ray touches it. Between two planes of voxels' centres a tri-linear value is a cubic of the length. So each piece is
- * cut into parts, as many as samples a voxel are wanted, and of each part the cubic tells whether it passes one of the values of `findOpaqueJumps`, however shortly. Where it does, and where
- * much is hidden, the part is cut where the cubic turns, and what is left is halved until nothing more can be told. Twin: shaders/chunks/gather/jumps.glsl
+ * Emission and absorption that finds opaque values wherever a ray touches them. Between two planes of voxels' centres, a tri-linear value
+ * is a cubic of the length. Each such
+ * piece is cut into parts, as many as the wanted samples per voxel. The cubic of each part shows whether it passes one of the values of
+ * `findOpaqueJumps`, even for a short length.
+ * If it does, or if the part hides much, the part is cut where the cubic turns, and the rest is halved until nothing more can be
+ * distinguished.
+ * Twin: shaders/chunks/gather/jumps.glsl
  * @param values - ascending
  * @param voxel - length of a voxel, in bounding diameters
  */
@@ -52,7 +59,7 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
       let [at, known, length] = [0, segment.front, span];
       for (let look = 0; at < span; look++) {
         const mark = turns.reduce((next, turn) => (turn > at && turn < next ? turn : next), span);
-        // What is left at last is taken as it is.
+        // After the last sample, the rest is taken in one piece.
         const end = look >= mostLooks ? span : Math.min(mark, at + length);
         const piece = { front: known, back: end === span ? segment.back : sampleAt(begin + end), begin: begin + at, span: end - at };
         const color = seeSegment(piece);
@@ -84,12 +91,14 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
   };
 }
 
-/** Parts of the way between two planes of voxels' centres: as many as steps there are on a voxel, so that twice as many have half the length. */
+/**
+ * Number of parts between two planes of voxels' centres: as many as steps per voxel, so twice as many steps give parts of half the length.
+ */
 function countParts(voxel: number, step: number): number {
   return Math.max(1, Math.ceil(voxel / step - 0.01));
 }
 
-/** Whether a cubic may pass a value between its ends, by the coefficients of Bernstein, none of which it exceeds. */
+/** Whether a cubic may pass a value between its ends. The Bernstein coefficients bound the cubic. */
 function mayTurn([a, b, c, d]: CubicValues, countUpTo: (value: number) => number): boolean {
   const inner = [(-5 * a + 18 * b - 9 * c + 2 * d) / 6, (2 * a - 9 * b + 18 * c - 5 * d) / 6];
   return countUpTo(Math.min(a, d, ...inner)) < countUpTo(Math.min(a, d)) || countUpTo(Math.max(a, d, ...inner)) > countUpTo(Math.max(a, d));

@@ -4,14 +4,14 @@ import { maxWord, parseOpacity, parseValue, splitOutsideBrackets } from '../tran
 import type { IsoSurface, Shading, SurfaceStyle } from '../rays/ray-style.ts';
 import { maxSurfaces } from '../transfer/surface-limits.ts';
 
-/** Longest text: so many surfaces, each with words as long as they may be. */
+/** Longest text: the largest number of surfaces, each with words of the largest length. */
 const maxLength = 4 * maxSurfaces * maxWord;
 
 /**
- * Read the surfaces of a volume: `value colour opacity, ...`, for instance `40 #f80 60%, 300 white`. The grammar is that of a transfer
- * function's stops; the opacity may be left out, and is 1 then.
- * @param window - data values that 0 % and 100 % mean
- * @returns ascending; an empty list for a text of blanks
+ * Reads the surfaces of a volume: `value colour opacity, ...`, for instance `40 #f80 60%, 300 white`. The grammar is that of a transfer
+ * function's stops. The opacity may be left out; then it is 1.
+ * @param window - the data values of 0 % and 100 %
+ * @returns ascending; an empty list if the text is blank
  * @throws {VolumeViewError} `attribute/invalid`: the message names the surface
  */
 export function parseSurfaces(text: string, window: readonly [number, number]): IsoSurface[] {
@@ -24,15 +24,15 @@ export function parseSurfaces(text: string, window: readonly [number, number]): 
   return surfaces;
 }
 
-/** What else of a look has a say in surfaces; null where an author says nothing. */
+/** Other attributes that surfaces depend on; null if the author does not set them. */
 interface Said {
-  /** Where there is none, nothing emits and absorbs beside surfaces. */
+  /** Without one, only the surfaces are drawn, without emission and absorption. */
   readonly transferFunction: string | null;
   readonly shading: Shading | null;
 }
 
 /**
- * How rays are drawn with surfaces: lit, unless the author says otherwise.
+ * How rays are drawn with surfaces. They are lit unless the author sets `unlit`.
  * @throws {VolumeViewError} as `parseSurfaces`
  */
 export function readSurfaces(text: string, window: readonly [number, number], { transferFunction, shading }: Said): SurfaceStyle | null {

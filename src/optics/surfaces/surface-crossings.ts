@@ -2,20 +2,20 @@ import { add, scale } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Sample, Segment } from '../rays/ray-stages.ts';
 
-/** Samples from the straight line between two samples to the surface: where values kink, two at the most, and by regula falsi. */
+/** Number of samples to find a surface between two samples: at most two where values kink, and the rest by regula falsi. */
 export const surfaceRefinements = 4;
 
-/** Samples that are taken for one place at which a ray may graze a surface. */
+/** Number of samples to find a place where a ray may graze a surface. */
 export const grazingProbes = 3;
 
-/** Substeps of a step on which a ray may graze a surface, where it is known where values kink; elsewhere it takes as many as there may be. */
+/** Substeps of a step on which a ray may graze a surface, if the kinks of values are known. If not, the step gets as many as possible. */
 export const kinkedSubsteps = 4;
 
-/** A piece of a ray along which values only rise, or only fall, as far as is known; its ends know their `point`. */
+/** A piece of a ray along which values only rise or only fall, as far as the samples show. Its ends know their `point`. */
 export interface Leg extends Segment {
-  /** Surfaces from this value on are crossed on it, up to that at its back. */
+  /** The leg crosses the surfaces between this value and that of its back. */
   readonly from: number;
-  /** Whether what emits and absorbs on it still has to be gathered. */
+  /** Whether the emission and absorption on it are still to be gathered. */
   readonly isNew: boolean;
 }
 
@@ -25,11 +25,11 @@ export interface Crossing {
   readonly surface: number;
   /** Share of the leg. */
   readonly share: number;
-  /** What is there; its value is the surface's. */
+  /** The sample there, with the surface's value. */
   readonly hit: Sample;
 }
 
-/** What is known of places of the unit cube. */
+/** How to sample places of the unit cube. */
 export interface Looking {
   sampleAt(place: Vector3): Sample;
   /** See `FieldStage`. */
@@ -37,7 +37,7 @@ export interface Looking {
 }
 
 /**
- * The surfaces that a leg crosses, in the order of the ray. Values above or at that of a surface are on one side of it, so that each
+ * The surfaces that a leg crosses, in the order of the ray. Values above that of a surface, or equal to it, are on one side of it. So each
  * crossing counts once, whatever the steps.
  * Source: regula falsi with the weights of Dowell and Jarratt 1971 ("Illinois"). Twin: shaders/chunks/gather/surface-crossings.glsl
  */
@@ -70,7 +70,7 @@ function refine(
   const kinks = [...(kinksBetween?.(front.point as Vector3, back.point as Vector3) ?? []), 2, 2, 2].slice(0, 3);
   kinks.sort((one, other) => one - other);
   for (let i = 0; i < refinements; i++) {
-    // The kink in the middle, and the next one on the side where the surface is: between two of them values are smooth.
+    // First the middle kink, then the next one on the surface's side: between two kinks values are smooth.
     const kink = i === 0 ? kinks[1] : i === 1 ? kinks[a < kinks[1] ? 0 : 2] : 2;
     const isKink = kink > a && kink < b;
     const at = isKink ? kink : next();
@@ -92,27 +92,27 @@ function refine(
   return { share: at, hit: { ...hit, value: wanted, valid: true, point: between(front, back, at) } };
 }
 
-/** What a ray is known by around a segment. */
+/** What is known of the ray in front of a segment. */
 export interface Around {
   /** The sample before the segment. */
   readonly sample: Sample;
-  /** How far before. */
+  /** Distance between this sample and the segment. */
   readonly span: number;
-  /** At a place that rays do not show only turns within the segment count. */
+  /** Whether rays show this sample. If not, only turns within the segment count. */
   readonly isShown: boolean;
 }
 
-/** Where a ray turns between samples. */
+/** A place between samples where values along a ray turn. */
 export interface Turn {
-  /** From where the segment begins, as lengths of rays are. */
+  /** Length from the begin of the segment. */
   readonly at: number;
   readonly top: Sample;
 }
 
 /**
- * Where a ray grazes a surface between samples, of which no two lie on different sides of it: the place where values turn, if there they are
- * beyond a surface. Values that turn may go on as far as they came: a single voxel is steepest next to its top. It is looked for where values
- * kink, as a thin edge is a kink, and then at the tops of parabolas, as all else is smooth.
+ * Finds where a ray grazes a surface although no two of its samples lie on different sides: a place where values turn, if they are beyond
+ * a surface there. Values that turn may go on as far as they have come: a single voxel is steepest next to its top. Kinks are tried
+ * first, because a thin edge is a kink; then the tops of parabolas, because everything else is smooth.
  * Twin: shaders/chunks/gather/surface-crossings.glsl, findTurn
  */
 export function findTurn(
@@ -137,7 +137,7 @@ export function findTurn(
     if (!found.valid) return null;
     if (isBeyond(found.value)) return isShown || at > 0 ? { at, top: found } : null;
     const isBetter = isTop ? found.value > b : found.value < b;
-    // Beyond a place that is known, as kinks come in any order, the end of the whole is the next.
+    // Kinks come in any order. If the place lies beyond a neighbour, the end of the whole becomes the new neighbour.
     if (isBetter && at > tb) [ta, a, tb, b, tc, c] = at < tc ? [tb, b, at, found.value, tc, c] : [tb, b, at, found.value, span, back.value];
     else if (isBetter) [ta, a, tb, b, tc, c] = at > ta ? [ta, a, at, found.value, tb, b] : [-spanBefore, sample.value, at, found.value, tb, b];
     else if (at > tb && at < tc) [tc, c] = [at, found.value];
@@ -148,9 +148,10 @@ export function findTurn(
 }
 
 /**
- * Whether values next to those of a step may be beyond a surface that is not met on it: as far on as they came, on the step or before it.
- * Only there it takes more samples to find where a ray grazes one. Twin: shaders/chunks/gather/surfaces.glsl
- * @param before - by how much values changed on a step before
+ * Whether values near those of a step may be beyond a surface that the step does not meet. They may go on as far as they have changed on this
+ * step or the previous one. Only such a step takes more samples to find where a ray grazes a surface.
+ * Twin: shaders/chunks/gather/surfaces.glsl
+ * @param before - by how much values changed on the previous step
  */
 export function mayGraze(values: readonly number[], [from, to]: readonly [number, number], before: number): boolean {
   const [low, high] = [Math.min(from, to), Math.max(from, to)];
@@ -158,7 +159,7 @@ export function mayGraze(values: readonly number[], [from, to]: readonly [number
   return values.some((wanted) => (high < wanted && high + reach >= wanted) || (low >= wanted && low - reach < wanted));
 }
 
-/** Place between two samples that know theirs. */
+/** The place between two samples that have a `point`. */
 export function between(front: Sample, back: Sample, share: number): Vector3 {
   return add(scale(front.point as Vector3, 1 - share), scale(back.point as Vector3, share));
 }

@@ -15,46 +15,47 @@ import { between, crossSurfaces, findTurn, kinkedSubsteps, mayGraze, surfaceRefi
 import type { Leg, Looking, Turn } from './surface-crossings.ts';
 import type { Premultiplied } from '../transfer/transfer-function.ts';
 
-/** Of the change that counts as flat for what emits and absorbs, what does for surfaces: they face somewhere wherever there is one. */
+/** The share of a flat change (see `flatChange`) that counts as flat for surfaces. A surface has a direction wherever it is. */
 export const surfaceFlat = 0.1;
 
-/** Colours multiplied by the light factor, as `brighten` does it. */
+/** Colours multiplied by the light factor, as in `brighten`. */
 export function brightenSurfaces(surfaces: readonly IsoSurface[], lightFactor: number): readonly IsoSurface[] {
   return surfaces.map((surface) => brighten([surface], lightFactor)[0]);
 }
 
-/** Which values are on a surface. */
+/** Which ranges of values contain a surface. */
 export function contributionOfSurfaces(surfaces: readonly IsoSurface[]): Contribution {
   return (low, high) => surfaces.some(({ value, opacity }) => opacity > 0 && low <= value && high >= value);
 }
 
-/** More than this counts as this, which an 8-bit picture does not tell from it. */
+/** Larger opacities count as this: an 8-bit picture cannot distinguish them. */
 const mostSeen = 0.9999;
 
-/** Of surfaces that a ray may pass, in and out again. */
+/** Optical depth of surfaces that a ray may pass, in and out again. */
 export function depthOfSurfaces(surfaces: readonly IsoSurface[]): JumpDepth {
   const depths = surfaces.map(({ opacity }) => -2 * Math.log1p(-Math.min(mostSeen, opacity)));
   return (low, high) => surfaces.reduce((sum, { value }, i) => (low <= value && high >= value ? sum + depths[i] : sum), 0);
 }
 
-/** Surfaces in a volume. */
+/** The surfaces in a volume. */
 export interface SurfaceScene {
-  /** Ascending; colours brightened. */
+  /** Ascending; colours already brightened. */
   readonly surfaces: readonly IsoSurface[];
-  /** Whether there is nothing but surfaces. */
+  /** Whether only surfaces are drawn. */
   readonly isClear: boolean;
-  /** What light makes of a place; null for surfaces in their own colours. */
+  /** The light at a place; null for surfaces in their own colours. */
   readonly light: LightStage | null;
   readonly toEye: (ray: Ray) => Vector3;
-  /** What X3D's rendering styles make of places; absent where there are none. */
+  /** The effect of X3D's rendering styles at places; absent if there are none. */
   readonly stylesOf?: (ray: Ray) => (known: Sample) => Styled;
   /** See `surfaceRefinements`. */
   readonly refinements?: number;
 }
 
 /**
- * Emission and absorption with surfaces in it, all front to back: between two samples the value is taken to run straight, and where it
- * passes that of a surface the piece is cut. Samples have to know their `point`. Twin: shaders/chunks/gather/surfaces.glsl
+ * Emission and absorption with surfaces, front to back. Between two samples the value is assumed to change linearly, and
+ * the piece is cut where
+ * it passes a surface's value. Samples must know their `point`. Twin: shaders/chunks/gather/surfaces.glsl
  */
 export function surfaceGather(scene: SurfaceScene): GatherStage {
   const { surfaces, isClear } = scene;
@@ -97,7 +98,7 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
 
 const clear: Premultiplied = [0, 0, 0, 0];
 
-/** Whether values can be followed from one sample to the next. */
+/** Whether values change continuously from one sample to the next. */
 function runs({ field }: Seen, a: Sample, b: Sample): boolean {
   return a.valid && b.valid && !field.isFolded(a.value, b.value);
 }
@@ -106,13 +107,13 @@ function lookOf({ sampleAt, field: { kinksBetween } }: Seen): Looking {
   return { sampleAt, kinksBetween };
 }
 
-/** By how much values changed on a step before, as far as is known. */
+/** By how much values changed on the previous step, as far as is known. */
 function changeBefore(before: Segment | null, seen: Seen): number {
   if (!before || !(before.span > 0) || !runs(seen, before.front, before.back)) return 0;
   return Math.abs(before.back.value - before.front.value) * (seen.step / before.span);
 }
 
-/** What a ray shows of a surface that it passes. */
+/** The colour of a surface where a ray passes it. */
 function seeSurface({ surfaces, light, toEye, stylesOf }: SurfaceScene, surface: number, hit: Sample, ray: Ray): Premultiplied {
   const { color, opacity } = surfaces[surface];
   const own: Premultiplied = [color[0] * opacity, color[1] * opacity, color[2] * opacity, opacity];
@@ -132,7 +133,7 @@ function styleSurface([red, green, blue, alpha]: Premultiplied, { gain, more, op
   return [r, g, b, styled];
 }
 
-/** The pieces of a segment on which values rise or fall; null where none of it can be a surface. */
+/** The pieces of a segment on which values rise or fall; null if no part of it can have a surface. */
 function listLegs(values: readonly number[], segment: Segment, before: Segment | null, seen: Seen): Leg[] | null {
   const { front, back, begin, span } = segment;
   if (!(span > 0) || !runs(seen, front, back)) return null;
@@ -144,7 +145,7 @@ function listLegs(values: readonly number[], segment: Segment, before: Segment |
   if (!turn) return [whole];
   const { at, top } = turn;
   if (at > 0) return [{ ...whole, back: top, span: at }, { front: top, back, begin: begin + at, span: span - at, from: top.value, isNew: true }];
-  // What lies before it has been gathered, but for what was not seen of surfaces.
+  // The part before it was already gathered, except for the surfaces that were missed.
   const rise: Leg = { front: sample, back: top, begin: begin - spanBefore, span: spanBefore + at, from: front.value, isNew: false };
   return [rise, { front: top, back: front, begin: begin + at, span: -at, from: top.value, isNew: false }, whole];
 }

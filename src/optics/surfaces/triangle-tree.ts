@@ -7,18 +7,18 @@ export interface WorldRay {
   readonly direction: Vector3;
 }
 
-/** Triangles of a box that is not cut further. */
+/** A box with at most this many triangles is not cut further. */
 const fewest = 4;
 
 /**
- * The triangles of a part of a surface in boxes within boxes, so that a ray meets few of them. In float64.
+ * The triangles of a part of a surface, in boxes within boxes, so that a ray has to test only a few. In float64.
  * Source: Kay and Kajiya, *Ray Tracing Complex Scenes*, 1986
  */
 export class TriangleTree {
   readonly #order: Uint32Array;
-  /** Six numbers of each box: its lowest and its highest corner. */
+  /** Six numbers per box: its lowest and its highest corner. */
   readonly #bounds: Float64Array;
-  /** Of each box: the first of its two boxes, or minus one and minus the first of its triangles. */
+  /** Per box: the number of the first of its two boxes, or -1 minus the index of its first triangle. */
   readonly #firsts: Int32Array;
   readonly #counts: Int32Array;
   #boxes = 0;
@@ -35,7 +35,7 @@ export class TriangleTree {
 
   /**
    * All places at which a ray meets triangles, nearest first.
-   * @param from - the least t
+   * @param from - the smallest t
    */
   meet({ origin, direction }: WorldRay, from: number): Float64Array {
     const found: number[] = [];
@@ -52,7 +52,7 @@ export class TriangleTree {
     return sorted;
   }
 
-  /** @returns the boxes that are to be cut next */
+  /** @returns the boxes to cut next */
   #cut(box: number, from: number, to: number): [number, number, number][] {
     const bounds = this.#bounds.subarray(6 * box, 6 * box + 6).fill(Infinity, 0, 3).fill(-Infinity, 3);
     const middles = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
@@ -80,7 +80,7 @@ export class TriangleTree {
       if (a + b + c < middle) low++;
       else [this.#order[low], this.#order[high]] = [this.#order[--high], this.#order[low]];
     }
-    if (low === from || low === to) low = (from + to) >> 1; // Rounding.
+    if (low === from || low === to) low = (from + to) >> 1; // Only because of rounding.
     const first = this.#boxes;
     this.#firsts[box] = first;
     this.#boxes += 2;
@@ -107,7 +107,7 @@ export class TriangleTree {
     return entry <= exit * (1 + slack) + slack;
   }
 
-  /** From both sides. Source: Möller and Trumbore, *Fast, Minimum Storage Ray/Triangle Intersection*, 1997 */
+  /** Meets both sides. Source: Möller and Trumbore, *Fast, Minimum Storage Ray/Triangle Intersection*, 1997 */
   #meetTriangle(triangle: number, { origin, direction: [dx, dy, dz] }: WorldRay, from: number, found: number[]): void {
     const [[ax, bx, cx], [ay, by, cy], [az, bz, cz]] = [0, 1, 2].map((axis) => this.#corners(triangle, axis));
     const [ux, uy, uz, vx, vy, vz] = [bx - ax, by - ay, bz - az, cx - ax, cy - ay, cz - az];
@@ -123,5 +123,5 @@ export class TriangleTree {
   }
 }
 
-/** More than rounding, so that no ray slips through between two triangles. */
+/** Larger than rounding errors, so that no ray passes between two triangles. */
 const slack = 1e-9;

@@ -1,14 +1,14 @@
 import { evaluate } from './transfer-function.ts';
 import type { Color, Premultiplied, Stop, TransferFunction } from './transfer-function.ts';
 
-/** A new stop keeps at least this share of the distance from its neighbours. */
+/** A new stop has at least this share of the distance to each of its neighbours. */
 const atStop = 1e-9;
 
 /**
- * A transfer function whose colours are multiplied by the light factor, each channel saturates at white by
- * itself. Premultiplied colours are linear between stops, and so is opacity, which is their upper bound. Where a colour
- * reaches its bound, a stop is added, so the result is exact between stops as well.
- * @param lightFactor - from 0; 1 leaves everything
+ * Multiplies the colours of a transfer function by the light factor. Each channel saturates at white by
+ * itself. Premultiplied colours are linear between stops, and so is opacity, their upper bound. Where a colour
+ * reaches this bound, a stop is added. So the result is exact between stops, too.
+ * @param lightFactor - at least 0; 1 changes nothing
  */
 export function brighten(transferFunction: TransferFunction, lightFactor: number): TransferFunction {
   if (lightFactor === 1) return transferFunction;
@@ -23,7 +23,7 @@ function light(color: Color, lightFactor: number): Color {
   return color.map((channel) => Math.min(1, channel * lightFactor)) as unknown as Color;
 }
 
-/** Stops between two neighbours, where a channel begins or stops being saturated. */
+/** Stops between two neighbours, where a channel starts or stops being saturated. */
 function saturations(transferFunction: TransferFunction, [from, to]: readonly [Stop, Stop], lightFactor: number): Stop[] {
   const shares: number[] = [];
   for (let c = 0; c < 3; c++) {

@@ -4,10 +4,10 @@ import type { Color, TransferFunction } from './transfer-function.ts';
 
 type ColorTable = (typeof colorTables)[number];
 
-/** Opacity per reference length at the top of the window; it rises with the square, so that low values are a veil. */
+/** Opacity per reference length at the top of the window. It rises with the square, so low values are a thin veil. */
 const topOpacity = 0.2;
 
-/** A colour table over a window, low values transparent. */
+/** A colour table over a window; low values are transparent. */
 export function colorTableStops(name: ColorTable, [low, high]: readonly [number, number]): TransferFunction {
   const values: Record<ColorTable, string> = colorTableValues;
   const colors = values[name].match(/.{6}/g)!;

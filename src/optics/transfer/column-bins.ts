@@ -1,6 +1,6 @@
-/** Finds columns by value: bins of equal width over the domain, with at most one edge of a column in each. */
+/** Finds the column of a value: bins of equal width over the domain, with at most one edge of a column in each. */
 export interface ColumnBins {
-  /** Shape [bins, 4]: the column where a bin begins, where that begins and ends, and where the next one ends. */
+  /** Shape [bins, 4]: the number of the column at the bin's begin, where this column begins and ends, and where the next one ends. */
   readonly texels: Float32Array<ArrayBuffer>;
   /** A power of two. */
   readonly count: number;
@@ -9,16 +9,16 @@ export interface ColumnBins {
 const fewest = 2 ** 6;
 const most = 2 ** 18;
 
-/** What lies farther below 0 or above 1 is not in the data, and in no bin. */
+/** Values farther below 0 or above 1 do not occur in the data and have no bin. */
 const margin = 1e-3;
 
-/** @param edges - see Columns @param least - bins, a power of two @returns null where edges are too near to each other for that */
+/** @param edges - see Columns @param least - the smallest number of bins, a power of two @returns null if edges are too close together */
 export function binColumns(edges: Float32Array, least = fewest): ColumnBins | null {
   for (let count = least; count <= most; count *= 2) if (areApart(edges, count)) return fill(edges, count);
   return null;
 }
 
-/** Whether no bin holds two edges. */
+/** Whether each bin holds at most one edge. */
 function areApart(edges: Float32Array, count: number): boolean {
   const binOf = (edge: number): number => Math.min(count - 1, Math.max(0, Math.floor(edge * count)));
   const within = edges.filter((edge) => edge > -margin && edge < 1 + margin);

@@ -4,44 +4,47 @@ import type { Threshold } from './threshold.ts';
 import type { Premultiplied, Stop, TransferFunction } from './transfer-function.ts';
 
 /**
- * A transfer function cut into columns in which its emission is a straight line over the value. A column ends at each stop,
- * so that a jump lies between two columns and belongs to neither. The first and the last one are all that is below and
- * above the stops. The integral from any value to any other has a closed form, however near or far they are.
+ * A transfer function cut into columns. In each, its emission is linear in the value. A column ends at each stop, so
+ * a jump lies between two columns and belongs to neither. The first and the last column are everything below and
+ * above the stops. The integral between any two values has a closed form, however near or far they are.
  */
 export interface Columns {
-  /** Where columns begin, and the last one ends: shares, float32, count + 1. */
+  /** Where each column begins, and where the last one ends: shares, float32, count + 1. */
   readonly edges: Float32Array;
-  /** Shape [count, 4]: extinction times colour, and extinction, per reference length, where columns begin and end. */
+  /** Shape [count, 4]: extinction times colour, and extinction, per reference length, at each column's begin and end. */
   readonly starts: Float32Array;
   readonly ends: Float32Array;
   /**
-   * Shape [count, 4]: its integral over the share up to where columns begin and end. It is counted from where stops are, as
-   * if the lines ended there and not at edges, so that jumps are where they should be to the last digit.
+   * Shape [count, 4]: the integral over the share, up to each column's begin and end. It is counted from the exact places of stops, as
+   * if the lines ended there and not at edges, so jumps are exact to the last digit.
    */
   readonly sumsAtStart: Float64Array;
   readonly sumsAtEnd: Float64Array;
 }
 
-/** Beyond all shares. */
+/** Beyond all shares that occur. */
 const endless = 1e35;
 
-/** A share that floats tell from 0. */
+/** The smallest share that floats distinguish from 0. */
 const smallest = 1e-30;
 
-/** A straight line may be off by this share of the extinction, and of the least that can be seen along a long ray. */
+/**
+ * A line may deviate by this share of the extinction, plus the same share of the smallest extinction that is visible along a
+ * long ray (`least`).
+ */
 const usualTolerance = 3e-3;
 const least = 3e-4;
 
-/** Where there would be more, lines are coarser; but no fewer than there are pieces. */
+/** If there would be more columns, lines are made coarser; but there are never fewer columns than pieces. */
 const mostColumns = 4096;
 
 /** Halvings towards opacity 1, where extinction has a logarithmic pole. */
 const maxHalvings = 12;
 
-/** Between two stops, as a function of 0 to 1. */
+/** The function between two stops, over values from 0 to 1. */
 type Piece = readonly [Stop, Stop];
 
-/** A column, and where its line begins and ends: at stops, which are next to edges. */
+/** A column, and where its line begins and ends: at stops, which lie next to edges. */
 interface Column {
   readonly start: Premultiplied;
   readonly end: Premultiplied;
@@ -50,8 +53,8 @@ interface Column {
 }
 
 /**
- * @param transferFunction - brightened; one stop or more
- * @param threshold - where a data value lies among shares
+ * @param transferFunction - already brightened; at least one stop
+ * @param threshold - maps a data value to its share
  */
 export function cutColumns(transferFunction: TransferFunction, threshold: (value: number) => Threshold, tolerance = usualTolerance): Columns {
   const columns: Column[] = [];
@@ -66,7 +69,7 @@ export function cutColumns(transferFunction: TransferFunction, threshold: (value
     const from = stops[i];
     if (from.stop.value === to.stop.value) return;
     const piece: Piece = [{ ...from.stop, value: 0 }, { ...to.stop, value: 1 }];
-    // Only a value of just this opacity is as opaque; extinction falls from there at once.
+    // Only exactly this value is fully opaque: extinction falls from there at once.
     if (from.stop.opacity >= 1 && to.stop.opacity < 1) {
       const { share, edge } = from.at;
       add({ share, edge: share + Math.abs(share - edge) + smallest }, emission(piece, 0), emission(piece, 0));
@@ -84,8 +87,8 @@ export function cutColumns(transferFunction: TransferFunction, threshold: (value
 }
 
 /**
- * Where nothing jumps, a sample of a stop's value belongs to the side that is level, if one is: next to where opacity begins
- * it is clear, whatever rounding does to it.
+ * If nothing jumps at a stop, a sample of the stop's value belongs to the side that is level, if one is. So next to where opacity begins,
+ * matter is transparent, whatever rounding does.
  */
 function placeEdge(transferFunction: TransferFunction, at: number, { share, edge }: Threshold): Threshold {
   const { value } = transferFunction[at];
@@ -99,7 +102,7 @@ function placeEdge(transferFunction: TransferFunction, at: number, { share, edge
   return { share, edge: !before || looksSame(before, left) ? share + reach : share };
 }
 
-/** Straight lines that follow a piece: where each ends, and its emission at both ends. */
+/** Straight lines that approximate a piece: where each ends, and its emission at both ends. */
 function straighten(piece: Piece, tolerance: number): [number, Premultiplied, Premultiplied][] {
   const lines: [number, Premultiplied, Premultiplied][] = [];
   const follow = (from: number, to: number, halvings: number): void => {
@@ -123,7 +126,7 @@ function isStraight(piece: Piece, [from, to]: readonly [number, number], [start,
   });
 }
 
-/** Next to the pole its neighbour's line goes on, and what it ends at gives the line the right mean. */
+/** Next to the pole, the line continues that of its neighbour, and its end is chosen so that the mean is right. */
 function withMean(piece: Piece, [from, to]: readonly [number, number], [start, end]: readonly [Premultiplied, Premultiplied]): [Premultiplied, Premultiplied] {
   const mean = meanOverSpan(piece, from, to);
   const mirror = (x: number, c: number): number => Math.max(0, 2 * mean[c] - x);
@@ -135,7 +138,7 @@ function sumUp(columns: readonly Column[]): Pick<Columns, 'sumsAtStart' | 'sumsA
   columns.forEach(({ start, end, from, to }, k) => {
     for (let c = 0; c < 4; c++) {
       const [a, b] = [Math.fround(start[c]), Math.fround(end[c])];
-      // The integral is 0 at the first stop; what lies below is counted back from there.
+      // The integral is 0 at the first stop; below it, the integral is negative.
       const sum = k < 2 ? 0 : sumsAtEnd[4 * k - 4 + c] + Math.fround(columns[k - 1].end[c]) * (from.share - Math.fround(from.edge));
       const width = k === 0 || k === columns.length - 1 ? 0 : Math.max(0, to.share - from.share);
       sumsAtStart[4 * k + c] = sum - a * (from.share - Math.fround(from.edge));
@@ -145,7 +148,7 @@ function sumUp(columns: readonly Column[]): Pick<Columns, 'sumsAtStart' | 'sumsA
   return { sumsAtStart, sumsAtEnd };
 }
 
-/** Emission at a share, and the integral up to there, counted from an edge of its column. */
+/** The emission at a share, and the integral up to it, counted from an edge of its column. */
 interface Place {
   readonly column: number;
   readonly emission: Premultiplied;
@@ -164,7 +167,7 @@ export function locateShare({ edges, starts, ends, sumsAtStart, sumsAtEnd }: Col
   return { column, emission: at, sum };
 }
 
-/** Mean of emission over shares from one to another. Twin: shaders/chunks/classify/columns.glsl, meanOfSamples */
+/** The mean emission over the shares between two. Twin: shaders/chunks/classify/columns.glsl, meanOfSamples */
 export function meanOverColumns(columns: Columns, from: number, to: number): Premultiplied {
   const [a, b] = [locateShare(columns, from), locateShare(columns, to)];
   if (a.column === b.column) return a.emission.map((x, c) => 0.5 * (x + b.emission[c])) as Premultiplied;

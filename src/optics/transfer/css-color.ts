@@ -19,15 +19,15 @@ import {
 } from 'culori/fn';
 import type { Color } from './transfer-function.ts';
 
-// The colour spaces of CSS Color 4; those that culori knows beside them stay out of the bundle.
+// Only the colour spaces of CSS Color 4; culori's others stay out of the bundle.
 for (const mode of [modeRgb, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeP3, modeA98, modeProphoto, modeRec2020, modeXyz50, modeXyz65]) {
   useMode(mode as typeof modeRgb);
 }
 const toRgb = converter('rgb');
 
 /**
- * Read a CSS colour: a name, hex, rgb(), hsl(), hwb(), lab(), lch(), oklab(), oklch() or color().
- * @returns sRGB, clipped to 0..1, and alpha; null where it is no colour
+ * Reads a CSS colour: a name, hex, rgb(), hsl(), hwb(), lab(), lch(), oklab(), oklch() or color().
+ * @returns sRGB, clipped to 0..1, and alpha; null if the text is no colour
  */
 export function parseCssColor(text: string): { color: Color; alpha: number } | null {
   const parsed = parse(text.trim());

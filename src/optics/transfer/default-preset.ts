@@ -1,11 +1,11 @@
 import type { Color, TransferFunction } from './transfer-function.ts';
 
-/** The default. The window comes from the histogram, so the air is not shown and the subject is. */
+/** The default. Its window comes from the histogram, so that air is invisible and the subject is visible. */
 export const defaultPreset = 'mri';
 
 /**
- * Its stops: per cent of the window, colour, per cent of opacity per reference length. They are numbers, so that a page
- * that says nothing of colours loads nothing that reads text.
+ * Its stops: percent of the window, colour, percent of opacity per reference length. They are numbers, so that a page
+ * without colours of its own does not load the parser.
  */
 const stops = [
   [0, 0x1c0a0a, 0],
@@ -17,7 +17,7 @@ const stops = [
   [100, 0xffffff, 18],
 ] as const;
 
-/** @param window - data values that it spans */
+/** @param window - the data values that it spans */
 export function buildDefaultPreset([low, high]: readonly [number, number]): TransferFunction {
   return stops.map(([share, color, opacity]) => ({
     value: low + ((high - low) * share) / 100,

@@ -1,43 +1,43 @@
 import { domainOf, emission as emissionOf } from './emission.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
-/** Bins that values count as apart at least: where in its bin a jump lies is not known, and half of it counts. */
+/** The smallest number of bins between two values: it is not known where in its bin a jump lies, so half a bin counts on each side. */
 const leastWidth = 2;
 
-/** Equal bins over the domain. */
+/** Number of equal bins over the domain. */
 const bins = 512;
 
-/** Whether any change counts, or what averaging does not even out. */
+/** Whether any change counts, or only what averaging does not cancel. */
 export type RangeKind = 'among' | 'offLine';
 
-/** Asks how much a transfer function's emission differs among values. */
+/** How much a transfer function's emission differs among values. */
 export interface EmissionRange {
   /**
-   * The largest difference of any channel's emission (per reference length, extinction among them) between two values that
-   * lie between `low` and `high` and no more than `apart` from each other; rounded up to whole bins. Data units.
+   * The largest difference of any channel's emission (per reference length; extinction is one channel) between two values that
+   * lie between `low` and `high` and differ by at most `apart`. Rounded up to whole bins. Data units.
    */
   among(low: number, high: number, apart: number): number;
-  /** The same of how far it is from a straight line among them: what averaging does not even out. Never more than `among`. */
+  /** The same for the deviation from a straight line between them, which averaging does not cancel. At most `among`. */
   offLine(low: number, high: number, apart: number): number;
-  /** The largest of any channel's emission among values, rounded up to whole bins. */
+  /** The largest emission of any channel among values, rounded up to whole bins. */
   largest(low: number, high: number): number;
 }
 
-/** Ranges of powers of two of bins: row n holds, for each bin, the extreme of the 2^n bins from it on. */
+/** Extremes over powers of two of bins: row n holds, for each bin, the extreme of the 2^n bins that start there. */
 type Extremes = readonly Float32Array[];
 
 /**
- * Prepare a transfer function.
- * @param transferFunction - brightened
- * @param emission - what is asked for instead of the emission, for instance what is seen of a length
+ * Prepares a transfer function.
+ * @param transferFunction - already brightened
+ * @param emission - measured instead of the emission, for instance the visible effect of a length
  */
 export function rangeEmission(transferFunction: TransferFunction, emission: (transferFunction: TransferFunction, value: number) => Premultiplied = emissionOf): EmissionRange {
   const [low, high] = domainOf(transferFunction);
-  // The width of a bin may be too small to be a number.
+  // A bin's width may be too small for a float, so divide first.
   const inBins = (length: number): number => (length / (high - low)) * bins;
   const edges = Array.from({ length: bins + 1 }, (_, i) => emission(transferFunction, low + (i * (high - low)) / bins));
   const before = emission(transferFunction, -Infinity);
-  // Of each stop the bin, and what it emits; and what is all but reached on its left: of a jump that is what no value has.
+  // For each stop: its bin, its emission, and the limit of the emission from the left. At a jump, no value has this limit.
   const seen = transferFunction.map(({ value }, n) => ({
     bin: Math.min(bins - 1, Math.max(0, Math.floor(inBins(value - low)))),
     here: emission(transferFunction, value),
@@ -54,7 +54,7 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
       include([least, most], bin, here[c]);
       if (left) include([least, most], bin, left[c]);
     }
-    // A bin with a stop in it has no one slope: then its own difference may be anywhere in it.
+    // A bin with a stop in it has no single slope: its additional difference may occur anywhere in it.
     const rise = Float32Array.from(least, (_, i) => edges[i + 1][c] - edges[i][c]);
     const [lowest, highest] = [rise.slice(), rise.slice()];
     for (let i = 0; i < bins; i++) {
@@ -76,9 +76,9 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
   const differences = new Windows(1, (first, last) => [Math.max(...channels.map((channel) => difference(channel, first, last)))]);
   const differencesAndBends = new Windows(2 * channels.length, (first, last) => channels.flatMap((channel) => [difference(channel, first, last), bend(channel, first, last)]));
   /**
-   * The largest of what windows measure that together hold any two values so near to each other.
-   * @param parts - windows begin so many to a reach, and are so much wider than it
-   * @param measure - of what is known of a window, from where on that is, and how many bins it has
+   * The largest measure of windows. Together, the windows hold every pair of values that are near enough to each other.
+   * @param parts - number of windows that begin per reach; each is wider than the reach by the distance between their begins
+   * @param measure - of the known numbers, the index of a window's first number, and the number of bins in the window
    */
   const largestOf = ([from, to, apart]: readonly [number, number, number], parts: number, windows: Windows, measure: (known: Float64Array, at: number, count: number) => number): number => {
     const [first, last] = [binOf(from), binOf(to)];
@@ -95,7 +95,7 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
   return {
     largest: (from, to) => Math.max(...channels.map(({ most }) => extremeOf(most, binOf(from), binOf(to), Math.max))),
     among: (...where) => largestOf(where, 8, differences, (known, at) => known[at]),
-    // A function whose slope is between two is off its chord by a quarter of their difference, times the width.
+    // A function whose slope lies between two slopes is off its chord by at most a quarter of their difference, times the width.
     offLine: (...where) => largestOf(where, 2, differencesAndBends, (known, at, count) => {
       const times = Math.max(leastWidth, Math.min(count, inBins(where[2]))) / 4;
       let largest = 0;
@@ -105,15 +105,15 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
   };
 }
 
-/** What windows of bins measure. Thousands of cells ask for the same ones: each is measured once. */
+/** Measures of windows of bins. Thousands of cells ask for the same windows, so each is measured once. */
 class Windows {
-  /** By the number of bins; of each window its numbers, NaN where it was not asked for. */
+  /** By the number of bins. Each window has its numbers; NaN if it has not been measured. */
   readonly #known: Float64Array[] = [];
 
-  /** @param numbers - of each window */
+  /** @param numbers - how many numbers a window has */
   constructor(readonly numbers: number, readonly measure: (first: number, last: number) => readonly number[]) {}
 
-  /** Those with as many bins, among which that from one to another is known. */
+  /** All windows with this number of bins; the one from `first` to `last` has been measured. */
   with(first: number, last: number): Float64Array {
     const known = (this.#known[last - first] ??= new Float64Array(bins * this.numbers).fill(NaN));
     if (Number.isNaN(known[first * this.numbers])) known.set(this.measure(first, last), first * this.numbers);

@@ -3,7 +3,7 @@ import { evaluate, evaluateBetween } from './transfer-function.ts';
 import type { Premultiplied, Stop, TransferFunction } from './transfer-function.ts';
 
 /**
- * Extinction per reference length that stands for opacity 1: with it, even a hundredth of a reference length lets no
+ * The extinction per reference length that stands for opacity 1. With it, even a hundredth of a reference length lets no
  * light through, and half floats can hold it.
  */
 export const opaqueExtinction = 2000;
@@ -13,7 +13,7 @@ export interface SpanMeans {
   /** The range of data values outside of which the transfer function is constant. */
   readonly low: number;
   readonly high: number;
-  /** Mean of extinction times colour, and of extinction, per reference length, over values between two. */
+  /** Mean of extinction times colour, and of extinction, per reference length, over the values between two. */
   mean(from: number, to: number): Premultiplied;
 }
 
@@ -30,7 +30,7 @@ function emissionOf(seen: Premultiplied): Premultiplied {
   return [seen[0] * scale, seen[1] * scale, seen[2] * scale, density];
 }
 
-/** From the first to the last stop; widened a little if they coincide. */
+/** From the first to the last stop, slightly widened if they are equal. */
 export function domainOf(transferFunction: TransferFunction): [number, number] {
   const low = transferFunction[0].value;
   const high = transferFunction[transferFunction.length - 1].value;
@@ -39,14 +39,14 @@ export function domainOf(transferFunction: TransferFunction): [number, number] {
   return [low - margin, high + margin];
 }
 
-/** Nodes of Gauss and Legendre's rule on [0, 1]: none is at an end, so jumps need no special case. */
+/** Nodes of the Gauss-Legendre rule on [0, 1]. None is at an end, so jumps need no special case. */
 const nodes = [0.5 - 0.5 * 0.906179845938664, 0.5 - 0.5 * 0.5384693101056831, 0.5, 0.5 + 0.5 * 0.5384693101056831, 0.5 + 0.5 * 0.906179845938664] as const;
 
 /** Their weights. */
 const weights = [0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324, 0.11846344252809454] as const;
 
 /**
- * Mean emission over the data values between two, which may come in any order; at one value, the emission there.
+ * Mean emission over the data values between two, in any order. If both are equal, the emission there.
  * The span is divided at the stops; between them the emission is smooth.
  */
 export function meanOverSpan(transferFunction: TransferFunction, from: number, to: number): Premultiplied {
@@ -68,7 +68,7 @@ export function meanOverSpan(transferFunction: TransferFunction, from: number, t
 /** If extinctions per reference length differ by more than this within a piece, it is bisected. */
 const smoothDifference = 1;
 
-/** Bisections towards opacity 1, where extinction has a logarithmic pole: at most 3e-5 of the mean is lost there. */
+/** The largest number of bisections towards opacity 1, where extinction has a logarithmic pole: at most 3e-5 of the mean is lost there. */
 const maxHalvings = 10;
 
 function addPiece(

@@ -1,4 +1,4 @@
-// Transfer functions of volumes that are labels: loaded with the first whose samples are places in a list of ids.
+// Transfer functions of label volumes. This file is loaded with the first volume whose samples are places in a list of ids.
 import { labelColors } from '../../volume/label-colors.ts';
 import type { NamedLabel } from '../../volume/labels.ts';
 import { evaluate } from './transfer-function.ts';
@@ -7,10 +7,10 @@ import type { Color, Stop, TransferFunction } from './transfer-function.ts';
 /** Opacity of a label in a volume that is labels itself. */
 export const labelOpacity = 0.22;
 
-/** Below this doubles have halves. */
+/** Below this, a double can hold halves. */
 const hasHalves = 2 ** 51;
 
-/** What one label looks like. */
+/** The appearance of one label. */
 export interface LabelLook {
   readonly id: number;
   readonly color: Color;
@@ -23,7 +23,11 @@ export function paletteColor(number: number): Color {
   return [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255) as unknown as Color;
 }
 
-/** Each id has its look, from half way to it on where that is a number; where there is no label between two, nothing has that value. @param looks - rising */
+/**
+ * The transfer function of labels. Each id has its colour from id - 0.5 (or from id, if a double cannot hold the half) up to where the next
+ * label begins. No sample has a value between two labels.
+ * @param looks - ascending
+ */
 export function labelStops(looks: readonly LabelLook[]): TransferFunction {
   const beginOf = (id: number): number => (Math.abs(id) < hasHalves ? id - 0.5 : id);
   const stops: Stop[] = [];
@@ -37,7 +41,7 @@ export function labelStops(looks: readonly LabelLook[]): TransferFunction {
   return stops;
 }
 
-/** What labels look like of which their page says nothing. @param ids - rising @param named - what their file says */
+/** The transfer function of labels without settings in the page. @param ids - ascending @param named - names and colours from the file */
 export function plainLabelStops(ids: readonly number[], named: readonly NamedLabel[] = []): TransferFunction {
   const colors = new Map(named.map(({ id, color }) => [id, color]));
   return labelStops(ids.filter((id) => id !== 0).map((id, i) => ({ id, color: colors.get(id) ?? paletteColor(i), opacity: labelOpacity })));
@@ -45,7 +49,7 @@ export function plainLabelStops(ids: readonly number[], named: readonly NamedLab
 
 const made = new WeakMap<TransferFunction, readonly [ids: readonly number[], stops: TransferFunction]>();
 
-/** A transfer function of ids as one of their places in a list; kept while both are the same. */
+/** Converts a transfer function of ids to one of their places in a list. The result is kept as long as both stay the same. */
 export function stopsByPlace(stops: TransferFunction, ids: readonly number[]): TransferFunction {
   const known = made.get(stops);
   if (known?.[0] === ids) return known[1];

@@ -1,38 +1,38 @@
 import { add, dot, length, normalize, scale, subtract } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 
-/** A light of X3D's, in world coordinates. */
+/** A light of X3D, in world coordinates. */
 export interface SceneLight {
   readonly kind: 'directional' | 'point' | 'spot';
   readonly color: Vector3;
   readonly intensity: number;
   readonly ambientIntensity: number;
-  /** Where it shines, of length 1; of a point light it says nothing. */
+  /** The direction in which it shines, of length 1; not used for a point light. */
   readonly direction: Vector3;
-  /** Of a directional light it says nothing. */
+  /** Not used for a directional light. */
   readonly location: Vector3;
-  /** Constant, and by distance and its square: world units. */
+  /** Constant, linear and quadratic in the distance; world units. */
   readonly attenuation: Vector3;
-  /** World length that it reaches; Infinity for all. */
+  /** World length that the light reaches; Infinity if it has no limit. */
   readonly radius: number;
-  /** Of a spot light: radians from its axis, up to which it shines in full, and from which it does not shine. */
+  /** For a spot light, in radians from its axis: full light up to this angle, and no light beyond `cutOffAngle`. */
   readonly beamWidth: number;
   readonly cutOffAngle: number;
 }
 
-/** What shines on a volume. */
+/** The lights on a volume. */
 export interface SceneLights {
-  /** At the eye, white. */
+  /** Whether a white light shines from the eye. */
   readonly headlight: boolean;
   readonly lights: readonly SceneLight[];
 }
 
-/** More do not shine on a volume. */
+/** At most this many lights shine on a volume. */
 export const maxLights = 4;
 
 export const headlightAlone: SceneLights = { headlight: true, lights: [] };
 
-/** How a lit volume takes light; of the shares of a colour, 1 is what the legend shows. */
+/** How a lit volume reflects light. A share of 1 gives the colour that the legend shows. */
 export interface LitMaterial {
   readonly ambient: number;
   readonly diffuse: number;
@@ -40,32 +40,36 @@ export interface LitMaterial {
   readonly shininess: number;
 }
 
-/** A surface that faces the headlight keeps its colour, but for a touch of white. */
+/** A surface that faces the headlight keeps its colour, except for a little white. */
 export const plainMaterial: LitMaterial = { ambient: 0.3, diffuse: 0.7, specular: 0.05, shininess: 20 };
 
-/** Of a flat change, what counts as flat in fog: so ridges, where both sides are seen edge on and nothing changes in between, are no lines of light. */
+/**
+ * In fog, the flat change is larger by this factor. At a ridge both sides are seen edge on and nothing changes in between; without the
+ * factor it would be a bright line.
+ */
 export const fogFlat = 2.5;
 
 /**
- * Of what is no surface of its own, as fog: it faces all ways, so that what faces the headlight has to be brighter than its colour if a lit
- * volume is not to be darker than an unlit one. The mean over a sphere under the headlight is 0.4 + 2/3 0.8: 0.93 of its colour.
+ * For fog, which has no surfaces of its own and faces all directions. Parts that face the headlight must be brighter than their colour,
+ * or a lit
+ * volume would be darker than an unlit one. The mean over a sphere under the headlight is 0.4 + 2/3 0.8: 0.93 of its colour.
  */
 export const fogMaterial: LitMaterial = { ambient: 0.4, diffuse: 0.8, specular: 0.05, shininess: 20 };
 
-/** Up to this cosine between normal and eye both sides of a surface take part: it has no edge at which the side jumps. */
+/** Up to this cosine between normal and eye, both sides of a surface are mixed, so that there is no edge at which the side jumps. */
 export const softFacing = 0.2;
 
-/** Specular light fades out where less diffuse light than this comes. */
+/** Specular light fades out where there is less diffuse light than this. */
 export const softSpecular = 0.1;
 
-/** What comes of a colour, by channel: how much of it there is, and how much white. */
+/** How light changes a colour, by channel: the factor of the colour, and the white that is added. */
 export interface Shade {
   readonly diffuse: Vector3;
   readonly specular: Vector3;
 }
 
 /**
- * Two-sided light of Blinn and Phong: the side that faces the eye is seen.
+ * Two-sided Blinn-Phong lighting: the side that faces the eye is visible.
  * @param normal - of length 1, world
  * @param toEye - of length 1, world
  * Source: Blinn 1977; attenuation and spot as in ISO/IEC 19775-1, 17.2.2. Twin: shaders/chunks/shade/lit.glsl and lights.glsl
@@ -90,7 +94,7 @@ export function shadeSurface({ headlight, lights }: SceneLights, material: LitMa
   return { diffuse, specular };
 }
 
-/** Where a light comes from, and what share of it reaches a place. */
+/** The direction to a light, and the share of its light that reaches a place. */
 function beamOf({ kind, direction, location, attenuation, radius, beamWidth, cutOffAngle }: SceneLight, place: Vector3): { toLight: Vector3; reach: number } {
   if (kind === 'directional') return { toLight: scale(direction, -1), reach: 1 };
   const offset = subtract(location, place);

@@ -4,17 +4,19 @@ import { maxSurfaces } from './surface-limits.ts';
 import type { Stop, TransferFunction } from './transfer-function.ts';
 import { mostOpacity } from './usual-columns.ts';
 
-/** A change of a voxel's opacity that can be seen of a ray which passes it for less than a step. */
+/** A change of a voxel's opacity is visible from this on, even if a ray passes the place for less than a step. */
 const seen = 0.1;
 
-/** A piece of the domain as narrow as this is a jump to the samples of a ray: values change by more from one to the next. */
+/** A piece narrower than this share of the domain acts as a jump: from one sample of a ray to the next, values change by more. */
 const narrow = 0.04;
 
 const halvings = 30;
 
 /**
- * Values at which a transfer function becomes opaque at once, or is so no more: where it jumps, and where it rises steeply to full opacity. A ray that touches what is beyond such a value
- * shows all of it or nothing, so rays look for the places where they pass one, as they do for surfaces (see optics/surfaces/surface-crossings.ts). The strongest ones, as many as there may be surfaces.
+ * Values at which a transfer function becomes opaque at once, or stops being so: where it jumps, and where it rises steeply to full
+ * opacity. A ray that touches matter beyond such a
+ * value shows all of it or nothing. So rays search for these places, as they do for surfaces (see optics/surfaces/surface-crossings.ts).
+ * Only the strongest are returned, at most `maxSurfaces`.
  * @param voxelRatio - length of a voxel / reference length, times the opacity factor
  * @returns ascending, data values
  */
@@ -34,12 +36,12 @@ export function findOpaqueJumps(transferFunction: TransferFunction, voxelRatio: 
   return values;
 }
 
-/** What a voxel hides of what is behind it. */
+/** The share of the light from behind that a voxel hides. */
 function voxelOpacity(opacity: number, voxelRatio: number): number {
   return -Math.expm1(-Math.min(opaqueExtinction, extinction(opacity)) * voxelRatio);
 }
 
-/** Where half of the change is, and in a wide piece the steep end at full opacity, too. */
+/** The value where half of the change is reached and, in a wide piece, also the steep end at full opacity. */
 function findInPiece([from, to]: readonly [Stop, Stop], { change, narrow: width, voxelRatio }: { readonly change: number; readonly narrow: number; readonly voxelRatio: number }): { value: number; change: number }[] {
   const at = (t: number): number => voxelOpacity(from.opacity + t * (to.opacity - from.opacity), voxelRatio);
   const span = to.value - from.value;

@@ -5,16 +5,17 @@ import type { GradientStop } from './volume-styles.ts';
 /** Far more stops than a person writes. */
 const maxStops = 64;
 
-/** Longest text: so many stops, each with words as long as they may be. */
+/** Longest text: the largest number of stops, each with words of the largest length. */
 const maxLength = 2 * maxStops * maxWord;
 
 /**
- * Read factors of the opacity by gradient: `gradient factor, ...`, for instance `0 0, 10% 1`.
+ * Reads factors of the opacity by gradient: `gradient factor, ...`, for instance `0 0, 10% 1`.
  *
- * A gradient is a number in data units per world unit, or a percentage of the window along a reference length; it must not fall. A factor
+ * A gradient is a number in data units per world unit, or a percentage of the window along a reference length. Gradients
+ * must not fall. A factor
  * is 0 to 1, or a percentage.
- * @param steepest - the gradient that 100 % means, data units per world unit
- * @returns an empty list for a text of blanks
+ * @param steepest - the gradient of 100 %, in data units per world unit
+ * @returns an empty list if the text is blank
  * @throws {VolumeViewError} `attribute/invalid`: the message names the stop
  */
 export function parseGradientOpacity(text: string, steepest: number): readonly GradientStop[] {

@@ -4,22 +4,22 @@ import { maxWord, parseOpacity, parseValue, splitOutsideBrackets } from './parse
 import { maxPatches } from './patches.ts';
 import type { Patch, PatchLook } from './patches.ts';
 
-/** Longest text: so many patches, each with words as long as they may be. */
+/** Longest text: the largest number of patches, each with words of the largest length. */
 const maxLength = 8 * maxPatches * maxWord;
 
-/** What percentages are of: values of the window, and the gradient of which the window lies within a reference length. */
+/** What 100 % is: for values the window, and for gradients the one that covers the window within a reference length. */
 export interface PatchUnits {
   readonly window: readonly [number, number];
   readonly steepest: number;
 }
 
 /**
- * Read a transfer function of value and gradient: `box low high low high colour opacity`, values before gradients, and
+ * Reads a transfer function of value and gradient: `box low high low high colour opacity`, values before gradients, and
  * `gaussian value gradient width width colour opacity`, separated by commas.
  *
  * Values are data units or percentages of the window. Gradients are data units per world unit, or percentages of the window along a
  * reference length.
- * @returns an empty list for a text of blanks
+ * @returns an empty list if the text is blank
  * @throws {VolumeViewError} `transfer-function/syntax`: the message names the patch
  */
 export function parsePatches(text: string, units: PatchUnits): readonly Patch[] {
@@ -47,7 +47,7 @@ function parsePatch(part: string, number: number, units: PatchUnits): Patch {
 
 const expected = { box: 'the lowest and the highest value, the lowest and the highest gradient', gaussian: 'a value, a gradient, the width in values and the width in gradients' } as const;
 
-/** Of what is read, for messages. */
+/** The patch that is being read, for messages, and its units. */
 interface Place {
   readonly where: string;
   readonly units: PatchUnits;

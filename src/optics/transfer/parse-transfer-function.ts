@@ -3,23 +3,23 @@ import { parseCssColor } from './css-color.ts';
 import { largestValue } from './transfer-function.ts';
 import type { Stop, TransferFunction } from './transfer-function.ts';
 
-/** Maximum number of stops: far more than a person or an editor writes. Bounded, because attributes come from strangers. */
+/** Maximum number of stops: far more than a person or an editor writes. There is a limit because strangers may write attributes. */
 const maxStops = 1024;
 
-/** Longest text: so many stops, each with a colour in the longest notation. */
+/** Longest text: the largest number of stops, each with a colour in the longest notation. */
 const maxLength = 2 ** 17;
 
-/** Longest colour, and longest number. */
+/** The largest length of a colour or a number. */
 export const maxWord = 200;
 
 /**
- * Read the stops of a transfer function: `value colour opacity, ...`, for instance
+ * Reads the stops of a transfer function: `value colour opacity, ...`, for instance
  * `-600 #000 0, 150 rgb(200 90 60) 2%, 400 white 0.6`.
  *
  * A value is a number in data units, or a percentage of the window; a colour is any CSS colour (its own alpha
  * multiplies the opacity); an opacity is 0 to 1, or a percentage, per reference length. Values must not fall; two
  * stops with the same value make a jump.
- * @param window - data values that 0 % and 100 % mean
+ * @param window - the data values of 0 % and 100 %
  * @throws {VolumeViewError} `transfer-function/syntax`: the message names the stop
  */
 export function parseTransferFunction(text: string, window: readonly [number, number]): TransferFunction {
@@ -54,12 +54,12 @@ function parseStop(part: string, number: number, window: readonly [number, numbe
 }
 
 /**
- * A plain decimal number, possibly with an exponent; without what Number() also takes (hex, blanks, Infinity). Each sign can
- * be read in one way only, or long texts would take very long.
+ * A plain decimal number, possibly with an exponent. Number() also accepts hex, blanks and Infinity; this does not. Each character can
+ * match in only one way, or long texts would take very long.
  */
 const decimal = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 
-/** @returns null for what is no number, in data units or percent of a window */
+/** @returns null if the word is no number, in data units or percent of a window */
 export function parseValue(word: string, [low, high]: readonly [number, number]): number | null {
   const percent = word.endsWith('%');
   const digits = percent ? word.slice(0, -1) : word;
@@ -70,7 +70,7 @@ export function parseValue(word: string, [low, high]: readonly [number, number])
   return Math.abs(value) < largestValue ? value : null;
 }
 
-/** @returns null for what is not 0 to 1, or 0% to 100% */
+/** @returns null if the word is not 0 to 1, or 0% to 100% */
 export function parseOpacity(word: string): number | null {
   const percent = word.endsWith('%');
   const digits = percent ? word.slice(0, -1) : word;
@@ -79,7 +79,7 @@ export function parseOpacity(word: string): number | null {
   return opacity >= 0 && opacity <= 1 ? opacity : null;
 }
 
-/** Split at a separator outside of round brackets; for a blank, at any white space. */
+/** Splits at a separator outside of round brackets; a blank stands for any white space. */
 export function splitOutsideBrackets(text: string, separator: ',' | ' '): string[] {
   const parts: string[] = [];
   let depth = 0;

@@ -4,69 +4,75 @@ import { opaqueExtinction } from './emission.ts';
 import type { Color, Premultiplied, Stop, TransferFunction } from './transfer-function.ts';
 import { mostOpacity } from './usual-columns.ts';
 
-/** A part of the plane of values (data units) by gradients (data units per world unit) that shows, in a colour. */
+/** A part of the plane of values (data units) and gradients (data units per world unit) that is visible, in one colour. */
 export type Patch = BoxPatch | GaussianPatch;
 
-/** What a patch looks like. */
+/** The appearance of a patch. */
 export interface PatchLook {
   readonly color: Color;
-  /** 0..1 per reference length; of a Gaussian in its middle. */
+  /** 0..1 per reference length; for a Gaussian, in its middle. */
   readonly opacity: number;
 }
 
-/** All between two values, and between two gradients. */
+/** Everything between two values, and between two gradients. */
 export interface BoxPatch extends PatchLook {
   readonly kind: 'box';
   readonly values: readonly [low: number, high: number];
   readonly gradients: readonly [low: number, high: number];
 }
 
-/** A bell around a value and a gradient. */
+/** A Gaussian around a value and a gradient. */
 export interface GaussianPatch extends PatchLook {
   readonly kind: 'gaussian';
   readonly value: number;
   readonly gradient: number;
-  /** Standard deviations, of values and of gradients. */
+  /** Standard deviations of values and of gradients. */
   readonly widths: readonly [ofValues: number, ofGradients: number];
 }
 
-/** Patches that are added: as many as the shader has room for. */
+/** The largest number of patches, which are added: the shader has room for this many. */
 export const maxPatches = 8;
 
-/** Standard deviations from its middle at which a Gaussian ends. It is lowered by what it has there, so that it ends without a step. */
+/**
+ * A Gaussian ends at this many standard deviations from its middle. Its value there is subtracted from it, so that it ends without a step.
+ */
 export const gaussianReach = 3;
 
-/** What is cut off the Gaussian, and what it is multiplied by, so that it is 1 in its middle. */
+/** What is subtracted from the Gaussian, and the factor after that, so that it is 1 in its middle. */
 export const gaussianFloor = Math.exp(-(gaussianReach ** 2) / 2);
 export const gaussianScale = 1 / (1 - gaussianFloor);
 
-/** Shorter ways through a Gaussian, in standard deviations, are summed up by Simpson's rule: the difference of two error functions has no digits there. */
+/**
+ * For shorter ways through a Gaussian (in standard deviations), Simpson's rule is used: the difference of two error functions would lose
+ * all digits.
+ */
 export const shortWay = 0.2;
 
-/** A place of the plane. */
+/** A place in the plane of values and gradients. */
 export type ValueAndGradient = readonly [value: number, gradient: number];
 
-/** Values outside of which a patch shows nothing. */
+/** The range of values in which a patch is visible. */
 export function spanOfPatch(patch: Patch): readonly [number, number] {
   if (patch.kind === 'box') return patch.values;
   const reach = gaussianReach * patch.widths[0];
   return [patch.value - reach, patch.value + reach];
 }
 
-/** Gradients below which a patch shows nothing. */
+/** The smallest gradient at which a patch is visible. */
 export function leastGradient(patch: Patch): number {
   return patch.kind === 'box' ? patch.gradients[0] : patch.gradient - gaussianReach * patch.widths[1];
 }
 
-/** Of patches that values may be in, whatever their gradients. */
+/** Optical depth of patches that may contain values of a range, whatever their gradients. */
 export function depthOfPatches(patches: readonly Patch[]): JumpDepth {
   const parts = patches.map((patch) => ({ span: spanOfPatch(patch), depth: extinction(Math.min(0.9999, patch.opacity)) }));
   return (low, high, length) => length * parts.reduce((sum, { span, depth }) => (low <= span[1] && high >= span[0] ? sum + depth : sum), 0);
 }
 
 /**
- * Mean of extinction times colour, and of extinction, per reference length, over a straight way through the plane: both value and gradient are
- * taken to run straight. Where patches overlap, extinctions add.
+ * Mean of extinction times colour, and of extinction, per reference length, over a straight way through the plane: value
+ * and gradient are both
+ * assumed to change linearly. Where patches overlap, extinctions add.
  * Source: Kniss, Premoze, Ikits, Lefohn, Hansen and Praun 2003. Twin: shaders/chunks/classify/patches.glsl
  */
 export function meanOverWay(patches: readonly Patch[], from: ValueAndGradient, to: ValueAndGradient): Premultiplied {
@@ -94,7 +100,7 @@ export function meanOfPatch(patch: Patch, from: ValueAndGradient, to: ValueAndGr
   return meanOfGaussian(a, b);
 }
 
-/** The share of a way that is inside. */
+/** The share of a way that lies inside the box. */
 function meanOfBox(sides: readonly (readonly [number, number])[], from: ValueAndGradient, to: ValueAndGradient): number {
   let [begin, end] = [0, 1];
   sides.forEach(([low, high], i) => {
@@ -110,7 +116,7 @@ function meanOfBox(sides: readonly (readonly [number, number])[], from: ValueAnd
   return Math.max(0, end - begin);
 }
 
-/** Of a way in standard deviations from the middle: along it the Gaussian is one of a single number. */
+/** Mean over a way, in standard deviations from the middle. Along a straight line, the Gaussian depends on one number only. */
 function meanOfGaussian(from: readonly number[], to: readonly number[]): number {
   const step = to.map((x, i) => x - from[i]);
   const length = Math.hypot(...step);
@@ -129,7 +135,10 @@ function gaussianAt([x, y]: readonly number[]): number {
   return gaussianScale * Math.max(0, Math.exp(-(x * x + y * y) / 2) - gaussianFloor);
 }
 
-/** The error function near 0, which is all that is asked for: terms of one sign. Source: NIST, Digital Library of Mathematical Functions, 7.6.2 */
+/**
+ * The error function near 0, where alone it is needed. All terms of the series have one sign.
+ * Source: NIST, Digital Library of Mathematical Functions, 7.6.2
+ */
 export function erf(x: number): number {
   let [term, sum] = [x, x];
   for (let n = 1; Math.abs(term) > 1e-17 * Math.abs(sum); n++) {
@@ -139,13 +148,13 @@ export function erf(x: number): number {
   return (2 / Math.sqrt(Math.PI)) * Math.exp(-x * x) * sum;
 }
 
-/** Stops of `outlinePatches`, from 0 % to 100 %. */
+/** Number of steps between the stops of `outlinePatches`, from 0 % to 100 %. */
 const steps = 100;
 
 /**
- * What patches show by value alone, whatever the gradient: as much as any place of that value may show, and no less. Legends, empty space and
- * planes in the picture go by it. It has a stop at each per cent, of which the outer ones are next to the patches; or next to the data, where
- * patches reach beyond them, and what they have there goes on.
+ * The largest visible effect of patches by value alone, over all gradients. Legends, empty space and planes in the picture use it.
+ * It has a stop at each percent. The outer stops lie next to the patches. If patches reach beyond the data, the outer stops lie next
+ * to the data, and the function keeps the patches' opacity there.
  * @param range - of the data
  */
 export function outlinePatches(patches: readonly Patch[], [least, most]: readonly [number, number] = [-Infinity, Infinity]): TransferFunction {
@@ -155,7 +164,8 @@ export function outlinePatches(patches: readonly Patch[], [least, most]: readonl
   const width = (high - low) / (steps - 2);
   const valueAt = (i: number): number => low + (i - 1) * width;
   return Array.from({ length: steps + 1 }, (_, i): Stop => {
-    // Neighbours' values too, as it runs straight between stops. Outside there is nothing, in the colour of what is next to it.
+    // Includes the neighbours' values, as the function is linear between stops. Outside, the opacity is 0, in the colour of the nearest
+    // stop inside.
     const inside = Math.min(steps - 1, Math.max(1, i));
     const [red, green, blue, density] = mostAmong(patches, valueAt(inside - 1), valueAt(inside + 1));
     const color: Color = density > 0 ? [red / density, green / density, blue / density] : patches[0].color;
@@ -163,7 +173,7 @@ export function outlinePatches(patches: readonly Patch[], [least, most]: readonl
   });
 }
 
-/** The most of each patch among values, added. */
+/** The largest value of each patch among values, added. */
 function mostAmong(patches: readonly Patch[], low: number, high: number): Premultiplied {
   const sum: Premultiplied = [0, 0, 0, 0];
   for (const patch of patches) {

@@ -1,10 +1,10 @@
 import { maxSubsteps } from './substep-limits.ts';
 
 /**
- * What brings a cell's code to the power of 2 into which its steps are cut: samples are no farther apart than it needs, and on a lattice
- * that halves from power to power.
- * @param voxelsPerStep - voxels of the finest axis that a step is long; 0 where cells have no say
- * @returns less than any code where they have none
+ * Add this to a cell's code to get the power of 2 of its number of substeps. Then samples are no farther apart than the cell needs, and they
+ * lie on a lattice whose spacing halves from power to power.
+ * @param voxelsPerStep - length of a step in voxels of the finest axis; 0 if cells do not matter
+ * @returns a number that makes every code negative if cells do not matter
  */
 export function powerOfSteps(voxelsPerStep: number): number {
   return voxelsPerStep > 0 ? Math.ceil(Math.log2(voxelsPerStep) - 0.01) : -maxSubsteps;

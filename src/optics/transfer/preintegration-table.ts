@@ -24,28 +24,28 @@ export interface PreintegrationTable {
   /** Data values of the centres of the first and the last column. */
   readonly low: number;
   readonly high: number;
-  /** The same for all values below and above those: for a jump at an end, the side that no column has. */
+  /** The same for all values below and above those. If there is a jump at an end, this is the side that no column has. */
   readonly first: Premultiplied;
   readonly last: Premultiplied;
 }
 
 /**
- * A peak of half a percent of the domain has ten columns. The widths of neighbouring rows differ by a fifth where a span
- * begins to be as wide as a peak of one percent.
+ * A peak of half a percent of the domain covers ten columns. Where a span is about as wide as a peak of one percent, the widths of
+ * neighbouring rows differ by a fifth.
  */
 export const preintegrationTableSize = { columns: 2048, rows: 64 } as const;
 
 /** Cells of the running integral per column. */
 const cellsPerColumn = 4;
 
-/** The running integral that a table of the usual size is made from. */
+/** The running integral from which a table of the usual size is made. */
 export function integrateForTable(transferFunction: TransferFunction, columns: number = preintegrationTableSize.columns): RunningIntegral {
   return integrateEmission(transferFunction, (columns - 1) * cellsPerColumn);
 }
 
 /**
- * Average a transfer function over spans; those of no width have the emission of their value.
- * @throws {RangeError} where the transfer function has no stop
+ * Averages a transfer function over spans. A span of width 0 has the emission of its value.
+ * @throws {RangeError} if the transfer function has no stop
  */
 export function buildPreintegrationTable(
   transferFunction: TransferFunction,
@@ -55,7 +55,7 @@ export function buildPreintegrationTable(
   const { cells, low, high, first, last } = integral;
   const texels = new Float32Array(columns * rows * 4);
   for (let column = 0; column < columns; column++) {
-    // Where there is a jump at the high end, the column there is what comes before it.
+    // If there is a jump at the high end, the last column has the emission before it.
     texels.set(emission(transferFunction, low + (high - low) * Math.min(column / (columns - 1), 1 - 2 ** -30)), column * 4);
   }
   for (let row = 1; row < rows; row++) {
@@ -76,12 +76,12 @@ export function spanOfRow(row: number, rows: number): number {
   return (row / (rows - 1)) ** 2;
 }
 
-/** The means that a table gives, sampled as the shader does it. */
+/** The means from a table, sampled as the shader samples it. */
 export function tableMeans(table: PreintegrationTable): SpanMeans {
   return { low: table.low, high: table.high, mean: (from, to) => lookUpSpan(table, from, to) };
 }
 
-/** Bilinear between texels; what of a span is outside of the table's domain counts as its ends. */
+/** Bilinear between texels. The parts of a span outside of the table's domain count as the domain's ends. */
 function lookUpSpan(table: PreintegrationTable, from: number, to: number): Premultiplied {
   const width = table.high - table.low;
   const a = (Math.min(from, to) - table.low) / width;

@@ -2,8 +2,9 @@ import { buildDefaultPreset, defaultPreset } from './default-preset.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
 /**
- * A transfer function from an attribute: a preset's name, or stops. What is no text is one already. What reads all but the default is loaded with the first.
- * @param window - data values that presets and percentages span
+ * Reads a transfer function from an attribute: a preset's name, or stops. A value that is no text is returned as it is. The code for
+ * everything but the default is loaded when it is first needed.
+ * @param window - the data values that presets and percentages span
  * @throws {VolumeViewError} `transfer-function/syntax`
  */
 export async function resolveTransferFunction(text: string | TransferFunction, window: readonly [number, number]): Promise<TransferFunction> {

@@ -15,13 +15,13 @@ export interface RunningIntegral {
 }
 
 /**
- * Sum a transfer function's emission over its domain.
- * @throws {RangeError} where the transfer function has no stop
+ * Integrates a transfer function's emission over its domain.
+ * @throws {RangeError} if the transfer function has no stop
  */
 export function integrateEmission(transferFunction: TransferFunction, cells: number): RunningIntegral {
   if (transferFunction.length === 0) throw new RangeError('integrateEmission got no stop; expected 1 or more');
   const [low, high] = domainOf(transferFunction);
-  // Stops of one value: the domain is their neighbourhood, and all of it lies on the right, as the value itself does.
+  // If all stops have one value, the domain is a neighbourhood of it and lies wholly to its right, as the value itself does.
   const single = transferFunction[0].value === transferFunction[transferFunction.length - 1].value;
   const within = single ? transferFunction.slice(-1) : transferFunction;
   const sums = new Float64Array((cells + 1) * 4);
@@ -33,14 +33,14 @@ export function integrateEmission(transferFunction: TransferFunction, cells: num
   return { sums, cells, low, high, first: emission(transferFunction, -Infinity), last: emission(transferFunction, Infinity) };
 }
 
-/** The sum up to any position, in cells; beyond the ends it continues as in the last cell, so it ignores a jump there. */
+/** The sum up to any position, in cells. Beyond the ends it continues as in the last cell, so it ignores a jump there. */
 export function sumUpTo({ sums, cells }: RunningIntegral, cell: number, c: number): number {
   const low = Math.min(cells - 1, Math.max(0, Math.floor(cell)));
   const from = sums[low * 4 + c];
   return from + (cell - low) * (sums[low * 4 + 4 + c] - from);
 }
 
-/** The sum up to any position, in cells; beyond the ends it continues with the emission there. */
+/** The sum up to any position, in cells. Beyond the ends it continues with the emission there. */
 export function sumUpToBeyond(integral: RunningIntegral, cell: number, c: number): number {
   const { cells, first, last } = integral;
   const inside = Math.min(cells, Math.max(0, cell));

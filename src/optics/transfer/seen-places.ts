@@ -7,20 +7,21 @@ import type { Volume } from '../../volume/volume.ts';
 import { evaluate, largestOpacity } from './transfer-function.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
-/** Samples that are looked at along each edge: all of a large volume would take the page too long. */
+/** The largest number of samples along each edge: all samples of a large volume would take the page too long. */
 const mostSamples = 96;
 
-/** Values of the range that are told apart. */
+/** Number of steps that the range of values is divided into. */
 const shades = 1023;
 
-/** What has less opacity than this, or than this share of the largest one, is a haze that nobody misses. */
+/** Matter with less opacity than this, or less than this share of the largest opacity, is only a haze and may be left out. */
 const haze = { opacity: 0.005, share: 0.03 };
 
 /**
- * Places around all that a look shows of a volume: the ends of what is seen in rows of voxels, as far as they are corners of a slice's outline. Of a radar, whose gates lie in no
- * rows, those of its macrocells.
+ * Places around everything that is visible of a volume with a transfer function: the ends of the visible parts of rows of voxels, if they
+ * are corners of a slice's outline. A radar's
+ * gates do not lie in rows, so its macrocells are used.
  * @param shown - a box along the world's axes, or the volume's own grid
- * @returns world coordinates; none where nothing is seen
+ * @returns world coordinates; an empty list if nothing is visible
  */
 export function findSeenPlaces(volume: Volume, look: TransferFunction, shown: GridFrame): Vector3[] {
   const { grid, samples, macrocells, slope, intercept, range: [least, most] } = volume;
@@ -35,7 +36,7 @@ export function findSeenPlaces(volume: Volume, look: TransferFunction, shown: Gr
   const isSeen = Uint8Array.from({ length: shades + 1 }, (_, i) => Number(evaluate(look, least + i * width)[3] >= visible));
   const shadeOf = (stored: number): number => Math.round((slope * stored + intercept - least) / width);
   const [scale, zero] = [slope / width, (intercept - least) / width];
-  const showsVoxel = (at: number): boolean => isSeen[Math.round(scale * samples[at] + zero)] === 1; // NaN has none.
+  const showsVoxel = (at: number): boolean => isSeen[Math.round(scale * samples[at] + zero)] === 1; // NaN gives undefined.
   const showsCell = (at: number): boolean => {
     if (!(cells.low[at] <= cells.high[at])) return false; // no data
     const [a, b] = [shadeOf(cells.low[at]), shadeOf(cells.high[at])];
@@ -68,7 +69,10 @@ export function findSeenPlaces(volume: Volume, look: TransferFunction, shown: Gr
   return places;
 }
 
-/** One side of a slice: of places that come by ascending y, those that are corners of the convex outline of all. No others are farthest out in any direction. */
+/**
+ * One side of a slice's convex outline. Places are added by ascending y; the corners of the outline are kept. Only these can be farthest
+ * out in any direction.
+ */
 class Outline {
   readonly corners: (readonly [x: number, y: number])[] = [];
 

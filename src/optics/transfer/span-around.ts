@@ -1,5 +1,5 @@
-/**
- * A span of values around one, where all are the same: half a unit to both sides, and more where numbers are so large that
+/** A span of values around one value, if all values are the same: half a unit to both sides, or more if numbers are so large that
+ * half a unit would be lost to rounding.
  * half a unit would be lost.
  */
 export function spanAround(value: number): [low: number, high: number] {

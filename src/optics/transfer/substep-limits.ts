@@ -10,5 +10,5 @@ export const substepsPerRoot = 28;
 /** Texels of the table of substeps, see optics/transfer/substep-table.ts */
 export const substepTableSize = { columns: 256, rows: 32 } as const;
 
-/** Share of the transfer function's domain that the table covers; beyond it, nothing nearby could change. */
+/** Share of the transfer function's domain that the table covers. Beyond it, no nearby value changes anything. */
 export const substepTableDomain = { from: -0.25, to: 1.25 } as const;

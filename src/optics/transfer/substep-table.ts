@@ -3,11 +3,11 @@ import type { RunningIntegral } from './running-integral.ts';
 import { substepTableDomain, substepTableSize } from './substep-limits.ts';
 
 /**
- * How much may be visible on a step, by the values at its ends: this decides how many substeps it gets. Column: the middle
+ * How much may be visible on a step, by the values at its ends. This decides how many substeps it gets. Column: the middle
  * of the two values; row: the square root of their distance, as in the pre-integration table; nearest texel.
  */
 export interface SubstepTable {
-  /** Shape [rows, columns]: cube root of the opacity of a voxel's length at values around those at the ends, in 1/255. */
+  /** Shape [rows, columns]: cube root of the opacity of a voxel's length, for values around those at the ends, in 1/255. */
   readonly texels: Uint8Array<ArrayBuffer>;
   /** Data values of the centres of the first and the last column. */
   readonly low: number;
@@ -15,8 +15,8 @@ export interface SubstepTable {
 }
 
 /**
- * How far values on a step may lie outside of those at its ends: a share of the span between the ends, plus a share of
- * the transfer function's domain, for extrema of the value.
+ * How far values on a step may lie outside of those at its ends. It is a share of the span between the ends, plus a share of
+ * the transfer function's domain, because values may have extrema on the step.
  */
 export const reachBeyond = { ofSpan: 0.5, ofDomain: 0.03 } as const;
 

@@ -1,2 +1,2 @@
-/** More surfaces do not fit the shader. */
+/** The shader has room for at most this many surfaces. */
 export const maxSurfaces = 4;

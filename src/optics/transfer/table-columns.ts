@@ -2,20 +2,20 @@ import { domainOf } from './emission.ts';
 import { mostOpacity } from './usual-columns.ts';
 import type { Stop, TransferFunction } from './transfer-function.ts';
 
-/** Columns of the pre-integration table: as many as bring the stops of a usual transfer function onto columns. */
+/** Range of the number of columns of the pre-integration table: enough to place the stops of a usual transfer function on columns. */
 const fewest = 1024;
 const most = 2048;
 
-/** Stops that differ are at least this share of the domain apart: 10 to 20 columns. */
+/** Different stops are at least this share of the domain apart: 10 to 20 columns. */
 const narrowest = 0.01;
 
-/** What a kink between two columns may change of the opacity there, relative. Along any ray that is below 1/510. */
+/** A kink between two columns may change the opacity there by at most this, relative. Along any ray, the effect is below 1/510. */
 const invisible = 4e-3;
 
 /**
- * How many columns the pre-integration table needs to hold a transfer function, so that each value looks as it should
- * even where much of a ray has that value: kinks have to be on columns. Null where none does: with jumps, narrow pieces,
- * opacities near 1, or stops that are on no columns.
+ * The number of columns that the pre-integration table needs to hold a transfer function. Kinks must lie on columns, so that each value
+ * appears as it should even if much of a ray has that value. Null if no number fits: with jumps, narrow pieces,
+ * opacities near 1, or stops that lie on no columns.
  */
 export function findColumns(stops: TransferFunction): number | null {
   const [low, high] = domainOf(stops);

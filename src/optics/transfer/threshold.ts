@@ -1,30 +1,32 @@
 import type { ShareMap, StoredValues } from './share-map.ts';
 
 /**
- * Relative error of what a GPU makes of a stored number that is constant around a place: four units in the last place.
- * Measured: one.
+ * Relative error of a stored number that is constant around a place, as a GPU computes it: four units in the last place.
+ * Measured: one unit.
  */
 const rounding = 2 ** -22;
 
-/** A stored number is one that a sample can be if it is this near to it, relative: float32 does not tell them apart. */
+/** A sample can have a stored number if it is this near to it, relative: float32 cannot distinguish them. */
 const sameNumber = 1e-6;
 
-/** And which numbers can be stored. */
+/** Stored values, and which numbers can be stored. */
 export interface StoredSamples extends StoredValues {
   /** Whole numbers only, else any float32. */
   readonly whole: boolean;
 }
 
-/** Where a data value lies among the shares that a GPU computes. */
+/** The place of a data value among the shares that a GPU computes. */
 export interface Threshold {
   readonly share: number;
-  /** Where the GPU passes from before it to it and what is above: beside it by what rounding may do to a constant. */
+  /**
+   * Where the GPU changes from the values below to this value and those above. It is beside `share` by what rounding may do to a constant.
+   */
   readonly edge: number;
 }
 
 /**
- * As on the CPU a sample of just that value is on the right side: where one can be, the edge lies a few units in the
- * last place below it. Where slope and intercept bring it below the value by rounding, it is on the left there and here.
+ * A sample of exactly that value must be on the right side, as on the CPU. If such a sample can occur, the edge lies a few units in the
+ * last place below it. If slope and intercept bring it below the value by rounding, it is on the left side on both.
  */
 export function placeThreshold(values: StoredSamples, { from, scale }: ShareMap, value: number): Threshold {
   const stored = (value - values.intercept) / values.slope;

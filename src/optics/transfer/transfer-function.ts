@@ -11,28 +11,28 @@ export interface Stop {
 }
 
 /**
- * Stops in ascending order of value. Between two stops colour and opacity are interpolated premultiplied, as CSS
- * gradients are; outside they stay at the first and the last stop. Two stops of one value make a jump.
+ * Stops in ascending order of value. Between two stops, colour and opacity are interpolated premultiplied, as in CSS
+ * gradients. Outside, they stay at those of the first and the last stop. Two stops of one value make a jump.
  */
 export type TransferFunction = readonly Stop[];
 
-/** Values that authors write are nearer to 0: sums and products of them have to be numbers. */
+/** Values from authors must be smaller than this, so that their sums and products are finite. */
 export const largestValue = 1e300;
 
 /** Red, green, blue (premultiplied by alpha) and alpha, each 0..1. */
 export type Premultiplied = [number, number, number, number];
 
-/** How strongly the light of a sample counts: the paper's two global factors. */
+/** How strongly the light of a sample counts: the two global factors of the paper. */
 export interface OpticalFactors {
-  /** Multiplies the extinction; 1 leaves it. */
+  /** Multiplies the extinction; 1 changes nothing. */
   readonly opacityFactor: number;
-  /** Multiplies the colour, which saturates at white; 1 leaves it. */
+  /** Multiplies the colour, which saturates at white; 1 changes nothing. */
   readonly lightFactor: number;
 }
 
 /**
  * Colour and opacity per reference length at a data value.
- * At a jump the later stop counts, so that the function is continuous from the right.
+ * At a jump the later stop counts, so the function is continuous from the right.
  */
 export function evaluate(transferFunction: TransferFunction, value: number): Premultiplied {
   const last = transferFunction.length - 1;
@@ -48,14 +48,14 @@ export function evaluate(transferFunction: TransferFunction, value: number): Pre
   return evaluateBetween(transferFunction[low], transferFunction[high], value);
 }
 
-/** The same, of a value between two stops that follow each other. */
+/** The same for a value between two stops that follow each other. */
 export function evaluateBetween(from: Stop, to: Stop, value: number): Premultiplied {
   const t = (value - from.value) / (to.value - from.value);
   const [a, b] = [from.opacity, to.opacity];
   return [mix(from.color[0] * a, to.color[0] * b, t), mix(from.color[1] * a, to.color[1] * b, t), mix(from.color[2] * a, to.color[2] * b, t), mix(a, b, t)];
 }
 
-/** The largest opacity of all values; some number above 0 where nothing is seen. */
+/** The largest opacity of all values; a tiny number above 0 if nothing is visible. */
 export function largestOpacity(transferFunction: TransferFunction): number {
   return transferFunction.reduce((largest, { opacity }) => Math.max(largest, opacity), 1e-30);
 }

@@ -1,13 +1,13 @@
 import { domainOf } from './emission.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
-/** Columns of the table that holds usual transfer functions: each per cent of the domain is on one. */
+/** Number of columns of the table for usual transfer functions: each percent of the domain lies on one. */
 export const usualColumns = 2001;
 
-/** Above this the logarithm's pole is near, and no table is fine enough. */
+/** Above this opacity, the logarithm's pole is so near that no table is fine enough. */
 export const mostOpacity = 0.95;
 
-/** Whether a transfer function is no trouble to the table: all stops are at whole per cents of its domain, none at another's. */
+/** Whether the usual table can hold a transfer function: all stops lie at whole percents of its domain, and no two at the same value. */
 export function isUsual(stops: TransferFunction): boolean {
   const [low, high] = domainOf(stops);
   return stops.every(({ value, opacity }, i) => {

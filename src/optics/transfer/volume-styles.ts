@@ -1,7 +1,7 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 import { fogFlat, fogMaterial } from './lights.ts';
 
-/** How a shaded volume takes light, as X3D's Material says it; colours are shares of what the transfer function gives. */
+/** How a shaded volume reflects light, with the fields of X3D's Material. Colours are factors of the transfer function's colours. */
 export interface StyleMaterial {
   readonly ambient: number;
   readonly diffuse: Vector3;
@@ -10,74 +10,74 @@ export interface StyleMaterial {
   readonly shininess: number;
 }
 
-/** A change of values, and the factor that it gives opacities. */
+/** A steepness of the change of values, and the factor of the opacity there. */
 export type GradientStop = readonly [steepness: number, factor: number];
 
-/** One of X3D's styles that compose, by what its formula reads. */
+/** One of X3D's composable styles, with the fields that its formula needs. */
 export type VolumeStyle =
   | { readonly kind: 'boundary'; readonly retained: number; readonly boundary: number; readonly power: number }
-  /** The attribute `gradient-opacity`: |grad f|, in data units per world unit, and factors, straight lines between stops. Ascending. */
+  /** The attribute `gradient-opacity`: |grad f|, in data units per world unit, and factors; linear between stops. Ascending. */
   | { readonly kind: 'gradient'; readonly stops: readonly GradientStop[] }
   | { readonly kind: 'silhouette'; readonly retained: number; readonly boundary: number; readonly sharpness: number }
   | { readonly kind: 'edge'; readonly color: Vector3; readonly threshold: number }
   | { readonly kind: 'cartoon'; readonly parallel: Vector3; readonly orthogonal: Vector3; readonly steps: number }
   | { readonly kind: 'tone'; readonly cool: Vector3; readonly warm: Vector3 }
-  /** A material of null leaves what faces the headlight its own colour. */
+  /** If the material is null, what faces the headlight keeps its own colour. */
   | { readonly kind: 'shaded'; readonly material: StyleMaterial | null };
 
 const gray = (x: number): Vector3 => [x, x, x];
 
-/** That of `shading="lit"`, as X3D would say it. */
+/** The material of `shading="lit"`, in X3D's fields. */
 const fog: StyleMaterial = { ambient: fogMaterial.ambient / fogMaterial.diffuse, diffuse: gray(fogMaterial.diffuse), specular: gray(fogMaterial.specular), emissive: gray(0), shininess: fogMaterial.shininess };
 
-/** Styles that act one after the other, and what share of the picture they are. */
+/** Styles that act one after the other, and their share of the picture. */
 export interface StyleChain {
   readonly weight: number;
   readonly styles: readonly VolumeStyle[];
 }
 
-/** A view that is lit is lit last, where no style of its own lights it. */
+/** Adds the light of a lit view at the end of each chain, unless a style already adds light. */
 export function withLight(chains: readonly StyleChain[]): readonly StyleChain[] {
   const isLit = chains.some(({ styles }) => styles.some(({ kind }) => kind === 'shaded'));
   return isLit ? chains : chains.map(({ weight, styles }) => ({ weight, styles: [...styles, { kind: 'shaded', material: fog }] }));
 }
 
-/** Of a flat change, what counts as flat: where only the opacity is changed beside it, light is that of lit fog. */
+/** Factor of the change that counts as flat. If other styles change only the opacity, light is that of lit fog. */
 export function flatOf(chains: readonly StyleChain[]): number {
   const isFog = chains.every(({ styles }) => styles.every((one) => one.kind === 'gradient' || one.kind === 'boundary' || (one.kind === 'shaded' && one.material === fog)));
   return isFog ? fogFlat : 1;
 }
 
-/** Chains that are added: two where styles are blended. */
+/** The largest number of chains, which are added: two if styles are blended. */
 export const maxChains = 2;
 
-/** What styles do at a place: to a colour, c' = gain c + more, and to the opacity of a reference length. */
+/** The effect of styles at a place: on a colour, c' = gain c + more; and on the opacity of a reference length. */
 export interface Styled {
   readonly gain: Vector3;
   readonly more: Vector3;
   readonly opacity: number;
 }
 
-/** What the formulas read of a place. */
+/** What the formulas need to know of a place. */
 export interface StyledPlace {
   /** |n . v| */
   readonly facing: number;
-  /** n . l, the mean of all lights. */
+  /** The mean of n . l over all lights. */
   readonly towards: number;
-  /** |grad f|: change along a reference length, as a share of what the transfer function spans. */
+  /** |grad f|: the change along a reference length, as a share of the transfer function's span. */
   readonly change: number;
-  /** How much of a surface it is: 0 where the field is flat, or next to a cut. */
+  /** How much the place counts as a surface: 0 where the field is flat, or next to a cut. */
   readonly weight: number;
 }
 
-/** Entries of a row of the table, and rows of a chain. */
+/** Number of entries in a row of the table, and of rows for a chain. */
 export const styleColumns = 256;
 export const styleRows = 4;
 
-/** The largest change that the table tells from larger ones. */
+/** The largest change that the table distinguishes; larger ones count as this. */
 const mostChange = 16;
 
-/** Cosines over which an edge of a colour is drawn, on either side. */
+/** The range of cosines on either side over which a colour's edge is blended. */
 const softEdge = 0.02;
 
 const ofOpacity: readonly string[] = ['boundary', 'silhouette', 'gradient'];
@@ -85,10 +85,11 @@ const ofOpacity: readonly string[] = ['boundary', 'silhouette', 'gradient'];
 type OfFacing = Extract<VolumeStyle, { kind: 'edge' | 'cartoon' }>;
 
 /**
- * All styles of a chain as functions of one number each, in four rows: what comes of a colour by n . l (-1 to 1), then by |n . v| (0 to 1)
- * before and after light, each as colour to add and share to keep; and the factors of the opacity: by |n . v|, by the change, and by the
- * change as a share of `gradientReach`.
- * What stands before a style that sets the colour anew says nothing.
+ * All styles of a chain as functions of one number each, in four rows. Three rows change the colour: by n . l (-1 to 1), then by |n . v|
+ * (0 to 1) before and after light; each entry has a colour to add and the share to keep. One row has the factors of the opacity: by |n .
+ * v|, by
+ * the change, and by the change as a share of `gradientReach`.
+ * Styles before one that replaces the colour have no effect.
  */
 export function buildStyleTable(styles: readonly VolumeStyle[]): Float64Array {
   const ofColor = styles.filter(({ kind }) => !ofOpacity.includes(kind));
@@ -111,27 +112,27 @@ export function buildStyleTable(styles: readonly VolumeStyle[]): Float64Array {
   return table;
 }
 
-/** The light on a chain that counts: that after which no style sets the colour anew; undefined where there is none. */
+/** The light of a chain that counts: no style after it replaces the colour. Undefined if there is none. */
 export function shadedOf(styles: readonly VolumeStyle[]): Extract<VolumeStyle, { kind: 'shaded' }> | undefined {
   return styles.slice(lastTone(styles) + 1).find((one) => one.kind === 'shaded');
 }
 
-/** -1 where there is none. */
+/** -1 if there is none. */
 function lastTone(styles: readonly VolumeStyle[]): number {
   return styles.map(({ kind }) => kind).lastIndexOf('tone');
 }
 
-/** Factor of the opacity where nothing faces anywhere. */
+/** Factor of the opacity where the field is flat and has no direction. */
 export function flatFactor(styles: readonly VolumeStyle[]): number {
   return styles.reduce((product, one) => (one.kind === 'silhouette' ? product * one.retained : product), 1);
 }
 
-/** Whether a colour has edges, at which a ray's picture is known to a part of a step. */
+/** Whether the colour has edges. With edges, a ray's picture is exact only to a part of a step. */
 export function hasEdges(styles: readonly VolumeStyle[]): boolean {
   return styles.some(({ kind }) => kind === 'edge' || kind === 'cartoon');
 }
 
-/** Where in its row a change stands: half of it is below one. */
+/** The place of a change in its row of the table. About half of the row is for changes below 1. */
 export function shareOfChange(change: number): number {
   return Math.min(1, ((1 + mostChange) / mostChange) * (change / (1 + change)));
 }
@@ -151,7 +152,7 @@ function boundaryFactor(styles: readonly VolumeStyle[], change: number): number 
   return styles.reduce((product, one) => (one.kind === 'boundary' ? product * (one.retained + one.boundary * change ** one.power) : product), 1);
 }
 
-/** The steepness from which on factors stay the same, in data units per world unit; 0 where no style asks for it. */
+/** The steepness from which on factors are constant, in data units per world unit; 0 if no style uses it. */
 export function gradientReach(styles: readonly VolumeStyle[]): number {
   return styles.reduce((reach, one) => Math.max(reach, one.kind === 'gradient' ? reachOfStops(one.stops) : 0), 0);
 }
@@ -159,7 +160,7 @@ export function gradientReach(styles: readonly VolumeStyle[]): number {
 function reachOfStops(stops: readonly GradientStop[]): number {
   const [, last] = stops[stops.length - 1];
   const [at] = stops.find((_, i) => stops.slice(i).every(([, factor]) => factor === last))!;
-  // Of a factor that is everywhere the same any reach will do.
+  // If a factor is the same everywhere, any reach will do.
   return at || 1;
 }
 
@@ -168,7 +169,7 @@ function gradientFactor(styles: readonly VolumeStyle[], steepness: number): numb
   return styles.reduce((product, one) => (one.kind === 'gradient' ? product * factorAt(one.stops, steepness) : product), 1);
 }
 
-/** Linear between stops, the same before the first and from the last on. */
+/** Linear between stops; constant before the first and from the last on. */
 function factorAt(stops: readonly GradientStop[], steepness: number): number {
   const next = stops.findIndex(([at]) => at > steepness);
   if (next <= 0) return stops[next === 0 ? 0 : stops.length - 1][1];
@@ -176,7 +177,7 @@ function factorAt(stops: readonly GradientStop[], steepness: number): number {
   return low + ((steepness - from) / (to - from)) * (high - low);
 }
 
-/** What several styles make of a colour: what is added, and the share that stays. */
+/** The joint effect of several styles on a colour: what is added, and the share that stays. */
 function chainColors(styles: readonly OfFacing[], facing: number): readonly number[] {
   return styles.reduce<readonly number[]>((sum, one) => {
     const [red, green, blue, kept] = one.kind === 'edge' ? edgeColors(one, facing) : [...cartoonColor(one, facing), 0];
@@ -190,10 +191,10 @@ function edgeColors({ color, threshold }: Extract<VolumeStyle, { kind: 'edge' }>
   return [...color.map((x) => share * x), 1 - share];
 }
 
-/** Places of a step's edge at which it is looked up, so that it is as soft as that of an edge. */
+/** Places around a step's edge whose colours are averaged, so that it is as soft as the edge of an edge style. */
 const edgePlaces = Array.from({ length: 9 }, (_, i) => (softEdge * (i - 4)) / 4);
 
-/** So many colours from that of what faces the eye to that of what is seen from the side, by even angles. */
+/** A number of colours from that of surfaces facing the eye to that of surfaces seen from the side, at equal steps of the angle. */
 function cartoonColor({ parallel, orthogonal, steps }: Extract<VolumeStyle, { kind: 'cartoon' }>, facing: number): Vector3 {
   const ends = alignHues(toHsv(parallel), toHsv(orthogonal));
   const sum = [0, 0, 0];
@@ -206,7 +207,7 @@ function cartoonColor({ parallel, orthogonal, steps }: Extract<VolumeStyle, { ki
   return sum as unknown as Vector3;
 }
 
-/** A gray has the hue of the other colour, black its saturation too; hues run the shorter way. */
+/** A gray gets the hue of the other colour, and black also its saturation. Hues change along the shorter way. */
 function alignHues([h0, s0, v0]: Vector3, [h1, s1, v1]: Vector3): [Vector3, Vector3] {
   const [first, second] = [s0 === 0 ? h1 : h0, s1 === 0 ? h0 : h1];
   const turn = second - first > 0.5 ? -1 : second - first < -0.5 ? 1 : 0;
@@ -217,7 +218,7 @@ function mix(a: Vector3, b: Vector3, share: number): Vector3 {
   return a.map((x, i) => x + share * (b[i] - x)) as unknown as Vector3;
 }
 
-/** Hue, saturation and value, 0 to 1 each. */
+/** Hue, saturation and value, each 0 to 1. */
 export function toHsv([red, green, blue]: Vector3): Vector3 {
   const most = Math.max(red, green, blue);
   const range = most - Math.min(red, green, blue);

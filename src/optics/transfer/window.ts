@@ -1,22 +1,22 @@
 import type { Histogram } from '../../volume/histogram.ts';
 import { spanAround } from './span-around.ts';
 
-/** The subject's median lies at this share of the window or above: where a few voxels are far brighter than the rest, they are white. */
+/** The subject's median lies at this share of the window or above. So if a few voxels are far brighter than the rest, they are white. */
 const usualShare = 0.5;
 
 /**
- * The data range in which a volume's subject lies, from its histogram: from where the background (air, nothing)
- * ends to where all but a few bright voxels are below.
+ * The data range in which a volume's subject lies, from its histogram. It begins where the background (air, nothing)
+ * ends, and it ends above all but a few bright voxels.
  *
  * Otsu's threshold separates the background from the subject: the value that splits the histogram into the two
- * classes that differ the most. The window begins a little below it, so that the subject's skin is in.
+ * classes that differ the most. The window begins a little below it, so that it includes the subject's skin.
  * @returns [low, high] in data units, low < high
  * Source: Otsu, *A threshold selection method from gray-level histograms*, 1979
  */
 export function windowFromHistogram(histogram: Histogram): [number, number] {
   const { low, high, counts } = histogram;
   if (!(high > low)) return spanAround(low);
-  // In this order, as the width times a bin may be more than a number holds.
+  // Divide first: the width times a bin may be larger than any float.
   const toValue = (bin: number) => low + (high - low) * (bin / counts.length);
   const threshold = otsuBin(counts);
   const subject = counts.subarray(threshold);
@@ -26,7 +26,7 @@ export function windowFromHistogram(histogram: Histogram): [number, number] {
   return [toValue(start), toValue(Math.max(top, threshold + 1))];
 }
 
-/** First bin of the upper class of Otsu's threshold. */
+/** The first bin of the upper class by Otsu's threshold. */
 export function otsuBin(counts: Uint32Array): number {
   let total = 0;
   let moment = 0;
@@ -52,7 +52,7 @@ export function otsuBin(counts: Uint32Array): number {
   return best;
 }
 
-/** The bin at which a share of all counts is reached. */
+/** The bin at which the sum of counts reaches a share of all. */
 function percentileBin(counts: Uint32Array, share: number): number {
   let total = 0;
   for (const count of counts) total += count;

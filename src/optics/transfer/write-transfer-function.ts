@@ -1,7 +1,7 @@
 import type { Color, TransferFunction } from './transfer-function.ts';
 
 /**
- * The text of an attribute that parseTransferFunction reads as these stops: values to a ten-thousandth of what the stops
+ * Writes stops as the text of an attribute that parseTransferFunction reads: values to a ten-thousandth of the stops'
  * span (or finer), colours to 1/255, opacities to four digits.
  */
 export function writeTransferFunction(stops: TransferFunction): string {
@@ -18,7 +18,7 @@ export function writeColor(color: Color): string {
   return `#${color.map((channel) => Math.round(channel * 255).toString(16).padStart(2, '0')).join('')}`;
 }
 
-/** Decimals that tell ten thousand values of a span apart; null for no span at all. */
+/** Number of decimals that distinguish ten thousand values of a span; null if the span is 0. */
 function decimalsFor(span: number): number | null {
   return span > 0 ? Math.min(20, Math.max(0, 4 - Math.floor(Math.log10(span)))) : null;
 }
