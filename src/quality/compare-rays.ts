@@ -1,33 +1,36 @@
 import type { PixelLattice } from '../optics/rays/rays.ts';
 import type { PixelRectangle } from './place-probes.ts';
 
-/** Rays of a picture at rest, as the GPU drew them and in float64 on the processor: how far they are apart. */
+/** The result of a comparison: rays of a picture at rest as the GPU drew them, and the same rays in float64 on the processor. */
 export interface PictureCheck {
-  /** How many were compared, spread over what can be seen, each time elsewhere. */
+  /** Number of rays that were compared. They are spread over the visible volume, at other places each time. */
   readonly rays: number;
-  /** Of these, rays at an edge: moved by a thousandth of a pixel, or with values rounded in the last digit, they show something else. They are not counted in `off` and `max`. */
+  /**
+   * Of these, rays at an edge: if they move by a thousandth of a pixel, or values are rounded differently in the last digit, they show
+   * something else. `off` and `max` do not include them.
+   */
   readonly edges: number;
-  /** Of the others, those that differ by more than 2/255 in a channel. */
+  /** Number of the other rays that differ by more than 2/255 in a channel. */
   readonly off: number;
-  /** Largest difference of a channel, 1/255, edges left out. */
+  /** Largest difference of a channel, in 1/255, without edges. */
   readonly max: number;
-  /** Whether the GPU draws as it should: at most one ray in twenty is off. */
+  /** Whether the GPU draws correctly: at most one ray in twenty is off. */
   readonly agrees: boolean;
 }
 
-/** Differences that are rounding, 1/255. */
+/** Differences up to this are rounding, in 1/255. */
 const tolerance = 2;
 
-/** Of rays that are off, the share that says nothing of the GPU. */
+/** Up to this share of rays may be off although the GPU draws correctly. */
 const forgiven = 1 / 20;
 
-/** Rays that the GPU draws so that some of them meet something. */
+/** About this many rays are drawn by the GPU, so that some of them meet something. */
 const drawnRays = 400;
 
-/** Rays that are cast on the processor, where they meet something and where they do not. */
+/** Number of rays that are cast on the processor: of those that show something, and of those that do not. */
 const castRays = { shown: 20, empty: 4 } as const;
 
-/** The rays that the GPU draws for a check: evenly over a rectangle of pixels, beginning anywhere. @param random - 0..1 */
+/** Places the rays that the GPU draws for a check: evenly over a rectangle of pixels, from a random place on. @param random - 0..1 */
 export function placeChecks({ left, bottom, width, height }: PixelRectangle, random: () => number): PixelLattice {
   const stride = Math.max(1, Math.round(Math.sqrt((width * height) / drawnRays)));
   const along = (pixels: number): { first: number; count: number } => {
@@ -39,9 +42,9 @@ export function placeChecks({ left, bottom, width, height }: PixelRectangle, ran
 }
 
 /**
- * Which of the drawn rays are cast on the processor: some of those that show something, some of the others, each spread over all of its kind.
+ * Chooses the drawn rays that are cast on the processor: some that show something and some that do not, each spread over all of its kind.
  * @param picture - RGBA of the rays, premultiplied
- * @returns their numbers
+ * @returns the numbers of the rays
  */
 export function chooseChecks(picture: Float32Array, random: () => number): number[] {
   const kinds = { shown: [] as number[], empty: [] as number[] };
@@ -54,38 +57,38 @@ export function chooseChecks(picture: Float32Array, random: () => number): numbe
   });
 }
 
-/** A ray, or one that is all but the same. */
+/** A ray, or one that is almost the same. */
 export interface RayVariant {
-  /** It runs so many pixels beside. */
+  /** The ray is moved by this, in pixels. */
   readonly shift: readonly [x: number, y: number];
-  /** Other last digits of all values: one way for each number, none for 0. */
+  /** All values get other last digits: each number stands for one way to change them; 0 changes nothing. */
   readonly digits: number;
 }
 
-/** The ray itself. */
+/** The unchanged ray. */
 const itself: RayVariant = { shift: [0, 0], digits: 0 };
 
-/** A thousandth of a pixel to each side, and eight ways to round values. */
+/** The ray moved by a thousandth of a pixel to each side, and eight ways to round values. */
 const variants: readonly RayVariant[] = [
   ...([[1e-3, 0], [-1e-3, 0], [0, 1e-3], [0, -1e-3]] as const).map((shift) => ({ shift, digits: 0 })),
   ...Array.from({ length: 8 }, (_, i) => ({ ...itself, digits: i + 1 })),
 ];
 
-/** How one ray compares: its largest difference, 1/255, and whether it hangs by a thread. */
+/** How one ray compares: its largest difference, in 1/255, and whether it lies at an edge. */
 export interface RayDifference {
   readonly apart: number;
   readonly isEdge: boolean;
 }
 
 /**
- * Compare one ray.
+ * Compares one ray.
  * @param drawn - RGBA, premultiplied, 0..1, by the GPU
  * @param cast - the ray in float64, or one of its variants
  */
 export function compareRay(drawn: ArrayLike<number>, cast: (variant: RayVariant) => readonly number[]): RayDifference {
   const own = cast(itself);
   const apart = 255 * differ(own, drawn);
-  // That a GPU draws no number at all is nothing that an edge explains.
+  // An edge cannot explain that a GPU draws NaN.
   if (apart <= tolerance || Number.isNaN(apart)) return { apart: Number.isNaN(apart) ? Infinity : apart, isEdge: false };
   const isEdge = variants.some((variant) => 255 * differ(cast(variant), own) > tolerance / 2);
   return { apart, isEdge };

@@ -1,25 +1,31 @@
-/**
- * How far a picture is from its converged limit, in 1/255 of the full range, over the pixels that the volume covers: what
+/** How far a picture is from its converged limit, in 1/255 of the full range. Only pixels that the volume covers count,
+ * not those around it.
  * lies around it does not count.
  */
 export interface PictureError {
   /** Root mean square over those pixels and the four premultiplied channels. */
   readonly rms: number;
-  /** 99 % of them differ by no more than this in any channel. */
+  /** 99 % of these pixels differ by at most this in any channel. */
   readonly p99: number;
-  /** None is expected to differ by more. null where no bound is known, as a ray that only just misses what is opaque may be off by all of it: `probed` says what there is to say. */
+  /**
+   * No pixel is expected to differ by more. null if no bound is known: a ray that only just misses opaque matter may be wrong by the full
+   * range. Then see `probed`.
+   */
   readonly max: number | null;
-  /** The largest difference of the rays that were probed. */
+  /** The largest difference of the probed rays. */
   readonly probed: number;
-  /** Their number, of those that met something; 0 where none of them is more than faint: then nothing is to be seen. That no more than 3 / `rays` of all pixels differ by more than `probed` is true with 95 % confidence. */
+  /**
+   * Number of probed rays that met something; 0 if all of them are faint, so that nothing is visible. With 95 % confidence, at most a
+   * share of 3 / `rays` of all pixels differs by more than `probed`.
+   */
   readonly rays: number;
 }
 
-/** An estimate from some of a picture's rays. */
+/** An error estimate from some of a picture's rays. */
 export interface ErrorEstimate extends Pick<PictureError, 'rms' | 'p99'> {
   /** The largest difference of these rays. */
   readonly max: number;
-  /** 99.9 % of the pixels differ by no more than this in any channel; where `isRare`, with 95 % confidence. */
+  /** 99.9 % of the pixels differ by at most this in any channel; if `isRare`, this holds with 95 % confidence. */
   readonly p999: number;
   /** The order with which the picture converges: halving the step divides the error by 2^order. */
   readonly order: number;
@@ -27,14 +33,14 @@ export interface ErrorEstimate extends Pick<PictureError, 'rms' | 'p99'> {
   readonly discretization: number;
   /** Share of the rays that met something. */
   readonly coverage: number;
-  /** Their number; 0 where all of them are too faint to be seen. */
+  /** Their number; 0 if all of them are too faint to be visible. */
   readonly covered: number;
 }
 
-/** Of a picture, one pixel in a thousand may be off by this many times what `max-error` allows. */
+/** One pixel in a thousand may be off by more than `max-error` times this. */
 export const fewPixelsFactor = 8;
 
-/** What `max-error` limits: the root mean square, and an eighth of what all but one pixel in a thousand keep. */
+/** The error that `max-error` limits: the root mean square or, if larger, an eighth of the error that 99.9 % of the pixels keep. */
 export function keptError({ rms, p999 }: Pick<ErrorEstimate, 'rms' | 'p999'>): number {
   return Math.max(rms, p999 / fewPixelsFactor);
 }
@@ -42,16 +48,16 @@ export function keptError({ rms, p999 }: Pick<ErrorEstimate, 'rms' | 'p999'>): n
 /** Orders outside of this range are noise: the scheme has second order, and half an order where rays graze a jump. */
 const orders: readonly [number, number] = [0.5, 2.5];
 
-/** From this order on errors fall evenly, and the limit can be extrapolated. */
+/** From this order on, errors fall regularly, and the limit can be extrapolated. */
 const even = 1;
 
-/** Smaller differences (of 1) are float rounding and say nothing about the order. */
+/** Smaller differences (of 1) are float rounding and show nothing about the order. */
 const noise = 2e-6;
 
-/** Opacities below this round to nothing. Pixels that have no more would dilute what is wrong in others, as around a cloud that fades. */
+/** Opacities below this are rounded to 0. Pixels with no more than that would dilute the errors of others, as around a cloud that fades. */
 const visible = 0.5 / 255;
 
-/** A picture without any pixel of a larger opacity shows nothing: so little contrast nobody sees. */
+/** If no pixel has a larger opacity, a picture shows nothing: nobody sees so little contrast. */
 export const faint = 2 / 255;
 
 /** A picture, and the same rays with finer and finer steps: RGBA, premultiplied, 0..1. */
@@ -61,18 +67,19 @@ export interface ProbedPictures {
   readonly middle: ArrayLike<number>;
   /** Half the step of `middle`. */
   readonly fine: ArrayLike<number>;
-  /** Whether `middle` has half the step of `shown`, so that the three tell the order. */
+  /** Whether `middle` has half the step of `shown`, so that the three pictures give the order. */
   readonly isEven: boolean;
-  /** Whether few of all pixels may be off by much, of which these are a sample, as at the edges of what is opaque. */
+  /** Whether a few of all pixels may be off by much, as at the edges of opaque matter. The probed pixels are a sample of them. */
   readonly isRare?: boolean;
 }
 
-/** In one of so many cases what is said with confidence may be wrong. */
+/** The share of cases in which a statement with confidence may be wrong. */
 const doubt = 0.05;
 
 /**
- * Of a sample of pixels, that one from the largest on which is no less than what all but a share of all keep, with 95 % confidence: so many of that share are in
- * the sample, as rare things are (Poisson). Where the sample is too small for that it is the largest.
+ * For a sample of pixels, the rank from the largest down. With 95 % confidence, the error at this rank is at least what all pixels except
+ * a share keep.
+ * The number of rare pixels in a sample has a Poisson distribution. If the sample is too small, the rank is that of the largest.
  */
 function rankFor(share: number, count: number): number {
   const mean = share * count;
@@ -86,9 +93,9 @@ function rankFor(share: number, count: number): number {
 }
 
 /**
- * Estimate the error of a picture from pictures of the same rays with finer steps. Their differences give the order of
- * convergence, and with it the limit is extrapolated from the finest picture (Richardson 1911). Where the order is below
- * one, rays graze jumps, each at steps of its own: then errors of finer steps are added as independent ones are.
+ * Estimates the error of a picture from pictures of the same rays with finer steps. Their differences give the order of
+ * convergence; with it, the limit is extrapolated from the finest picture (Richardson 1911). If the order is below
+ * one, rays graze jumps, each at other steps. Then the errors of finer steps are added as independent errors.
  */
 export function estimateError({ shown, middle, fine, isEven, isRare = false }: ProbedPictures): ErrorEstimate {
   const first = rmsDifference(shown, middle);
@@ -130,13 +137,13 @@ export function estimateError({ shown, middle, fine, isEven, isRare = false }: P
   };
 }
 
-/** Whether nothing is to be seen of what is in a picture, 0..1. */
+/** Whether nothing in a picture (0..1) is visible. */
 function isFaint(picture: ArrayLike<number>): boolean {
   for (let alpha = 3; alpha < picture.length; alpha += 4) if (Math.round(picture[alpha] * 255) > 255 * faint) return false;
   return true;
 }
 
-/** Pixels of which 8 bits show something in one of the pictures; where there is none, those that are not empty. */
+/** Pixels that are visible with 8 bits in one of the pictures; if there is none, those that are not empty. */
 function coverOf(pictures: readonly ArrayLike<number>[]): (alpha: number) => boolean {
   const reaches = (least: number) => (alpha: number): boolean => pictures.some((picture) => picture[alpha] >= least);
   const isSeen = reaches(visible);

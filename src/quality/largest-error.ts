@@ -11,23 +11,23 @@ import type { Waiting } from '../core/waiting.ts';
 import { keptError } from './error-estimate.ts';
 import type { ErrorEstimate, PictureError } from './error-estimate.ts';
 
-/** The largest error of all pixels may be so many times that of the probed ones. */
+/** The largest error of all pixels may be this many times that of the probed ones. */
 const unseen = 2;
 
-/** A bound of all that there is, 0..1, to the last byte: nothing is known then. */
+/** A bound of this size, 0..1, covers the full range to the last byte, so nothing is known. */
 const everything = 1 - 1 / 255;
 
-/** What is said of a picture's error. */
+/** The error that is reported for a picture. */
 export interface StatedError {
   readonly error: PictureError;
-  /** Whether it is within what is asked. */
+  /** Whether the error is within the limit. */
   readonly isKept: boolean;
 }
 
 /**
- * The error that is stated: what probes found, and as the largest, what they could have missed. Where no probe met the
- * volume although something of it can be seen, nothing else is known: then the error is taken for as large as that, and kept only where that is.
- * @param bound - of `boundMissed`, 0..1; it holds for all views. 0 where nothing is in sight
+ * The error that is reported: what the probes found and, as the largest error, what they could have missed. If no probe met the
+ * volume although part of it is visible, nothing else is known: then the bound is reported as the error, and it must be within the limit.
+ * @param bound - from `boundMissed`, 0..1; it holds for all views. 0 if nothing is visible
  * @param maxError - 1/255, see `keptError`
  */
 export function stateError(estimate: ErrorEstimate, bound: number, maxError: number): StatedError {
@@ -39,9 +39,9 @@ export function stateError(estimate: ErrorEstimate, bound: number, maxError: num
 }
 
 /**
- * How much brighter or darker, 0..1, a single thing between two samples could make a pixel: the most of all cells in which
- * something can be seen. It bounds what no probe has met.
- * @param codes - which of `detailCodes` each cell is sampled with; one sample a voxel where absent
+ * How much brighter or darker, 0..1, a single thing between two samples could make a pixel: the largest value of all cells in which
+ * something is visible. It bounds what no probe has met.
+ * @param codes - which of `detailCodes` each cell is sampled with; if absent, one sample per voxel
  */
 export function* seekMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null): Waiting<number> {
   const missable = measureMissable(seen, 'among');
@@ -61,12 +61,14 @@ export function boundMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint
   return atOnce(seekMissed(seen, samplesAVoxel, codes));
 }
 
-/** What 8 bits leave, 0..1. */
+/** The rounding error of 8 bits, 0..1. */
 const rounding = 0.5 / 255;
 
 /**
- * How far off, 0..1, a pixel may be that shows one value of its ray. Samples miss a value by no more than values are off the straight lines between
- * them; its colour changes by no more than the transfer function does over so much. Where it jumps, the last digits of a value decide.
+ * The largest error, 0..1, of a pixel that shows one value of its ray. Samples miss a value by at most its distance from the straight
+ * lines between
+ * them, and its colour changes by at most the transfer function's change over that distance. Where the function jumps, the last digits of
+ * a value decide.
  * @param samplesAVoxel - on a ray
  */
 export function boundProjected({ volume: { macrocells, slope }, transferFunction }: SeenVolume, { isExact, hasValuesBetween }: ProjectedRays, samplesAVoxel: number): number {
@@ -75,7 +77,7 @@ export function boundProjected({ volume: { macrocells, slope }, transferFunction
   return Math.max(rounding, changeWithin(transferFunction, apart));
 }
 
-/** How far a value may be from those that samples have, stored units. @param hasValuesBetween - labels have no straight lines between them */
+/** How far a value may be from those of samples, in stored units. @param hasValuesBetween - labels have no straight lines between them */
 function missedBetween({ low, high, roughness }: Macrocells, samplesAVoxel: number, hasValuesBetween: boolean): number {
   let apart = 0;
   for (let cell = 0; cell < low.length; cell++) {
@@ -86,11 +88,12 @@ function missedBetween({ low, high, roughness }: Macrocells, samplesAVoxel: numb
   return apart;
 }
 
-/** The largest change of a channel over so much of the values, where the largest opacity counts as 1. */
+/** The largest change of a channel if the value changes by up to `apart`. The largest opacity counts as 1. */
 function changeWithin(transferFunction: TransferFunction, apart: number): number {
   const largest = largestOpacity(transferFunction);
   const at = (value: number): Premultiplied => evaluate(transferFunction, value);
-  // The largest change of straight lines begins or ends at a stop; a stop at which they jump is itself, and what is just below it.
+  // The largest change of a piecewise linear function begins or ends at a stop. A jump counts with its own value and with the value just
+  // below it.
   const stops = transferFunction.map(({ value, color: [red, green, blue], opacity }) => ({ value, seen: [red * opacity, green * opacity, blue * opacity, opacity] as Premultiplied }));
   let change = 0;
   for (const [i, { value, seen }] of stops.entries()) {

@@ -5,25 +5,26 @@ import { maxAutoSteps } from './steps.ts';
 
 /** How finely the rays of a picture are sampled. */
 export interface Level {
-  /** Along the longest ray. */
+  /** Number of steps along the longest ray. */
   readonly steps: number;
-  /** The most that a step is cut into where much may be seen on it. */
+  /** The largest number of substeps that a step is cut into where much may be visible. */
   readonly substeps: number;
 }
 
 /**
- * Steps as a multiple of one a voxel, and the most substeps of each. Steps are cut by what is at their ends only where twice and four times as many are
- * not enough: these take less time and leave less, see docs/benchmark.md.
+ * Steps as a multiple of one per voxel, and the largest number of substeps of each. Steps are cut by the samples at their ends only if
+ * two and four times as many steps
+ * are not enough: more steps take less time and leave smaller errors, see docs/benchmark.md.
  */
 const shares: readonly (readonly [number, number])[] = [[1, 1], [2, 1], [4, 1], [1, maxSubsteps], [2, maxSubsteps], [4, maxSubsteps]];
 
-/** Where voxels are few there is one more level: no more steps than pictures of large volumes have at the one before. */
+/** A volume with few voxels has one more level, as long as it needs no more steps than large volumes have at the level before. */
 const finest = { share: 8, most: 2048 } as const;
 
 /**
- * The levels that a picture at rest is chosen from, from the coarsest on. None crosses a voxel without a sample: what is
- * small would be missed by all rays alike, and no probe of them could tell.
- * @param oneAVoxel - steps along the longest ray of one a voxel
+ * The levels from which one is chosen for a picture at rest, from the coarsest on. Each takes a sample in every voxel: else all rays
+ * would miss small things alike, and no probe could show that.
+ * @param oneAVoxel - number of steps along the longest ray with one per voxel
  * @param cutsSteps - whether substeps make any difference
  */
 export function listLevels(oneAVoxel: number, cutsSteps = true): Level[] {
@@ -32,12 +33,12 @@ export function listLevels(oneAVoxel: number, cutsSteps = true): Level[] {
   return levels.filter(({ steps, substeps }, i) => levels.findIndex((one) => one.steps === steps && one.substeps === substeps) === i);
 }
 
-/** Of a single thing so many times `max-error` may be lost by the bound, which is far from reached: see docs/accuracy.md. */
+/** By the bound, a single thing may lose this many times `max-error`. Real losses are far below the bound: see docs/accuracy.md. */
 const lostPerError = 10;
 
 /**
- * How the steps of a level are cut: as it says, and cells in which a thing could be lost as finely as it takes.
- * @param oneAVoxel - steps along the longest ray of one a voxel, more than there may be among them
+ * How the steps of a level are cut: by the level's substeps and, in cells where a thing could be lost, as finely as needed.
+ * @param oneAVoxel - number of steps along the longest ray with one per voxel; it may be above the largest number allowed
  * @param maxError - 1/255
  */
 export function cutSteps({ steps, substeps }: Level, oneAVoxel: number, maxError: number): Substeps {

@@ -1,6 +1,6 @@
 import type { PixelLattice } from '../optics/rays/rays.ts';
 
-/** Pixels of a picture: the first across and up, and how many. */
+/** Pixels of a picture: the first one across and up, and how many there are. */
 export interface PixelRectangle {
   readonly left: number;
   readonly bottom: number;
@@ -8,40 +8,46 @@ export interface PixelRectangle {
   readonly height: number;
 }
 
-/** One pixel in so many is probed: with its step, half of it and a quarter that is a twelfth of the picture's own samples. */
+/** One pixel in this many is probed. With its own step, half of it and a quarter, a probe takes a twelfth of the picture's own samples. */
 const pixelsPerProbe = 85;
 
-/** Probes of a picture, at least and at most: few tell nothing of one pixel in a thousand, many take long. */
+/** Smallest and largest number of probes of a picture: with few, nothing is known of one pixel in a thousand; many take long. */
 const counts: readonly [number, number] = [1024, 4096];
 
-/** So many probes tell the error of what they meet; where the volume covers few pixels more are placed, as those that miss it cost little. */
+/**
+ * This many covered probes give the error of what they meet. If the volume covers few pixels, more probes are placed: those that miss it
+ * cost little.
+ */
 const enoughCovered = 256;
 
-/** So many tell of one pixel in a thousand: with less, none of these is among them in more than one of twenty cases. Where things are opaque these are much of the error. */
+/**
+ * This many covered probes include one pixel in a thousand: with fewer, they miss all such pixels in more than one of twenty cases. If
+ * matter is opaque, these pixels are much of the error.
+ */
 const enoughOpaque = 3000;
 
-/** More are not placed. */
+/** At most this many probes are placed. */
 const mostProbes = 2 ** 16;
 
-/** How many times as many probes are wanted, if so many of all met something: 1 where they are enough. */
+/** The factor by which the number of probes should grow, if so many of all met something; 1 if they are enough. */
 export function moreProbes(covered: number, all: number, isOpaque = false): number {
   return Math.max(1, Math.min((isOpaque ? enoughOpaque : enoughCovered) / Math.max(1, covered), mostProbes / all));
 }
 
-/** So few pixels are all probed where one of them may be much of the error. */
+/** A picture with at most this many pixels is probed at all of them if one may be much of the error. */
 const allOf = 2 ** 14;
 
-/** How much longer the second lattice's edges are: no distance is a multiple of both, so that no pattern hides from both. */
+/** The second lattice's cells are longer by this many pixels. So no distance is a multiple of both, and no pattern is missed by both. */
 const longer = 3;
 
-/** Where in its first cell each lattice begins, across and up: anywhere but at the same place. */
+/** Where in its first cell each lattice begins, across and up: any two different places. */
 const begins: readonly (readonly [number, number])[] = [[0.31, 0.77], [0.83, 0.19]];
 
 /**
- * The pixels by which a picture is probed, all in a rectangle: two lattices of different distances, or every pixel.
+ * The pixels at which a picture is probed, all in a rectangle: two lattices with different distances, or every pixel.
  * @param isOpaque - whether a single voxel may hide what is behind it: a ray that grazes it is much of a small picture's
  *   error, and a lattice seldom meets it
- * @param times - so many as usual, see `moreProbes`
+ * @param times - factor of the usual number, see `moreProbes`
  */
 export function placeProbes({ left, bottom, width, height }: PixelRectangle, isOpaque: boolean, times = 1): PixelLattice[] {
   if (isOpaque && width * height <= allOf) return [{ stride: 1, first: [left, bottom], width, height }];
@@ -60,22 +66,26 @@ export function placeProbes({ left, bottom, width, height }: PixelRectangle, isO
   });
 }
 
-/** So few probes that met something may have met one thing of several: then all pixels are looked at. */
+/** If fewer probes than this met something, they may have met only one of several things. Then all pixels are tested. */
 const fewCovered = 64;
 
-/** Boxes of pixels that are probed one by one, at the most. */
+/** The largest number of boxes of pixels that are probed one by one. */
 const mostBoxes = 32;
 
-/** Pixels along each side of the squares by which boxes are found; doubled until there are few enough. */
+/** Side in pixels of the squares by which boxes are found. It is doubled until there are few enough boxes. */
 const leastSquare = 16;
 
-/** Whether all pixels have to be looked at to find what there is to see. @param lattices - of `placeProbes` @param covered - of their probes, how many met something */
+/**
+ * Whether all pixels must be tested to find what is visible.
+ * @param lattices - from `placeProbes`
+ * @param covered - number of their probes that met something
+ */
 export function isWorthSearch(lattices: readonly PixelLattice[], covered: number): boolean {
   return covered < fewCovered && lattices.some(({ stride }) => stride > 1);
 }
 
 /**
- * Where few pixels show something, all of these are probed, or so many of those around them as there may be probes.
+ * Places probes at all visible pixels if there are few, or at as many of the pixels around them as the limit allows.
  * @param shown - pixels that show something, across and up
  */
 export function placeAround(shown: readonly (readonly [x: number, y: number])[]): PixelLattice[] {
@@ -86,7 +96,7 @@ export function placeAround(shown: readonly (readonly [x: number, y: number])[])
   return boxes.map(({ left, bottom, width, height }) => ({ stride, first: [left, bottom], width: Math.ceil(width / stride), height: Math.ceil(height / stride) }));
 }
 
-/** The bounds of the pixels in each square of a picture that has some. */
+/** The bounds of the visible pixels in each square of a picture that has some. */
 function boxBySquares(pixels: readonly (readonly [number, number])[], square: number): PixelRectangle[] {
   const boxes = new Map<string, [left: number, bottom: number, right: number, top: number]>();
   for (const [x, y] of pixels) {

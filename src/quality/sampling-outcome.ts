@@ -1,14 +1,14 @@
-/** What a picture costs and loses if pixels get their own rays only where its curvature is above a limit. */
+/** The cost and the error of a picture in which pixels get their own rays only where its curvature is above a limit. */
 export interface SamplingOutcome {
-  /** The largest second difference between every second pixel that is interpolated over, 1/255; 0 where all get a ray. */
+  /** Pixels are interpolated if the second difference between every second pixel is at most this, in 1/255; 0 if all get a ray. */
   readonly maxCurvature: number;
-  /** Rays cast, as a share of those of the whole picture; above 1 if so little is saved that the tests cost more. */
+  /** Number of rays cast, as a share of those of the whole picture; above 1 if the tests cost more than they save. */
   readonly share: number;
-  /** What they take of the time of all rays, where that was measured: graphics processors differ. As the share where absent. */
+  /** The time they take, as a share of that of all rays, if it was measured: graphics processors differ. If absent, it equals the share. */
   readonly cost?: number;
-  /** What interpolation leaves, RMS, 1/255. */
+  /** The error of interpolation, RMS, 1/255. */
   readonly error: number;
 }
 
-/** No pixel is interpolated. */
+/** Every pixel has its ray; none is interpolated. */
 export const allRays: SamplingOutcome = { maxCurvature: 0, share: 1, error: 0 };

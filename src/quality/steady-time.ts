@@ -1,18 +1,18 @@
-/** Frames whose waits are remembered: pages change. */
+/** Number of frames whose waits are kept: older ones do not count, because pages change. */
 const kept = 8;
 
 /**
- * What a frame usually takes. The clock of one frame says little about it: the page collects garbage, the machine has
- * other work, and the page learns some milliseconds late that the GPU has finished.
+ * The usual time of a frame. The clock time of one frame says little about it: the page collects garbage, the machine has
+ * other work, and the page gets the notice that the GPU has finished some milliseconds late.
  */
 export class SteadyTime {
-  /** What the last frames took besides the GPU's time, ms. */
+  /** The time of the last frames in addition to the GPU's time, ms. */
   #waits: number[] = [];
 
   /**
-   * @param ms - of one frame, from the call to the GPU being seen to have finished
-   * @param gpuMs - the GPU's share of it; null if not known
-   * @returns the GPU's time and what frames take besides, the median of the last eight; never more than the clock's
+   * @param ms - of one frame, from the call until the page sees that the GPU has finished
+   * @param gpuMs - the GPU's share of it; null if it is not known
+   * @returns the GPU's time, plus the median of the last eight frames' additional time; at most the clock time
    */
   of(ms: number, gpuMs: number | null): number {
     if (gpuMs === null) return ms;

@@ -1,8 +1,8 @@
-/** What drawing costs: T = a + b w, with w the pixels times the steps along the longest ray. */
+/** The time of drawing: T = a + b w, where w is the number of pixels times the steps along the longest ray. */
 export interface TimeModel {
-  /** ms that every frame takes, however little is drawn. */
+  /** Time in ms that every frame takes, however little is drawn. */
   readonly a: number;
-  /** ms for each pixel and step. */
+  /** Time in ms for each pixel and step. */
   readonly b: number;
 }
 
@@ -10,25 +10,25 @@ export interface TimeModel {
 export interface FrameTime {
   /** Pixels times steps. */
   readonly work: number;
-  /** From the call to the GPU having finished. */
+  /** From the call until the GPU has finished. */
   readonly ms: number;
 }
 
-/** Frames that the model is fitted to: views change, and old frames describe other views. */
+/** Number of frames that the model is fitted to: views change, and old frames describe other views. */
 const kept = 8;
 
-/** A frame of another size is kept for so many frames: with one size alone, a and b cannot be told apart. */
+/** A frame of another size is kept for this many frames: with one size alone, a and b cannot be separated. */
 const keptOfOtherSizes = 120;
 
 /** The largest share of a frame's time that may count as independent of what is drawn. */
 const maxFixed = 0.8;
 
-/** Sizes are the same within a factor of about two. */
+/** Sizes count as the same if they differ by at most a factor of about two. */
 function sizeOf({ work }: FrameTime): number {
   return Math.round(Math.log2(work));
 }
 
-/** Fits the model while frames are drawn. */
+/** Fits the time model while frames are drawn. */
 export class FrameTimer {
   #frames: FrameTime[] = [];
   /** The latest frame of each size, and its number. */
@@ -48,7 +48,7 @@ export class FrameTimer {
     this.#bySize.set(sizeOf(frame), { frame, number: ++this.#number });
   }
 
-  /** Another volume or transfer function: old times say nothing about new ones. */
+  /** Call this for another volume or transfer function: old times say nothing about the new one. */
   forget(): void {
     this.#frames = [];
     this.#bySize.clear();
@@ -56,8 +56,8 @@ export class FrameTimer {
 }
 
 /**
- * Least squares of relative errors, so that short frames count as much as long ones.
- * @returns null without frames; if all have one size, all time is assumed to grow with the work
+ * Fits by least squares of relative errors, so that short frames count as much as long ones.
+ * @returns null without frames; if all have one size, the time is assumed to be proportional to the work
  */
 export function fitTimes(frames: readonly FrameTime[]): TimeModel | null {
   if (frames.length === 0) return null;

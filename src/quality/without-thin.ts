@@ -1,19 +1,22 @@
 import type { Pixels } from '../optics/rays/between-pixels.ts';
 
-/** A pixel on each side of another. */
+/** The offsets of one pixel on each side of another. */
 type Sides = readonly [from: number, to: number];
 
 /**
- * About what a picture would be without the lines and points at which rays end: in their place is what lies on both sides of them,
- * across or down, wherever that is nearer. Lattices of adaptive ray sampling are drawn without them.
- * @param jumps - of the quads of all its pixels, see findThin of optics/rays/depth-jumps.ts: it is in the second channel
+ * Approximates a picture without the lines and points that end rays. They are replaced by an interpolation between the pixels on both
+ * sides, across or down, whichever are nearer. Lattices of adaptive ray sampling are drawn without lines and points.
+ * @param jumps - for the quads of all its pixels, see findThin of optics/rays/depth-jumps.ts: the second channel has its result
  */
 export function withoutThin(picture: Pixels, jumps: Pixels): Pixels {
   const { width, height } = picture;
   const data = Uint8Array.from(picture.data);
   const isThin = (x: number, y: number): boolean =>
     ((jumps.data[4 * ((y >> 1) * jumps.width + (x >> 1)) + 1] / 17) & (1 << ((x & 1) + 2 * (y & 1)))) !== 0;
-  /** The nearest others along an axis, as numbers of pixels away; that on one side where there is none on the other, 0 where there is none at all. */
+  /**
+   * Offsets of the nearest pixels along an axis that are not thin. If there is none on one side, both are that of the other side; if there
+   * is none at all, both are 0.
+   */
   const lookAlong = (isOther: (away: number) => boolean, back: number, forth: number): Sides => {
     let [from, to] = [-1, 1];
     while (from >= -back && !isOther(from)) from--;
@@ -36,7 +39,7 @@ export function withoutThin(picture: Pixels, jumps: Pixels): Pixels {
   return { data, width, height };
 }
 
-/** How far they are from each other; farther than any where they are on one side, or nowhere. */
+/** The distance between both pixels; Infinity if they are on one side only, or there are none. */
 function reach([from, to]: Sides): number {
   return from < to ? to - from : Infinity;
 }
