@@ -1,9 +1,9 @@
 import type { Vector3 } from '../volume/matrix.ts';
 
-/** Least and greatest x, and y. */
+/** Smallest and largest x, and the same for y. */
 export type Rectangle = readonly [x: readonly [number, number], y: readonly [number, number]];
 
-/** The parts of a line from point to point that lie above a rectangle, in its order. */
+/** The parts of a polyline that lie above a rectangle, in the polyline's order. */
 export function clipLine(line: readonly Vector3[], rectangle: Rectangle): Vector3[][] {
   const parts: Vector3[][] = [];
   let isOpen = false;
@@ -19,7 +19,7 @@ export function clipLine(line: readonly Vector3[], rectangle: Rectangle): Vector
   return parts;
 }
 
-/** Where a straight line enters and leaves, as shares of it: J. Liang and B. Barsky, 1984. Null where it stays outside. */
+/** Where a straight line enters and leaves a rectangle, as shares of the line: J. Liang and B. Barsky, 1984. Null if it stays outside. */
 function spanInside(from: Vector3, to: Vector3, rectangle: Rectangle): [number, number] | null {
   let [enter, leave] = [0, 1];
   for (const axis of [0, 1] as const) {

@@ -7,15 +7,15 @@ import type { Statistics } from '../volume/statistics.ts';
 import type { PolarVolume } from '../volume/volume.ts';
 import { beamToLocal } from './polar-geometry.ts';
 
-/** Where the gates of a radial are: metres along the ground's arc, and above the antenna. */
+/** The places of a radial's gates, in metres: along the ground's arc, and above the antenna. */
 interface Profile {
   readonly arcs: Float64Array;
   readonly heights: Float64Array;
 }
 
 /**
- * Statistics of the gates whose middles are inside a solid.
- * @param solid - in local metres: east, north, and above the antenna. A step of the generator is a radial.
+ * Statistics of the gates whose middles lie inside a solid.
+ * @param solid - in local metres: east, north, and above the antenna. The generator yields after each radial.
  */
 export function* sumUpGates({ grid: { sweeps, earthRadius }, samples, slope, intercept }: PolarVolume, solid: Solid): Generator<void, Statistics> {
   const tally = new Tally();
@@ -49,8 +49,8 @@ function profileOf({ firstGate, gateLength, gates }: Sweep, elevation: number, e
 }
 
 /**
- * The three edges of what a radar sees as one at a place: a gate along the beam, and across it from radial to radial and the beam's
- * width up. Metres in local coordinates.
+ * The three edges of the volume that a radar resolves at a place: a gate along the beam, the distance between radials around, and the beam's
+ * width upward. Metres in local coordinates.
  */
 export function edgesOfGate({ grid: { sweeps, beamWidth } }: Pick<PolarVolume, 'grid'>, [x, y, z]: Vector3): readonly Vector3[] {
   const arc = Math.hypot(x, y);
@@ -67,7 +67,10 @@ export function edgesOfGate({ grid: { sweeps, beamWidth } }: Pick<PolarVolume, '
   ];
 }
 
-/** Degrees from radial to radial: the median, as a sector has a gap, and may go across north. @param single - where there is one radial */
+/**
+ * Degrees between neighbouring radials. It is the median, because a sector has a gap and may cross north.
+ * @param single - the result for a single radial
+ */
 function spacingOf(azimuths: Float64Array, single: number): number {
   const gaps = azimuths.map((azimuth, i) => (i + 1 < azimuths.length ? azimuths[i + 1] : azimuths[0] + 360) - azimuth).filter((gap) => gap <= 180);
   gaps.sort();

@@ -4,7 +4,7 @@ import { placeFromEarth } from './place-from-earth.ts';
 import type { EarthPoint } from './place-on-earth.ts';
 import { meanEarthRadius } from './polar-geometry.ts';
 
-/** Coasts and borders around a radar, at the height of its antenna: world coordinates, from point to point. */
+/** Coasts and borders around a radar, at the height of its antenna: polylines in world coordinates. */
 export interface GroundMap {
   readonly coasts: readonly (readonly Vector3[])[];
   readonly borders: readonly (readonly Vector3[])[];
@@ -12,11 +12,11 @@ export interface GroundMap {
 
 const radians = Math.PI / 180;
 
-/** Metres: a quarter of the way around the Earth. Beyond it straight pieces of this map go through what they should go around. */
+/** Metres: a quarter of the way around the Earth. Beyond it, the map's straight pieces would cut through the area they should go around. */
 const farthest = (Math.PI / 2) * meanEarthRadius;
 
 /**
- * The map around a radar, as far as its last ring. It is Natural Earth's of 1:50 million, whose lines are some kilometres off.
+ * The map around a radar, up to its last ring. It is Natural Earth's map of 1:50 million, whose lines are some kilometres off.
  * @param reach - metres along the ground
  */
 export function buildGroundMap(radar: EarthPoint, reach: number): GroundMap {
@@ -24,7 +24,7 @@ export function buildGroundMap(radar: EarthPoint, reach: number): GroundMap {
   return { coasts: cut(coasts), borders: cut(borders) };
 }
 
-/** Points of a line, degrees: "encoded polyline" as Google's maps have it. */
+/** The points of a line, in degrees. The text is an "encoded polyline" of Google Maps. */
 export function readLine(text: string): EarthPoint[] {
   const points: EarthPoint[] = [];
   let at = 0;
@@ -45,7 +45,7 @@ export function readLine(text: string): EarthPoint[] {
   return points;
 }
 
-/** The parts of a line that are within a radar's reach. */
+/** The parts of a line that lie within a radar's reach. */
 function cutLine(line: readonly EarthPoint[], radar: EarthPoint, reach: number): Vector3[][] {
   if (!comesNear(line, radar, reach)) return [];
   const parts: Vector3[][] = [];
@@ -65,7 +65,7 @@ function cutLine(line: readonly EarthPoint[], radar: EarthPoint, reach: number):
   return parts;
 }
 
-/** Whether a line's points are in the zone of latitudes that the reach touches: most are not, and cost no sine. */
+/** Whether a line's points lie in the zone of latitudes that the reach touches. Most lines do not, and this test needs no sine. */
 function comesNear(line: readonly EarthPoint[], { latitude }: EarthPoint, reach: number): boolean {
   const zone = reach / meanEarthRadius / radians;
   let [low, high] = [Infinity, -Infinity];
@@ -73,7 +73,7 @@ function comesNear(line: readonly EarthPoint[], { latitude }: EarthPoint, reach:
   return low <= latitude + zone && high >= latitude - zone;
 }
 
-/** Where a straight piece is within a circle around 0, as shares of it; null where it is outside. */
+/** The part of a straight piece that lies within a circle around 0, as shares of the piece; null if it is outside. */
 function spanInside([x, y]: readonly [number, number], [toX, toY]: readonly [number, number], radius: number): [number, number] | null {
   const [dx, dy] = [toX - x, toY - y];
   const a = dx * dx + dy * dy;

@@ -5,32 +5,32 @@ import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
 import { countUpTo, elevationAt, radialsAround, widestGap } from './sweep-elevations.ts';
 import type { PolarVolume, Samples } from '../volume/volume.ts';
 
-/** Gates of less weight take no part: what rounding makes of 0 must not tell whether there is a fold. */
+/** Gates with a smaller weight do not count: a 0 that rounding has changed must not decide whether there is a fold. */
 const minWeight = 1e-6;
 
-/** A gate around a point. */
+/** A gate next to a point. */
 interface Corner {
-  /** Stored; NaN for no data. */
+  /** Stored value; NaN if there is no data. */
   readonly value: number;
   readonly weight: number;
   /** Of the gate among the samples. */
   readonly index: number;
 }
 
-/** Stored values of a polar volume at points of its unit cube; NaN for no data. */
+/** Stored values of a polar volume at points of its unit cube; NaN if there is no data. */
 export function polarSampler({ samples, grid }: Pick<PolarVolume, 'samples' | 'grid'>): (p: Vector3) => number {
   return (p) => interpolatePolar(samples, grid, unitToLocal(grid.box, p));
 }
 
 /**
- * Interpolation in range, azimuth and elevation between the eight gates around a point, linear in each. Gates without
- * data take no part: the others' weights are scaled up, and where they make up less than half there is no data. Across a
- * fold of the velocity the gate with the greatest weight stands alone.
+ * Interpolates in range, azimuth and elevation between the eight gates around a point, linear in each. Gates without
+ * data are left out, and the weights of the others are scaled up; if these make up less than half, there is no data. Across a
+ * fold of the velocity, the gate with the largest weight counts alone.
  *
- * Data end half a gate before the first and after the last gate, and half a beam below the lowest and above the highest
- * sweep; up to there the outermost values hold. So it is on both sides of a gap between sweeps that is wider than `widestGap`.
+ * Data end half a gate before the first gate and after the last, and half a beam below the lowest sweep and above the highest.
+ * Up to there, the outermost values continue. The same holds on both sides of a gap between sweeps that is wider than `widestGap`.
  * @param local - metres east and north along the ground, and above the antenna
- * @returns stored value, or NaN for no data
+ * @returns stored value, or NaN if there is no data
  */
 export function interpolatePolar(samples: Samples, grid: PolarGrid, local: Vector3): number {
   return interpolateBeam(samples, grid, localToBeam(local, grid.earthRadius));
@@ -41,7 +41,7 @@ export function interpolateBeam(samples: Samples, grid: PolarGrid, beam: BeamPoi
   return blend(cornersAround(samples, grid, beam), grid.foldFrom ?? Infinity);
 }
 
-/** The same at a range and an azimuth of one sweep, whose neighbours take no part. */
+/** The same at a range and an azimuth of one sweep, without its neighbours. */
 export function interpolateSweep(samples: Samples, grid: PolarGrid, sweep: number, beam: BeamPoint): number {
   return blend(cornersInSweep(samples, grid.sweeps[sweep], beam, 1), grid.foldFrom ?? Infinity);
 }
@@ -54,7 +54,7 @@ function blend(corners: readonly Corner[], foldFrom: number): number {
     if (Number.isNaN(value) || weight < minWeight) continue;
     low = Math.min(low, value);
     high = Math.max(high, value);
-    // As differences from the heaviest so far: what is constant stays so to the last digit.
+    // Summed as differences from the heaviest gate so far, so that a constant stays exact to the last digit.
     const base = heaviest?.value ?? value;
     sum += weight * (value - base);
     weights += weight;
@@ -70,8 +70,8 @@ function blend(corners: readonly Corner[], foldFrom: number): number {
 }
 
 /**
- * The gate that has data and counts most at a place.
- * @returns its index among the samples; -1 where there is none
+ * The gate with data that has the largest weight at a place.
+ * @returns its index among the samples; -1 if there is none
  */
 export function nearestGate(samples: Samples, grid: PolarGrid, beam: BeamPoint): number {
   let nearest: Corner | null = null;
@@ -98,7 +98,7 @@ interface Neighbour {
   readonly at: number;
 }
 
-/** The nearest sweeps below and above a place, by the elevations that they have at its azimuth. */
+/** The nearest sweeps below and above a place, by their elevations at its azimuth. */
 function weighSweeps({ sweeps, beamWidth }: PolarGrid, { azimuth, elevation }: BeamPoint): WeighedSweep[] {
   let below: Neighbour | null = null;
   let above: Neighbour | null = null;
@@ -115,7 +115,7 @@ function weighSweeps({ sweeps, beamWidth }: PolarGrid, { azimuth, elevation }: B
   return near.filter(({ at }) => Math.abs(elevation - at) <= beamWidth / 2).map(({ sweep }) => ({ sweep, weight: 1 }));
 }
 
-/** All that can be the next one below or above: see `sweepsAround`. */
+/** All sweeps that can be the next one below or above: see `sweepsAround`. */
 function sweepsNear(sweeps: readonly Sweep[], elevation: number): readonly Sweep[] {
   const count = countUpTo(sweeps.length, (i) => sweeps[i].elevation <= elevation);
   return sweeps.slice(Math.max(0, count - 3), count + 3);

@@ -10,7 +10,7 @@ export interface EarthPoint {
 
 /**
  * The point of a round Earth below a place that a radar sees.
- * @param east - metres from the radar, as `north` along the ground's arc
+ * @param east - metres from the radar along the ground's arc; `north` alike
  * @returns longitude from -180 up to 180
  * Source: Snyder, *Map Projections: A Working Manual*, 1987, eq. 20-14 and 20-15, azimuthal equidistant
  */

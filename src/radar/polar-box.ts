@@ -5,20 +5,20 @@ import { radialsAround, reachOfAll, reachOfSweeps, spanOfSweep } from './sweep-e
 import type { ElevationSpan } from './sweep-elevations.ts';
 import type { Samples } from '../volume/volume.ts';
 
-/** Most cells along x, y and z, as many as a texture of a cartesian volume of this kind would have. */
+/** Largest number of cells along x, y and z: as many as a texture of a cartesian volume of this kind would have. */
 const maxCells: Vector3 = [1024, 1024, 128];
 
 const degrees = 180 / Math.PI;
 
-/** Of the reach: too little to be seen, and far more than the rounding of places. */
+/** A share of the reach that is too small to be visible, but far larger than the rounding of places. */
 const thread = 1e-4;
 
-/** A wider gap between radials than this, degrees, is where a sector ends; a few radials that are missing leave a circle a circle. */
+/** If a gap between radials is wider than this, in degrees, a sector ends there. A circle with a few missing radials is still a circle. */
 const widestGap = 45;
 
 /**
- * The box around everything that can be shown. Across it holds all gates, of a sector those of the sector, so that scans of
- * one radar have one width; up it ends above the highest gate with data, as the sky that a radar scans is ten times as high
+ * The box around everything that can be visible. Horizontally, it contains all gates (for a sector, those of the sector), so that scans of
+ * one radar have the same width. Vertically, it ends above the highest gate with data: the sky that a radar scans is ten times as high
  * as any weather.
  * @param samples - no data is 0 (integers) or NaN (floats)
  */
@@ -46,23 +46,23 @@ export function boxAround(grid: SweepGeometry, samples: Samples): LocalBox {
   return { low: [x[0], y[0], low], high: [x[1], y[1], high] };
 }
 
-/** Metres along the ground that the farthest gate is away. */
+/** Distance of the farthest gate along the ground, in metres. */
 export function groundReach(grid: SweepGeometry): number {
   const around = elevationsAround(grid);
   return Math.max(...grid.sweeps.map((sweep, i) => arcsOfSweep(sweep, around[i], grid.earthRadius)[1]));
 }
 
-/** Between which elevations each sweep's gates are shown, at most: down to the sweep below, up to half way to the one above. */
+/** The largest span of elevations in which each sweep's gates are shown: down to the sweep below, and halfway up to the one above. */
 function elevationsAround(grid: SweepGeometry): ElevationSpan[] {
   const spans = grid.sweeps.map(spanOfSweep);
   return reachOfSweeps(grid, spans).map(({ elevations: [low, high], meetsAbove }, sweep) => [low, meetsAbove ? (spans[sweep][1] + high) / 2 : high]);
 }
 
-/** Least and greatest distance of a sweep's gates along the ground, metres. */
+/** Smallest and largest distance of a sweep's gates along the ground, metres. */
 function arcsOfSweep(sweep: Sweep, [low, high]: ElevationSpan, earthRadius: number): [number, number] {
   const end = rangeOfEnd(sweep, sweep.gates);
   const arcAt = (range: number, elevation: number): number => beamToLocal({ range, azimuth: 90, elevation }, earthRadius)[0];
-  // On a round Earth a beam reaches farthest along the ground when it points a little below the horizon.
+  // On a round Earth, a beam reaches farthest along the ground if it points a little below the horizon.
   const flattest = Math.min(high, Math.max(low, -Math.asin(Math.min(1, end / earthRadius)) * degrees));
   const begin = Math.max(0, rangeOfEnd(sweep, 0));
   return [Math.min(arcAt(begin, low), arcAt(begin, high)), arcAt(end, flattest)];
@@ -98,7 +98,7 @@ function widen(interval: [number, number], value: number): void {
 }
 
 /**
- * Cells that the box is cut into: about a gate long, half a gate high.
+ * The number of cells that the box is cut into: each is about a gate long and half a gate high.
  * @param gateLength - metres
  */
 export function boxDimensions({ low, high }: LocalBox, gateLength: number): Vector3 {
@@ -119,7 +119,7 @@ export function highestElevation({ sweeps, beamWidth }: SweepGeometry): number {
   return reachOfAll(beamWidth, sweeps.map(spanOfSweep))[1];
 }
 
-/** Metres to the far end of the first so many gates. */
+/** Metres to the far end of a number of gates, from the first on. */
 function rangeOfEnd({ firstGate, gateLength, gates }: Sweep, count: number): number {
   return firstGate + (Math.min(count, gates) - 0.5) * gateLength;
 }
@@ -129,16 +129,16 @@ function heightAt(range: number, elevation: number, earthRadius: number): number
 }
 
 /**
- * Beams that point down come nearest to the Earth on their way, where it bends away under them. A straight beam along the
- * ground ends in it all the way: the floor is a thread lower, as rounding would tell whether rays leave through data.
- */
+ * The lowest height of all beams. Beams that point down come nearest to the Earth on their way, where it bends away under them. A straight
+ * beam along the ground would lie exactly in the box's floor, and rounding would decide whether rays leave through data. So the floor is
+ * lowered a little.
 function lowestHeight(elevation: number, reach: number, earthRadius: number): number {
   if (elevation >= 0) return heightAt(reach, elevation, earthRadius) < thread * reach ? -thread * reach : 0;
   const nearest = Math.min(reach, Math.sin(-elevation / degrees) * earthRadius);
   return heightAt(nearest, elevation, earthRadius);
 }
 
-/** Gates up to the last one that holds data in any radial. */
+/** Number of gates up to the last one that has data in any radial. */
 function countFilledGates({ azimuths, gates, offset }: Sweep, samples: Samples): number {
   const isFloat = samples instanceof Float32Array;
   let filled = 0;

@@ -6,12 +6,15 @@ import type { BeamField } from './polar-gradient.ts';
 
 type PolarSamples = Pick<PolarVolume, 'samples' | 'grid' | 'slope' | 'intercept'>;
 
-/** Samples on a radar's polar grid, which velocities fold on. Twin: shaders/chunks/radar/volume-polar.glsl */
+/** The field of samples on a radar's polar grid; velocities fold. Twin: shaders/chunks/radar/volume-polar.glsl */
 export function polarField(volume: PolarSamples): FieldStage {
   return storedField(polarSampler(volume), volume, volume.grid.foldFrom);
 }
 
-/** Another moment of the same gates, by places of the first one's unit cube: that ends above its own highest gate with data. */
+/**
+ * The field of another moment of the same gates, by places of the first moment's unit cube. Each moment's own box ends above its highest
+ * gate with data.
+ */
 export function secondMomentField(over: PolarVolume, volume: PolarVolume): FieldStage {
   return polarField({ ...volume, grid: { ...volume.grid, box: over.grid.box } });
 }

@@ -9,18 +9,18 @@ import type { Vector3 } from '../volume/matrix.ts';
 
 const radians = Math.PI / 180;
 
-/** What of a radar's field can be asked for by range, azimuth and elevation. */
+/** A radar's field, sampled by range, azimuth and elevation. */
 export interface BeamField extends Pick<FieldStage, 'isFolded'> {
   sampleBeam(beam: BeamPoint): Sample;
 }
 
-/** How far apart taps are: metres along the beam at the least, and degrees. */
+/** Distances between taps: the smallest one along the beam in metres, and the angle in degrees. */
 export interface BeamTaps {
   readonly range: number;
   readonly angle: number;
 }
 
-/** What a radar resolves: the width of its beam, and no less than its gates and radials. */
+/** The resolution of a radar: the width of its beam, but at least one gate and one radial. */
 export function beamTaps({ sweeps, beamWidth }: PolarGrid): BeamTaps {
   return {
     range: Math.min(...sweeps.map(({ gateLength }) => gateLength)),
@@ -28,15 +28,15 @@ export function beamTaps({ sweeps, beamWidth }: PolarGrid): BeamTaps {
   };
 }
 
-/** Degrees from radial to radial, without what lies outside of a sector; 0 of one alone. */
+/** Degrees between neighbouring radials, without the gap of a sector; 0 for a single radial. */
 function spacingOf(azimuths: Float64Array): number {
   const widest = azimuths.reduce((most, azimuth, i) => Math.max(most, azimuth - azimuths[i - 1] || 0), 360 + azimuths[0] - azimuths[azimuths.length - 1]);
   return (360 - widest) / Math.max(1, azimuths.length - 1);
 }
 
 /**
- * Of a field in a radar's coordinates: differences along range, azimuth and elevation, as far apart as the beam is wide
- * there, and then the exact derivatives of the beam's formula, with heights as they are displayed.
+ * The gradient of a field in a radar's coordinates: differences along range, azimuth and elevation over the beam's width
+ * at the place, then the exact derivatives of the beam's formula, with heights as displayed.
  * Twin: shaders/chunks/radar/gradient-polar.glsl
  */
 export function polarGradient(field: BeamField, grid: PolarGrid): GradientStage {
@@ -59,7 +59,7 @@ function moveBeam({ range, azimuth, elevation }: BeamPoint, axis: number, by: nu
 }
 
 /**
- * A gradient by range, azimuth and elevation (per metre and radian) to one by metres east, north and up: the transpose of
+ * Converts a gradient by range, azimuth and elevation (per metre and radian) to one by metres east, north and up: the transpose of
  * the derivatives of `localToBeam`.
  * @param local - metres east and north along the ground's arc, and above the antenna
  */
@@ -70,7 +70,7 @@ export function beamToLocalGradient([byRange, byAzimuth, byElevation]: Vector3, 
   const [up, along] = [range * sine, range * cosine];
   const arc = Math.max(1e-3, Math.hypot(local[0], local[1]));
   const turn = byElevation / Math.max(1e-3, range);
-  // By what is above the antenna's plane, and by what is along it; then of these by arc and height.
+  // First the derivatives by the height above the antenna's plane and by the distance along it, then from these those by arc and height.
   const [byUp, byAlong] = [byRange * sine + turn * cosine, byRange * cosine - turn * sine];
   const byArc = -byUp * along * k + byAlong * (1 + up * k);
   const byHeight = (byUp * (1 + up * k) + byAlong * along * k) / (1 + local[2] * k);

@@ -2,27 +2,27 @@ import { allocateLike } from '../volume/samples.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
 import type { Samples } from '../volume/volume.ts';
 
-/** A sweep has so many radials more on the GPU: its last one before the first and its first one after the last, once more. */
+/** Additional radials of a sweep on the GPU: the last one is repeated before the first, and the first one after the last. */
 export const repeatedRadials = 2;
 
 /**
- * Where radials lie in their texture: a row of texels holds as many radials of one sweep as fit it, one after another, so that
- * short radials take no more room than they need. Each sweep begins a row.
+ * Places of radials in their texture. A row of texels has as many radials of one sweep as fit, one after another, so that
+ * short radials take no more room than they need. Each sweep begins a new row.
  */
 export interface PolarLayout {
   /** Texels. */
   readonly width: number;
   readonly height: number;
-  /** Azimuth, degrees, after the widest gap between the radials of all sweeps: turns begin there, clockwise. */
+  /** Azimuth, in degrees, after the widest gap between the radials of all sweeps. Turns are counted from here, clockwise. */
   readonly from: number;
   /** Largest turn of a radial, degrees. */
   readonly extent: number;
   readonly sweeps: readonly SweepLayout[];
-  /** What the numbers of radials stay below. */
+  /** All numbers of radials are below this. */
   readonly numbers: number;
 }
 
-/** Radials of a sweep by their turn; the repeated ones count. */
+/** Radials of a sweep by their turn, including the repeated ones. */
 export interface SweepLayout {
   readonly radials: number;
   /** Index in the sweep of the first one that is not repeated. */
@@ -31,11 +31,11 @@ export interface SweepLayout {
   /** Row of texels. */
   readonly firstRow: number;
   readonly rows: number;
-  /** Radials are numbered over all sweeps; the first one of each has a multiple of its radials per row. */
+  /** Radials are numbered over all sweeps. The number of each sweep's first radial is a multiple of its radials per row. */
   readonly firstNumber: number;
 }
 
-/** @returns null where no texture of `maxSize` x `maxSize` texels holds so many */
+/** @returns null if no texture of `maxSize` x `maxSize` texels is large enough */
 export function layOutRadials({ sweeps }: PolarGrid, maxSize: number): PolarLayout | null {
   const width = chooseWidth(sweeps, maxSize);
   if (width === null) return null;
@@ -54,12 +54,15 @@ export function layOutRadials({ sweeps }: PolarGrid, maxSize: number): PolarLayo
   return { width, height: firstRow, from, extent, sweeps: placed, numbers };
 }
 
-/** Most rounds of the loop that looks for a width, which runs on the page's thread: a radar's sweeps take some thousand. */
+/**
+ * Largest number of rounds of the loop that searches for a width. It runs on the page's thread. A radar's sweeps take some
+ * thousand rounds.
+ */
 const maxRounds = 4_000_000;
 
 /**
- * The width with the fewest texels in all. Between two multiples of a sweep's gates nothing fits better than in the lower
- * one, so that only those are tried; of sweeps by the hundred that all differ in length, some of those.
+ * The width with the fewest texels in all. Between two multiples of a sweep's gates nothing fits better than at the lower
+ * one, so only multiples are tried. If hundreds of sweeps all differ in length, only some of the multiples are tried.
  */
 function chooseWidth(sweeps: readonly Sweep[], maxSize: number): number | null {
   const widths = listWidths(sweeps, maxSize);
@@ -73,7 +76,7 @@ function chooseWidth(sweeps: readonly Sweep[], maxSize: number): number | null {
   return best;
 }
 
-/** Multiples of the sweeps' gates, each once. */
+/** Multiples of the sweeps' gates, without duplicates. */
 function listWidths(sweeps: readonly Sweep[], maxSize: number): number[] {
   const lengths = new Set(sweeps.map(({ gates }) => gates));
   const longest = sweeps.reduce((most, { gates }) => Math.max(most, gates), 0);
@@ -90,7 +93,7 @@ function countRows(sweeps: readonly Sweep[], width: number): number {
   return rows;
 }
 
-/** What is left of the circle when the widest gap between the radials of all sweeps is taken out. */
+/** The part of the circle that is left without the widest gap between the radials of all sweeps. */
 function findSector(sweeps: readonly Sweep[]): { from: number; extent: number } {
   const all = Float64Array.from(sweeps.flatMap(({ azimuths }) => [...azimuths]));
   all.sort();
@@ -102,19 +105,19 @@ function findSector(sweeps: readonly Sweep[]): { from: number; extent: number } 
   return { from, extent: 360 - widest };
 }
 
-/** Index in its sweep of a radial; place: 0 for the first, repeated one. */
+/** Index of a radial in its sweep. Place 0 is the first, repeated one. */
 export function radialAt({ azimuths }: Sweep, { firstRadial }: SweepLayout, place: number): number {
   return (firstRadial + place - 1 + azimuths.length) % azimuths.length;
 }
 
-/** Degrees from where turns begin; radials repeat themselves after a whole turn. */
+/** Degrees from where turns begin. Radials repeat after a whole turn. */
 export function turnAt(sweep: Sweep, layout: SweepLayout, from: number, place: number): number {
   const radials = sweep.azimuths.length;
   const azimuth = sweep.azimuths[radialAt(sweep, layout, place)];
   return (azimuth < from ? azimuth + 360 : azimuth) - from + 360 * Math.floor((place - 1) / radials);
 }
 
-/** Texels of some rows, from the first. */
+/** The texels of some rows, from `first` on. */
 export function packRows(
   samples: Samples,
   { sweeps }: PolarGrid,

@@ -9,35 +9,35 @@ import { countUpTo, reachOfSweeps, spanOfSweep, sweepsAround } from './sweep-ele
 import type { ElevationSpan } from './sweep-elevations.ts';
 import type { Samples } from '../volume/volume.ts';
 
-/** What finding the radials of a sweep takes, in gates. */
+/** The work of finding the radials of a sweep, in gates. */
 const workPerSweep = 64;
 
-/** Cells are taken so much larger on each side, as shares of their edges, that rounding brings no point out of them. */
+/** Cells are enlarged on each side by this share of their edges, so that rounding moves no point out of them. */
 const margin = 1e-3;
 
-/** What is looked through. */
+/** What the search for ranges needs. */
 interface Gates {
   readonly grid: PolarGrid;
   readonly onWork: (gates: number) => void;
-  /** Of each sweep, what is looked through of it. */
+  /** For each sweep, its part in the current column of cells. */
   readonly columns: readonly SweepInColumn[];
   /** Elevations of each sweep's radials. */
   readonly spans: readonly ElevationSpan[];
-  /** Between which elevations gates of each sweep are shown. */
+  /** The elevations in which gates of each sweep are shown. */
   readonly reaches: readonly ElevationSpan[];
 }
 
-/** Azimuths (degrees) from one to another, clockwise; `width` 360 is the whole circle. */
+/** Azimuths (degrees) from one to another, clockwise; a `width` of 360 is the whole circle. */
 interface Sector {
   readonly from: number;
   readonly width: number;
 }
 
 /**
- * The range of every value that interpolation can give at a point of each cell of a polar volume's box: of all gates in
- * the smallest span of ranges, azimuths and elevations that holds the cell, and of the first ones around it.
+ * The range of every value that interpolation can give at a point of each cell of a polar volume's box. It is the range of all gates in
+ * the smallest span of ranges, azimuths and elevations that contains the cell, and of the first gates around this span.
  * `cellSize` cells of its frame make one macrocell's edge.
- * @param onWork - is told before so many gates are looked through: few radials of many gates, or sweeps by the hundred, are much
+ * @param onWork - called with the number of gates before they are read: few radials with many gates, or hundreds of sweeps, are much
  * work for a few bytes
  */
 export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, onWork: (gates: number) => void = () => undefined): Macrocells {
@@ -60,7 +60,7 @@ export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, onWork: 
         const cell = i + cells[0] * (j + cells[1] * k);
         low[cell] = least;
         high[cell] = greatest;
-        // Between gates, radials and sweeps any value of the cell's may be.
+        // Between gates, radials and sweeps, the field may take any value of the cell.
         roughness[cell] = (greatest - least) / offLine;
       }
     }
@@ -79,14 +79,14 @@ function cutEdge({ box }: PolarGrid, axis: number, voxels: number, cells: number
 
 type Interval = readonly [number, number];
 
-/** Least and greatest distance of a rectangle's points from the antenna. */
+/** Smallest and largest distance of a rectangle's points from the antenna. */
 function arcsOf(x: Interval, y: Interval): Interval {
   const nearest = ([from, to]: Interval): number => Math.max(0, from, -to);
   const farthest = ([from, to]: Interval): number => Math.max(-from, to);
   return [Math.hypot(nearest(x), nearest(y)), Math.hypot(farthest(x), farthest(y))];
 }
 
-/** Azimuths of a rectangle's points: its corners are the extremes, seen from outside of it. */
+/** The azimuths of a rectangle's points. If the antenna is outside, the corners have the extreme ones. */
 function sectorOf(x: Interval, y: Interval): Sector {
   if (x[0] <= 0 && x[1] >= 0 && y[0] <= 0 && y[1] >= 0) return { from: 0, width: 360 };
   const toward = Math.atan2(x[0] + x[1], y[0] + y[1]);
@@ -113,25 +113,28 @@ function rangeOfSpan({ spans, reaches, grid: { sweeps }, columns, onWork }: Gate
 }
 
 /**
- * One sweep in a column of cells: they lie in the same sector, and many ask for the same gates. Each gate is looked at once, in all radials of
+ * One sweep in a column of cells. The cells lie in the same sector, and many need the same gates. Each gate is read once, in all radials of
  * the sector.
  */
 class SweepInColumn {
   #sector: Sector = { from: 0, width: 0 };
-  /** Radials from the one at or before the sector to the one after it; indices go on beyond the seam. null where nobody asked yet. */
+  /**
+   * Radials from the one at or before the sector to the one after it; indices go on beyond the seam. null if no cell has
+   * asked for them yet.
+   */
   #radials: readonly [first: number, last: number] | null = null;
-  /** Gates that have been looked at, from the first to the last; none where that is before it. */
+  /** Gates that have been read, from the first to the last; none if the last is before the first. */
   #known: readonly [first: number, last: number] = [0, -1];
-  /** The last ones that were asked for, and the range of their values: the cell above mostly asks for the same. */
+  /** The gates of the last request, and the range of their values: the cell above mostly requests the same. */
   #firstAsked = 0;
   #lastAsked = -1;
   #least = Infinity;
   #greatest = -Infinity;
-  /** The least and the greatest value of each of them, of all radials of the sector. */
+  /** The smallest and the largest value of each gate over all radials of the sector. */
   readonly #low: Float64Array;
   readonly #high: Float64Array;
   readonly #minValid: number;
-  /** Of each radial, the first and the last gate with data: most of the air is empty. */
+  /** For each radial, the first and the last gate with data: most of the air is empty. */
   readonly #begins: Int32Array;
   readonly #ends: Int32Array;
 
@@ -153,7 +156,7 @@ class SweepInColumn {
     });
   }
 
-  /** Begin with another column. */
+  /** Starts with another column. */
   begin(sector: Sector): void {
     this.#sector = sector;
     this.#radials = null;
@@ -161,7 +164,7 @@ class SweepInColumn {
     this.#lastAsked = -1;
   }
 
-  /** Widen a range of values by those of all gates between two ranges (metres), and of the first ones around these. */
+  /** Widens a range of values by those of all gates between two ranges (metres), and of the first gates around these. */
   widen(range: [number, number], metres: readonly [number, number], onWork: (gates: number) => void): void {
     const { firstGate, gateLength, gates } = this.sweep;
     const from = (metres[0] - firstGate) / gateLength;
@@ -201,7 +204,7 @@ class SweepInColumn {
     return [before, Math.min(to < 360 ? upTo(to) : radials + upTo(to - 360), before + radials - 1)];
   }
 
-  /** Look at gates, and at those between them and the known ones. */
+  /** Reads gates, and those between them and the known ones. */
   #know(first: number, last: number, radials: readonly [number, number]): void {
     const [from, to] = this.#known;
     if (to < from) {
@@ -226,7 +229,7 @@ class SweepInColumn {
       const end = Math.min(last, this.#ends[at]);
       for (let gate = Math.max(first, this.#begins[at]); gate <= end; gate++) {
         const value = samples[row + gate];
-        // NaN is neither less nor greater than anything.
+        // Both comparisons are false for NaN.
         if (value < minValid) continue;
         if (value < lows[gate]) lows[gate] = value;
         if (value > highs[gate]) highs[gate] = value;

@@ -3,62 +3,68 @@ import { spanOfSweep, sweepsAround } from './sweep-elevations.ts';
 import { radialAt, turnAt } from './polar-layout.ts';
 import type { PolarLayout, SweepLayout } from './polar-layout.ts';
 
-/** Texels across the table; the shader knows it as TABLE_WIDTH. */
+/** Number of texels in a row of the table; in the shader it is TABLE_WIDTH. */
 export const tableWidth = 512;
 
-/** Bins of elevation are so much narrower than the narrowest gap that no two sweeps begin in one, whatever rounding does. */
+/**
+ * Bins of elevation are narrower than the narrowest gap by this factor, so that no two sweeps begin in the same bin,
+ * whatever rounding does.
+ */
 const binsPerGap = 1.1;
 
-/** Bins of azimuth, per radial of the sweep with the most. */
+/** Number of bins of azimuth per radial of the sweep with the most radials. */
 const binsPerRadial = 1.1;
 
-/** Most radials that begin in a bin of azimuth: the shader passes two of them in each of its MAX_HOPS. */
+/** Largest number of radials that begin in a bin of azimuth: the shader passes two of them in each of its MAX_HOPS. */
 const maxRadialsInBin = 2 * 8;
 
-/** Degrees: how far rounding may bring an elevation out of its bin. */
+/** Degrees by which rounding may move an elevation out of its bin. */
 const binMargin = 1e-3;
 
-/** Most texels for more bins of azimuth where radials crowd: 16 MB. */
+/** Largest number of texels for more bins of azimuth where radials crowd: 16 MB. */
 const maxTexels = 2 ** 20;
 
-/** Texels of gates for each texel of more bins, so many that the shader has no radials to pass: these take little beside the gates. */
+/**
+ * For each texel of additional bins there must be this many texels of gates. With more bins, the shader has no radials to pass, and they
+ * take little room compared with the gates.
+ */
 const gatesPerTexel = 128;
 
-/** Most texels in all: 32 MB, which are made on the page's thread. The radars with the most radials need a thirtieth. */
+/** Largest number of texels in all: 32 MB. They are made on the page's thread. The radars with the most radials need a thirtieth. */
 const maxTableTexels = 2 ** 21;
 
 /**
- * What the shader looks up to find sweeps and radials: bins of elevation; a texel for each sweep; one for each radial, by its
- * number; bins of azimuth for each sweep.
+ * The table in which the shader finds sweeps and radials. It has bins of elevation, a texel for each sweep, a texel for each radial (by its
+ * number), and bins of azimuth for each sweep.
  *
- * A bin of azimuth holds the number of the last radial at or before its begin, that radial's turn in degrees (see PolarLayout),
- * and the turns of the two after it. A radial's texel holds its elevation and that of the radial after it, and the turns of the
- * two after it, for bins in which more than one radial begins. A sweep's texel: range of the first gate in metres, 1 / gate
- * length, gates, and what is added to a radial's number / its sweep's radials per row to get its row of texels.
+ * A bin of azimuth has the number of the last radial at or before its begin, that radial's turn in degrees (see PolarLayout),
+ * and the turns of the two radials after it. A radial's texel has its elevation, that of the radial after it, and the turns of the
+ * two after it, for bins in which more than one radial begins. A sweep's texel has the range of the first gate in metres, 1 / gate
+ * length, the number of gates, and what is added to (a radial's number / its sweep's radials per row) to get its row of texels.
  *
- * A bin of elevation holds the same of sweeps as one of azimuth of radials, with elevations. Where radials have elevations of
- * their own it holds the numbers of the first and the last sweep that may be next to a place in it.
+ * A bin of elevation has the same for sweeps, with elevations instead of turns. If radials have elevations of
+ * their own, it has the numbers of the first and the last sweep that may be next to a place in it.
  */
 export interface PolarTable {
-  /** RGBA, `tableWidth` texels a row. */
+  /** RGBA, `tableWidth` texels per row. */
   readonly texels: Float32Array<ArrayBuffer>;
   readonly height: number;
-  /** Bins per degree of elevation, and of azimuth. */
+  /** Number of bins per degree of elevation, and of azimuth. */
   readonly elevationBinsPerDegree: number;
   readonly azimuthBinsPerDegree: number;
-  /** Bins of azimuth of each sweep. */
+  /** Number of bins of azimuth for each sweep. */
   readonly azimuthBins: number;
-  /** First texel of the sweeps, of the radials, and of the azimuths. */
+  /** First texel of the sweeps, of the radials, and of the bins of azimuth. */
   readonly sweepsFrom: number;
   readonly radialsFrom: number;
   readonly azimuthsFrom: number;
-  /** Whether more than one radial begins in a bin somewhere, so that the shader has to pass some. */
+  /** Whether more than one radial begins in some bin, so that the shader must pass some. */
   readonly crowds: boolean;
 }
 
 /**
- * @param maxSize - rows of texels that the device allows
- * @returns null where the table would be larger, or too large for a page; nothing is allocated then
+ * @param maxSize - largest number of rows of texels on the device
+ * @returns null if the table would be larger, or too large for a page; then nothing is allocated
  */
 export function buildPolarTable({ sweeps }: PolarGrid, layout: PolarLayout, maxSize: number): PolarTable | null {
   const elevations = sweeps.map(({ elevation }) => elevation);
@@ -93,7 +99,7 @@ export function hasRadialElevations(sweeps: readonly Sweep[]): boolean {
   return sweeps.some((sweep) => sweep.elevations);
 }
 
-/** Degrees that the bins of azimuth cover; the last one goes on around the circle. */
+/** Degrees that the bins of azimuth cover. The last bin continues around the circle. */
 function extentOf({ extent }: PolarLayout): number {
   return Math.max(extent, 1);
 }
@@ -101,12 +107,12 @@ function extentOf({ extent }: PolarLayout): number {
 /** Turn of a sweep's radial, by its place: see `turnAt`. */
 type Turn = (place: number) => number;
 
-/** Bins of azimuth of each sweep, where none of its radials crowd. */
+/** Number of bins of azimuth for each sweep if none of its radials crowd. */
 function leastBins({ sweeps }: PolarLayout): number {
   return Math.ceil(binsPerRadial * sweeps.reduce((most, { radials }) => Math.max(most, radials), 0));
 }
 
-/** About as many as the sweep with the most radials has, and more where radials crowd. */
+/** About as many bins as the sweep with the most radials has radials, and more where radials crowd. */
 function chooseAzimuthBins(layout: PolarLayout, turns: readonly Turn[]): number {
   let bins = leastBins(layout);
   while (2 * bins * turns.length <= maxTexels && countCrowd(layout, turns, bins) > maxRadialsInBin) bins *= 2;
@@ -115,7 +121,7 @@ function chooseAzimuthBins(layout: PolarLayout, turns: readonly Turn[]): number 
   return [2 * bins, 4 * bins].find((more) => more * turns.length <= most && countCrowd(layout, turns, more) === 1) ?? bins;
 }
 
-/** Most radials of a sweep that begin in one of its bins, before a whole turn. */
+/** Largest number of radials of a sweep that begin in one of its bins, within the first whole turn. */
 function countCrowd(layout: PolarLayout, turns: readonly Turn[], bins: number): number {
   let most = 0;
   layout.sweeps.forEach(({ radials }, i) => {
@@ -140,7 +146,7 @@ function writeElevations(texels: Float32Array, elevations: readonly number[], bi
   }
 }
 
-/** The outermost bins hold all that is farther down and up, too. */
+/** The outermost bins also cover everything that is farther down and up. */
 function writeSweepsAround(texels: Float32Array, sweeps: readonly Sweep[], bins: number, binsPerDegree: number): void {
   const spans = sweeps.map(spanOfSweep);
   for (let bin = 0; bin < bins; bin++) {
@@ -163,7 +169,7 @@ function narrowestGap(ascending: readonly number[]): number {
   return least;
 }
 
-/** @param angleOf - of the first `count` neighbours and the two after them, ascending */
+/** @param angleOf - angles of the first `count` neighbours and of the two after them, ascending */
 function describeBin(at: number, count: number, angleOf: (i: number) => number): [number, number, number, number] {
   let [from, to] = [0, count];
   while (from < to) {

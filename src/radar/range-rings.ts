@@ -20,40 +20,40 @@ export interface RingLabel {
   readonly at: Vector3;
 }
 
-/** Which rings there are; radii and distances are metres along the ground. */
+/** Which rings are drawn. Radii and distances are in metres along the ground. */
 export interface RingPlan {
-  /** From ring to ring. */
+  /** Distance from ring to ring. */
   readonly spacing: number;
-  /** The first ring that is shown, counted from the antenna, 1 being the nearest. */
+  /** Number of the first ring that is drawn, counted from the antenna; 1 is the nearest. */
   readonly first: number;
-  /** How many are shown; of a region that lies between two rings not more than 0. */
+  /** How many rings are drawn; 0 or less if the region lies between two rings. */
   readonly count: number;
-  /** Radius of the last ring within the radar's reach; 0 where none is. */
+  /** Radius of the last ring within the radar's reach; 0 if there is none. */
   readonly outermost: number;
-  /** Nearest and farthest distance of what is shown. */
+  /** Smallest and largest distance of the visible part. */
   readonly extent: readonly [number, number];
-  /** What is shown, seen from above. */
+  /** The visible part, seen from above. */
   readonly shown: Rectangle;
-  /** Whether rings are cut to what is shown. */
+  /** Whether rings are cut to the visible part. */
   readonly isCut: boolean;
 }
 
-/** Corners of a ring. */
+/** Number of corners of a ring. */
 const ringCorners = 180;
 
-/** Rings that a radar's reach is cut into by itself, at most. */
+/** Largest number of rings if the distance is chosen automatically. */
 const maxAutomatic = 6;
 
-/** A ring this share beyond the reach is still drawn: that is shorter along the ground than along the beam. */
+/** A ring beyond the reach by this share is still drawn: the reach is shorter along the ground than along the beam. */
 const beyondReach = 0.01;
 
-/** More would be a gray disc. */
+/** More rings would look like a gray disc. */
 export const maxRings = 100;
 
 /**
- * The rings of a radar. The outermost one is where the scan ends, or before.
- * @param region - what is shown of the volume, if not all: the rings are cut to it
- * @param spacing - metres from ring to ring; a round distance where null
+ * Plans the rings of a radar. The outermost ring is where the scan ends, or before that.
+ * @param region - the visible part of the volume, if it is not all: the rings are cut to it
+ * @param spacing - metres from ring to ring; null for a round distance
  */
 export function planRings(grid: PolarGrid, region: GridFrame | null, spacing: number | null): RingPlan {
   const reach = groundReach(grid) * (1 + beyondReach);
@@ -66,19 +66,19 @@ export function planRings(grid: PolarGrid, region: GridFrame | null, spacing: nu
   return { spacing: every, first, count, outermost, extent, shown, isCut: region !== null };
 }
 
-/** Whether at least one ring is within the radar's reach, and what is shown holds no more than `maxRings`. */
+/** Whether at least one ring is within the radar's reach, and at most `maxRings` are visible. */
 export function ringsFit({ outermost, count }: RingPlan): boolean {
   return outermost !== 0 && count <= maxRings;
 }
 
-/** @param plan - one that fits, see `ringsFit` */
+/** @param plan - must fit, see `ringsFit` */
 export function buildRings({ spacing, first, count, outermost, shown, isCut }: RingPlan): Rings {
   const radii = Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * spacing);
   const north: Vector3[] = [[0, 0, 0], [0, outermost * 1.04, 0]];
   return isCut ? ringsInside(radii, north, shown) : wholeRings(radii, north, shown);
 }
 
-/** Lines from the first ring to the last one, every 30 degrees but to the north: rings with them look like a ground. */
+/** Lines from the first ring to the last one, every 30 degrees except to the north. With them, rings look like a ground. */
 export function buildSpokes({ spacing, first, outermost }: RingPlan): Vector3[][] {
   return Array.from({ length: 11 }, (_, i) => {
     const angle = ((i + 1) * Math.PI) / 6;
@@ -97,7 +97,7 @@ function wholeRings(radii: readonly number[], north: readonly Vector3[], shown: 
   };
 }
 
-/** What of the rings lies in a region, each with its label half way along its longest part. */
+/** The parts of the rings that lie in a region. Each ring's text is halfway along its longest part. */
 function ringsInside(radii: readonly number[], north: readonly Vector3[], shown: Rectangle): Rings {
   const lines: Vector3[][] = [];
   const labels: RingLabel[] = [];
@@ -115,7 +115,7 @@ function ringsInside(radii: readonly number[], north: readonly Vector3[], shown:
   return { lines, labels };
 }
 
-/** Where labels stand: to the east, or where the volume lies of a radar that scans a sector. */
+/** The direction in which ring texts are placed: to the east or, for a radar that scans a sector, towards the middle of the volume. */
 function labelDirection([x, y]: Rectangle, reach: number): readonly [number, number] {
   const middle = [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2] as const;
   const distance = Math.hypot(...middle);
@@ -128,7 +128,7 @@ function boundsOf(grid: GridFrame): Rectangle {
   return [extent(0), extent(1)];
 }
 
-/** Least and greatest distance of a rectangle's points from the antenna. */
+/** Smallest and largest distance of a rectangle's points from the antenna. */
 function distancesOf(rectangle: Rectangle): [number, number] {
   const nearest = rectangle.map(([from, to]) => Math.max(0, from, -to));
   const farthest = rectangle.map(([from, to]) => Math.max(-from, to));
@@ -139,7 +139,7 @@ function longestEdge([x, y]: Rectangle): number {
   return Math.max(x[1] - x[0], y[1] - y[0]);
 }
 
-/** 1, 2 or 5 times a power of ten metres. */
+/** A distance of 1, 2 or 5 times a power of ten metres. */
 function roundDistance(reach: number): number {
   const least = reach / maxAutomatic;
   const power = 10 ** Math.floor(Math.log10(least));

@@ -14,31 +14,31 @@ import { slackOf } from '../optics/rays/slack.ts';
 import { straightColor } from '../optics/attachments/plane-slices.ts';
 import type { Color, TransferFunction } from '../optics/transfer/transfer-function.ts';
 
-/** A surface in a radar volume on which its values are painted. */
+/** A surface in a radar volume that is painted with the volume's values. */
 export type Slice = ConeSlice | LevelSlice | UprightSlice;
 
-/** The cone of one sweep, as a PPI shows it. */
+/** The cone of one sweep, as in a PPI. */
 export interface ConeSlice {
   readonly kind: 'cone';
-  /** Its number among the volume's. */
+  /** The sweep's number in the volume. */
   readonly sweep: number;
 }
 
-/** All that is at one height, as a CAPPI shows it. */
+/** Everything at one height, as in a CAPPI. */
 export interface LevelSlice {
   readonly kind: 'level';
   /** Metres above the antenna. */
   readonly height: number;
 }
 
-/** What stands above a line on the ground, as an RHI and a vertical section show it. */
+/** Everything above a line on the ground, as in an RHI or a vertical section. */
 export interface UprightSlice {
   readonly kind: 'upright';
   /** Metres east and north. */
   readonly from: readonly [number, number];
   /** East and north, of length 1. */
   readonly direction: readonly [number, number];
-  /** Metres along the ground; Infinity for a line without an end. */
+  /** Metres along the ground; Infinity for a line without end. */
   readonly length: number;
 }
 
@@ -47,9 +47,9 @@ export function isFlat(slice: Slice): slice is LevelSlice | UprightSlice {
   return slice.kind !== 'cone';
 }
 
-/** A flat slice in the unit cube of a grid's box, with where it ends along the ground. */
+/** A flat slice as a plane in the unit cube of a grid's box, with the half-spaces that limit it along the ground. */
 export function planeOfSlice(slice: LevelSlice | UprightSlice, { low, high }: PolarGrid['box']): Plane & { readonly within: readonly HalfSpace[] } {
-  /** normal . local = offset, of places in metres. */
+  /** Converts the plane normal . local = offset, for places in metres. */
   const inUnitCube = (normal: Vector3, offset: number): Plane => {
     const turned = normal.map((x, axis) => x * (high[axis] - low[axis])) as unknown as Vector3;
     const size = Math.max(...turned.map(Math.abs));
@@ -62,25 +62,26 @@ export function planeOfSlice(slice: LevelSlice | UprightSlice, { low, high }: Po
   return { ...inUnitCube([north, -east, 0], north * x - east * y), within: [begin, ...end] };
 }
 
-/** Where a ray meets a slice, and what is painted there. */
+/** Where a ray meets a slice, and the colour there. */
 export interface SliceHit {
   readonly t: number;
-  /** Straight. */
+  /** Straight, not premultiplied. */
   readonly color: Color;
 }
 
-/** A volume shows no more at a time. */
+/** The largest number of slices that a volume shows at a time. */
 export const maxSlices = 4;
 
 /**
- * What a cone is looked for with: intervals of a ray on each side of where it comes nearest to the radar's axis, the
- * nearer the shorter, and halvings of one in which the ray goes through the cone.
+ * How the crossings of a ray with a cone are searched: the number of intervals on each side of the place where the ray is
+ * nearest to the radar's
+ * axis (nearer intervals are shorter), and of halvings of an interval in which the ray passes through the cone.
  */
 export const coneSearch = { intervals: 24, halvings: 20 } as const;
 
 /**
- * What rays see of a volume's slices: the nearest point at which one has data and the transfer function shows them.
- * @param optics - opacity says no more than whether a value is shown at all
+ * Finds what rays meet of a volume's slices: the nearest point where a slice has data that the transfer function makes visible.
+ * @param optics - opacity only decides whether a value is visible at all
  */
 export function sliceMeeter(
   volume: Pick<PolarVolume, 'samples' | 'grid' | 'slope' | 'intercept'>,
@@ -111,7 +112,8 @@ export function sliceMeeter(
 }
 
 /**
- * The nearest slice ends a ray, and stands behind what is before it. One on a cut face is seen from both of its sides. Twin: shaders/chunks/radar/slices.glsl
+ * The nearest slice ends a ray, and its colour stands behind everything in front of it. A slice on a cut face is visible from both sides.
+ * Twin: shaders/chunks/radar/slices.glsl
  * @param meet - see sliceMeeter
  */
 export function sliceInterval(meet: ReturnType<typeof sliceMeeter>): IntervalStage {
@@ -122,7 +124,7 @@ export function sliceInterval(meet: ReturnType<typeof sliceMeeter>): IntervalSta
   };
 }
 
-/** Stored value on a sweep at a place of it: rounding brings nothing of its neighbours in. */
+/** Stored value on a sweep at one of its places. With this sweep alone, rounding cannot mix in values of its neighbours. */
 function valueOnCone(samples: Samples, grid: PolarGrid, place: Vector3, sweep: number): number {
   return interpolateSweep(samples, grid, sweep, localToBeam(place, grid.earthRadius));
 }
@@ -131,7 +133,7 @@ function alongRay({ point, direction }: Ray, t: number): Vector3 {
   return [point[0] + t * direction[0], point[1] + t * direction[1], point[2] + t * direction[2]];
 }
 
-/** Where a straight line goes through a slice, nearest first, in its parameter. */
+/** Where a straight line passes through a slice, nearest first, in the line's parameter. */
 function crossSlice(
   slice: Slice,
   { sweeps, earthRadius }: PolarGrid,
@@ -149,18 +151,18 @@ function crossSlice(
   return along >= 0 && along <= slice.length ? [t] : [];
 }
 
-/** Metres above the beams of a sweep. */
+/** Height in metres above the beams of a sweep. */
 function heightOverSweep(place: Vector3, sweep: Sweep, earthRadius: number): number {
   const elevation = sweep.elevations ? elevationAt(sweep, localToBeam(place, earthRadius).azimuth) : sweep.elevation;
   return heightOverCone(place, elevation, earthRadius);
 }
 
-/** Metres from an upright slice's plane. */
+/** Distance in metres from an upright slice's plane. */
 function acrossOf({ from, direction }: UprightSlice, place: Vector3): number {
   return (place[0] - from[0]) * direction[1] - (place[1] - from[1]) * direction[0];
 }
 
-/** Where a straight line comes nearest to the radar's axis; anywhere if it runs along it. */
+/** Where a straight line is nearest to the radar's axis; any place if it is parallel to the axis. */
 function nearestToAxis(placeAt: (t: number) => Vector3): number {
   const [begin, one] = [placeAt(0), placeAt(1)];
   const [x, y] = [one[0] - begin[0], one[1] - begin[1]];

@@ -1,16 +1,16 @@
 import type { Sweep, SweepGeometry } from '../volume/polar-grid.ts';
 
-/** The least and the greatest of some elevations, degrees. */
+/** The smallest and the largest of some elevations, degrees. */
 export type ElevationSpan = readonly [low: number, high: number];
 
-/** Elevation of a sweep at an azimuth, degrees: linear from radial to radial. */
+/** The elevation of a sweep at an azimuth, in degrees: linear from radial to radial. */
 export function elevationAt({ azimuths, elevation, elevations }: Sweep, azimuth: number): number {
   if (!elevations) return elevation;
   const { radials, along } = radialsAround(azimuths, azimuth);
   return elevations[radials[0]] + along * (elevations[radials[1]] - elevations[radials[0]]);
 }
 
-/** The radials on both sides of an azimuth, and how far it is from the first to the second, 0..1. */
+/** The radials on both sides of an azimuth, and its place between the first and the second, 0..1. */
 export function radialsAround(azimuths: Float64Array, azimuth: number): { radials: [number, number]; along: number } {
   const count = azimuths.length;
   const to = countUpTo(count, (radial) => azimuths[radial] <= azimuth);
@@ -21,7 +21,7 @@ export function radialsAround(azimuths: Float64Array, azimuth: number): { radial
   return { radials: [before, after], along: (turn < 0 ? turn + 360 : turn) / (gap > 0 ? gap : gap + 360) };
 }
 
-/** Elevations of a sweep's radials. */
+/** The elevations of a sweep's radials. */
 export function spanOfSweep({ elevation, elevations }: Sweep): ElevationSpan {
   let [low, high] = elevations ? [Infinity, -Infinity] : [elevation, elevation];
   for (const one of elevations ?? []) {
@@ -32,9 +32,9 @@ export function spanOfSweep({ elevation, elevations }: Sweep): ElevationSpan {
 }
 
 /**
- * The sweeps that may be next to a place of one of the elevations, whatever its azimuth: those from the first to the last.
- * Radials go no farther than the next sweep's elevation, so that of those below `from` the second one lies below it at every
- * azimuth, and above the fourth one.
+ * The sweeps that may be next to a place with one of the elevations, at any azimuth: from the first to the last.
+ * Radials go no farther than the next sweep's elevation. So of the sweeps below `from`, the second one lies below it at every
+ * azimuth; of the sweeps above `to`, the fourth one lies above it.
  * @param spans - of each sweep, see `spanOfSweep`
  */
 export function sweepsAround(sweeps: readonly Sweep[], spans: readonly ElevationSpan[], [from, to]: ElevationSpan): [number, number] {
@@ -51,24 +51,25 @@ export function sweepsAround(sweeps: readonly Sweep[], spans: readonly Elevation
 }
 
 /**
- * Sweeps farther apart than so many beam widths see nothing of what is between them. National scans leave gaps of up to 20 degrees below their
- * highest sweep (24 to 40, 25 to 45), which everybody fills in; a sweep that looks straight up is 30 degrees or more above all others.
+ * If sweeps are farther apart than this many beam widths, what lies between them is not measured. National scans have gaps of up to 20
+ * degrees below their
+ * highest sweep (24 to 40, 25 to 45), which everybody fills in. A sweep that looks straight up is 30 degrees or more above all others.
  */
 const widestGapInBeams = 25;
 
-/** Degrees: also of a very narrow beam, as of a lidar, whose sweeps alone would be too thin to be seen. */
+/** Degrees: the smallest limit, for a very narrow beam such as a lidar's. Its sweeps alone would be too thin to be visible. */
 const widestGapAtLeast = 5;
 
-/** Degrees: across wider gaps, between sweeps and between radials, nothing is interpolated. @param beamWidth - degrees */
+/** Degrees: across wider gaps, between sweeps or between radials, nothing is interpolated. @param beamWidth - degrees */
 export function widestGap(beamWidth: number): number {
   return Math.max(widestGapAtLeast, widestGapInBeams * beamWidth);
 }
 
-/** Where gates of a sweep are shown. */
+/** The elevations in which gates of a sweep are shown. */
 export interface SweepReach {
-  /** Degrees, at most: to the sweeps below and above, at any azimuth, or half a beam where there is none near enough. */
+  /** Degrees, the largest span: to the sweeps below and above, at any azimuth; or half a beam if there is none near enough. */
   readonly elevations: ElevationSpan;
-  /** Whether it reaches a sweep above, so that the upper half of the way is that one's. */
+  /** Whether it reaches the sweep above. Then the upper half of the gap belongs to that sweep. */
   readonly meetsAbove: boolean;
 }
 
@@ -80,7 +81,7 @@ export function reachOfSweeps({ beamWidth }: Pick<SweepGeometry, 'beamWidth'>, s
     let [below, above] = [sweep - 1, sweep + 1];
     while (below >= 0 && spans[below][1] >= low) below--;
     while (above < spans.length && spans[above][0] <= high) above++;
-    // Only of the next one: those that cross this sweep are near it at some azimuth.
+    // Test the gap only to the next sweep. If sweeps in between cross this one, they are near it at some azimuth.
     const isAbove = above < spans.length && !(above === sweep + 1 && spans[above][0] - high > widest);
     const isBelow = below >= 0 && !(below === sweep - 1 && low - spans[below][1] > widest);
     return {
@@ -90,7 +91,7 @@ export function reachOfSweeps({ beamWidth }: Pick<SweepGeometry, 'beamWidth'>, s
   });
 }
 
-/** Half a beam below the lowest radial, down to the nadir, and half a beam above the highest one, up to the zenith. */
+/** Half a beam below the lowest radial, but not below the nadir, and half a beam above the highest, but not above the zenith. */
 export function reachOfAll(beamWidth: number, spans: readonly ElevationSpan[]): ElevationSpan {
   let [low, high] = [90, -90];
   for (const span of spans) {
@@ -100,7 +101,7 @@ export function reachOfAll(beamWidth: number, spans: readonly ElevationSpan[]): 
   return [Math.max(-90, low - beamWidth / 2), Math.min(90, high + beamWidth / 2)];
 }
 
-/** How many of ascending things, from the first on, a condition holds for. */
+/** How many of ascending things, from the first on, fulfil a condition. */
 export function countUpTo(length: number, holds: (index: number) => boolean): number {
   let [from, to] = [0, length];
   while (from < to) {

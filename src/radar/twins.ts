@@ -1,4 +1,4 @@
-// The float64 twins of a radar's modules: loaded with the first ray that is cast through one on the processor.
+// The float64 twins of a radar's modules. They are loaded with the first ray that is cast through one on the processor.
 import type { ShownOverlay } from '../optics/attachments/overlay.ts';
 import type { FieldStage } from '../optics/rays/ray-stages.ts';
 import type { SlopedField } from '../optics/shading-twins.ts';
@@ -17,7 +17,7 @@ export function polarSlopes(volume: Volume): SlopedField {
   return { gradient: polarGradient(field, polar.grid), isFolded: field.isFolded };
 }
 
-/** Another moment of the gates that a layer is over. */
+/** The field of another moment of the gates below a layer. */
 export function secondMoment({ over, volume }: ShownOverlay): FieldStage {
   return secondMomentField(asPolar(over), asPolar(volume));
 }

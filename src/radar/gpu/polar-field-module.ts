@@ -23,15 +23,15 @@ import { twinOf } from '../../renderer/ray/ray-twin.ts';
 import { textureUnit } from '../../renderer/device/texture-unit.ts';
 import { radarTwins } from './radar-twins.ts';
 
-/** What its text depends on. */
+/** What the text of the module depends on. */
 export interface PolarOptions {
-  /** 16-bit samples in two 8-bit channels. */
+  /** Whether 16-bit samples are stored in two 8-bit channels. */
   readonly twoBytes: boolean;
-  /** Radials of its sweeps have elevations of their own. */
+  /** Whether the radials of its sweeps have elevations of their own. */
   readonly radialElevations: boolean;
-  /** Its values fold, as velocities do. */
+  /** Whether its values fold, as velocities do. */
   readonly folds: boolean;
-  /** Radials crowd somewhere, see `PolarTable`. */
+  /** Whether radials crowd somewhere, see `PolarTable`. */
   readonly crowds: boolean;
 }
 
@@ -47,12 +47,12 @@ export function polarText({ twoBytes, radialElevations, folds, crowds }: PolarOp
 
 const twin = twinOf(radarTwins, ({ polarField }, { volume }) => (isPolar(volume) ? { field: polarField(volume) } : {}));
 
-/** Floats below this are no data; for integers, what is nearer to 0 than to 1 is. */
+/** Floats below this stand for no data; for integers, values nearer to 0 than to 1 do. */
 const noDataBelow = -3e38;
 
 /**
- * Upload a radar's gates at their own precision, and the table by which the shader finds them.
- * @throws {VolumeViewError} `format/too-large` where the textures do not fit the device
+ * Uploads a radar's gates at their own precision, and the table in which the shader finds them.
+ * @throws {VolumeViewError} `format/too-large` if the textures do not fit the device
  */
 export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
   const { samples } = volume;

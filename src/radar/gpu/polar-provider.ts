@@ -2,7 +2,7 @@ import type { FieldProvider } from '../../renderer/ray/ray-module.ts';
 import { uploadPolarVolume } from './polar-field-module.ts';
 import { createSlices } from './slices-module.ts';
 
-/** How volumes on polar grids are brought to the GPU: what only a page with a radar loads. */
+/** How volumes on polar grids are uploaded to the GPU. Only pages with a radar load this. */
 export const polarProvider: FieldProvider = {
   upload: uploadPolarVolume,
   createSlices,

@@ -5,7 +5,7 @@ import { beamTaps } from '../polar-gradient.ts';
 import { stretchOf } from '../polar-geometry.ts';
 import { radarTwins } from './radar-twins.ts';
 
-/** How a radar's field is lit: loaded with light. */
+/** How a radar's field is lit. It is loaded together with light. */
 export const polarTapsOf: FieldTaps = {
   chunk: polarTaps,
   uniforms: ({ grid }) => {

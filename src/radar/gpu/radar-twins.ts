@@ -1,5 +1,5 @@
 import { loadPart } from '../../core/load-part.ts';
 import { later } from '../../renderer/ray/ray-twin.ts';
 
-/** Code of the twins of a radar's modules. */
+/** The code of the twins of a radar's modules. */
 export const radarTwins = later(() => loadPart(import('../twins.ts'), 'looks into radar volumes'));

@@ -14,13 +14,14 @@ import { textureUnit } from '../../renderer/device/texture-unit.ts';
 import { layOutRadials, packRows } from '../polar-layout.ts';
 import { radarTwins } from './radar-twins.ts';
 
-/** Another moment's field, where it is over a volume of the same gates. */
+/** The field of another moment, if it is over a volume of the same gates. */
 export const sameGates = partOf(radarTwins, ({ secondMoment }) => secondMoment);
 
 /**
- * Upload another moment of a radar's gates, as data values, beside what is stored of the first one, so that a fetch has both: where that has a
- * gate, it has the same.
- * @throws {VolumeViewError} `format/too-large` where it does not fit the device
+ * Uploads another moment of a radar's gates, as data values, together with the stored values of the first moment, so that one fetch gets
+ * both. Where
+ * the first moment has a gate, the second has the same gate.
+ * @throws {VolumeViewError} `format/too-large` if it does not fit the device
  */
 export function* uploadSecondMoment(gl: Gl, { volume, over }: Pick<ShownOverlay, 'volume' | 'over'>, device: Device): Upload<SecondField> {
   if (!isPolar(volume) || !isPolar(over)) throw new TypeError('uploadSecondMoment got a cartesian grid; expected a polar one');
@@ -60,7 +61,7 @@ export function* uploadSecondMoment(gl: Gl, { volume, over }: Pick<ShownOverlay,
 
 type Convert = (rows: Samples) => Float32Array;
 
-/** As the shader decodes the texels of the volume itself. */
+/** Converts samples as the shader decodes the texels of the volume itself. */
 function storedValues(volume: Volume): Convert {
   const { samples } = volume;
   if (samples instanceof Float32Array) {

@@ -8,15 +8,15 @@ import type { Uniforms } from '../../renderer/device/inputs.ts';
 import { textureUnit } from '../../renderer/device/texture-unit.ts';
 import type { TextureUnit } from '../../renderer/device/texture-unit.ts';
 
-/** A transfer function's own stops on the GPU: slices show single values, which a table of means would blur at jumps. */
+/** A transfer function's own stops on the GPU. Slices show single values; a table of means would blur these at jumps. */
 export interface StopsTexture {
   readonly unit: TextureUnit;
   readonly uniforms: Uniforms;
 }
 
 /**
- * @param transferFunction - brightened
- * @param domain - the data values that are 0 and 1 of the transfer function's domain
+ * @param transferFunction - already brightened
+ * @param domain - the data values at 0 and 1 of the transfer function's domain
  */
 export function uploadStops(
   gl: Gl,
@@ -44,8 +44,8 @@ export function uploadStops(
 const endless = 1e9;
 
 /**
- * @param slices - as many as the shader knows at most; four numbers of each, and zeros for those that are not there
- * @param sweeps - of the volume that they cut
+ * @param slices - at most as many as the shader has room for; four numbers for each, and zeros for absent ones
+ * @param sweeps - of the volume that the slices cut
  */
 export function sliceUniforms(slices: readonly Slice[], sweeps: readonly Sweep[]): Uniforms {
   const fill = (numbers: readonly number[]): number[] => Array.from({ length: 16 }, (_, i) => numbers[i] ?? 0);

@@ -33,14 +33,14 @@ export const slicesText: RayText = {
 const twin = (slices: readonly Slice[]): RayTwin =>
   twinOf(radarTwins, ({ sliceInterval, sliceMeeter }, { volume, optics }) => (isPolar(volume) ? { intervals: [sliceInterval(sliceMeeter(volume, slices, optics))] } : {}));
 
-/** Slices through a radar volume end rays, and stand behind what is before them. At most `maxSlices`. */
+/** Slices through a radar volume end rays, and their colour stands behind everything in front of them. At most `maxSlices`. */
 export function createSlices(gl: Gl): SliceModule<Slice> {
   const stops = new Kept<StopsTexture>();
   return {
     ...slicesText,
     stage: 'interval',
     slices: [],
-    // What a cone's edge is in the picture is not told.
+    // Outlines are not known for cones, so their pictures need all rays.
     get sparesRays() {
       return this.slices.every(isFlat);
     },
