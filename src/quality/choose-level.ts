@@ -29,8 +29,7 @@ function findFinerOtherwise(levels: readonly Level[], i: number): number {
 
 /**
  * The first level whose error is within a limit; if there is none, the first of those with nearly the smallest error. The choice depends
- * only on
- * the levels and their errors, so that the same view has the same picture, whatever was seen before.
+ * only on the levels and their errors, so that the same view has the same picture, whatever was seen before.
  * @param measure - the estimate for a level; null if it is no longer needed
  * @param maxError - the limit of `keptError`, in 1/255
  * @returns null if the choice was given up

@@ -65,10 +65,9 @@ export function boundMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint
 const rounding = 0.5 / 255;
 
 /**
- * The largest error, 0..1, of a pixel that shows one value of its ray. Samples miss a value by at most its distance from the straight
- * lines between
- * them, and its colour changes by at most the transfer function's change over that distance. Where the function jumps, the last digits of
- * a value decide.
+ * The largest error, 0..1, of a pixel that shows one value of its ray. Samples miss a value by at most its distance from the straight lines
+ * between them, and its colour changes by at most the transfer function's change over that distance. Where the function jumps, the last
+ * digits of a value decide.
  * @param samplesAVoxel - on a ray
  */
 export function boundProjected({ volume: { macrocells, slope }, transferFunction }: SeenVolume, { isExact, hasValuesBetween }: ProjectedRays, samplesAVoxel: number): number {

@@ -12,9 +12,8 @@ export interface Level {
 }
 
 /**
- * Steps as a multiple of one per voxel, and the largest number of substeps of each. Steps are cut by the samples at their ends only if
- * two and four times as many steps
- * are not enough: more steps take less time and leave smaller errors, see docs/benchmark.md.
+ * Steps as a multiple of one per voxel, and the largest number of substeps of each. Steps are cut by the samples at their ends only if two
+ * and four times as many steps are not enough: more steps take less time and leave smaller errors, see docs/benchmark.md.
  */
 const shares: readonly (readonly [number, number])[] = [[1, 1], [2, 1], [4, 1], [1, maxSubsteps], [2, maxSubsteps], [4, maxSubsteps]];
 

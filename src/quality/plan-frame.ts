@@ -45,7 +45,7 @@ function affordableWork({ a, b }: TimeModel, { pixels, steps }: Full, budgetMs: 
 /** The largest number of steps for an amount of work; at most that of a picture at rest. */
 function maxSteps(work: number, full: Full, { scale, sampling }: { scale: number; sampling: SamplingOutcome }): number {
   const each = work / (full.pixels * scale ** 2) - (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
-  return Math.min(full.steps, Math.floor(each / costOf(sampling) - stepsPerRay + 1e-9)); // The 1e-9 keeps a whole number from being rounded down.
+  return Math.min(full.steps, Math.floor(each / costOf(sampling) - stepsPerRay + 1e-9)); // The 1e-9: a whole number stays the same.
 }
 
 /** The outcomes of adaptive sampling for a picture at a scale, as predicted for the nearest scale that was tested. */

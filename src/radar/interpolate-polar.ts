@@ -13,7 +13,7 @@ interface Corner {
   /** Stored value; NaN if there is no data. */
   readonly value: number;
   readonly weight: number;
-  /** Of the gate among the samples. */
+  /** Index of the gate among the samples. */
   readonly index: number;
 }
 

@@ -73,9 +73,8 @@ export interface SliceHit {
 export const maxSlices = 4;
 
 /**
- * How the crossings of a ray with a cone are searched: the number of intervals on each side of the place where the ray is
- * nearest to the radar's
- * axis (nearer intervals are shorter), and of halvings of an interval in which the ray passes through the cone.
+ * How the crossings of a ray with a cone are searched: the number of intervals on each side of the place where the ray is nearest to the
+ * radar's axis (nearer intervals are shorter), and of halvings of an interval in which the ray passes through the cone.
  */
 export const coneSearch = { intervals: 24, halvings: 20 } as const;
 

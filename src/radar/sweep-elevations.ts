@@ -52,8 +52,8 @@ export function sweepsAround(sweeps: readonly Sweep[], spans: readonly Elevation
 
 /**
  * If sweeps are farther apart than this many beam widths, what lies between them is not measured. National scans have gaps of up to 20
- * degrees below their
- * highest sweep (24 to 40, 25 to 45), which everybody fills in. A sweep that looks straight up is 30 degrees or more above all others.
+ * degrees below their highest sweep (24 to 40, 25 to 45), which everybody fills in. A sweep that looks straight up is 30 degrees or more
+ * above all others.
  */
 const widestGapInBeams = 25;
 

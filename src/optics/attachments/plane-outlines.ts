@@ -88,7 +88,7 @@ function projector({ point: [p0, px, py], direction: [d0, dx, dy], eyeT }: RaySe
   const isParallel = eyeT === -Infinity;
   const eye = isParallel ? p0 : (p0.map((x, axis) => x + eyeT * d0[axis]) as unknown as Vector3);
   const [across, up] = isParallel ? [px, py] : [dx, dy];
-  const m = invertAffine([0, 1, 2].flatMap((axis) => [across[axis], up[axis], d0[axis], eye[axis]]).concat(0, 0, 0, 1))!; // Rays are not all in one plane.
+  const m = invertAffine([0, 1, 2].flatMap((axis) => [across[axis], up[axis], d0[axis], eye[axis]]).concat(0, 0, 0, 1))!; // Rays are not all in a plane.
   const row = (r: number, p: Vector3): number => m[4 * r] * p[0] + m[4 * r + 1] * p[1] + m[4 * r + 2] * p[2] + m[4 * r + 3];
   return {
     place: (p) => (isParallel ? [row(0, p), row(1, p)] : [row(0, p) / row(2, p), row(1, p) / row(2, p)]),

@@ -49,7 +49,7 @@ export function boundSeenCells(
         bounds = join(bounds, all.part);
         continue;
       }
-      // The row is partly outside the picture, and not all of its cells are visible: look at each one.
+      // The row is partly outside the picture. The part inside may have only cells in which nothing is visible, so test each cell.
       for (let i = first; i <= last; i++) {
         const one = run[i] === 1 ? appear(i, i + 1, j, k) : null;
         if (one?.tellsMore) bounds = join(bounds, one.part);

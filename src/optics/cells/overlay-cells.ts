@@ -53,7 +53,7 @@ export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
     return cells;
   }
   const boxOf = boxesIn(over.grid, volume.grid);
-  if (!boxOf) return cells; // One of the two is flat.
+  if (!boxOf) return cells; // One of the two grids is flat.
   const read = boxReader(volume);
   const isFine = length * countTouched(boxOf([0, 0, 0]), volume.grid.dimensions) <= mostReads;
   const [mx, my] = macrocells.dimensions;
@@ -108,9 +108,8 @@ export function shownByOverlay({ low, high }: OverlayCells, { blend, transferFun
 }
 
 /**
- * What a layer adds to the optical depth that could be missed in a cell: see `SeenVolume`. If the layer's voxels are larger
- * than the volume's,
- * the layer is straighter between samples. If they are smaller, it may take any value between its smallest and its largest.
+ * What a layer adds to the optical depth that could be missed in a cell: see `SeenVolume`. If the layer's voxels are larger than the
+ * volume's, the layer is straighter between samples. If they are smaller, it may take any value between its smallest and its largest.
  */
 export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { seen, lightFactor }: {
   readonly seen: Omit<SeenVolume, 'cells'>;

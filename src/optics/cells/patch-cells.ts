@@ -12,8 +12,8 @@ const slack = 1.001;
 
 /**
  * The largest gradient that each macrocell may have, in data units per world unit. Taps of central differences lie in the cell or a
- * neighbouring one, and
- * two values of these differ by at most their range. If one tap stands for two, as next to places without data, the full difference counts.
+ * neighbouring one, and two values of these differ by at most their range. If one tap stands for two, as next to places without data, the
+ * full difference counts.
  */
 export function boundGradients({ macrocells: { dimensions: [nx, ny, nz], low, high }, slope, grid, hasNoData }: Volume): Float32Array {
   const m = normalsToWorld(grid);

@@ -1,9 +1,8 @@
 import type { Pixels } from './between-pixels.ts';
 
 /**
- * A pixel that an edge runs through gets more rays in addition to the one through its middle. These are their places, in pixels across
- * and up. All five
- * form a lattice: each has its own of five rows and of five columns, so edges of any slope have five levels.
+ * A pixel that an edge runs through gets more rays in addition to the one through its middle. These are their places, in pixels across and
+ * up. All five form a lattice: each has its own of five rows and of five columns, so edges of any slope have five levels.
  */
 export const edgeOffsets: readonly (readonly [number, number])[] = [[0.2, 0.4], [-0.4, 0.2], [0.4, -0.2], [-0.2, -0.4]];
 

@@ -34,11 +34,10 @@ function gatherExtreme({ classify, step }: Seen, sign: 1 | -1, threshold?: numbe
 }
 
 /**
- * Finds the largest value or, with sign -1, the smallest. For pieces between kinks it is exact. For samples, the error is of second
- * order; if steps
- * are shorter than a voxel, it is of first order, as tri-linear interpolation has kinks at planes of voxels' centres. So more samples are
- * taken: at the
- * top of the parabola through the three samples around the largest, and where straight lines from both sides meet.
+ * Finds the largest value or, with sign -1, the smallest. For pieces between kinks it is exact. For samples, the error is of second order;
+ * if steps are shorter than a voxel, it is of first order, as tri-linear interpolation has kinks at planes of voxels' centres. So more
+ * samples are taken: at the top of the parabola through the three samples around the largest, and where straight lines from both sides
+ * meet.
  * @param counts - whether a sample counts
  * @param threshold - if given, the first local extreme from this value on counts; if there is none, that of the whole ray
  */
@@ -90,7 +89,7 @@ function refine(
     return found.valid ? sign * found.value : best.value;
   };
   const { pieces } = path;
-  const [first, last] = pieces[pieces.length > 1 && best.at >= pieces[1][0] ? 1 : 0]; // The begin of a piece is exact, but its end may be rounded.
+  const [first, last] = pieces[pieces.length > 1 && best.at >= pieces[1][0] ? 1 : 0]; // The begin is exact, but an end may be rounded.
   const places = [-2, -1, 1, 2].map((steps) => Math.min(last, Math.max(first, best.at + steps * reach)));
   for (const at of findPeaks(best, places.map(probe), places)) probe(at);
 }

@@ -60,9 +60,8 @@ export interface FieldStage {
   /** Whether values fold over between two: then values in between do not occur. */
   isFolded(from: number, to: number): boolean;
   /**
-   * Where values kink on the way from one place of the unit cube to another, as shares of the way. There are at most three;
-   * between them values
-   * are smooth. None on ways longer than a voxel. Absent if kinks are not known.
+   * Where values kink on the way from one place of the unit cube to another, as shares of the way. There are at most three; between them
+   * values are smooth. None on ways longer than a voxel. Absent if kinks are not known.
    */
   kinksBetween?(from: Vector3, to: Vector3): readonly number[];
   /** The same on a way of any length, ascending. Between two kinks, values are a cubic of the length, or constant. */

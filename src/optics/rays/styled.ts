@@ -48,8 +48,7 @@ export function splitMaterial(material: StyleMaterial | null): { readonly shares
 
 /**
  * Factor for a gradient's length, which is in flat changes (see `flatChange`) per world unit. The product is the change along a reference
- * length, as
- * a share of the transfer function's span. Directions in the world have another scale in cartesian grids, see `normalsToWorld`.
+ * length, as a share of the transfer function's span. Directions in the world have another scale in cartesian grids, see `normalsToWorld`.
  */
 export function perReferenceLength(grid: GridFrame & { readonly kind?: string }, referenceLength: number): number {
   return (flatShare * referenceLength) / (grid.kind === 'polar' ? 1 : finestSpacing(grid));
@@ -96,9 +95,8 @@ export function stylesAt(scene: StyledPlaces): (ray: Ray) => (known: Sample) => 
 }
 
 /**
- * X3D's rendering styles on a piece of a ray: they change colour and opacity by the mean of their effect at both ends. They
- * act on the opacity
- * over a reference length, whatever the length of the piece: t' = -ln(1 - k (1 - exp(-t))). So the steps do not matter.
+ * X3D's rendering styles on a piece of a ray: they change colour and opacity by the mean of their effect at both ends. They act on the
+ * opacity over a reference length, whatever the length of the piece: t' = -ln(1 - k (1 - exp(-t))). So the steps do not matter.
  * Source: ISO/IEC 19775-1, 41. Twin: shaders/chunks/shade/styled.glsl
  */
 export function styledShade(scene: StyledScene): ShadeStage {

@@ -53,9 +53,8 @@ export interface SurfaceScene {
 }
 
 /**
- * Emission and absorption with surfaces, front to back. Between two samples the value is assumed to change linearly, and
- * the piece is cut where
- * it passes a surface's value. Samples must know their `point`. Twin: shaders/chunks/gather/surfaces.glsl
+ * Emission and absorption with surfaces, front to back. Between two samples the value is assumed to change linearly, and the piece is cut
+ * where it passes a surface's value. Samples must know their `point`. Twin: shaders/chunks/gather/surfaces.glsl
  */
 export function surfaceGather(scene: SurfaceScene): GatherStage {
   const { surfaces, isClear } = scene;

@@ -50,9 +50,8 @@ export const plainMaterial: LitMaterial = { ambient: 0.3, diffuse: 0.7, specular
 export const fogFlat = 2.5;
 
 /**
- * For fog, which has no surfaces of its own and faces all directions. Parts that face the headlight must be brighter than their colour,
- * or a lit
- * volume would be darker than an unlit one. The mean over a sphere under the headlight is 0.4 + 2/3 0.8: 0.93 of its colour.
+ * For fog, which has no surfaces of its own and faces all directions. Parts that face the headlight must be brighter than their colour, or
+ * a lit volume would be darker than an unlit one. The mean over a sphere under the headlight is 0.4 + 2/3 0.8: 0.93 of its colour.
  */
 export const fogMaterial: LitMaterial = { ambient: 0.4, diffuse: 0.8, specular: 0.05, shininess: 20 };
 

@@ -14,9 +14,8 @@ const halvings = 30;
 
 /**
  * Values at which a transfer function becomes opaque at once, or stops being so: where it jumps, and where it rises steeply to full
- * opacity. A ray that touches matter beyond such a
- * value shows all of it or nothing. So rays search for these places, as they do for surfaces (see optics/surfaces/surface-crossings.ts).
- * Only the strongest are returned, at most `maxSurfaces`.
+ * opacity. A ray that touches matter beyond such a value shows all of it or nothing. So rays search for these places, as they do for
+ * surfaces (see optics/surfaces/surface-crossings.ts). Only the strongest are returned, at most `maxSurfaces`.
  * @param voxelRatio - length of a voxel / reference length, times the opacity factor
  * @returns ascending, data values
  */

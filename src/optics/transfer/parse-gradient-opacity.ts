@@ -11,9 +11,8 @@ const maxLength = 2 * maxStops * maxWord;
 /**
  * Reads factors of the opacity by gradient: `gradient factor, ...`, for instance `0 0, 10% 1`.
  *
- * A gradient is a number in data units per world unit, or a percentage of the window along a reference length. Gradients
- * must not fall. A factor
- * is 0 to 1, or a percentage.
+ * A gradient is a number in data units per world unit, or a percentage of the window along a reference length. Gradients must not fall. A
+ * factor is 0 to 1, or a percentage.
  * @param steepest - the gradient of 100 %, in data units per world unit
  * @returns an empty list if the text is blank
  * @throws {VolumeViewError} `attribute/invalid`: the message names the stop

@@ -70,9 +70,8 @@ export function depthOfPatches(patches: readonly Patch[]): JumpDepth {
 }
 
 /**
- * Mean of extinction times colour, and of extinction, per reference length, over a straight way through the plane: value
- * and gradient are both
- * assumed to change linearly. Where patches overlap, extinctions add.
+ * Mean of extinction times colour, and of extinction, per reference length, over a straight way through the plane: value and gradient are
+ * both assumed to change linearly. Where patches overlap, extinctions add.
  * Source: Kniss, Premoze, Ikits, Lefohn, Hansen and Praun 2003. Twin: shaders/chunks/classify/patches.glsl
  */
 export function meanOverWay(patches: readonly Patch[], from: ValueAndGradient, to: ValueAndGradient): Premultiplied {

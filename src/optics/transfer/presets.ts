@@ -13,7 +13,7 @@ const written: Readonly<Record<(typeof writtenPresets)[number], string>> = {
   gray: '0% black 0, 18% #101010 2%, 40% #4c4c4c 3.5%, 65% #a4a4a4 6%, 100% white 13%',
   // Soft tissue up to 140 HU is left out; spongy bone lies above it, compact bone from 600. Thin enough to show the depth of a skull.
   'ct-bone': '140 #3c140a 0, 210 #7a3c22 5%, 300 #c58a5a 12%, 480 #e9cda0 18%, 800 #faf0dc 24%, 1800 white 40%',
-  // Skin and fat as a thin veil, muscle and brain red, organs with contrast medium brighter, bone thinner than in reality.
+  // Skin and fat as a thin veil, muscle and brain red, organs with contrast medium brighter, bone more transparent than these.
   'ct-soft-tissue': '-250 #f0c9a0 0, -150 #f0c9a0 0.6%, -60 #eab98a 0.8%, -10 #c46a52 1%, 40 #a8322e 3.2%, 80 #b8463c 4%, 115 #d9826a 9%, 200 #f0c08e 10%, 320 #f7e3c4 5%, 700 #fff6e6 5%, 1600 white 9%',
   // Vessels filled with contrast medium, 200 to 450 HU, in red. Compact bone is pale and thin, so that it does not hide them.
   // Spongy bone has the same values as these vessels, so it is red, too.

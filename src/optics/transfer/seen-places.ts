@@ -18,8 +18,7 @@ const haze = { opacity: 0.005, share: 0.03 };
 
 /**
  * Places around everything that is visible of a volume with a transfer function: the ends of the visible parts of rows of voxels, if they
- * are corners of a slice's outline. A radar's
- * gates do not lie in rows, so its macrocells are used.
+ * are corners of a slice's outline. A radar's gates do not lie in rows, so its macrocells are used.
  * @param shown - a box along the world's axes, or the volume's own grid
  * @returns world coordinates; an empty list if nothing is visible
  */

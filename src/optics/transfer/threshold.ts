@@ -19,7 +19,7 @@ export interface StoredSamples extends StoredValues {
 export interface Threshold {
   readonly share: number;
   /**
-   * Where the GPU changes from the values below to this value and those above. It is beside `share` by what rounding may do to a constant.
+   * Where the GPU changes from the values below to this value and those above. It differs from `share` by as much as rounding may change a constant.
    */
   readonly edge: number;
 }

@@ -85,11 +85,9 @@ const ofOpacity: readonly string[] = ['boundary', 'silhouette', 'gradient'];
 type OfFacing = Extract<VolumeStyle, { kind: 'edge' | 'cartoon' }>;
 
 /**
- * All styles of a chain as functions of one number each, in four rows. Three rows change the colour: by n . l (-1 to 1), then by |n . v|
- * (0 to 1) before and after light; each entry has a colour to add and the share to keep. One row has the factors of the opacity: by |n .
- * v|, by
- * the change, and by the change as a share of `gradientReach`.
- * Styles before one that replaces the colour have no effect.
+ * All styles of a chain as functions of one number each, in four rows. Three rows change the colour: by n . l (-1 to 1), then by |n . v| (0
+ * to 1) before and after light; each entry has a colour to add and the share to keep. One row has the factors of the opacity: by |n . v|,
+ * by the change, and by the change as a share of `gradientReach`. Styles before one that replaces the colour have no effect.
  */
 export function buildStyleTable(styles: readonly VolumeStyle[]): Float64Array {
   const ofColor = styles.filter(({ kind }) => !ofOpacity.includes(kind));

@@ -19,8 +19,7 @@ export const sameGates = partOf(radarTwins, ({ secondMoment }) => secondMoment);
 
 /**
  * Uploads another moment of a radar's gates, as data values, together with the stored values of the first moment, so that one fetch gets
- * both. Where
- * the first moment has a gate, the second has the same gate.
+ * both. Where the first moment has a gate, the second has the same gate.
  * @throws {VolumeViewError} `format/too-large` if it does not fit the device
  */
 export function* uploadSecondMoment(gl: Gl, { volume, over }: Pick<ShownOverlay, 'volume' | 'over'>, device: Device): Upload<SecondField> {
