@@ -17,8 +17,7 @@ const valleyShare = 0.5;
 
 /**
  * Where the opacity of a ray jumps most: the highest of its rises. A rise runs from one valley of the steepness to the next. If two rises
- * are equally high, the front one counts. A surface is always a rise of its own. that are equally high it is the one in front. A surface is
- * a thing of its own.
+ * are equally high, the front one counts. A surface is always a rise of its own.
  * @returns null if nothing is visible
  * Source: Wiebel, Vos, Foerster and Hege, *WYSIWYP: What You See Is What You Pick*, 2012. Noise and the kinks of interpolation make
  * shallow valleys; these do not count here

@@ -1,6 +1,6 @@
-/** How far a picture is from its converged limit, in 1/255 of the full range. Only pixels that the volume covers count,
+/**
+ * How far a picture is from its converged limit, in 1/255 of the full range. Only pixels that the volume covers count,
  * not those around it.
- * lies around it does not count.
  */
 export interface PictureError {
   /** Root mean square over those pixels and the four premultiplied channels. */

@@ -132,6 +132,7 @@ function heightAt(range: number, elevation: number, earthRadius: number): number
  * The lowest height of all beams. Beams that point down come nearest to the Earth on their way, where it bends away under them. A straight
  * beam along the ground would lie exactly in the box's floor, and rounding would decide whether rays leave through data. So the floor is
  * lowered a little.
+ */
 function lowestHeight(elevation: number, reach: number, earthRadius: number): number {
   if (elevation >= 0) return heightAt(reach, elevation, earthRadius) < thread * reach ? -thread * reach : 0;
   const nearest = Math.min(reach, Math.sin(-elevation / degrees) * earthRadius);

@@ -6,8 +6,8 @@ import type { RaySetup } from './rays.ts';
 const side = 32;
 
 /**
- * Number of samples of a picture if no ray stops early: the mean over a grid of rays, times the number of
- * pixels.
+ * Number of samples of a picture if no ray stops early: the mean over a grid of rays, times the
+ * number of pixels.
  * @param stepLength - world length
  */
 export function countSamples(rays: RaySetup, stepLength: number, pixels: number): number {

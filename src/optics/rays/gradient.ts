@@ -68,8 +68,8 @@ export const flatShare = 0.02;
 /** The smallest width of a transfer function, as a share of the data's range: for functions of one value, or of a few close values. */
 const leastWidth = 0.05;
 
-/** If the change from voxel to voxel (data units) is below this, a field counts as flat: it has no direction and is not lit.
- * Data units from voxel to voxel below which a field counts as flat: it faces nowhere, and is not lit.
+/**
+ * If the change from voxel to voxel (data units) is below this, a field counts as flat: it has no direction and is not lit.
  * @param domain - data values that the transfer function spans
  * @param range - of the data
  */

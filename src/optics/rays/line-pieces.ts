@@ -2,9 +2,9 @@ import { cubicAt, turnOfCubic } from './cubic.ts';
 import type { CubicValues } from './cubic.ts';
 import type { CubicPiece, Sample } from './ray-stages.ts';
 
-/** Samples a piece of a line wherever its largest value may be: at both ends, at both thirds, and at the top of the cubic through these four,
+/**
+ * Samples a piece of a line wherever its largest value may be: at both ends, at both thirds, and at the top of the cubic through these four,
  * if that is above the largest so far. All are samples of the line, so no value is found that the line does not have.
- * if that is above what is known. All are samples of the line, so that nothing is found that is not there.
  * @param sign - -1 for the smallest value
  * @param take - gets each sample and its place, @returns the largest value so far, times the sign
  * Twin: shaders/chunks/gather/extreme.glsl, gatherPiece

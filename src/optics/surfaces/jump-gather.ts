@@ -22,10 +22,8 @@ const nothing = 1e-3;
 /**
  * Emission and absorption that finds opaque values wherever a ray touches them. Between two planes of voxels' centres, a tri-linear value
  * is a cubic of the length. Each such piece is cut into parts, as many as the wanted samples per voxel. The cubic of each part shows
- * whether it passes one of the values of
- * `findOpaqueJumps`, even for a short length.
- * If it does, or if the part hides much, the part is cut where the cubic turns, and the rest is halved until nothing more can be
- * distinguished.
+ * whether it passes one of the values of `findOpaqueJumps`, even for a short length. If it does, or if the part hides much, the part is
+ * cut where the cubic turns, and the rest is halved until nothing more can be distinguished.
  * Twin: shaders/chunks/gather/jumps.glsl
  * @param values - ascending
  * @param voxel - length of a voxel, in bounding diameters

@@ -1,7 +1,7 @@
 import { domainOf, emission as emissionOf } from './emission.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
-/** The smallest number of bins between two values: it is not known where in its bin a jump lies, so half a bin counts on each side. */
+/** The smallest number of bins that a change is spread over: it is not known where in its bin a jump lies, so half of the jump counts. */
 const leastWidth = 2;
 
 /** Number of equal bins over the domain. */

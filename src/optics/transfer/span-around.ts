@@ -1,6 +1,6 @@
-/** A span of values around one value, if all values are the same: half a unit to both sides, or more if numbers are so large that
+/**
+ * A span of values around one value, if all values are the same: half a unit to both sides, or more if numbers are so large that
  * half a unit would be lost to rounding.
- * half a unit would be lost.
  */
 export function spanAround(value: number): [low: number, high: number] {
   const half = Math.max(0.5, Math.abs(value) * 2 ** -20);

@@ -19,7 +19,8 @@ export interface StoredSamples extends StoredValues {
 export interface Threshold {
   readonly share: number;
   /**
-   * Where the GPU changes from the values below to this value and those above. It differs from `share` by as much as rounding may change a constant.
+   * The GPU changes here from the values below to this value and those above. It differs from `share` by as much as rounding may
+   * change a constant.
    */
   readonly edge: number;
 }
