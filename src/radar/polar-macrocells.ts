@@ -229,7 +229,7 @@ class SweepInColumn {
       const end = Math.min(last, this.#ends[at]);
       for (let gate = Math.max(first, this.#begins[at]); gate <= end; gate++) {
         const value = samples[row + gate];
-        // Both comparisons are false for NaN.
+        // All comparisons are false for NaN.
         if (value < minValid) continue;
         if (value < lows[gate]) lows[gate] = value;
         if (value > highs[gate]) highs[gate] = value;

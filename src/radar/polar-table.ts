@@ -37,7 +37,7 @@ const maxTableTexels = 2 ** 21;
  * The table in which the shader finds sweeps and radials. It has bins of elevation, a texel for each sweep, a texel for each radial (by its
  * number), and bins of azimuth for each sweep.
  *
- * A bin of azimuth has the number of the last radial at or before its begin, that radial's turn in degrees (see PolarLayout),
+ * A bin of azimuth has the number of the last radial at or before its start, that radial's turn in degrees (see PolarLayout),
  * and the turns of the two radials after it. A radial's texel has its elevation, that of the radial after it, and the turns of the
  * two after it, for bins in which more than one radial begins. A sweep's texel has the range of the first gate in metres, 1 / gate
  * length, the number of gates, and what is added to (a radial's number / its sweep's radials per row) to get its row of texels.

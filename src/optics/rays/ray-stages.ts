@@ -25,7 +25,7 @@ export interface Interval {
 export interface Segment {
   readonly front: Sample;
   readonly back: Sample;
-  /** Its begin and its length: in bounding diameters, from the ray's entry. */
+  /** Its start and its length: in bounding diameters, from the ray's entry. */
   readonly begin: number;
   readonly span: number;
 }

@@ -51,7 +51,7 @@ export interface RayStyle extends Partial<SurfaceStyle> {
   readonly lit?: true;
   /** X3D's rendering styles. */
   readonly styles?: readonly StyleChain[];
-  /** Whether emission and absorption depend on value and gradient. */
+  /** If given, emission and absorption depend on value and gradient. */
   readonly patches?: readonly Patch[];
 }
 

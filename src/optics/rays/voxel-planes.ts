@@ -7,7 +7,7 @@ const drift = 1e-9;
  * Where a line meets planes of voxels' centres: shares of the line, ascending, without duplicates and without the line's ends. Between two
  * planes, tri-linear values are one cubic of the length. Beyond the outermost centres values are constant, so there are no planes.
  * @param from - in voxels; whole numbers are at centres
- * @param way - the vector from the line's begin to its end, also in voxels
+ * @param way - the vector from the line's start to its end, also in voxels
  * @param shift - 0.5 for the planes between voxels, where the nearest voxel changes
  * Twin: shaders/chunks/walk/walk-voxels.glsl
  */

@@ -104,7 +104,7 @@ export interface Around {
 
 /** A place between samples where values along a ray turn. */
 export interface Turn {
-  /** Length from the begin of the segment. */
+  /** Length from the start of the segment. */
   readonly at: number;
   readonly top: Sample;
 }

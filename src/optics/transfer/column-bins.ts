@@ -1,6 +1,6 @@
 /** Finds the column of a value: bins of equal width over the domain, with at most one edge of a column in each. */
 export interface ColumnBins {
-  /** Shape [bins, 4]: the number of the column at the bin's begin, where this column begins and ends, and where the next one ends. */
+  /** Shape [bins, 4]: the number of the column at the bin's start, where this column begins and ends, and where the next one ends. */
   readonly texels: Float32Array<ArrayBuffer>;
   /** A power of two. */
   readonly count: number;

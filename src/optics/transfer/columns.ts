@@ -11,11 +11,11 @@ import type { Premultiplied, Stop, TransferFunction } from './transfer-function.
 export interface Columns {
   /** Where each column begins, and where the last one ends: shares, float32, count + 1. */
   readonly edges: Float32Array;
-  /** Shape [count, 4]: extinction times colour, and extinction, per reference length, at each column's begin and end. */
+  /** Shape [count, 4]: extinction times colour, and extinction, per reference length, at each column's start and end. */
   readonly starts: Float32Array;
   readonly ends: Float32Array;
   /**
-   * Shape [count, 4]: the integral over the share, up to each column's begin and end. It is counted from the exact places of stops, as
+   * Shape [count, 4]: the integral over the share, up to each column's start and end. It is counted from the exact places of stops, as
    * if the lines ended there and not at edges, so jumps are exact to the last digit.
    */
   readonly sumsAtStart: Float64Array;

@@ -77,7 +77,7 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
   const differencesAndBends = new Windows(2 * channels.length, (first, last) => channels.flatMap((channel) => [difference(channel, first, last), bend(channel, first, last)]));
   /**
    * The largest measure of windows. Together, the windows hold every pair of values that are near enough to each other.
-   * @param parts - number of windows that begin per reach; each is wider than the reach by the distance between their begins
+   * @param parts - number of windows that begin per reach; each is wider than the reach by the distance between their starts
    * @param measure - of the known numbers, the index of a window's first number, and the number of bins in the window
    */
   const largestOf = ([from, to, apart]: readonly [number, number, number], parts: number, windows: Windows, measure: (known: Float64Array, at: number, count: number) => number): number => {
