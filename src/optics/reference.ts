@@ -25,7 +25,7 @@ export interface ReferenceScene extends OpticalFactors {
   readonly slope: number;
   readonly intercept: number;
   readonly transferFunction: TransferFunction;
-  /** World length over which a stop's opacity holds. */
+  /** World length to which a stop's opacity belongs. */
   readonly referenceLength: number;
   /** World length of a step. */
   readonly stepLength: number;

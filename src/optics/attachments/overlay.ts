@@ -69,7 +69,7 @@ export function toOverlay(grid: Grid, overlay: Grid): Matrix4 | null {
 
 /** A sample of a volume that has a layer over it. */
 export interface OverlaidSample extends Sample {
-  /** Data value of the layer; NaN where it has none. */
+  /** Data value of the layer; NaN if it has none. */
   readonly overlay: number;
 }
 

@@ -7,7 +7,7 @@ export interface Pixels {
 
 /** Pixels interpolated between four pixels of a picture that has only every second pixel along each axis. */
 export interface Quad {
-  /** RGBA of the four pixels of the whole picture: the one that is known, right of it, above it, and right above. */
+  /** RGBA of four pixels of the whole picture: the known one, then those to the right, above, and above to the right. */
   readonly colors: Float64Array;
   /** Curvature of the picture here: the largest second difference of a channel. */
   curvature: number;

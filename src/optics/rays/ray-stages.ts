@@ -4,7 +4,7 @@ import type { Premultiplied } from '../transfer/transfer-function.ts';
 
 /** The data at a place of a ray. Twin: shaders, struct Sample, whose value is a share of the domain. */
 export interface Sample {
-  /** Data units; NaN where there is no data. */
+  /** Data units; NaN if there is no data. */
   readonly value: number;
   readonly valid: boolean;
   /** What further field modules found at this place, by their own names. */

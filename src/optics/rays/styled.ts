@@ -31,7 +31,7 @@ export interface StyledScene extends StyledPlaces {
 /** The largest opacity over a reference length. */
 export const mostOpacity = 0.9999;
 
-/** Factors stay below this, so that the shader's products stay numbers. */
+/** Factors stay below this, so that products in the shader stay finite. */
 const largestFactor = 1e30;
 
 const white: Vector3 = [1, 1, 1];
