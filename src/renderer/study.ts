@@ -14,19 +14,19 @@ import type { RayProgram } from './ray/compose-ray.ts';
 import { maxSubsteps } from '../optics/transfer/substep-limits.ts';
 
 /**
- * What the accuracy study compares: the 2011 paper's method as printed, post-classified samples, and the ray-caster
- * that is shipped. Nothing of the package imports this.
+ * The methods that the accuracy study compares: the 2011 paper's method as printed, post-classified samples, and the ray-caster
+ * that the package ships. No file of the package imports this one.
  */
 export type StudyMethod = 'printed' | 'plain' | 'shipped';
 
-/** And what the benchmark holds it against: which samples show, and a loop that does nothing but fetch as many. */
+/** Also the programs that the benchmark compares: one that draws only the samples that show, and a loop that only fetches as many samples. */
 export type StudyProgram = StudyMethod | 'shown' | 'fetched';
 
-/** @param shipped - of a volume in a 3D texture; the paper's method reads 8-bit samples only */
+/** @param shipped - the ray program for a volume in a 3D texture; the paper's method reads 8-bit samples only */
 export function composeStudyShader(program: StudyProgram, shipped: RayProgram): ShaderTexts {
   if (program === 'shipped') return composeRay(shipped);
   const { webgl2, modules } = shipped;
-  // All that the classify stage has but what makes the colour of a segment.
+  // All chunks of the classify stage except the last one, which computes the colour of a segment.
   const means = modules.filter(({ stage }) => stage === 'classify').at(-1)!.chunks.slice(0, -1);
   const sampling = [...fieldChunks(modules), ...means];
   const chunks = {

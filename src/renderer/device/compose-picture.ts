@@ -5,7 +5,7 @@ import wholePicture from '../../../shaders/programs/whole-picture.vert.glsl?raw'
 import { composeStage } from './compose-stage.ts';
 import type { ShaderTexts } from './compose-stage.ts';
 
-/** What is done with pictures of the volume, whatever it is: to interpolate pixels, and to show what has been drawn before. */
+/** Programs for pictures of any volume: `between` interpolates pixels, `gathered` shows a picture that has been drawn before. */
 export type PictureProgram = 'between' | 'gathered';
 
 /** The shader texts that draw a picture from another one. */

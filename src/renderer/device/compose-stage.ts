@@ -9,15 +9,15 @@ export interface ShaderTexts {
 
 export type Defines = Readonly<Record<string, number | string>>;
 
-/** What the texts of a stage are put together for. */
+/** The stage whose text is composed, and the options of that text. */
 export interface ComposedStage {
-  /** GLSL ES 3.00, else 1.00. */
+  /** True: GLSL ES 3.00; false: GLSL ES 1.00. */
   readonly webgl2: boolean;
   readonly stage: 'VERTEX_STAGE' | 'FRAGMENT_STAGE';
   readonly defines?: Defines;
 }
 
-/** Version, defines, language and chunks of one of a program's two stages. */
+/** Compose the text of one of a program's two stages: version, defines, language and chunks. */
 export function composeStage({ webgl2, stage, defines }: ComposedStage, chunks: readonly string[]): string {
   const all = { [stage]: 1, WEBGL2: Number(webgl2), ...defines };
   return [

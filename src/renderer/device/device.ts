@@ -2,7 +2,7 @@ import type { DeviceLimits } from '../../volume/reduce.ts';
 
 export type Gl = WebGLRenderingContext | WebGL2RenderingContext;
 
-/** What this page's WebGL can do, as far as volumes are concerned. */
+/** The abilities of this page's WebGL that matter for volumes. */
 export interface Device {
   readonly webgl2: boolean;
   readonly maxTextureSize: number;
@@ -10,9 +10,9 @@ export interface Device {
   readonly max3dTextureSize: number;
   /** Float textures can be filtered by the device. */
   readonly floatLinear: boolean;
-  /** Vertex shaders read textures, and points of 2 x 2 pixels are drawn: what adaptive ray sampling takes. */
+  /** Vertex shaders can read textures, and points of 2 x 2 pixels can be drawn: adaptive ray sampling needs both. */
   readonly quadPoints: boolean;
-  /** Filtering 16 bits in two 8-bit channels keeps 16 bits; absent until `askTwoByteFilter`, and taken for no. */
+  /** Filtering 16 bits in two 8-bit channels keeps 16 bits; absent until `askTwoByteFilter`, which counts as false. */
   twoByteLinear?: boolean;
 }
 
@@ -20,15 +20,15 @@ export function isWebGl2(gl: Gl): gl is WebGL2RenderingContext {
   return typeof WebGL2RenderingContext !== 'undefined' && gl instanceof WebGL2RenderingContext;
 }
 
-/** Most bytes of samples that one volume may take: what browsers let a page allocate at once on any device. */
+/** The maximum bytes of samples of one volume: browsers let a page allocate this much at once on any device. */
 const maxVolumeBytes = 2 ** 30;
 
-/** The share of a device's memory that one volume may take: it is there twice, in the page and on the GPU, and more while it is decoded. */
+/** The share of a device's memory that one volume may take: memory holds it twice, in the page and on the GPU, and more during decoding. */
 const memoryShare = 1 / 8;
 
 /**
- * What a volume must not exceed to be shown on a device.
- * @param maxBytes - that the GPU had memory for
+ * The limits for a volume that is to be shown on a device.
+ * @param maxBytes - the bytes for which the GPU had memory
  */
 export function deviceLimits(device: Device, maxBytes = Infinity): DeviceLimits {
   // GiB, at most 8 and only in some browsers. Source: W3C, Device Memory.

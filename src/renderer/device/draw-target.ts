@@ -2,22 +2,22 @@ import type { Gl } from './device.ts';
 import { textureUnit } from './texture-unit.ts';
 import type { TextureUnit } from './texture-unit.ts';
 
-/** One texture of a target: where it is attached, what it holds, and the uniform that reads it. */
+/** One texture of a target: its attachment point, its format, and the sampler that reads it. */
 export interface Attachment {
   readonly point: number;
-  /** As texImage2D calls them. */
+  /** Internal format, format and type: the arguments of texImage2D. */
   readonly internal: number;
   readonly format: number;
   readonly type: number;
   readonly samplerName: string;
 }
 
-/** RGBA with 8 bits a channel, as the canvas has. */
+/** RGBA with 8 bits a channel, like the canvas. */
 export function bytesAttachment(gl: Gl, samplerName: string): Attachment {
   return { point: gl.COLOR_ATTACHMENT0, internal: gl.RGBA, format: gl.RGBA, type: gl.UNSIGNED_BYTE, samplerName };
 }
 
-/** Textures that are drawn into, and then read pixel by pixel. */
+/** Textures that a program draws into, and that another program then reads pixel by pixel. */
 export class DrawTarget {
   readonly framebuffer: WebGLFramebuffer;
   /** In the order of the attachments. */
@@ -39,13 +39,13 @@ export class DrawTarget {
     return this.#height;
   }
 
-  /** What was drawn before is lost where this changes anything. */
+  /** Set the size. If it changes, the previous picture is lost. */
   resize(width: number, height: number): void {
     if (width === this.#width && height === this.#height) return;
     const { gl } = this;
     this.#width = width;
     this.#height = height;
-    // It may be called amid a drawing, whose textures are in place.
+    // The caller may be in the middle of a drawing, with its textures bound.
     const bound = gl.getParameter(gl.FRAMEBUFFER_BINDING) as WebGLFramebuffer | null;
     const boundTexture = gl.getParameter(gl.TEXTURE_BINDING_2D) as WebGLTexture | null;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);

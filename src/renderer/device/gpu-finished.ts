@@ -2,8 +2,8 @@ import { isWebGl2 } from './device.ts';
 import type { Gl } from './device.ts';
 
 /**
- * Resolves when the GPU has done all that it was told to. In WebGL 2 the page goes on meanwhile; WebGL 1 has no fences,
- * and waits.
+ * Resolves when the GPU has finished all commands so far. In WebGL 2 the page continues meanwhile; WebGL 1 has no fences,
+ * so the page waits.
  */
 export async function gpuFinished(gl: Gl): Promise<void> {
   if (!isWebGl2(gl)) {

@@ -8,7 +8,7 @@ interface TimerTokens {
   readonly GPU_DISJOINT_EXT: number;
 }
 
-/** Source: Khronos, WebGL extension EXT_disjoint_timer_query; WebGL 1 has no queries but these. */
+/** Source: Khronos, WebGL extension EXT_disjoint_timer_query; WebGL 1 has no other queries. */
 interface TimerQueries extends TimerTokens {
   readonly QUERY_RESULT_EXT: number;
   readonly QUERY_RESULT_AVAILABLE_EXT: number;
@@ -20,9 +20,9 @@ interface TimerQueries extends TimerTokens {
   getQueryObjectEXT(query: WebGLQuery, what: number): unknown;
 }
 
-/** Timer queries in the words of neither version. */
+/** Timer queries, the same for both versions of WebGL. */
 interface Queries {
-  /** Of the counter; a device without one says 0. */
+  /** Bits of the counter; 0 if the device has no counter. */
   readonly bits: number;
   create(): WebGLQuery | null;
   begin(query: WebGLQuery): void;
@@ -30,17 +30,17 @@ interface Queries {
   isAvailable(query: WebGLQuery): boolean;
   nanoseconds(query: WebGLQuery): number;
   delete(query: WebGLQuery): void;
-  /** Whether times since this was last asked are void: the GPU changed its clock, say. */
+  /** Whether the times measured since the last call are invalid, for example because the GPU changed its clock. */
   wasDisjoint(): boolean;
 }
 
 /**
- * Turns of the page's loop that a result is waited for once the GPU has finished; it changes in none of them, says the
- * extension, and it is there in the first as a rule.
+ * How many turns of the page's event loop to wait for a result after the GPU has finished. The extension says that a result
+ * becomes available only between turns; usually it is there in the first one.
  */
 const maxTurns = 4;
 
-/** Takes the time that the GPU spends on a drawing, one at a time. */
+/** Measures the time that the GPU needs for a drawing; one drawing at a time. */
 export class GpuTimer {
   #query: WebGLQuery | null = null;
 
@@ -49,13 +49,13 @@ export class GpuTimer {
     readonly queries: Queries,
   ) {}
 
-  /** null where the browser or the device has no timer queries, and where the context is lost. */
+  /** null if the browser or the device has no timer queries, or if the context is lost. */
   static create(gl: Gl): GpuTimer | null {
     const queries = gl.isContextLost() ? null : isWebGl2(gl) ? queriesOfWebGl2(gl) : queriesOfWebGl1(gl);
     return queries && queries.bits > 0 ? new GpuTimer(gl, queries) : null;
   }
 
-  /** What is drawn from now on is timed; a time that nobody read is dropped. */
+  /** Time the drawing from now on; a time that nobody has read is dropped. */
   begin(): void {
     this.#drop();
     this.#query = this.queries.create();
@@ -67,15 +67,15 @@ export class GpuTimer {
   }
 
   /**
-   * The time between `begin` and `end`, to be asked for when the GPU has finished.
-   * @returns ms; null where it is not to be had, was asked for before, or means nothing
+   * Get the time between `begin` and `end`. Call it when the GPU has finished.
+   * @returns ms; null if there is no result, if it was read before, or if it is invalid
    */
   async read(): Promise<number | null> {
     const query = this.#query;
     if (!query) return null;
     for (let turn = 0; turn <= maxTurns && !this.gl.isContextLost(); turn++) {
       if (turn > 0) await new Promise((resolve) => setTimeout(resolve));
-      if (query !== this.#query) return null; // Dropped meanwhile.
+      if (query !== this.#query) return null; // Another `begin` or `dispose` dropped it meanwhile.
       if (!this.queries.isAvailable(query)) continue;
       const ms = this.queries.nanoseconds(query) / 1e6;
       this.#drop();

@@ -1,15 +1,15 @@
 import type { Volume } from '../../volume/volume.ts';
 
-/** No data are stored as this, as GLSL ES need not know NaN. The shader takes all below -3e38 for no data. */
+/** Missing data are stored as this, because GLSL ES need not support NaN. The shader reads all values below -3e38 as no data. */
 const noDataSentinel = -3.4028234e38;
 
-/** GPUs take floats below 2^-126 for 0; with this as the largest, 24 bits are left of each. */
+/** GPUs treat floats below 2^-126 as 0. If the largest value is this one, 24 bits are left for each value. */
 const smallestMagnitude = 2 ** -100;
 
 /** Sums and differences of floats up to this stay far from the largest float, and from the sentinel. */
 const largestMagnitude = 2 ** 100;
 
-/** What floats are divided by: a power of two that brings extreme ones where a GPU computes well; 1 for all others. */
+/** The divisor of floats: a power of two that brings extreme values into a range where a GPU computes well; 1 for all other values. */
 export function chooseFloatScale({ range, slope, intercept }: Volume): number {
   const largest = Math.max(...range.map((value) => Math.abs((value - intercept) / slope)));
   if (!(largest > 0) || largest === Infinity) return 1;

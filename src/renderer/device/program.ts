@@ -36,7 +36,7 @@ function compileStage(gl: Gl, type: number, text: string): WebGLShader {
   return shader;
 }
 
-/** @param log - the compiler's own words */
+/** @param log - the compiler's own message */
 export function shaderError(log: string | null): VolumeViewError {
   return new VolumeViewError(
     'webgl/shader',
@@ -56,7 +56,7 @@ function activeUniforms(gl: Gl, program: WebGLProgram): ReadonlyMap<string, Acti
   const known = knownUniforms.get(program);
   if (known) return known;
   const found = new Map<string, ActiveUniform>();
-  const count = (gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) as number | null) ?? 0; // None where the context is lost.
+  const count = (gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) as number | null) ?? 0; // null if the context is lost.
   for (let i = 0; i < count; i++) {
     const active = gl.getActiveUniform(program, i);
     const location = active && gl.getUniformLocation(program, active.name);
@@ -66,7 +66,7 @@ function activeUniforms(gl: Gl, program: WebGLProgram): ReadonlyMap<string, Acti
   return found;
 }
 
-/** Put a program in use, with what it reads. What it has no use for is passed over. */
+/** Use a program, and set its inputs. Inputs that the program does not read are ignored. */
 export function useProgram(gl: Gl, program: WebGLProgram, { uniforms, units }: ProgramInputs): void {
   const active = activeUniforms(gl, program);
   gl.useProgram(program);
@@ -93,7 +93,7 @@ function setUniform(gl: Gl, { type, location }: ActiveUniform, value: readonly n
   }
 }
 
-/** Bind a texture, with its filter, where a sampler of this number reads it. */
+/** Bind a texture, with its filter, to the texture unit of this number. */
 export function bindUnit(gl: Gl, { type, texture, wrapS, wrapT, minFilter, magFilter }: TextureUnit, index: number): void {
   gl.activeTexture(gl.TEXTURE0 + index);
   gl.bindTexture(type, texture);

@@ -13,7 +13,7 @@ export interface TextureUnit {
   anisotropicDegree: number;
 }
 
-/** How x3dom wants to be told of a texture. */
+/** Describe a texture in the form that x3dom expects. */
 export function textureUnit(
   gl: Gl,
   { type, texture, filter, samplerName }: { type: number; texture: WebGLTexture; filter: number; samplerName: string },

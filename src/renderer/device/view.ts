@@ -1,6 +1,6 @@
 import type { Matrix4 } from '../../volume/matrix.ts';
 
-/** Where the scene is looked at from. */
+/** The camera: from where the scene is seen. */
 export interface View {
   /** Row-major world-to-eye matrix. */
   readonly view: Matrix4;

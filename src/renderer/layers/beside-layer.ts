@@ -1,4 +1,4 @@
-// What is known of a layer's volume beside it: labels, and a second field. Loaded with the first of them.
+// What is attached to a layer's volume: labels, and a second field. The first of them loads this file.
 import { loadPart } from '../../core/load-part.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
@@ -13,7 +13,7 @@ import type { OverlayLayer } from './overlay-layer.ts';
 import { listSamplers, maxSamplers } from '../ray/compose-ray.ts';
 import type { Optics, RayModule } from '../ray/ray-module.ts';
 
-/** Labels and a second field, each where there is one. */
+/** The labels and the second field of a layer, if it has them. */
 export class BesideLayer {
   #labels: LabelLayer | null = null;
   #overlay: OverlayLayer | null = null;
@@ -33,12 +33,12 @@ export class BesideLayer {
     await (this.#overlay ??= new OverlayLayer(this.gl, this.device, this.providers)).show(overlay);
   }
 
-  /** Of rays of a layer. A second field acts on what labels have coloured. */
+  /** The modules for the rays of a layer. The second field comes after the labels, so it acts on the colours that labels give. */
   modules(layer: LabelledLayer): readonly RayModule[] {
     return [...(this.#labels?.modules(layer) ?? []), ...(this.#overlay?.modules(layer.volume!, !layer.cutsSteps) ?? [])];
   }
 
-  /** All modules of a ray, without those of the second field where WebGL 1 has no samplers left for them. */
+  /** All modules of a ray; without those of the second field if WebGL 1 has no samplers left for them. */
   fit(modules: readonly RayModule[]): readonly RayModule[] {
     if (listSamplers({ adaptive: false, modules }).length <= maxSamplers(this.device.webgl2)) return modules;
     const others = modules.filter(({ name }) => !name.startsWith('overlay'));
@@ -49,20 +49,20 @@ export class BesideLayer {
     return others;
   }
 
-  /** What can be missed of all of them: see `SeenVolume`. */
+  /** The detail that rays could miss, for the labels and the second field: see `SeenVolume`. */
   more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>, optics: Optics): Pick<SeenVolume, 'more' | 'functions'> | undefined {
     const labelled = this.#labels?.more(volume, seen, optics.lightFactor);
     return this.#overlay ? { ...labelled, more: this.#overlay.more(volume, { ...seen, ...labelled }, optics) } : labelled;
   }
 
-  /** What values may show, of a volume with a second field: any where that shows something of its own. */
+  /** Which values may show in a volume with a second field: all values in the cells where the second field shows something. */
   widen(volume: Volume, contributions: readonly Contribution[]): readonly Contribution[] {
     const own = this.#overlay?.ownCells(volume);
     if (!own) return contributions;
     return this.#widened.get([own, ...contributions], () => contributions.map((shows): Contribution => (low, high, cell) => own[cell] > 0 || shows(low, high, cell)));
   }
 
-  /** A volume with values where it has none and the second field shows something: what skips empty space goes by them. */
+  /** The volume, but with values in cells that have none where the second field shows something: the skipping of empty space needs them. */
   open(volume: Volume): Volume {
     const own = this.#overlay?.ownCells(volume);
     if (!own) return volume;

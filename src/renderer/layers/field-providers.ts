@@ -1,9 +1,9 @@
 import type { FieldTaps } from '../ray/modules/lit.ts';
 import type { FieldProvider } from '../ray/ray-module.ts';
 
-/** How volumes of other than cartesian grids are drawn: loaded when the first one comes. */
+/** Loaders of the code that draws volumes whose grid is not cartesian: the first such volume calls them. */
 export interface FieldProviders {
   readonly polar?: () => Promise<FieldProvider>;
-  /** How they are lit. */
+  /** Loads the code that lights polar volumes. */
   readonly polarTaps?: () => Promise<FieldTaps>;
 }

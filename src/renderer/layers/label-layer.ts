@@ -1,4 +1,4 @@
-// Labels of a layer's volume, and volumes of labels: loaded with the first of them.
+// Labels of a layer's volume, and volumes of labels. The first of them loads this file.
 import { loadPart } from '../../core/load-part.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
@@ -28,15 +28,15 @@ import { uploadGradually } from '../textures/upload-gradually.ts';
 
 export { discreteProvider } from '../ray/modules/discrete-field.ts';
 
-/** A map on the GPU, with what tells where its voxels lie; and which labels there are where. */
+/** A label map on the GPU, with the table of its labels, and which labels each cell contains. */
 interface Brought {
   readonly block: BlockTexture;
   readonly table: LabelTable;
-  /** Of the volume's macrocells. */
+  /** The labels in each of the volume's macrocells. */
   readonly cells: LabelCells;
 }
 
-/** What of a layer its labels read. */
+/** The members of a layer that its labels read. */
 export interface LabelledLayer {
   readonly volume: Volume | null;
   readonly field: FieldModule | null;
@@ -50,7 +50,7 @@ export class LabelLayer {
   #shown: ShownLabels | null = null;
   #wanted: ShownLabels | null = null;
   #brought: Brought | null = null;
-  /** What is in the table. */
+  /** The styles that are in the table now. */
   #worn: ShownLabels['styles'] | null = null;
   readonly #looks = new Kept<CellLooks>();
   readonly #contribution = new Kept<Contribution>();
@@ -60,8 +60,8 @@ export class LabelLayer {
   constructor(readonly gl: Gl, readonly device: Device) {}
 
   /**
-   * @returns resolves when the next picture shows them; a later call takes its place
-   * @throws {VolumeViewError} `format/too-large` where the device has no room for them
+   * @returns resolves when the next picture will show the labels; a later call replaces this one
+   * @throws {VolumeViewError} `format/too-large` if the device has no room for them
    */
   async show(labels: ShownLabels | null): Promise<void> {
     this.#wanted = labels;
@@ -81,13 +81,13 @@ export class LabelLayer {
     this.#shown = labels;
   }
 
-  /** At once, or bit by bit between frames where the map is large. */
+  /** Upload a small map at once, and a large one piece by piece between frames. */
   async #bring(labels: ShownLabels): Promise<Brought | null> {
     const upload = this.#upload(labels);
     return labels.map.numbers.byteLength <= quickBytes ? finishUpload(upload) : uploadGradually(this.gl, upload, () => this.#wanted !== labels);
   }
 
-  /** Numbers are brought there as a volume's samples are. */
+  /** The label numbers are uploaded in the same way as a volume's samples. */
   *#upload({ map }: ShownLabels): Upload<Brought> {
     const cells = yield* listLabels(map);
     const table = yield* createLabelTable(this.gl, map, this.device);
@@ -100,7 +100,7 @@ export class LabelLayer {
     }
   }
 
-  /** Those of a layer whose volume has labels. */
+  /** The label modules of a layer; none if its volume has no labels. */
   modules({ volume, field: voxels, optics, cutsSteps }: LabelledLayer): readonly RayModule[] {
     const labels = this.#labelsOf(volume!);
     if (!labels) return [];
@@ -116,7 +116,7 @@ export class LabelLayer {
     return [field, ...(functions ? this.#functions!.modules({ functions, looks: this.#looksOf(labels) }, frame) : []), functions ? groupLooks : labelLooks];
   }
 
-  /** What labels make of what could be missed: see `SeenVolume`. */
+  /** How labels change the detail that rays could miss: see `SeenVolume`. */
   more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>, lightFactor: number): Pick<SeenVolume, 'more' | 'functions'> | undefined {
     const labels = this.#labelsOf(volume);
     if (!labels) return undefined;
@@ -148,7 +148,7 @@ export class LabelLayer {
   }
 
   dispose(): void {
-    this.#wanted = null; // What is on its way is given up.
+    this.#wanted = null; // A load or upload in progress stops.
     disposeOf(this.#brought);
     this.#functions?.dispose();
   }

@@ -8,18 +8,18 @@ import type { ProgramInputs } from '../device/inputs.ts';
 import { labelsAcross } from '../ray/modules/labels.ts';
 import { textureUnit } from '../device/texture-unit.ts';
 
-/** Voxels along the edge of a cell, where the device has room for so many: in those with one label nothing is to be voted for. */
+/** Voxels along the edge of a cell, if the device has room for so many cells. In cells with one label, samples need no vote among labels. */
 const finestEdge = 4;
 
-/** What labels look like, and which cells have one alone: a texture, which a map keeps while looks change. */
+/** The labels' appearance, and which cells have only one label: a texture. A map keeps it when only the appearance changes. */
 export interface LabelTable {
   readonly inputs: ProgramInputs;
-  /** @param styles - as many as the map has ids */
+  /** Write the labels' appearance. @param styles - one for each id of the map */
   wear(styles: readonly LabelStyle[]): void;
   dispose(): void;
 }
 
-/** Fill the part of a map's table that does not depend on looks. */
+/** Fill the part of a map's table that does not depend on the labels' appearance. */
 export function* createLabelTable(gl: Gl, map: LabelMap, { maxTextureSize }: Device): Upload<LabelTable> {
   const styleRows = Math.ceil(map.ids.length / labelsAcross);
   const countCells = (edge: number): number => map.dimensions.reduce((product, n) => product * Math.ceil(n / edge), 1);

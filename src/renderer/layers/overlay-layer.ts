@@ -26,7 +26,7 @@ import type { Optics, RayFrame, RayModule, SecondField } from '../ray/ray-module
 import { uploadTable } from '../textures/table-textures.ts';
 import { uploadGradually } from '../textures/upload-gradually.ts';
 
-/** Factors stay below this, so that the shader's products stay numbers. */
+/** Factors stay below this, so that the shader's products don't overflow. */
 const largestFactor = 1e30;
 
 /** A second field on the GPU, and the modules that draw it. */
@@ -45,8 +45,8 @@ export class OverlayLayer {
   }
 
   /**
-   * @returns resolves when the next picture shows it; a later call takes its place
-   * @throws {VolumeViewError} `format/too-large` where the device has no room for it
+   * @returns resolves when the next picture will show the overlay; a later call replaces this one
+   * @throws {VolumeViewError} `format/too-large` if the device has no room for it
    */
   async show(overlay: ShownOverlay | null): Promise<void> {
     this.#wanted = overlay;
@@ -60,7 +60,7 @@ export class OverlayLayer {
     this.#shown = overlay;
   }
 
-  /** At once, or bit by bit between frames where there is much of it. */
+  /** Upload a small overlay at once, and a large one piece by piece between frames. */
   async #bring(overlay: ShownOverlay): Promise<SecondField | null> {
     const { volume } = overlay;
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
@@ -73,7 +73,7 @@ export class OverlayLayer {
 
   *#upload(volume: Volume): Upload<SecondField> {
     const { slope, intercept, samples, grid, hasNoData } = volume;
-    // Where the device filters floats, it does so with those that have holes too.
+    // If the device filters floats, it also filters floats with holes (missing data).
     const holes = hasNoData && samples instanceof Float32Array && this.device.floatLinear;
     const filter = holes || isFiltered(volume, this.device);
     const packing = holes ? { texels: pairTexels(this.gl), pack: (some: Samples, scale: number) => weighFloats(some as Float32Array, scale) } : undefined;
@@ -90,7 +90,7 @@ export class OverlayLayer {
     };
   }
 
-  /** Those of a volume that has a layer. @param projects - whether rays show values, which a layer has no part in */
+  /** The overlay modules of a volume; none if it has no overlay. @param projects - whether rays project values: then the overlay is left out */
   modules(volume: Volume, projects: boolean): readonly RayModule[] {
     const overlay = this.over(volume);
     const field = this.#field;
@@ -130,12 +130,12 @@ export class OverlayLayer {
     });
   }
 
-  /** The layer, where it is over a volume. */
+  /** The overlay, if it lies over this volume; else null. */
   over(volume: Volume): ShownOverlay | null {
     return this.#shown && isOver(this.#shown, volume) ? this.#shown : null;
   }
 
-  /** Macrocells in which it shows something, whatever the volume has there; null where there are none. */
+  /** Macrocells in which the overlay shows something, whatever the volume has there; null if there are none. */
   ownCells(volume: Volume): Uint8Array | null {
     const overlay = this.over(volume);
     if (!overlay) return null;
@@ -143,7 +143,7 @@ export class OverlayLayer {
     return this.#own.get([cells, overlay.transferFunction, overlay.blend], () => ({ cells: shownByOverlay(cells, overlay) })).cells;
   }
 
-  /** What it makes of what could be missed: see `SeenVolume`. @param lightFactor - of the picture */
+  /** How the overlay changes the detail that rays could miss: see `SeenVolume`. @param lightFactor - of the picture */
   more(volume: Volume, seen: Omit<SeenVolume, 'cells'>, { lightFactor }: Optics): SeenVolume['more'] {
     const overlay = this.over(volume);
     return overlay ? overlaidDetail(this.#cellsOf(volume, overlay), overlay, { seen, lightFactor }) : seen.more;
@@ -154,13 +154,13 @@ export class OverlayLayer {
   }
 
   dispose(): void {
-    this.#wanted = null; // What is on its way is given up.
+    this.#wanted = null; // A load or upload in progress stops.
     this.#field?.dispose();
     this.gl.deleteTexture(this.#table.last?.units[0].texture ?? null);
   }
 }
 
-/** Whether what is on the GPU of one is that of the other: a radar's moments lie there together. */
+/** Whether two overlays have the same data on the GPU. For radars the volume below matters too: its moments are stored together there. */
 function isSameField(one: ShownOverlay | null, other: ShownOverlay | null): boolean {
   return one?.volume === other?.volume && (!one || !isPolar(one.volume) || one.over === other?.over);
 }
@@ -169,7 +169,7 @@ function scaleOf({ opacityFactor }: ShownOverlay, { rays, optics }: RayFrame): n
   return Math.min(largestFactor, (rays.diameter / optics.referenceLength) * optics.opacityFactor * opacityFactor);
 }
 
-/** As the GPU takes matrices. */
+/** Column by column, as WebGL expects matrices. */
 function byColumn(matrix: readonly number[] | null): readonly number[] {
   return Array.from({ length: 16 }, (_, at) => matrix?.[4 * (at % 4) + (at >> 2)] ?? 0);
 }

@@ -7,22 +7,22 @@ import type { Volume } from '../../volume/volume.ts';
 import { Kept } from '../device/kept.ts';
 import type { Optics } from '../ray/ray-module.ts';
 
-/** What adds to what is seen of a volume, or hides some of it. */
+/** Attachments and styles that add to what is seen of a volume, or hide a part of it. */
 export interface MoreSeen {
-  /** Others where it tells otherwise. */
+  /** Keys: if one of these objects changes, `more` gives a different result. */
   readonly shown: readonly unknown[];
   more(seen: SeenVolume): Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' | 'found' | 'style'> | undefined;
 }
 
-/** What can be seen of a layer's volume, macrocell by macrocell; found again when the volume or its look is another. */
+/** What can be seen of a layer's volume, macrocell by macrocell. It is computed again when the volume or its appearance changes. */
 export class SeenInLayer {
   readonly #cells = new Kept<Uint8Array>();
   readonly #seen = new Kept<SeenVolume>();
   readonly #detail = new Kept<Uint8Array>();
 
   /**
-   * In which macrocells something can be seen, and what.
-   * @param contributions - which values do what; none where any value may be seen
+   * Which macrocells show something, and what they show.
+   * @param contributions - which values can show; empty if any value can be seen
    */
   find(volume: Volume, optics: Optics, contributions: readonly Contribution[], beside: MoreSeen): SeenVolume {
     const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
@@ -33,13 +33,13 @@ export class SeenInLayer {
     });
   }
 
-  /** How finely each macrocell is sampled at the least; null where steps are cut by what is at their ends alone. */
+  /** The minimum sampling of each macrocell; null if only the samples at a step's ends decide how it is cut. */
   detail({ voxelsPerStep, mayLose, findDetail }: Substeps, find: () => SeenVolume | null): Uint8Array | null {
     const seen = voxelsPerStep > 0 ? find() : null;
     return seen && findDetail ? this.#detail.get([seen, mayLose], () => findDetail(seen, mayLose)) : null;
   }
 
-  /** What `detail` told last; null before. */
+  /** The last result of `detail`; null before the first one. */
   get lastDetail(): Uint8Array | null {
     return this.#detail.last;
   }

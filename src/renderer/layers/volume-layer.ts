@@ -40,7 +40,7 @@ export type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 export type { FieldProviders } from './field-providers.ts';
 export type { View } from '../device/view.ts';
 
-/** A volume on the GPU, what of it is shown, and what it looks like: the modules of its rays, and all that they read. */
+/** A volume on the GPU, which part of it is shown, and its appearance: the modules of its rays, and all inputs that they read. */
 export class VolumeLayer {
   readonly #usual: readonly RayModule[];
   #volume: Volume | null = null;
@@ -56,24 +56,24 @@ export class VolumeLayer {
   #opticsCalls = 0;
   #given: readonly RayModule[] = [];
   readonly #seen = new SeenInLayer();
-  /** Surfaces in the volume that end rays; one whose grid knows none has none. */
+  /** Surfaces in the volume that end rays; empty for grids that have no slices. */
   slices: readonly unknown[] = [];
-  /** What else cuts rays. */
+  /** Other cuts of rays: half-spaces and boxes, for example. */
   cuts: readonly RayCut[] = [];
   readonly #cutting = new Map<RayCut['create'], SliceModule>();
-  /** Ends rays at other shapes; present as soon as there are some. */
+  /** The module that ends rays at the scene's shapes; present as soon as the scene has some. */
   surfacesModule: SurfacesModule | null = null;
-  /** One part of the volume that is shown alone, see volume/region.ts; null for all of it. */
+  /** The only part of the volume that is shown, see volume/region.ts; null for the whole volume. */
   region: GridFrame | null = null;
-  /** What shines on a lit volume; null for a light at the eye. */
+  /** The lights on a lit volume; null for a light at the eye. */
   lights: () => SceneLights | null = () => null;
-  /** Whether rays cross empty space without looking. */
+  /** Whether rays skip empty space without sampling it. */
   skipping = true;
   /** How steps are cut. */
   substeps: Substeps = allSubsteps;
 
   constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders = {}) {
-    if (!device.webgl2) loadCartesianChunks().catch(() => {}); // The first volume waits for it, and tells.
+    if (!device.webgl2) loadCartesianChunks().catch(() => {}); // The first volume waits for the same part, and reports the failure.
     this.#usual = [boxModule, createTransferFunction(gl), createComposite(gl, device)];
   }
 
@@ -81,7 +81,7 @@ export class VolumeLayer {
     return this.#volume;
   }
 
-  /** Present with the volume. */
+  /** Null until there is a volume. */
   get field(): FieldModule | null {
     return this.#field;
   }
@@ -91,9 +91,9 @@ export class VolumeLayer {
   }
 
   /**
-   * What the volume looks like. Some transfer functions need a part of the package that is loaded with the first of them.
-   * @returns resolves when the next picture shows it; a later call takes its place. Where nothing is loaded it does at once
-   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   * Set the volume's appearance. Some transfer functions need a part of the package, which the first of them loads.
+   * @returns resolves when the next picture will show it; a later call replaces this one. It resolves at once if nothing has to be loaded
+   * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing
    */
   async setOptics(optics: Optics): Promise<void> {
     const call = ++this.#opticsCalls;
@@ -102,9 +102,9 @@ export class VolumeLayer {
   }
 
   /**
-   * Show a value of each ray, see optics/rays/projection.ts, or light, see optics/rays/lit.ts; null for emission and absorption.
-   * @returns resolves when the next picture shows it; a later call takes its place
-   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   * Show one value of each ray, see optics/rays/projection.ts, or light, see optics/rays/lit.ts; null for emission and absorption.
+   * @returns resolves when the next picture will show it; a later call replaces this one
+   * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing
    */
   async setStyle(style: RayStyle | null): Promise<void> {
     const call = ++this.#styleCalls;
@@ -115,23 +115,23 @@ export class VolumeLayer {
   }
 
   /**
-   * Set what there is beside the volume: labels, or a second field. What shows them is loaded with the first of them.
-   * @returns resolves when the next picture shows it; a later call takes its place
-   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there, `format/too-large`
+   * Set what is attached to the volume: labels, or a second field. The first of them loads the code that shows them.
+   * @returns resolves when the next picture will show it; a later call replaces this one
+   * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing, `format/too-large`
    */
   async setBeside(set: (beside: BesideLayer) => Promise<void>): Promise<void> {
     const { BesideLayer } = await loadPart(import('./beside-layer.ts'), 'shows labels and layers');
     await set((this.#beside ??= new BesideLayer(this.gl, this.device, this.providers)));
   }
 
-  /** Modules of others: they stand in for those of a stage that has one, and join those of a stage that has several. */
+  /** Modules from outside: one replaces the layer's module of a stage that has one module, and is added to a stage that has several. */
   setModules(modules: readonly RayModule[]): void {
     this.#given = modules;
   }
 
   /**
-   * Load what only some volumes and some optics need, before they are set.
-   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   * Load the code that only some volumes and some optics need, before they are set.
+   * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing
    */
   async prepare(volume: Volume, optics?: Optics): Promise<void> {
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
@@ -142,20 +142,20 @@ export class VolumeLayer {
     if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
   }
 
-  /** Put a volume on the GPU in place of the one before, at once. */
+  /** Upload a volume to the GPU at once; it replaces the previous volume. */
   set(volume: Volume): void {
     this.#replace(volume, finishUpload(this.#upload(volume)));
   }
 
   /**
-   * The same, bit by bit between frames where the volume is large.
-   * @param givenUp - whether it is still wanted
-   * @returns whether it is in place; not where it was given up or the context was lost
-   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   * The same as `set`, but a large volume is uploaded piece by piece between frames.
+   * @param givenUp - returns true if the volume is no longer wanted
+   * @returns true if the volume is in place; false if it was given up or the context was lost
+   * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing
    */
   async bring(volume: Volume, givenUp: () => boolean): Promise<boolean> {
     const upload = this.#upload(volume);
-    // It may have been lost long before, while the volume was on its way: that too is found out between frames.
+    // The context may have been lost long before, while the volume was loading: the gradual upload finds that out too.
     const slow = (volume.samples.byteLength > quickBytes || this.gl.isContextLost()) && (await loadPart(import('../textures/upload-gradually.ts'), 'uploads large volumes'));
     const field = slow ? await slow.uploadGradually(this.gl, upload, givenUp) : finishUpload(upload);
     if (field) this.#replace(volume, field);
@@ -178,7 +178,11 @@ export class VolumeLayer {
     this.#volume = volume;
   }
 
-  /** The modules of a ray; there has to be a volume. @param surfaces - whether shapes end rays @param looks - whether rays look for what is opaque at once: where steps are cut, as at rest */
+  /**
+   * The modules of a ray; there has to be a volume.
+   * @param surfaces - whether shapes end rays
+   * @param looks - whether rays search for values at which the volume suddenly becomes opaque: they do where steps are cut, as at rest
+   */
   modules(surfaces: boolean, looks = isCut(this.substeps)): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying(looks)];
@@ -187,7 +191,10 @@ export class VolumeLayer {
     return chooseModules([...all, ...(this.#style?.modules(all) ?? []), ...this.#given]);
   }
 
-  /** The same rays as they are cast in float64; null without a volume or optics. It tells of these also when the layer is gone. @param surfaces and @param looks - as `modules` */
+  /**
+   * The same rays, to be cast in float64; null without a volume or optics. The result stays valid after the layer is disposed.
+   * @param surfaces and @param looks - as for `modules`
+   */
   twins(surfaces: boolean, looks?: boolean): RayTwins | null {
     if (!this.#volume || !this.#optics) return null;
     const modules = this.modules(surfaces, looks).map(({ name, stage, members, twin }) => ({ name, stage, members, twin }));
@@ -203,7 +210,7 @@ export class VolumeLayer {
     return this.device.floatLinear && isUsual(transferFunction);
   }
 
-  /** Stand in for the usual table where that does not hold the transfer function. */
+  /** Modules that replace the usual table if it can't hold the transfer function. */
   #classifying(looks: boolean): readonly RayModule[] {
     const optics = this.#optics;
     return !optics || this.#isUsual(optics) ? [] : this.#classifiers!.modulesFor(this.#volume!, this.#field!, optics, looks);
@@ -225,7 +232,7 @@ export class VolumeLayer {
     return module;
   }
 
-  /** What casts its rays; there has to be a volume. @param surfaces - whether shapes end rays */
+  /** The program that casts the layer's rays; there has to be a volume. @param surfaces - whether shapes end rays */
   program(surfaces: boolean): RayProgram {
     const modules = this.modules(surfaces);
     const { webgl2, quadPoints } = this.device;
@@ -233,28 +240,28 @@ export class VolumeLayer {
     return { webgl2, adaptive, substeps: this.substeps.most > 1 && !modules.some(({ walk }) => walk), modules };
   }
 
-  /** How finely each macrocell is sampled at the least; null where steps are cut by what is at their ends alone. */
+  /** The minimum sampling of each macrocell; null if only the samples at a step's ends decide how it is cut. */
   detail(): Uint8Array | null {
     return this.#seen.detail(this.substeps, () => this.whatIsSeen());
   }
 
-  /** Whether substeps make any difference to what rays come to. */
+  /** Whether substeps can change the result of a ray. */
   get cutsSteps(): boolean {
     return !this.#style?.projects;
   }
 
-  /** Whether rays at rest are walked from one plane of voxels to the next, so that steps are never cut by what is at their ends. */
+  /** Whether rays at rest go from one plane of voxels to the next, so that the samples at a step's ends never cut it. */
   get walksVoxels(): boolean {
     return this.#volume !== null && this.modules(false, true).some(({ walk }) => walk);
   }
 
-  /** How rays show values of their own, as far as steps are now cut; null where they show what shines and absorbs. */
+  /** How rays project values, with steps cut as they are now; null where rays show emission and absorption. */
   get projection(): ProjectedRays | null {
     if (this.cutsSteps) return null;
     return { isExact: this.modules(false).some(({ walk }) => walk), hasValuesBetween: !this.#volume?.isDiscrete };
   }
 
-  /** In which macrocells something can be seen, and what; null without a volume or optics. */
+  /** Which macrocells show something, and what they show; null without a volume or optics. */
   whatIsSeen(): SeenVolume | null {
     const volume = this.#volume;
     if (!volume || !this.optics) return null;
@@ -278,24 +285,24 @@ export class VolumeLayer {
     return this.#beside?.widen(this.#volume!, all) ?? all;
   }
 
-  /** The volume as what skips empty space sees it. */
+  /** The volume as the code that skips empty space reads it. */
   get #opened(): Volume {
     return this.#beside?.open(this.#volume!) ?? this.#volume!;
   }
 
-  /** The rays of a view, or null without a volume, and where the grid is singular. */
+  /** The rays of a view; null without a volume, or if the grid is singular. */
   raysOf({ view, projection }: View): RaySetup | null {
     return this.#volume && setUpRays(this.#volume.grid, view, projection, this.region);
   }
 
   /**
-   * What the program reads but for the rays themselves; there have to be a volume and optics.
-   * @param surfaces - null where no shapes end rays
+   * All inputs of the program except the rays themselves; there have to be a volume and optics.
+   * @param surfaces - null if no shapes end rays
    */
   inputs(rays: RaySetup, surfaces: Surfaces | null): ProgramInputs {
     const modules = this.modules(surfaces !== null);
     const optics = this.#optics!;
-    const detail = this.detail() ?? this.#seen.lastDetail; // What is known already does no harm.
+    const detail = this.detail() ?? this.#seen.lastDetail; // To use a detail that is already known does no harm.
     const frame: RayFrame = {
       volume: this.#opened,
       field: this.#field!,

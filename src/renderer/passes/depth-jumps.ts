@@ -25,7 +25,7 @@ import { readPicture } from '../device/read-picture.ts';
 import type { TextureUnit } from '../device/texture-unit.ts';
 import { rayUniforms } from '../ray/uniforms.ts';
 
-/** Constants of the twin. */
+/** The same constants as in the twin (the float64 code). */
 export const jumpDefines: Defines = {
   END_SLACK: String(endSlack),
   NEAREST_END: nearestEnd.toExponential(1),
@@ -34,7 +34,7 @@ export const jumpDefines: Defines = {
   JUMP_FARTHER: jumps.farther.toFixed(1),
 };
 
-/** The chunks that tell where rays end. */
+/** The chunks that compute where rays end. */
 export const jumpChunks: readonly string[] = [interval, ray, box, region, sceneDepth, depthJumps];
 
 export function composeDepthJumps(webgl2: boolean): ShaderTexts {
@@ -45,13 +45,13 @@ export function composeDepthJumps(webgl2: boolean): ShaderTexts {
 }
 
 /**
- * Tells for each quad of 2 x 2 pixels of a lattice whether shapes end rays there where the lattice before says nothing of it, so
- * that these pixels can't be interpolated. See optics/rays/depth-jumps.ts
+ * Finds the quads of 2 x 2 pixels of a lattice that can't be interpolated: shapes end rays there, and the coarser lattice before
+ * does not show it. See optics/rays/depth-jumps.ts
  */
 export class DepthJumps {
   readonly #passes: PassDrawing;
   readonly #program: WebGLProgram;
-  /** By the strides of lattices. */
+  /** One target for each stride of a lattice. */
   readonly #targets = new Map<number, DrawTarget>();
   #last: DrawTarget | null = null;
 
@@ -60,7 +60,7 @@ export class DepthJumps {
     this.#program = compileProgram(gl, composeDepthJumps(isWebGl2(gl)));
   }
 
-  /** @param depth - what tells the depth of the shapes that end rays: uniforms of the lattice, and the texture */
+  /** @param depth - inputs that give the depth of the shapes that end rays: uniforms of the lattice, and the texture */
   draw(rays: RaySetup, { lattice, depths, picture, stepLength }: Surfaces, depth: ProgramInputs): readonly TextureUnit[] {
     const target = (this.#last = this.#targetOf(lattice.stride));
     target.resize(Math.ceil(lattice.width / 2), Math.ceil(lattice.height / 2));
@@ -81,7 +81,7 @@ export class DepthJumps {
     return target.units;
   }
 
-  /** What was drawn last, a pixel for each quad. Binds its framebuffer. */
+  /** Read the last result, a pixel for each quad. Binds its framebuffer. */
   read(): Pixels {
     this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, this.#last!.framebuffer);
     return readPicture(this.gl, this.#last!);
@@ -100,7 +100,7 @@ export class DepthJumps {
   }
 }
 
-/** Quads of a lattice that reach into two rectangles of the picture: left, bottom, width and height. */
+/** The quads of a lattice that touch both rectangles of the picture: left, bottom, width and height. */
 function quadsWithin(
   volume: DeviceRectangle, shapes: DeviceRectangle | null, { lattice: { stride }, picture }: Pick<Surfaces, 'lattice' | 'picture'>,
 ): readonly [number, number, number, number] {

@@ -6,11 +6,11 @@ import { useProgram } from '../device/program.ts';
 import type { EdgeCast, EdgeDrawing } from '../ray/ray-module.ts';
 import { readPicture } from '../device/read-picture.ts';
 
-/** More rays for the quads of 2 x 2 pixels that an edge runs through, see optics/rays/edge-rays.ts. No others are drawn. */
+/** Draws more rays for the quads of 2 x 2 pixels that an edge runs through, see optics/rays/edge-rays.ts, and for no other quads. */
 export class EdgeRays implements EdgeDrawing {
   readonly offsets = edgeOffsets;
   readonly #buffer: WebGLBuffer;
-  /** Quads across and up, and the numbers of those that are in the buffer. */
+  /** How many quads the picture has across and up, and the numbers of the quads in the buffer. */
   #columns = 0;
   #rows = 0;
   #quads: Float32Array<ArrayBuffer> = new Float32Array(0);
@@ -32,7 +32,7 @@ export class EdgeRays implements EdgeDrawing {
   }
 
   mix(number: number, { program, inputs, firstRow, rows }: EdgeCast): void {
-    // Those of other rows would still be work.
+    // Draw only the quads of these rows: the GPU would spend time on quads of other rows too, although they are clipped.
     const [first, end] = [Math.floor(firstRow / 2), Math.ceil((firstRow + rows) / 2)].map((row) => this.#quads.findIndex((quad) => quad >= row * this.#columns));
     const [from, to] = [first, end].map((index) => (index < 0 ? this.#quads.length : index));
     if (from === to) return;
@@ -57,7 +57,7 @@ export class EdgeRays implements EdgeDrawing {
   }
 }
 
-/** Two for each quad, as parts of the box that rays are drawn with: -0.5..0.5. For programs that draw no points. */
+/** Two triangles for each quad, in the coordinates of the box that rays are drawn with: -0.5..0.5. For programs that draw no points. */
 function triangles(quads: Float32Array, columns: number, rows: number): Float32Array<ArrayBuffer> {
   const places = new Float32Array(12 * quads.length);
   quads.forEach((quad, i) => {

@@ -16,15 +16,15 @@ export function composeTranslucent(webgl2: boolean): ShaderTexts {
   };
 }
 
-/** What a translucent shape is mixed from. */
+/** The textures from which a translucent shape is mixed into the picture. */
 export interface TranslucentParts {
-  /** The volume's part before it. */
+  /** The part of the volume that is in front of the shape. */
   readonly before: TextureUnit;
   readonly color: TextureUnit;
   readonly depth: TextureUnit;
 }
 
-/** Mixes translucent shapes into what is in the framebuffer. */
+/** Mixes translucent shapes into the content of the framebuffer. */
 export class TranslucentMixing {
   readonly #passes: PassDrawing;
   readonly #program: WebGLProgram;
@@ -35,7 +35,7 @@ export class TranslucentMixing {
   }
 
   /**
-   * Where the stencil is 1, which is 0 afterwards.
+   * Draw where the stencil is 1, and set the stencil to 0 there.
    * @param size - of the framebuffer
    */
   draw({ before, color, depth }: TranslucentParts, { width, height }: Size): void {

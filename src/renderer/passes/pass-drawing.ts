@@ -17,43 +17,43 @@ export interface Size {
   readonly height: number;
 }
 
-/** Drawing all pixels of one lattice: those that the lattice before tells enough of are interpolated, others get rays. */
+/** The drawing of all pixels of one lattice: a pixel is interpolated where the lattice before is smooth enough, and gets a ray elsewhere. */
 export interface Pass extends SurfaceLattice {
-  /** What it is drawn into. */
+  /** The target that the pass draws into. */
   readonly target: DrawTarget;
-  /** The lattice before; null for the first, in which all pixels get rays. */
+  /** The picture of the lattice before; null for the first pass, in which all pixels get rays. */
   readonly half: DrawTarget | null;
-  /** What ends its rays, where that is not what ends all others. */
+  /** The depths that end the rays of this pass, if they differ from those of the other passes. */
   readonly depths?: ShapeDepths;
-  /** For a lattice drawn over another one, in some of its pixels. */
+  /** Present if this pass draws over the picture of another one, in some of its pixels. */
   readonly over?: {
-    /** What comes first. Binds a framebuffer. */
+    /** Called before the first rows are drawn. Binds a framebuffer. */
     readonly begin: () => void;
     readonly draw: (cast: EdgeCast) => void;
   };
 }
 
-/** What a pass is drawn with. */
+/** The program and the inputs with which a pass is drawn. */
 export interface Caster {
-  /** Casts the rays, see renderer/ray/compose-ray.ts. */
+  /** The program that casts the rays, see renderer/ray/compose-ray.ts. */
   readonly program: WebGLProgram;
   readonly inputs: ProgramInputs;
   readonly rays: RaySetup;
-  /** World length. */
+  /** Length of a step in world units. */
   readonly stepLength: number;
-  /** Largest curvature at which pixels are interpolated, 1/255. */
+  /** Largest curvature at which pixels are interpolated, in units of 1/255. */
   readonly maxCurvature: number;
 }
 
 /** Corners of the picture, as triangles. */
 const corners = new Float32Array([-0.5, -0.5, 0, 0.5, -0.5, 0, -0.5, 0.5, 0, 0.5, 0.5, 0]);
 
-/** Quads that one call draws at the most: floats count them. */
+/** The largest number of quads in one draw call: the shader counts them in floats. */
 const maxQuads = 2 ** 18;
 
 /**
- * Draws what a picture of the volume is made from into targets, outside of what x3dom draws. Programs and textures stay
- * in use; x3dom has to be told.
+ * Draws the parts of a picture of the volume into targets, outside of x3dom's own drawing. Afterwards its programs and
+ * textures are still bound; the caller has to let x3dom know.
  */
 export class PassDrawing {
   readonly #programs = new Map<PictureProgram, WebGLProgram>();
@@ -71,7 +71,7 @@ export class PassDrawing {
    */
   draw(pass: Pass, caster: Caster, picture: Size, part: { readonly firstRow: number; readonly rows: number } = { firstRow: 0, rows: pass.height }): void {
     const { gl } = this;
-    // What shows it is compiled first: afterwards the page would wait for rays that are being drawn.
+    // Compile the program that shows the picture first: later, the page would wait until the GPU has drawn the rays.
     this.#program('gathered');
     if (part.firstRow === 0) pass.over?.begin();
     this.alone(() => {
@@ -87,7 +87,7 @@ export class PassDrawing {
     });
   }
 
-  /** Show a picture that has been drawn before, over what is there. @param size - of what is drawn into */
+  /** Show a picture that has been drawn before, over the content of the framebuffer. @param size - of the framebuffer */
   show(picture: DrawTarget, { width, height }: Size): void {
     const { gl } = this;
     this.alone(() => {
@@ -113,7 +113,7 @@ export class PassDrawing {
     this.drawCorners(program, withoutQuads(gl, inputs));
   }
 
-  /** All pixels are interpolated, and rays drawn over those with more curvature. */
+  /** Interpolate all pixels, then draw rays over the pixels with more curvature. */
   #drawBetween(half: DrawTarget, { program, inputs, maxCurvature }: Caster, { width, height }: Size, { firstRow, rows }: { firstRow: number; rows: number }): void {
     const { gl } = this;
     const place = { uHalfPixel: [1 / half.width, 1 / half.height] };
@@ -131,7 +131,7 @@ export class PassDrawing {
     }
   }
 
-  /** Nothing else has a say in what is drawn; x3dom's switches are then as before. */
+  /** Do some work with blending, depth test, culling and scissor off; then restore x3dom's settings of these. */
   alone(work: () => void): void {
     const { gl } = this;
     const switches = [gl.BLEND, gl.DEPTH_TEST, gl.CULL_FACE, gl.SCISSOR_TEST];
@@ -151,7 +151,7 @@ export class PassDrawing {
     return program;
   }
 
-  /** Draw all pixels of what is bound. */
+  /** Draw all pixels of the bound framebuffer. */
   drawCorners(program: WebGLProgram, inputs: ProgramInputs): void {
     useProgram(this.gl, program, inputs);
     this.#readPositions(program, this.#corners, 3);
@@ -166,7 +166,7 @@ export class PassDrawing {
     gl.vertexAttribPointer(attribute, numbers, gl.FLOAT, false, 0, 0);
   }
 
-  /** 0, 1, 2 and so on. */
+  /** A buffer with the numbers 0, 1, 2 and so on. */
   #numbered(count: number): WebGLBuffer {
     if (!this.#numbers || this.#numbers.count < count) {
       this.gl.deleteBuffer(this.#numbers?.buffer ?? null);
@@ -184,15 +184,15 @@ export class PassDrawing {
   }
 }
 
-/** Where the known pixels around a lattice's quads are in the picture, see rays.vert.glsl. */
+/** Maps a lattice's quads to the known pixels around them, in device coordinates of the picture, see rays.vert.glsl. */
 function quadToDevice({ stride, first }: Pass, { width, height }: Size): number[] {
   const shift = (begin: number, pixels: number): number => (2 * (begin + stride) + 1) / pixels - 1;
   return [(4 * stride) / width, (4 * stride) / height, shift(first[0], width), shift(first[1], height)];
 }
 
-/** What a program reads that draws its box instead of quads. */
+/** The inputs of a program that draws its box instead of quads. */
 export function withoutQuads(gl: Gl, inputs: ProgramInputs): ProgramInputs {
-  // A sampler that nothing is read from may still not share its texture with one of another kind.
+  // Even a sampler that the program never reads must not share a texture unit with a sampler of another type.
   const plane = inputs.units.findIndex(({ type }) => type === gl.TEXTURE_2D);
   return joined(inputs, { uQuads: [0, 0], uHalfPicture: plane });
 }

@@ -3,15 +3,15 @@ import type { CoarsePictures } from './adaptive-provider.ts';
 import { bytesAttachment, DrawTarget } from '../device/draw-target.ts';
 import type { Pass, Size } from '../passes/pass-drawing.ts';
 
-/** Lattices drawn before the picture, of every fourth and of every second pixel. */
+/** Strides of the lattices that are drawn before the picture: every fourth pixel, then every second pixel. */
 const strides = [4, 2] as const;
 
-/** A lattice reaches beyond the last pixel, so that this one lies between two of it. */
+/** A lattice reaches beyond the last pixel of the picture, so that this pixel lies between two pixels of the lattice. */
 function halve(pixels: number): number {
   return Math.floor(pixels / 2) + 1;
 }
 
-/** The coarser pictures that a picture with adaptive ray sampling is drawn from. */
+/** The coarser pictures from which a picture with adaptive ray sampling is drawn. */
 export class AdaptivePicture implements CoarsePictures {
   readonly #targets: readonly DrawTarget[];
 
@@ -19,7 +19,7 @@ export class AdaptivePicture implements CoarsePictures {
     this.#targets = strides.map(() => new DrawTarget(gl, [bytesAttachment(gl, 'uHalfPicture')]));
   }
 
-  /** What to draw, one after the other, for a picture of a size. @param target - of the picture itself */
+  /** The passes for a picture of a given size, in the order of drawing. @param target - the target of the picture itself */
   passes({ width, height }: Size, target: DrawTarget): Pass[] {
     const [quarter, half] = this.#targets;
     const halfSize = { width: halve(width), height: halve(height) };

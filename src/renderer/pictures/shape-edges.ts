@@ -19,7 +19,7 @@ import { compileProgram } from '../device/program.ts';
 import type { ShapeDepths } from '../ray/ray-module.ts';
 import { wholePass } from './volume-pictures.ts';
 
-/** What is done at edges: their other sides are told, and shown. */
+/** The two programs for edges: one writes the depth of their other sides, one shows the picture. */
 export type EdgeProgram = 'otherSides' | 'shapeEdges';
 
 export function composeShapeEdges(webgl2: boolean, program: EdgeProgram): ShaderTexts {
@@ -31,17 +31,17 @@ export function composeShapeEdges(webgl2: boolean, program: EdgeProgram): Shader
   };
 }
 
-/** Ends of rays that are nearer to each other than this, in bounding diameters, are on no two sides of an edge. */
+/** Two ray ends are on different sides of an edge only if they are at least this far apart, in bounding diameters. */
 const leastJump = 1 / 200;
 
-/** Shows pictures of the volume over shapes whose edges are smooth. */
+/** Shows pictures of the volume over shapes with smooth edges (antialiased by the canvas). */
 export class ShapeEdges {
   readonly #passes: PassDrawing;
   readonly #programs = new Map<EdgeProgram, WebGLProgram>();
-  /** What rays gathered that end on the other sides of edges, and where those end. */
+  /** The colours that rays gathered which end on the other sides of edges, and the depths at which these rays end. */
   readonly #others: DrawTarget;
   readonly #ends: DrawTarget;
-  /** Whether that is of the present picture. */
+  /** Whether both targets belong to the present picture. */
   #hasOthers = false;
 
   private constructor(readonly gl: Gl, depthTarget: (gl: Gl) => DrawTarget) {
@@ -51,8 +51,8 @@ export class ShapeEdges {
   }
 
   /**
-   * @param depthTarget - makes what depths are drawn into
-   * @returns null where edges are not smooth, or the device can't. The canvas has to be bound
+   * @param depthTarget - makes the target that depths are drawn into
+   * @returns null where edges are not smooth, or the device can't split them. The canvas framebuffer has to be bound
    */
   static create(gl: Gl, depthTarget: (gl: Gl) => DrawTarget): ShapeEdges | null {
     const canSplit = isWebGl2(gl) || gl.getExtension('EXT_frag_depth');
@@ -60,9 +60,10 @@ export class ShapeEdges {
   }
 
   /**
-   * One more ray for each pixel that an edge passes through, which ends at what stands on its other side: a pass of its own. Lines and points have
-   * none: of rays beside them the mean is good enough, and they are many where a radar has rings. Draws where these rays end.
-   * @param depth - what tells the depth of what is neither
+   * A pass with one more ray for each pixel that an edge passes through: this ray ends at the shape on the other side of the edge.
+   * Lines and points get no such rays: the mean of the rays next to them is good enough, and a radar with rings has many lines.
+   * Also draws the depths at which these rays end.
+   * @param depth - inputs that give the depth of the shapes that are neither lines nor points
    */
   passes(picture: Size, depths: ShapeDepths, depth: ProgramInputs): Pass[] {
     const { gl } = this;
@@ -97,15 +98,15 @@ export class ShapeEdges {
     return [{ ...wholePass(picture, this.#others), depths: { ...depths, all: this.#ends, solid: this.#ends }, over }];
   }
 
-  /** The next picture has no such rays. */
+  /** Call it when the next picture has no rays for the other sides of edges. */
   forget(): void {
     this.#hasOthers = false;
   }
 
   /**
-   * Show a picture over what is in the framebuffer, whose depth is that of the shapes.
-   * @param size - of that
-   * @param depth - what tells the depth of the shapes in it
+   * Show a picture over the content of the framebuffer, whose depth buffer holds the shapes.
+   * @param size - of the framebuffer
+   * @param depth - inputs that give the depth of the shapes in it
    */
   show(picture: DrawTarget, { width, height }: Size, depth: ProgramInputs): void {
     const { gl } = this;
@@ -122,7 +123,7 @@ export class ShapeEdges {
         const uniforms = { uGatheredPixel: [1 / width, 1 / height], uLeastJump: leastJump, uFarSide: side, uHasOtherSides: Number(this.#hasOthers) };
         this.#passes.drawCorners(this.#program('shapeEdges'), joinInputs(depth, { uniforms, units: [...picture.units, { ...others.units[0], samplerName: 'uOtherSides' }, { ...split, samplerName: 'uSplitPixels' }] }));
       }
-      gl.depthMask(true); // Else the next frame would not be cleared.
+      gl.depthMask(true); // Without this, the next frame's depth would not be cleared.
     });
   }
 
@@ -140,7 +141,7 @@ export class ShapeEdges {
   }
 }
 
-/** Pixels within a part of a picture: from the left and the bottom to the right and the top. */
+/** The pixels of a part of a picture: left, bottom, right and top. */
 function pixelsOf([left, bottom, right, top]: DeviceRectangle, { width, height }: Size): readonly [number, number, number, number] {
   const pixel = (device: number, pixels: number): number => ((device + 1) / 2) * pixels;
   const [x, y] = [Math.max(0, Math.floor(pixel(left, width))), Math.max(0, Math.floor(pixel(bottom, height)))];

@@ -10,34 +10,34 @@ import { makeCoarsePictures } from './adaptive-provider.ts';
 import type { CoarsePictures } from './adaptive-provider.ts';
 import type { View, VolumeLayer } from '../layers/volume-layer.ts';
 
-/** What of a layer its pictures need. */
+/** The members of a layer that its pictures need. */
 export type CastLayer = Pick<VolumeLayer, 'raysOf' | 'inputs' | 'surfacesModule'>;
 
 /** How a picture of the volume is drawn. */
 export interface Cast {
-  /** Casts the rays; x3dom has made it. */
+  /** The program that casts the rays; x3dom has compiled it. */
   readonly program: WebGLProgram;
-  /** Of the scene's opaque shapes; null where there are none. */
+  /** Depths of the scene's opaque shapes; null where there are none. */
   readonly depths: ShapeDepths | null;
-  /** Of a picture of this size. */
+  /** The view of a picture of this size. */
   readonly view: View;
   /** Pixels of the whole picture. */
   readonly picture: Size;
-  /** World length. */
+  /** Length of a step in world units. */
   readonly stepLength: number;
-  /** Largest curvature at which pixels are interpolated, 1/255. */
+  /** Largest curvature at which pixels are interpolated, in units of 1/255. */
   readonly maxCurvature: number;
 }
 
 /** How edges are smoothed. */
 export interface SmoothEdges {
   readonly edges: EdgeDrawing;
-  /** 1/255, see optics/rays/edge-rays.ts */
+  /** In units of 1/255, see optics/rays/edge-rays.ts */
   readonly edgeCurvature: number;
   readonly asPoints: boolean;
 }
 
-/** Pictures of the volume that are drawn where nobody sees them: to be shown when they are whole, or to be measured. */
+/** Pictures of the volume that are drawn off-screen: to show them when they are complete, or to measure them. */
 export class VolumePictures {
   readonly #passes: PassDrawing;
   /** The picture that was drawn last to be shown. */
@@ -50,8 +50,8 @@ export class VolumePictures {
   }
 
   /**
-   * What a picture to be shown is drawn from, one lattice of pixels after the other.
-   * @param smooth - what draws more rays at its edges, and what is none; null where nothing does
+   * The passes of a picture to be shown, one lattice of pixels after the other.
+   * @param smooth - draws more rays at the picture's edges, and says what counts as an edge; null for no more rays
    */
   passes(picture: Size, isAdaptive: boolean, smooth: SmoothEdges | null = null): Pass[] {
     const target = (this.gathered ??= new DrawTarget(this.gl, [bytesAttachment(this.gl, 'uGathered')]));
@@ -61,7 +61,7 @@ export class VolumePictures {
     return [whole, ...(smooth ? edgePasses(whole, smooth) : [])];
   }
 
-  /** Draw some rows of a pass; all where they are absent. */
+  /** Draw some rows of a pass; all rows if `rows` is absent. */
   draw(pass: Pass, cast: Cast, rows?: { readonly firstRow: number; readonly rows: number }): void {
     const { program, view, picture, stepLength, maxCurvature } = cast;
     const depths = pass.depths ?? cast.depths;
@@ -70,14 +70,15 @@ export class VolumePictures {
     this.#passes.draw(pass, { program, inputs, rays, stepLength, maxCurvature }, picture, rows);
   }
 
-  /** Show the picture whose passes have all been drawn, over what is in the framebuffer. @param size - of that */
+  /** Show the picture, all of whose passes have been drawn, over the content of the framebuffer. @param size - of the framebuffer */
   show(size: Size): void {
     this.#passes.show(this.gathered!, size);
   }
 
   /**
    * Draw a picture's sparse rays, in floats.
-   * @returns reads them, before others are drawn: RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
+   * @returns a function that reads the pixels; call it before the next probe: RGBA, premultiplied, 0..1, bottom row first. null where
+   * the device can't draw floats
    */
   probe(lattice: PixelLattice, cast: Omit<Cast, 'maxCurvature'>): (() => Float32Array) | null {
     if (this.#probe === undefined) this.#probe = createProbeTarget(this.gl);
@@ -96,7 +97,7 @@ export class VolumePictures {
   }
 }
 
-/** Drawing a picture with all its rays. */
+/** The pass that draws a picture with a ray for each pixel. */
 export function wholePass({ width, height }: Size, target: DrawTarget): Pass {
   return { stride: 1, first: [0, 0], width, height, target, half: null };
 }

@@ -5,7 +5,7 @@ import type { Device, Gl } from '../device/device.ts';
 let probed: Device | null = null;
 
 /**
- * Ask a throw-away context, once a page.
+ * Find out what the device can do, in a temporary context, once a page.
  * @throws {VolumeViewError} `webgl/unavailable` or `webgl/unsupported`
  */
 export function probeDevice(): Device {
@@ -31,20 +31,20 @@ function inSpareContext<T>(ask: (gl: Gl) => T): T {
 
 let twoByteLinear: Promise<boolean> | null = null;
 
-/** To be awaited before a volume of 16 bits is drawn, or it is filtered in the shader. What asks is loaded then, once a page. */
+/** Await it before drawing a volume of 16 bits; else the shader filters that volume. Loads the probe, once a page. */
 export async function askTwoByteFilter(device: Device): Promise<void> {
   if (!device.webgl2) return;
   twoByteLinear ??= import('./probe-filter.ts').then(({ probeTwoByteFilter }) => inSpareContext(probeTwoByteFilter)).catch(() => false);
   device.twoByteLinear = await twoByteLinear;
 }
 
-/** As x3dom asks: on Apple's systems it takes WebGL 1. */
+/** Choose the same WebGL version as x3dom: on Apple's systems x3dom takes WebGL 1. */
 function getContext(canvas: HTMLCanvasElement): Gl | null {
   const apple = /mac|ip(hone|od|ad)/i.test(navigator.platform);
   return (apple ? null : canvas.getContext('webgl2')) ?? canvas.getContext('webgl');
 }
 
-/** What a context can do. Enables the extensions that the textures need; call it for each context in use. */
+/** What a context can do. It also enables the extensions that the textures need; call it for each context in use. */
 export function describe(gl: Gl): Device {
   const webgl2 = isWebGl2(gl);
   const highp = gl.getShaderPrecisionFormat(gl.FRAGMENT_SHADER, gl.HIGH_FLOAT);

@@ -18,9 +18,9 @@ void main() {
 }`;
 
 /**
- * Whether the device's linear filter of two 8-bit channels comes out with 16 bits. Some filter units round their
- * output to 8 or 10 bits, which would turn 16-bit data into 8-bit data. The weights probed are sixteenths, which every
- * filter knows exactly.
+ * Whether the device's linear filter of two 8-bit channels gives a result of 16 bits. Some filter units round their
+ * output to 8 or 10 bits, which would turn 16-bit data into 8-bit data. The probe uses weights of sixteenths, which every
+ * filter represents exactly.
  */
 export function probeTwoByteFilter(gl: Gl): boolean {
   if (!isWebGl2(gl)) return false;

@@ -3,8 +3,8 @@ import type { Gl } from '../device/device.ts';
 import { DrawTarget } from '../device/draw-target.ts';
 
 /**
- * A small float picture that can be read back: errors far below 1/255 are to be seen.
- * @returns null where the device can't draw into floats and blend there
+ * A small float picture that can be read back: it shows errors far below 1/255.
+ * @returns null where the device can't draw into float textures and blend there
  */
 export function createProbeTarget(gl: Gl): DrawTarget | null {
   const drawable = gl.getExtension(isWebGl2(gl) ? 'EXT_color_buffer_float' : 'WEBGL_color_buffer_float') !== null;
@@ -14,7 +14,7 @@ export function createProbeTarget(gl: Gl): DrawTarget | null {
   return new DrawTarget(gl, [{ point: gl.COLOR_ATTACHMENT0, internal, format: gl.RGBA, type: gl.FLOAT, samplerName: 'uProbe' }]);
 }
 
-/** The pixels of a float target, which is bound then: RGBA, premultiplied, 0..1, bottom row first. */
+/** Read the pixels of a float target: RGBA, premultiplied, 0..1, bottom row first. Binds its framebuffer. */
 export function readProbe({ gl, framebuffer, width, height }: DrawTarget): Float32Array<ArrayBuffer> {
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   const pixels = new Float32Array(width * height * 4);

@@ -17,36 +17,39 @@ import { readUniformsOnce } from './read-uniforms-once.ts';
 import { substepPart } from './substep-provider.ts';
 
 /**
- * Steps after which a ray ends whatever is left of it; GLSL ES 1.00 wants a constant. Ten thousand steps and more must
- * fit; the element refuses larger values of `steps`.
+ * The maximum steps of a ray: it ends there even if it has not left the volume. GLSL ES 1.00 needs a constant for the loop. Rays of
+ * ten thousand steps and more must be possible; the element refuses larger values of `steps`.
  */
 export const maxSteps = 16384;
 
-/** Samplers of one program that are guaranteed. Source: WebGL 1, MAX_COMBINED_TEXTURE_IMAGE_UNITS; WebGL 2, MAX_TEXTURE_IMAGE_UNITS */
+/**
+ * The number of samplers that every device guarantees to one program. Source: WebGL 1, MAX_COMBINED_TEXTURE_IMAGE_UNITS; WebGL 2,
+ * MAX_TEXTURE_IMAGE_UNITS
+ */
 export function maxSamplers(webgl2: boolean): number {
   return webgl2 ? 16 : 8;
 }
 
-/** What casts rays. */
+/** A program that casts rays. */
 export interface RayProgram {
-  /** GLSL ES 3.00, else 1.00. */
+  /** True: GLSL ES 3.00; false: GLSL ES 1.00. */
   readonly webgl2: boolean;
-  /** Quads of pixels may do without rays of their own. */
+  /** Some quads of pixels are interpolated, and get no rays. */
   readonly adaptive: boolean;
-  /** Steps may be cut by what is at their ends; else by what cells need alone, which takes less. */
+  /** The samples at a step's ends may cut it into substeps; else only the cells' needs do, which costs less. */
   readonly substeps: boolean;
   readonly modules: readonly RayText[];
 }
 
-/** Tells programs apart. */
+/** A key that is different for different programs. */
 export function programKey({ webgl2, adaptive, substeps, modules }: RayProgram): string {
   const keys = modules.map(({ name, defines }) => [name, ...Object.entries(defines).map(([option, value]) => `${option}=${value}`)].join(' '));
   return [webgl2 ? 2 : 1, ...(adaptive ? ['adaptive'] : []), ...(substeps ? ['substeps'] : []), ...keys].join('; ');
 }
 
 /**
- * The shader texts of a ray's modules, and nothing else.
- * @throws {TypeError} for modules that are no ray: a stage without the one that it needs, or more samplers than there are
+ * Compose the shader texts of a ray's modules.
+ * @throws {TypeError} if the modules make no ray: a stage lacks its module, or they need more samplers than a device has
  */
 export function composeRay(program: RayProgram): ShaderTexts {
   checkModules(program);
@@ -58,14 +61,14 @@ export function composeRay(program: RayProgram): ShaderTexts {
   const chunks = new Set([
     ...fieldChunks(modules),
     interval, ray, segment, ...(cutting ? [cutting.count] : []), ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
-    // Last, as what stands at a ray's end may have to be classified too.
+    // Interval chunks come after the classify chunks, because a slice at a ray's end may have to be classified too.
     ...chunksOf('interval'), intervalChain(of('interval')),
     walk, cells, ...chunksOf('gather'), of('gather')[0].walk ?? cutting?.walk ?? walkSteps,
   ]);
   return { vertex: composeRays(program), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, readUniformsOnce([...chunks], rayCaster)) };
 }
 
-/** The vertices of rays. */
+/** Compose the vertex shader of a program that casts rays. */
 export function composeRays({ webgl2, adaptive, modules }: Omit<RayProgram, 'substeps'>): string {
   const texts = adaptive ? modules.flatMap((module) => module.between ?? []) : [];
   const needs = texts.map(({ needsRays }) => needsRays).join(' || ');
@@ -74,13 +77,13 @@ export function composeRays({ webgl2, adaptive, modules }: Omit<RayProgram, 'sub
   return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines }, [...(adaptive ? [betweenPixels] : []), ...chunks, raysOfPixels]);
 }
 
-/** The chunks up to and including `sampleField`. */
+/** The chunks up to the function `sampleField`, which is included. */
 export function fieldChunks(modules: readonly RayText[]): string[] {
   const fields = modules.filter(({ stage }) => stage === 'field');
   return [values, sampleStruct(fields), ...fields.flatMap(({ chunks }) => chunks), fieldChain(fields)];
 }
 
-/** Samplers of a program, those of its vertices among them; where it is not said, its steps may be cut by what is at their ends. */
+/** The samplers of a program, including those of its vertex shader. If `substeps` is absent, it counts as true. */
 export function listSamplers({ adaptive, substeps = true, modules }: Pick<RayProgram, 'adaptive' | 'modules'> & Partial<RayProgram>): string[] {
   const between = adaptive ? ['uHalfPicture', ...modules.flatMap((module) => module.between?.samplers ?? [])] : [];
   return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...(substeps ? ['uSubstepTable'] : []), ...between])];

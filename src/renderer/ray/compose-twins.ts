@@ -6,29 +6,29 @@ import type { RayTwins } from './ray-twin.ts';
 export interface TwinWalk {
   /** World length of a step. */
   readonly stepLength: number;
-  /** No step is cut into more substeps. */
+  /** The maximum number of substeps of a step. */
   readonly maxSubsteps: number;
   /** See `RayStages`. */
   readonly leastSubsteps?: RayStages['leastSubsteps'];
 }
 
-/** Stages in the order in which they are built: each may ask those before it. */
+/** Stages in the order in which they are built: each may use the stages before it. */
 const order: readonly StageName[] = ['field', 'interval', 'classify', 'shade', 'gather'];
 
-/** What modules of each stage add to. */
+/** The parts of `TwinStages` that modules of each stage may add to. */
 const own: Record<StageName, readonly (keyof TwinStages)[]> = { field: ['field', 'moreFields'], interval: ['intervals'], classify: ['classify'], shade: ['shades'], gather: ['gather'] };
 
-/** What a ray has that no module says anything of: nothing. */
+/** The stages before any module has added to them. */
 const nothing: Partial<TwinStages> = { intervals: [], moreFields: [], shades: [] };
 
-/** Load what casts rays of a frame. @throws {VolumeViewError} `format/unsupported` */
+/** Load the code that casts the rays of a frame. @throws {VolumeViewError} `format/unsupported` */
 export async function loadTwins({ modules }: Pick<RayTwins, 'modules'>, frame: TwinFrame): Promise<void> {
   await Promise.all(modules.flatMap(({ twin }) => (twin ? [twin.load(frame)] : [])));
 }
 
 /**
- * The stages of a picture's rays in float64, made by the modules that draw it.
- * @throws {TypeError} where a stage has no module that says what it is in float64, and where one speaks for a stage that is not its own
+ * Compose the stages of a picture's rays in float64, from the twins of the modules that draw the picture.
+ * @throws {TypeError} if no module of a stage has a twin, or if a twin gives parts of a stage that is not its module's stage
  */
 export function composeTwins({ modules }: Pick<RayTwins, 'modules'>, frame: TwinFrame, { stepLength, maxSubsteps, leastSubsteps }: TwinWalk): RayStages {
   const first = modules.filter(isFirst);
@@ -41,7 +41,7 @@ export function composeTwins({ modules }: Pick<RayTwins, 'modules'>, frame: Twin
   return { ...all, eyeT: rays.eyeT, step: stepLength / rays.diameter, maxSubsteps, leastSubsteps };
 }
 
-/** Its own stage alone: else modules would act in another order than on the GPU. */
+/** A twin may give only parts of its module's own stage: else modules would act in another order than on the GPU. */
 function partsOf({ name, stage, twin }: RayTwins['modules'][number], frame: TwinFrame, before: TwinStages): Partial<TwinStages> {
   const parts = twin?.parts(frame, before) ?? {};
   const other = (Object.keys(parts) as (keyof TwinStages)[]).find((key) => !own[stage].includes(key));
@@ -49,7 +49,7 @@ function partsOf({ name, stage, twin }: RayTwins['modules'][number], frame: Twin
   return parts;
 }
 
-/** Whether a module is the one that says what values there are. */
+/** Whether a module is the one that gives the values of the field. */
 function isFirst({ stage, members }: RayTwins['modules'][number]): boolean {
   return stage === 'field' && !members;
 }

@@ -1,6 +1,6 @@
 import type { RayText } from './ray-module.ts';
 
-/** What is known of a place: all that field modules find out. Where all places have data (NO_DATA 0), nothing is carried for it. */
+/** GLSL of struct `Sample`: all that field modules find out about a place. If all places have data (NO_DATA 0), it has no `valid`. */
 export function sampleStruct(fields: readonly RayText[]): string {
   const members = ['float value', ...fields.flatMap((field) => field.members ?? [])];
   return `struct Sample {
@@ -20,8 +20,8 @@ bool hasData(Sample known) {
 }
 
 /**
- * The value at a point of the unit cube, as a share of the transfer function's domain, and what else is known of it. A module
- * that adds `float stored` gets the stored value.
+ * GLSL of `sampleField`: the value at a point of the unit cube, as a share of the transfer function's domain, and what other field
+ * modules find out about the point. A module that adds `float stored` gets the stored value.
  */
 export function fieldChain(fields: readonly RayText[]): string {
   const more = fields.filter(({ members }) => members);
@@ -39,7 +39,7 @@ ${more.some(({ members }) => members!.includes('float stored')) ? '  known.store
 `;
 }
 
-/** Where a ray runs, after all that has a say in it. */
+/** GLSL of `enterVolume`: where a ray runs, after all interval modules. */
 export function intervalChain(intervals: readonly RayText[]): string {
   return `Interval enterVolume(Ray ray) {
   Interval interval = Interval(uEyeT, 1.0e30, vec4(0.0));
@@ -48,7 +48,7 @@ ${intervals.map(({ name }) => `  interval = ${name}Interval(ray, interval);\n`).
 `;
 }
 
-/** What a piece of a ray shows, after all that changes its colour. */
+/** GLSL of `seeSegment`: what a piece of a ray shows, after all shade modules. */
 export function shadeChain(shades: readonly RayText[]): string {
   return `vec4 seeSegment(Segment segment) {
   vec4 seen = classifySegment(segment);

@@ -4,10 +4,10 @@ import type { Outline } from '../../optics/attachments/plane-outlines.ts';
 import type { Uniforms } from '../device/inputs.ts';
 import type { BetweenText } from './ray-module.ts';
 
-/** A program has room for no more; of 128 vectors that WebGL 1 guarantees to vertices. */
+/** The maximum number of outlines in a program: WebGL 1 guarantees only 128 uniform vectors to vertex shaders. */
 const maxOutlines = 48;
 
-/** Quads of pixels at the edges of planes get rays. */
+/** Gives rays to the quads of pixels at the edges of planes. */
 export const outlinesText: BetweenText = {
   defines: { MAX_OUTLINES: maxOutlines },
   chunks: [quadPlace, outlines],

@@ -1,21 +1,22 @@
 /**
- * A ray has five stages: **interval** (where it runs) -> **field** (what is there) -> **classify** (what that looks like) ->
- * **shade** (how light or style changes it) -> **gather** (what all of it comes to). A stage holds modules; a module is one
- * place: a file in `modules/` and its chunk of GLSL. `shaders/programs/ray-caster.frag.glsl` walks the ray and calls the stages.
+ * A ray has five stages: **interval** (where the ray runs) -> **field** (the values on it) -> **classify** (the colour and opacity of
+ * these values) -> **shade** (how light or a style changes the colour) -> **gather** (how all pieces add up to a pixel). A stage holds
+ * modules; the code of a module is in one place: a file in `modules/` and its chunk of GLSL. `shaders/programs/ray-caster.frag.glsl`
+ * walks the ray and calls the stages.
  *
- * To add a module, a shading module `tint` say:
+ * To add a module, for example a shading module `tint`:
  *
  * 1. `shaders/chunks/tint.glsl`: `vec4 tintShade(Segment segment, vec4 seen)`, with its uniforms.
- * 2. `src/optics/tint.ts`: the same in float64, a function that gives the `ShadeStage` of optics/rays/ray-stages.ts. A line in
- *    optics/usual-twins.ts or optics/shading-twins.ts: these files are loaded with the first ray that is cast on the processor.
- * 3. `src/renderer/ray/modules/tint.ts`: a function that makes the `RayModule`: chunk, samplers, what follows from it for
- *    others, `inputs`, which gives its uniforms and textures for a frame, and `twin`, which gives its stage in float64.
- * 4. `src/renderer/layers/volume-layer.ts`: makes it and gives it back; a line in `modules()` says when it takes part. That list
- *    is the only one: pictures are drawn of it, and picks, checks and the reference of tests are cast of it (compose-twins.ts).
- * 5. `test/helpers/ray-modules.ts`: a line, by which it is compiled alone and in pairs with modules of other stages; and a
- *    test of its picture against the reference's.
+ * 2. `src/optics/tint.ts`: the same in float64, a function that returns the `ShadeStage` of optics/rays/ray-stages.ts. Add a line to
+ *    optics/usual-twins.ts or optics/shading-twins.ts: the first ray that is cast on the processor loads these files.
+ * 3. `src/renderer/ray/modules/tint.ts`: a function that makes the `RayModule`: its chunk, its samplers, what it means for other
+ *    modules, `inputs`, which returns its uniforms and textures for a frame, and `twin`, which returns its stage in float64.
+ * 4. `src/renderer/layers/volume-layer.ts`: makes the module and disposes it; a line in `modules()` says when it takes part. There is
+ *    only this one list of modules: pictures use it, and so do picks, checks and the reference pictures of tests (compose-twins.ts).
+ * 5. `test/helpers/ray-modules.ts`: add a line, so that tests compile the module alone and in pairs with modules of other stages. Also
+ *    add a test that compares its picture with the reference picture.
  *
- * What a chunk has to have, by stage, where `tint` is the module's name:
+ * What a chunk has to define, by stage, if `tint` is the module's name:
  * - interval: `Interval tintInterval(Ray ray, Interval interval)`. Any number of them. It may call `classifyValue`.
  * - field: `bool sampleVolume(vec3 p, out float value)`, the stored value at a point of the unit cube, false where there is no
  *   data; and `bool isFolded(float from, float to)` where it defines FOLDS as 1. One of them. Any number of others, which have
@@ -49,20 +50,20 @@ import type { DrawTarget } from '../device/draw-target.ts';
 import type { Upload } from '../textures/fill-texture.ts';
 import type { ProgramInputs } from '../device/inputs.ts';
 
-/** How a ray is walked, whatever it meets. */
+/** The members of `RayStages` that say how a ray is walked; no module gives them. */
 type Walk = 'eyeT' | 'step' | 'maxSubsteps' | 'leastSubsteps';
 
 /** The five stages of a ray in float64. */
 export type TwinStages = Omit<RayStages, Walk>;
 
-/** What a ray is cast through: what `RayFrame` is to the GPU. */
+/** The scene of a ray that is cast in float64; on the GPU, this is `RayFrame`. */
 export interface TwinFrame {
   readonly volume: Volume;
   readonly optics: Optics;
   readonly rays: RaySetup;
-  /** Whether places and opacities are all that matters, as to a pick: light, which changes neither, may be left out. */
+  /** Whether only places and opacities matter, as for a pick. Light changes neither, so it may be left out. */
   readonly placesOnly: boolean;
-  /** t at which the nearest opaque shape of the scene stands, Infinity where there is none; absent where no shape ends rays. */
+  /** t of the nearest opaque shape of the scene on a ray, Infinity if there is none; absent if no shapes end rays. */
   readonly shapeT?: (ray: Ray) => number;
 }
 
@@ -71,69 +72,70 @@ export interface RayTwin {
   /** Load its code. @throws {VolumeViewError} `format/unsupported` */
   load(frame: TwinFrame): Promise<unknown>;
   /**
-   * What it adds, as soon as its code is there: lists are added to those of other modules, and single stages replace them.
-   * @param before - the stages so far, which come in this order: field, interval, classify, shade, gather
+   * The parts that the module adds; call it after `load`. Lists are added to those of other modules, and single stages replace them.
+   * @param before - the stages so far; their order is: field, interval, classify, shade, gather
    */
   parts(frame: TwinFrame, before: TwinStages): Partial<TwinStages>;
 }
 
 export type StageName = 'interval' | 'field' | 'classify' | 'shade' | 'gather';
 
-/** What a module adds to the vertices of rays. */
+/** The text that a module adds to the vertex shader, which decides which quads of pixels need rays. */
 export interface BetweenText {
   readonly defines: Defines;
-  /** With quad-place.glsl before the others. */
+  /** GLSL; quad-place.glsl comes before the others. */
   readonly chunks: readonly string[];
   readonly samplers: readonly string[];
-  /** GLSL that is true where a quad needs rays: of `QuadPlace place`, see quad-place.glsl, and `Surroundings around`, see between-pixels.glsl. */
+  /** A GLSL expression that is true if a quad needs rays. It can use `QuadPlace place`, see quad-place.glsl, and `Surroundings around`,
+   * see between-pixels.glsl. */
   readonly needsRays: string;
 }
 
-/** What a program's text has of a module. */
+/** The text that a module adds to a program. */
 export interface RayText {
-  /** In camelCase; the first part of the names of its functions. */
+  /** In camelCase; the names of its functions start with it. */
   readonly name: string;
   readonly stage: StageName;
-  /** Its options, and constants of its twin; they tell programs apart. */
+  /** Its options, and constants that its twin also uses. Programs with other defines are different programs. */
   readonly defines: Defines;
-  /** GLSL. What several modules need is in the program once. */
+  /** GLSL. A chunk that several modules have is in the program once. */
   readonly chunks: readonly string[];
-  /** Samplers of its chunks: a program has no more than 8, which WebGL 1 guarantees. */
+  /** Samplers of its chunks. WebGL 1 guarantees only 8 to a program. */
   readonly samplers: readonly string[];
-  /** Has a say in which quads of pixels get rays of their own, whatever the curvature of the picture. */
+  /** Present if the module can require rays for quads of pixels, whatever the curvature of the picture. */
   readonly between?: BetweenText;
-  /** Of a gather module that does not take steps: GLSL with `walkRay`, in place of what walks other rays. */
+  /** For a gather module that does not take steps: GLSL with its own `walkRay`, which replaces the usual one. */
   readonly walk?: string;
-  /** Of a field module that finds out more of a place: what it adds to struct Sample, "float label" for instance. */
+  /** For a field module that finds out more about a place: what it adds to struct Sample, for example "float label". */
   readonly members?: readonly string[];
 }
 
 /** One module of a ray, with its textures on a context. */
 export interface RayModule<S extends StageName = StageName> extends RayText {
   readonly stage: S;
-  /** Whether pixels may do without rays of their own: not where it makes the picture jump, as an edge does. */
+  /** Whether pixels may be interpolated without rays of their own: false if the module makes the picture jump, as an edge does. */
   readonly sparesRays: boolean;
   /**
-   * Order of convergence with the step length on a smooth field, where all else of the ray is exact; Infinity where steps do not
-   * matter to it. That of a ray is the lowest of its modules'.
+   * Order of convergence with the step length on a smooth field, if the rest of the ray is exact; Infinity if the result does not
+   * depend on steps. The order of a ray is the lowest order of its modules.
    */
   readonly order: number;
-  /** Which values can show; all where absent. Kept while the optics are the same. */
+  /** Which values can show; all values if absent. It returns the same function while the optics are the same. */
   contributes?(optics: Optics): Contribution;
-  /** Its uniforms and textures, which it makes as they are needed. */
+  /** Its uniforms and textures; it makes the textures when they are needed. */
   inputs(frame: RayFrame): ProgramInputs;
-  /** What it is in float64, for picks, checks and tests; null where the twin of another module says it all. */
+  /** The module in float64, for picks, checks and tests; null if the twin of another module includes it. */
   readonly twin: RayTwin | null;
-  /** Casts more rays where it makes the picture jump, for pictures at rest; absent where it does not. */
+  /** Returns what casts more rays where the module makes the picture jump, for pictures at rest; absent if the picture does not jump. */
   edges?(): EdgeDrawing;
-  /** Give its textures back. */
+  /** Delete its textures. */
   dispose?(): void;
 }
 
-/** How a ray of some rows of pixels is cast. */
+/** How to cast one more ray for some rows of pixels. */
 export interface EdgeCast {
   readonly program: WebGLProgram;
-  /** For the box. */
+  /** The inputs of a program that draws its box. */
   readonly inputs: ProgramInputs;
   readonly firstRow: number;
   readonly rows: number;
@@ -141,34 +143,34 @@ export interface EdgeCast {
 
 /** Draws more rays for those pixels of a picture that an edge runs through. */
 export interface EdgeDrawing {
-  /** Where they go, one after the other: pixels across and up, from the pixel's middle. */
+  /** The places of these rays, in order: pixels across and up, from the pixel's middle. */
   readonly offsets: readonly (readonly [number, number])[];
   /**
-   * Find these pixels. Binds the picture's framebuffer, and waits for it.
-   * @param edgeCurvature - 1/255, see optics/rays/edge-rays.ts
+   * Find the pixels that an edge runs through. Binds the picture's framebuffer, and waits until the GPU has drawn it.
+   * @param edgeCurvature - in units of 1/255, see optics/rays/edge-rays.ts
    * @param asPoints - whether the program that casts the rays draws quads of pixels as points
    */
   find(picture: DrawTarget, edgeCurvature: number, asPoints: boolean): void;
-  /** Mix one more ray into these pixels of the picture that is bound. @param number - of its offset */
+  /** Mix one more ray into these pixels of the bound framebuffer. @param number - the index of the ray's offset */
   mix(number: number, cast: EdgeCast): void;
 }
 
 /** A volume on the GPU. */
 export interface FieldModule extends RayModule<'field'> {
-  /** Stored sample = what the chunk's `sampleVolume` gives, times this. */
+  /** Stored sample = the value of the chunk's `sampleVolume`, times this. */
   readonly storedScale: number;
-  /** On the GPU. */
+  /** The bytes that it takes on the GPU. */
   readonly bytes: number;
   inputs(): ProgramInputs;
   dispose(): void;
 }
 
-/** Surfaces in a volume at which rays end; renderer does not know what they are. */
+/** Surfaces in a volume that end rays or cut them. The renderer does not know what kind of surfaces they are. */
 export interface SliceModule<Slice = unknown> extends RayModule<'interval'> {
   slices: readonly Slice[];
 }
 
-/** What of an author's cuts rays, and what makes the module that does: it comes with the code that reads the cuts. */
+/** Cuts that the author of a page wants, and the function that makes their module: both come from the code that reads the cuts. */
 export interface RayCut<Item = unknown> {
   readonly create: (gl: Gl) => SliceModule<Item>;
   readonly items: readonly Item[];
@@ -176,57 +178,57 @@ export interface RayCut<Item = unknown> {
 
 /** Ends rays at the scene's shapes. */
 export interface SurfacesModule extends RayModule<'interval'> {
-  /** In which quads of the lattice that it was last asked for rays end unforeseen, see optics/rays/depth-jumps.ts. Binds a framebuffer. */
+  /** Read in which quads of the last lattice the ends of rays can't be interpolated, see optics/rays/depth-jumps.ts. Binds a framebuffer. */
   readJumps(): Pixels;
 }
 
-/** How volumes of a kind of grid are brought to the GPU. */
+/** Uploads volumes of one kind of grid to the GPU. */
 export interface FieldProvider {
-  /** @throws {VolumeViewError} `format/too-large` where it does not fit the device */
+  /** @throws {VolumeViewError} `format/too-large` if the volume does not fit the device */
   upload(gl: Gl, volume: Volume, device: Device): Upload<FieldModule>;
-  /** Absent where such volumes have no slices. */
+  /** Absent if such volumes have no slices. */
   createSlices?(gl: Gl): SliceModule;
-  /** What brings another volume on the same grid to the GPU, read with the first: loaded with the first of them. Absent where there is none. */
+  /** Loads the code that uploads a second volume on the same grid, which the shader reads together with the first; absent if there is none. */
   second?(): Promise<(gl: Gl, overlay: ShownOverlay, device: Device) => Upload<SecondField>>;
 }
 
-/** A second volume on the GPU, over a first one. */
+/** A second volume on the GPU, which lies over a first one. */
 export interface SecondField {
-  /** What its field, and what shows of it, are in float64. @param overlay - that is shown */
+  /** Its field and its appearance in float64. @param overlay - the overlay that is shown */
   twins(overlay: ShownOverlay): { readonly field: RayTwin; readonly look: RayTwin };
-  /** Of a field module that adds `float overlay` to the sample. */
+  /** The text of a field module that adds `float overlay` to the sample. */
   readonly text: RayText;
-  /** What the chunk's stored value means, see `StoredValues` of optics/transfer/share-map.ts. */
+  /** The meaning of the chunk's stored value, see `StoredValues` of optics/transfer/share-map.ts. */
   readonly stored: { readonly slope: number; readonly intercept: number; readonly storedScale: number };
-  /** Data values more than this apart are on two sides of a fold; Infinity where none fold. */
+  /** Data values that differ by more than this are on two sides of a fold; Infinity if values do not fold. */
   readonly foldFrom: number;
   inputs(over: Volume): ProgramInputs;
   dispose(): void;
 }
 
-/** What a volume looks like, whatever the view. */
+/** A volume's appearance, independent of the view. */
 export interface Optics extends OpticalFactors {
   readonly transferFunction: TransferFunction;
   /** World length over which a stop's opacity holds. */
   readonly referenceLength: number;
 }
 
-/** How deep opaque shapes stand in a picture. */
+/** The depths of opaque shapes in a picture. */
 export interface ShapeDepths {
   readonly all: DrawTarget;
-  /** Of those that are neither lines nor points; the same if all are. */
+  /** Depths of the shapes that are neither lines nor points; the same target as `all` if there are no lines and points. */
   readonly solid: DrawTarget;
-  /** The part of the picture that they may stand in, in device coordinates. */
+  /** The part of the picture that the shapes may cover, in device coordinates. */
   readonly bounds: DeviceRectangle;
-  /** null where there are none. */
+  /** The same for the shapes that are neither lines nor points; null if there are none. */
   readonly solidBounds: DeviceRectangle | null;
 }
 
 /** Pixels of a picture with shapes. */
 export interface SurfaceLattice extends PixelLattice {
-  /** The lattice before, from which pixels are interpolated; null or absent if all get rays. */
+  /** The picture of the lattice before, from which pixels are interpolated; null or absent if all pixels get rays. */
   readonly half?: unknown;
-  /** Whether it serves for nothing but to interpolate others: lines and points end none of its rays. */
+  /** Whether the lattice is used only to interpolate others: lines and points then end none of its rays. */
   readonly isCoarse?: boolean;
 }
 
@@ -234,14 +236,14 @@ export interface SurfaceLattice extends PixelLattice {
 export interface Surfaces {
   readonly depths: ShapeDepths;
   readonly projection: Matrix4;
-  /** Pixels of the picture that they were drawn in. */
+  /** The size of the picture that the shapes were drawn in, in pixels. */
   readonly picture: { readonly width: number; readonly height: number };
   readonly lattice: SurfaceLattice;
   /** World length. */
   readonly stepLength: number;
 }
 
-/** What a picture is drawn of. */
+/** All data that a picture is drawn from. */
 export interface RayFrame {
   readonly volume: Volume;
   readonly field: FieldModule;
@@ -250,16 +252,16 @@ export interface RayFrame {
   readonly domain: readonly [number, number];
   readonly rays: RaySetup;
   readonly surfaces: Surfaces | null;
-  /** Whether a ray shows the less the shorter it is. */
+  /** Whether a shorter ray shows less (as with absorption, unlike a projection). */
   readonly fades: boolean;
-  /** Whether rays cross empty space without looking. */
+  /** Whether rays skip empty space without sampling it. */
   readonly skipping: boolean;
-  /** The most substeps of a step. */
+  /** The maximum number of substeps of a step. */
   readonly maxSubsteps: number;
-  /** How finely each macrocell has to be sampled, see optics/cells/cell-detail.ts; null where nothing is known of it. */
+  /** The sampling that each macrocell needs, see optics/cells/cell-detail.ts; null if it is not known. */
   readonly detail: Uint8Array | null;
-  /** Voxels of the finest axis that a step is long; 0 where `detail` has no say. */
+  /** The length of a step in voxels of the finest axis; 0 if `detail` is not used. */
   readonly voxelsPerStep: number;
-  /** Of all modules that have some. */
+  /** The contributions of all modules that have one. */
   readonly contributions: readonly Contribution[];
 }

@@ -1,9 +1,9 @@
-// The same ray in float64: what each module adds to it. The code that does so is loaded with the first ray that is cast.
+// Rays in float64, which the modules' twins compose. The first ray that is cast on the processor loads the code of the twins.
 import { loadPart } from '../../core/load-part.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { Optics, RayModule, RayTwin, TwinFrame, TwinStages } from './ray-module.ts';
 
-/** The modules of a picture's rays, as far as it takes to cast them in float64. They need no context, and so outlive a scene. */
+/** The modules of a picture's rays, reduced to what casting in float64 needs. They need no WebGL context, so they stay valid after the scene. */
 export interface RayTwins {
   readonly volume: Volume;
   readonly optics: Optics;
@@ -27,7 +27,7 @@ export function later<T>(load: () => Promise<T>): Later<T> {
   };
 }
 
-/** One thing of some code. */
+/** One export of some code that is loaded later. */
 export function partOf<T, P>(from: Later<T>, choose: (code: T) => P): Later<P> {
   return {
     load: async () => choose(await from.load()),
@@ -38,8 +38,8 @@ export function partOf<T, P>(from: Later<T>, choose: (code: T) => P): Later<P> {
 }
 
 /**
- * The twin of a module. To be made outside of functions that know a context: a twin must not keep one alive.
- * @param parts - called with the code when that is there
+ * Make the twin of a module. Call it outside of functions that have a WebGL context in scope: a twin must not keep a context alive.
+ * @param parts - called with the loaded code
  */
 export function twinOf<T>(from: Later<T>, parts: (code: T, frame: TwinFrame, before: TwinStages) => Partial<TwinStages>): RayTwin {
   return { load: from.load, parts: (frame, before) => parts(from.code, frame, before) };

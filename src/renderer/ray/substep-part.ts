@@ -12,7 +12,7 @@ import { textureUnit } from '../device/texture-unit.ts';
 import type { TextureUnit } from '../device/texture-unit.ts';
 import type { SubstepPart } from './substep-provider.ts';
 
-/** What tells into how many substeps steps are cut; the same texture is filled again when it changes. */
+/** Upload the table that says into how many substeps a step is cut. When the table changes, the same texture is filled again. */
 export function uploadSubstepTable(gl: Gl, { texels }: SubstepTable, previous: WebGLTexture | null): TextureUnit {
   const texture = previous ?? gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
@@ -21,7 +21,7 @@ export function uploadSubstepTable(gl: Gl, { texels }: SubstepTable, previous: W
   return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uSubstepTable' });
 }
 
-/** An opacity that changes changes the table, and not this. */
+/** Integrals by transfer function: another opacity factor changes the table, but not its integral. */
 const integrals = new WeakMap<TransferFunction, RunningIntegral>();
 
 function integralOf(transferFunction: TransferFunction): RunningIntegral {

@@ -3,12 +3,12 @@ import { mapShares } from '../../optics/transfer/share-map.ts';
 import type { Uniforms } from '../device/inputs.ts';
 import type { RayFrame } from './ray-module.ts';
 
-/** How deep a ray of a parallel projection starts: ahead of any volume. */
+/** The t at which a ray of a parallel projection starts: in front of any volume. */
 const farBehind = -1e9;
 
 /**
- * @param picture - pixels across and down, of which these are the rays
- * @param stepLength - world length
+ * @param picture - the size of the picture of these rays, in pixels
+ * @param stepLength - in world units
  */
 export function rayUniforms(rays: RaySetup, picture: { readonly width: number; readonly height: number }, stepLength: number): Uniforms {
   const m = rays.unitToDiameters;
@@ -31,7 +31,7 @@ export function rayUniforms(rays: RaySetup, picture: { readonly width: number; r
   };
 }
 
-/** Which share of the transfer function's domain a stored value means. */
+/** Uniforms that map a stored value to its share of the transfer function's domain. */
 export function valueUniforms({ volume, field: { storedScale }, domain }: Pick<RayFrame, 'volume' | 'domain'> & { readonly field: { readonly storedScale: number } }): Uniforms {
   const { from, scale } = mapShares({ ...volume, storedScale }, domain);
   return { uDimensions: volume.grid.dimensions, uTableDomain: [scale, from] };

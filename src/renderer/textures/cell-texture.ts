@@ -7,16 +7,16 @@ import type { Uniforms } from '../device/inputs.ts';
 import { textureUnit } from '../device/texture-unit.ts';
 import type { TextureUnit } from '../device/texture-unit.ts';
 
-/** A number for each macrocell of a volume on the GPU, and where they lie. */
+/** A texture with a number for each macrocell of a volume, and the uniforms that say where each number is. */
 export interface CellTexture {
   readonly unit: TextureUnit;
   readonly uniforms: Uniforms;
 }
 
 /**
- * @param numbers - one or two bytes a cell, i fastest
- * @param cells - along i, j and k
- * @param previous - filled again
+ * @param numbers - one or two bytes for each cell, i fastest
+ * @param cells - how many cells along i, j and k
+ * @param previous - its texture is filled again
  */
 export function uploadCells(
   gl: Gl,

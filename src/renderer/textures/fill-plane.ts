@@ -4,15 +4,15 @@ import type { Gl } from '../device/device.ts';
 import { pixelsOf, prepareUpload, rowsOfPiece } from './fill-texture.ts';
 import type { Size, Texels, Upload } from './fill-texture.ts';
 
-/** Make room in the bound 2D texture. */
+/** Allocate the memory of the bound 2D texture. */
 export function allocatePlane(gl: Gl, { internal, format, type }: Texels, { width, height }: Size): void {
   if (isWebGl2(gl)) gl.texStorage2D(gl.TEXTURE_2D, 1, internal, width, height);
   else gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, type, null);
 }
 
 /**
- * Fill a 2D texture that `allocatePlane` made room in.
- * @param readRows - texels of some rows, from the first
+ * Fill a 2D texture that `allocatePlane` allocated.
+ * @param readRows - returns the texels of `count` rows, from the row `first` on
  */
 export function* fillPlane(
   gl: Gl,

@@ -4,21 +4,21 @@ import { isWebGl2 } from '../device/device.ts';
 import type { Gl } from '../device/device.ts';
 
 /**
- * Work that hands data to the GPU piece by piece: each step says how many bytes it was; Infinity where the GPU is to finish first. Who does not want to go on calls
- * `return()`, and what was made is deleted.
+ * Work that uploads data to the GPU piece by piece. Each step yields how many bytes it uploaded, or Infinity if the GPU has to finish
+ * before the next step. To stop early, call `return()`: it deletes what was made so far.
  */
 export type Upload<T> = Generator<number, T, void>;
 
-/** Most bytes of one piece; a row of texels is never cut, and at most 64 KiB. */
+/** The maximum bytes of one piece. A row of texels is never cut; it has at most 64 KiB. */
 export const pieceBytes = 2 ** 20;
 
-/** Room for more than this takes the GPU as long as filling it: who asks for errors at once waits, and the page with it. */
+/** To allocate more bytes than this takes the GPU as long as to fill them: a check for errors directly afterwards would block the page. */
 export const slowBytes = 2 ** 25;
 
-/** What a page can hand to the GPU at once without a frame being late for it. */
+/** The bytes that a page can upload to the GPU at once without a late frame. */
 export const quickBytes = 2 ** 23;
 
-/** Do all of it at once. */
+/** Do all steps of an upload at once. */
 export function finishUpload<T>(upload: Upload<T>): T {
   for (;;) {
     const step = upload.next();
@@ -31,14 +31,14 @@ export interface Size {
   readonly height: number;
 }
 
-/** Make room for a volume in the bound 3D texture: samples * bytes of each, and nothing more. */
+/** Allocate the memory for a volume in the bound 3D texture: the number of samples times the bytes of each, and no more (no mipmaps). */
 export function allocateTexture3d(gl: WebGL2RenderingContext, { internal }: Texels, [nx, ny, nz]: Vector3): void {
   gl.texStorage3D(gl.TEXTURE_3D, 1, internal, nx, ny, nz);
 }
 
 /**
- * Fill a 3D texture that `allocateTexture3d` made room in.
- * @param prepare - what becomes of some samples before the GPU gets them
+ * Fill a 3D texture that `allocateTexture3d` allocated.
+ * @param prepare - converts samples before their upload
  */
 export function* fillTexture3d(
   gl: WebGL2RenderingContext,
@@ -47,7 +47,7 @@ export function* fillTexture3d(
   prepare: (samples: Samples) => Samples,
 ): Upload<void> {
   const rowsAtOnce = rowsOfPiece(nx * bytes);
-  // Whole slices where there is room for one, else bands of a slice.
+  // A piece has whole slices if at least one fits; else a band of a slice.
   const slices = Math.max(1, Math.floor(rowsAtOnce / ny));
   const rows = Math.min(ny, rowsAtOnce);
   for (let z = 0; z < nz; z += slices) {
@@ -63,7 +63,7 @@ export function* fillTexture3d(
   }
 }
 
-/** Fill the bound 2D texture, be it new or not, with samples as they are. */
+/** Fill the bound 2D texture, new or not, with samples as they are. */
 export function uploadPlane(gl: Gl, samples: Samples, { width, height }: Size): void {
   const { internal, format, type } = texelsOf(gl, samples);
   gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, type, pixelsOf(samples));
@@ -79,12 +79,12 @@ export function rowsOfPiece(rowBytes: number): number {
   return Math.max(1, Math.floor(pieceBytes / rowBytes));
 }
 
-/** What a texture holds. */
+/** The format of a texture's texels. */
 export interface Texels {
   readonly internal: number;
   readonly format: number;
   readonly type: number;
-  /** Of each of them. */
+  /** Bytes of each texel. */
   readonly bytes: number;
 }
 

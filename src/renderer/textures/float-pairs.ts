@@ -1,15 +1,15 @@
-// Two floats a texel: what a second field needs, and is loaded with it.
+// Two floats in each texel: a second field needs them, and loads this file.
 import { isWebGl2 } from '../device/device.ts';
 import type { Gl } from '../device/device.ts';
 import type { Texels } from './fill-texture.ts';
 
-/** The second one is in green (WebGL 2) or alpha (WebGL 1). */
+/** Texels of two floats. The second float is in green (WebGL 2) or alpha (WebGL 1). */
 export function pairTexels(gl: Gl): Texels {
   const shared = { type: gl.FLOAT, bytes: 8 };
   return isWebGl2(gl) ? { internal: gl.RG32F, format: gl.RG, ...shared } : { internal: gl.LUMINANCE_ALPHA, format: gl.LUMINANCE_ALPHA, ...shared };
 }
 
-/** Two lists of the same length, one number of each in turn. */
+/** Interleave two lists of the same length: one number of each in turn. */
 export function pairUp(first: Float32Array, second: Float32Array): Float32Array<ArrayBuffer> {
   const pairs = new Float32Array(2 * first.length);
   for (let i = 0; i < first.length; i++) {
@@ -19,7 +19,7 @@ export function pairUp(first: Float32Array, second: Float32Array): Float32Array<
   return pairs;
 }
 
-/** Floats with 1 beside each, and 0 and 0 where there are no data: a linear filter then sums values by their weights, and these weights. */
+/** Pairs of a float and 1, or 0 and 0 where data are missing: a linear filter then gives the weighted sum, and the sum of weights. */
 export function weighFloats(samples: Float32Array, scale: number): Float32Array<ArrayBuffer> {
   return pairUp(samples.map((value) => (Number.isFinite(value) ? value / scale : 0)), samples.map((value) => (Number.isFinite(value) ? 1 : 0)));
 }

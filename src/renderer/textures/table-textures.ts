@@ -5,7 +5,7 @@ import { prepareUpload } from './fill-texture.ts';
 import { textureUnit } from '../device/texture-unit.ts';
 import type { TextureUnit } from '../device/texture-unit.ts';
 
-/** The transfer function's table, for devices that filter floats; the same texture is filled again when it changes. */
+/** Upload the transfer function's table, for devices that filter floats. When the table changes, the same texture is filled again. */
 export function uploadTable(gl: Gl, table: PreintegrationTable, previous: WebGLTexture | null): TextureUnit {
   const texture = previous ?? gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);

@@ -3,23 +3,23 @@ import { pieceBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { gpuFinished } from '../device/gpu-finished.ts';
 
-/** Most bytes between two frames, however fast the GPU takes them. */
+/** The maximum bytes between two frames, however fast the GPU is. */
 export const maxBytesAFrame = 2 ** 24;
 
 const minBytesAFrame = 2 ** 21;
 
-/** ms of a frame that may go into an upload; of 16 that there are, what is left is the page's. */
+/** The time of a frame that an upload may use, in ms. A frame has 16 ms; the rest is for the page. */
 const budgetMs = 8;
 
 /**
- * Do an upload bit by bit between frames, each bit after the GPU has finished the one before.
- * @param givenUp - asked before each bit
- * @returns null where it was given up, or the context was lost
+ * Do an upload in parts between frames; each part starts after the GPU has finished the one before.
+ * @param givenUp - called before each part; returns true to stop
+ * @returns null if the upload was given up, or the context was lost
  */
 export async function uploadGradually<T>(gl: Gl, upload: Upload<T>, givenUp: () => boolean): Promise<T | null> {
   let bytesAFrame = 2 * minBytesAFrame;
   try {
-    await gpuFinished(gl); // Making room asks for errors, and the page would wait for a picture that is being drawn.
+    await gpuFinished(gl); // The allocation checks for errors; without this, the page would block until the GPU has drawn the current picture.
     for (;;) {
       await nextFrame();
       if (givenUp() || gl.isContextLost()) return null;
@@ -33,7 +33,7 @@ export async function uploadGradually<T>(gl: Gl, upload: Upload<T>, givenUp: () 
       bytesAFrame = adapt(bytesAFrame, performance.now() - began);
     }
   } finally {
-    upload.return(undefined as T); // Nothing happens where it is finished.
+    upload.return(undefined as T); // This does nothing if the upload is finished.
   }
 }
 
@@ -42,7 +42,7 @@ function adapt(bytes: number, tookMs: number): number {
   return tookMs < budgetMs / 2 ? Math.min(maxBytesAFrame, bytes * 2) : bytes;
 }
 
-/** In a page that nobody sees there are no frames, and none that could be late. */
+/** A hidden page gets no frames, so that no frame can be late. */
 function nextFrame(): Promise<unknown> {
   return new Promise((resolve) => (document.hidden ? setTimeout(resolve) : requestAnimationFrame(resolve)));
 }

@@ -16,26 +16,26 @@ import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
 import type * as Chunks from './cartesian-chunks.ts';
 
-/** How voxels lie on the GPU and are read there. */
+/** How voxels are stored on the GPU and how shaders read them. */
 export interface CartesianOptions {
-  /** In a 3D texture (WebGL 2 only), else a mosaic in a 2D texture. */
+  /** True: in a 3D texture (WebGL 2 only); false: as a mosaic in a 2D texture. */
   readonly texture3d: boolean;
   /** 16-bit samples in two 8-bit channels. */
   readonly twoBytes: boolean;
-  /** Some voxels, which are floats, hold no data. */
+  /** Samples are floats, and some voxels have no data. */
   readonly noData: boolean;
-  /** Tri-linear interpolation by eight fetches, where the device's filter is absent or too coarse, or knows no data. */
+  /** The shader interpolates tri-linearly with eight fetches, because the device's filter is absent, too coarse, or can't skip missing data. */
   readonly filterInShader: boolean;
 }
 
 let chunks: typeof Chunks | null = null;
 
-/** What mosaics, floats, and filters of our own need before they are uploaded. @throws {VolumeViewError} `format/unsupported` */
+/** Load the code for mosaics, floats and filtering in the shader; await it before the upload. @throws {VolumeViewError} `format/unsupported` */
 export async function loadCartesianChunks(): Promise<void> {
   chunks ??= await loadPart(import('./cartesian-chunks.ts'), 'reads volumes where the graphics processor can not');
 }
 
-/** The same, for a volume that needs it. */
+/** The same, but only if the volume needs this code. */
 export async function prepareCartesian(volume: Volume, device: Device): Promise<void> {
   if (!device.webgl2 || volume.samples instanceof Float32Array || !isFiltered(volume, device)) await loadCartesianChunks();
 }
@@ -46,7 +46,7 @@ export function isFiltered({ samples, hasNoData }: Pick<Volume, 'samples' | 'has
   return !hasNoData && (samples instanceof Uint8Array || floatLinear);
 }
 
-/** For what is not plain, `prepareCartesian` comes first. */
+/** Await `prepareCartesian` first, unless the volume is a 3D texture that the device filters. */
 export function cartesianText({ texture3d, twoBytes, noData, filterInShader }: CartesianOptions): RayText {
   return {
     name: 'cartesian',
@@ -64,7 +64,7 @@ interface Block extends Pick<Volume, 'samples' | 'hasNoData'> {
   readonly grid: Pick<Volume['grid'], 'dimensions'>;
 }
 
-/** How volumes on cartesian grids are brought to the GPU. */
+/** Uploads volumes on cartesian grids to the GPU. */
 export const cartesianProvider: FieldProvider = { upload: uploadCartesian };
 
 function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
@@ -74,13 +74,13 @@ function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldM
   return { ...block, ...cartesianText({ texture3d: isWebGl2(gl), twoBytes: samples instanceof Uint16Array, noData, filterInShader }), stage: 'field', sparesRays: true, order: 2, twin: cartesianTwin };
 }
 
-/** What a texture with samples has of a field: how they lie in it, and how they are read. */
+/** The members of a field module that a texture of samples provides: how samples are stored, and how shaders read them. */
 export type BlockTexture = Pick<FieldModule, 'storedScale' | 'bytes' | 'inputs' | 'dispose'>;
 
-/** What texels are made of samples, where these are not stored as they are. */
+/** How samples are converted to texels, if they are not stored as they are. */
 export interface Packing {
   readonly texels: Texels;
-  /** @param floatScale - what floats are divided by */
+  /** @param floatScale - the divisor of floats */
   pack(samples: Samples, floatScale: number): Samples;
 }
 
@@ -93,7 +93,7 @@ export interface BlockOptions {
 
 /**
  * Upload samples at their own precision: one channel for 8 bit and float, two 8-bit channels for 16 bit.
- * @throws {VolumeViewError} `format/too-large` where the texture does not fit the device
+ * @throws {VolumeViewError} `format/too-large` if the texture does not fit the device
  */
 export function* uploadBlock(gl: Gl, volume: Block, { device, filterInShader, packing }: BlockOptions): Upload<BlockTexture> {
   const { samples, grid: { dimensions } } = volume;
@@ -119,13 +119,13 @@ export function* uploadBlock(gl: Gl, volume: Block, { device, filterInShader, pa
 interface Filling {
   /** Null for a 3D texture. */
   readonly atlas: AtlasLayout | null;
-  /** What floats are divided by. */
+  /** The divisor of floats. */
   readonly floatScale: number;
   readonly packing: Packing | undefined;
   readonly tooLarge: () => VolumeViewError;
 }
 
-/** A texture with all of a volume's samples. */
+/** Make a texture with all of a volume's samples. */
 function* fill(gl: Gl, volume: Block, { atlas, floatScale, packing, tooLarge: refuse }: Filling): Upload<WebGLTexture> {
   const { samples, grid: { dimensions } } = volume;
   const changes = volume.hasNoData || floatScale !== 1;

@@ -12,7 +12,10 @@ import { createColumns } from './columns.ts';
 import { createJumps } from './jumps.ts';
 import { createTransferFunction } from './transfer-function.ts';
 
-/** Modules for transfer functions that the usual table does not hold: a table of other columns, or no table, and what looks for where they become opaque at once. Without the device's filter for floats no table is read. */
+/**
+ * Modules for transfer functions that the usual table can't hold: a table with other columns, or no table. It also makes the module that
+ * searches for places where a volume becomes opaque at once. If the device can't filter floats, no table is used.
+ */
 export class Classifiers {
   readonly #gl: Gl;
   readonly #columns: ReturnType<typeof createColumns>;
@@ -27,7 +30,7 @@ export class Classifiers {
     this.#columns = createColumns(gl);
   }
 
-  /** They stand in for those of the same stages. @param looks - whether rays look for where it becomes opaque at once */
+  /** These modules replace those of the same stages. @param looks - whether rays search for places where the volume becomes opaque at once */
   modulesFor(volume: Volume, field: FieldModule, optics: Optics, looks: boolean): readonly RayModule[] {
     const { transferFunction } = optics;
     if (this.#shown?.[0] !== transferFunction) this.#shown = [transferFunction, this.device.floatLinear ? findColumns(transferFunction) : null];
@@ -39,7 +42,7 @@ export class Classifiers {
     return table ? [table] : [...this.#columns.modulesFor({ volume, field, optics, domain: domainOf(transferFunction) }), ...(looks ? this.#lookingForJumps(volume, optics) : [])];
   }
 
-  /** What finds where rays pass from what is clear to what is opaque at once. */
+  /** The module that finds where rays pass directly from clear to opaque values. */
   #lookingForJumps(volume: Volume, { transferFunction, referenceLength, opacityFactor }: Optics): readonly RayModule[] {
     const values = this.jumpsOf(volume, { transferFunction, referenceLength, opacityFactor });
     return this.#lookers.get([values], () => (values.length > 0 ? [(this.#looking ??= createJumps(this.#gl, this.device)).of(values)] : []));

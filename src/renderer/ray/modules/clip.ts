@@ -6,13 +6,13 @@ import { twinOf, usualTwins } from '../ray-twin.ts';
 
 export const clipText: RayText = { name: 'clip', stage: 'interval', defines: {}, chunks: [slack, clip], samplers: [] };
 
-/** Keeps all that is there. */
+/** A half-space that keeps everything. */
 const everything = [0, 0, 0, 1];
 
-/** Rays run where all half-spaces are, twelve at most. */
+/** Rays run in the intersection of all half-spaces; twelve at most. */
 export const createClip = (): SliceModule<HalfSpace> => create(true);
 
-/** The same where slices are cut too: at their new edges the picture jumps. */
+/** The same, if slices are cut too: the picture jumps at their new edges. */
 export const createClipOfSlices = (): SliceModule<HalfSpace> => create(false);
 
 const twin = (kept: readonly HalfSpace[]): RayTwin => twinOf(usualTwins, ({ clipInterval }) => ({ intervals: [clipInterval(kept)] }));
@@ -22,7 +22,7 @@ function create(sparesRays: boolean): SliceModule<HalfSpace> {
     ...clipText,
     stage: 'interval',
     slices: [],
-    // Opacity grows from 0 at its edges.
+    // At the edges of the half-spaces opacity grows from 0, so the picture does not jump.
     sparesRays,
     order: Infinity,
     get twin() {

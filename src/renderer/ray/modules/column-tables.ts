@@ -18,26 +18,26 @@ import type { RayFrame } from '../ray-module.ts';
 /** Bins in a row of their texture. */
 const binsAcross = 512;
 
-/** Columns in a row of theirs: as many texels fit any device. Labels have tens of thousands. */
+/** The maximum columns in a row of the columns' texture: every device allows this width. Label volumes have tens of thousands of columns. */
 const mostAcross = 2048;
 
-/** Rows of a function's columns: see shaders/chunks/classify/columns.glsl. */
+/** Texture rows for the columns of a function: see shaders/chunks/classify/columns.glsl. */
 const columnRows = 7;
 
-/** What columns depend on. */
+/** The data that columns depend on. */
 export interface ColumnsFrame extends Pick<RayFrame, 'volume' | 'field' | 'optics' | 'domain'> {
-  /** Others beside that of the optics, within the domain. */
+  /** Transfer functions in addition to that of the optics; the domain includes theirs. */
   readonly functions?: readonly TransferFunction[];
 }
 
 /** Columns on the GPU. */
 export interface ColumnTables {
-  /** Whether they are found by bins, else by search. */
+  /** How the shader finds a column: true: by bins; false: by search. */
   readonly hasBins: boolean;
   readonly inputs: ProgramInputs;
 }
 
-/** Keeps the columns of transfer functions on the GPU. @param room - functions that there is room for, one below another */
+/** Keeps the columns of transfer functions on the GPU. @param room - the number of functions that the textures hold, one below another */
 export function keepColumns(gl: Gl, room = 1): { readonly get: (frame: ColumnsFrame) => ColumnTables; readonly dispose: () => void } {
   const made = new Kept<ColumnTables>();
   const make = (frame: ColumnsFrame, last: ColumnTables | null): ColumnTables => {
@@ -62,14 +62,14 @@ export function keepColumns(gl: Gl, room = 1): { readonly get: (frame: ColumnsFr
   };
 }
 
-/** As many bins for each: null where any has edges too near to each other. */
+/** The same number of bins for each function; null if a function has edges that are too near to each other. */
 function binAll(all: readonly Columns[]): readonly ColumnBins[] | null {
   const each = all.map(({ edges }) => binColumns(edges));
   const count = Math.max(...each.map((bins) => bins?.count ?? Infinity));
   return count === Infinity ? null : all.map(({ edges }) => binColumns(edges, count)!);
 }
 
-/** What of a domain is in the data: floats tell values best near its low end, and where it is narrow. */
+/** The part of a domain that is in the data: floats distinguish values best near its low end, and if it is narrow. */
 function clip([low, high]: readonly [number, number], [least, most]: readonly [number, number]): readonly [number, number] {
   const [from, to] = [Math.max(low, Math.min(least, high)), Math.min(high, Math.max(most, low))];
   return to > from ? [from, to] : [low, high];
@@ -108,7 +108,10 @@ function upload(gl: Gl, { all, bins, room }: Tables, previous: readonly TextureU
   };
 }
 
-/** Rows of a texture, each of so many columns. Sums are of two floats, which together have all digits. Where a function has fewer columns than another, no share is in those that are left. */
+/**
+ * Rows of a texture, each of `across` columns. A sum is stored as two floats, which together have all digits. If a function has fewer
+ * columns than another, no value falls into its unused columns.
+ */
 function packColumns({ edges, starts, ends, sumsAtStart, sumsAtEnd }: Columns, across: number): Float32Array {
   const row = 4 * across;
   const texels = new Float32Array(row * columnRows);

@@ -12,10 +12,10 @@ import type { ColumnsFrame } from './column-tables.ts';
 import { createClassify } from './transfer-function.ts';
 import type { Means } from './transfer-function.ts';
 
-/** Rounds of the search among columns where bins can't tell them apart: two to this power are more than there can be. */
+/** Rounds of the search among columns if bins can't separate them: 2 to this power is more than the possible number of columns. */
 const maxSearches = 18;
 
-/** What is known of each sample. @param bins - columns are found by bins, else by search */
+/** Finds each sample's column, and its place in it. @param bins - whether the shader finds columns by bins, else by search */
 export function columnsText(bins: boolean): RayText {
   return {
     name: 'columns',
@@ -27,12 +27,12 @@ export function columnsText(bins: boolean): RayText {
   };
 }
 
-/** How means are made of it. */
+/** Computes means over a segment from the columns of its two samples. */
 export const columnMeansText: Pick<Means, 'name' | 'defines' | 'chunks' | 'samplers'> = { name: 'columnMeans', defines: {}, chunks: [columnMeans], samplers: [] };
 
 /**
- * Any transfer function, as exact as float32 is: jumps, narrow pieces, stops wherever they are.
- * @returns the modules that take part for it: what is known of samples, and what segments show
+ * Any transfer function with the precision of float32: jumps, narrow pieces, and stops at any place.
+ * @returns `modulesFor`, which makes the two modules: the columns of samples, and the colours of segments
  */
 export function createColumns(gl: Gl): { readonly modulesFor: (frame: ColumnsFrame) => readonly RayModule[]; readonly dispose: () => void } {
   const { get, dispose } = keepColumns(gl);
@@ -47,7 +47,7 @@ export function createColumns(gl: Gl): { readonly modulesFor: (frame: ColumnsFra
   };
 }
 
-/** Fetches each voxel of a mosaic: the device's filter may reach a little into the tile beside, and beside a jump that shows. */
+/** Fetches each voxel of a mosaic: the device's filter may mix in a little of the neighbouring tile, which is visible next to a jump. */
 export function fetchEach(gl: Gl, field: FieldModule): readonly RayModule[] {
   const { TEXTURE_3D, TWO_BYTES, NO_DATA, FILTER_IN_SHADER } = field.defines;
   if (TEXTURE_3D !== 0 || FILTER_IN_SHADER !== 0) return [];

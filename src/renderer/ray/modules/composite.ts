@@ -20,7 +20,7 @@ export const compositeText: RayText = {
 
 const twin = twinOf(usualTwins, ({ compositeGather }) => ({ gather: compositeGather }));
 
-/** Emission and absorption, across empty space at once. */
+/** Emission and absorption; rays skip empty space. */
 export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
   const cells = new Kept<CellTexture>();
   return {
@@ -28,7 +28,7 @@ export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
     stage: 'gather',
     sparesRays: true,
     twin,
-    // Of segments that are exact the picture is.
+    // If segments are exact, the picture is exact too.
     order: Infinity,
     inputs({ volume, skipping, contributions, detail, voxelsPerStep }) {
       const { macrocells } = volume;

@@ -8,10 +8,10 @@ import { twinOf, usualTwins } from '../ray-twin.ts';
 /** GAP: rays may have two pieces. */
 export const cutoutText: RayText = { name: 'cutout', stage: 'interval', defines: { GAP: 1 }, chunks: [box, slack, cutout], samplers: [] };
 
-/** One box is cut out of rays. It stands after what ends them at their begin, and before what they meet in the volume. */
+/** One box is cut out of rays. The module comes after those that limit a ray's interval, and before the slices in the volume. */
 export const createCutout = (): SliceModule<Cutout> => create(true);
 
-/** The same where slices are cut too: at their new edges the picture jumps. */
+/** The same, if slices are cut too: the picture jumps at their new edges. */
 export const createCutoutOfSlices = (): SliceModule<Cutout> => create(false);
 
 const twin = ([cutout]: readonly Cutout[]): RayTwin => twinOf(usualTwins, ({ cutoutInterval }) => ({ intervals: [cutoutInterval(cutout)] }));
@@ -21,7 +21,7 @@ function create(sparesRays: boolean): SliceModule<Cutout> {
     ...cutoutText,
     stage: 'interval',
     slices: [],
-    // At its edges a gap grows from 0, as opacity does at those of a box.
+    // At the edges of the box the gap grows from 0, so the picture does not jump.
     sparesRays,
     order: Infinity,
     get twin() {

@@ -10,7 +10,7 @@ import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
 import { cartesianTwin, uploadBlock } from './cartesian-field.ts';
 import type { CartesianOptions } from './cartesian-field.ts';
 
-/** Each place has one of the values around it, and between two there is none. */
+/** A field of labels: each place has one of the values of the voxels around it; values are never interpolated. */
 export function discreteText({ texture3d, twoBytes, noData }: Omit<CartesianOptions, 'filterInShader'>): RayText {
   return {
     name: 'discrete',
@@ -21,7 +21,7 @@ export function discreteText({ texture3d, twoBytes, noData }: Omit<CartesianOpti
   };
 }
 
-/** How they are brought to the GPU. */
+/** Uploads volumes of labels to the GPU. */
 export const discreteProvider: FieldProvider = { upload: uploadDiscrete };
 
 function* uploadDiscrete(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {

@@ -15,7 +15,7 @@ import { twinOf, usualTwins } from '../ray-twin.ts';
 import { compositeText, createComposite } from './composite.ts';
 import { surfaceValues } from './surface-values.ts';
 
-/** @param isOne - one value alone, which takes less to look for than several */
+/** @param isOne - whether there is only one value: the search for it costs less than for several */
 export function jumpsText(isOne: boolean): RayText {
   return {
     name: 'jumps',
@@ -29,7 +29,10 @@ export function jumpsText(isOne: boolean): RayText {
 
 const twin = (values: readonly number[]): RayTwin => twinOf(usualTwins, ({ jumpGather }, { volume, rays }) => ({ gather: jumpGather(values, finestSpacing(volume.grid) / rays.diameter) }));
 
-/** Emission and absorption that finds what is opaque at once wherever a ray touches it, on cartesian grids. Its modules for one volume differ by their texts alone. */
+/**
+ * Emission and absorption on cartesian grids that also finds every place where a ray touches a value at which the volume becomes opaque
+ * at once. Its modules for one volume differ only by their texts.
+ */
 export function createJumps(gl: Gl, device: Device): { of(values: readonly number[]): RayModule<'gather'>; dispose(): void } {
   const composite = createComposite(gl, device);
   return {
@@ -38,7 +41,7 @@ export function createJumps(gl: Gl, device: Device): { of(values: readonly numbe
       stage: 'gather',
       sparesRays: true,
       twin: twin(values),
-      // Of segments that are exact the picture is.
+      // If segments are exact, the picture is exact too.
       order: Infinity,
       inputs: (frame) => joinInputs(composite.inputs(frame), { uniforms: { uSurfaceValues: surfaceValues(values, frame), uVoxelLength: finestSpacing(frame.volume.grid) / frame.rays.diameter }, units: [] }),
     }),

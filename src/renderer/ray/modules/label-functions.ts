@@ -1,4 +1,4 @@
-// Transfer functions of groups of labels: loaded with the first of them.
+// Transfer functions of groups of labels. The first of them loads this file.
 import columnMeans from '../../../../shaders/chunks/classify/column-means.glsl?raw';
 import labelFunctions from '../../../../shaders/chunks/classify/label-functions.glsl?raw';
 import { brighten } from '../../../optics/transfer/brighten.ts';
@@ -26,12 +26,12 @@ import type { ColumnTables } from './column-tables.ts';
 import { columnsText, fetchEach } from './columns.ts';
 import { classifyText, opticalUniforms } from './transfer-function.ts';
 
-/** The volume's own, and those of groups. */
+/** The maximum number of functions: the volume's own, and those of groups. */
 const room = mostGroups + 1;
 
 const defines = { FUNCTIONS: room.toFixed(1) };
 
-/** What is known of each sample in several functions' columns. */
+/** Finds each sample's column in the columns of its label's function. */
 export function groupColumnsText(bins: boolean): RayText {
   const text = columnsText(bins);
   return { ...text, defines: { ...text.defines, ...defines } };
@@ -39,19 +39,19 @@ export function groupColumnsText(bins: boolean): RayText {
 
 export const labelFunctionsText = classifyText({ name: 'labelFunctions', defines, chunks: [columnMeans, labelFunctions], samplers: [] });
 
-/** What groups there are. */
+/** The groups that have transfer functions. */
 interface Groups {
   readonly functions: readonly TransferFunction[];
   /** Which groups are in which cells. */
   readonly looks: CellLooks;
 }
 
-/** What columns are of. */
+/** The data that columns depend on. */
 type ColumnsOf = Pick<RayFrame, 'volume' | 'field' | 'optics'>;
 
 /**
- * Groups of labels look as their transfer functions say, all else as the volume's own: each sample has a place in the columns of
- * its label's function. It stands in for what classifies otherwise, and comes after the labels.
+ * Groups of labels have the appearance that their transfer functions give; all other labels have that of the volume's own function. Each
+ * sample has a place in the columns of its label's function. These modules replace the usual classify module, and come after the labels.
  */
 export class LabelFunctions {
   readonly #columns: ReturnType<typeof keepColumns>;
@@ -76,7 +76,7 @@ export class LabelFunctions {
     ];
   }
 
-  /** What any of the functions shows: cells of which none does are in one gap of all. */
+  /** The values that any of the functions shows: cells in which no function shows anything are empty for all of them. */
   #showsAny({ transferFunction }: Optics, functions: readonly TransferFunction[]): Contribution {
     return this.#all.get([transferFunction, ...functions], () => {
       const all = [transferFunction, ...functions].map(contributionOf);
@@ -84,7 +84,7 @@ export class LabelFunctions {
     });
   }
 
-  /** The same where there is no group: cells of which the volume's own function shows nothing are in one gap of that. */
+  /** The same for cells without a group: they are empty if the volume's own function shows nothing there. */
   #showsOwn({ transferFunction }: Optics, { groups }: CellLooks): Contribution {
     return this.#own.get([transferFunction, groups], () => {
       const shows = contributionOf(transferFunction);
@@ -96,7 +96,7 @@ export class LabelFunctions {
     const { optics: { transferFunction, lightFactor, opacityFactor, referenceLength }, volume, domain: [from, to] } = frame;
     const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
     const all = [transferFunction, ...functions];
-    // Nothing reads it where steps are cut by cells alone.
+    // The shader does not read the table if only cells cut steps.
     const unit = frame.maxSubsteps > 1 && this.#substeps.get([...all, lightFactor, voxelRatio], (last) => {
       const tables = all.map((one) => buildSubstepTable(integrateForTable(brighten(one, lightFactor)), voxelRatio));
       return this.#upload(tables.map(({ texels }) => texels), last?.texture ?? null);
@@ -109,7 +109,7 @@ export class LabelFunctions {
     return joinInputs({ uniforms, units: unit ? [unit] : [] });
   }
 
-  /** One table below another. */
+  /** Upload several tables into one texture, one below another. */
   #upload(tables: readonly Uint8Array[], previous: WebGLTexture | null): TextureUnit {
     const { gl } = this;
     const { columns, rows } = substepTableSize;

@@ -6,22 +6,22 @@ import type { ShownLabels } from '../../../volume/labels.ts';
 import type { RayText, RayTwin } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
 
-/** Texels in a row of the labels' table. */
+/** Texels in a row of the label table. */
 export const labelsAcross = 1024;
 
-/** How labels lie on the GPU, and what they are for. */
+/** How labels are stored on the GPU, and how they are used. */
 export interface LabelOptions {
-  /** In a 3D texture (WebGL 2 only), else a mosaic in a 2D texture. */
+  /** True: in a 3D texture (WebGL 2 only); false: as a mosaic in a 2D texture. */
   readonly texture3d: boolean;
   /** More than 256 labels. */
   readonly twoBytes: boolean;
-  /** What is hidden counts as without data: to projections, which know no opacity. */
+  /** Hidden labels count as missing data: projections need it, because they have no opacity. */
   readonly hides: boolean;
-  /** Groups have transfer functions of their own. */
+  /** Groups have their own transfer functions. */
   readonly groups?: boolean;
 }
 
-/** Which label a place has, and what labels look like. */
+/** The text that finds the label of a place, and the label's appearance. */
 export function labelsText({ texture3d, twoBytes, hides, groups = false }: LabelOptions): RayText {
   return {
     name: 'labels',

@@ -8,10 +8,10 @@ import type { Volume } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 import type { RayCut } from '../ray-module.ts';
 
-/** What cuts rays beside the bounds of the volume and of a region. */
+/** The cuts of rays, in addition to the bounds of the volume and of a region. */
 export type CutsOfRays = Pick<CutFaces, 'halfSpaces' | 'unitToCutout'>;
 
-/** The faces of what cuts rays: half-spaces that are kept, and a box that is cut out. Slices cut no volume. */
+/** The faces of the cuts: half-spaces that are kept, and a box that is cut out. Slices do not cut the volume. */
 export function cutsOf(cuts: readonly RayCut[]): CutsOfRays {
   const items = cuts.flatMap((cut) => cut.items as readonly (HalfSpace | Cutout | PlaneSlice)[]);
   return {
@@ -20,10 +20,10 @@ export function cutsOf(cuts: readonly RayCut[]): CutsOfRays {
   };
 }
 
-/** Farther inside, or outside, than any volume. */
+/** A distance that is larger than any volume: far inside or far outside of a face. */
 const far = 1e9;
 
-/** What shaders/chunks/shade/lit-cuts.glsl reads. */
+/** The uniforms of shaders/chunks/shade/lit-cuts.glsl. */
 export function cutUniforms({ halfSpaces, unitToCutout, unitToRegion }: CutFaces, { grid: { dimensions } }: Volume): Uniforms {
   const planes = Array.from({ length: maxHalfSpaces }, (_, i) => {
     const plane = halfSpaces[i];

@@ -5,13 +5,16 @@ import { subtract, transformPoint } from '../../../volume/matrix.ts';
 import type { Volume } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 
-/** How the shader numbers kinds of lights; 0 is none. */
+/** The kinds of lights, in the order of their numbers in the shader, which start at 1; 0 means no light. */
 const kinds: readonly SceneLight['kind'][] = ['directional', 'point', 'spot'];
 
-/** Farther than anything. */
+/** A radius that is larger than any scene. */
 const everywhere = 1e30;
 
-/** What shaders/chunks/shade/lights.glsl reads. Places are told from the volume's centre: far from the world's origin float32 has no digits left. */
+/**
+ * The uniforms of shaders/chunks/shade/lights.glsl. Places are relative to the volume's centre: far from the world's origin float32
+ * would have too few digits.
+ */
 export function lightUniforms({ headlight, lights }: SceneLights, { grid }: Volume): Uniforms {
   const uHeadlight = Number(headlight);
   if (lights.length === 0) return { uHeadlight };

@@ -25,20 +25,20 @@ import { cutUniforms } from './lit-cuts.ts';
 import type { CutsOfRays } from './lit-cuts.ts';
 import { lightUniforms } from './lit-lights.ts';
 
-/** What is left unlit changes a picture by so much at most: a quarter of 1/255. */
+/** Segments that are left unlit change a picture by at most this: a quarter of 1/255. */
 const leastLit = 1 / 1024;
 
-/** How taps are taken of a field, and what is made of them: chunks, and what they read. */
+/** How a kind of field takes taps (samples around a place) for gradients: its chunk, and the uniforms that the chunk reads. */
 export interface FieldTaps {
   readonly chunk: string;
   uniforms(volume: Volume): Uniforms;
-  /** Row-major: of directions in which values grow, as the chunk tells them, to directions in the world. */
+  /** Row-major matrix: from the direction in which values grow, as the chunk returns it, to a direction in the world. */
   normals(volume: Volume): Matrix4;
   /** The same field in float64. */
   readonly slopes: Later<(volume: Volume) => SlopedField>;
 }
 
-/** Code of the twins of all that needs gradients. */
+/** The code of all twins that need gradients. */
 export const shadingTwins = later(() => loadPart(import('../../../optics/shading-twins.ts'), 'lights rays on the processor'));
 
 export const cartesianTapsOf: FieldTaps = {
@@ -48,23 +48,23 @@ export const cartesianTapsOf: FieldTaps = {
   slopes: partOf(shadingTwins, ({ cartesianSlopes }) => cartesianSlopes),
 };
 
-/** Tells texts of the module apart. */
+/** The options of the module's text. */
 export interface LitOptions {
   readonly taps: FieldTaps;
-  /** Whether others shine than the light at the eye. */
+  /** Whether there are lights in addition to the light at the eye. */
   readonly lights: boolean;
-  /** Whether a region, planes or a box cut the volume, beside its own bounds. */
+  /** Whether a region, planes or a box cut the volume, in addition to its own bounds. */
   readonly cuts: boolean;
 }
 
-/** Knows where samples are. */
+/** Adds its place to each sample. */
 export const pointsModule: RayModule<'field'> = {
   name: 'points', stage: 'field', defines: {}, members: ['vec3 point'], chunks: [points], samplers: [], sparesRays: true, order: Infinity,
   inputs: () => ({ uniforms: {}, units: [] }),
   twin: twinOf(usualTwins, ({ pointField }) => ({ moreFields: [pointField] })),
 };
 
-/** What a text needs that shades places: chunks up to `shadeSample`, and their options. */
+/** The parts of a text that shades places: the chunks up to `shadeSample`, and their options. */
 export function shadingText({ taps, ...options }: LitOptions): Pick<RayText, 'defines' | 'chunks'> {
   return {
     defines: {
@@ -80,18 +80,18 @@ export function litText(options: LitOptions): RayText {
   return { name: 'lit', stage: 'shade', defines, chunks: [...chunks, lit], samplers: [] };
 }
 
-/** What shines on a volume, and what cuts it. */
+/** The lights on a volume, and the cuts of it. */
 export interface LitSurroundings {
   readonly lights: SceneLights;
   readonly cuts: CutsOfRays;
 }
 
-/** The twin of a module that shades. @param parts - called when the code of twins and of gradients is there */
+/** The twin of a module that shades. @param parts - called after the code of twins and of gradients has been loaded */
 export function shadedTwin({ taps }: LitOptions, parts: RayTwin['parts']): RayTwin {
   return { load: () => Promise.all([shadingTwins.load(), taps.slopes.load()]), parts };
 }
 
-/** What lights places in float64: of picks the light at the eye, as only places matter to them. */
+/** The scene that lights places in float64. For picks it has only the light at the eye, because only places matter to them. */
 export function litScene({ volume, optics, rays, placesOnly }: TwinFrame, { taps }: LitOptions, { lights: shining, cuts }: LitSurroundings): LitScene {
   return {
     grid: volume.grid,
@@ -102,13 +102,13 @@ export function litScene({ volume, optics, rays, placesOnly }: TwinFrame, { taps
   };
 }
 
-/** Light is left out where only places matter, and not loaded for them. */
+/** If only places matter, light is left out, and its code is not loaded. */
 function litTwin(options: LitOptions, scene: LitSurroundings): RayTwin {
   const { load, parts } = shadedTwin(options, (frame) => ({ shades: [shadingTwins.code.litShade(litScene(frame, options, scene))] }));
   return { load: (frame) => (frame.placesOnly ? Promise.resolve() : load(frame)), parts: (frame, before) => (frame.placesOnly ? {} : parts(frame, before)) };
 }
 
-/** Light on the surfaces that a field has everywhere. */
+/** Light on every place of a field, with its gradient as the normal of a surface. */
 export function createLit(options: LitOptions, scene: LitSurroundings): RayModule<'shade'> {
   return {
     ...litText(options),
@@ -120,7 +120,7 @@ export function createLit(options: LitOptions, scene: LitSurroundings): RayModul
   };
 }
 
-/** What the chunks of `shadingText` read. */
+/** The uniforms of the chunks of `shadingText`. */
 export function shadingUniforms({ volume, rays }: RayFrame, taps: FieldTaps, { lights: shining, cuts }: LitSurroundings): Uniforms {
   return {
     ...taps.uniforms(volume),
@@ -132,19 +132,19 @@ export function shadingUniforms({ volume, rays }: RayFrame, taps: FieldTaps, { l
   };
 }
 
-/** As the shader reads it. */
+/** A material in the order in which the shader reads it. */
 function toVector({ ambient, diffuse, specular, shininess }: LitMaterial): number[] {
   return [ambient, diffuse, specular, shininess];
 }
 
-/** 1 / the change that counts as flat, as a share of the domain. */
+/** 1 / the change of value that counts as flat, as a share of the domain. */
 export function perFlat({ volume, field, optics, domain }: RayFrame): number {
-  // A share of the domain in data values.
+  // The data value of one share of the domain.
   const share = (volume.slope * field.storedScale) / mapShares({ ...volume, storedScale: field.storedScale }, domain).scale;
   return share / flatChange(domainOf(optics.transferFunction), volume.range);
 }
 
-/** The linear part, column by column. */
+/** The linear part of a matrix, column by column. */
 function columnsOf(m: Matrix4): number[] {
   return [m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]];
 }

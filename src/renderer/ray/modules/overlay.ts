@@ -14,22 +14,22 @@ import type { RayText, RayTwin } from '../ray-module.ts';
 import { partOf, usualTwins } from '../ray-twin.ts';
 import type { Later } from '../ray-twin.ts';
 
-/** No share of a layer's domain is smaller; what is stands for no data. */
+/** No share of a layer's domain is smaller than this; a smaller value means no data. */
 const leastShare = '-1.0e18';
 
-/** How a layer's samples lie on the GPU and are read there. */
+/** How a layer's samples are stored on the GPU and how shaders read them. */
 export interface OverlayOptions {
-  /** In a 3D texture (WebGL 2 only), else a mosaic in a 2D texture. */
+  /** True: in a 3D texture (WebGL 2 only); false: as a mosaic in a 2D texture. */
   readonly texture3d: boolean;
   /** 16-bit samples in two 8-bit channels. */
   readonly twoBytes: boolean;
   /** The device's filter interpolates. */
   readonly filter: boolean;
-  /** It does so with floats of which some hold no data, see `weighFloats`. */
+  /** The filter interpolates floats of which some have no data, see `weighFloats`. */
   readonly holes: boolean;
 }
 
-/** What a layer has at a place, on a grid of its own. */
+/** The text that finds the value of a layer with its own grid at a place. */
 export function overlayText({ texture3d, twoBytes, filter, holes }: OverlayOptions): RayText {
   return {
     name: 'overlay',
@@ -41,7 +41,7 @@ export function overlayText({ texture3d, twoBytes, filter, holes }: OverlayOptio
   };
 }
 
-/** The same of another moment of a radar: its gates lie and are fetched with those of the volume. */
+/** The same for another moment of a radar: its gates are stored and fetched together with those of the volume. */
 export function secondMomentText(folds: boolean): RayText {
   return {
     name: 'overlay',
@@ -53,9 +53,9 @@ export function secondMomentText(folds: boolean): RayText {
   };
 }
 
-/** What a layer does to what is seen. */
+/** How a layer changes the picture. */
 export interface OverlayLookOptions {
-  /** It colours; else it is a medium of its own. */
+  /** True: the layer colours the volume; false: it is a medium that emits and absorbs. */
   readonly color: boolean;
   /** The device filters floats. */
   readonly tableFilter: boolean;
@@ -73,7 +73,7 @@ export function overlayLookText({ color, tableFilter, folds }: OverlayLookOption
   };
 }
 
-/** A layer's own field in float64, by places of the volume's unit cube. */
+/** A layer's field in float64, as a function of places in the volume's unit cube. */
 type OverlayField = (overlay: ShownOverlay) => FieldStage;
 
 const onOwnGrid: Later<OverlayField> = partOf(usualTwins, ({ cartesianOverlay }) => cartesianOverlay);
@@ -84,7 +84,7 @@ export interface OverlayTwins {
   readonly look: RayTwin;
 }
 
-/** @param field - where it is not on a cartesian grid of its own */
+/** @param field - for a layer that has no cartesian grid of its own */
 export function overlayTwins(overlay: ShownOverlay, field = onOwnGrid): OverlayTwins {
   const load = (): Promise<unknown> => Promise.all([usualTwins.load(), field.load()]);
   return {

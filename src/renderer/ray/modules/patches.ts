@@ -10,7 +10,7 @@ import { shadedTwin, shadingText, shadingTwins, shadingUniforms } from './lit.ts
 import type { LitOptions, LitSurroundings } from './lit.ts';
 import { classifyText, classifyTwin, createClassify } from './transfer-function.ts';
 
-/** Which patches there are is in uniforms. */
+/** The text is the same for all patches; the patches are in uniforms. */
 export function patchesText(options: LitOptions): RayText {
   const { defines, chunks } = shadingText(options);
   return classifyText({
@@ -23,7 +23,7 @@ export function patchesText(options: LitOptions): RayText {
   });
 }
 
-/** What is not by patches is as the transfer function says. */
+/** All parts except the patches are those of the transfer function's twin. */
 function patchesTwin(patches: readonly Patch[], options: LitOptions): RayTwin {
   const own = shadedTwin(options, (frame, before) => {
     const { volume, optics: { referenceLength, opacityFactor, lightFactor }, rays } = frame;
@@ -34,7 +34,7 @@ function patchesTwin(patches: readonly Patch[], options: LitOptions): RayTwin {
   return { load: (frame) => Promise.all([classifyTwin.load(frame), own.load(frame)]), parts: own.parts };
 }
 
-/** Values and gradients look as patches of their plane say. The transfer function of the optics is `outlinePatches` of them. */
+/** Patches in the plane of value and gradient give colour and opacity. The transfer function of the optics has to be their `outlinePatches`. */
 export function createPatches(gl: Gl, patches: readonly Patch[]): { of(options: LitOptions, scene: LitSurroundings): RayModule<'classify'>; dispose(): void } {
   const none = { name: '', defines: {}, chunks: [], samplers: [], inputs: () => ({ uniforms: {}, units: [] }), dispose: () => {} };
   const made = createClassify(gl, none);
@@ -50,13 +50,13 @@ export function createPatches(gl: Gl, patches: readonly Patch[]): { of(options: 
   };
 }
 
-/** Factors and places stay below this, so that the shader's products and their squares stay numbers. */
+/** Factors and places stay below this, so that the shader's products and their squares don't overflow. */
 const farthest = 1e18;
 
-/** Changes that no data tell from none: a share of the domain from voxel to voxel. */
+/** A change of value that no data distinguish from 0: a share of the domain from voxel to voxel. */
 const flattest = 1e-12;
 
-/** Boxes come first. Gradients are told in that of the patch with the least, so that none of what others have is lost beside it. */
+/** Boxes come first. The unit of gradients is the smallest gradient of any patch, so that float32 loses no digits of small ones. */
 function patchUniforms({ volume: { grid }, domain: [low, high], optics }: RayFrame, patches: readonly Patch[]): Uniforms {
   const lit = lightPatches(patches, optics.lightFactor);
   const boxes = lit.filter(({ kind }) => kind === 'box');
@@ -78,7 +78,7 @@ function patchUniforms({ volume: { grid }, domain: [low, high], optics }: RayFra
   };
 }
 
-/** Columns of two matrices. */
+/** Distribute the columns over two matrices. */
 function inHalves(columns: readonly (readonly number[])[]): [number[], number[]] {
   const all = Array.from({ length: maxPatches }, (_, i) => columns[i] ?? [0, 0, 0, 0]);
   return [all.slice(0, maxPatches / 2).flat(), all.slice(maxPatches / 2).flat()];

@@ -13,10 +13,10 @@ import { outlinesText, outlineUniforms } from '../outline-uniforms.ts';
 import type { RayText, RayTwin, SliceModule } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
 
-/** Pieces of a line through a slab, at most: GLSL ES 1.00 wants a constant. A line through 2,048 voxels along each axis has so many. */
+/** The maximum pieces of a line through a slab: GLSL ES 1.00 needs a constant. A line through 2,048 voxels along each axis has so many. */
 const mostPieces = 6144;
 
-/** @param slabs - whether any is thick */
+/** @param slabs - whether any plane is thick (a slab) */
 export function planesText(slabs: boolean): RayText {
   return {
     name: 'planes',
@@ -28,16 +28,16 @@ export function planesText(slabs: boolean): RayText {
   };
 }
 
-/** As the chunk numbers them. */
+/** The kinds in the order of their numbers in the chunk. */
 const kinds: readonly ProjectionKind[] = ['average', 'max', 'min'];
 
-/** Whiter than any window is narrow: a window without a width is a threshold. */
+/** The slope of a window without a width, which is a threshold: steeper than that of any other window. */
 const steepest = 1e30;
 
 const twin = (planes: readonly PlaneSlice[]): RayTwin =>
   twinOf(usualTwins, ({ planeInterval }, { optics }, { field }) => ({ intervals: [planeInterval(planes, field, brighten(optics.transferFunction, optics.lightFactor))] }));
 
-/** Planes through a volume end rays, and stand behind what is before them: grey by a window, or in the volume's colours. At most four. */
+/** Planes through a volume end rays, behind the part of the volume in front of them: grey by a window, or in the volume's colours. Four at most. */
 export function createPlanes(): SliceModule<PlaneSlice> {
   const [thin, thick] = [false, true].map(planesText);
   return {
@@ -61,7 +61,7 @@ export function createPlanes(): SliceModule<PlaneSlice> {
   };
 }
 
-/** @param domain - the data values that are 0 and 1 of the transfer function's domain */
+/** @param domain - the data values at 0 and 1 of the transfer function's domain */
 function planeUniforms(planes: readonly PlaneSlice[], [low, high]: readonly [number, number]): Uniforms {
   const fill = (numbers: readonly number[]): number[] => Array.from({ length: 16 }, (_, i) => numbers[i] ?? 0);
   return {

@@ -16,14 +16,14 @@ import { Kept } from '../../device/kept.ts';
 import type { RayFrame, RayModule, RayText, RayTwin } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
 
-/** Largest value, and byte, of a cell that nothing is known of. */
+/** The largest byte: the limit of a cell about which nothing is known. */
 const anything = 255;
 
 /** How rays are projected. */
 export interface ProjectionOptions {
-  /** Whether there is a threshold, from which on the first local extreme counts. */
+  /** Whether there is a threshold: the first local extreme beyond it counts. */
   readonly isLocal?: boolean;
-  /** Whether rays are walked from plane to plane of voxels, so that nothing of them is missed, and not by steps. */
+  /** Whether rays go from plane to plane of voxels instead of by steps, so that they miss no value. */
   readonly isExact?: boolean;
 }
 
@@ -36,7 +36,7 @@ export function projectionText(kind: ProjectionKind, { isLocal = false, isExact 
   return { ...shared, defines: { ...defines, EXTREME_SIGN: sign, REFINEMENTS: refinements, LOCAL_EXTREME: Number(isLocal) }, chunks: [...planes, extreme], samplers: ['uCellLimits'] };
 }
 
-/** What of a ray's values is shown. */
+/** Which of a ray's values is shown. */
 interface Projection {
   readonly kind: ProjectionKind;
   /** See `RayStyle.intensityThreshold`. */
@@ -47,7 +47,7 @@ export const projectionTwin = ({ kind, threshold }: Projection): RayTwin => twin
 
 /**
  * The largest, the smallest or the mean value along each ray, in the transfer function's colours.
- * @returns one that takes steps, and one that goes from plane to plane of voxels
+ * @returns one module that takes steps, and one that goes from plane to plane of voxels
  */
 export function createProjection({ kind, threshold }: Projection, gl: Gl, device: Device): { readonly stepped: RayModule<'gather'>; readonly exact: RayModule<'gather'> } {
   const cells = new Kept<CellTexture>();
@@ -56,7 +56,7 @@ export function createProjection({ kind, threshold }: Projection, gl: Gl, device
   const stepped: RayModule<'gather'> = {
     ...projectionText(kind, { isLocal }),
     stage: 'gather',
-    // From one local extreme to another the picture jumps.
+    // The picture jumps where the first local extreme is another one.
     sparesRays: !isLocal,
     twin: projectionTwin({ kind, threshold }),
     order: isLocal ? 1 : kind === 'average' ? 2 : 4,
@@ -76,7 +76,7 @@ function shareOf(value: number, [low, high]: readonly [number, number]): number 
   return (value - low) / (high - low);
 }
 
-/** What tells which cells a ray may cross without looking; opacity does not. */
+/** A byte for each cell that says whether a ray may skip the cell; it does not depend on opacity. */
 function describeCells(kind: ProjectionKind, { volume, skipping, domain: [low, high] }: RayFrame): Uint8Array<ArrayBuffer> {
   const { macrocells, slope, intercept } = volume;
   if (kind === 'average') return skipping ? encodeCells(measureEmptySpace(macrocells, [], volume)) : new Uint8Array(macrocells.low.length);

@@ -40,7 +40,7 @@ export function createSceneDepth(gl: Gl): SurfacesModule {
   };
 }
 
-/** Where a lattice's pixels lie in the picture's depth buffer, and what its values mean. */
+/** Uniforms that say where a lattice's pixels are in the picture's depth buffer, and how to convert its values. */
 export function depthInputs({ depths, projection, picture: { width, height }, lattice: { stride, first, isCoarse } }: Omit<Surfaces, 'stepLength'>, uDepthToT: readonly [number, number]): ProgramInputs {
   const shift = (begin: number): number => begin + 0.5 - 0.5 * stride;
   return {
@@ -48,7 +48,7 @@ export function depthInputs({ depths, projection, picture: { width, height }, la
       uPixelToDepth: [stride / width, stride / height, shift(first[0]) / width, shift(first[1]) / height],
       uDepthTerms: [projection[10], projection[11], projection[14], projection[15]],
       uDepthToT,
-      // Where pixels have more rays than one, and all of them: see edge-rays.ts.
+      // The ray's shift from the pixel's middle, if pixels have several rays: see edge-rays.ts.
       uRayShift: stride === 1 ? first.map((begin) => begin - Math.round(begin)) : [0, 0],
     },
     units: (isCoarse ? depths.solid : depths.all).units.slice(0, 1),

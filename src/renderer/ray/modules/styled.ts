@@ -20,7 +20,7 @@ import type { LitOptions, LitSurroundings } from './lit.ts';
 
 export { withLight } from '../../../optics/transfer/volume-styles.ts';
 
-/** What a text needs that styles places: chunks up to `styleSample`. All styles are one text: which they are is in a table. */
+/** The parts of a text that styles places: chunks up to `styleSample`. The text is the same for all styles; the styles are in a table. */
 export function stylingText(options: LitOptions): Pick<RayText, 'defines' | 'chunks' | 'samplers'> {
   const { defines, chunks } = shadingText(options);
   return {
@@ -37,7 +37,7 @@ export function styledText(options: LitOptions): RayText {
 
 let told = false;
 
-/** Whether there is a sampler left for the table: not in WebGL 1 beside all that takes some. What has no room is left out, and the console says so once. */
+/** Whether a sampler is left for the table: in WebGL 1 other modules may use all of them. Then styles are left out, with one console warning. */
 export function hasRoom(others: readonly RayText[], { webgl2 }: { readonly webgl2: boolean }): boolean {
   const fits = listSamplers({ adaptive: false, modules: others }).length < maxSamplers(webgl2);
   if (!fits && !told) console.warn('<volume-view>: this device has no room for rendering styles beside shapes, a transfer function of steep stops, and labels, a layer or a radar. They are left out.');
@@ -50,13 +50,13 @@ const styledTwin = (chains: readonly StyleChain[], options: LitOptions, scene: L
   return { shades: [shadingTwins.code.styledShade({ ...litScene(frame, options, scene), chains, referenceLength, opticalScale: (rays.diameter / referenceLength) * opacityFactor })] };
 });
 
-/** What styles make of places in float64. */
+/** Styles in float64: a function of the place on a ray. */
 export type StylesTwin = (frame: TwinFrame) => (ray: Ray) => (known: Sample) => Styled;
 
 const stylesTwin = (chains: readonly StyleChain[], flatPart: number, options: LitOptions, scene: LitSurroundings): StylesTwin =>
   (frame) => shadingTwins.code.stylesAt({ ...litScene(frame, options, scene), chains, flatPart, referenceLength: frame.optics.referenceLength });
 
-/** X3D's rendering styles, and their table on a context. */
+/** X3D's rendering styles, and their table on the GPU. */
 export class StyledRays {
   #table: WebGLTexture | null = null;
 
@@ -74,12 +74,12 @@ export class StyledRays {
     };
   }
 
-  /** What the chunks of `stylingText` do, in float64. */
+  /** The chunks of `stylingText` in float64. */
   stylesTwin(options: LitOptions, scene: LitSurroundings): StylesTwin {
     return stylesTwin(this.chains, this.flatPart, options, scene);
   }
 
-  /** What the chunks of `stylingText` read. */
+  /** The inputs of the chunks of `stylingText`. */
   inputs(frame: RayFrame, options: LitOptions, scene: LitSurroundings): ProgramInputs {
     return {
       uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame) / this.flatPart, ...this.#uniforms(frame) },

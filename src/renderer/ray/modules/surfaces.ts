@@ -21,24 +21,24 @@ import { kinkProbes, surfaceValues } from './surface-values.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
 
 
-/** How far values may have come where it is not known: farther than from any to any, and not to a surface that is nowhere. */
+/** A difference of values for places where it is not known: larger than between any two values, smaller than to an unused surface slot. */
 const farthest = '1e35';
 
-/** Tells texts of the module apart. */
+/** The options of the module's text. */
 export interface SurfaceOptions {
-  /** One surface alone, which takes less to look for than several. */
+  /** There is only one surface: the search for it costs less than for several. */
   readonly isOne: boolean;
-  /** Whether something emits and absorbs between surfaces. */
+  /** Whether the volume emits and absorbs between surfaces. */
   readonly fog: boolean;
-  /** Whether values kink at planes of voxels' centres, as those on a cartesian grid do. */
+  /** Whether values have kinks at the planes of voxel centres, as on a cartesian grid. */
   readonly kinks: boolean;
-  /** null for surfaces in their own colours. */
+  /** null for surfaces that are not lit: they show their own colours. */
   readonly light: LitOptions | null;
-  /** Of surfaces in X3D's rendering styles, which light them: what `stylingText` says. */
+  /** For surfaces in X3D's rendering styles, which also light them: the result of `stylingText`. */
   readonly styling?: Pick<RayText, 'defines' | 'chunks' | 'samplers'>;
 }
 
-/** What light and styles read. */
+/** The data that light and styles need. */
 export interface SurfaceShading {
   readonly surroundings: LitSurroundings;
   readonly styles?: StyledRays;
@@ -52,7 +52,7 @@ export function surfacesText({ isOne, fog, kinks, light, styling }: SurfaceOptio
     stage: 'gather',
     defines: {
       ...compositeText.defines, ...shading?.defines, LOOKS: 1, SURFACE_COUNT: count, FARTHEST: farthest, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null && !styling), SURFACES_STYLED: Number(light !== null && styling !== undefined), KINKS: Number(kinks),
-      // Up and down, and what comes then, and the ends of all three.
+      // MOST_PIECES: crossings of each surface up, down, and the one after that; and the ends of these three parts.
       SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? kinkProbes : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * count + 3,
     },
     chunks: [...(shading?.chunks ?? []), emptySpace, surfaceValuesChunk, crossings, gatheredPieces, surfacesChunk, compositeWalk],
@@ -60,7 +60,7 @@ export function surfacesText({ isOne, fog, kinks, light, styling }: SurfaceOptio
   };
 }
 
-/** Emission and absorption with surfaces in it. Its modules for one volume differ by their texts alone. */
+/** Emission and absorption, with surfaces in it. Its modules for one volume differ only by their texts. */
 export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly IsoSurface[], options: SurfaceOptions, shading: SurfaceShading | null): RayModule<'gather'>; dispose(): void } {
   const composite = createComposite(gl, device);
   let edges: EdgeRays | null = null;
@@ -69,7 +69,7 @@ export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly 
       ...surfacesText(options),
       stage: 'gather',
       sparesRays: true,
-      // Surfaces are found wherever samples are, also where rays graze them.
+      // Surfaces are found wherever the samples are, even if rays only graze them.
       order: Infinity,
       twin: surfacesTwin(surfaces, options, shadingOf(options, shading)),
       edges: () => (edges ??= new EdgeRays(gl)),
@@ -82,13 +82,13 @@ export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly 
   };
 }
 
-/** What lights surfaces in float64. */
+/** The data that light surfaces in float64. */
 interface TwinShading extends Pick<SurfaceShading, 'surroundings'> {
   readonly light: LitOptions;
   readonly styles?: StylesTwin;
 }
 
-/** Halvings that find a place to rounding: where only places matter few rays are cast. */
+/** Halvings that find a place to the precision of floats. If only places matter, few rays are cast, so the time does not matter. */
 const placeRefinements = 40;
 
 function shadingOf({ light, styling }: SurfaceOptions, shading: SurfaceShading | null): TwinShading | null {

@@ -36,7 +36,7 @@ export function classifyText({ name, defines, chunks, samplers }: Pick<Means, 'n
   };
 }
 
-/** What classification reads beside its tables. */
+/** The uniforms of classification, in addition to its tables. */
 export function opticalUniforms({ optics: { transferFunction, opacityFactor, referenceLength }, rays, maxSubsteps }: RayFrame): Uniforms {
   return {
     uOpticalScale: Math.min(largestFactor, (rays.diameter / referenceLength) * opacityFactor),
@@ -45,12 +45,12 @@ export function opticalUniforms({ optics: { transferFunction, opacityFactor, ref
   };
 }
 
-/** Factors stay below this, so that the shader's products stay numbers. */
+/** Factors stay below this, so that the shader's products don't overflow. */
 const largestFactor = 1e30;
 
 export const classifyTwin = twinOf(usualTwins, ({ classifyPicture }, { volume, optics, rays }, { field }) => ({ classify: classifyPicture(optics, volume.grid, rays.diameter, field) }));
 
-/** Values look as the transfer function says: pre-integration, and substeps where much may be seen. */
+/** The transfer function gives colour and opacity: with pre-integration, and with substeps where a step may show much. */
 export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
   const substeps = new Kept<TextureUnit>();
   const contribution = new Kept<Contribution>();
@@ -64,7 +64,7 @@ export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
     inputs(frame: RayFrame) {
       const { volume, optics } = frame;
       const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
-      // Nothing reads it where steps are cut by cells alone.
+      // The shader does not read the table if only cells cut steps.
       if (frame.maxSubsteps <= 1) return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [] });
       const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
       const unit = substeps.get([transferFunction, lightFactor, voxelRatio], (last) => substepPart().makeTable(gl, brighten(transferFunction, lightFactor), voxelRatio, last?.texture ?? null));
@@ -82,8 +82,8 @@ const tableText = { name: 'transferFunction', defines: {}, chunks: [spanTable], 
 export const transferFunctionText = classifyText(tableText);
 
 /**
- * For transfer functions that the pre-integration table holds well, on devices that filter floats: one fetch for each segment.
- * @param columns - of the table, see optics/transfer/table-columns.ts
+ * For transfer functions that the pre-integration table represents well, on devices that filter floats: one fetch for each segment.
+ * @param columns - the number of the table's columns, see optics/transfer/table-columns.ts
  */
 export function createTransferFunction(gl: Gl, columns = usualColumns): RayModule<'classify'> {
   const tables = new Kept<ProgramInputs>();
@@ -97,7 +97,7 @@ export function createTransferFunction(gl: Gl, columns = usualColumns): RayModul
   });
 }
 
-/** What the chunk knows of the table but its texels. */
+/** The uniforms that describe the table; its texels are in a texture. */
 export function tableUniforms({ columns, rows, first, last }: PreintegrationTable): ProgramInputs['uniforms'] {
   return { uTableSize: [columns, rows], uTableFirst: first, uTableLast: last };
 }

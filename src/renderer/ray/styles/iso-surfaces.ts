@@ -1,4 +1,4 @@
-// Surfaces of values: loaded with the first of them.
+// Surfaces at constant values (isosurfaces). The first of them loads this file.
 import type { Contribution } from '../../../optics/cells/empty-space-distance.ts';
 import type { RayStyle } from '../../../optics/rays/ray-style.ts';
 import { contributionOfSurfaces, depthOfSurfaces, surfaceFlat } from '../../../optics/surfaces/surfaces.ts';
@@ -8,7 +8,7 @@ import { pointsModule } from '../modules/lit.ts';
 import { createSurfaces } from '../modules/surfaces.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 
-/** Volumes of labels have no values between theirs, and so no surfaces. */
+/** Volumes of labels have no values between their labels, and therefore no surfaces. */
 export async function createIsoSurfaces({ surfaces = [], plain, clear, surfaceStyles }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
   const lightOf = plain ? () => null : await loadLight(layer);
   const made = createSurfaces(layer.gl, layer.device);
@@ -32,7 +32,7 @@ export async function createIsoSurfaces({ surfaces = [], plain, clear, surfaceSt
       const options = { isOne: surfaces.length === 1, fog: !clear, kinks: !isPolar(layer.volume!), light: light && light.options, styling: light && styling ? styling.stylingText(light.options) : undefined };
       return [pointsModule, made.of(surfaces, options, light && { surroundings: light.surroundings, styles })];
     },
-    // What labels hide is hidden; all else is about what emits and absorbs.
+    // Parts that labels hide stay hidden; the other contributions are about emission and absorption, so surfaces extend them.
     contributions: (all, optics) => all.flatMap((module) => {
       const shows = module.contributes?.(optics);
       return !shows || !has() || module.name === 'labels' ? (shows ?? []) : widen(shows);

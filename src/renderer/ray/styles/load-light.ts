@@ -5,7 +5,7 @@ import type { FieldTaps, LitOptions, LitSurroundings } from '../modules/lit.ts';
 import { cutsOf, hasCuts } from '../modules/lit-cuts.ts';
 import type { StyledLayer } from './style-modules.ts';
 
-/** How places of a layer's volume are lit, at each time; null where none can be. */
+/** Load the code for light. The returned function gives the current light of a layer's volume; null if the volume can't be lit. */
 export async function loadLight(layer: StyledLayer): Promise<() => { readonly options: LitOptions; readonly surroundings: LitSurroundings } | null> {
   const polarTaps: FieldTaps | null = (await layer.providers.polarTaps?.()) ?? null;
   return () => {

@@ -1,4 +1,4 @@
-// Transfer functions of value and gradient: loaded with the first of them.
+// Transfer functions of value and gradient. The first of them loads this file.
 import type { Contribution } from '../../../optics/cells/empty-space-distance.ts';
 import { contributionOfGradients } from '../../../optics/cells/patch-cells.ts';
 import { depthOfPatches } from '../../../optics/transfer/patches.ts';
@@ -9,7 +9,7 @@ import { pointsModule } from '../modules/lit.ts';
 import { createPatches } from '../modules/patches.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 
-/** Volumes of labels have no gradients. Where labels have transfer functions of their own, all go by value. */
+/** Volumes of labels have no gradients. If labels have their own transfer functions, only values count for all of them. */
 export async function createPatched(patches: readonly Patch[], layer: StyledLayer): Promise<StyleModules> {
   const lightOf = await loadLight(layer);
   const made = createPatches(layer.gl, patches);
@@ -21,7 +21,7 @@ export async function createPatched(patches: readonly Patch[], layer: StyledLaye
       const light = lightOf();
       return light && !others.some(({ name }) => name === 'labelFunctions') ? [pointsModule, made.of(light.options, light.surroundings)] : [];
     },
-    // Beside what values show: cells that are empty for different reasons are not crossed together.
+    // A separate contribution, in addition to that of values: cells that are empty for different reasons can't be skipped together.
     contributions: (all, optics) => {
       const shows = all.flatMap((module) => module.contributes?.(optics) ?? []);
       return all.some(({ name }) => name === 'patches') ? [...shows, byGradient.get([layer.volume], () => contributionOfGradients(patches, layer.volume!))] : shows;

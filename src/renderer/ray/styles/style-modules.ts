@@ -13,18 +13,18 @@ type MoreSeen = Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' 
 
 /** The modules of a style. */
 export interface StyleModules {
-  /** Whether rays show values, whatever the length over which there are some. */
+  /** Whether rays project values, independent of the length over which the values occur. */
   readonly projects: boolean;
-  /** Of a ray of the layer's volume. @param others - the modules that it has beside these */
+  /** The style's modules for a ray of the layer's volume. @param others - the other modules of the ray */
   modules(others: readonly RayModule[]): readonly RayModule[];
-  /** Which values show where, given what the other modules say. */
+  /** Which values show where, given the contributions of the other modules. */
   contributions?(all: readonly RayModule[], optics: Optics): readonly Contribution[];
-  /** What is seen beside what the transfer function shows. @param more - by labels */
+  /** What is seen in addition to what the transfer function shows. @param more - what labels add */
   seen?(more: MoreSeen | undefined, look: StyledLook): MoreSeen | undefined;
   dispose(): void;
 }
 
-/** What of a layer a style reads: some of it for each picture. */
+/** The members of a layer that a style reads; it reads some of them again for each picture. */
 export interface StyledLayer {
   readonly gl: Gl;
   readonly device: Device;

@@ -1,4 +1,4 @@
-// How rays are drawn where it is not by emission and absorption alone: loaded with the first picture of the kind.
+// Rays that show more than emission and absorption, or something else. The first such picture loads this file.
 import type { ProjectionKind, RayStyle } from '../../../optics/rays/ray-style.ts';
 import { isCut } from '../../../optics/cells/substeps.ts';
 import type { StyleChain } from '../../../optics/transfer/volume-styles.ts';
@@ -10,7 +10,7 @@ export type { StyledLayer, StyleModules } from './style-modules.ts';
 export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<StyleModules> {
   if (style.projection) return createProjected(style.projection, style.intensityThreshold, layer);
   const parts: Promise<StyleModules>[] = [];
-  // What styles a volume lights it too: normals are found once.
+  // Rendering styles also light the volume, so that normals are computed once.
   if (style.styles && !style.clear) parts.push(createStyled(style.styles, style, layer));
   else if (style.lit && !style.clear) parts.push(createLight(layer));
   if (style.patches && !style.clear) parts.push(import('./patches.ts').then(({ createPatched }) => createPatched(style.patches!, layer)));
@@ -24,14 +24,14 @@ async function createProjected(kind: ProjectionKind, threshold: number | undefin
   return { projects: true, modules: () => [projectsExactly(layer) ? exact : stepped], dispose: () => stepped.dispose!() };
 }
 
-/** Gates of a radar are no voxels, and pictures in motion take as few steps as they are told. */
+/** A radar's gates are not voxels, and pictures in motion have to take few steps: both project by steps. */
 function projectsExactly({ volume, substeps }: StyledLayer): boolean {
   return volume !== null && !isPolar(volume) && isCut(substeps);
 }
 
-/** Parts that leave emission and absorption as they are, in the order in which their modules act; what several need is there once. */
+/** Join styles that keep emission and absorption, in the order in which their modules act. A module that several styles need is there once. */
 function join(parts: readonly StyleModules[]): StyleModules {
-  // Surfaces come last, and show whatever the gradient.
+  // Surfaces come last, and show at any gradient, so their contributions replace the others.
   const last = parts.filter((part) => part.contributions).at(-1);
   return {
     projects: false,
@@ -42,7 +42,7 @@ function join(parts: readonly StyleModules[]): StyleModules {
   };
 }
 
-/** Volumes of labels have no values between which something could face anywhere. */
+/** Light. Volumes of labels have no gradients, so they have no surfaces that could face a light. */
 async function createLight(layer: StyledLayer): Promise<StyleModules> {
   const [{ createLit, pointsModule }, { loadLight }, { rangeLight }] = await Promise.all([import('../modules/lit.ts'), import('./load-light.ts'), import('../../../optics/cells/style-detail.ts')]);
   const lightOf = await loadLight(layer);
