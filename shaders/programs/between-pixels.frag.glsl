@@ -1,4 +1,4 @@
-/// All pixels of a picture from every second one along each axis.
+/// Interpolates all pixels of a picture from every second pixel along each axis.
 void main() {
   vec2 pixel = floor(gl_FragCoord.xy);
   vec2 quad = floor(0.5 * pixel);

@@ -1,4 +1,5 @@
-/// The depth at which the rays of pixels end that an edge passes through, on its other side, and which those are; all others end before they begin.
+/// For pixels that an edge passes through: writes the depth on the other side of the edge, where a second ray ends, and the colour 1.
+/// For all other pixels: the depth 0, so that a second ray ends before it begins.
 void main() {
   Split split = splitAt(gl_FragCoord.xy);
   FRAGMENT_DEPTH = split.isSplit ? split.other : 0.0;

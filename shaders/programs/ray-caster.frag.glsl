@@ -1,13 +1,13 @@
-/// A ray of five stages: where it runs (interval), what is there (field), what a piece of it shows (classify, shade), and
-/// what all of them come to (gather). Here it begins and ends; it is walked in walk-steps.glsl or walk-substeps.glsl. What the
-/// stages do their modules say, see renderer/ray/. Twin: optics/cast-ray.ts
+/// A ray has five stages: where it runs (interval), the values on it (field), what a piece of it shows (classify, shade), and how
+/// all pieces add up (gather). Here the ray begins and ends; walk-steps.glsl or walk-substeps.glsl walk it. The modules define the
+/// stages, see renderer/ray/. Twin: optics/cast-ray.ts
 void main() {
   Ray ray = rayOfPixel();
   Interval interval = enterVolume(ray);
   float lengthPerT = length(uUnitToDiameters * ray.direction);
   float total = (interval.exit - interval.entry) * lengthPerT;
   Path path = Path(ray.point + ray.direction * interval.entry, ray.direction / lengthPerT, total);
-  // Where the first piece of the ray ends: there are two where something is cut out.
+  // Where the first piece of the ray ends: a ray has two pieces if a box is cut out of its middle.
   float limit = total;
 #ifdef GAP
   limit = endBeforeGap(interval.entry, lengthPerT, path);

@@ -1,8 +1,8 @@
-/// Box vertex in -0.5..0.5, or the number of a quad. The box's front face covers the rectangle of the picture that can show
-/// the volume; culling and zero areas drop the other faces.
+/// A vertex of the box, in -0.5..0.5, or the number of a quad. The box's front face covers the rectangle of the picture that can
+/// show the volume; the GPU drops the other faces, because they are culled or have no area.
 attribute vec3 position;
 
-/// Not used here, but x3dom adds text that names it.
+/// Not used here, but x3dom adds code that uses it.
 uniform mat4 modelViewProjectionMatrix;
 
 /// Left, bottom, right and top of that rectangle, in device coordinates.
@@ -12,7 +12,7 @@ uniform vec4 uBounds;
 /// Row of the first quad.
 uniform float uFirstQuadRow;
 
-/// The largest curvature of the half picture around a quad that gets no rays, 0..1.
+/// A quad gets no rays if the curvature of the half picture around it is at most this, 0..1.
 uniform float uMaxCurvature;
 #endif
 
@@ -29,7 +29,7 @@ void main() {
     needsRays = needsRays || NEEDS_RAYS;
 #endif
     gl_PointSize = 2.0;
-    // Outside of the picture, where nothing of it is drawn.
+    // A quad that needs no rays goes outside of the picture, so that the GPU draws nothing.
     gl_Position = vec4(needsRays ? (2.0 * quad + 1.0) / uQuads - 1.0 : vec2(2.0), 0.0, 1.0);
   }
 #endif

@@ -1,10 +1,10 @@
-/// Shows a picture of the volume that was drawn before, over the scene's shapes. The canvas has several samples a pixel and a ray
-/// ends at what stands in the pixel's middle: where a shape's edge passes through a pixel, the samples on its other side get
-/// what a second ray gathered that ends there; where there is none, as at lines, what rays beside it did. Drawn twice, for the samples before and behind a depth
-/// between both.
+/// Shows a picture of the volume that was drawn before, over the scene's shapes. The canvas has several samples for each pixel, but a
+/// ray ends at the shape in the pixel's middle. If a shape's edge passes through a pixel, the samples on its other side get the colour of
+/// a second ray that ends there; if there is no second ray, as at lines, they get the colour of neighbouring rays. This program is drawn
+/// twice: for the samples in front of a depth between both sides, and for those behind it.
 uniform sampler2D uGathered;
 
-/// What the second rays gathered, and in which pixels there are some.
+/// The colours of the second rays, and which pixels have one.
 uniform sampler2D uOtherSides;
 uniform sampler2D uSplitPixels;
 uniform float uHasOtherSides;
@@ -15,7 +15,7 @@ uniform vec2 uGatheredPixel;
 /// 1 for the samples that are farther than an edge's depth, else 0.
 uniform float uFarSide;
 
-/// The mean of all around that are on a side: which of them is nearest to a sample is not known.
+/// The mean of all neighbours on one side of the edge: it is not known which of them is nearest to a sample.
 vec4 meanOfSide(vec2 pixel, float depth, bool isFar, vec4 color) {
   vec4 sum = vec4(0.0);
   float count = 0.0;

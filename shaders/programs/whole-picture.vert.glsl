@@ -1,4 +1,4 @@
-/// Corner in -0.5..0.5: all pixels are drawn.
+/// A corner of the picture, in -0.5..0.5: all pixels are drawn.
 attribute vec3 position;
 
 void main() {

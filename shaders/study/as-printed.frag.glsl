@@ -1,5 +1,5 @@
-// The method of the 2011 paper with its errors, for the accuracy study only. The errors, and what to do instead:
-// paper.md; ray-caster.frag.glsl does it.
+// The method of the 2011 paper with its errors, for the accuracy study only. paper.md lists the errors and their corrections;
+// ray-caster.frag.glsl has the corrections.
 
 /// t at the eye.
 uniform float uEyeT;
@@ -14,12 +14,12 @@ uniform float uLightFactor;
 /// Straight colour and opacity by stored value, 8 bits per channel.
 uniform sampler2D uTransferFunction;
 
-/// A point as a picture of the colour cube keeps it; p: unit cube. Source: the paper's figure 2
+/// A point, rounded as in a picture of the colour cube; p: unit cube. Source: the paper's figure 2
 vec3 roundToByte(vec3 p) {
   return floor(clamp(p, 0.0, 1.0) * 255.0 + 0.5) / 255.0;
 }
 
-/// Stored value with slice k at k / S, its lower face, instead of its middle; p: unit cube. Source: equations 5 and 17
+/// Stored value, with slice k at k / S, which is its lower face instead of its middle; p: unit cube. Source: equations 5 and 17
 float sampleAtCorners(vec3 p) {
   return filterVolume(vec3(p.xy, p.z + 0.5 / uDimensions.z));
 }

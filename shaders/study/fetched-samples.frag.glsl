@@ -1,5 +1,5 @@
-// A loop that fetches as many samples of each ray as are visible, one per voxel from the first of them on, and only adds
-// them up: no ray-caster that reads each voxel once can be faster. For the benchmark only.
+// A loop that fetches as many samples of each ray as are visible, one per voxel from the first visible one on, and only adds them up.
+// No ray-caster that reads each voxel once can be faster. For the benchmark only.
 
 /// Step length in bounding diameters.
 uniform float uStepLength;
@@ -7,7 +7,7 @@ uniform float uStepLength;
 /// Unit-cube direction to world direction in bounding diameters.
 uniform mat3 uUnitToDiameters;
 
-/// What shown-samples.frag.glsl drew at this size.
+/// The picture of shown-samples.frag.glsl, of the same size.
 uniform sampler2D uShown;
 
 void main() {

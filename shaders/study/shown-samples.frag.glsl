@@ -1,5 +1,5 @@
-// Which samples of a ray are visible, for the benchmark's lower bound only: steps of a voxel, each with the mean of its
-// ends as in ray-caster.frag.glsl. Draws, instead of a colour, t of the first visible step and the number of visible steps.
+// Finds which samples of a ray are visible, only for the benchmark's lower bound: steps of a voxel, each with the mean of its
+// ends as in ray-caster.frag.glsl. It draws t of the first visible step and the number of visible steps, instead of a colour.
 
 /// t at the eye.
 uniform float uEyeT;
@@ -13,7 +13,7 @@ uniform float uOpticalScale;
 /// Unit-cube direction to world direction in bounding diameters.
 uniform mat3 uUnitToDiameters;
 
-/// A step with a smaller share of the light of its ray is not visible: 200 of them are half of 1/255.
+/// A step with a smaller share of its ray's light counts as not visible: 200 such steps together are half of 1/255.
 #define MIN_SHOWN 1.0e-5
 
 void main() {

@@ -1,5 +1,6 @@
 #ifdef FUNCTIONS
-/// Each half by the transfer function of its end, and in its look. One text for both. Twin: optics/label-groups.ts, groupShade
+/// Each half has the transfer function and the appearance of its end's label. A loop, so that the code is there only once for both.
+/// Twin: optics/label-groups.ts, groupShade
 vec4 seeHalves(Segment segment) {
   vec4 both = vec4(0.0);
   for (int i = 0; i < 2; i++) {
@@ -15,8 +16,8 @@ vec4 seeHalves(Segment segment) {
 }
 #endif
 
-/// The front half of it has the look of the front end, and the back half that of the back end; looks: colour, factor of the extinction.
-/// Where they are the same, that is as if it were one. Twin: optics/labels.ts, labelShade
+/// The front half of a segment has the appearance of the front end's label, and the back half that of the back end's label: colour, and
+/// factor of the extinction. If both are the same, the result is that of one segment. Twin: optics/labels.ts, labelShade
 vec4 labelLooksShade(Segment segment, vec4 seen) {
 #ifdef FUNCTIONS
   if (segment.front.group != segment.back.group && hasData(segment.front) && hasData(segment.back)) return seeHalves(segment);

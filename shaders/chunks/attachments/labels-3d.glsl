@@ -1,4 +1,4 @@
-/// Of each voxel the number of its label, in one byte or in two.
+/// The number of each voxel's label, in one byte or in two.
 uniform sampler3D uLabels;
 
 vec4 fetchLabelTexel(vec3 index) {

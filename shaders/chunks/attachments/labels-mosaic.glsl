@@ -1,4 +1,4 @@
-/// Of each voxel the number of its label, in one byte or in two: slices lie as tiles.
+/// The number of each voxel's label, in one byte or in two; slices are stored as tiles.
 uniform sampler2D uLabels;
 
 /// Columns and rows of tiles; texels across and down.

@@ -1,11 +1,11 @@
-/// LABELS_ACROSS texels in a row: of each label its colour, red plus twice its group, and the factor of its extinction; then of four cells each, what label all of a
-/// cell has, or -1 where it has several.
+/// LABELS_ACROSS texels in a row. First a texel for each label: its colour (red plus twice its group), and the factor of its extinction.
+/// Then a texel for each four cells: the label of a cell, or -1 if the cell has several labels.
 uniform sampler2D uLabelTable;
 
-/// Row of the first cells; 1 / rows.
+/// The row of the first cells; 1 / the number of rows.
 uniform vec2 uLabelTableRows;
 
-/// Cells along i, j and k; 1 / voxels along the edge of one.
+/// Cells along i, j and k; 1 / voxels along the edge of a cell.
 uniform vec4 uLabelCells;
 
 vec4 fetchLabelTable(float texel, float firstRow) {
@@ -13,22 +13,22 @@ vec4 fetchLabelTable(float texel, float firstRow) {
   return texture2D(uLabelTable, vec2((texel - row * LABELS_ACROSS + 0.5) / LABELS_ACROSS, (firstRow + row + 0.5) * uLabelTableRows.y));
 }
 
-/// The last look that was fetched, and whose it is: along a ray many are the same.
+/// The last appearance that was fetched, and its label: along a ray many samples have the same label.
 float lastLabel = -1.0;
 vec4 lastLook;
 
-/// What a label looks like.
+/// The appearance of a label.
 vec4 lookOf(float number) {
   if (number != lastLabel) lastLook = fetchLabelTable(number, 0.0);
   lastLabel = number;
   return lastLook;
 }
 
-/// The cell that was asked for last, and the label of all of it.
+/// The cell that was looked up last, and its label.
 vec3 lastCell = vec3(-1.0);
 float lastCellLabel;
 
-/// Label of all of a cell, or -1; cell: whole numbers.
+/// The only label of a cell, or -1 if it has several; cell: whole numbers.
 float labelOfCell(vec3 cell) {
   if (cell != lastCell) {
     float index = cell.x + uLabelCells.x * (cell.y + uLabelCells.y * cell.z);
@@ -56,7 +56,7 @@ float fetchLabel(vec3 index) {
 #endif
 }
 
-/// Number of the label of a place that is in a cell with several; position: in voxels, see optics/vote.ts
+/// The number of the label at a place in a cell with several labels; position: in voxels, see optics/vote.ts
 float voteAt(vec3 position) {
   vec3 low = floor(position);
   vec3 high = min(low + 1.0, uDimensions - 1.0);
@@ -65,7 +65,7 @@ float voteAt(vec3 position) {
   return voteOfCorners(below, above, position - low);
 }
 
-/// What the label of a place looks like; p: unit cube. Where nothing but values counts, what is hidden is without data.
+/// Adds the appearance of the label at a place; p: unit cube. For projections, which show only values, hidden labels have no data.
 /// Twin: optics/labels.ts, labelField
 Sample labelsField(vec3 p, Sample known) {
   vec3 voxel = p * uDimensions;

@@ -1,8 +1,8 @@
-/// Edges at which the picture jumps, from xy to zw, in device coordinates; and how many. More than there is room for: less than 0.
+/// Edges at which the picture jumps, from xy to zw, in device coordinates; and their number: -1 if there are too many for the array.
 uniform vec4 uOutlines[MAX_OUTLINES];
 uniform float uOutlineCount;
 
-/// Whether an edge runs between the pixels that a quad is interpolated from. Twin: optics/plane-outlines.ts, meetsOutline
+/// Whether an edge runs between the pixels from which a quad is interpolated. Twin: optics/plane-outlines.ts, meetsOutline
 bool meetsOutlines(QuadPlace place) {
   vec2 reach = 1.25 * place.reach;
   for (int i = 0; i < MAX_OUTLINES; i++) {

@@ -1,4 +1,4 @@
-/// Stored value of a texel: as decodeTexel, of a texture that need not hold what the volume's holds.
+/// Stored value of a texel: like decodeTexel, but the format of the layer's texture may differ from the volume's.
 float decodeOverlay(vec4 texel) {
 #if OVERLAY_TWO_BYTES
 #if WEBGL2
@@ -15,7 +15,8 @@ float fetchOverlayVoxel(vec3 index) {
   return decodeOverlay(fetchOverlay(index));
 }
 
-/// Of the eight voxels around a place those that have data, by their weights; false where these are less than half. Twin: optics/interpolate.ts
+/// Interpolates between those of the eight voxels around a place that have data; false if their weights sum to less than half.
+/// Twin: optics/interpolate.ts
 bool interpolateOverlay(vec3 q, out float stored) {
   vec3 position = clamp(q * uOverlayDimensions - 0.5, vec3(0.0), uOverlayDimensions - 1.0);
   vec3 low = floor(position);
@@ -25,10 +26,10 @@ bool interpolateOverlay(vec3 q, out float stored) {
   vec4 above = vec4(fetchOverlayVoxel(vec3(low.xy, high.z)), fetchOverlayVoxel(vec3(high.x, low.y, high.z)), fetchOverlayVoxel(vec3(low.x, high.yz)), fetchOverlayVoxel(high));
   vec2 across = vec2(1.0 - upper.x, upper.x);
   vec4 face = vec4(across * (1.0 - upper.y), across * upper.y);
-  // The largest finite float stands for NaN, negative.
+  // The largest negative float means no data.
   vec4 lower = face * (1.0 - upper.z) * step(-3.0e38, below);
   vec4 higher = face * upper.z * step(-3.0e38, above);
-  // As differences from one that has data, so that a constant stays exact to the last digit.
+  // Sum the differences from a voxel that has data, so that a constant stays exact to the last digit.
   vec4 most = max(below, above);
   float base = max(max(most.x, most.y), max(most.z, most.w));
   float weights = dot(lower + higher, vec4(1.0));
@@ -36,13 +37,13 @@ bool interpolateOverlay(vec3 q, out float stored) {
   return weights >= 0.5;
 }
 
-/// Stored value of the layer at a place of the volume's unit cube. False outside of its grid, and where it has no data.
+/// Stored value of the layer at a place of the volume's unit cube. False outside of the layer's grid, and if it has no data there.
 bool sampleOverlay(vec3 p, out float stored) {
   vec3 q = (uToOverlay * vec4(p, 1.0)).xyz;
   stored = 0.0;
   if (any(lessThan(q, vec3(-OVERLAY_SLACK))) || any(greaterThan(q, vec3(1.0 + OVERLAY_SLACK)))) return false;
 #if OVERLAY_HOLES
-  // Values by their weights, 0 where there is none; and these weights. Twin: optics/interpolate.ts
+  // The weighted sum of values (0 for missing data), and the sum of the weights. Twin: optics/interpolate.ts
   vec4 sums = filterOverlay(q);
 #if WEBGL2
   float weights = sums.g;

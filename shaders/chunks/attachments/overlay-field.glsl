@@ -1,8 +1,8 @@
-/// Stored value of the layer to share of its transfer function's domain: see uTableDomain.
+/// From a stored value of the layer to a share of its transfer function's domain: see uTableDomain.
 uniform vec2 uOverlayDomain;
 
-/// The layer's value at a place as a share of its domain; far below LEAST_OVERLAY where it has none: a second member would be carried
-/// along at all samples. Twin: optics/overlay.ts, overlayField
+/// The layer's value at a place as a share of its domain; far below LEAST_OVERLAY if it has none. A separate flag would cost a second
+/// member in all samples. Twin: optics/overlay.ts, overlayField
 Sample overlayField(vec3 p, Sample known) {
   float stored;
   bool valid = sampleOverlay(p, stored);

@@ -1,5 +1,5 @@
 /// Voxels of the layer along i, j and k.
 uniform vec3 uOverlayDimensions;
 
-/// The volume's unit cube to the layer's.
+/// From the volume's unit cube to the layer's unit cube.
 uniform mat4 uToOverlay;

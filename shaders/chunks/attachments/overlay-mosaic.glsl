@@ -1,4 +1,4 @@
-/// Samples of the layer, on a grid of its own: slices lie as tiles.
+/// Samples of the layer, on its own grid; slices are stored as tiles.
 uniform sampler2D uOverlay;
 
 /// Columns and rows of tiles; texels across and down.
@@ -14,7 +14,7 @@ vec4 fetchOverlay(vec3 index) {
   return texture2D(uOverlay, (overlayTile(index.z) + index.xy + 0.5) / uOverlayMosaic.zw);
 }
 
-/// By two of the device's bilinear filters, kept half a texel inside their tiles; q: the layer's unit cube.
+/// A texel, interpolated from two bilinear filters of the device, which stay half a texel inside their tiles; q: in the layer's unit cube.
 vec4 filterOverlay(vec3 q) {
   vec2 inTile = clamp(q.xy * uOverlayDimensions.xy, vec2(0.5), uOverlayDimensions.xy - 0.5);
   float slice = clamp(q.z * uOverlayDimensions.z - 0.5, 0.0, uOverlayDimensions.z - 1.0);

@@ -1,4 +1,4 @@
-/// What uVolume has of each gate, and beside it the data value of another moment; below -3e38 there is none.
+/// For each gate: the same value as in uVolume, and the data value of another moment; below -3e38 it has none.
 uniform sampler2D uOverlay;
 
 vec4 fetchBoth(SweepGates gates, out vec4 second) {
@@ -17,11 +17,11 @@ vec4 fetchBoth(SweepGates gates, out vec4 second) {
 }
 
 #if OVERLAY_FOLDS
-/// Velocities more than this apart are on two sides of a fold.
+/// Velocities that differ by more than this are on two sides of a fold.
 uniform float uOverlayFoldFrom;
 #endif
 
-/// Data value of another moment at a place that the volume has been sampled at, by the same weights. False where there is none.
+/// Data value of another moment at the last place where the volume was sampled, with the same weights. False if there is none.
 bool sampleOverlay(vec3 p, out float value) {
 #if OVERLAY_FOLDS
   return blendAtFold(lastSecond, uOverlayFoldFrom, value);

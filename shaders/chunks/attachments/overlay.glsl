@@ -1,4 +1,4 @@
-/// Means of the layer's transfer function, as uTransferFunction has the volume's.
+/// Means of the layer's transfer function, stored like those of the volume in uTransferFunction.
 uniform sampler2D uOverlayTable;
 
 /// Columns and rows of the table; means below and above the domain.
@@ -7,15 +7,15 @@ uniform vec4 uOverlayFirst;
 uniform vec4 uOverlayLast;
 
 #if OVERLAY_FOLDS
-/// Values further apart than this share of the domain are on two sides of a fold.
+/// Values that differ by more than this share of the domain are on two sides of a fold.
 uniform float uOverlayFold;
 #endif
 
 #if OVERLAY_COLOR
-/// 1 / the extinction that stands for all of the layer's colour.
+/// 1 / the extinction at which the layer's colour replaces the volume's colour completely.
 uniform float uOverlayWeight;
 
-/// What colours the volume where the layer has no data: colour and share of it.
+/// The colour of the volume where the layer has no data, and the share of that colour.
 uniform vec4 uOverlayMissing;
 #else
 /// Reference lengths per bounding diameter, times both opacity factors.
@@ -44,15 +44,15 @@ vec4 overlayMean(float from, float to) {
   float b = max(from, to);
   float start = clamp(a, 0.0, 1.0);
   float end = clamp(b, 0.0, 1.0);
-  // As meanOverSpan has it.
+  // The same as in meanOverSpan.
   float perWidth = 1.0 / max(b - a, 1.0e-30);
   float below = b < 0.0 ? 1.0 : max(0.0, -a) * perWidth;
   float above = a >= 1.0 ? 1.0 : max(0.0, b - 1.0) * perWidth;
   return fetchOverlayMean(0.5 * (start + end), end - start) * max(0.0, 1.0 - below - above) + uOverlayFirst * below + uOverlayLast * above;
 }
 
-/// Two media in one place: extinctions add, and so does the light of both. Or the volume's extinction in the layer's colour.
-/// Where one end has no data of the layer, the half next to it is without. Twin: optics/overlay.ts, overlayShade
+/// Either two media in one place: their extinctions add, and so does their light. Or the volume's extinction with the layer's colour.
+/// If one end has no data of the layer, the half next to it has no layer. Twin: optics/overlay.ts, overlayShade
 vec4 overlayLookShade(Segment segment, vec4 seen) {
   float from = segment.front.overlay;
   float to = segment.back.overlay;

@@ -1,22 +1,21 @@
-/// A plane a column: normal . p = w for places p of the unit cube.
+/// A column for each plane: normal . p = w for places p of the unit cube.
 uniform mat4 uPlanes;
 
-/// How each is painted. First row: 0 no plane, 1 grey, 2 the transfer function's colours; then of greys the share of the
-/// table's domain that is black, and 1 / (white - black); then what of a thick one is shown: 0 the average, 1 the largest value,
-/// 2 the smallest.
+/// How each plane is painted. First row: 0 no plane, 1 grey, 2 the transfer function's colours. For grey: the share of the table's
+/// domain that is black, and 1 / (white - black). For a thick plane (a slab): 0 shows the average, 1 the largest value, 2 the smallest.
 uniform mat4 uPlanePaints;
 
 #if SLABS
-/// How thick each is: from one side of it to the other, in the unit cube; 0 at the end for the values on it alone.
+/// The thickness of each plane: the vector from one side of the slab to the other, in the unit cube; w is 0 for a thin plane.
 uniform mat4 uSlabs;
 
-/// What a slab has gathered: a value, and how much of the line has one.
+/// What a line through a slab has gathered: a value, and the share of the line that has data.
 struct SlabValue {
   float value;
   float weight;
 };
 
-/// kind: see uPlanePaints. The running mean stays within the values, whatever their number.
+/// Adds a sample; kind: see uPlanePaints. The running mean stays between the values, for any number of them.
 void takeOfSlab(float here, float weight, float kind, inout SlabValue found) {
   bool isFirst = found.weight <= 0.0;
   found.weight += weight;
@@ -25,7 +24,8 @@ void takeOfSlab(float here, float weight, float kind, inout SlabValue found) {
   else found.value = kind < 1.5 ? max(found.value, here) : min(found.value, here);
 }
 
-/// What a thick plane shows at a place: what all values on a line through it come to. Twin: optics/plane-slices.ts, sampleSlab
+/// The value that a thick plane shows at a place: the average or extreme of all values on a line through the slab.
+/// Twin: optics/plane-slices.ts, sampleSlab
 bool sampleSlab(vec3 p, vec3 way, float kind, out float value) {
   vec3 origin = p - 0.5 * way;
   vec3 safe = mix(way, vec3(1.0e-9), vec3(lessThan(abs(way), vec3(1.0e-9))));
@@ -41,7 +41,7 @@ bool sampleSlab(vec3 p, vec3 way, float kind, out float value) {
   PlaneWalk walk = enterPlanes(origin, way);
   standAt(at, walk);
   float sign = kind < 1.5 ? 1.0 : -1.0;
-  // Of an average the places of Simpson's rule, else thirds.
+  // For an average, the places of Simpson's rule; else thirds.
   float parts = kind < 0.5 ? 2.0 : 3.0;
   float front;
   bool isFront = sampleVolume(origin + at * way, front);
@@ -78,7 +78,7 @@ bool sampleSlab(vec3 p, vec3 way, float kind, out float value) {
 }
 #endif
 
-/// Paint what is seen at a place of a plane. False where there is nothing. Twin: optics/plane-slices.ts, planeInterval
+/// The colour at a place of a plane. False if there is no data. Twin: optics/plane-slices.ts, planeInterval
 bool paintPlane(vec3 p, vec4 paint, vec4 slab, out vec3 color) {
   float value;
   bool valid;
@@ -96,8 +96,8 @@ bool paintPlane(vec3 p, vec4 paint, vec4 slab, out vec3 color) {
   return valid && seen.a >= MIN_SLICE_OPACITY;
 }
 
-/// The nearest plane on which there are data ends a ray, and stands behind what is before it. One on a cut face, or on a face of
-/// the volume, is seen from both of its sides.
+/// The nearest plane that has data at its place ends a ray, behind the part of the volume in front of it. A plane on a cut face, or on
+/// a face of the volume, is visible from both sides.
 /// Twin: optics/plane-slices.ts, planeInterval
 Interval planesInterval(Ray ray, Interval interval) {
   float nearest = 1.0e30;

@@ -1,7 +1,7 @@
-/// The mean value of a ray over the length that has data. Twin: optics/projection.ts, averageGather
+/// Gathers the mean value of a ray over the length that has data. Twin: optics/projection.ts, averageGather
 struct Gathered {
   float mean;
-  /// Over what length.
+  /// The length over which it is the mean.
   float span;
 };
 
@@ -9,14 +9,14 @@ Gathered beginGathering() {
   return Gathered(0.0, 0.0);
 }
 
-/// A running mean: that of a constant is the constant, to the last bit.
+/// Add to the running mean: the mean of a constant is exactly the constant, to the last bit.
 void weigh(Sample found, float span, inout Gathered gathered) {
   if (!hasData(found) || span <= 0.0) return;
   gathered.span += span;
   gathered.mean += (found.value - gathered.mean) * (span / gathered.span);
 }
 
-/// By trapezoids; where one end has no data, the half next to it is empty.
+/// By trapezoids; if one end has no data, the half next to it is empty.
 void gatherSegment(Segment segment, inout Gathered gathered) {
   weigh(segment.front, 0.5 * segment.span, gathered);
   weigh(segment.back, 0.5 * segment.span, gathered);
@@ -36,7 +36,7 @@ bool isSettled(Gathered gathered) {
   return false;
 }
 
-/// Cells are empty that hold no data.
+/// Rays skip only cells without data.
 Ahead lookAhead(CellRay cells, float number, Gathered gathered) {
   return lookIntoCell(cells, number);
 }

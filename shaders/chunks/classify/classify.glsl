@@ -1,11 +1,11 @@
 /// Reference lengths per bounding diameter, times the opacity factor.
 uniform float uOpticalScale;
 
-/// Of all values.
+/// The largest opacity that any value has.
 uniform float uLargestOpacity;
 
-/// What a segment shows of which one end or both may have no data: the half next to an end without data is empty. Where
-/// a velocity folds in between, half of it is of either end.
+/// What a segment shows. If an end has no data, the half next to it is empty. If a velocity folds between the ends, each half has
+/// the value of its end.
 /// Twin: optics/ray-classify.ts, classifyByMeans
 vec4 classifySegment(Segment segment) {
   Sample from = segment.front;
@@ -29,7 +29,7 @@ vec4 classifySegment(Segment segment) {
   return attenuate(mean, share * (segment.span * uOpticalScale));
 }
 
-/// Colour of a value, where the largest opacity of all counts as 1: neither lengths nor steps matter to it.
+/// The colour of a value, scaled so that the largest opacity of all values counts as 1: it does not depend on lengths and steps.
 vec4 classifyValue(float value) {
   return attenuate(emissionAt(value), 1.0) / uLargestOpacity;
 }

@@ -1,10 +1,10 @@
-/// For bins of equal width: the column where a bin begins, where that begins and ends, and where the next one ends.
+/// For bins of equal width: the column at a bin's begin, where this column begins and ends, and where the next column ends.
 uniform sampler2D uColumnBins;
 
-/// Bins in all; bins in a row; 1 / texels across and down.
+/// Number of all bins; bins in a row; 1 / texels across and down.
 uniform vec4 uBinTexels;
 
-/// Column of a share, where it begins and ends. Twin: optics/column-bins.ts
+/// The column of a share, and where the column begins and ends. Twin: optics/column-bins.ts
 vec3 findColumn(float share) {
   float bin = floor(clamp(share * uBinTexels.x, 0.0, uBinTexels.x - 1.0));
   float row = floor((bin + 0.5) / uBinTexels.y);

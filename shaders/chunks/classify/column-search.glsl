@@ -1,4 +1,4 @@
-/// Column of a share, where it begins and ends: by halving, where edges are too near to each other for bins.
+/// The column of a share, and where the column begins and ends: by bisection, if edges are too near to each other for bins.
 vec3 findColumn(float share) {
   vec2 range = vec2(0.0, uColumnTexels.x - 1.0);
   for (int i = 0; i < MAX_SEARCHES; i++) {

@@ -1,16 +1,16 @@
-/// Columns of a transfer function, in which emission is a straight line. Rows: extinction times colour, and extinction, where
-/// columns begin, and where they end; the integral up to where they begin, and what that number lacks; the same where they
-/// end; where they begin and end. Twin: optics/columns.ts
+/// Columns of a transfer function; in each column emission is linear. Rows: 0, 1: extinction times colour, and extinction, at the
+/// begin and at the end of the columns; 2, 3: the integral up to their begin, and the rest that this float lacks; 4, 5: the same for
+/// their end; 6: where they begin and end. Twin: optics/columns.ts
 uniform sampler2D uColumns;
 
-/// Columns; columns side by side, and 1 / that; how many lines of them a row has.
+/// Number of columns; columns in a line of texels, and 1 / that; lines of texels for each row.
 uniform vec4 uColumnTexels;
 
-/// Stored value to share of what is in the data of the domain: scale, and what is stored for its low end.
+/// From a stored value to a share of the part of the domain that is in the data: the scale, and the stored value of its low end.
 uniform vec2 uColumnDomain;
 
 #ifdef FUNCTIONS
-/// Which of several transfer functions is meant, of which the columns, the bins and the tables of substeps lie one below another.
+/// The number of the current transfer function, if there are several: their columns, bins and tables of substeps are one below another.
 float whichFunction = 0.0;
 #endif
 

@@ -1,11 +1,11 @@
-/// Cube roots of the opacity that a voxel may have between two values, see optics/substep-table.ts
+/// Cube roots of the maximum opacity of a voxel between two values, see optics/substep-table.ts
 uniform sampler2D uSubstepTable;
 
-/// No step is cut into more substeps.
+/// The maximum number of substeps of a step.
 uniform float uMaxSubsteps;
 
-/// Into how many substeps a step is cut between whose ends the value runs from one share of the domain to another;
-/// visible: share that reaches the eye. Twin: optics/segment.ts, countSubsteps
+/// The number of substeps of a step. from, to: the values at its ends, as shares of the domain;
+/// visible: the share of light that reaches the eye. Twin: optics/segment.ts, countSubsteps
 float countSubsteps(float from, float to, float visible) {
   if (uMaxSubsteps < 1.5) return 1.0;
   float a = clamp((min(from, to) - SUBSTEP_TABLE_FROM) / SUBSTEP_TABLE_WIDTH, 0.0, 1.0);

@@ -1,5 +1,5 @@
-/// Patches of the plane of value and gradient, a column each: first boxes, by their low and high corners; then Gaussians, by middle and 1 / widths.
-/// Values are shares of the domain, gradients of that up to which the flattest patch reaches.
+/// Patches in the plane of value and gradient, a column for each: first boxes, with their low and high corners; then Gaussians, with their
+/// middle and 1 / widths. Values are shares of the domain. The unit of gradients is the upper end of the patch with the smallest gradients.
 uniform mat4 uPatchesA;
 uniform mat4 uPatchesB;
 
@@ -7,13 +7,13 @@ uniform mat4 uPatchesB;
 uniform mat4 uPatchColorsA;
 uniform mat4 uPatchColorsB;
 
-/// How many boxes there are, and how many of all.
+/// The number of boxes, and the number of all patches.
 uniform vec2 uPatchCounts;
 
-/// Of a gradient as `growsTowards` tells it, to a share of that one.
+/// From a gradient of `growsTowards` to this unit.
 uniform float uPatchSteepness;
 
-/// The end of a segment that has been looked at last, and its gradient: it is where the next one begins.
+/// The end of the last segment, and its gradient: the next segment begins there.
 vec3 steepPoint = vec3(-9.0);
 float steepLast = 0.0;
 
@@ -24,10 +24,10 @@ float erfOf(float x) {
   return sign(x) * (1.0 - rest * exp(-x * x));
 }
 
-/// The share of a way that is inside. Twin: optics/patches.ts, meanOfBox
+/// The share of a way in the plane that is inside a box. Twin: optics/patches.ts, meanOfBox
 float meanOfBox(vec4 box, vec2 from, vec2 to) {
   vec2 way = to - from;
-  // One that stands still is inside or far outside.
+  // A way of length 0 becomes a tiny one, so that it is inside or far outside.
   way = mix(way, vec2(1.0e-12), vec2(lessThan(abs(way), vec2(1.0e-12))));
   vec2 a = (box.xy - from) / way;
   vec2 b = (box.zw - from) / way;
@@ -36,12 +36,13 @@ float meanOfBox(vec4 box, vec2 from, vec2 to) {
   return max(0.0, min(1.0, min(end.x, end.y)) - max(0.0, max(begin.x, begin.y)));
 }
 
-/// place: in standard deviations from the middle.
+/// The value of a Gaussian; place: in standard deviations from its middle.
 float gaussianAt(vec2 place) {
   return GAUSSIAN_SCALE * max(0.0, exp(-0.5 * dot(place, place)) - GAUSSIAN_FLOOR);
 }
 
-/// Of a way in standard deviations from the middle. Source: Kniss et al. 2003. Twin: optics/patches.ts, meanOfGaussian
+/// The mean of a Gaussian over a way; from, to: in standard deviations from its middle.
+/// Source: Kniss et al. 2003. Twin: optics/patches.ts, meanOfGaussian
 float meanOfGaussian(vec2 from, vec2 to) {
   vec2 way = to - from;
   float wayLength = length(way);
@@ -58,7 +59,7 @@ float meanOfGaussian(vec2 from, vec2 to) {
   return GAUSSIAN_SCALE * max(0.0, integral - GAUSSIAN_FLOOR * (b - a)) / wayLength;
 }
 
-/// Mean over a straight way through the plane; with isOutline by value alone, of the most that any gradient has.
+/// The mean over a straight way through the plane. isOutline: by value only, with the maximum over all gradients.
 vec4 meanOfPatches(vec2 from, vec2 to, bool isOutline) {
   vec4 mean = vec4(0.0);
   for (int group = 0; group < 2; group++) {
@@ -86,7 +87,7 @@ vec4 meanOfPatches(vec2 from, vec2 to, bool isOutline) {
   return mean;
 }
 
-/// Whether any patch shows some of the values between two.
+/// Whether any patch shows some of the values between two values.
 bool meetsPatches(float from, float to) {
   float low = min(from, to);
   float high = max(from, to);
@@ -111,13 +112,13 @@ float steepnessOf(Sample known) {
   return uPatchSteepness * length(uNormalToWorld * growsTowards(known.point, from, changePerVoxel(known, from)));
 }
 
-/// Taps are taken only where a value may show.
+/// Taps are taken only if a value may show.
 vec4 meanOfSamples(Sample from, Sample to) {
   bool meets = meetsPatches(from.value, to.value);
   float near = steepLast;
   float far = steepLast;
   float first = !meets ? 2.0 : from.point == steepPoint ? 1.0 : 0.0;
-  // One text for both ends.
+  // A loop, so that the program has this code only once for both ends.
   for (int i = 0; i < 2; i++) {
     float end = first + float(i);
     if (end > 1.5) break;
@@ -125,7 +126,7 @@ vec4 meanOfSamples(Sample from, Sample to) {
     if (end < 0.5) here = from;
     far = steepnessOf(here);
     if (end < 0.5) near = far;
-    // At the bottom: see changePerVoxel.
+    // End the loop at its bottom: see changePerVoxel.
     if (end > 0.5) break;
   }
   if (!meets) return vec4(0.0);

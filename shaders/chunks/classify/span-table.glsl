@@ -21,7 +21,7 @@ vec4 meanOverSpan(float from, float to) {
   float b = max(from, to);
   float start = clamp(a, 0.0, 1.0);
   float end = clamp(b, 0.0, 1.0);
-  // Shares of the span beyond the domain; all of it where it is as a whole.
+  // The shares of the span below and above the domain; 1 if the whole span is beyond it.
   float perWidth = 1.0 / max(b - a, 1.0e-30);
   float below = b < 0.0 ? 1.0 : max(0.0, -a) * perWidth;
   float above = a >= 1.0 ? 1.0 : max(0.0, b - 1.0) * perWidth;

@@ -1,10 +1,10 @@
-/// The picture with every second pixel across and down, drawn before: its pixel (i, j) is this one's (2 i, 2 j).
+/// The half picture, drawn before, with every second pixel across and down: its pixel (i, j) is pixel (2 i, 2 j) of this picture.
 uniform sampler2D uHalfPicture;
 
-/// Quads of 2 x 2 pixels along each axis. Each is drawn as a point if it needs rays; 0 if the box is drawn.
+/// Quads of 2 x 2 pixels along each axis; a quad that needs rays is drawn as a point. 0 if the box is drawn instead.
 uniform vec2 uQuads;
 
-/// 1 / its pixels across and down.
+/// 1 / the half picture's pixels across and down.
 uniform vec2 uHalfPixel;
 
 /// The half picture around a quad of 2 x 2 pixels: a is the pixel at its lower left, b right of it, c above, d right above.
@@ -27,7 +27,7 @@ vec4 halfPixel(vec2 pixel) {
   return texture2D(uHalfPicture, (pixel + 0.5) * uHalfPixel);
 }
 
-/// quad: whole numbers. The half picture goes on beyond its edges as it ends there.
+/// quad: whole numbers. Beyond its edges, the half picture repeats its last pixels.
 Surroundings lookAround(vec2 quad) {
   return Surroundings(
     halfPixel(quad),
@@ -49,7 +49,7 @@ vec4 secondDifference(vec4 a, vec4 b, vec4 c) {
   return abs(a - 2.0 * b + c);
 }
 
-/// How much the half picture bends around a quad. Twin: optics/between-pixels.ts, interpolateQuad
+/// How much the half picture curves around a quad. Twin: optics/between-pixels.ts, interpolateQuad
 float curvatureOf(Surroundings s) {
   vec4 across = max(
     max(secondDifference(s.leftOfA, s.a, s.b), secondDifference(s.a, s.b, s.rightOfB)),

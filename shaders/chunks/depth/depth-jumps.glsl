@@ -1,7 +1,7 @@
 /// Length of a step, in bounding diameters.
 uniform float uStepLength;
 
-/// Depth buffer of the shapes that end the rays of the lattice before: none of lines and points. uSolids: 0 where it is empty.
+/// Depth buffer of the shapes that end the rays of the lattice before: without lines and points. uSolids: 0 if it is empty.
 uniform sampler2D uSolidDepth;
 uniform float uSolids;
 
@@ -9,8 +9,8 @@ float solidAt(vec2 pixel) {
   return texture2D(uSolidDepth, pixel * uPixelToDepth.xy + uPixelToDepth.zw).r;
 }
 
-/// Where a pixel's ray ends. place: grows with depth, and is linear in the pixel where the ends lie in a plane; slack: two
-/// places that differ by less are the same; cut: at a shape; miss: the ray does not meet the volume.
+/// Where a pixel's ray ends. place: grows with depth, and is linear in the pixel if the ends are in a plane; slack: two
+/// places that differ by less are the same; cut: the ray ends at a shape; miss: the ray does not meet the volume.
 struct RayEnd {
   float place;
   float slack;
@@ -43,10 +43,10 @@ bool cutsInside(RayEnd end) {
   return end.cut && !end.miss;
 }
 
-/// For the quad of 2 x 2 pixels with a corner: its jump, and which of its rays end at lines and points, a fifteenth, two, four
-/// and eight. corner: centre of the pixel at the lower left. Twin: optics/depth-jumps.ts, findJump and findThin
+/// For a quad of 2 x 2 pixels: its jump, and which of its rays end at lines and points, as a sum of 1, 2, 4 and 8 fifteenths.
+/// corner: centre of the quad's pixel at the lower left. Twin: optics/depth-jumps.ts, findJump and findThin
 vec2 findJump(vec2 corner) {
-  // The known pixels around, and the quad's own: as a loop, as each text of a ray's end takes software GL half a second to compile.
+  // The known pixels around, and the quad's own. In a loop, because software GL needs half a second to compile each copy of `rayEndAt`.
   vec4 known = vec4(0.0);
   vec4 places = vec4(0.0);
   vec4 slacks = vec4(0.0);
@@ -75,10 +75,10 @@ vec2 findJump(vec2 corner) {
   return vec2(min(min(off.x, off.y), min(off.z, off.w)) < -1.0 ? JUMP_NEARER : JUMP_NONE, thin);
 }
 
-/// Whether any shape stands in the picture at a quad, or at the known pixels around.
+/// Whether there is any shape in the picture at a quad, or at the known pixels around it.
 bool hasShapes(vec2 corner) {
   float nearest = min(min(depthAt(corner), depthAt(corner + vec2(1.0, 0.0))), min(depthAt(corner + vec2(0.0, 1.0)), depthAt(corner + vec2(1.0, 1.0))));
-  // Software GL runs through all branches, but not through loops that end.
+  // A loop instead of a branch: software GL runs all branches, but leaves a loop at `break`.
   for (int i = 0; i < 1; i++) {
     if (uSolids < 0.5) break;
     nearest = min(nearest, min(solidAt(corner + vec2(2.0, 0.0)), min(solidAt(corner + vec2(0.0, 2.0)), solidAt(corner + vec2(2.0, 2.0)))));

@@ -4,18 +4,18 @@ uniform float uLeastJump;
 /// A pixel through which a shape's edge passes, if one does.
 struct Split {
   bool isSplit;
-  /// As it lies in the buffer: what stands in the pixel's middle, and on the other side of the edge; and what is half way between both.
+  /// Depths as stored in the buffer: in the pixel's middle, on the other side of the edge, and half way between both.
   float own;
   float other;
   float between;
 };
 
-/// Ends of rays before and behind the volume, whose bounding sphere is there, are not told apart.
+/// Where a ray ends, limited to the volume's bounding sphere: all ends before the volume count as equal, and so do all ends behind it.
 float endAt(vec2 pixel) {
   return clamp(depthToT(depthAt(pixel)), -0.5, 0.5);
 }
 
-/// The pixel on the other side of an edge: of those around whose end is not where this one's slope says, the farthest off.
+/// Find the neighbour on the other side of an edge: the one whose end differs most from the end that the slope at this pixel predicts.
 Split splitAt(vec2 pixel) {
   float own = endAt(pixel);
   float jump = uLeastJump;
@@ -30,7 +30,7 @@ Split splitAt(vec2 pixel) {
     vec2 away = abs(ends.x) > abs(ends.y) ? -offset : offset;
     float beside = depthAt(pixel + away);
     split.between = 0.5 * (split.own + beside);
-    // The edge is about half a pixel from there: what stands on it goes on as it does behind, if that is not another edge.
+    // The edge is about half a pixel from that neighbour. Extrapolate the other side's depth to it, unless another edge follows.
     float rise = beside - depthAt(pixel + 2.0 * away);
     split.other = abs(rise) < 0.25 * abs(split.own - beside) ? clamp(beside + 0.5 * rise, 0.0, 1.0) : beside;
   }

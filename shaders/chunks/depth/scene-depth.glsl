@@ -1,21 +1,21 @@
 /// Depth buffer of the scene's opaque shapes.
 uniform sampler2D uSceneDepth;
 
-/// Pixel to its place in the depth buffer: factors and shifts.
+/// From a pixel to its place in the depth buffer: factors and shifts.
 uniform vec4 uPixelToDepth;
 
 /// Projection matrix, third and fourth row, columns z and w.
 uniform vec4 uDepthTerms;
 
-/// Depth of t = 0, and depth of one unit of t, in world lengths.
+/// The depth of t = 0, and the depth of one unit of t, in world units.
 uniform vec2 uDepthToT;
 
-/// As it lies in the buffer; 1 where there is no shape. pixel: its centre.
+/// The depth as stored in the buffer; 1 if there is no shape. pixel: its centre.
 float depthAt(vec2 pixel) {
   return texture2D(uSceneDepth, pixel * uPixelToDepth.xy + uPixelToDepth.zw).r;
 }
 
-/// t of what lies in the buffer.
+/// t of a depth that is stored in the buffer.
 float depthToT(float stored) {
   float device = stored * 2.0 - 1.0;
   if (device >= 1.0) return 1.0e30;
@@ -23,17 +23,17 @@ float depthToT(float stored) {
   return (depth - uDepthToT.x) / uDepthToT.y;
 }
 
-/// From the middle of a pixel to its ray, in pixels.
+/// The shift from the middle of a pixel to its ray, in pixels.
 uniform vec2 uRayShift;
 
-/// What lies in the buffer changes so much from pixel to pixel, across and up. Twin: optics/depth-slope.ts
+/// How much the stored depth changes from pixel to pixel, across and up. Twin: optics/depth-slope.ts
 vec2 depthSlope(vec2 before, float here, vec2 after) {
   vec2 a = here - before;
   vec2 b = after - here;
   return a * b * (a + b) / max(a * a + b * b, 1.0e-30);
 }
 
-/// t at which the nearest opaque shape stands: depths are linear in the pixel along a plane.
+/// t of the nearest opaque shape. The shift uses that stored depths are linear in the pixel along a plane.
 float surfaceT() {
   vec2 pixel = gl_FragCoord.xy;
   vec2 right = vec2(1.0, 0.0);

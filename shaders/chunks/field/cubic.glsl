@@ -1,4 +1,4 @@
-/// Where a cubic has its local maximum, by its values at 0, 1, 2 and 3; -1 where it has none between these. value: what it is there.
+/// The place of a cubic's local maximum, from its values at 0, 1, 2 and 3; -1 if it has none between these. value: the maximum.
 /// Twin: optics/cubic.ts
 float topOfCubic(vec4 values, out float value) {
   float first = values.y - values.x;
@@ -9,7 +9,7 @@ float topOfCubic(vec4 values, out float value) {
   float inner = square * square - 0.5 * third * linear;
   value = values.x;
   if (inner <= 0.0) return -1.0;
-  // Of both roots of the slope the one where it falls, in the form that cancels no digits.
+  // Of the two roots of the slope, the one where the slope falls, in the form that loses no digits.
   float root = sqrt(inner);
   float top = square <= 0.0 ? linear / (root - square) : abs(third) > 1.0e-20 ? -2.0 * (square + root) / third : -1.0;
   if (top <= 0.0 || top >= 3.0) return -1.0;
@@ -17,7 +17,7 @@ float topOfCubic(vec4 values, out float value) {
   return top;
 }
 
-/// Where it has its local minimum.
+/// The place of its local minimum.
 float bottomOfCubic(vec4 values) {
   float value;
   return topOfCubic(-values, value);

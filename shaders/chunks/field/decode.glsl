@@ -1,5 +1,6 @@
-/// Stored value of a texel: 0..1 for 8 bit, 0..65535 for 16 bit (the low byte in the first channel, as in memory, the high one
-/// in the other; whole numbers come out as such), the value itself for floats. Linear in the texel, so that it may come after a linear filter.
+/// Stored value of a texel: 0..1 for 8 bit, 0..65535 for 16 bit (the low byte in the first channel, as in memory, the
+/// high byte in the other; whole numbers stay exact), the value itself for floats. It is linear in the texel, so a linear filter may come
+/// before it.
 float decodeTexel(vec4 texel) {
 #if TWO_BYTES
 #if WEBGL2

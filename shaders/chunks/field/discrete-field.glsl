@@ -1,7 +1,7 @@
-/// Stored values below this are no data: the largest finite float stands for NaN, which shaders may not know.
+/// Stored values below this mean no data: the largest negative float replaces NaN, which shaders need not support.
 #define NO_DATA_BELOW -3.0e38
 
-/// Stored value at a point, of the eight voxels around it the one that most of them vote for; p: unit cube. False where there is no data.
+/// The stored value at a point: the value with the most votes of the eight voxels around it; p: unit cube. False if there is no data.
 /// Twin: optics/vote.ts
 bool sampleVolume(vec3 p, out float value) {
   vec3 position = clamp(p * uDimensions - 0.5, vec3(0.0), uDimensions - 1.0);
@@ -13,7 +13,7 @@ bool sampleVolume(vec3 p, out float value) {
   return value > NO_DATA_BELOW;
 }
 
-/// Between two labels there is nothing.
+/// There are no values between two labels.
 bool isFolded(float from, float to) {
   return from != to;
 }

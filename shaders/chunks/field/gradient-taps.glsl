@@ -1,6 +1,6 @@
 #ifdef TAPS_IN_LOOP
-/// Six taps, as a loop: each text of one takes long to compile. It ends at its bottom, as software GL goes around once more, for no
-/// ray, where a loop ends at its top. Twin: optics/gradient.ts, differ
+/// Six taps, in a loop, because each copy of their code takes long to compile. The loop ends at its bottom: if a loop ends at its top,
+/// software GL runs it once more for no ray. Twin: optics/gradient.ts, differ
 vec3 changePerVoxel(Sample known, vec3 from) {
   vec3 steps = tapSteps(from);
   vec3 sums = vec3(0.0);
@@ -13,7 +13,7 @@ vec3 changePerVoxel(Sample known, vec3 from) {
     bool counted = tapField(from + side * unit * steps, stored);
     float value = toShare(stored);
 #if NO_DATA
-    // Of a place without data nothing is known that could face anywhere.
+    // A place without data has no gradient.
     counted = counted && hasData(known);
 #endif
 #if FOLDS

@@ -1,7 +1,7 @@
-/// Stored values below this are no data: the largest finite float stands for NaN, which shaders may not know.
+/// Stored values below this mean no data: the largest negative float replaces NaN, which shaders need not support.
 #define NO_DATA_BELOW -3.0e38
 
-/// Tri-linear value of the eight voxels around a point; p: unit cube; value: stored. False where there is no data.
+/// Tri-linear interpolation of the eight voxels around a point; p: unit cube; value: stored. False if there is no data.
 /// Twin: optics/interpolate.ts
 bool interpolateVoxels(vec3 p, out float value) {
   vec3 position = clamp(p * uDimensions - 0.5, vec3(0.0), uDimensions - 1.0);
@@ -10,7 +10,7 @@ bool interpolateVoxels(vec3 p, out float value) {
   vec3 upper = position - low;
   vec3 lower = 1.0 - upper;
 #if NO_DATA
-  // As differences from one of the voxels, so that a constant stays exact to the last digit: a jump may be there.
+  // Sum the differences from one of the voxels, so that a constant stays exact to the last digit: the transfer function may jump there.
   float base = 0.0;
   float sum = 0.0;
   float weights = 0.0;
@@ -25,7 +25,7 @@ bool interpolateVoxels(vec3 p, out float value) {
       sum += product * (voxel - base);
       weights += product;
     }
-    // At the bottom, as software GL goes around once more, for no ray, where a loop ends at its top.
+    // End the loop at its bottom: if a loop ends at its top, software GL runs it once more for no ray.
     if (corner == 7) break;
   }
   value = base + sum / max(weights, 0.5);
@@ -39,7 +39,7 @@ bool interpolateVoxels(vec3 p, out float value) {
   float v101 = fetchVoxel(vec3(high.x, low.y, high.z));
   float v011 = fetchVoxel(vec3(low.x, high.yz));
   float v111 = fetchVoxel(high);
-  // mix() does not keep a constant to the last digit, and a jump may be there.
+  // mix() does not keep a constant exact to the last digit, and the transfer function may jump there.
   vec4 alongX = vec4(v000, v010, v001, v011) + upper.x * (vec4(v100, v110, v101, v111) - vec4(v000, v010, v001, v011));
   vec2 alongY = alongX.xz + upper.y * (alongX.yw - alongX.xz);
   value = alongY.x + upper.z * (alongY.y - alongY.x);

@@ -1,4 +1,4 @@
-/// Stored value at a point; p: unit cube. False where there is no data.
+/// Stored value at a point; p: unit cube. False if there is no data.
 bool sampleVolume(vec3 p, out float value) {
 #if FILTER_IN_SHADER
   return interpolateVoxels(p, value);

@@ -1,10 +1,10 @@
-/// Voxels along i, j and k; of a polar grid, of the lattice around it.
+/// Voxels along i, j and k; for a polar grid, those of the lattice around it.
 uniform vec3 uDimensions;
 
-/// Stored value to share of the transfer function's domain: scale, and what is stored for its low end.
+/// From a stored value to its share of the transfer function's domain: the scale, and the stored value of the domain's low end.
 uniform vec2 uTableDomain;
 
-/// Share of the domain that a stored value means; first the difference, which near the low end is exact.
+/// The share of the domain for a stored value. The difference comes first, because it is exact near the low end.
 /// Twin: optics/share-map.ts
 float toShare(float stored) {
   return (stored - uTableDomain.y) * uTableDomain.x;

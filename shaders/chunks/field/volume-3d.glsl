@@ -5,7 +5,7 @@ float fetchVoxel(vec3 index) {
   return decodeTexel(texelFetch(uVolume, ivec3(index + 0.5), 0));
 }
 
-/// Stored value by the device's own tri-linear filter; p: unit cube.
+/// Stored value, interpolated by the device's own tri-linear filter; p: unit cube.
 float filterVolume(vec3 p) {
   return decodeTexel(texture(uVolume, p));
 }

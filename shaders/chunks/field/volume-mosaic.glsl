@@ -14,8 +14,8 @@ float fetchVoxel(vec3 index) {
   return decodeTexel(texture2D(uVolume, (tileOrigin(index.z) + index.xy + 0.5) / uMosaic.zw));
 }
 
-/// Stored value by two of the device's bilinear filters, kept half a texel inside their tiles; p: unit cube.
-/// Source: paper.md, equations 5 to 17 as put right
+/// Stored value, interpolated from two bilinear filters of the device, which stay half a texel inside their tiles; p: unit cube.
+/// Source: paper.md, equations 5 to 17, corrected
 float filterVolume(vec3 p) {
   vec2 inTile = clamp(p.xy * uDimensions.xy, vec2(0.5), uDimensions.xy - 0.5);
   float slice = clamp(p.z * uDimensions.z - 0.5, 0.0, uDimensions.z - 1.0);

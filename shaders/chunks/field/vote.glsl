@@ -3,14 +3,14 @@ vec4 sameAs(vec4 a, vec4 b) {
   return vec4(equal(a, b));
 }
 
-/// The better of two candidates, value and votes: of as many votes the smaller value.
+/// The winner of two candidates (value and votes); with equal votes, the smaller value wins.
 vec2 electOne(vec2 one, vec2 other) {
   return other.y > one.y || (other.y == one.y && other.x < one.x) ? other : one;
 }
 
-/// The value that most of a box's corners vote for by their tri-linear weights; of several with as many the smallest.
+/// The value with the most votes of a box's corners, where a vote counts by its tri-linear weight; with equal votes, the smallest value wins.
 /// below, above: corners at the lower and upper end of z, (0, 0), (1, 0), (0, 1), (1, 1); share: of the way from the lower corner to
-/// the upper one. Each corner has the votes of all that are as it is: neighbours in a round of four are compared once for both.
+/// the upper one. Each corner gets the votes of all corners with the same value; each pair of neighbours is compared only once.
 /// Source: Hadwiger, Berger and Hauser 2003. Twin: optics/vote.ts
 float voteOfCorners(vec4 below, vec4 above, vec3 share) {
   if (below == vec4(below.x) && above == vec4(below.x)) return below.x;

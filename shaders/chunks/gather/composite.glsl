@@ -1,4 +1,4 @@
-/// What a ray has gathered: premultiplied, front to back.
+/// The colour that a ray has gathered, front to back: premultiplied.
 struct Gathered {
   vec4 color;
 };
@@ -13,7 +13,7 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
   gathered.color += segment.visible * seeSegment(segment);
 }
 
-/// Early ray termination: what is left could change the picture by a quarter of 1/255 at most.
+/// Early ray termination: the rest of the ray could change the picture by a quarter of 1/255 at most.
 bool isSettled(Gathered gathered) {
   return gathered.color.a > 0.999;
 }

@@ -1,23 +1,23 @@
-/// The largest value of a ray (EXTREME_SIGN 1.0), or the smallest (-1.0): values are told times the sign.
+/// Gathers the largest value of a ray (EXTREME_SIGN 1.0), or the smallest (-1.0): values are multiplied by the sign.
 
-/// Of each cell: 0 where it holds no data, else the largest value that it can hold, from 1 for 0.0 to 255 for 1.0.
+/// For each cell: 0 if it has no data, else the largest value that it can have, from 1 for 0.0 to 255 for 1.0.
 uniform sampler2D uCellLimits;
 
 #if LOCAL_EXTREME
-/// A share, times the sign: from it on the first local extreme counts.
+/// The threshold, a share times the sign: the first local extreme from this value on counts.
 uniform float uThreshold;
 #endif
 
-/// Less than any value.
+/// Smaller than any value.
 #define NO_VALUE -3.0e38
 
-/// What a ray has gathered.
+/// The best value that a ray has gathered.
 struct Gathered {
   float best;
-  /// Where that is.
+  /// The place of this value on the ray.
   float at;
 #if LOCAL_EXTREME
-  /// Nothing farther on counts.
+  /// The ray has passed its local extreme: the rest of it does not count.
   bool isPast;
 #endif
 };
@@ -40,7 +40,8 @@ void consider(Sample found, float at, inout Gathered gathered) {
   }
 }
 
-/// Takes a sample on the way; behind a local extreme from the threshold on there is nothing more to find. Twin: optics/projection.ts, seekExtreme
+/// Takes a sample on the way. Behind the first local extreme that reaches the threshold, samples do not count.
+/// Twin: optics/projection.ts, seekExtreme
 void pass(Sample found, float at, inout Gathered gathered) {
 #if LOCAL_EXTREME
   gathered.isPast = gathered.isPast || (hasData(found) && gathered.best >= uThreshold && EXTREME_SIGN * found.value < gathered.best);
@@ -55,8 +56,9 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
 }
 
 #if EXACT
-/// Takes a piece between two planes of voxels' centres: its ends, both thirds, and where the cubic through these four has its top, if that is
-/// more than is known. All are samples of the ray, so that nothing is shown that is not there. Twin: optics/line-pieces.ts
+/// Takes a piece between two planes of voxel centres: samples at its ends, at both thirds, and at the maximum of the cubic through these
+/// four, if that is larger than the best value. All are samples of the ray, so that the picture shows only real values.
+/// Twin: optics/line-pieces.ts
 void gatherPiece(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
   float third = (to - from) / 3.0;
   Sample second = sampleField(path.origin + path.forward * (from + third));
@@ -66,7 +68,7 @@ void gatherPiece(Path path, float from, float to, Sample front, Sample back, ino
   float best;
   float top = topOfCubic(values, best);
 #if LOCAL_EXTREME
-  // Each turn in its order.
+  // Take the two turning points of the cubic in their order.
   float bottom = bottomOfCubic(values);
   vec2 turns = isWhole ? vec2(min(top, bottom), max(top, bottom)) : vec2(1.0, 2.0);
   pass(front, from, gathered);
@@ -83,7 +85,7 @@ void gatherPiece(Path path, float from, float to, Sample front, Sample back, ino
 }
 #endif
 
-/// Beyond the end of the domain all values look the same.
+/// Beyond the end of the domain all values have the same colour.
 bool isSettled(Gathered gathered) {
 #if LOCAL_EXTREME
   if (gathered.isPast) return true;
@@ -91,7 +93,7 @@ bool isSettled(Gathered gathered) {
   return EXTREME_SIGN > 0.0 ? gathered.best >= 1.0 : gathered.best > 0.0;
 }
 
-/// Steps on which nothing can be more than what is known.
+/// The steps ahead that can't have a larger value than the best one.
 Ahead lookAhead(CellRay ray, float number, Gathered gathered) {
   vec3 place = ray.origin + ray.forward * number;
   vec3 cell = cellAt(place);
@@ -99,7 +101,7 @@ Ahead lookAhead(CellRay ray, float number, Gathered gathered) {
   float limit = level < 0.5 ? NO_VALUE : (level - 1.0) / 254.0 + min(EXTREME_SIGN, 0.0);
   bool isOfUse = limit > gathered.best;
 #if LOCAL_EXTREME
-  // What is less ends the search.
+  // From the threshold on, a smaller value ends the search, so the ray must not skip it.
   isOfUse = isOfUse || gathered.best >= uThreshold;
 #endif
   return Ahead(isOfUse ? 0.0 : countStepsWithin(ray, place, cell, 1.0), 1.0);
@@ -114,8 +116,8 @@ float divide(float a, float b) {
   return a / (abs(b) < 1.0e-20 ? 1.0e-20 : b);
 }
 
-/// Where a peak may be: the top of the parabola through three samples, and where straight lines from two sides meet, as
-/// they do at faces of voxels, in front and behind. best: value and place; values, places: two before it and two after it.
+/// Places where a peak may be: the top of the parabola through three samples, and the places in front and behind where straight lines
+/// from two sides meet, as at faces of voxels. best: value and place; values, places: two samples before it and two after it.
 /// Twin: optics/projection.ts, findPeaks
 vec3 findPeaks(vec2 best, vec4 values, vec4 places) {
   float before = best.y - places.y;
@@ -132,7 +134,7 @@ vec3 findPeaks(vec2 best, vec4 values, vec4 places) {
   return best.y + vec3(clamp(top, -before, after), clamp(kinkBefore, -before, 0.0), clamp(kinkAfter, 0.0, after));
 }
 
-/// Where the piece of the way begins and ends that a place is on.
+/// The begin and the end of the piece of the ray that contains a place.
 vec2 pieceAround(Path path, float along) {
 #ifdef GAP
   return along < gap.y ? vec2(0.0, min(gap.x, path.total)) : vec2(gap.y, path.total);
@@ -141,7 +143,7 @@ vec2 pieceAround(Path path, float along) {
 #endif
 }
 
-/// Samples where the peak may be, nearer and nearer. All are of the ray, so that nothing is shown that is not there.
+/// Takes samples where the peak may be, closer in each round. All are samples of the ray, so that the picture shows only real values.
 /// Twin: optics/projection.ts, refine
 Gathered refine(Gathered gathered, Path path) {
   float reach = uStepLength;

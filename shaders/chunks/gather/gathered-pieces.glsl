@@ -1,4 +1,4 @@
-/// What a ray has gathered: premultiplied, front to back; and the piece of the ray before, of length 0 where that is not known.
+/// The colour that a ray has gathered, front to back: premultiplied; and the piece of the ray before, of length 0 if it is not known.
 struct Gathered {
   vec4 color;
   vec3 pointBefore;
@@ -16,7 +16,7 @@ Gathered beginGathering() {
   return gathered;
 }
 
-/// As of composite.glsl.
+/// The same limit as in composite.glsl.
 bool isOpaque(Gathered gathered) {
   return gathered.color.a > 0.999;
 }

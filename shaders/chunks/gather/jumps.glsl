@@ -1,9 +1,10 @@
-/// Emission and absorption that finds what is opaque at once wherever a ray touches it: see optics/opaque-jumps.ts. Twin: optics/jump-gather.ts
+/// Emission and absorption that also finds every place where a ray touches a value at which the volume becomes opaque at once: see
+/// optics/opaque-jumps.ts. Twin: optics/jump-gather.ts
 
 /// Length of a voxel, in bounding diameters.
 uniform float uVoxelLength;
 
-/// What a ray has gathered: premultiplied, front to back.
+/// The colour that a ray has gathered, front to back: premultiplied.
 struct Gathered {
   vec4 color;
   /// The ray waits for a closer look at its last part.
@@ -14,7 +15,7 @@ Gathered beginGathering() {
   return Gathered(vec4(0.0), false);
 }
 
-/// As of composite.glsl.
+/// The same limit as in composite.glsl.
 bool isOpaque(Gathered gathered) {
   return gathered.color.a > 0.999;
 }
@@ -23,12 +24,13 @@ bool isSettled(Gathered gathered) {
   return gathered.waits || isOpaque(gathered);
 }
 
-/// Parts of the way between two planes of voxels' centres: as many as steps there are on a voxel, so that twice as many have half the length.
+/// The number of parts of the way between two planes of voxel centres: the number of steps for a voxel, so that twice as many steps give
+/// parts of half the length.
 float countParts() {
   return max(1.0, ceil(uVoxelLength / uStepLength - 0.01));
 }
 
-/// Values alone at both thirds of a part, which take less than all that is known of a place. isWhole: whether there are such.
+/// Only the values at both thirds of a part: they cost less than whole samples. isWhole: whether both have data.
 vec2 sampleThirds(Path path, float from, float to, out bool isWhole) {
   vec2 thirds = vec2(0.0);
   isWhole = sampleVolume(path.origin + path.forward * mix(from, to, 1.0 / 3.0), thirds.x);
@@ -40,7 +42,7 @@ bool passes(Sample front, Sample back) {
   return hasData(front) && hasData(back) && countUpTo(front.value) != countUpTo(back.value);
 }
 
-/// Whether a cubic may pass a value between its ends, by the coefficients of Bernstein, none of which it exceeds.
+/// Whether a cubic may pass a value between its ends: the cubic never exceeds its Bernstein coefficients.
 bool mayTurn(vec4 values) {
   vec2 inner = vec2(dot(values, vec4(-5.0, 18.0, -9.0, 2.0)), dot(values, vec4(2.0, -9.0, 18.0, -5.0))) / 6.0;
   float low = min(values.x, values.w);
@@ -48,7 +50,7 @@ bool mayTurn(vec4 values) {
   return countUpTo(min(low, min(inner.x, inner.y))) != countUpTo(low) || countUpTo(max(high, max(inner.x, inner.y))) != countUpTo(high);
 }
 
-/// A part of a ray, where it is simple; else the ray waits for a closer look at it.
+/// Gather a part of a ray if it is simple; else the ray waits for `lookCloser`.
 void gatherPart(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
   float visible = 1.0 - gathered.color.a;
   vec4 seen = visible * seeSegment(Segment(front, back, from, to - from, visible));
@@ -59,7 +61,7 @@ void gatherPart(Path path, float from, float to, Sample front, Sample back, inou
   if (!gathered.waits) gathered.color += seen;
 }
 
-/// Cut a part where the cubic through it turns, and halve what is left where much is hidden on it or a value is passed.
+/// Cut a part at the turning points of the cubic through it, and halve the pieces that hide much or pass a value.
 void lookCloser(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
   if (!gathered.waits) return;
   gathered.waits = false;
@@ -74,7 +76,7 @@ void lookCloser(Path path, float from, float to, Sample front, Sample back, inou
   float at = from;
   float span = to - from;
   for (int i = 0; i <= MOST_LOOKS; i++) {
-    // What is left at last is taken as it is.
+    // The last piece is taken as it is.
     bool isLast = i == MOST_LOOKS;
     float end = isLast ? to : min(to, at + span);
     if (turns.x > at && !isLast) end = min(end, turns.x);

@@ -1,13 +1,13 @@
-/// Where rays cross surfaces of values, and where they graze them. Twin: optics/surface-crossings.ts
+/// Finds where rays cross surfaces of constant values, and where they graze them. Twin: optics/surface-crossings.ts
 
-/// Whether a value is beyond a surface that another is not beyond: above, or else below.
+/// Whether a surface is between two values; isTop: whether `value` is above it, else below it.
 bool isBeyond(float value, float known, bool isTop) {
   float more = countUpTo(value) - countUpTo(known);
   return (isTop ? more : -more) > 0.5;
 }
 
 #if KINKS
-/// Where a way of no more than a voxel passes planes of voxels' centres, as shares of it, along each axis; 2 where it does not.
+/// Where a way of at most a voxel passes planes of voxel centres, along each axis, as shares of the way; 2 if it passes none.
 /// Twin: optics/ray-field.ts
 vec3 kinksBetween(vec3 from, vec3 to) {
   vec3 begin = from * uDimensions - 0.5;
@@ -20,7 +20,8 @@ vec3 kinksBetween(vec3 from, vec3 to) {
 }
 #endif
 
-/// Whether values would pass a surface at the first sample of a segment if they went on as far as they came. count: of surfaces up to it.
+/// Whether values would pass a surface if they continued, beyond the first sample of a segment, as far as they came. count: of surfaces up
+/// to this sample.
 bool mayTurn(Segment segment, float before, float count) {
   float here = segment.front.value;
   float lowest = min(before, segment.back.value);
@@ -30,8 +31,8 @@ bool mayTurn(Segment segment, float before, float count) {
   return isTop ? more > 0.5 : lowest >= here && more < -0.5;
 }
 
-/// Where a ray turns beyond a surface between samples: lengths from where the segment begins; 0 where it does not.
-/// value, point, span: of what is before the segment, and how far. Twin: optics/surface-crossings.ts, findTurn
+/// Where values turn back beyond a surface between two samples: the length from the segment's begin; 0 if they do not.
+/// value, point, span: of the sample before the segment, and its distance. Twin: optics/surface-crossings.ts, findTurn
 float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanBefore, out Sample top) {
   vec3 t = vec3(-spanBefore, 0.0, segment.span);
   vec3 v = vec3(valueBefore, segment.front.value, segment.back.value);
@@ -66,7 +67,7 @@ float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanB
     if (isBeyond(found, ends.y, isTop)) return at;
     bool isBetter = isTop ? found > v.y : found < v.y;
     if (isBetter && at > t.y) {
-      // Beyond a place that is known, as kinks come in any order.
+      // Whether a kink is beyond a known place: kinks come in any order.
       bool isPast = at >= t.z;
       t = vec3(t.y, at, isPast ? segment.span : t.z);
       v = vec3(v.y, found, isPast ? ends.z : v.z);
@@ -87,7 +88,7 @@ float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanB
   return 0.0;
 }
 
-/// The next surface that a leg crosses, as its number; -1 where there is none. last: the one before, or one that is none.
+/// The number of the next surface that a leg crosses; -1 if there is none. last: the surface before, or a number that is no surface.
 /// Twin: optics/surface-crossings.ts, listCrossed
 float nextSurface(float from, float to, float last) {
   float next = -1.0;
@@ -104,7 +105,7 @@ float nextSurface(float from, float to, float last) {
   return next;
 }
 
-/// Share of a piece at which it has a value; hit: what is there. known: share and value of a place before it.
+/// The share of a piece at which it has the wanted value; hit: the sample there. known: share and value of a place before it.
 /// Twin: optics/surface-crossings.ts, refine
 float refineHit(Segment piece, vec2 known, float wanted, out Sample hit) {
   bool isAbove = piece.back.value >= wanted;
@@ -122,7 +123,7 @@ float refineHit(Segment piece, vec2 known, float wanted, out Sample hit) {
     if (i == SURFACE_REFINEMENTS) break;
     bool isKink = false;
 #if KINKS
-    // The kink in the middle, and the next one on the side where the surface is: between two of them values are smooth.
+    // The middle kink, and the next one on the side of the surface: between two kinks values are smooth.
     float kink = 2.0;
     if (i == 0) kink = middle;
     if (i == 1) kink = a.x < middle ? min(min(kinks.x, kinks.y), kinks.z) : max(max(kinks.x, kinks.y), kinks.z);

@@ -1,7 +1,7 @@
-/// Surfaces, ascending: shares of the domain, far from any where there are fewer.
+/// The values of surfaces, ascending, as shares of the domain; unused slots have a value far from any other.
 uniform vec4 uSurfaceValues;
 
-/// How many surfaces are at a value or below.
+/// The number of surfaces at or below a value.
 float countUpTo(float value) {
 #if SURFACE_COUNT == 1
   return step(uSurfaceValues.x, value);

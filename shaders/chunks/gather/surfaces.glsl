@@ -1,4 +1,4 @@
-/// Their colours and opacities, a column each.
+/// The surfaces' colours and opacities, a column for each.
 uniform mat4 uSurfaceColors;
 
 #if SURFACES_LIT
@@ -9,12 +9,12 @@ uniform float uPerFlatSurface;
 /// A piece of a ray along which values only rise or fall. Twin: optics/surface-crossings.ts, Leg
 struct Leg {
   Segment piece;
-  /// Surfaces from this value on are crossed.
+  /// The leg crosses the surfaces from this value on.
   float from;
   bool isNew;
 };
 
-/// Whether values can be followed from one sample to the next.
+/// Whether values run continuously from one sample to the next.
 bool runsOn(Sample a, Sample b) {
 #if NO_DATA
   if (!hasData(a) || !hasData(b)) return false;
@@ -25,7 +25,7 @@ bool runsOn(Sample a, Sample b) {
   return true;
 }
 
-/// What a ray shows of a surface that it passes. visible: share that reaches the eye. Twin: optics/surfaces.ts, seeSurface
+/// The colour of a surface that a ray passes. visible: the share of light that reaches the eye. Twin: optics/surfaces.ts, seeSurface
 vec4 seeSurface(vec4 color, Sample hit, float visible) {
   vec4 seen = vec4(color.rgb * color.a, color.a);
 #ifdef LABELS_HIDE
@@ -60,16 +60,16 @@ void remember(Segment segment, bool runs, inout Gathered gathered) {
 
 /// Whether a segment may meet a surface.
 bool mayMeet(Segment segment, Gathered gathered) {
-  // Where it is not known what was before it may have been anything.
+  // If the value before the segment is not known, assume that it may have been any value.
   float change = segment.front.value - segment.back.value;
   float before = gathered.spanBefore > 0.0 ? gathered.valueBefore : segment.front.value - FARTHEST * sign(change);
   float count = countUpTo(segment.front.value);
   return runsThrough(segment) && (count != countUpTo(segment.back.value) || mayTurn(segment, before, count));
 }
 
-/// Emission and absorption where no surface is met.
+/// Emission and absorption if the segment meets no surface.
 void gatherSegment(Segment segment, inout Gathered gathered) {
-  // The last segment of a ray that is settled comes once more.
+  // The walk gathers the last segment of a settled ray once more: ignore it.
   if (isOpaque(gathered)) return;
   gathered.waits = mayMeet(segment, gathered);
   if (gathered.waits) return;
@@ -80,13 +80,14 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
   remember(segment, runsThrough(segment), gathered);
 }
 
-/// Emission and absorption with surfaces in it. All pieces and all surfaces pass through one text. Twin: optics/surfaces.ts, surfaceGather
+/// Emission and absorption with surfaces in it. One loop handles all pieces and all surfaces, so that its code is there only once.
+/// Twin: optics/surfaces.ts, surfaceGather
 void lookCloser(Segment segment, inout Gathered gathered) {
   if (!gathered.waits) return;
   gathered.waits = false;
   bool meetsAny = countUpTo(segment.front.value) != countUpTo(segment.back.value);
   Leg leg = Leg(segment, segment.front.value, true);
-  // Legs that are still to come: none, the second half of two, or the second half of a turn before the segment, and the segment.
+  // The legs that are left: none; the second half of the segment; or the second half of a turn before the segment, and the segment.
   float toCome = 0.0;
   Sample top = segment.front;
   float spanBefore = gathered.spanBefore;
@@ -169,7 +170,8 @@ void lookCloser(Segment segment, inout Gathered gathered) {
 }
 
 #ifdef SUBSTEPS
-/// Whether values next to those of a step may be beyond a surface that is not met on it: as far on as they came, on the step or before it.
+/// Whether values near a step may pass a surface that the step itself does not cross, if they continue as far as they came on the step
+/// or before it.
 /// Twin: optics/surface-crossings.ts, mayGraze
 bool mayGraze(float from, float to, Gathered gathered) {
   float before = gathered.spanBefore > 0.0 ? abs(from - gathered.valueBefore) * (uStepLength / gathered.spanBefore) : 0.0;

@@ -1,4 +1,4 @@
-/// Taps of a radar stand as far apart as its beam is wide: metres along it at the least, and degrees. Twin: radar/polar-gradient.ts
+/// The taps of a radar are one beam width apart: the minimum in metres along the beam, and degrees. Twin: radar/polar-gradient.ts
 uniform vec2 uBeamTaps;
 
 vec3 beginTaps(vec3 p) {
@@ -29,7 +29,7 @@ vec3 growsTowards(vec3 p, vec3 from, vec3 perVoxel) {
   float arc = max(1.0e-3, length(local.xy));
   float byRange = perVoxel.x / steps.x;
   vec2 byAngles = perVoxel.yz / radians(steps.yz);
-  // Up from the antenna's plane and along it, as shares of the range: sine and cosine of the elevation.
+  // The way up from the antenna's plane and the way along it, as shares of the range: sine and cosine of the elevation.
   vec2 climbed = climb(local);
   vec2 rise = climbed / range;
   float turn = byAngles.y / range;

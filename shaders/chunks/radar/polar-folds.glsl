@@ -1,4 +1,4 @@
-/// The heavier of two gates, weight and value; of two as heavy the first.
+/// The gate with more weight of two (weight and value); with equal weights, the first.
 vec2 heavierOf(vec2 one, vec2 other) {
   return other.x > one.x ? other : one;
 }
@@ -7,7 +7,7 @@ vec2 heaviestOf(vec4 values, vec4 weights) {
   return heavierOf(heavierOf(vec2(weights.x, values.x), vec2(weights.y, values.y)), heavierOf(vec2(weights.z, values.z), vec2(weights.w, values.w)));
 }
 
-/// Values of the gates that count, and another one in place of the others.
+/// The values of the gates that count, and another value in place of the other gates' values.
 vec4 valuesThatCount(vec4 values, vec4 weights, float other) {
   return vec4(weights.x > 0.0 ? values.x : other, weights.y > 0.0 ? values.y : other, weights.z > 0.0 ? values.z : other, weights.w > 0.0 ? values.w : other);
 }
@@ -16,7 +16,7 @@ float largestOf(vec4 x) {
   return max(max(x.x, x.y), max(x.z, x.w));
 }
 
-/// As `blend`, but across a fold the gate with the greatest weight stands alone. Twin: radar/interpolate-polar.ts, blend
+/// Like `blend`, but across a fold only the gate with the largest weight counts. Twin: radar/interpolate-polar.ts, blend
 bool blendAtFold(GateValues gates, float foldFrom, out float value) {
   bool valid = blend(gates, value);
   float heaviest = heavierOf(heaviestOf(gates.below, gates.belowWeights), heaviestOf(gates.above, gates.aboveWeights)).y;

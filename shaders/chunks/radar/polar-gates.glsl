@@ -1,5 +1,5 @@
-/// The four gates of a sweep around a place: where their texture has them, by columns of the radial before it and then of the one
-/// after it, and the rows of both; weights, 0 where a gate takes no part.
+/// The four gates of a sweep around a place: their places in the texture, as columns of the radial before and then of the radial
+/// after it, and the rows of both radials; weights: 0 if a gate takes no part.
 struct SweepGates {
   vec4 columns;
   vec2 rows;
@@ -12,7 +12,7 @@ struct GatesAround {
   SweepGates above;
 };
 
-/// What is stored in them, 0 weights where they have no data.
+/// The stored values of these gates; the weight is 0 if a gate has no data.
 struct GateValues {
   vec4 below;
   vec4 above;
@@ -20,12 +20,12 @@ struct GateValues {
   vec4 aboveWeights;
 };
 
-/// below, above: what their texels hold; noDataBelow: of these.
+/// below, above: the values of their texels; noDataBelow: values below this mean no data.
 GateValues valuesOfGates(GatesAround gates, vec4 below, vec4 above, float noDataBelow) {
   return GateValues(below, above, gates.below.weights * step(noDataBelow, below), gates.above.weights * step(noDataBelow, above));
 }
 
-/// Mean of what gates hold. False where they have no data. Twin: radar/interpolate-polar.ts, blend
+/// The weighted mean of the gates. False if none has data. Twin: radar/interpolate-polar.ts, blend
 bool blend(GateValues gates, out float value) {
   float weights = dot(gates.belowWeights + gates.aboveWeights, vec4(1.0));
   value = (dot(gates.belowWeights, gates.below) + dot(gates.aboveWeights, gates.above)) / max(weights, 0.5);

@@ -1,17 +1,17 @@
-/// A slice a column. First row: 0 none, 1 cone, 2 level, 3 upright. Then a cone: number of its sweep, cosine and sine of its
-/// elevation; level: metres above the antenna; upright: metres along the ground.
+/// A column for each slice. First row: 0 none, 1 cone, 2 level, 3 upright. Then, for a cone: number of its sweep, cosine and sine of
+/// its elevation; for a level slice: metres above the antenna; for an upright slice: metres along the ground.
 uniform mat4 uSlices;
 
-/// Upright slices: where they begin, metres east and north, and the direction in which they run.
+/// For upright slices: where they begin, in metres east and north, and their direction.
 uniform mat4 uSliceLines;
 
 /// The transfer function's stops: share of the table's domain in the first row, premultiplied colours in the second.
 uniform sampler2D uStops;
 
-/// Stops, and 1 / texels across.
+/// The number of stops, and 1 / texels across.
 uniform vec2 uStopTexels;
 
-/// Stands for the sweep of what is no cone.
+/// The number of the sweep for slices that are no cones.
 #define NO_SWEEP -1.0
 
 float fetchStop(float stop) {
@@ -38,7 +38,7 @@ vec4 evaluateStops(float share) {
   return mix(fetchStopColor(low), fetchStopColor(high), clamp((share - from) / (fetchStop(high) - from), 0.0, 1.0));
 }
 
-/// Paint what is seen at a place of a slice; sweep: whose cone it lies on, NO_SWEEP for none. False where there is nothing.
+/// The colour at a place of a slice; sweep: the sweep of a cone, NO_SWEEP for other slices. False if there is no data.
 /// Twin: radar/slices.ts, straightColor
 bool paintSlice(vec3 local, float sweep, out vec3 color) {
   vec3 beam = toBeam(local);
@@ -51,7 +51,7 @@ bool paintSlice(vec3 local, float sweep, out vec3 color) {
   return valid && seen.a >= MIN_SLICE_OPACITY;
 }
 
-/// Metres above a cone; slice: see uSlices. Twin: radar/slices.ts, heightOverSweep
+/// The height above a cone, in metres; slice: see uSlices. Twin: radar/slices.ts, heightOverSweep
 float heightOverCone(vec3 local, vec4 slice) {
   vec2 climbed = climb(local);
 #if RADIAL_ELEVATIONS
@@ -63,7 +63,7 @@ float heightOverCone(vec3 local, vec4 slice) {
 #endif
 }
 
-/// Nearest t in an interval at which a cone is seen; origin, forward: metres at t = 0, and per t. Its exit where none is.
+/// The smallest t in an interval at which a cone is visible; the interval's exit if it is not. origin, forward: metres at t = 0, and per t.
 /// Twin: radar/slices.ts, crossCone
 float meetCone(vec4 slice, vec3 origin, vec3 forward, Interval interval, inout vec3 color) {
   float nearest = clamp(-dot(origin.xy, forward.xy) / max(dot(forward.xy, forward.xy), 1.0e-20), interval.entry, interval.exit);
@@ -94,7 +94,7 @@ float meetCone(vec4 slice, vec3 origin, vec3 forward, Interval interval, inout v
   return interval.exit;
 }
 
-/// t in an interval at which a plane is seen: all that is at one height, or above a line. Its exit where it is not.
+/// The t in an interval at which a level or upright slice is visible; the interval's exit if it is not.
 /// Twin: radar/slices.ts, crossSlice
 float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, Interval interval, inout vec3 color) {
   bool isLevel = slice.x < 2.5;
@@ -112,7 +112,8 @@ float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, Interval inter
   return t;
 }
 
-/// The nearest slice ends a ray, and stands behind what is before it. One on a cut face is seen from both of its sides. Twin: radar/slices.ts, sliceInterval
+/// The nearest slice ends a ray, behind the part of the volume in front of it. A slice on a cut face is visible from both sides.
+/// Twin: radar/slices.ts, sliceInterval
 Interval slicesInterval(Ray ray, Interval interval) {
   float slack = slackOf(ray.direction);
   if (!(interval.entry < interval.exit + slack)) return interval;

@@ -1,39 +1,39 @@
-/// Gates of all sweeps, as many whole radials of one sweep in a row as fit it: see radar/polar-layout.ts
+/// The gates of all sweeps. A row has as many whole radials of one sweep as fit into it: see radar/polar-layout.ts
 uniform sampler2D uVolume;
 
 /// Texels across; 1 / texels across and down.
 uniform vec3 uGateTexels;
 
-/// Where angles lie between sweeps and radials, and what sweeps are like: see radar/polar-table.ts
+/// A table to find the sweeps and radials around an angle, and the geometry of sweeps: see radar/polar-table.ts
 uniform sampler2D uPolarTable;
 
 /// 1 / texels down the table.
 uniform float uPolarTableRow;
 
-/// First texel of the table's sweeps, radials and bins of azimuth.
+/// The first texels of the table's sweeps, radials and bins of azimuth.
 uniform vec3 uTableBegins;
 
 /// Bins per degree of elevation, and of azimuth; bins of azimuth of each sweep.
 uniform vec3 uPolarBins;
 
-/// Azimuth from which the table's turns are counted, degrees.
+/// The azimuth at which the table's turns begin, degrees.
 uniform float uTurnsFrom;
 
-/// Elevations, degrees: where data begin, of the lowest and of the highest sweep, where data end.
+/// Elevations in degrees: where data begin, the lowest sweep, the highest sweep, and where data end.
 uniform vec4 uElevations;
 
 /// Low corner and edges of the unit cube, metres east, north and up of the antenna.
 uniform vec3 uPolarLow;
 uniform vec3 uPolarSize;
 
-/// 1 / Earth radius, 1 / metres; 0 for straight beams over a flat ground.
+/// 1 / Earth radius, in 1 / metres; 0 for straight beams over flat ground.
 uniform float uCurvature;
 
-/// Stored values below this are no data.
+/// Stored values below this mean no data.
 uniform float uNoDataBelow;
 
 #if FOLDS
-/// Values more than this apart are on two sides of a fold.
+/// Values that differ by more than this are on two sides of a fold.
 uniform float uFoldFrom;
 #endif
 
@@ -41,31 +41,31 @@ uniform float uFoldFrom;
 #define TABLE_WIDTH 512.0
 
 #if CROWDS
-/// Radials that begin in one bin of azimuth are at most twice as many.
+/// At most twice as many radials begin in one bin of azimuth.
 #define MAX_HOPS 8
 #endif
 
-/// Half the width of the beam, and between which sweeps nothing is interpolated as they are farther apart, degrees.
+/// Half the beam width, and the largest gap between two sweeps that is interpolated, degrees.
 /// Twin: radar/sweep-elevations.ts, widestGap
 uniform vec2 uBeamReach;
 
 #if RADIAL_ELEVATIONS
-/// More sweeps can't be next to a place. Twin: radar/sweep-elevations.ts, sweepsAround
+/// The maximum number of sweeps next to a place. Twin: radar/sweep-elevations.ts, sweepsAround
 #define MAX_SWEEPS_AROUND 8
 #endif
 
-/// Gates of less weight take no part.
+/// Gates with less weight take no part.
 #define MIN_WEIGHT 1.0e-6
 
 #ifdef SECOND_MOMENT
 /// Stored values of a sweep's gates, and data values of another moment: see overlay-polar.glsl.
 vec4 fetchBoth(SweepGates gates, out vec4 second);
 
-/// What the other moment has around the place that `sampleVolume` was asked for last.
+/// The values of the other moment around the last place of `sampleVolume`.
 GateValues lastSecond;
 #endif
 
-/// Angle of a direction, radians; 0 for none. GLSL leaves open how good its own is.
+/// The angle of a direction, in radians; 0 if there is no direction. GLSL does not specify the precision of its own function.
 /// Source: Abramowitz and Stegun 1964, 4.4.49, within 2e-8
 float arcTangent(float y, float x) {
   vec2 size = abs(vec2(x, y));
@@ -78,8 +78,8 @@ float arcTangent(float y, float x) {
   return y < 0.0 ? -angle : angle;
 }
 
-/// How far a place is above the antenna's horizontal plane and along it; local: metres east, north and up of the antenna.
-/// Twin: radar/polar-geometry.ts, climb. Sine and cosine as series, exact to float32 up to an eighth of the globe
+/// The distance of a place above the antenna's horizontal plane, and along it; local: metres east, north and up of the antenna.
+/// Twin: radar/polar-geometry.ts, climb. Sine and cosine are series, exact to float32 up to an eighth of the globe
 vec2 climb(vec3 local) {
   float arc = length(local.xy);
   float angle = arc * uCurvature;
@@ -102,8 +102,8 @@ vec4 fetchTable(float index) {
   return texture2D(uPolarTable, vec2((index - row * TABLE_WIDTH + 0.5) * (1.0 / TABLE_WIDTH), (row + 0.5) * uPolarTableRow));
 }
 
-/// Number of the lower neighbour of an angle, and how far it is from it to the next one, 0..1;
-/// bin: number of a neighbour, its angle and those of the two after it.
+/// The number of the lower neighbour of an angle, and the place of the angle between it and the next neighbour, 0..1;
+/// bin: the number of a neighbour, its angle, and the angles of the two after it.
 vec2 locate(vec4 bin, float angle) {
   bool isSecond = angle >= bin.z;
   float from = isSecond ? bin.z : bin.y;
@@ -111,7 +111,7 @@ vec2 locate(vec4 bin, float angle) {
   return vec2(bin.x + (isSecond ? 1.0 : 0.0), clamp((angle - from) / (to - from), 0.0, 1.0));
 }
 
-/// Number of the radial of a sweep at or before an azimuth, and how far it is from it to the next one, 0..1.
+/// The number of a sweep's radial at or before an azimuth, and the place of the azimuth between it and the next radial, 0..1.
 vec2 locateRadial(float sweep, float azimuth) {
   float turn = azimuth - uTurnsFrom;
   if (turn < 0.0) turn += 360.0;
@@ -131,13 +131,13 @@ vec4 recordOf(float sweep) {
   return fetchTable(uTableBegins.x + sweep);
 }
 
-/// Middle of the texel of a radial's first gate; number: of the radial; record: of its sweep.
+/// The middle of the texel of a radial's first gate; number: of the radial; record: of its sweep, see recordOf.
 vec2 findRadial(float number, float radialsPerRow, vec4 record) {
   float row = floor((number + 0.5) / radialsPerRow);
   return vec2((number - row * radialsPerRow) * record.z, row + record.w) + 0.5;
 }
 
-/// The gates of a sweep around a place; record: its own; radial: see locateRadial; range: metres; weight: of the sweep.
+/// The gates of a sweep around a place; record: of the sweep; radial: see locateRadial; range: metres; weight: of the sweep.
 SweepGates gatesOfRadials(vec4 record, vec2 radial, float range, float weight) {
   float place = (range - record.x) * record.y;
   float inside = clamp(place, 0.0, record.z - 1.0);
@@ -157,13 +157,13 @@ SweepGates gatesOfSweep(float sweep, vec3 beam, float weight) {
   return gatesOfRadials(recordOf(sweep), locateRadial(sweep, beam.y), beam.x, weight);
 }
 
-/// 1 where there may be data, 0 below and above.
+/// 1 if there may be data at an elevation, 0 below and above.
 float isScanned(float elevation) {
   return elevation >= uElevations.x && elevation <= uElevations.w ? 1.0 : 0.0;
 }
 
-/// Weights of the sweeps below and above a place: between them, or alone up to half a beam from each;
-/// below, above: how far away they are, degrees. Twin: radar/interpolate-polar.ts, weighSweeps
+/// The weights of the sweeps below and above a place: linear between the two sweeps; a sweep alone reaches up to half a beam;
+/// below, above: the distances to them, degrees. Twin: radar/interpolate-polar.ts, weighSweeps
 vec2 weighSweeps(float below, float above) {
   float gap = below + above;
   if (gap > uBeamReach.y) return step(vec2(below, above), uBeamReach.xx);
@@ -178,9 +178,9 @@ float elevationBetween(vec2 radial) {
   return pair.x + radial.y * (pair.y - pair.x);
 }
 
-/// The gates of the nearest sweeps below and above a place, by the elevations that they have at its azimuth.
+/// The gates of the nearest sweeps below and above a place, by the sweeps' elevations at its azimuth.
 GatesAround gatesAround(vec3 beam) {
-  // Number of a sweep, its radial, its elevation.
+  // The number of a sweep, its radial (two numbers), its elevation.
   vec4 below = vec4(-1.0, 0.0, 0.0, -1000.0);
   vec4 above = vec4(-1.0, 0.0, 0.0, 1000.0);
   vec4 around = fetchTable(floor((clamp(beam.z, uElevations.y, uElevations.z) - uElevations.y) * uPolarBins.x));
@@ -192,7 +192,7 @@ GatesAround gatesAround(vec3 beam) {
     if (elevation <= beam.z && elevation >= below.w) below = vec4(sweep, radial, elevation);
     if (elevation > beam.z && elevation < above.w) above = vec4(sweep, radial, elevation);
   }
-  // Where there is none it is so far away that the gap is too wide.
+  // A missing sweep is so far away that the gap is too wide to interpolate.
   vec2 weights = weighSweeps(beam.z - below.w, above.w - beam.z) * isScanned(beam.z);
   return GatesAround(gatesOfRadials(recordOf(max(below.x, 0.0)), below.yz, beam.x, weights.x), gatesOfRadials(recordOf(max(above.x, 0.0)), above.yz, beam.x, weights.y));
 }
@@ -206,7 +206,7 @@ vec4 locateSweeps(float elevation) {
   return vec4(sweeps.x, min(sweeps.x + 1.0, last), weighSweeps(inside - sweeps.y, sweeps.z - inside) * isScanned(elevation));
 }
 
-/// The gates of the sweeps below and above a place. What does not wait for each other is looked up side by side.
+/// The gates of the sweeps below and above a place. Independent look-ups are next to each other, so that the GPU can do them in parallel.
 GatesAround gatesAround(vec3 beam) {
   vec4 sweeps = locateSweeps(beam.z);
   vec4 below = recordOf(sweeps.x);
@@ -217,7 +217,7 @@ GatesAround gatesAround(vec3 beam) {
 }
 #endif
 
-/// Stored value of a gate; place: in the texture.
+/// The stored value of a gate; place: in the texture.
 float fetchGate(vec2 place) {
   return decodeTexel(texture2D(uVolume, place));
 }
@@ -243,25 +243,25 @@ bool joinGates(GateValues known, out float value) {
 #endif
 }
 
-/// Stored value of the gates around a place. False where there is no data.
+/// The stored value of the gates around a place. False if there is no data.
 bool valueOf(GatesAround gates, out float value) {
   return joinGates(valuesOfGates(gates, fetchGates(gates.below), fetchGates(gates.above), uNoDataBelow), value);
 }
 
-/// Stored value at a range, an azimuth and an elevation. False where there is no data.
+/// The stored value at a range, an azimuth and an elevation. False if there is no data.
 /// Twin: radar/interpolate-polar.ts, interpolateBeam
 bool sampleBeam(vec3 beam, out float value) {
   return valueOf(gatesAround(beam), value);
 }
 
-/// Stored value at a range and an azimuth of one sweep. False where there is no data.
+/// The stored value at a range and an azimuth of one sweep. False if there is no data.
 /// Twin: radar/interpolate-polar.ts, interpolateSweep
 bool sampleSweep(float sweep, vec3 beam, out float value) {
   SweepGates gates = gatesOfSweep(sweep, beam, 1.0);
   return valueOf(GatesAround(gates, SweepGates(gates.columns, gates.rows, vec4(0.0))), value);
 }
 
-/// Stored value at a point; p: unit cube. False where there is no data. Twin: radar/interpolate-polar.ts
+/// The stored value at a point; p: unit cube. False if there is no data. Twin: radar/interpolate-polar.ts
 bool sampleVolume(vec3 p, out float value) {
   GatesAround gates = gatesAround(toBeam(uPolarLow + p * uPolarSize));
 #ifdef SECOND_MOMENT

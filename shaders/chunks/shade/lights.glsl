@@ -1,18 +1,19 @@
-/// Lights of the scene, a column each. Where they stand, from the volume's centre, and how far they reach; where they shine, and
-/// what they are: 0 none, 1 directional, 2 point, 3 spot; colour and intensity; attenuation and ambient intensity; radians up
-/// to which a spot shines in full, and from which it does not.
+/// Lights of the scene, a column for each: place, relative to the volume's centre, and radius; direction, and kind: 0 none,
+/// 1 directional, 2 point, 3 spot; colour and intensity; attenuation and ambient intensity; beam width and cut-off angle of a spot,
+/// in radians.
 uniform mat4 uLightPlaces;
 uniform mat4 uLightDirections;
 uniform mat4 uLightColors;
 uniform mat4 uLightFades;
 uniform mat4 uLightBeams;
 
-/// Both sides of a surface, of which the one that faces the eye counts; front: its share.
+/// Light on both sides of a surface: the side that faces the eye counts; front: the share of the front side.
 float lightSides(float x, float front, float power) {
   return front * pow(max(1.0e-6, x), power) + (1.0 - front) * pow(max(1.0e-6, -x), power);
 }
 
-/// What the scene's lights add. place: from the volume's centre; all in the world; material: see uMaterial. Twin: optics/lights.ts, shadeSurface
+/// Add the light of the scene's lights. place: relative to the volume's centre; all in world directions; material: see uMaterial.
+/// Twin: optics/lights.ts, shadeSurface
 Shade shadeByLights(vec3 place, vec3 normal, vec3 toEye, vec4 material, Shade shade) {
   float front = clamp(0.5 + 0.5 * dot(normal, toEye) / SOFT_FACING, 0.0, 1.0);
   for (int i = 0; i < 4; i++) {

@@ -1,19 +1,20 @@
-/// Half-spaces that are kept, a column each: voxels inside. Twin: optics/cut-fade.ts, fadeAtCuts
+/// Half-spaces that are kept, a column for each: the distance inside, in voxels. Twin: optics/cut-fade.ts, fadeAtCuts
 uniform mat4 uClipVoxelsA;
 uniform mat4 uClipVoxelsB;
 uniform mat4 uClipVoxelsC;
 
-/// Of a place of the unit cube, voxels from the low faces of the region that is shown, a column each; its size in the last one.
+/// From a place of the unit cube to its distances in voxels from the low faces of the shown region, a column for each; the last column is
+/// the region's size.
 uniform mat4 uRegionInVoxels;
 
-/// The same of a box that is cut out.
+/// The same for a box that is cut out.
 uniform mat4 uCutoutInVoxels;
 
 float least(vec4 x) {
   return min(min(x.x, x.y), min(x.z, x.w));
 }
 
-/// Voxels inside of the region and of all planes, and outside of the box.
+/// Distance in voxels from the nearest cut: inside of the region and of all planes, and outside of the box.
 float depthAtClips(vec3 p) {
   vec4 place = vec4(p, 1.0);
   float inside = depthInBox((place * uRegionInVoxels).xyz, uRegionInVoxels[3].xyz);

@@ -1,13 +1,13 @@
-/// 1 where there is a light at the eye.
+/// 1 if there is a light at the eye, else 0.
 uniform float uHeadlight;
 
-/// Unit-cube direction to world direction.
+/// From a unit-cube direction to a world direction.
 uniform mat3 uUnitToWorld;
 
-/// Directions in which values grow to world directions.
+/// From a direction in which values grow to a world direction.
 uniform mat3 uNormalToWorld;
 
-/// 0 at a cut and beyond, 1 from a voxel inside on. Twin: optics/cut-fade.ts, fadeAtCuts
+/// 0 at a cut and beyond it, 1 from one voxel inside on. Twin: optics/cut-fade.ts, fadeAtCuts
 float fadeAtCuts(vec3 p) {
   float depth = depthInBox(p * uDimensions, uDimensions);
 #if LIT_CUTS
@@ -16,7 +16,8 @@ float fadeAtCuts(vec3 p) {
   return clamp(depth, 0.0, 1.0);
 }
 
-/// perFlat: 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat; material: as uMaterial. Twin: optics/lit.ts, lightAt
+/// perFlat: 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat; material: as uMaterial.
+/// Twin: optics/lit.ts, lightAt
 Shade shadeSample(Sample known, float perFlat, vec4 material) {
   vec3 from = beginTaps(known.point);
   vec3 perVoxel = changePerVoxel(known, from) * perFlat;

@@ -1,38 +1,39 @@
-/// What X3D's rendering styles do at a place. Twin: optics/styled.ts, stylesAt
+/// Applies X3D's rendering styles at a place. Twin: optics/styled.ts, stylesAt
 
 /// As in lit.glsl: 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat.
 uniform float uPerFlat;
 
-/// Rows of functions of one number, four a chain of styles. Twin: optics/volume-styles.ts, buildStyleTable
+/// A row for each function of one number; a chain of styles has four functions. Twin: optics/volume-styles.ts, buildStyleTable
 uniform sampler2D uStyleTable;
 
-/// Of two chains: their share of the picture, factors of the opacity where nothing faces anywhere, and whether they are lit.
+/// For two chains: their share of the picture, their factor of the opacity at flat places, and whether they are lit.
 uniform vec2 uStyleWeights;
 uniform vec2 uStyleFlat;
 uniform vec2 uStyleLit;
 
-/// The change along a reference length to a share of the reach of factors by gradient, 0 where there are none. Twin: optics/styled.ts, perGradientReach
+/// From the change along a reference length to a share of the range of factors by gradient; 0 if there are no such factors.
+/// Twin: optics/styled.ts, perGradientReach
 uniform vec2 uStylePerReach;
 
-/// As uMaterial, which is that of surfaces among what is styled.
+/// As uMaterial, for styled places.
 uniform vec4 uStyleMaterial;
 
-/// What multiplies diffuse and specular light, and what is added.
+/// Factors of diffuse and specular light, and the light that is added.
 uniform vec3 uStyleDiffuse;
 uniform vec3 uStyleSpecular;
 uniform vec3 uStyleEmissive;
 
-/// Flat changes per world unit to the change along a reference length. Twin: optics/styled.ts, perReferenceLength
+/// From flat changes per world unit to the change along a reference length. Twin: optics/styled.ts, perReferenceLength
 uniform float uStyleChange;
 
-/// What styles do to a colour, gain c + more, and to the opacity of a reference length.
+/// How styles change a colour c (gain c + more), and the opacity of a reference length.
 struct Styled {
   vec3 gain;
   vec3 more;
   float opacity;
 };
 
-/// Linear between a row's entries.
+/// Reads a row of the table, with linear interpolation between its entries.
 vec4 styleRow(float row, float share) {
   float at = clamp(share, 0.0, 1.0) * (STYLE_COLUMNS - 1.0);
   float low = min(STYLE_COLUMNS - 2.0, floor(at));
@@ -41,7 +42,7 @@ vec4 styleRow(float row, float share) {
   return mix(first, texture2D(uStyleTable, vec2((low + 1.5) / STYLE_COLUMNS, y)), at - low);
 }
 
-/// The mean of n . l by intensity, of the side that faces the eye. Twin: optics/styled.ts, towardsLights
+/// The mean of n . l of all lights, weighted by intensity, for the side that faces the eye. Twin: optics/styled.ts, towardsLights
 float towardsLights(vec3 place, vec3 normal, float facing) {
   float sum = uHeadlight * abs(facing);
   float weights = uHeadlight;

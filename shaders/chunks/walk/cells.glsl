@@ -1,28 +1,28 @@
 /// Cells along i, j and k, and voxels along the edge of each.
 uniform vec4 uCells;
 
-/// Columns of tiles, and 1 / columns; 1 / texels across and down. Slices of cells lie as tiles in a 2D texture in either WebGL:
-/// x3dom sets no sampler3D but the first.
+/// Columns of tiles, and 1 / columns; 1 / texels across and down. Slices of cells are tiles of a 2D texture in both
+/// versions of WebGL, because x3dom sets only the first sampler3D.
 uniform vec4 uCellMosaic;
 
-/// A ray among the cells, by its steps: where it begins, what a step brings, and how many steps bring it a cell on.
+/// A ray in the grid of cells: where it begins, how far a step moves it, and how many steps it takes from one cell to the next.
 struct CellRay {
   vec3 origin;
   vec3 forward;
   vec3 stepsPerCell;
-  /// Along each axis: 1 where the ray goes up, 0 where it goes down.
+  /// Along each axis: 1 if the coordinate increases along the ray, 0 if it decreases.
   vec3 up;
 };
 
-/// What lies ahead of a place on a ray.
+/// What the cells say about the ray ahead of a place.
 struct Ahead {
-  /// Whole steps on which nothing can change what is gathered; below 1 where there is none.
+  /// Whole steps that can't change what is gathered; below 1 if there are none.
   float skipped;
-  /// Of a step that begins there, the share from sample to sample, at the most: 1 or a half, a quarter, an eighth.
+  /// The maximum distance of samples on the step that begins there, as a share of the step: 1, a half, a quarter or an eighth.
   float spacing;
 };
 
-/// origin, forward: of the ray, in the unit cube, and what a step brings.
+/// origin: of the ray, in the unit cube; forward: how far a step moves it.
 CellRay enterCells(vec3 origin, vec3 forward) {
   vec3 cells = uDimensions / uCells.w;
   vec3 inCells = forward * cells;
@@ -30,23 +30,23 @@ CellRay enterCells(vec3 origin, vec3 forward) {
   return CellRay(origin * cells, inCells, 1.0 / safe, step(vec3(0.0), safe));
 }
 
-/// Where a cell lies in a texture of cells; cell: whole numbers.
+/// The place of a cell in a texture of cells; cell: whole numbers.
 vec2 placeOfCell(vec3 cell) {
   float row = floor((cell.z + 0.5) * uCellMosaic.y);
   vec2 texel = vec2(cell.z - row * uCellMosaic.x, row) * uCells.xy + cell.xy + 0.5;
   return texel * uCellMosaic.zw;
 }
 
-/// Steps from a place on the ray on that stay within so many rings of cells around that of the place.
+/// How many steps, from a place on the ray, stay within a number of rings of cells around the cell of that place.
 float stepsWithin(CellRay ray, vec3 place, vec3 cell, float rings) {
   vec3 wall = cell + mix(vec3(1.0 - rings), vec3(rings), ray.up);
   vec3 steps = (wall - place) * ray.stepsPerCell;
   return min(min(steps.x, steps.y), steps.z);
 }
 
-/// The same in whole steps.
+/// The same, in whole steps.
 float countStepsWithin(CellRay ray, vec3 place, vec3 cell, float rings) {
-  // A hundredth of a step is kept back for rounding.
+  // A margin of a hundredth of a step allows for rounding.
   return floor(stepsWithin(ray, place, cell, rings) - 0.01);
 }
 

@@ -1,9 +1,9 @@
-/// Half-spaces that are kept, a column each: normal . p + w >= 0 for places p of the unit cube; 0 0 0 1 is all of it.
+/// Half-spaces that are kept, a column each: normal . p + w >= 0 for places p of the unit cube; 0 0 0 1 keeps everything.
 uniform mat4 uClipA;
 uniform mat4 uClipB;
 uniform mat4 uClipC;
 
-/// What is left of an interval in four half-spaces.
+/// The part of an interval that is inside four half-spaces.
 Interval clipTo(mat4 planes, Ray ray, Interval interval) {
   vec4 slopes = vec4(ray.direction, 0.0) * planes;
   vec4 starts = vec4(ray.point, 1.0) * planes;
@@ -16,7 +16,7 @@ Interval clipTo(mat4 planes, Ray ray, Interval interval) {
   return interval;
 }
 
-/// A ray runs where all half-spaces are. Twin: optics/clip-intervals.ts, clipInterval
+/// A ray runs in the intersection of all half-spaces. Twin: optics/clip-intervals.ts, clipInterval
 Interval clipInterval(Ray ray, Interval interval) {
   interval = clipTo(uClipC, ray, clipTo(uClipB, ray, clipTo(uClipA, ray, interval)));
   if (interval.exit < interval.entry + slackOf(ray.direction)) interval.exit = min(interval.exit, interval.entry);

@@ -2,10 +2,10 @@
 uniform mat3 uCutoutTurn;
 uniform vec3 uCutoutShift;
 
-/// Between these nothing is left of this pixel's ray: in its t, and as soon as it is walked by its length. Beyond all where it is whole.
+/// The gap in this pixel's ray: begin and end in its t; once the walk begins, in its length. If the ray is whole, both are beyond its end.
 vec2 gap = vec2(1.0e30);
 
-/// A box is cut out of a ray: it begins behind it, ends before it, or has a gap. Twin: optics/clip-intervals.ts, cutoutInterval
+/// A box is cut out of a ray: the ray begins behind the box, ends before it, or has a gap. Twin: optics/clip-intervals.ts, cutoutInterval
 Interval cutoutInterval(Ray ray, Interval interval) {
   vec2 box = intersectUnitCube(uCutoutTurn * ray.point + uCutoutShift, uCutoutTurn * ray.direction);
   float slack = slackOf(ray.direction);
@@ -19,7 +19,8 @@ Interval cutoutInterval(Ray ray, Interval interval) {
   return interval;
 }
 
-/// Where the first piece of a ray ends, by its length. What ends within the gap ends where that begins. Twin: optics/cast-ray.ts, pathOf
+/// Where the first piece of a ray ends, as a length. A ray that would end inside the gap ends where the gap begins.
+/// Twin: optics/cast-ray.ts, pathOf
 float endBeforeGap(float entry, float lengthPerT, inout Path path) {
   gap = (gap - entry) * lengthPerT;
   if (gap.y >= path.total - slackOf(path.forward)) path.total = min(path.total, gap.x);

@@ -1,10 +1,10 @@
 /// t at the eye.
 uniform float uEyeT;
 
-/// Where a ray runs through what is shown, in its parameter t; entry >= exit where it does not. Twin: optics/ray-stages.ts
+/// Where a ray runs through the shown part of the volume, in its parameter t; entry >= exit if it misses that part. Twin: optics/ray-stages.ts
 struct Interval {
   float entry;
   float exit;
-  /// What stands at the exit, premultiplied; nothing where it is clear.
+  /// The colour at the exit (of a slice, for example), premultiplied; 0 if there is none.
   vec4 behind;
 };

@@ -1,4 +1,4 @@
-// GLSL ES 3.00 (WebGL 2). x3dom adds lines in the words of GLSL ES 1.00, hence the defines.
+// GLSL ES 3.00 (WebGL 2). x3dom adds lines in GLSL ES 1.00, hence the defines.
 precision highp float;
 precision highp int;
 precision highp sampler2D;

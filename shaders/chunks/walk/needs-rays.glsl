@@ -1,7 +1,7 @@
-/// Of each quad of 2 x 2 pixels whether rays end there where the lattice before says nothing of it, see depth-jumps.glsl.
+/// For each quad of 2 x 2 pixels: whether shapes end its rays where the lattice before does not show it, see depth-jumps.glsl.
 uniform sampler2D uDepthJumps;
 
-/// The brightest channel up to which pixels count as black.
+/// Pixels whose brightest channel is at most this count as black.
 uniform float uFaint;
 
 /// Whether a quad needs rays because of shapes. Twin: optics/depth-jumps.ts, needsRays

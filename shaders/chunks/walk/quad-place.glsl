@@ -1,12 +1,12 @@
-/// Where a quad of 2 x 2 pixels is: its place among all, 0..1; and the known pixels at its corners, in device coordinates of the
-/// whole picture: their middle, and how far they are from it.
+/// Where a quad of 2 x 2 pixels is: its place among all quads, 0..1; and, in device coordinates of the whole picture, the middle of the
+/// known pixels at its corners, and their distance from it.
 struct QuadPlace {
   vec2 at;
   vec2 middle;
   vec2 reach;
 };
 
-/// The middle of a quad's known pixels, in device coordinates: factors and shifts.
+/// From a quad to the middle of its known pixels in device coordinates: factors and shifts.
 uniform vec4 uQuadToDevice;
 
 QuadPlace placeOf(vec2 quad) {

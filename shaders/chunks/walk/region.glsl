@@ -1,4 +1,4 @@
-/// The grid's unit cube to that of the region that is shown.
+/// From the grid's unit cube to the unit cube of the region that is shown.
 uniform mat3 uRegionTurn;
 uniform vec3 uRegionShift;
 

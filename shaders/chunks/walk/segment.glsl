@@ -1,6 +1,7 @@
-/// The way of a ray through what is shown, by its length from there in bounding diameters. Twin: optics/ray-stages.ts
+/// The path of a ray through the shown part of the volume, measured by the length from its begin, in bounding diameters.
+/// Twin: optics/ray-stages.ts
 struct Path {
-  /// Where it begins, in the unit cube; and what a unit of length brings.
+  /// Where it begins, in the unit cube; and how far a unit of length moves it.
   vec3 origin;
   vec3 forward;
   float total;
@@ -12,8 +13,8 @@ struct Segment {
   Sample back;
   /// Where it begins.
   float begin;
-  /// Its length; 0 where what is known begins anew after empty space.
+  /// Its length; 0 for the first sample after skipped empty space.
   float span;
-  /// Share of what is here that reaches the eye, as far as the gather stage knows.
+  /// The share of its light that reaches the eye, if the gather stage knows it.
   float visible;
 };

@@ -1,22 +1,22 @@
-/// Walk a ray from one plane of voxels' centres to the next, as walk-voxels.glsl does, and each way between two in parts, of which the gather
-/// stage takes all (`gatherPart`). With skipping and without, parts have the same ends. Twin: optics/jump-gather.ts
+/// Walk a ray from one plane of voxel centres to the next, like walk-voxels.glsl, but divide the way between two planes into parts. The
+/// gather stage gets each part as a whole (`gatherPart`). The parts have the same ends with skipping and without. Twin: optics/jump-gather.ts
 void walkRay(Path path, float limit, inout Gathered gathered) {
   PlaneWalk walk = enterPlanes(path.origin, path.forward);
-  // What is known of cells is asked for by eighths of a voxel along the axis that the ray runs along most.
+  // The unit of look-ups of cells is an eighth of a voxel along the ray's main axis.
   vec3 perVoxel = abs(walk.perVoxel);
   float unit = 0.125 * min(min(perVoxel.x, perVoxel.y), perVoxel.z);
   CellRay cells = enterCells(path.origin, path.forward * unit);
   float parts = countParts();
   float at = 0.0;
   float to = 0.0;
-  // Of the way between two planes: where it ends, the length of its parts, and how many of them are still to come.
+  // The way between two planes: where it ends, the length of its parts, and how many parts are left.
   float end = 0.0;
   float part = 0.0;
   float left = 0.0;
   Sample front = sampleField(path.origin);
   Sample back = front;
   standAt(at, walk);
-  // What only few parts need stands beside the loop over all: software GL runs through all that is in a loop each time around.
+  // Code that only few parts need is outside of the inner loop: software GL runs all code of a loop in each iteration.
   for (int i = 0; i < MAX_SAMPLES; i++) {
     for (int k = 0; k < MAX_SAMPLES; k++) {
       at = to;
@@ -30,7 +30,7 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
             break;
           }
           standAt(beyond, walk);
-          // The way in which that is has begun before.
+          // The way between planes that contains this place begins earlier.
           float begin = max(at, meetBehind(walk));
           if (begin > at) front = sampleField(path.origin + path.forward * begin);
           at = begin;
@@ -50,7 +50,7 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
     if (to >= limit) {
       if (limit >= path.total) break;
 #ifdef GAP
-      // What is cut out lies between two pieces of the ray.
+      // The part that is cut out is between two pieces of the ray.
       to = gap.y;
       left = 0.0;
       limit = path.total;

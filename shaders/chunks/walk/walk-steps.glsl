@@ -1,15 +1,15 @@
-/// Walk a ray whose steps are cut by what their cells need and by nothing else. Each time around, the cell ahead is looked up, a sample is taken
-/// there, and the segment before is gathered: none of the three waits for what another finds, so that a processor does them side by side.
-/// Samples lie on the lattice of steps, with skipping and without. Twin: optics/cast-ray.ts, with maxSubsteps 1
+/// Walk a ray whose steps are cut only as their cells need. Each iteration looks up the cell ahead, takes a sample there, and gathers the
+/// segment before: none of the three waits for the result of another, so that a processor can do them in parallel.
+/// Samples are on the same lattice of steps with skipping and without. Twin: optics/cast-ray.ts, with maxSubsteps 1
 void walkRay(Path path, float limit, inout Gathered gathered) {
   float steps = countSteps(limit);
   // The last step is shorter than the others: its length, and how far the next sample is in it.
   float lastLength = limit - (steps - 1.0) * uStepLength;
   CellRay cells = enterCells(path.origin, path.forward * uStepLength);
   Ahead ahead = lookAhead(cells, 0.0, gathered);
-  // Of the piece of the ray: there are two where something is cut out.
+  // Where the current piece of the ray begins: a ray has two pieces if a box is cut out of its middle.
   float begin = 0.0;
-  // The place of the next sample, in steps and by its length; where the segment begins that ends there, and its span.
+  // The place of the next sample, in steps and as a length; then the begin of the segment that ends there, and its span.
   bool skips = ahead.skipped > 0.5;
   float spacing = ahead.spacing;
   float number = skips ? ahead.skipped : spacing;
@@ -23,7 +23,7 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
   Segment known = Segment(taken, taken, 0.0, 0.0, 1.0);
   Segment last;
 #ifdef LOOKS
-  // What only few segments need stands beside the loop over all: software GL runs through all that is in a loop each time around.
+  // Code that only few segments need is outside of the inner loop: software GL runs all code of a loop in each iteration.
   for (int i = 0; i < MAX_SAMPLES; i++) {
 #endif
   for (int i = 0; i < MAX_SAMPLES; i++) {
@@ -44,7 +44,7 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
     span = skips ? 0.0 : at - from;
 #ifdef GAP
     if (isEnd && limit < path.total) {
-      // What is cut out is one step, in which there is nothing.
+      // The part that is cut out is one empty step.
       at = begin = gap.y;
       span = 0.0;
       number = 0.0;

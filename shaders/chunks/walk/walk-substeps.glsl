@@ -1,11 +1,11 @@
-/// Walk a ray whose steps are cut by what is at their ends, too, as much as may be seen there. Twin: optics/cast-ray.ts
+/// Walk a ray whose steps are also cut by the samples at their ends: into more substeps where more may be seen. Twin: optics/cast-ray.ts
 void walkRay(Path path, float limit, inout Gathered gathered) {
   float total = path.total;
   float begin = 0.0;
   float steps = countSteps(limit);
   CellRay cells = enterCells(path.origin, path.forward * uStepLength);
-  // A step's end is sampled before it is known how many samples are taken inside it. One sample is taken each time
-  // around, the next inside or the end of the next step, and what lies between those known before it is gathered.
+  // A step's end is sampled first; only then is it known how many samples are taken inside the step. Each iteration takes one sample:
+  // the next one inside the step, or the end of the next step. It also gathers the segment between the two samples before.
   float end = 0.0;
   Sample last = sampleField(path.origin);
   float place = end;
@@ -15,7 +15,7 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
   Ahead ahead = Ahead(0.0, 1.0);
   bool skips = false;
   float spacing = 0.0;
-  // As if the first sample had been the last one inside a step.
+  // Start as if the first sample were the last one inside a step.
   bool inside = true;
   float insideLeft = 1.0;
   float at = end;
@@ -53,7 +53,7 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
     next = number + (skips ? ahead.skipped : 1.0);
     at = inside ? place + spacing : (next < steps ? begin + next * uStepLength : limit);
 #ifdef GAP
-    // What is cut out is one step, in which there is nothing.
+    // The part that is cut out is one empty step.
     if (ends) {
       at = begin = gap.y;
       limit = total;

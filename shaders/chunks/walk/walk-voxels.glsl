@@ -1,9 +1,9 @@
-/// Walk a ray from one plane of voxels' centres to the next, whatever the steps: between two of them a tri-linear value is a cubic of the
-/// length, of which the gather stage takes all (`gatherPiece`). With skipping and without, pieces have the same ends.
+/// Walk a ray from one plane of voxel centres to the next, independent of the step length. Between two planes a tri-linear value is a cubic
+/// function of the length; the gather stage gets each such piece (`gatherPiece`). Pieces have the same ends with skipping and without.
 /// Twin: optics/cast-ray.ts, walkKinks
 void walkRay(Path path, float limit, inout Gathered gathered) {
   PlaneWalk walk = enterPlanes(path.origin, path.forward);
-  // What is known of cells is asked for by eighths of a voxel along the axis that the ray runs along most.
+  // The unit of look-ups of cells is an eighth of a voxel along the ray's main axis.
   vec3 perVoxel = abs(walk.perVoxel);
   float unit = 0.125 * min(min(perVoxel.x, perVoxel.y), perVoxel.z);
   CellRay cells = enterCells(path.origin, path.forward * unit);
@@ -18,7 +18,7 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
       isEnd = beyond >= limit;
       if (!isEnd) {
         standAt(beyond, walk);
-        // The piece in which that is has begun before.
+        // The piece that contains this place begins earlier.
         float begin = max(at, meetBehind(walk));
         if (begin > at) front = sampleField(path.origin + path.forward * begin);
         at = begin;
@@ -36,7 +36,7 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
     if (isEnd) {
 #ifdef GAP
       if (limit < path.total) {
-        // What is cut out lies between two pieces of the ray.
+        // The part that is cut out is between two pieces of the ray.
         at = gap.y;
         limit = path.total;
         front = sampleField(path.origin + path.forward * at);

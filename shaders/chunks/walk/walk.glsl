@@ -1,10 +1,10 @@
 /// Step length in bounding diameters.
 uniform float uStepLength;
 
-/// Steps on a length. Twin: optics/count-steps.ts
+/// The number of steps on a length. Twin: optics/count-steps.ts
 float countSteps(float total) {
   return max(1.0, ceil(total / uStepLength - 0.001));
 }
 
-/// Unit-cube direction to world direction in bounding diameters.
+/// From a unit-cube direction to a world direction in bounding diameters.
 uniform mat3 uUnitToDiameters;
