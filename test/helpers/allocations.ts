@@ -1,4 +1,7 @@
-/** Most bytes of one array, and of all arrays, that are made while something runs. Those that are made inside of fflate or the browser are not seen. */
+/**
+ * The bytes of the largest array, and of all arrays together, that are allocated while a function runs. Arrays that are allocated inside
+ * of fflate or the browser are not counted.
+ */
 export interface Allocations {
   readonly largest: number;
   readonly sum: number;
@@ -6,7 +9,7 @@ export interface Allocations {
 
 const arrays = ['Uint8Array', 'Uint16Array', 'Uint32Array', 'Int32Array', 'Float32Array', 'Float64Array'] as const;
 
-/** Run something, and see what arrays it asks for by their length. What it throws is thrown when they have been looked at. */
+/** Run a function, and record the arrays that it allocates by length. An error that it throws is returned with the result. */
 export async function watchAllocations(run: () => unknown): Promise<Allocations & { error: unknown }> {
   const own = arrays.map((name) => globalThis[name]);
   let [largest, sum] = [0, 0];

@@ -1,4 +1,4 @@
-// A picture at rest as an element would draw it, what is stated of it, and what is true.
+// Draws a picture at rest as an element would, and compares the error that the element states with the true error.
 import { measureTrueError } from '../accuracy/compare-shown.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import type { ShownOverlay } from '../../src/optics/attachments/overlay.ts';
@@ -16,7 +16,7 @@ import type { VolumeScene } from '../../src/x3d/scene.ts';
 import type { CoveredError } from './covered-error.ts';
 import { probe } from './probe.ts';
 
-/** What is drawn. */
+/** The scene to draw. */
 export interface RestScene {
   readonly volume: Volume;
   readonly style: RayStyle | null;
@@ -24,37 +24,37 @@ export interface RestScene {
   readonly transferFunction: TransferFunction;
   readonly camera: Camera;
   readonly size: { readonly width: number; readonly height: number };
-  /** What else there is to set: cuts, a region, labels. */
+  /** Sets other things: cuts, a region, labels. */
   readonly set?: (gpu: VolumeScene) => Promise<void> | void;
-  /** Others than the usual ones. */
+  /** Optics that differ from the usual ones. */
   readonly optics?: Partial<Optics>;
   /** 1 where absent. */
   readonly maxError?: number;
-  /** Fixed ones, along the longest ray. */
+  /** A fixed number of steps, along the longest ray. */
   readonly steps?: number;
 }
 
-/** What is said of a picture, and what is so. */
+/** The stated error of a picture, and the true error. */
 export interface RestResult {
   readonly stated: PictureError;
   readonly isKept: boolean;
   readonly error: CoveredError;
   readonly samplesAVoxel: number;
   readonly level: Level;
-  /** What the picture shows: RGBA, premultiplied, bottom row first. */
+  /** The shown picture: RGBA, premultiplied, bottom row first. */
   readonly shown: Uint8Array;
 }
 
-/** Full rays have this many steps a voxel, each with up to eight substeps. */
+/** Reference rays have this many steps for each voxel, each with up to eight substeps. */
 const full = 12;
 
-/** They never have more steps: all of their samples have to be taken. */
+/** Their maximum number of steps: all of their samples have to be taken. */
 const mostSteps = 16_384;
 
-/** Frames until a picture at rest stands there, at the most: drawn, chosen, drawn as chosen. */
+/** The maximum number of frames until there is a picture at rest: draw, choose the steps, draw with these steps. */
 const mostFrames = 3;
 
-/** @param halves - whether pixels of which full rays are not sure, told by such with half as many steps, count by the nearer ones */
+/** @param halves - compare also with half as many steps: where both references differ, a pixel counts by the nearer one */
 export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves = false): Promise<RestResult> {
   const drawn = await drawAtRest(gpu, scene);
   const { volume, size } = scene;
@@ -65,7 +65,7 @@ export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves =
   return { ...drawn, error: measureTrueError(drawn.shown, ...best) };
 }
 
-/** The picture, and what is said of it. */
+/** Draw the picture, and return it with its stated error. */
 export async function drawAtRest(gpu: VolumeScene, scene: RestScene): Promise<Omit<RestResult, 'error'>> {
   const { volume, style, overlay, transferFunction, camera, size, set, optics: others, maxError = defaultTargets.maxError, steps: fixed = 'auto' } = scene;
   gpu.resize(size.width, size.height);
@@ -84,7 +84,7 @@ export async function drawAtRest(gpu: VolumeScene, scene: RestScene): Promise<Om
   return { stated: control.error!, isKept: control.isKept, samplesAVoxel: level.steps / autoSteps(volume.grid), level, shown: gpu.readPicture().data };
 }
 
-/** Draw as an element does it: drawn, the steps chosen by the error, and drawn with these. */
+/** Draw as an element does: draw, choose the steps by the error, and draw with these steps. */
 export async function settle(control: QualityControl, gpu: VolumeScene, { volume: { grid }, size }: Pick<RestScene, 'volume' | 'size'>): Promise<Level> {
   for (let frame = 1; frame <= mostFrames; frame++) {
     const plan = control.still(grid);

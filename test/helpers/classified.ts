@@ -12,7 +12,7 @@ import { plainOptics } from './picture.ts';
 import type { View } from './picture.ts';
 import { randomNumbers } from './synthetic.ts';
 
-/** A volume, what it looks like, and the same volume with the file's own numbers, which the reference takes. */
+/** A volume, its appearance, and the same volume with the file's own numbers, which the reference uses. */
 export interface Classified {
   readonly name: string;
   readonly view: View;
@@ -33,7 +33,7 @@ function volumeOf(samples: Numbers, slope = 1, intercept = 0): Volume {
   };
 }
 
-/** A file's own numbers, as the readers bring them to the page. */
+/** Convert a file's own numbers to a volume, as the readers do. */
 function readBack(type: 'float32' | 'float64' | 'int32', numbers: Float64Array): { volume: Volume; exact: Volume } {
   const array = { float32: Float32Array, float64: Float64Array, int32: Int32Array }[type].from(numbers);
   const exact = Float64Array.from(array);
@@ -41,7 +41,7 @@ function readBack(type: 'float32' | 'float64' | 'int32', numbers: Float64Array):
   return { volume: volumeOf(samples, scale, offset), exact: volumeOf(exact) };
 }
 
-/** Numbers of voxels, by their places in the unit cube. */
+/** Fill an array with the numbers of voxels, computed from their places in the unit cube. */
 function fill<T extends Numbers>(numbers: T, field: (x: number, y: number, z: number) => number): T {
   const [nx, ny, nz] = dimensions;
   for (let at = 0; at < count; at++) numbers[at] = field(((at % nx) + 0.5) / nx, ((Math.floor(at / nx) % ny) + 0.5) / ny, (Math.floor(at / (nx * ny)) + 0.5) / nz);
@@ -69,7 +69,7 @@ const scene = (name: string, volume: Volume, stops: TransferFunction | string, {
   ({ name, view: look(volume, stops, more), exact });
 
 const ball = (x: number, y: number, z: number): number => Math.hypot(x - 0.5, y - 0.45, z - 0.55);
-/** Shells of labels around a place, nothing outside. */
+/** Shells of labels around a place; outside of them is air. */
 const shellsOf = (labels: readonly number[], air = 0) => (x: number, y: number, z: number): number => {
   const shell = Math.floor(ball(x, y, z) / 0.13);
   return shell < labels.length ? labels[shell] : air;
@@ -81,7 +81,7 @@ const manyStops = (): TransferFunction => {
   return Array.from({ length: 500 }, (_, i) => ({ value: i / 499, color: [random(), random(), random()] as const, opacity: 0.3 * random() }));
 };
 
-/** Ordinary transfer functions that a table of even columns shows wrongly, and numbers that float32 holds badly. */
+/** Ordinary transfer functions that a table of columns of equal width shows wrongly, and numbers that float32 stores with large errors. */
 export function listClassified(): Classified[] {
   const labels = volumeOf(fill(new Uint16Array(count), shellsOf([2000, 1, 3])));
   const bytes = volumeOf(fill(new Uint8Array(count), shellsOf([200, 41, 10])));
@@ -115,7 +115,7 @@ export function listClassified(): Classified[] {
   ];
 }
 
-/** Any transfer function over any data, stops on data values often: labels, air, wide domains, floats. */
+/** A random transfer function over random data; stops are often at data values: labels, air, wide domains, floats. */
 export function drawLots(seed: number): Classified {
   const random = randomNumbers(seed);
   const below = (n: number): number => Math.floor(random() * n);

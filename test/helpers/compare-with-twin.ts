@@ -5,8 +5,8 @@ import { bothWalks, comparePictures, drawPicture, drawReference, height, raysOf,
 import type { View } from './picture.ts';
 
 /**
- * Draw a view with both walks, and compare it with its twin. Where it hangs by a thread what a sample has, as at an edge, both
- * are right. The picture with substeps comes back.
+ * Draw a view with both walks, and compare it with its twin. Where rounding decides what a sample has, as at an edge, both results
+ * are right. Returns the picture with substeps.
  */
 export function compareWithTwin(scene: VolumeScene, view: View, name: string): Uint8ClampedArray {
   const [, got] = bothWalks(view).map((walked) => compareWalk(scene, walked, name));
@@ -38,8 +38,8 @@ export function expectWalks(view: View): Expectation[] {
 }
 
 /**
- * Draw a view, and hold every pixel of it against what is expected: rounding to 8 bits alone is 0.5, and 0.29 RMS.
- * @param leastShown - of its strongest channel, so that it shows something
+ * Draw a view, and compare every pixel with the expected one. Rounding to 8 bits alone gives an error of 0.5, and of 0.29 RMS.
+ * @param leastShown - the minimum of the strongest channel, so that the picture shows something
  */
 export function drawAsExpected(scene: VolumeScene, { view, expected }: Expectation, { name, leastShown }: { name: string; leastShown: number }): void {
   const { worst, rmse } = comparePictures(drawPicture(scene, view), expected);

@@ -1,4 +1,4 @@
-/** The error of a picture over the pixels that its volume covers, 1/255. */
+/** The error of a picture over the pixels that its volume covers, in 1/255. */
 export interface CoveredError {
   /** Root mean square over these pixels and their channels. */
   readonly rms: number;
@@ -6,21 +6,21 @@ export interface CoveredError {
   readonly p99: number;
   readonly p999: number;
   readonly max: number;
-  /** What `max-error` is about: the larger of the root mean square and an eighth of the 99.9th percentile. */
+  /** The error that `max-error` limits: the larger of the root mean square and an eighth of the 99.9th percentile. */
   readonly e: number;
   /** Number of these pixels. */
   readonly covered: number;
 }
 
-/** Adds the pixels of a picture up, one after the other. */
+/** Sums up the errors of a picture, pixel by pixel. */
 export class ErrorSum {
   readonly #worst: number[] = [];
   #squares = 0;
 
-  /** @param channels - of a pixel */
+  /** @param channels - the number of channels of a pixel */
   constructor(readonly channels: number) {}
 
-  /** @param most - of the pixel's channels the worst, 1/255 @param squares - of all of them */
+  /** @param most - the largest error of the pixel's channels, in 1/255 @param squares - the sum of squares of all channels */
   add({ most, squares }: { readonly most: number; readonly squares: number }): void {
     this.#worst.push(most);
     this.#squares += squares;
@@ -38,9 +38,9 @@ export class ErrorSum {
 }
 
 /**
- * How far two pictures are apart where either is not empty.
- * @param a - RGBA, premultiplied @param scale - of their numbers to 1/255
- * @param channels - that count: 4, or 3 of pictures over black, where what is black in both is empty
+ * The difference of two pictures in the pixels where one of them is not empty.
+ * @param a - RGBA, premultiplied @param scale - factor from their numbers to 1/255
+ * @param channels - the number of channels that count: 4; or 3 for pictures over black, where a pixel that is black in both is empty
  */
 export function compareCovered(a: ArrayLike<number>, b: ArrayLike<number>, scale: number, channels: 3 | 4 = 4): CoveredError {
   const sum = new ErrorSum(channels);

@@ -1,13 +1,13 @@
 import { remember } from './remember.ts';
 
-/** What is chosen of each factor. */
+/** The chosen level of each factor. */
 export type Row<T> = Readonly<Record<string, T>>;
 
-/** All rows of one level of each factor that are legal. */
+/** List all legal rows; a row has one level of each factor. */
 export function listRows<T>(factors: Readonly<Record<string, readonly T[]>>, isLegal: (row: Row<T>) => boolean): Row<T>[] {
   const names = Object.keys(factors);
   const rows: Row<T>[] = [];
-  // There may be millions, of which few are legal: those are kept.
+  // There may be millions of rows; only the legal ones, which are few, are stored.
   const row: Record<string, T> = {};
   const choose = (at: number): void => {
     if (at === names.length) {
@@ -23,15 +23,15 @@ export function listRows<T>(factors: Readonly<Record<string, readonly T[]>>, isL
   return rows;
 }
 
-/** Pairs of levels of two factors that a row has; each as a text that names it. */
+/** The pairs of levels of two factors in a row, each as a text that names it. */
 export function listPairs<T>(row: Row<T>, name: (level: T) => string): string[] {
   const levels = Object.entries(row).map(([factor, level]) => `${factor}: ${name(level)}`);
   return levels.flatMap((a, i) => levels.slice(i + 1).map((b) => `${a}, ${b}`));
 }
 
 /**
- * A covering array of strength two: as few rows as is easily found, so that each pair of levels that any row has is in one
- * of them. The next row is always the one that has most of the pairs that are left.
+ * A covering array of strength two: a small number of rows (not proven minimal) such that each pair of levels that occurs in any row is
+ * in one of them. The next row is always the one with the largest number of pairs that are left.
  * Source: the greedy construction, Cohen, Dalal, Fredman, Patton, *The AETG system*, 1997, over all rows
  */
 export function coverPairs<T>(rows: readonly Row<T>[], name: (level: T) => string): Row<T>[] {
@@ -44,7 +44,7 @@ export function coverPairs<T>(rows: readonly Row<T>[], name: (level: T) => strin
       else rowsWith.set(pair, [row]);
     }
   }
-  /** Pairs of each row that no chosen one has. */
+  /** For each row, the number of pairs that no chosen row has. */
   const news = pairs.map((some) => some.length);
   const chosen: Row<T>[] = [];
   while (rowsWith.size > 0) {
@@ -58,7 +58,7 @@ export function coverPairs<T>(rows: readonly Row<T>[], name: (level: T) => strin
   return chosen;
 }
 
-/** The pairs that `listPairs` lists, of each row, as numbers: a hundredth of the time. */
+/** The pairs of `listPairs` for each row, as numbers: this takes a hundredth of the time. */
 function numberPairs<T>(rows: readonly Row<T>[], name: (level: T) => string): number[][] {
   const numbers = new Map<string, number>();
   const numbered = rows.map((row) => Object.entries(row).map(([factor, level]) => {

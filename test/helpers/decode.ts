@@ -7,10 +7,10 @@ import { VolumeViewError } from '../../src/core/errors.ts';
 import type { DeviceLimits } from '../../src/volume/reduce.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 
-/** A device that holds everything that tests load. */
+/** The limits of a device that has room for everything that tests load. */
 export const roomyLimits: DeviceLimits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 30 };
 
-/** Bytes of a file that the test server shows. */
+/** Fetch the bytes of a file from the test server. */
 export async function fetchFile(path: string): Promise<Uint8Array<ArrayBuffer>> {
   const response = await fetch(path);
   if (!response.ok) throw new Error(`${path}: HTTP status ${response.status}`);
@@ -19,7 +19,7 @@ export async function fetchFile(path: string): Promise<Uint8Array<ArrayBuffer>> 
 
 export const fetchFixture = (path: string): Promise<Uint8Array<ArrayBuffer>> => fetchFile(`/test/fixtures/${path}`);
 
-/** Decode on this thread, as the worker does it. */
+/** Decode on this thread, in the same way as the worker. */
 export async function decodeBytes(
   bytes: Uint8Array<ArrayBuffer>,
   name: string,
@@ -30,10 +30,10 @@ export async function decodeBytes(
   return finishVolume(await decodeFile(input, settings, fixtureContext()), limits);
 }
 
-/** Where the names of fixtures lead to while they are decoded. */
+/** The URL of a fixture during decoding. */
 export const urlOf = (name: string): string => new URL(name, 'https://example.test/').href;
 
-/** What decoding needs: other files come from the fixtures. One that is not there has the code that fetching gives it. */
+/** The context of decoding: other files come from the fixtures. A missing file gives the same error code as a fetch. */
 export function fixtureContext(): DecodeContext {
   const missing = (cause: unknown): never => {
     throw new VolumeViewError('source/not-found', String(cause), { cause });
@@ -48,12 +48,12 @@ export async function decodeStack(names: readonly string[], settings: DecodeSett
   return finishVolume(await decodeFile(await context.fetchFile(urlOf(names[0])), settings, context), roomyLimits);
 }
 
-/** Data values, in double precision, NaN where there is none. */
+/** Data values, in double precision; NaN where there is no data. */
 export function valuesOf(volume: Volume): number[] {
   return Array.from(volume.samples, (sample) => volume.slope * sample + volume.intercept);
 }
 
-/** The error that a promise is rejected with; fails where it is none of ours. */
+/** The error of a rejected promise; throws if it is not a VolumeViewError. */
 export async function expectError(promise: Promise<unknown>): Promise<VolumeViewError> {
   try {
     await promise;

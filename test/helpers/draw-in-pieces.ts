@@ -1,6 +1,6 @@
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 
-/** Draw a picture aside, so many rows at once, at the view of the last one. It is not shown yet. */
+/** Draw a picture off-screen, a number of rows at a time, with the view of the last picture. It is not shown yet. */
 export function drawInPieces(scene: VolumeScene, stepLength: number, size: { readonly width: number; readonly height: number }, rows = 10): void {
   scene.startGathering(stepLength, size);
   for (const pass of scene.passes(size)) {

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../src/core/errors.ts';
 
-/** The error that a call ends with. Throws where there is none, and what is no VolumeViewError. */
+/** The VolumeViewError that a call throws. Throws if the call throws no error; passes on errors of other classes. */
 export function errorOf(run: () => unknown): VolumeViewError {
   try {
     run();

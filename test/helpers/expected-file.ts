@@ -2,35 +2,35 @@ import { expect } from '@esm-bundle/chai';
 import type { Volume } from '../../src/volume/volume.ts';
 import { fetchFixture, valuesOf } from './decode.ts';
 
-/** What another program says of a file: where it is, and its values. Written by the programs of test/fixtures. */
+/** The data that another program reads from a file: its place, and its values. The programs in test/fixtures write it. */
 export interface ExpectedFile {
   readonly path: string;
   readonly dimensions: readonly number[];
   readonly range: readonly [number, number];
   readonly sum: number;
-  /** Voxels without data; none where absent. */
+  /** The number of voxels without data; 0 if absent. */
   readonly noData?: number;
-  /** Some voxels: number and value; null where there is no data, as text where JSON has no such number. */
+  /** Some voxels: number and value; the value is null if there is no data, and a text if JSON has no such number. */
   readonly samples: readonly (readonly [number, number | string | null])[];
 }
 
-/** A list of files of the fixtures. */
+/** Read a list of expected files from the fixtures. */
 export async function readExpected<T extends ExpectedFile>(name: string): Promise<T[]> {
   return (JSON.parse(new TextDecoder().decode(await fetchFixture(name))) as { files: T[] }).files;
 }
 
 /**
- * The stored types keep integers of up to 25 bits exactly; floats keep float32's half unit of 2^-24 of the largest
- * stored magnitude, which is at most half the range where an offset is taken off, and the range's own ends where not.
+ * The stored types keep integers of up to 25 bits exactly. The error of floats is float32's half unit: 2^-24 of the largest stored
+ * magnitude. That is at most half the range if an offset is subtracted, else the largest end of the range.
  */
 function toleranceOf(volume: Volume): number {
   const farthest = Array.from(volume.samples).reduce((most, sample) => Math.max(most, Math.abs(sample) || 0), 0);
   const stored = volume.samples instanceof Float32Array ? Math.abs(volume.slope) * farthest * 2 ** -24 : 0;
-  // What doubles themselves can hold of numbers of this size, twice: theirs and ours.
+  // The rounding of doubles of this size, twice: in the other program and in ours.
   return stored + 4 * Math.max(Math.abs(volume.range[0]), Math.abs(volume.range[1])) * Number.EPSILON;
 }
 
-/** Hold a volume's size and values against what is expected. */
+/** Compare a volume's size and values with the expected ones. */
 export function compareValues(volume: Volume, { dimensions, range, sum, noData = 0, samples }: ExpectedFile): void {
   expect(volume.grid.dimensions).to.deep.equal(dimensions);
   const values = valuesOf(volume);

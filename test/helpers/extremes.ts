@@ -16,13 +16,13 @@ import type { View } from './picture.ts';
 import { smoothField, syntheticVolume } from './synthetic.ts';
 import type { SyntheticOptions } from './synthetic.ts';
 
-/** A picture at an end of what can be asked for, and what it has to be. */
+/** A picture with an extreme setting, and the result that it has to have. */
 export interface Extreme {
   readonly name: string;
   readonly view: View;
-  /** The right limit, where it has a closed form: opacity by the length of a ray inside the volume (world). */
+  /** The correct limit, if it has a closed form: the opacity as a function of a ray's length inside the volume, in world units. */
   readonly alpha?: (length: number) => number;
-  /** The right limit, where it is the picture of a moderate view; and how near the reference comes, in 1/255. */
+  /** The correct limit, if it is the picture of a moderate view; `near`: the error of the reference to it, in 1/255. */
   readonly same?: View;
   readonly near?: number;
 }
@@ -31,7 +31,7 @@ interface Options {
   readonly data?: Partial<SyntheticOptions>;
   readonly volume?: Volume;
   readonly camera?: Partial<Camera>;
-  /** In diagonals of the volume, around its centre. */
+  /** The camera's distance from the volume's centre, in diagonals of the volume. */
   readonly radius?: number;
   readonly theta?: number;
   readonly phi?: number;
@@ -50,7 +50,7 @@ function viewOf({ data, volume: given, camera, radius = diagonalsAway, theta = 0
     volume,
     camera: { ...around, ...camera },
     stepLength: diagonal / steps,
-    // As dense in any unit and at any size of voxels.
+    // The same density in any unit and at any size of voxels.
     optics: { ...plainOptics, referenceLength: diagonal / 20, ...optics },
     ...(size ? { size } : {}),
   };
@@ -60,7 +60,7 @@ const flat = (opacity: number, color: readonly [number, number, number] = [1, 1,
 const half = (): number => 0.5;
 const constant: Partial<SyntheticOptions> = { field: half, kind: 'float32' };
 
-/** Shown at a depth per diagonal, through a constant volume. */
+/** A constant volume with an optical depth for each diagonal. */
 function depthOf(depth: number, options: Options = {}): Pick<Extreme, 'view' | 'alpha'> {
   const view = viewOf({ data: constant, ...options, optics: { transferFunction: flat(1 - Math.exp(-1)), ...options.optics } });
   const diagonal = longestDiagonal(view.volume.grid);
@@ -69,7 +69,7 @@ function depthOf(depth: number, options: Options = {}): Pick<Extreme, 'view' | '
   return { view: { ...view, optics }, alpha: (length) => -Math.expm1((-depth * length) / diagonal) };
 }
 
-/** What is asked of very many steps is asked of a ray; more pixels of them only take longer. */
+/** A small picture: tests of very many steps only need single rays, and more pixels would only take longer. */
 const few = [16, 12] as const;
 
 const steps: Extreme[] = [
@@ -121,14 +121,14 @@ const shapes: Extreme[] = [
 
 const float = (field: SyntheticOptions['field'], rest: Partial<SyntheticOptions> = {}): Volume =>
   syntheticVolume({ dimensions: [14, 12, 10], kind: 'float32', field, ...rest });
-/** Doubles, as a file's are stored. */
+/** A volume of doubles, stored as those of a file. */
 function doubles(field: (x: number, y: number, z: number) => number): Volume {
   const [nx, ny, nz] = [14, 12, 10];
   const values = Float64Array.from({ length: nx * ny * nz }, (_, at) => field(((at % nx) + 0.5) / nx, ((Math.floor(at / nx) % ny) + 0.5) / ny, (Math.floor(at / nx / ny) + 0.5) / nz));
   const { samples, scale, offset } = storeSamples(new Uint8Array(values.buffer), numberTypes.float64, hostIsLittleEndian, { slope: 1, intercept: 0 });
   return { ...float(() => 0), samples, slope: scale, intercept: offset, macrocells: buildMacrocells(samples, [nx, ny, nz]), ...summarize(samples, scale, offset) };
 }
-/** The stops moved to other data values. */
+/** The stops, moved to other data values. */
 const shellsAt = (slope: number, intercept = 0): TransferFunction => shells.map((stop) => ({ ...stop, value: stop.value * slope + intercept }));
 /** From clear to half opaque. */
 const jumpAt = (value: number): TransferFunction => [0, 0.2].map((opacity) => ({ value, color: [1, 0.5, 0], opacity }));
@@ -172,7 +172,7 @@ const values: Extreme[] = [
     // Denormals have 17 bits left at 1e-40.
     near: unit < 1e-38 ? 0.1 : 1e-3,
   })),
-  // Doubles that float32 does not have: as a file's are stored. Their own denormals have 36 bits left at 5e-310, and 11 at 1e-320.
+  // Doubles beyond the range of float32, stored as those of a file. Denormal doubles have 36 bits left at 5e-310, and 11 at 1e-320.
   ...[5e-310, 1e-320, 1e-300, 1e299].map((unit): Extreme => ({
     name: `doubles of ${unit}`,
     view: viewOf({ volume: doubles((x, y, z) => unit * smoothField(x, y, z)), optics: { transferFunction: shellsAt(unit) } }),
@@ -199,7 +199,7 @@ const values: Extreme[] = [
   {
     name: 'floats of 1e30 with a window around 0',
     view: viewOf({ volume: float((x, y, z) => 1e30 * (smoothField(x, y, z) - 0.4)), optics: { transferFunction: shells } }),
-    // So far outside that only a jump is left.
+    // So far outside of the data that only a jump is left.
     same: viewOf({ volume: float((x, y, z) => smoothField(x, y, z) - 0.4), optics: { transferFunction: shellsAt(1e-12) } }),
     near: 0.01,
   },
@@ -213,7 +213,7 @@ const values: Extreme[] = [
     name: `stops that are ${width} apart`,
     view: viewOf({ volume: float((x, y, z) => smoothField(x, y, z) - 0.4), optics: { transferFunction: [jumpAt(0)[0], { ...jumpAt(0)[1], value: width }] } }),
     same: viewOf({ volume: float((x, y, z) => smoothField(x, y, z) - 0.4), optics: { transferFunction: jumpAt(0) } }),
-    // A ramp in place of a jump: the same picture, but a step that crosses it may be cut into one part more or less.
+    // A ramp instead of a jump: the same picture, but a step that crosses it may be cut into one part more or one part fewer.
     near: 0.05,
   })),
   ...[1e38, 3.4e38, 1e300].map((width): Extreme => ({
@@ -247,7 +247,7 @@ const values: Extreme[] = [
 const cubic = (unit: number, offset: Vector3 = [0, 0, 0]): Matrix4 => [unit, 0, 0, offset[0], 0, -unit, 0, offset[1], 0, 0, unit, offset[2], 0, 0, 0, 1];
 const moved = (unit: number, offset?: Vector3): View => viewOf({ data: { indexToWorld: cubic(unit, offset) } });
 
-/** Seen from near by: as a whole it is a line. */
+/** A thin tower, seen from near: from far away it would be only a line. */
 const tower = (unit: number): View =>
   viewOf({ data: { spacing: [unit, unit, 1e4 * unit] }, radius: 4e-4, steps: 1e5, optics: { referenceLength: 3 * unit } });
 
@@ -295,5 +295,5 @@ const eyes: Extreme[] = [
   }),
 ];
 
-/** Issue 3, "stability at the extremes". What else it names has tests of its own beside these. */
+/** Issue 3, "stability at the extremes". Separate tests cover its other items. */
 export const extremes: readonly Extreme[] = [...steps, ...opacities, ...shapes, ...values, ...places, ...eyes];

@@ -2,13 +2,13 @@ import { fetchBytes } from '../../src/sources/fetch-bytes.ts';
 import type { FetchOptions } from '../../src/sources/download.ts';
 import type { DecodeInput } from '../../src/formats/base/decoded-volume.ts';
 
-/** One answer of a server; what is thrown is a failure of the network. */
+/** One answer of a server, or a failure of the network. */
 export interface Answer {
   readonly status?: number;
   readonly headers?: Record<string, string>;
-  /** Bytes in the pieces in which they come. */
+  /** The bytes, in the pieces in which they arrive. */
   readonly pieces?: readonly (readonly number[] | Uint8Array<ArrayBuffer>)[];
-  /** Whether the connection breaks after them. */
+  /** Whether the connection breaks after these pieces. */
   readonly breaks?: boolean;
   /** Whether there is no answer at all. */
   readonly refused?: boolean;
@@ -20,7 +20,7 @@ export interface Asked {
   readonly credentials: RequestCredentials | undefined;
 }
 
-/** Run with a server that gives one answer after the other, and with waits that end at once. */
+/** Run with a fake server that gives one answer after the other, and with timers that end at once. */
 export async function withServer<T>(answers: readonly Answer[], run: (asked: Asked[], waits: number[]) => Promise<T>): Promise<T> {
   const { fetch: nativeFetch, setTimeout: nativeTimeout } = globalThis;
   const asked: Asked[] = [];
@@ -43,7 +43,7 @@ export async function withServer<T>(answers: readonly Answer[], run: (asked: Ask
   }
 }
 
-/** Pieces come when they are asked for, so that all that came before a break is seen. */
+/** Pieces arrive when the reader pulls them, so that it sees all pieces before a break. */
 function streamOf({ pieces = [], breaks }: Answer): ReadableStream<Uint8Array> {
   let next = 0;
   return new ReadableStream({

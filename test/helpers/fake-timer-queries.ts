@@ -1,21 +1,21 @@
 import type { Gl } from '../../src/renderer/device/device.ts';
 
-/** What a device with timer queries does in a test. */
+/** The behaviour of a device with timer queries in a test. */
 export interface FakeTimes {
-  /** Turns of the page's loop after its end until a query has its result. */
+  /** How many turns of the page's event loop a query takes after its end until it has a result. */
   readonly turns?: number;
   readonly nanoseconds?: number;
   readonly disjoint?: boolean;
-  /** Of the counter; a device that can't count says 0. */
+  /** Bits of the counter; 0 for a device without one. */
   readonly bits?: number;
 }
 
-/** A context that answers as the extension demands, throws where it may not be used so, and counts what lives. */
+/** A context that behaves as the extension specifies, throws on forbidden calls, and counts the queries that exist. */
 export interface FakeGl {
   readonly gl: Gl;
-  /** Queries made and not deleted. */
+  /** The queries that were created and not deleted. */
   readonly alive: Set<object>;
-  /** From now on calls do nothing and questions are answered by null. */
+  /** Lose the context: from now on calls do nothing, and getters return null. */
   lose(): void;
 }
 
@@ -26,7 +26,7 @@ interface FakeQuery {
 
 /**
  * Source: Khronos, WebGL extensions EXT_disjoint_timer_query and EXT_disjoint_timer_query_webgl2: a result appears
- * between turns of the page's loop only, one query of a kind is active at a time, and asking for GPU_DISJOINT resets it.
+ * only between turns of the page's event loop, one query of a kind is active at a time, and reading GPU_DISJOINT resets it.
  */
 export function fakeTimerQueries(version: 1 | 2, { turns = 2, nanoseconds = 5e6, disjoint = false, bits = 64 }: FakeTimes = {}): FakeGl {
   const alive = new Set<object>();

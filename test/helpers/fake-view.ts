@@ -1,4 +1,4 @@
-// A view that shows a small volume and draws nothing: what X3D's nodes among its children put beside that volume.
+// A view with a small volume that draws nothing: for tests of what X3D nodes among its children attach to that volume.
 import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
 import { withVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
 import type { ViewLabels } from '../../src/viewer/model/view-labels.ts';
@@ -16,7 +16,7 @@ export function viewOf(html: string): HTMLElement {
   return host;
 }
 
-/** Two slices beside one another, one pixel high, as an atlas. @param field - what it is to the node around it */
+/** An atlas of two slices next to each other, one pixel high. @param field - its containerField in the node around it */
 export function atlasOf(field: string, pixels: readonly number[]): string {
   const canvas = Object.assign(document.createElement('canvas'), { width: pixels.length, height: 1 });
   canvas.getContext('2d')!.putImageData(new ImageData(new Uint8ClampedArray(pixels.flatMap((x) => [x, x, x, 255])), pixels.length), 0, 0);
@@ -27,7 +27,7 @@ export interface FakeView {
   readonly host: HTMLElement;
   readonly errors: ErrorBoard;
   readonly shown: { readonly labels: ViewLabels | null; readonly overlay: ViewOverlay | null };
-  /** Reads the look, and waits for what is loaded for it. */
+  /** Reads the appearance, and waits for files that it loads. */
   read(): Promise<VolumeOptics>;
 }
 

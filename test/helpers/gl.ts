@@ -9,14 +9,14 @@ import type { Uniforms } from '../../src/renderer/device/inputs.ts';
 import { textureUnit } from '../../src/renderer/device/texture-unit.ts';
 import type { TextureUnit } from '../../src/renderer/device/texture-unit.ts';
 
-/** A context of a WebGL version that can draw into floats, and what it can do. */
+/** A context of a WebGL version that can draw into float textures, and its abilities. */
 export interface TestGl {
   readonly version: 1 | 2;
   readonly gl: Gl;
   readonly device: Device;
 }
 
-/** Start a context; give it back with `releaseGl`, as a page gets 16 of them. */
+/** Create a context. Release it with `releaseGl`, because a page gets only 16 of them. */
 export function createGl(version: 1 | 2): TestGl {
   const gl = document.createElement('canvas').getContext(version === 2 ? 'webgl2' : 'webgl') as Gl;
   const device = { ...describeDevice(gl), twoByteLinear: probeTwoByteFilter(gl) };
@@ -30,13 +30,13 @@ export function releaseGl({ gl }: TestGl): void {
 }
 
 export interface ChunkRun {
-  /** Those that are absent are 0. */
+  /** Defines that are absent are 0. */
   readonly defines?: Defines;
   /** The chunks under test. */
   readonly chunks: readonly string[];
-  /** GLSL expression of a vec4, in terms of `vec4 a` (and `vec4 b`), the inputs of one point. */
+  /** A GLSL expression of a vec4, which uses `vec4 a` (and `vec4 b`), the inputs of one point. */
   readonly result: string;
-  /** Inputs of each point, four numbers each. */
+  /** The inputs: four numbers for each point. */
   readonly a: readonly (readonly number[])[];
   readonly b?: readonly (readonly number[])[];
   readonly uniforms?: Uniforms;
@@ -45,7 +45,7 @@ export interface ChunkRun {
 
 /**
  * Run a chunk once for every point on a small float target.
- * @returns four float32 numbers a point
+ * @returns four float32 numbers for each point
  */
 export function runChunk({ gl, version }: TestGl, run: ChunkRun): number[][] {
   const main = `
@@ -67,7 +67,7 @@ export function runChunk({ gl, version }: TestGl, run: ChunkRun): number[][] {
   return drawAndRead(gl, output.texture, run.a.length);
 }
 
-/** A row of float texels, one a point. */
+/** A row of float texels, one for each point. */
 export function pointTexture(gl: Gl, points: readonly (readonly number[])[], samplerName: string): TextureUnit {
   const texels = new Float32Array(points.length * 4);
   points.forEach((point, i) => texels.set(point, i * 4));

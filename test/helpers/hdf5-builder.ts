@@ -1,5 +1,5 @@
-// HDF5 files that no library would write: objects are placed one after another, and whatever is said of addresses and lengths is
-// written as it is said. Checksums are left 0; the reader does not look at them.
+// HDF5 files that no library would write: objects are placed one after another, and addresses and lengths are written as given, even if
+// they are wrong. Checksums stay 0; the reader does not check them.
 
 type Bytes = readonly number[] | Uint8Array;
 
@@ -9,7 +9,7 @@ export const u32 = (value: number): number[] => little(value, 4);
 export const u64 = (value: number): number[] => (value < 0 ? Array.from({ length: 8 }, () => 0xff) : little(value, 8));
 const text = (value: string): number[] => [...new TextEncoder().encode(value)];
 
-/** Where nothing is stored. */
+/** The undefined address: nothing is stored. */
 export const nowhere = -1;
 
 /** A message of an object header. */
@@ -22,7 +22,7 @@ export const types = {
   uint8: [0x10, 0, 0, 0, ...u32(1), ...u16(0), ...u16(8)],
   float64: [0x11, 0x20, 63, 0, ...u32(8), ...u16(0), ...u16(64), 52, 11, 0, 52, ...u32(1023)],
   text: (bytes: number): number[] => [0x13, 0, 0, 0, ...u32(bytes)],
-  /** Text of any length, elsewhere. */
+  /** Text of variable length, which is stored elsewhere. */
   anyText: [0x19, 1, 0, 0, ...u32(16), 0x13, 0, 0, 0, ...u32(1)],
 };
 
@@ -30,7 +30,7 @@ export const shape = (...lengths: number[]): number[] => (lengths.length > 0 ? [
 
 export const message = (type: number, data: Bytes): Message => ({ type, data });
 
-/** @param value - text, a number, or the type, shape and data of anything */
+/** @param value - a text, a number, or the type, shape and data of any other value */
 export function attribute(name: string, value: string | number | { type: readonly number[]; shape: readonly number[]; data: Bytes }): Message {
   const plain =
     typeof value === 'string'
@@ -54,20 +54,20 @@ export const chunked = (address: number, chunk: readonly number[], elementBytes:
 export class Hdf5Builder {
   #bytes: number[] = Array.from({ length: 48 }, () => 0);
 
-  /** @returns the address of bytes that lie in the file from now on */
+  /** Add bytes to the file. @returns their address */
   place(bytes: Bytes): number {
     const address = this.#bytes.length;
     for (const byte of bytes) this.#bytes.push(byte);
     return address;
   }
 
-  /** @returns the address of an object header */
+  /** Add an object header. @returns its address */
   object(messages: readonly Message[]): number {
     const body = messages.flatMap(({ type, data }) => [type, ...u16(data.length), 0, ...data]);
     return this.place([...text('OHDR'), 2, 2, ...u32(body.length), ...body, 0, 0, 0, 0]);
   }
 
-  /** @param layout - where its values are; nowhere where undefined */
+  /** @param more - more messages, for example the layout of its values; by default nothing is stored */
   array(type: readonly number[], lengths: readonly number[], more: readonly Message[] = [contiguous(nowhere, 0)]): number {
     return this.object([message(0x01, shape(...lengths)), message(0x03, type), ...more]);
   }

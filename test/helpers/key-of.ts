@@ -1,4 +1,4 @@
-/** Numbers of objects, in the order in which they were met. */
+/** Objects are numbered in the order in which `keyOf` gets them. */
 const numbers = new WeakMap<object, number>();
 let met = 0;
 
@@ -10,8 +10,8 @@ function numberOf(object: object): number {
 const isPlain = (object: object): boolean => Array.isArray(object) || Object.getPrototypeOf(object) === Object.prototype;
 
 /**
- * The same text for what is the same all the way down. A volume (what has `samples`), a function and whatever else is not plain, such as an
- * array of bytes, is only the same as itself: who changes one in place asks in vain.
+ * A text that is the same for deeply equal values. A volume (an object with `samples`), a function, and any other object that is not
+ * plain, such as an array of bytes, is only equal to itself: if you change one in place, its key does not change.
  */
 export function keyOf(value: unknown): string {
   if (typeof value === 'function') return `#${numberOf(value)}`;

@@ -3,7 +3,7 @@ import type { LabelMap, LabelStyle, ShownLabels } from '../../src/volume/labels.
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { randomNumbers } from './synthetic.ts';
 
-/** A map of what each voxel is of, told by its index. @param count - labels in all; more than 256 take two bytes */
+/** A label map, computed from the voxels' indices. @param count - the number of labels; more than 256 need two bytes */
 export function labelMap(dimensions: Vector3, numberOf: (i: number, j: number, k: number) => number, count = 256): LabelMap {
   const [nx, ny, nz] = dimensions;
   const numbers = new (count > 256 ? Uint16Array : Uint8Array)(nx * ny * nz);
@@ -13,7 +13,7 @@ export function labelMap(dimensions: Vector3, numberOf: (i: number, j: number, k
 
 export const plainLook: LabelStyle = { color: [1, 1, 1], opacityFactor: 1 };
 
-/** Looks of all kinds that are the same in every run: some hidden, some denser than the volume, some as it is. */
+/** Label styles of all kinds, the same in every run: some hidden, some denser than the volume, some unchanged. */
 export function mixedLooks(map: LabelMap): ShownLabels {
   const random = randomNumbers(5);
   const factors = [1, 0, 0.3, 2.5];
@@ -21,8 +21,8 @@ export function mixedLooks(map: LabelMap): ShownLabels {
 }
 
 /**
- * Looks of all kinds in five groups: what is dense where the volume is not, what has a jump, what shows little, and what lies outside
- * of the volume's own domain for the most part.
+ * Label styles of all kinds in five groups. Their transfer functions: dense where the volume is not, one with a jump, one that shows
+ * little, and one that is mostly outside of the volume's own domain.
  */
 export function mixedGroups(map: LabelMap): ShownLabels {
   const { styles } = mixedLooks(map);
@@ -30,7 +30,7 @@ export function mixedGroups(map: LabelMap): ShownLabels {
   return { map, styles: styles.map((style, i) => ({ ...style, group: i % 5 })), functions: functions.map((text) => parseTransferFunction(text, [0, 1])) };
 }
 
-/** Blocks of voxels, each of another thing. @param count - see `labelMap` */
+/** Blocks of voxels, each with another label. @param count - see `labelMap` */
 export function blocks(dimensions: Vector3, count: number, edge = 4): LabelMap {
   const random = randomNumbers(9);
   const across = dimensions.map((n) => Math.ceil(n / edge));

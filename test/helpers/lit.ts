@@ -15,7 +15,7 @@ import type { View } from './picture.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 
-/** What a reference's rays have more where a volume is lit. */
+/** The additional stages of a reference's rays for a lit volume. */
 export function litStages(volume: Volume, transferFunction: TransferFunction, more: Partial<LitScene> = {}): Pick<ReferenceScene, 'moreFields' | 'shades'> {
   const gradient = isPolar(volume)
     ? polarGradient(polarBeamField(volume), volume.grid)
@@ -24,7 +24,7 @@ export function litStages(volume: Volume, transferFunction: TransferFunction, mo
   return { moreFields: [pointField], shades: [litShade({ grid: volume.grid, gradient, flat, ...more })] };
 }
 
-/** What a reference's rays have more where a volume is drawn in X3D's styles. */
+/** The additional stages of a reference's rays for a volume in X3D's rendering styles. */
 export function styledStages(view: View, chains: readonly StyleChain[], lights?: SceneLights): Pick<ReferenceScene, 'moreFields' | 'shades'> {
   const { volume, optics = plainOptics } = view;
   const gradient = isPolar(volume)

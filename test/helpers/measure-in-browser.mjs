@@ -1,5 +1,5 @@
-// What every program that measures in a browser begins with: a server, a browser, and words on where it ran.
-// VOLUME_VIEW_GPU=1 takes the GPU instead of software GL.
+// The start of every program that measures in a browser: a server, a browser, and a description of the machine.
+// VOLUME_VIEW_GPU=1 uses the GPU instead of software GL.
 import { realpathSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
@@ -9,7 +9,7 @@ import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { startStaticServer } from '../../scripts/static-server.mjs';
 
-/** Where the packages really are: a working tree beside another may share that one's. */
+/** The real folder of the packages: a working tree may share the packages of another one. */
 const packages = realpathSync(join(projectRoot, 'node_modules'));
 
 /**
@@ -17,16 +17,16 @@ const packages = realpathSync(join(projectRoot, 'node_modules'));
  * @property {import('@playwright/test').Browser} browser
  * @property {string} url - of the checkout, with a slash at its end
  * @property {Machine} machine
- * @property {(path: string, options?: PageOptions) => Promise<import('@playwright/test').Page>} openPage - below `url`, or anywhere;
+ * @property {(path: string, options?: PageOptions) => Promise<import('@playwright/test').Page>} openPage - relative to `url`, or any address;
  *   `sayProgress(text)` in the page writes to this program's standard error
  */
 
-/** @typedef {{ width?: number, height?: number, before?: () => void }} PageOptions - before: runs in the page before all else */
+/** @typedef {{ width?: number, height?: number, before?: () => void }} PageOptions - before: runs in the page before anything else */
 
 /** @typedef {{ browser: string, renderer: string, cores: string, software: boolean, busy: boolean }} Machine */
 
 /**
- * Measure with the source as it stands, served by vite. Changes of files by others do not reload the page.
+ * Measure with the current source, served by vite. If other programs change files, the page does not reload.
  * @template T
  * @param {(tools: Tools & { vite: import('vite').ViteDevServer }) => Promise<T>} measure
  * @returns {Promise<T>}
@@ -52,7 +52,7 @@ export async function measureSource(measure) {
  * Measure with the built package, served as plain files.
  * @template T
  * @param {(tools: Tools) => Promise<T>} measure
- * @param {Record<string, () => Uint8Array>} [made] - what is served without being a file, by path
+ * @param {Record<string, () => Uint8Array>} [made] - content that is served without a file, by path
  * @returns {Promise<T>}
  */
 export async function measurePackage(measure, made = {}) {
@@ -85,7 +85,7 @@ async function withBrowser(url, measure) {
 
 /**
  * @param {import('@playwright/test').Browser} browser
- * @param {{ url: string, began: number }} where - began: when the program did, ms
+ * @param {{ url: string, began: number }} where - began: when the program started, ms
  * @param {PageOptions} [options]
  */
 async function openPage(browser, { url, began }, { width = 1000, height = 900, before } = {}) {
@@ -103,7 +103,7 @@ async function openPage(browser, { url, began }, { width = 1000, height = 900, b
  * @param {import('@playwright/test').Browser} browser
  * @param {number} loadBefore - load average before the browser was started
  * @returns {Promise<Machine>}
- * @throws where the GPU is asked for and the browser has none
+ * @throws if the GPU is requested and the browser has none
  */
 async function describeMachine(browser, loadBefore) {
   const page = await browser.newPage();
@@ -131,7 +131,7 @@ async function describeMachine(browser, loadBefore) {
 }
 
 /**
- * One line that belongs above every table.
+ * The line to print above every table.
  * @param {Machine} machine
  */
 export function nameMachine({ browser, renderer, cores, busy }) {

@@ -6,7 +6,7 @@ import type { Surface } from '../../src/volume/surface.ts';
 import { cross, dot, length, scale, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 
-/** From the bytes of a file to what is drawn. */
+/** Read the bytes of a file, and make the surface that is drawn. */
 export async function surfaceOf(bytes: Uint8Array<ArrayBuffer> | string, { name = 'some.mesh', space = null }: { name?: string; space?: MeshSpace | null } = {}): Promise<Surface> {
   return finishMesh(await readMesh(typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytes, name), space);
 }
@@ -28,7 +28,7 @@ export function trianglesOf({ parts }: Pick<Surface, 'parts'>): [Vector3, Vector
     [0, 1, 2].map((corner) => [...positions.subarray(3 * indices[3 * triangle + corner], 3 * indices[3 * triangle + corner] + 3)]) as unknown as [Vector3, Vector3, Vector3]));
 }
 
-/** Of any surface, however its vertices are numbered. */
+/** Measure a surface; the result does not depend on the numbering of its vertices. */
 export function describeSurface(surface: Surface): { triangles: number; area: number; volume: number; center: Vector3; bounds: readonly [Vector3, Vector3] } {
   const all = trianglesOf(surface);
   let [area, volume] = [0, 0];

@@ -2,11 +2,11 @@
 export interface Netcdf3Variable {
   readonly name: string;
   readonly dimensions: readonly number[];
-  /** One number for each value: doubles, shorts, or bytes. */
+  /** An array with one number for each value: doubles, shorts, or bytes. */
   readonly data: Float64Array | Int16Array | Uint8Array;
-  /** Whether the bytes are letters. */
+  /** Whether the bytes are characters. */
   readonly isText?: boolean;
-  /** Numbers are doubles. */
+  /** Numbers are stored as doubles. */
   readonly attributes?: Readonly<Record<string, string | readonly number[]>>;
 }
 
@@ -14,7 +14,7 @@ const be32 = (value: number): number[] => [24, 16, 8, 0].map((shift) => (value >
 const padded = (bytes: readonly number[]): number[] => [...bytes, ...Array.from({ length: (4 - (bytes.length % 4)) % 4 }, () => 0)];
 const text = (value: string): number[] => [...be32(value.length), ...padded([...new TextEncoder().encode(value)])];
 
-/** A classic NetCDF-3 file. @param dimensions - their lengths; 0 is the one of the records, whose variables take no room here */
+/** A classic NetCDF-3 file. @param dimensions - their lengths; 0 marks the record dimension, whose variables take no space in this file */
 export function buildNetcdf3(dimensions: readonly number[], variables: readonly Netcdf3Variable[], records = 0): Uint8Array<ArrayBuffer> {
   const valueOf = (value: string | readonly number[]): number[] => {
     if (typeof value === 'string') return [...be32(2), ...text(value)];

@@ -4,11 +4,11 @@ export interface BuiltRadial {
   readonly elevation: number;
   readonly cut: number;
   readonly gates: number;
-  /** 1, in the middle of a cut, where absent. */
+  /** Radial status; if absent 1: in the middle of a cut. */
   readonly status?: number;
-  /** Spot blanking. */
+  /** Whether spot blanking is set. */
   readonly blanked?: boolean;
-  /** Of each gate; 0 where absent. */
+  /** The code of each gate; 0 if absent. */
   readonly code?: number;
 }
 
@@ -54,12 +54,12 @@ function join(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-/** NEXRAD Level II without packing. */
+/** NEXRAD Level II, uncompressed. */
 export function buildNexrad(radials: readonly BuiltRadial[]): Uint8Array<ArrayBuffer> {
   return join([head(), ...radials.map(radialMessage)]);
 }
 
-/** NEXRAD Level II of so many records, each of them a bzip2 stream without any block. */
+/** NEXRAD Level II with a number of records; each record is a bzip2 stream without any block. */
 export function buildEmptyRecords(count: number): Uint8Array<ArrayBuffer> {
   const record = [0, 0, 0, 14, 0x42, 0x5a, 0x68, 0x39, 0x17, 0x72, 0x45, 0x38, 0x50, 0x90, 0, 0, 0, 0];
   return join([head(), ...Array.from({ length: count }, () => Uint8Array.from(record))]);

@@ -45,7 +45,7 @@ import { readPixels } from './read-pixels.ts';
 import { syntheticVolume } from './synthetic.ts';
 import { evenAzimuths, radarVolume } from './synthetic-radar.ts';
 
-/** Pixels of a test picture: enough to see every kind of ray, few enough for software GL. */
+/** The size of a test picture in pixels: large enough for every kind of ray, small enough for software GL. */
 export const [width, height] = [48, 36];
 
 /** Blue air, red shell, white core; no jumps, no opacity of 1. */
@@ -55,20 +55,20 @@ export const shells: TransferFunction = [
   { value: 0.8, color: [1, 1, 0.8], opacity: 0.35 },
 ];
 
-/** What the usual table does not hold. */
+/** A transfer function that the usual table can't hold. */
 const jump: TransferFunction = [shells[0], { ...shells[1], value: shells[0].value }];
 
 export const plainOptics: Optics = { transferFunction: shells, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
 
 export interface SceneOptions {
-  /** Ask for WebGL 1 as x3dom does on Apple's systems. */
+  /** Request WebGL 1, as x3dom does on Apple's systems. */
   readonly webgl1?: boolean;
-  /** X3D of the author, as HTML. */
+  /** X3D of the page's author, as HTML. */
   readonly children?: string;
   readonly needsFrame?: () => void;
 }
 
-/** Run `use` with a scene of its own, which is taken down afterwards. */
+/** Run `use` with its own scene, which is removed afterwards. */
 export async function withScene<T>(
   options: SceneOptions,
   use: (scene: VolumeScene, host: HTMLElement) => T | Promise<T>,
@@ -87,12 +87,12 @@ export async function withScene<T>(
   }
 }
 
-/** Of a scene's first draws, ms: they wait for those of all other pages, as one process draws for all. */
+/** Timeout of a scene's first draws, ms: they wait for the draws of all other pages, because one process draws for all pages. */
 const sceneTimeout = 120_000;
 
 /**
- * A scene for all tests of a suite, which starts before the first one and is taken down after the last: to be called within
- * `describe`. A test finds in it what the one before left.
+ * A scene for all tests of a suite: it starts before the first test and is removed after the last one. Call it within `describe`.
+ * Each test finds the scene in the state in which the test before left it.
  */
 export function shareScene(options: SceneOptions): () => VolumeScene {
   const container = document.createElement('div');
@@ -113,7 +113,7 @@ async function createScene(host: Element, container: Element, options: SceneOpti
   if (options.webgl1) Object.defineProperty(navigator, 'platform', { value: 'MacIntel', configurable: true });
   try {
     const scene = await VolumeScene.create(host, container, options.needsFrame ?? (() => {}), fieldProviders);
-    await Promise.all([askTwoByteFilter(scene.device), loadCartesianChunks()]); // Tests set volumes without `prepare`.
+    await Promise.all([askTwoByteFilter(scene.device), loadCartesianChunks()]); // Load now, because tests set volumes without `prepare`.
     await scene.setOptics({ ...plainOptics, transferFunction: jump });
     await scene.setOptics(plainOptics);
     scene.resize(width, height);
@@ -123,7 +123,7 @@ async function createScene(host: Element, container: Element, options: SceneOpti
   }
 }
 
-/** Half-spaces that are kept, and a box that is not. */
+/** Half-spaces that are kept, and a box that is cut out. */
 export interface Clips {
   readonly kept?: readonly HalfSpace[];
   readonly cutout?: Cutout;
@@ -132,41 +132,41 @@ export interface Clips {
 export interface View {
   readonly volume: Volume;
   readonly camera: Camera;
-  /** World length. */
+  /** Length of a step in world units. */
   readonly stepLength: number;
   readonly optics?: Optics;
   readonly slices?: readonly Slice[];
-  /** Planes that are painted. */
+  /** Planes that are shown. */
   readonly planes?: readonly PlaneSlice[];
-  /** What is cut away. */
+  /** The cuts of the volume. */
   readonly clips?: Clips;
-  /** What the reference projects; the scene has to be told by `setStyle`. */
+  /** The projection of the reference; the test has to set it in the scene with `setStyle`. */
   readonly projection?: ProjectionKind | null;
   /** See `RayStyle.intensityThreshold`. */
   readonly intensityThreshold?: number;
-  /** What the reference labels; the scene has to be told by `setLabels`. */
+  /** The labels of the reference; the test has to set them in the scene with `setLabels`. */
   readonly labels?: ShownLabels | null;
-  /** The second field over it, as the reference knows it; the scene has to be told by `setOverlay`. */
+  /** The second field of the reference; the test has to set it in the scene with `setOverlay`. */
   readonly overlay?: ShownOverlay | null;
-  /** The part that is shown; all of it where absent. */
+  /** The part of the volume that is shown; the whole volume if absent. */
   readonly region?: GridFrame | null;
-  /** Modules of others in it; the scene has to be told by `setModules`, or by `setStyle` where they are of a style. */
+  /** More modules of the reference; the test has to set them in the scene with `setModules`, or with `setStyle` if they belong to a style. */
   readonly modules?: readonly RayModule[];
-  /** Of steps. Where absent, as many as there may be in the reference, and what the scene was told in the picture. */
+  /** The maximum substeps of a step. If absent: the general maximum in the reference, and the scene's own setting in the picture. */
   readonly maxSubsteps?: number;
-  /** Pixels across and down, which the scene has to have; `width` and `height` where absent. */
+  /** Pixels across and down; the scene has to have this size. `width` and `height` if absent. */
   readonly size?: readonly [number, number];
 }
 
-/** A view with each of the two ways in which a ray is walked, see walk-steps.glsl and walk-substeps.glsl. */
+/** A view with each of the two walks of a ray, see walk-steps.glsl and walk-substeps.glsl. */
 export function bothWalks(view: View): View[] {
   return [1, maxSubsteps].map((most) => ({ ...view, maxSubsteps: most }));
 }
 
 /**
- * What a WebGL draws of many scenes, of which all in both walks would take half as long again: both for every second one, and
- * substeps alone for the others, which the other WebGL draws in both.
- * @param both - of each walk, in the order of `bothWalks`
+ * Chooses what one version of WebGL draws of many scenes. All scenes in both walks would take half as long again, so it draws both walks
+ * only of every second scene, and only substeps of the others; the other version of WebGL draws those in both walks.
+ * @param both - one item for each walk, in the order of `bothWalks`
  */
 export function walksIn<T>(version: 1 | 2, scene: number, both: readonly T[]): readonly T[] {
   return scene % 2 === version % 2 ? both : both.slice(-1);
@@ -177,7 +177,7 @@ export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
   const { volume, camera, stepLength, optics = plainOptics, slices = [], region = null, maxSubsteps } = view;
   if (maxSubsteps) scene.setSubsteps({ ...allSubsteps, most: maxSubsteps });
   scene.setVolume(volume);
-  void scene.setOptics(optics); // At once: `createScene` has loaded what any of them needs.
+  void scene.setOptics(optics); // It resolves at once: `createScene` has loaded all parts that optics may need.
   scene.setSlices(slices, cutsOf(view));
   scene.setRegion(region);
   scene.setCamera(camera);
@@ -190,22 +190,22 @@ function cutsOf({ planes = [], clips }: View): readonly RayCut[] {
   return cuts.filter(({ items }) => items.length > 0);
 }
 
-/** The rays of a camera, without asking x3dom. */
+/** The rays of a camera, computed without x3dom. */
 export function raysOf({ volume, camera, region = null, size: [across, down] = [width, height] }: View): RaySetup {
   return setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, across / down, 1, 2), region)!;
 }
 
 const references = new Map<string, Float64Array>();
 
-/** The same view in float64, 0..255: worked out once for a view that is drawn in both WebGLs, or again. */
+/** The same view in float64, 0..255. It is computed once for each view, because both versions of WebGL draw it. */
 export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
   const key = keyOf([view, surfaceT]);
   const picture = references.get(key) ?? renderStages(stagesOfView(view, surfaceT), raysOf(view), ...(view.size ?? [width, height])).map((x) => x * 255);
   references.set(key, picture);
-  return picture.slice(); // What a caller writes into it is its own.
+  return picture.slice(); // A copy, so that a caller may write into it.
 }
 
-/** A layer that draws nothing: what its modules are in float64 is the reference. */
+/** A layer that draws nothing: the twins of its modules give the reference. */
 const quiet = await prepareLayer();
 
 async function prepareLayer(): Promise<VolumeLayer> {
@@ -217,11 +217,11 @@ async function prepareLayer(): Promise<VolumeLayer> {
   return layer;
 }
 
-/** The stages of a view's rays in float64: those of the modules that draw it. */
+/** The stages of a view's rays in float64, from the twins of the modules that draw it. */
 export function stagesOfView(view: View, surfaceT?: (ray: Ray) => number): RayStages {
   const { volume, optics = plainOptics, slices = [], stepLength, maxSubsteps: most = maxSubsteps } = view;
   quiet.set(volume);
-  void quiet.setOptics(optics); // At once: what any of them needs is there.
+  void quiet.setOptics(optics); // It resolves at once: all parts that optics may need are loaded.
   quiet.slices = slices;
   quiet.cuts = cutsOf(view);
   quiet.setModules(modulesBeside(view));
@@ -229,7 +229,7 @@ export function stagesOfView(view: View, surfaceT?: (ray: Ray) => number): RaySt
   return composeTwins(quiet.twins(surfaceT !== undefined, most > 1)!, frame, { stepLength, maxSubsteps: most });
 }
 
-/** What a scene is told by `setLabels`, `setOverlay` and `setStyle`, which a quiet layer has no time for. */
+/** The modules of `setLabels`, `setOverlay` and `setStyle`: these calls are asynchronous, so the quiet layer can't use them. */
 function modulesBeside({ labels, overlay, projection, intensityThreshold, modules = [] }: View): RayModule[] {
   const functions = (!projection && labels?.functions) || null;
   const layer = overlay && overlayTwins(overlay, isPolar(overlay.volume) ? sameGates : undefined);
@@ -249,7 +249,7 @@ function moduleOf(name: string, stage: StageName, twin: RayTwin): RayModule {
   return { name, stage, twin, ...(stage === 'field' && { members: [] }), defines: {}, chunks: [], samplers: [], sparesRays: true, order: 1, inputs: () => ({ uniforms: {}, units: [] }) };
 }
 
-/** The same as a scene of the reference, for what stands in for one of its stages. */
+/** The same view as a scene of the reference, for tests that replace one of its stages. */
 export function referenceOf(view: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
   const { volume, optics = plainOptics, stepLength, projection, modules, maxSubsteps: most } = view;
   const { intervals: [, ...ends], field, moreFields, shades, gather, classify } = stagesOfView(view, surfaceT);
@@ -261,7 +261,7 @@ export interface Difference {
   readonly rmse: number;
 }
 
-/** How two pictures differ, in 1/255. Pixels for which `skip` holds are left out. */
+/** The difference of two pictures, in 1/255, without the pixels for which `skip` is true. */
 export function comparePictures(
   a: ArrayLike<number>,
   b: ArrayLike<number>,
@@ -284,7 +284,7 @@ export function rayInWorld(volume: Volume, ray: Ray): { origin: Vector3; directi
   return { origin: transformPoint(toWorld, ray.point), direction: transformDirection(toWorld, ray.direction) };
 }
 
-/** t at which a ray meets a box with edges along the world's axes; Infinity where it misses. */
+/** t at which a ray meets a box with edges along the world's axes; Infinity if it misses the box. */
 export function meetBox(volume: Volume, ray: Ray, { center, size }: { center: Vector3; size: number }): number {
   const { origin, direction } = rayInWorld(volume, ray);
   let [entry, exit] = [-Infinity, Infinity];

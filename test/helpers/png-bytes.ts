@@ -1,11 +1,11 @@
 import { zlibSync } from 'fflate';
 
-/** Parts of a PNG, each with its checksum, whatever they hold. */
+/** A chunk of a PNG, with any content. */
 export type PngChunk = readonly [type: string, body: Uint8Array];
 
 const ascii = (text: string): number[] => Array.from(text, (sign) => sign.charCodeAt(0));
 
-/** A PNG of such parts, in this order, with its end. */
+/** A PNG of these chunks, in this order, each with its checksum, and with the end chunk. */
 export function pngBytes(chunks: readonly PngChunk[]): Uint8Array<ArrayBuffer> {
   const parts = [...chunks, ['IEND', new Uint8Array(0)] as const].map(([type, body]) => {
     const chunk = new Uint8Array(12 + body.length);
@@ -26,7 +26,7 @@ export function pngBytes(chunks: readonly PngChunk[]): Uint8Array<ArrayBuffer> {
   return all;
 }
 
-/** The part that comes first. */
+/** The header chunk, which comes first. */
 export function pngHeader(width: number, height: number, { depth = 8, colorType = 0, interlace = 0 } = {}): PngChunk {
   const body = new Uint8Array(13);
   const view = new DataView(body.buffer);
@@ -36,7 +36,7 @@ export function pngHeader(width: number, height: number, { depth = 8, colorType 
   return ['IHDR', body];
 }
 
-/** A gray picture of zeros, with other parts between its header and its data. */
+/** A gray picture of zeros, with other chunks between its header and its data. */
 export function grayPng(width: number, height: number, between: readonly PngChunk[] = []): Uint8Array<ArrayBuffer> {
   return pngBytes([pngHeader(width, height), ...between, ['IDAT', zlibSync(new Uint8Array((width + 1) * height))]]);
 }

@@ -7,19 +7,19 @@ import { evenAzimuths, radarVolume } from './synthetic-radar.ts';
 
 const reach = 40_000;
 
-/** A cloud that ends well inside of what the radar sees: where data end, pictures are of first order only. */
+/** A cloud that ends far inside of the radar's range: at the end of data, pictures converge only with first order. */
 const center: Vector3 = beamToLocal({ range: 20_000, azimuth: 70, elevation: 28 }, Infinity);
 
-/** How dense it is, 0..1. @param place - metres east, north and up of the radar */
+/** The density of the cloud, 0..1. @param place - metres east, north and up of the radar */
 export const cloudField = ([x, y, z]: Vector3): number => Math.exp(-((x - center[0]) ** 2 + (y - center[1]) ** 2 + 2 * (z - center[2]) ** 2) / 6000 ** 2);
 
-/** Without kinks that show. */
+/** A transfer function without visible kinks. */
 export const cloudColors: TransferFunction = Array.from({ length: 129 }, (_, i) => {
   const value = i / 128;
   return { value, color: [value, 0.5, 1 - value], opacity: 0.5 * value * value };
 });
 
-/** From outside of the box, at the cloud. */
+/** A camera outside of the box, which looks at the cloud. */
 export const cloudCamera = orbitCamera({ theta: 0.5, phi: 1.2, radius: 150_000 }, center, 0.16);
 
 /** The cloud as a radar sees it. @param fineness - 1: 12 sweeps, 40 radials, 20 gates */

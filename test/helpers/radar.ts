@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import type { RadarFile, SweepData } from '../../src/formats/radar/radar-file.ts';
 
-/** What another program says of a radar file; made by test/fixtures/make-radar-fixtures.py, which says who says what. */
+/** The data that another program reads from a radar file. test/fixtures/make-radar-fixtures.py writes it, and names the program. */
 export interface ExpectedRadar {
   readonly path: string;
   readonly source: string;
@@ -10,7 +10,7 @@ export interface ExpectedRadar {
   readonly time: string;
   readonly beamWidth: number | null;
   readonly sweeps: readonly ExpectedSweep[];
-  /** Sweep, ray and gate of one value after another. */
+  /** The sweep, ray and gate of each value, one value after another. */
   readonly gates: readonly number[];
   /** By name: the unit ('m/s' for 'meters_per_second'), and a value for each of `gates`; null for no data. */
   readonly moments: Readonly<Record<string, { readonly unit: string; readonly values: readonly (number | null)[] }>>;
@@ -20,7 +20,7 @@ export interface ExpectedSweep {
   readonly elevation: number;
   readonly rays: number;
   readonly gates: number;
-  /** Ray and azimuth. */
+  /** Some azimuths: ray and azimuth. */
   readonly azimuths: readonly (readonly [number, number])[];
   readonly firstGate: number;
   readonly gateLength: number;
@@ -33,16 +33,16 @@ export async function readExpected(name: string): Promise<readonly ExpectedRadar
   return ((await response.json()) as { files: ExpectedRadar[] }).files;
 }
 
-/** Data values in double precision, NaN where there is none. */
+/** Data values in double precision; NaN where there is no data. */
 export function gateValues({ samples, slope, intercept }: SweepData): Float64Array {
   const empty = samples instanceof Float32Array ? NaN : 0;
   return Float64Array.from(samples, (sample) => (sample === empty || Number.isNaN(sample) ? NaN : slope * sample + intercept));
 }
 
-/** Half a unit of the seventh digit, which the expected numbers are rounded to, and float32's own rounding. */
+/** Half a unit of the seventh digit, to which the expected numbers are rounded, and the rounding of float32. */
 const tolerance = (value: number): number => 1e-6 * Math.abs(value) + 1e-6;
 
-/** Compare all that another program says of a file: site, times, sweeps, geometry, moments and values. */
+/** Compare all data that another program reads from a file: site, times, sweeps, geometry, moments and values. */
 export function compareRadar(radar: RadarFile, expected: ExpectedRadar): void {
   compareHead(radar, expected);
   expect(radar.sweeps.length).to.equal(expected.sweeps.length);
@@ -53,7 +53,7 @@ export function compareRadar(radar: RadarFile, expected: ExpectedRadar): void {
     expect(sweep.azimuths.length, where).to.equal(wanted.rays);
     for (const [ray, azimuth] of wanted.azimuths) {
       const off = Math.abs(((sweep.azimuths[ray] - azimuth + 540) % 360) - 180);
-      expect(off, `${where}, ray ${ray}: ${sweep.azimuths[ray]} for ${azimuth}`).to.be.at.most(3e-5); // float32 of 360
+      expect(off, `${where}, ray ${ray}: ${sweep.azimuths[ray]} for ${azimuth}`).to.be.at.most(3e-5); // The rounding of float32 at 360.
     }
     if (wanted.time !== null) expect(sweep.time, where).to.equal(wanted.time);
     if (wanted.nyquist === null) expect(sweep.nyquist, where).to.equal(undefined);
@@ -96,7 +96,7 @@ function compareValues(radar: RadarFile, expected: ExpectedRadar, moment: string
       expect(Number.isNaN(got), where).to.equal(true);
       continue;
     }
-    // Py-ART multiplies and adds in float32, whose rounding is that of the offset where the value is small.
+    // Py-ART multiplies and adds in float32: if the value is small, the error is the rounding of the offset.
     const rounding = 2 ** -23 * Math.abs(data[sweep]!.intercept);
     expect(Math.abs(got - value), where).to.be.at.most(tolerance(value) + rounding);
   }

@@ -30,25 +30,25 @@ import type { Row } from './covering-array.ts';
 
 await loadCartesianChunks();
 
-/** A module with its options, or none. */
+/** A module with its options, or null for no module. */
 export type Level = RayText | null;
 
 const bits = [false, true] as const;
 
 
-/** How cartesian volumes can lie: floats alone may hold no data, and only the shader's own filter knows that. */
+/** How cartesian volumes can be stored: only floats may have missing data, and only filtering in the shader can skip them. */
 const cartesian = (webgl2: boolean): RayText[] => [
   ...bits.flatMap((twoBytes) => bits.map((filterInShader) => cartesianText({ texture3d: webgl2, twoBytes, noData: false, filterInShader }))),
   cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }),
   ...bits.map((noData) => discreteText({ texture3d: webgl2, twoBytes: !noData, noData })),
 ];
 
-/** Of each option both; bits of samples and elevations of radials have nothing to do with folds. */
+/** Each option has both values, but not in all combinations: folds are independent of the samples' bits and of the radials' elevations. */
 const polars = bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations, folds: twoBytes !== radialElevations, crowds: twoBytes })));
 
 const secondMoments = bits.map(secondMomentText);
 
-/** All modules there are, by where they go, with their options. A new module is a line here. */
+/** All modules, by their place in a ray, with their options. Add a line here for a new module. */
 export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
   return {
     box: [boxModule],
@@ -70,34 +70,35 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
   };
 }
 
-/** With fog or without, unlit and lit; one without fog, on a cartesian grid, is among those of the demos. */
+/** With and without fog, unlit and lit. The rays of the demos include one without fog, on a cartesian grid. */
 const surfaceTexts = [
   surfacesText({ isOne: false, fog: true, kinks: true, light: null }), surfacesText({ isOne: false, fog: true, kinks: true, light: { taps: cartesianTapsOf, lights: true, cuts: true } }),
   surfacesText({ isOne: true, fog: false, kinks: false, light: { taps: polarTapsOf, lights: false, cuts: false } }),
 ];
 
-/** Whether a text shades by taps that are those of a field, and not by others. */
+/** Whether a text shades with the taps of this kind of field, and not with those of the other kind. */
 const tapsFit = (text: Level, isPolar: boolean): boolean => !text?.chunks.includes((isPolar ? cartesianTapsOf : polarTapsOf).chunk);
 
-/** Options of light that two texts share. */
+/** The options of light, which have to be the same in two texts of a ray. */
 const lightOf = (text: Level): string => ['LIT_LIGHTS', 'LIT_CUTS'].map((name) => text?.defines[name]).join();
 
-/** Tells levels apart. */
+/** A name that is different for different levels. */
 export function nameLevel(level: Level): string {
   return level ? [level.name, ...Object.entries(level.defines).map(([name, value]) => `${name}=${value}`)].join(' ') : 'none';
 }
 
-/** Whether a gather stage gathers what emits and absorbs, and not values. */
+/** Whether a gather module gathers emission and absorption, not values. */
 const shows = (gather: Level | undefined): boolean => gather?.name === 'composite' || gather?.name === 'surfaces' || gather?.name === 'jumps';
 
-/** All rays that can occur, with a layer and without. */
+/** All possible rays, with and without a layer. */
 export function listRays(webgl2: boolean): Row<Level>[] {
   return [...listRaysWithout(webgl2), ...listRaysWithLayer(webgl2)];
 }
 
 /**
- * Rays with a second field: it has both of its modules, none in projections, another moment is of a radar and nothing else is, and in WebGL 1 it is left out
- * where there are no samplers left for it. What says nothing to it has one level here.
+ * Rays with a second field. It always has both of its modules; projections have none. A second moment occurs only on a radar, and a radar
+ * has no other second field. In WebGL 1, rays that have no samplers left for it are left out. Modules that do not affect it have only one
+ * level here.
  */
 function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
   const { overlay, overlayLook, field, labels, light } = listLevels(webgl2);
@@ -108,7 +109,10 @@ function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
     listSamplers({ adaptive: false, modules: Object.values(row).filter((level) => level !== null) }).length <= maxSamplers(webgl2));
 }
 
-/** Without a second field: slices are a radar's, planes and labels are not, columns come with their means, labels hide what is projected, and light knows where it is, and shines neither on that nor between labels. */
+/**
+ * Rays without a second field. Slices occur only on a radar; planes and labels never do. Columns come with their means. Labels hide values
+ * from projections. Light needs `points`, and lights neither projections nor volumes of labels.
+ */
 function listRaysWithout(webgl2: boolean): Row<Level>[] {
   return listRows<Level>({ ...listLevels(webgl2), overlay: [null], overlayLook: [null] }, ({ depth, slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
     (!slices || field?.name === 'polar') && (!(planes || labels) || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans') &&
@@ -119,7 +123,7 @@ function listRaysWithout(webgl2: boolean): Row<Level>[] {
     (gather?.name !== 'surfaces' || (!field?.defines.NEAREST && tapsFit(gather, field?.name === 'polar') && (!light || (gather.defines.SURFACE_FOG === 1 && (gather.defines.SURFACES_LIT === 0 || lightOf(gather) === lightOf(light)))))));
 }
 
-/** The program of a ray, as a layer makes it. @param substeps - whether its steps may be cut by what is at their ends */
+/** The program of a ray, as a layer makes it. @param substeps - whether the samples at a step's ends may cut it */
 export function programOf(webgl2: boolean, row: Row<Level>, substeps = false): RayProgram {
   const modules = Object.values(row).filter((level) => level !== null);
   return { webgl2, adaptive: listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2), substeps, modules };
@@ -131,10 +135,10 @@ const device = (webgl2: boolean): Row<Level> => ({
   labels: null, columns: null, overlay: null, points: null, classify: transferFunctionText, shade: null, overlayLook: null, light: null, gather: compositeText,
 });
 
-/** The plainest ray. */
+/** The simplest ray. */
 export const plainRay = device;
 
-/** Labels in groups: there are enough programs without each pair of modules with these. */
+/** Labels in groups: only some rays, because a pair of these with every other module would give too many programs. */
 function listGroupRays(webgl2: boolean): Row<Level>[] {
   const groups = (bins: boolean): Row<Level> => ({
     ...plainRay(webgl2), labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false, groups: true }), columns: groupColumnsText(bins), classify: labelFunctionsText, shade: labelLooks,
@@ -147,7 +151,7 @@ function listGroupRays(webgl2: boolean): Row<Level>[] {
   ];
 }
 
-/** By value and gradient: light, styles and surfaces share the texts that find gradients. */
+/** Transfer functions of value and gradient: light, styles and surfaces share the chunks that compute gradients. */
 function listPatchRays(webgl2: boolean): Row<Level>[] {
   const plain: Row<Level> = { ...plainRay(webgl2), points: pointsModule };
   const dim = { taps: cartesianTapsOf, lights: false, cuts: false };
@@ -161,7 +165,7 @@ function listPatchRays(webgl2: boolean): Row<Level>[] {
   ];
 }
 
-/** What the demos show: heads, an abdomen, a storm, with shapes among them, and labels; a radar's reflectivity and velocity, with slices. */
+/** The rays of the demos: heads, an abdomen and a storm, with shapes and labels; a radar's reflectivity and velocity, with slices. */
 export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false, folds: false, crowds: false }) };

@@ -1,4 +1,4 @@
-/** The same function, which works its answer out once for each of what it is asked: for what both WebGLs are held against. */
+/** The same function, but it computes its result only once for each key: for references that both versions of WebGL are compared with. */
 export function remember<K, V>(workOut: (key: K) => V): (key: K) => V {
   const answers = new Map<K, V>();
   return (key) => {

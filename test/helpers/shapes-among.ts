@@ -3,7 +3,7 @@ import type { GridFrame } from '../../src/volume/grid.ts';
 
 const color = '<appearance><material emissiveColor="1 0.6 0" diffuseColor="0 0 0"></material></appearance>';
 
-/** Opaque shapes of several kinds among a volume, as X3D, by their names. */
+/** Opaque shapes of several kinds inside a volume, as X3D, by their names. */
 export function shapesAmong(grid: GridFrame): Readonly<Record<string, string>> {
   const { center, radius } = boundingSphere(grid);
   const at = (x: number, y: number, z: number): string => [x, y, z].map((share, axis) => center[axis] + share * radius).join(' ');

@@ -10,22 +10,22 @@ import { comparePictures } from './picture.ts';
 import { readPixels } from './read-pixels.ts';
 import { probe } from './probe.ts';
 
-/** Of 8 bits, which the probes' floats do not have: RMS, 1/255. */
+/** The rounding error of 8 bits, which the probes' floats do not have: RMS, in 1/255. */
 const rounding = 1 / Math.sqrt(12);
 
-/** Pixels that are compared. */
+/** The pixels that are compared. */
 type Lattice = Parameters<typeof probe>[2];
 
 export interface TrueError {
-  /** Pixels of the picture. */
+  /** The size of the picture in pixels. */
   readonly size: { readonly width: number; readonly height: number };
-  /** All of them where absent. */
+  /** The pixels that are compared; all if absent. */
   readonly lattice?: Lattice;
-  /** So many times the steps are taken for the truth. */
+  /** The picture with this many times the steps counts as the true one. */
   readonly times: number;
 }
 
-/** Pixels of a picture that is drawn to be probed alone: only a view that was drawn can be. */
+/** The size of a picture that is drawn only to be probed: a probe needs a view that has been drawn. */
 const small = { width: 16, height: 12 } as const;
 
 function show(gpu: VolumeScene, { volume, transferFunction, camera }: ErrorScene, steps: number, size: TrueError['size']): void {
@@ -36,7 +36,10 @@ function show(gpu: VolumeScene, { volume, transferFunction, camera }: ErrorScene
   gpu.draw(stepLengthOf(volume.grid, steps));
 }
 
-/** The error of a scene's picture, as it states it, to the true one: of the same GPU at many times the steps, as the twin takes too long. */
+/**
+ * The ratio of a picture's stated error to its true error. The true error is the difference to a picture of the same GPU with many times
+ * the steps, because the twin would take too long.
+ */
 export function compareStated(gpu: VolumeScene, scene: ErrorScene, { size, lattice = { stride: 1, first: [0, 0], ...size }, times }: TrueError): number {
   const { name, volume: { grid }, steps } = scene;
   gpu.setSubsteps(allSubsteps);
@@ -49,7 +52,7 @@ export function compareStated(gpu: VolumeScene, scene: ErrorScene, { size, latti
   return ratio;
 }
 
-/** What sparing rays does to a scene's picture, 1/255. */
+/** How much adaptive ray sampling changes a scene's picture: RMS, in 1/255. */
 export function compareSpared(gpu: VolumeScene, scene: ErrorScene, size: TrueError['size']): number {
   show(gpu, scene, 60, size);
   const all = readPixels(gpu);
@@ -61,7 +64,7 @@ export function compareSpared(gpu: VolumeScene, scene: ErrorScene, size: TrueErr
   return rmse;
 }
 
-/** @param ratios - of errors as stated to true ones */
+/** @param ratios - stated errors divided by true errors */
 export function expectMostWithinTwo(ratios: readonly number[]): void {
   const good = ratios.filter((ratio) => ratio > 0.5 && ratio < 2).length;
   expect(good / ratios.length, `${good} of ${ratios.length}`).to.be.at.least(0.9);

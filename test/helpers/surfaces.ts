@@ -13,7 +13,7 @@ import { polarGradient } from '../../src/radar/polar-gradient.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 
-/** What a reference's rays have more where there are surfaces in a volume. */
+/** The additional stages of a reference's rays for a volume with surfaces. */
 export function surfaceStages(
   volume: Volume, { surfaces = [], clear, plain, surfaceStyles }: RayStyle, transferFunction: TransferFunction, more: Partial<LitScene> = {},
 ): Pick<ReferenceScene, 'moreFields' | 'gather'> {

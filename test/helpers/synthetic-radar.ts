@@ -10,9 +10,9 @@ import type { SampleKind } from './synthetic.ts';
 
 export interface SweepOptions {
   readonly elevation: number;
-  /** Middles, in the file's order; 24 around the circle where absent. */
+  /** The middles of the rays, in the file's order; 24 rays around the circle if absent. */
   readonly azimuths?: readonly number[];
-  /** Of each ray; the sweep's where absent. */
+  /** The elevation of each ray; that of the sweep if absent. */
   readonly rayElevation?: (azimuth: number, ray: number) => number;
   readonly firstGate?: number;
   readonly gateLength?: number;
@@ -21,9 +21,9 @@ export interface SweepOptions {
   readonly slope?: number;
   readonly intercept?: number;
   readonly nyquist?: number;
-  /** Moments that it holds; all where absent. */
+  /** The moments of the sweep; all if absent. */
   readonly moments?: readonly string[];
-  /** Stored value of a gate, of its own type; a number from 1 up that is nowhere the same where absent. */
+  /** The stored value of a gate, in its own type. If absent: numbers from 1 up that never repeat. */
   readonly stored?: (azimuth: number, gate: number, ray: number) => number;
 }
 
@@ -33,12 +33,12 @@ export interface RadarOptions {
   readonly moments?: readonly [name: string, kind: MomentKind][];
 }
 
-/** Rays at even distances around the circle, the first one half a step from north. */
+/** Rays at equal distances around the circle, the first one half a step from north. */
 export function evenAzimuths(rays: number, first = 180 / rays): number[] {
   return Array.from({ length: rays }, (_, i) => first + (i * 360) / rays);
 }
 
-/** A radar file that was never one: sweeps as they are asked for. */
+/** A synthetic radar file with the given sweeps. */
 export function syntheticRadar({ sweeps, beamWidth, moments = [['DBZH', 'reflectivity']] }: RadarOptions): RadarFile {
   return {
     format: 'synthetic radar',
@@ -76,17 +76,17 @@ function syntheticData(options: SweepOptions, azimuths: readonly number[], seed:
   return { firstGate, gateLength, gates, samples, slope, intercept };
 }
 
-/** What the worker makes of what a reader hands over. */
+/** Make the volume from a reader's result, as the worker does. */
 export function finishPolar(decoded: DecodedPolarVolume): PolarVolume {
   return { ...outlinePolar(decoded), macrocells: decoded.makeMacrocells() };
 }
 
-/** The volume that a file's reader would hand over. */
+/** The volume that the reader of such a file would return. */
 export function radarVolume(options: RadarOptions, settings: PolarSettings = {}): PolarVolume {
   return finishPolar(buildPolarVolume(syntheticRadar(options), settings));
 }
 
-/** A volume that is known to be a radar's. */
+/** Narrow the type of a volume that is known to be a radar volume. */
 export function asPolar(volume: Volume): PolarVolume {
   if (!isPolar(volume)) throw new TypeError(`the volume got a ${volume.grid.kind} grid; expected a polar one`);
   return volume;
@@ -96,21 +96,21 @@ const random = randomNumbers(90);
 const jitter = (step: number): number[] => evenAzimuths(360 / step).map((azimuth) => azimuth + 0.6 * step * (random() - 0.5));
 /** Forty rays in six degrees. */
 const crowd = (first: number): number[] => Array.from({ length: 40 }, (_, i) => first + 0.15 * i);
-/** A third of the gates hold nothing. */
+/** A third of the gates have no data. */
 const holes: SweepOptions['stored'] = (azimuth, gate) => ((Math.floor(azimuth) * 7 + gate * 13) % 3 === 0 ? 0 : 40 + ((Math.floor(azimuth) * 31 + gate * 17) % 200));
 const folded: SweepOptions['stored'] = (azimuth, gate) => 1 + Math.round(((azimuth * 3 + gate * 11) % 250));
-/** An elevation that goes up and down so many degrees, three times around. */
+/** An elevation that goes up and down by `height` degrees, three times around the circle. */
 const wave = (elevation: number, height: number, phase = 0) => (azimuth: number): number => elevation + height * Math.sin((3 * azimuth * Math.PI) / 180 + phase);
 const lowSweeps: SweepOptions[] = [0.5, 1.5, 3, 6, 12].map((elevation) => ({ elevation }));
 
-/** As a radar scans: the higher, the shorter, as there is no weather that high. */
+/** Sweeps of a real scan: higher sweeps are shorter, because there is no weather so high. */
 export const unequalSweeps: RadarOptions = {
   sweeps: [1832, 1192, 916, 617, 410, 308, 192, 131].map((gates, i) => ({
     elevation: 0.5 + 2 * i, gates, gateLength: 250, azimuths: evenAzimuths(i < 1 ? 720 : 360), stored: (azimuth, gate) => (gate < 100 ? 1 + Math.floor(azimuth) % 50 : 0),
   })),
 };
 
-/** Scenes at which a polar sampler may stumble. */
+/** Difficult scenes for a sampler of polar volumes. */
 export const polarScenes: Record<string, RadarOptions> = {
   'five sweeps': { sweeps: lowSweeps },
   '16 bit': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, kind: 'uint16' })) },

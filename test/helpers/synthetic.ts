@@ -4,7 +4,7 @@ import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Samples, Volume } from '../../src/volume/volume.ts';
 
-/** A smooth field on the unit cube, 0..1, that is symmetric in nothing, so that a flip shows. */
+/** A smooth field on the unit cube, 0..1, without any symmetry, so that a flip is visible. */
 export function smoothField(x: number, y: number, z: number): number {
   const wave = Math.sin(5.1 * x + 1.3) * Math.cos(4.3 * y - 0.7) * Math.sin(3.7 * z + 0.4);
   const ball = Math.exp(-8 * ((x - 0.62) ** 2 + (y - 0.41) ** 2 + (z - 0.55) ** 2));
@@ -63,7 +63,7 @@ export function randomNumbers(seed: number): () => number {
   };
 }
 
-/** An affine map of random rotation, scale, shear and offset: none of its entries is special. */
+/** An affine map with random rotation, scale, shear and offset: no entry of its upper rows has a special value. */
 export function obliqueAffine(random: () => number, spacing: Vector3, center: Vector3 = [0, 0, 0]): Matrix4 {
   const entries = [0, 1, 2].flatMap((row) => [0, 1, 2].map((c) => (row === c ? 1 : random() - 0.5) * spacing[c]).concat(center[row]));
   return [...entries, 0, 0, 0, 1];

@@ -1,6 +1,6 @@
 import { noHeight } from '../../src/formats/terrain/hgt.ts';
 
-/** A tile of SRTM's, of 3 seconds of arc. @param height - metres at degrees north and east of the tile's south-west corner; null for none */
+/** An SRTM tile with 3 arc seconds. @param height - metres at degrees north and east of the tile's south-west corner; null for no data */
 export function hgtBytes(height: (north: number, east: number) => number | null, side = 1201): Uint8Array<ArrayBuffer> {
   const view = new DataView(new ArrayBuffer(2 * side * side));
   for (let row = 0; row < side; row++) {

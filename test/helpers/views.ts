@@ -3,7 +3,7 @@ import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { View } from './picture.ts';
 
-/** All of a volume, from above and beside. */
+/** A view of a whole volume, from above and from the side. */
 export function viewFromAbove(volume: Volume, more: Partial<View> = {}): View {
   const diagonal = longestDiagonal(volume.grid);
   const camera = orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6);

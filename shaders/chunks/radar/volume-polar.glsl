@@ -41,7 +41,7 @@ uniform float uFoldFrom;
 #define TABLE_WIDTH 512.0
 
 #if CROWDS
-/// At most twice as many radials begin in one bin of azimuth.
+/// At most twice this many radials begin in one bin of azimuth.
 #define MAX_HOPS 8
 #endif
 

@@ -37,7 +37,7 @@ const steepest = 1e30;
 const twin = (planes: readonly PlaneSlice[]): RayTwin =>
   twinOf(usualTwins, ({ planeInterval }, { optics }, { field }) => ({ intervals: [planeInterval(planes, field, brighten(optics.transferFunction, optics.lightFactor))] }));
 
-/** Planes through a volume end rays, behind the part of the volume in front of them: grey by a window, or in the volume's colours. Four at most. */
+/** Planes through a volume end rays; the volume in front of them stays visible: grey by a window, or in the volume's colours. Four at most. */
 export function createPlanes(): SliceModule<PlaneSlice> {
   const [thin, thick] = [false, true].map(planesText);
   return {
