@@ -25,7 +25,7 @@ type CoarseTold = (coarse: CoarseVolume) => void;
 
 /**
  * Make a decoded volume fit the device, and count its values.
- * @param onCoarse - is told a stand-in for a large volume as soon as its values are counted, and of a radar what there is before its macrocells
+ * @param onCoarse - gets a stand-in for a large volume as soon as its values are counted, and of a radar what there is before its macrocells
  * @param clean - hide what touches nothing
  * @throws {VolumeViewError} `format/corrupt` where its values are beyond numbers, `attribute/invalid` where it can't be cleaned
  * @throws {NeedsMainThread} in a worker that can not load what makes it smaller
