@@ -284,6 +284,7 @@ const placeless: Readonly<Record<string, string>> = {
   'components/volume-view/volume-view-parts.ts': 'a button',
   'components/volume-view/view-controls-parts.ts': 'buttons',
   'components/volume-label-list/volume-label-list.ts': 'buttons',
+  'components/internal/view-notices.ts': 'a button, and a press elsewhere that closes its text',
 };
 
 /** Imports of what turns a pointer into a place, by itself or for a chart or a camera. */
