@@ -14,6 +14,7 @@ import { Words } from '../../src/messages/words.ts';
 import { number, pair, vector } from '../internal/property-kinds.ts';
 import { property, ReflectingElement, writeSafely } from '../internal/reflecting-element.ts';
 import { PaneTarget } from '../../src/viewer/attachments/pane-label-target.ts';
+import { hasNotices } from '../../src/viewer/model/beside-notices.ts';
 import { SlicePresenter } from '../../src/viewer/attachments/slice-presenter.ts';
 import type { Shown } from '../../src/viewer/attachments/slice-presenter.ts';
 import { describeVolume } from '../../src/viewer/model/volume-info.ts';
@@ -224,7 +225,7 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    this.#notices.follow(this.#labelTarget.besideNotices.size > 0 || !!(this.#info?.notices?.length || this.#info?.reduced));
+    this.#notices.follow(hasNotices(this.#info, this.#labelTarget.besideNotices));
     if (changed.has('src') && this.isConnected) this.#follow();
     // Names with an underscore are internal state, not attributes.
     if ([...changed.keys()].some((name) => !String(name).startsWith('_'))) this.#presenter.refresh((name) => changed.has(name));

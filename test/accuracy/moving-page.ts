@@ -55,7 +55,7 @@ export async function measureMotion(name: string, angles: number, tell: (what: s
     const full = await castFullRays(gl, asked);
     const without = await castFullRays(gl, { ...asked, volume: bare! });
     const viewer = element._session.viewer!;
-    const { pictures: { parts: { keeper, shown: { grid } } } } = viewer;
+    const { keeper, shown: { grid } } = viewer;
     const scene = keeper.scene!;
     const atRest = viewer.frames.planAtRest;
     const errors = { ...unknownErrors, ...(await learnFrom({ scene, grid, size: { width: size, height: size }, goesOn: () => true }, false)) };

@@ -59,7 +59,7 @@ describe('the rehearsal of a radar\'s picture', () => {
       const before = watchPrograms();
       const acts: Promise<void>[] = [];
       const keeper = { rehearse: (act: (one: Scene) => Promise<void>) => void acts.push(act(scene)) };
-      rehearse({ pictures: { parts: { keeper } } } as unknown as Viewer, { volume: foretellPolar(volume)!.volume, optics, cuts });
+      rehearse({ keeper } as unknown as Viewer, { volume: foretellPolar(volume)!.volume, optics, cuts });
       await Promise.all(acts);
       expect(acts.length).to.equal(1);
       before.stop();

@@ -1,6 +1,7 @@
 // What the GPU draws against rays that are cast on the processor, in the page: the whole way from attributes to pixels, in every kind of picture.
 import type { Page } from '@playwright/test';
 import type { PictureCheck } from '../../src/quality/compare-rays.ts';
+import { openDemo } from './helpers/demo.ts';
 import { expect, fieldUrl, open, settle, test, withElement } from './helpers/harness.ts';
 
 const shown = 'style="width: 200px; height: 150px" alt="What is shown"';
@@ -106,7 +107,7 @@ test('with self-check each picture at rest is checked, and a good one is no erro
 });
 
 test('the page of steps says whether its device draws right', async ({ page }) => {
-  await page.goto('/demos/steps.html');
+  await openDemo(page, 'steps.html', '');
   await page.locator('#check').click();
   await expect(page.locator('#checked')).toContainText(/^It is: the largest difference of 24 rays is 0(\.\d+)? of 255\.$/, { timeout: 30_000 });
 });

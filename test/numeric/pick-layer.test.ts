@@ -26,7 +26,7 @@ async function pickAt(across: number, { styles, blend = 'mix' }: Pick<RayStyle, 
   const view = { view: viewMatrix(orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 30 }, [0, 0, 0], 0.6)), projection: projectionMatrix(0.6, 1, 1, 2) };
   const viewer = {
     volume, optics, drawn: true, place: { host: { clientWidth: 100, clientHeight: 100 } },
-    pictures: { parts: { shown: { grid: volume.grid, cuts: { region: null, slices: [], cuts: [] }, labels: null, overlay }, keeper: { scene: { getView: () => view }, twins: (looks: boolean) => quiet.twins(false, looks) } } },
+    shown: { grid: volume.grid, cuts: { region: null, slices: [], cuts: [] }, labels: null, overlay }, scene: { getView: () => view }, keeper: { twins: (looks: boolean) => quiet.twins(false, looks) },
   };
   return pick(viewer as unknown as Viewer, [across, 50]);
 }

@@ -1,4 +1,5 @@
 import type { Volume } from '../../volume/volume.ts';
+import type { VolumeInfo } from './volume-info.ts';
 
 /** What of a file attached to the volume is not in the picture, or is changed in it. */
 export interface FileNotices {
@@ -30,6 +31,11 @@ export function tellBeside({ besideNotices, user }: NoticePlace, owner: object, 
   if (told.length > 0) besideNotices.set(owner, told);
   else besideNotices.delete(owner);
   user.changed();
+}
+
+/** Whether something of a volume's file, or of the files shown with it, is not in the picture, or is changed there. */
+export function hasNotices(info: Pick<VolumeInfo, 'notices' | 'reduced'> | null, beside: ReadonlyMap<object, readonly FileNotices[]>): boolean {
+  return beside.size > 0 || Boolean(info?.notices?.length || info?.reduced);
 }
 
 /** The notices about a volume's file that change what people see. */

@@ -24,7 +24,7 @@ import type { Viewer } from '../view/viewer.ts';
  * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
  */
 export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null> {
-  const { pictures: { parts: { keeper, loop, shown } }, frames } = viewer;
+  const { keeper, loop, shown, frames } = viewer;
   const { seenPixels } = await loadPart(import('../frames/view-quality.ts'), 'measures the error of pictures');
   return keeper.withScene(async (scene) => {
     const { steps, substeps } = frames.planAtRest;

@@ -39,7 +39,7 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const { volume, optics, setup } = rays;
   const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
   if (!(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
-  const { shown } = viewer.pictures.parts;
+  const { shown } = viewer;
   const stages = rays.stages({ stepLength: Math.max(finestSpacing(volume.grid), longestDiagonal(shown.grid) / mostSteps), maxSubsteps });
   const ray = rayThrough(setup, 2 * across - 1, 1 - 2 * down);
   const end = surfaces?.endAtSurface(host!, ray, unitToWorld(volume.grid), setup.eyeT);

@@ -33,7 +33,7 @@ export interface ViewRays {
  * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
  */
 export async function raysOfView(viewer: Viewer, { placesOnly, looks = true }: { readonly placesOnly: boolean; readonly looks?: boolean }): Promise<ViewRays | null> {
-  const { volume, optics, drawn, pictures: { parts: { keeper, shown: { labels } } } } = viewer;
+  const { volume, optics, drawn, keeper, shown: { labels } } = viewer;
   const twins = keeper.twins(looks);
   // The coarse volume that is shown until a larger one is loaded has other voxels.
   if (!volume || !optics || !drawn || volume.coarse || twins?.volume !== volume) return null;
@@ -54,9 +54,9 @@ export async function raysOfView(viewer: Viewer, { placesOnly, looks = true }: {
 }
 
 /** The rays of the picture: those of the scene, or, where the scene is gone, those of its last camera. */
-function setUpView({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }: Volume): RaySetup | null {
-  const { region } = parts.shown.cuts;
-  const view = parts.keeper.scene?.getView();
+function setUpView({ shown, scene, rig, place: { host } }: Viewer, { grid }: Volume): RaySetup | null {
+  const { region } = shown.cuts;
+  const view = scene?.getView();
   if (view) return setUpRays(grid, view.view, view.projection, region);
   const { camera } = rig;
   const reach = 1 / Math.tan(camera.fieldOfView / 2);

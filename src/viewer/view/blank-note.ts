@@ -115,7 +115,7 @@ class BlankNote {
   /** Whether the picture is still blank: in motion, before it is final, it may already show something. */
   #isStillBlank(): boolean {
     const { view: { paused }, presenter: { viewer, errors } } = this;
-    const scene = viewer?.pictures.parts.keeper.scene;
+    const scene = viewer?.scene;
     return scene !== null && scene !== undefined && paused && !errors.first && largestAlpha(scene.readPicture()) <= this.quality.faint;
   }
 
@@ -127,7 +127,7 @@ class BlankNote {
     if (this.#pending === stats) this.#pending = null;
     const { viewer } = presenter;
     const isCurrent = (): boolean => view.renderStats === stats && presenter.viewer === viewer && isFinal(view, presenter);
-    const scene = viewer?.pictures.parts.keeper.scene;
+    const scene = viewer?.scene;
     if (!viewer || !scene || !isCurrent()) return;
     const alpha = largestAlpha(scene.readPicture());
     const cause = alpha <= this.quality.faint ? await this.#findCause(viewer, scene, alpha) : null;
@@ -138,7 +138,7 @@ class BlankNote {
 
   async #findCause(viewer: Viewer, scene: Scene, alpha: number): Promise<BlankCause | null> {
     const { seenPixels } = this.quality;
-    const { pictures: { parts: { shown } }, frames } = viewer;
+    const { shown, frames } = viewer;
     const { volume, optics, cuts, labels } = shown;
     if (!volume || !optics) return null;
     const seen = scene.whatIsSeen();

@@ -20,7 +20,7 @@ export interface Foretold {
  * before anybody sees it. For a radar, compiling takes as long as all other work before its first picture.
  */
 export function rehearse(viewer: Viewer | null, foretold: Foretold): void {
-  viewer?.pictures.parts.keeper.rehearse((scene) => draw(scene, foretold).catch(() => {})); // An error is reported when the picture itself is drawn.
+  viewer?.keeper.rehearse((scene) => draw(scene, foretold).catch(() => {})); // An error is reported when the picture itself is drawn.
 }
 
 async function draw(scene: Scene, { volume, optics, cuts }: Foretold): Promise<void> {

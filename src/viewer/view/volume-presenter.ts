@@ -1,7 +1,7 @@
 import type { CoarseVolume } from '../../formats/base/load-request.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { tellBeside } from '../model/beside-notices.ts';
+import { hasNotices, tellBeside } from '../model/beside-notices.ts';
 import type { FileNotices, ToldFile } from '../model/beside-notices.ts';
 import { CutReader } from '../cuts/cuts.ts';
 import type { Cuts } from '../cuts/cuts.ts';
@@ -62,7 +62,7 @@ export class VolumePresenter implements LookHost, SocketView {
 
   /** Whether something of the files is not in the picture, or is changed in it. */
   get hasNotices(): boolean {
-    return this.besideNotices.size > 0 || !!(this.#info?.notices?.length || this.#info?.reduced);
+    return hasNotices(this.#info, this.besideNotices);
   }
 
   reportFiles(owner: object, files: readonly ToldFile[]): void {
