@@ -62,7 +62,7 @@ export function writeDemoMotor(path, { dimensions: [nx, ny, nz], origin, samples
     }
     const place = [i, j, k].map((n, axis) => origin[axis] + n * spacing + (spacing - 1) / 2);
     let z = 0;
-    for (const { at: middle, reach, z: most } of places) z += most * Math.exp(-0.5 * middle.reduce((sum, x, axis) => sum + ((place[axis] - x) / reach[axis]) ** 2, 0));
+    for (const { at: middle, reach, z: max } of places) z += max * Math.exp(-0.5 * middle.reduce((sum, x, axis) => sum + ((place[axis] - x) / reach[axis]) ** 2, 0));
     for (const { k: wave, phase } of waves) z += (0.9 / Math.sqrt(waves.length)) * Math.cos(phase + wave.reduce((sum, x, axis) => sum + x * place[axis], 0)) * Math.SQRT2;
     values[at] = Math.round(128 + (inside > 0.5 ? z * (0.25 + 0.75 * Math.min(1, 1.3 * share)) : 0) / slope);
   }

@@ -84,10 +84,10 @@ export class Painter {
   tube(points, [first, last], value) {
     for (let i = 0; i + 1 < points.length; i++) {
       const at = (/** @type {number} */ n) => first + ((last - first) * n) / (points.length - 1);
-      const most = Math.max(first, last);
+      const max = Math.max(first, last);
       const bound = (/** @type {(a: number, b: number) => number} */ pick, /** @type {number} */ pad) =>
         /** @type {Point} */ (points[i].map((v, axis) => pick(v, points[i + 1][axis]) + pad));
-      this.fill(rod(points[i], points[i + 1], at(i), at(i + 1)), value, [bound(Math.min, -most), bound(Math.max, most)]);
+      this.fill(rod(points[i], points[i + 1], at(i), at(i + 1)), value, [bound(Math.min, -max), bound(Math.max, max)]);
     }
   }
 

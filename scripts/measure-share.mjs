@@ -18,9 +18,9 @@ export function measureShare(alpha, [width, height]) {
     counts[0][i % width] += 1;
     counts[1][Math.floor(i / width)] += 1;
   }
-  const least = Math.max(1, strayShare * Math.min(width, height));
+  const min = Math.max(1, strayShare * Math.min(width, height));
   const spans = counts.map((line) => {
-    const isSeen = (/** @type {number} */ count) => count >= least;
+    const isSeen = (/** @type {number} */ count) => count >= min;
     const seen = Array.from(line.keys()).filter((i) => isSeen(line[i]));
     return [seen[0] ?? -1, (seen.at(-1) ?? -1) + 1];
   });

@@ -104,8 +104,8 @@ function measure(png) {
   const { data: pixels, channels, width, height } = decode(png);
   const differences = Array.from({ length: width * height }, (_, i) => Math.max(...[0, 1, 2].map((c) => Math.abs(pixels[channels * i + c] - pixels[c])))).filter((x) => x > 3);
   differences.sort((a, b) => b - a);
-  const most = differences.slice(0, Math.ceil(differences.length / 10));
-  return `${((100 * differences.length) / (width * height)).toFixed(0)} | ${most.length > 0 ? (most.reduce((sum, x) => sum + x, 0) / most.length).toFixed(0) : 0}`;
+  const max = differences.slice(0, Math.ceil(differences.length / 10));
+  return `${((100 * differences.length) / (width * height)).toFixed(0)} | ${max.length > 0 ? (max.reduce((sum, x) => sum + x, 0) / max.length).toFixed(0) : 0}`;
 }
 
 /**

@@ -17,7 +17,7 @@ export interface NoticeSource {
 }
 
 /** Maximum number of lines, as nobody reads more: `left` of the volume has them all. */
-const mostLines = 40;
+const maxLines = 40;
 
 /**
  * A sign in a corner of a picture. It says that a part of a file is not in the picture, or is shown differently, and which part. The text
@@ -54,7 +54,7 @@ export class ViewNotices implements DrawnPart {
       </button>
       <div class="told" id="notices" part="notice-text" ?hidden=${!isOpen} tabindex=${isOpen ? '0' : nothing} role="group" aria-label=${terms.noticesAre}>
         <p>${terms.noticesAre}</p>
-        <ul>${lines.slice(0, mostLines).map(({ text, lang }) => html`<li lang=${lang ?? nothing}>${text}</li>`)}</ul>
+        <ul>${lines.slice(0, maxLines).map(({ text, lang }) => html`<li lang=${lang ?? nothing}>${text}</li>`)}</ul>
       </div>
     </div>`;
   }

@@ -15,7 +15,7 @@ import { companionGap, withViewWidth } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 
 /** Maximum number of rows: with more labels, people use the search. */
-const mostRows = 2000;
+const maxRows = 2000;
 
 /**
  * The labels of a volume, with their colours and names: a box to show or hide each label, a button that shows it alone, and a field that
@@ -68,8 +68,8 @@ export class VolumeLabelList extends ReflectingElement {
         <input type="search" part="search" aria-label=${terms.findLabel} placeholder=${terms.findLabel} .value=${live(this._search)} @input=${this.#onSearch} />
         <button type="button" part="button" ?disabled=${all.every(({ hidden }) => !hidden)} @click=${() => this.#labels?.showAll()}>${terms.allLabels}</button>
       </div>
-      ${found.length > 0 ? html`<ul>${repeat(found.slice(0, mostRows), ({ id }) => id, (label) => this.#renderRow(label))}</ul>` : nothing}
-      ${found.length > mostRows ? html`<p class="hint" part="hint"><span dir="auto">${terms.moreLabels(this.#number(found.length - mostRows))}</span></p>` : nothing}
+      ${found.length > 0 ? html`<ul>${repeat(found.slice(0, maxRows), ({ id }) => id, (label) => this.#renderRow(label))}</ul>` : nothing}
+      ${found.length > maxRows ? html`<p class="hint" part="hint"><span dir="auto">${terms.moreLabels(this.#number(found.length - maxRows))}</span></p>` : nothing}
       <p class="count" part="count" role="status"><span dir="auto">${found.length > 0 ? this.#count(all) : terms.noSuchLabel}</span></p>
     </div>`;
   }

@@ -18,7 +18,7 @@ import { companionGap, withViewWidth } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 
 /** Maximum number of stops that are drawn: as many as an author may write. Labels may have more stops; then only some are drawn. */
-const mostDrawn = 1024;
+const maxDrawn = 1024;
 
 /** Maximum number of numbers along the scale. */
 const maxTicks = 9;
@@ -85,7 +85,7 @@ export class VolumeLegend extends ReflectingElement {
 }
 
 function renderBar(stops: TransferFunction, domain: readonly [number, number], upright: boolean): unknown {
-  const points = paintStops(stops.length > mostDrawn ? thinStops(stops, mostDrawn / 4) : stops, domain);
+  const points = paintStops(stops.length > maxDrawn ? thinStops(stops, maxDrawn / 4) : stops, domain);
   const [width, height] = upright ? [boxHeight, boxLength] : [boxLength, boxHeight];
   const [x2, y1] = upright ? [0, boxLength] : [boxLength, 0];
   return html`<div class="bar" part="bar">

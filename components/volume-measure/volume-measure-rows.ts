@@ -44,12 +44,12 @@ function listStatistics({ statistics, unit }: MeasureResult, isRadar: boolean, {
   const inside = isRadar ? terms.measureGates : terms.measureVoxels;
   if (!statistics) return [{ name: inside, text: terms.measureSummingUp }];
   const rows: Row[] = [{ name: inside, text: writeCount(statistics, { language, terms }) }];
-  const { mean, standardError, deviation, least, largest } = statistics;
-  if (mean === null || least === null || largest === null) return rows;
+  const { mean, standardError, deviation, min, largest } = statistics;
+  if (mean === null || min === null || largest === null) return rows;
   const value = (known: number, digits = valueDigits): string => `${language.number(known, digits)}${unit && ` ${unit}`}`;
   rows.unshift({ name: terms.measureMean, text: standardError === null ? value(mean) : terms.measureWithError(`${writeRounded(mean, standardError, language)}${unit && ` ${unit}`}`, writeUncertainty(standardError, language)) });
   if (deviation !== null) rows.splice(1, 0, { name: terms.measureDeviation, text: value(deviation, 4) });
-  rows.splice(-1, 0, { name: terms.measureRange, text: terms.range(language.number(least, valueDigits), value(largest)) });
+  rows.splice(-1, 0, { name: terms.measureRange, text: terms.range(language.number(min, valueDigits), value(largest)) });
   return rows;
 }
 

@@ -71,8 +71,8 @@ export class ReadoutPointer {
   moveCrosshair(by: Place): void {
     if (!this.#crosshair) return;
     this.#mouse = null;
-    const most = [this.view.clientWidth, this.view.clientHeight];
-    const [x, y] = this.#crosshair.map((at, axis) => Math.min(most[axis], Math.max(0, at + by[axis])));
+    const max = [this.view.clientWidth, this.view.clientHeight];
+    const [x, y] = this.#crosshair.map((at, axis) => Math.min(max[axis], Math.max(0, at + by[axis])));
     this.#crosshair = [x, y];
     this.#request();
   }

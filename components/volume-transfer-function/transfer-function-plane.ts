@@ -96,7 +96,7 @@ export class Plane {
     context.clearRect(0, 0, ...bins);
     if (!samples) return;
     const counts = countJointly(samples, { domain, steepest }, bins);
-    const top = Math.log1p(counts.reduce((most, count) => Math.max(most, count), 1));
+    const top = Math.log1p(counts.reduce((max, count) => Math.max(max, count), 1));
     const picture = context.createImageData(...bins);
     counts.forEach((count, at) => {
       const row = bins[1] - 1 - Math.floor(at / bins[0]);
@@ -160,8 +160,8 @@ export class Plane {
     const { patches, range: { domain } } = this.editor;
     const name = (patch.kind === 'box' ? terms.boxOf : terms.gaussianOf)(language.number(index + 1), language.number(patches.length));
     const [low, high] = patch.kind === 'box' ? patch.values : [patch.value - patch.widths[0], patch.value + patch.widths[0]];
-    const [least, most] = patch.kind === 'box' ? patch.gradients : [Math.max(0, patch.gradient - patch.widths[1]), patch.gradient + patch.widths[1]];
-    const said = terms.patchState(language.range(low, high, unit), language.range(least, most, ''), language.opacity(patch.opacity), nameColor(patch.color, language.terms));
+    const [min, max] = patch.kind === 'box' ? patch.gradients : [Math.max(0, patch.gradient - patch.widths[1]), patch.gradient + patch.widths[1]];
+    const said = terms.patchState(language.range(low, high, unit), language.range(min, max, ''), language.opacity(patch.opacity), nameColor(patch.color, language.terms));
     const render = (grip: Grip): unknown => {
       const place = placeOfGrip(patch, grip);
       const { share, height } = this.editor.placeOf(place);

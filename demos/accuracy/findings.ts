@@ -15,12 +15,12 @@ export function describeResults({ scenes }: StudyResults): string {
   if (!fn) return 'Nothing has been measured yet.';
   const at = (method: StudyMethod, steps: number): string =>
     error(fn.errors.find((row) => row.method === method && row.steps === steps)!.rms);
-  const least = Math.min(...fn.errors.filter(({ method }) => method === 'printed').map(({ rms }) => rms));
+  const min = Math.min(...fn.errors.filter(({ method }) => method === 'printed').map(({ rms }) => rms));
   const atVoxel = errorAtVoxel(scene, fn.id, 'shipped');
   return (
     `${scene.name}: with 40 steps the picture is off by ${at('shipped', 40)} of 255, with 80 by ${at('shipped', 80)}, with 200 by ` +
     `${at('shipped', 200)}, and with one sample per voxel, ${scene.voxelSteps} steps, by ${error(atVoxel)}` +
-    `${atVoxel < rounding ? ', less than a screen can show' : ''}. The method of the 2011 paper stays at ${error(least)} or more, ` +
+    `${atVoxel < rounding ? ', less than a screen can show' : ''}. The method of the 2011 paper stays at ${error(min)} or more, ` +
     `however many steps it takes. Plain samples are off by ${at('plain', scene.voxelSteps)} here, and through narrow peaks by ` +
     `${error(errorAtVoxel(scene, 'peaks', 'plain'))}, volume-view by ${error(errorAtVoxel(scene, 'peaks', 'shipped'))}.`
   );

@@ -6,7 +6,7 @@ import type { PaperFactors, StudyGl, StudyPicture } from './study-gl.ts';
 const search = { size: 64, steps: 200, coarse: 20, fine: 10 } as const;
 
 /** Tried from this to its inverse, times a factor that would be about right. */
-const least = 1 / 50;
+const min = 1 / 50;
 
 /**
  * The paper's opacity and light factors have no unit and know no length, so a person sets them by eye. Here those are
@@ -17,8 +17,8 @@ const least = 1 / 50;
 export async function fitPaperFactors(gl: StudyGl, limit: StudyPicture, eightBits: Volume, signal: AbortSignal): Promise<PaperFactors> {
   const { size, steps, coarse, fine } = search;
   const wanted = await gl.draw(limit, size, signal);
-  const most = Math.max(...limit.transferFunction.map((stop) => stop.opacity));
-  const guess = (0.5 * limit.rays.diameter * most) / limit.referenceLength;
+  const max = Math.max(...limit.transferFunction.map((stop) => stop.opacity));
+  const guess = (0.5 * limit.rays.diameter * max) / limit.referenceLength;
   const errorAt = async (exponent: number): Promise<{ error: number; paper: PaperFactors }> => {
     const opacity = guess * Math.exp(exponent);
     const paper = { opacity, light: 1 };
@@ -26,7 +26,7 @@ export async function fitPaperFactors(gl: StudyGl, limit: StudyPicture, eightBit
     const light = brighten(picture, wanted);
     return { error: comparePictures(picture, wanted).rms, paper: { opacity, light } };
   };
-  const stride = (-2 * Math.log(least)) / coarse;
+  const stride = (-2 * Math.log(min)) / coarse;
   let center = 0;
   let best = { error: Infinity, paper: { opacity: guess, light: 1 } };
   const attempt = async (exponent: number): Promise<number> => {
@@ -34,7 +34,7 @@ export async function fitPaperFactors(gl: StudyGl, limit: StudyPicture, eightBit
     if (result.error < best.error) [best, center] = [result, exponent];
     return result.error;
   };
-  for (let i = 0; i <= coarse; i++) await attempt(Math.log(least) + i * stride);
+  for (let i = 0; i <= coarse; i++) await attempt(Math.log(min) + i * stride);
   const ratio = (Math.sqrt(5) - 1) / 2;
   let [low, high] = [center - stride, center + stride];
   for (let i = 0; i < fine; i++) {

@@ -110,10 +110,10 @@ export class StudyGl {
     const passes = this.#passesOf(picture, size);
     for (const pass of passes.slice(0, -1)) this.#passes.draw(pass, caster, { width: size, height: size });
     const last = passes[passes.length - 1];
-    const most = Math.max(1, Math.floor((longestCallMs * this.#stepsPerMs) / (size * picture.steps)));
-    for (let firstRow = 0; firstRow < size; firstRow += most) {
+    const max = Math.max(1, Math.floor((longestCallMs * this.#stepsPerMs) / (size * picture.steps)));
+    for (let firstRow = 0; firstRow < size; firstRow += max) {
       signal.throwIfAborted();
-      const rows = Math.min(most, size - firstRow);
+      const rows = Math.min(max, size - firstRow);
       const began = performance.now();
       this.#passes.draw(last, caster, { width: size, height: size }, { firstRow, rows });
       this.#finish();
@@ -182,7 +182,7 @@ export class StudyGl {
     void layer.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
     if (layer.optics?.transferFunction !== transferFunction) throw new TypeError('prepare() has to be awaited before a picture is drawn');
     layer.skipping = picture.skipping ?? true;
-    layer.substeps = picture.cut ?? { ...allSubsteps, most: picture.maxSubsteps ?? maxSubsteps };
+    layer.substeps = picture.cut ?? { ...allSubsteps, max: picture.maxSubsteps ?? maxSubsteps };
     const shipped = layer.inputs(rays, null);
     if (method === 'printed') {
       const uniforms = { uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
@@ -248,14 +248,14 @@ export class StudyGl {
  * opacity is brought to 1, so that no bit is lost; its O_f makes up for that.
  */
 function uploadColors(gl: WebGL2RenderingContext, transferFunction: TransferFunction, volume: Volume): TextureUnit {
-  const most = Math.max(...transferFunction.map((stop) => stop.opacity)) || 1;
+  const max = Math.max(...transferFunction.map((stop) => stop.opacity)) || 1;
   // A trace of opacity, so that invisible stops have a colour that can be told.
   const visible = transferFunction.map((stop) => ({ ...stop, opacity: Math.max(stop.opacity, 1e-6) }));
   const texels = new Uint8Array(256 * 4);
   for (let i = 0; i < 256; i++) {
     const value = volume.slope * ((i + 0.5) / 256) * 255 + volume.intercept;
     const [red, green, blue, alpha] = evaluate(visible, value);
-    const texel = [red / alpha, green / alpha, blue / alpha, evaluate(transferFunction, value)[3] / most];
+    const texel = [red / alpha, green / alpha, blue / alpha, evaluate(transferFunction, value)[3] / max];
     texels.set(texel.map((channel) => Math.round(channel * 255)), i * 4);
   }
   const texture = gl.createTexture();

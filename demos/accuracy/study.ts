@@ -37,8 +37,8 @@ const countedSide = 8;
 const referenceSide = 4;
 
 /** Steps that stand for endlessly many: 16 samples a voxel or more. */
-export function stepsOfLimit(volume: Volume, least: number = limitSteps.full): number {
-  return Math.min(maxSteps, Math.max(16 * autoSteps(volume.grid), least));
+export function stepsOfLimit(volume: Volume, min: number = limitSteps.full): number {
+  return Math.min(maxSteps, Math.max(16 * autoSteps(volume.grid), min));
 }
 
 /**

@@ -1,4 +1,4 @@
-import { mostDigits } from '../messages/language.ts';
+import { maxDigits } from '../messages/language.ts';
 import type { Language } from '../messages/language.ts';
 import { listTicks } from './ticks.ts';
 
@@ -37,7 +37,7 @@ function write(values: readonly number[], domain: readonly [number, number], lan
   const enough = Math.max(digits.usual, digitsOfSteps(apart));
   return {
     ticks: values.map((value, i) => ({ value, text: language.number(apart[i], enough) })),
-    offset: `${language.number(base, mostDigits)} +`,
+    offset: `${language.number(base, maxDigits)} +`,
   };
 }
 
@@ -45,7 +45,7 @@ function write(values: readonly number[], domain: readonly [number, number], lan
 function digitsOfSteps(values: readonly number[]): number {
   if (values.length < 2) return 1;
   const largest = Math.max(...values.map(Math.abs));
-  return Math.min(mostDigits, 1 + Math.floor(Math.log10(largest)) - Math.floor(Math.log10(Math.abs(values[1] - values[0])) + 1e-9));
+  return Math.min(maxDigits, 1 + Math.floor(Math.log10(largest)) - Math.floor(Math.log10(Math.abs(values[1] - values[0])) + 1e-9));
 }
 
 /** The number between two of the same sign that has the fewest digits. */
@@ -53,6 +53,6 @@ function roundestWithin([low, high]: readonly [number, number]): number {
   for (let power = Math.ceil(Math.log10(Math.max(Math.abs(low), Math.abs(high)))); ; power--) {
     const unit = Number(`1e${power}`);
     const base = Math.ceil(low / unit) * unit;
-    if (base <= high || unit === 0) return Number(base.toPrecision(mostDigits - 1));
+    if (base <= high || unit === 0) return Number(base.toPrecision(maxDigits - 1));
   }
 }

@@ -2,12 +2,12 @@
  * A round length, 1, 2 or 5 times a power of ten: the smallest one that is at least a given one.
  * @param min - above zero
  */
-export function roundStep(least: number): number {
-  const power = Math.floor(Math.log10(least));
-  if (!Number.isFinite(power)) return least;
+export function roundStep(min: number): number {
+  const power = Math.floor(Math.log10(min));
+  if (!Number.isFinite(power)) return min;
   // Read as decimals: of the smallest numbers two times the nearest one to 1e-321 is not the nearest one to 2e-321.
   const steps = [1, 2, 5, 10].map((factor) => Number(`${factor}e${power}`));
-  return steps.find((step) => step >= least * (1 - 1e-9)) ?? steps[3];
+  return steps.find((step) => step >= min * (1 - 1e-9)) ?? steps[3];
 }
 
 /**

@@ -7,10 +7,10 @@ const [tiny, huge] = [1e-6, 1e15];
  * The smallest normal number. Numbers below it have fewer significant digits the smaller they are: only the digits of the shortest text of
  * such a number are exact.
  */
-const leastNormal = 2 ** -1022;
+const minNormal = 2 ** -1022;
 
 /** Maximum number of significant digits of a 64-bit float. */
-export const mostDigits = 17;
+export const maxDigits = 17;
 
 /** Creating a format takes longer than using it a hundred times. */
 const numberFormats = new Map<string, Intl.NumberFormat>();
@@ -53,8 +53,8 @@ export class Language {
   /** The number of significant digits by which two numbers differ: the usual number, or more. */
   digitsToTell(low: number, high: number, usual = 4): number {
     if (low === high) return usual;
-    for (let digits = usual; digits < mostDigits; digits++) if (this.number(low, digits) !== this.number(high, digits)) return digits;
-    return mostDigits;
+    for (let digits = usual; digits < maxDigits; digits++) if (this.number(low, digits) !== this.number(high, digits)) return digits;
+    return maxDigits;
   }
 
   /** A share of 0 to 1 in per cent, with at most this number of significant digits. */
@@ -89,7 +89,7 @@ export class Language {
     const key = `${this.code} ${Object.entries(options).join(' ')}`;
     let format = numberFormats.get(key);
     if (!format) numberFormats.set(key, (format = new Intl.NumberFormat(this.code, { useGrouping: false, ...options })));
-    const digits = value !== 0 && Math.abs(value) < leastNormal ? (String(value) as unknown as number) : value + 0; // Browsers accept decimal texts too; older browsers convert them to numbers.
+    const digits = value !== 0 && Math.abs(value) < minNormal ? (String(value) as unknown as number) : value + 0; // Browsers accept decimal texts too; older browsers convert them to numbers.
     return format.format(digits).replaceAll('-', '−'); // + 0: a scale has no minus zero
   }
 

@@ -32,7 +32,7 @@ export interface ReferenceScene extends OpticalFactors {
   /** A step is cut into at most this many substeps; if absent, the limit of the shader. */
   readonly maxSubsteps?: number;
   /** See `RayStages`. */
-  readonly leastSubsteps?: (place: Vector3) => number;
+  readonly minSubsteps?: (place: Vector3) => number;
   /** The field that rays sample; if absent, the samples on the grid. */
   readonly field?: FieldStage;
   /** More fields at each place, and how they change what is visible. */
@@ -82,7 +82,7 @@ export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOpti
   const { grid, stepLength, referenceLength, opacityFactor } = scene;
   const field = scene.field ?? cartesianField({ ...scene, dimensions: grid.dimensions });
   // Only cartesian grids know where values kink. Pictures in motion do not cut their steps, so they do not look for jumps.
-  const isCut = (scene.maxSubsteps ?? maxSubsteps) > 1 || scene.leastSubsteps !== undefined;
+  const isCut = (scene.maxSubsteps ?? maxSubsteps) > 1 || scene.minSubsteps !== undefined;
   const jumps = scene.gather || !field.kinksBetween || !isCut ? [] : findOpaqueJumps(optics.transferFunction, voxelRatioOf(scene));
   return {
     intervals: [boxInterval(setup), ...(scene.ends ?? [])],
@@ -94,7 +94,7 @@ export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOpti
     eyeT: setup.eyeT,
     step: stepLength / setup.diameter,
     maxSubsteps: scene.maxSubsteps ?? maxSubsteps,
-    leastSubsteps: scene.leastSubsteps,
+    minSubsteps: scene.minSubsteps,
   };
 }
 

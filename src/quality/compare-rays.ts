@@ -105,7 +105,7 @@ export function sumUpChecks(differences: readonly RayDifference[]): PictureCheck
     rays: differences.length,
     edges: differences.length - others.length,
     off,
-    max: others.reduce((most, { apart }) => Math.max(most, apart), 0),
+    max: others.reduce((max, { apart }) => Math.max(max, apart), 0),
     agrees: off <= forgiven * differences.length,
   };
 }

@@ -108,16 +108,16 @@ export function estimateError({ shown, middle, fine, isEven, isRare = false }: P
   const isCovered = coverOf([shown, middle, fine]);
   for (let i = 0; i < shown.length; i += 4) {
     if (!isCovered(i + 3)) continue;
-    let most = 0;
+    let max = 0;
     for (let c = i; c < i + 4; c++) {
       const limit = fine[c] + (fine[c] - middle[c]) * further;
       const off = Math.round(shown[c] * 255) - limit * 255;
-      most = Math.max(most, Math.abs(off));
+      max = Math.max(max, Math.abs(off));
       seen += off ** 2;
       computed += ((shown[c] - limit) * 255) ** 2;
       beyond += ((fine[c] - middle[c]) * 255) ** 2;
     }
-    worst.push(most);
+    worst.push(max);
   }
   const covered = worst.length;
   worst.sort((a, b) => a - b);
@@ -145,7 +145,7 @@ function isFaint(picture: ArrayLike<number>): boolean {
 
 /** Pixels that are visible with 8 bits in one of the pictures; if there is none, those that are not empty. */
 function coverOf(pictures: readonly ArrayLike<number>[]): (alpha: number) => boolean {
-  const reaches = (least: number) => (alpha: number): boolean => pictures.some((picture) => picture[alpha] >= least);
+  const reaches = (min: number) => (alpha: number): boolean => pictures.some((picture) => picture[alpha] >= min);
   const isSeen = reaches(visible);
   for (let alpha = 3; alpha < pictures[0].length; alpha += 4) if (isSeen(alpha)) return isSeen;
   return reaches(Number.MIN_VALUE);

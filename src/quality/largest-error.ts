@@ -46,14 +46,14 @@ export function stateError(estimate: ErrorEstimate, bound: number, maxError: num
 export function* seekMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null): Waiting<number> {
   const missable = measureMissable(seen, 'among');
   const wanted = (cell: number): number => (codes ? Math.min(detailCodes[codes[cell]], maxSubsteps * samplesAVoxel) : 1);
-  let most = 0;
+  let max = 0;
   for (let cell = 0; cell < seen.cells.length; cell++) {
     if (cell % cellsAtOnce === cellsAtOnce - 1) yield;
     if (!seen.cells[cell]) continue;
     const samples = Math.max(samplesAVoxel, wanted(cell));
-    if (missable(cell, samples, true) > most) most = Math.max(most, missable(cell, samples));
+    if (missable(cell, samples, true) > max) max = Math.max(max, missable(cell, samples));
   }
-  return most;
+  return max;
 }
 
 /** The same without pauses. */
@@ -81,8 +81,8 @@ function missedBetween({ low, high, roughness }: Macrocells, samplesAVoxel: numb
   let apart = 0;
   for (let cell = 0; cell < low.length; cell++) {
     const range = high[cell] - low[cell];
-    const most = hasValuesBetween ? Math.min(range, (offLine * roughness[cell]) / samplesAVoxel) : range;
-    if (most > apart) apart = most;
+    const max = hasValuesBetween ? Math.min(range, (offLine * roughness[cell]) / samplesAVoxel) : range;
+    if (max > apart) apart = max;
   }
   return apart;
 }

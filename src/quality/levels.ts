@@ -18,7 +18,7 @@ export interface Level {
 const shares: readonly (readonly [number, number])[] = [[1, 1], [2, 1], [4, 1], [1, maxSubsteps], [2, maxSubsteps], [4, maxSubsteps]];
 
 /** A volume with few voxels has one more level, as long as it needs no more steps than large volumes have at the level before. */
-const finest = { share: 8, most: 2048 } as const;
+const finest = { share: 8, max: 2048 } as const;
 
 /**
  * The levels from which one is chosen for a picture at rest, from the coarsest on. Each takes a sample in every voxel: else all rays
@@ -27,7 +27,7 @@ const finest = { share: 8, most: 2048 } as const;
  * @param cutsSteps - whether substeps make any difference
  */
 export function listLevels(oneAVoxel: number, cutsSteps = true): Level[] {
-  const all = finest.share * oneAVoxel <= finest.most ? [...shares, [finest.share, maxSubsteps] as const] : shares;
+  const all = finest.share * oneAVoxel <= finest.max ? [...shares, [finest.share, maxSubsteps] as const] : shares;
   const levels = all.map(([share, substeps]) => ({ steps: Math.min(maxAutoSteps, Math.ceil(oneAVoxel * share)), substeps: cutsSteps ? substeps : 1 }));
   return levels.filter(({ steps, substeps }, i) => levels.findIndex((one) => one.steps === steps && one.substeps === substeps) === i);
 }
@@ -41,5 +41,5 @@ const lostPerError = 10;
  * @param maxError - 1/255
  */
 export function cutSteps({ steps, substeps }: Level, oneAVoxel: number, maxError: number): Substeps {
-  return { most: substeps, voxelsPerStep: oneAVoxel / steps, mayLose: (lostPerError * maxError) / 255, findDetail };
+  return { max: substeps, voxelsPerStep: oneAVoxel / steps, mayLose: (lostPerError * maxError) / 255, findDetail };
 }

@@ -27,11 +27,11 @@ const enoughCovered = 256;
 const enoughOpaque = 3000;
 
 /** At most this many probes are placed. */
-const mostProbes = 2 ** 16;
+const maxProbes = 2 ** 16;
 
 /** The factor by which the number of probes should grow, if so many of all met something; 1 if they are enough. */
 export function moreProbes(covered: number, all: number, isOpaque = false): number {
-  return Math.max(1, Math.min((isOpaque ? enoughOpaque : enoughCovered) / Math.max(1, covered), mostProbes / all));
+  return Math.max(1, Math.min((isOpaque ? enoughOpaque : enoughCovered) / Math.max(1, covered), maxProbes / all));
 }
 
 /** A picture with at most this many pixels is probed at all of them if one may be much of the error. */
@@ -70,10 +70,10 @@ export function placeProbes({ left, bottom, width, height }: PixelRectangle, isO
 const fewCovered = 64;
 
 /** The largest number of boxes of pixels that are probed one by one. */
-const mostBoxes = 32;
+const maxBoxes = 32;
 
 /** Side in pixels of the squares by which boxes are found. It is doubled until there are few enough boxes. */
-const leastSquare = 16;
+const minSquare = 16;
 
 /**
  * Whether all pixels must be tested to find what is visible.
@@ -90,9 +90,9 @@ export function isWorthSearch(lattices: readonly PixelLattice[], covered: number
  */
 export function placeAround(shown: readonly (readonly [x: number, y: number])[]): PixelLattice[] {
   let boxes: PixelRectangle[] = [];
-  for (let square = leastSquare; square === leastSquare || boxes.length > mostBoxes; square *= 2) boxes = boxBySquares(shown, square);
+  for (let square = minSquare; square === minSquare || boxes.length > maxBoxes; square *= 2) boxes = boxBySquares(shown, square);
   const area = boxes.reduce((sum, { width, height }) => sum + width * height, 0);
-  const stride = Math.ceil(Math.sqrt(area / mostProbes));
+  const stride = Math.ceil(Math.sqrt(area / maxProbes));
   return boxes.map(({ left, bottom, width, height }) => ({ stride, first: [left, bottom], width: Math.ceil(width / stride), height: Math.ceil(height / stride) }));
 }
 

@@ -70,10 +70,10 @@ export function fitTimes(frames: readonly FrameTime[]): TimeModel | null {
     t0 += weight * ms;
     t1 += weight * work * ms;
   }
-  const least = Math.min(...frames.map(({ ms }) => ms));
+  const min = Math.min(...frames.map(({ ms }) => ms));
   const determinant = s0 * s2 - s1 * s1;
   const spread = determinant / (s0 * s2);
   const fixed = spread > 1e-3 ? (t0 * s2 - t1 * s1) / determinant : 0;
-  const a = Math.min(maxFixed * least, Math.max(0, fixed));
+  const a = Math.min(maxFixed * min, Math.max(0, fixed));
   return { a, b: (t1 - a * s1) / s2 };
 }

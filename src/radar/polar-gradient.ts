@@ -30,7 +30,7 @@ export function beamTaps({ sweeps, beamWidth }: PolarGrid): BeamTaps {
 
 /** Degrees between neighbouring radials, without the gap of a sector; 0 for a single radial. */
 function spacingOf(azimuths: Float64Array): number {
-  const widest = azimuths.reduce((most, azimuth, i) => Math.max(most, azimuth - azimuths[i - 1] || 0), 360 + azimuths[0] - azimuths[azimuths.length - 1]);
+  const widest = azimuths.reduce((max, azimuth, i) => Math.max(max, azimuth - azimuths[i - 1] || 0), 360 + azimuths[0] - azimuths[azimuths.length - 1]);
   return (360 - widest) / Math.max(1, azimuths.length - 1);
 }
 

@@ -67,11 +67,11 @@ const maxRounds = 4_000_000;
 function chooseWidth(sweeps: readonly Sweep[], maxSize: number): number | null {
   const widths = listWidths(sweeps, maxSize);
   const step = Math.max(1, Math.ceil((widths.length * sweeps.length) / maxRounds));
-  let [least, best] = [Infinity, null as number | null];
+  let [min, best] = [Infinity, null as number | null];
   for (let i = 0; i < widths.length; i += step) {
     const height = countRows(sweeps, widths[i]);
-    if (height > maxSize || widths[i] * height >= least) continue;
-    [least, best] = [widths[i] * height, widths[i]];
+    if (height > maxSize || widths[i] * height >= min) continue;
+    [min, best] = [widths[i] * height, widths[i]];
   }
   return best;
 }
@@ -79,7 +79,7 @@ function chooseWidth(sweeps: readonly Sweep[], maxSize: number): number | null {
 /** Multiples of the sweeps' gates, without duplicates. */
 function listWidths(sweeps: readonly Sweep[], maxSize: number): number[] {
   const lengths = new Set(sweeps.map(({ gates }) => gates));
-  const longest = sweeps.reduce((most, { gates }) => Math.max(most, gates), 0);
+  const longest = sweeps.reduce((max, { gates }) => Math.max(max, gates), 0);
   const widths = new Set<number>();
   for (const length of lengths) {
     for (let width = Math.ceil(longest / length) * length; width <= maxSize; width += length) widths.add(width);

@@ -55,13 +55,13 @@ export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, onWork: 
       const sector = sectorOf(x, y);
       for (const column of columns) column.begin(sector);
       for (let k = 0; k < cells[2]; k++) {
-        const [least, greatest] = rangeOfSpan(gates, spanOf(edges[2][k]));
-        if (!(least <= greatest)) continue; // no data
+        const [min, greatest] = rangeOfSpan(gates, spanOf(edges[2][k]));
+        if (!(min <= greatest)) continue; // no data
         const cell = i + cells[0] * (j + cells[1] * k);
-        low[cell] = least;
+        low[cell] = min;
         high[cell] = greatest;
         // Between gates, radials and sweeps, the field may take any value of the cell.
-        roughness[cell] = (greatest - least) / offLine;
+        roughness[cell] = (greatest - min) / offLine;
       }
     }
   }
@@ -128,7 +128,7 @@ class SweepInColumn {
   /** The gates of the last request, and the range of their values: the cell above mostly requests the same. */
   #firstAsked = 0;
   #lastAsked = -1;
-  #least = Infinity;
+  #min = Infinity;
   #greatest = -Infinity;
   /** The smallest and the largest value of each gate over all radials of the sector. */
   readonly #low: Float64Array;
@@ -175,7 +175,7 @@ class SweepInColumn {
     const radials = (this.#radials ??= this.#findRadials());
     onWork(workPerSweep + (radials[1] - radials[0] + 1) * (last - first + 1));
     if (first !== this.#firstAsked || last !== this.#lastAsked) this.#ask(first, last, radials);
-    if (this.#least < range[0]) range[0] = this.#least;
+    if (this.#min < range[0]) range[0] = this.#min;
     if (this.#greatest > range[1]) range[1] = this.#greatest;
   }
 
@@ -189,7 +189,7 @@ class SweepInColumn {
     }
     this.#firstAsked = first;
     this.#lastAsked = last;
-    this.#least = low;
+    this.#min = low;
     this.#greatest = high;
   }
 

@@ -72,13 +72,13 @@ export function buildPolarTable({ sweeps }: PolarGrid, layout: PolarLayout, maxS
   const sweepsFrom = Math.floor((elevations.at(-1)! - elevations[0]) * elevationBinsPerDegree) + 2;
   const radialsFrom = sweepsFrom + sweeps.length;
   const azimuthsFrom = radialsFrom + layout.numbers;
-  const most = Math.min(maxTableTexels, tableWidth * maxSize);
-  if (!(azimuthsFrom + sweeps.length * leastBins(layout) <= most)) return null;
+  const max = Math.min(maxTableTexels, tableWidth * maxSize);
+  if (!(azimuthsFrom + sweeps.length * minBins(layout) <= max)) return null;
   const turns = sweeps.map((sweep, i) => (place: number): number => turnAt(sweep, layout.sweeps[i], layout.from, place));
   const azimuthBins = chooseAzimuthBins(layout, turns);
   const crowds = countCrowd(layout, turns, azimuthBins) > 1;
   const azimuthBinsPerDegree = azimuthBins / extentOf(layout);
-  if (azimuthsFrom + sweeps.length * azimuthBins > most) return null;
+  if (azimuthsFrom + sweeps.length * azimuthBins > max) return null;
   const height = Math.ceil((azimuthsFrom + sweeps.length * azimuthBins) / tableWidth);
   const texels = new Float32Array(tableWidth * height * 4);
   if (hasRadialElevations(sweeps)) writeSweepsAround(texels, sweeps, sweepsFrom, elevationBinsPerDegree);
@@ -108,22 +108,22 @@ function extentOf({ extent }: PolarLayout): number {
 type Turn = (place: number) => number;
 
 /** Number of bins of azimuth for each sweep if none of its radials crowd. */
-function leastBins({ sweeps }: PolarLayout): number {
-  return Math.ceil(binsPerRadial * sweeps.reduce((most, { radials }) => Math.max(most, radials), 0));
+function minBins({ sweeps }: PolarLayout): number {
+  return Math.ceil(binsPerRadial * sweeps.reduce((max, { radials }) => Math.max(max, radials), 0));
 }
 
 /** About as many bins as the sweep with the most radials has radials, and more where radials crowd. */
 function chooseAzimuthBins(layout: PolarLayout, turns: readonly Turn[]): number {
-  let bins = leastBins(layout);
+  let bins = minBins(layout);
   while (2 * bins * turns.length <= maxTexels && countCrowd(layout, turns, bins) > maxRadialsInBin) bins *= 2;
   if (countCrowd(layout, turns, bins) === 1) return bins;
-  const most = (layout.width * layout.height) / gatesPerTexel;
-  return [2 * bins, 4 * bins].find((more) => more * turns.length <= most && countCrowd(layout, turns, more) === 1) ?? bins;
+  const max = (layout.width * layout.height) / gatesPerTexel;
+  return [2 * bins, 4 * bins].find((more) => more * turns.length <= max && countCrowd(layout, turns, more) === 1) ?? bins;
 }
 
 /** Largest number of radials of a sweep that begin in one of its bins, within the first whole turn. */
 function countCrowd(layout: PolarLayout, turns: readonly Turn[], bins: number): number {
-  let most = 0;
+  let max = 0;
   layout.sweeps.forEach(({ radials }, i) => {
     let [last, crowd] = [-1, 0];
     for (let place = 1; place < radials; place++) {
@@ -132,10 +132,10 @@ function countCrowd(layout: PolarLayout, turns: readonly Turn[], bins: number): 
       const bin = Math.min(bins - 1, Math.floor((turn / extentOf(layout)) * bins));
       crowd = bin === last ? crowd + 1 : 1;
       last = bin;
-      most = Math.max(most, crowd);
+      max = Math.max(max, crowd);
     }
   });
-  return most;
+  return max;
 }
 
 function writeElevations(texels: Float32Array, elevations: readonly number[], bins: number, binsPerDegree: number): void {
@@ -164,9 +164,9 @@ function writeRadials(texels: Float32Array, sweep: Sweep, layout: SweepLayout, t
 }
 
 function narrowestGap(ascending: readonly number[]): number {
-  let least = 360;
-  for (let i = 1; i < ascending.length; i++) least = Math.min(least, ascending[i] - ascending[i - 1]);
-  return least;
+  let min = 360;
+  for (let i = 1; i < ascending.length; i++) min = Math.min(min, ascending[i] - ascending[i - 1]);
+  return min;
 }
 
 /** @param angleOf - angles of the first `count` neighbours and of the two after them, ascending */

@@ -105,7 +105,7 @@ function ringsInside(radii: readonly number[], north: readonly Vector3[], shown:
     const parts = clipLine(circle(radius), shown);
     if (parts.length === 0) continue;
     lines.push(...parts);
-    const longest = parts.reduce((most, part) => (part.length > most.length ? part : most));
+    const longest = parts.reduce((max, part) => (part.length > max.length ? part : max));
     labels.push({ radius, at: longest[Math.floor(longest.length / 2)] });
   }
   for (const part of clipLine(north, shown)) {
@@ -141,9 +141,9 @@ function longestEdge([x, y]: Rectangle): number {
 
 /** A distance of 1, 2 or 5 times a power of ten metres. */
 function roundDistance(reach: number): number {
-  const least = reach / maxAutomatic;
-  const power = 10 ** Math.floor(Math.log10(least));
-  return [1, 2, 5, 10].map((factor) => factor * power).find((distance) => distance >= least * (1 - 1e-9))!;
+  const min = reach / maxAutomatic;
+  const power = 10 ** Math.floor(Math.log10(min));
+  return [1, 2, 5, 10].map((factor) => factor * power).find((distance) => distance >= min * (1 - 1e-9))!;
 }
 
 function circle(radius: number): Vector3[] {

@@ -22,12 +22,12 @@ export interface SmallParts {
  * @param counts - whether a voxel belongs to any part, by its index, i fastest
  * @returns null where there are more than `most` runs
  */
-export function findSmallParts([nx, ny, nz]: Vector3, counts: (voxel: number) => boolean, most = maxRuns): SmallParts | null {
+export function findSmallParts([nx, ny, nz]: Vector3, counts: (voxel: number) => boolean, max = maxRuns): SmallParts | null {
   const rows = ny * nz;
   const begins = new Int32Array(rows + 1);
   for (let row = 0; row < rows; row++) {
     begins[row + 1] = begins[row] + countRuns(row * nx, nx, counts);
-    if (begins[row + 1] > most) return null;
+    if (begins[row + 1] > max) return null;
   }
   const total = begins[rows];
   const runs: Runs = { firsts: new Int32Array(total), ends: new Int32Array(total), parents: new Int32Array(total) };

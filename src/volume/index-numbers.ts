@@ -13,7 +13,7 @@ export interface Rounded {
 }
 
 /** Maximum number of different labels: two bytes can index so many. */
-export const mostLabels = 65_536;
+export const maxLabels = 65_536;
 
 /**
  * Puts whole numbers into a list, and replaces them by their indices: so each keeps all of its digits, however large it
@@ -26,7 +26,7 @@ export function indexNumbers<T extends number | bigint>(stored: ArrayLike<T>, id
   for (let i = 0; i < stored.length; i++) {
     if (i > 0 && stored[i] === stored[i - 1] || found.has(stored[i])) continue;
     const id = idOf(stored[i]);
-    if (found.size === mostLabels || !Number.isSafeInteger(id)) return null;
+    if (found.size === maxLabels || !Number.isSafeInteger(id)) return null;
     found.set(stored[i], id || 0);
   }
   const ids = [...new Set(found.values())];

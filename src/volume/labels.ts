@@ -45,13 +45,13 @@ export interface LabelStop {
 }
 
 /** Maximum number of transfer functions of labels, in addition to the volume's own. */
-export const mostGroups = 4;
+export const maxGroups = 4;
 
 /** Labels with the appearance in which they are drawn. */
 export interface ShownLabels {
   readonly map: LabelMap;
   /** One for each of the map's ids. */
   readonly styles: readonly LabelStyle[];
-  /** Transfer functions of groups of labels, at most `mostGroups`. The same array while they do not change. */
+  /** Transfer functions of groups of labels, at most `maxGroups`. The same array while they do not change. */
   readonly functions?: readonly (readonly LabelStop[])[];
 }

@@ -1,5 +1,5 @@
 import type { CartesianGrid } from './grid.ts';
-import { mostLabels, valueOf } from './index-numbers.ts';
+import { maxLabels, valueOf } from './index-numbers.ts';
 import type { LabelMap } from './labels.ts';
 import { invertAffine, multiply } from './matrix.ts';
 import type { Samples } from './samples.ts';
@@ -39,11 +39,11 @@ export function findLabels(voxels: Omit<LabelVoxels, 'grid'>): FoundLabels | Lab
     const id = Math.round(value) || noLabel;
     if (!(Math.abs(value - id) <= tolerance)) return { problem: 'not-whole', value };
     if (!Number.isSafeInteger(id)) return { problem: 'too-large', value };
-    if (idOf.size >= mostLabels) return { problem: 'too-many' };
+    if (idOf.size >= maxLabels) return { problem: 'too-many' };
     idOf.set(stored, id);
   }
   const things = [...new Set(idOf.values())].filter((id) => id !== noLabel);
-  if (things.length >= mostLabels) return { problem: 'too-many' };
+  if (things.length >= maxLabels) return { problem: 'too-many' };
   things.sort((a, b) => a - b);
   const ids = [noLabel, ...things];
   const places = new Map(ids.map((id, place) => [id, place]));
@@ -63,7 +63,7 @@ function differentOf(samples: Samples): Iterable<number> {
   }
   const found = new Set<number>();
   let last = Infinity; // No sample is infinite.
-  for (let i = 0; i < samples.length && found.size <= mostLabels + 1; i++) {
+  for (let i = 0; i < samples.length && found.size <= maxLabels + 1; i++) {
     if (samples[i] === last) continue;
     last = samples[i];
     found.add(last);

@@ -9,7 +9,7 @@ export interface Statistics {
   readonly deviation: number | null;
   /** Standard error of the mean, if the values were independent of each other: deviation / sqrt(count). */
   readonly standardError: number | null;
-  readonly least: number | null;
+  readonly min: number | null;
   readonly largest: number | null;
   /**
    * Number of voxels inside, with or without data, that the surface cuts: a part of them is outside. Null if they were
@@ -27,14 +27,14 @@ export class Tally {
   #first = 0;
   #sum = 0;
   #squares = 0;
-  #least = Infinity;
+  #min = Infinity;
   #largest = -Infinity;
 
   /** Adds some samples. It leaves out the one that stands for no data, and those that are not finite. */
   add(samples: ArrayLike<number>, first: number, end: number, noData = NaN): void {
     if (this.#count === 0) this.#first = findFirst(samples, first, end, noData);
     const origin = this.#first;
-    let [count, sum, squares, least, largest] = [0, 0, 0, this.#least, this.#largest];
+    let [count, sum, squares, min, largest] = [0, 0, 0, this.#min, this.#largest];
     for (let i = first; i < end; i++) {
       const sample = samples[i];
       if (sample === noData || !Number.isFinite(sample)) continue;
@@ -42,14 +42,14 @@ export class Tally {
       count++;
       sum += apart;
       squares += apart * apart;
-      if (sample < least) least = sample;
+      if (sample < min) min = sample;
       if (sample > largest) largest = sample;
     }
     this.#count += count;
     this.#withoutData += end - first - count;
     this.#sum += sum;
     this.#squares += squares;
-    [this.#least, this.#largest] = [least, largest];
+    [this.#min, this.#largest] = [min, largest];
   }
 
   /** Adds to the number of voxels that the surface cuts. */
@@ -62,14 +62,14 @@ export class Tally {
     const count = this.#count;
     const apart = this.#sum / count;
     const deviation = count > 1 ? Math.abs(slope) * Math.sqrt(Math.max(0, this.#squares - count * apart * apart) / (count - 1)) : null;
-    const ends = [this.#least, this.#largest].map((sample) => slope * sample + intercept);
+    const ends = [this.#min, this.#largest].map((sample) => slope * sample + intercept);
     return {
       count,
       withoutData: this.#withoutData,
       mean: count > 0 ? slope * (this.#first + apart) + intercept : null,
       deviation,
       standardError: deviation === null ? null : deviation / Math.sqrt(count),
-      least: count > 0 ? Math.min(...ends) : null,
+      min: count > 0 ? Math.min(...ends) : null,
       largest: count > 0 ? Math.max(...ends) : null,
       cut: this.#cut,
     };

@@ -28,7 +28,7 @@ export interface AmongResult {
   readonly webgl: 1 | 2 | null;
   readonly pixelsPerVoxel: number;
   readonly ratio: number;
-  readonly leastContrast: number;
+  readonly minContrast: number;
   readonly fewest: number;
   readonly whole: number | null;
   /** By angle. */
@@ -70,7 +70,7 @@ interface Looked {
 /** @param name - of a scene */
 export async function measureAmong(name: string, { angles, doubts = false, attributes, tell }: HowMeasured): Promise<AmongResult> {
   const scene = amongScenes.find((one) => one.name === name)!;
-  const { view, reach, leastContrast, fewest, kind, whole } = scene;
+  const { view, reach, minContrast, fewest, kind, whole } = scene;
   const made = scene.make();
   const volume = made.block.toVolume();
   const places = made.places.map((place): Vector3 => transformPoint(volume.grid.indexToWorld, place));
@@ -93,7 +93,7 @@ export async function measureAmong(name: string, { angles, doubts = false, attri
   }
   const webgl = webglOf(full);
   for (const element of [full, bare]) element.remove();
-  return { name, kind, webgl, pixelsPerVoxel: view.pixelsPerVoxel, ratio: view.ratio, leastContrast, fewest, whole, pictures, uncertain };
+  return { name, kind, webgl, pixelsPerVoxel: view.pixelsPerVoxel, ratio: view.ratio, minContrast, fewest, whole, pictures, uncertain };
 }
 
 /** All pixels that are looked at, each once. */

@@ -47,7 +47,7 @@ export async function measurePane(zoom: number, angles: number): Promise<AmongRe
     pictures.push({ things: world.map((place) => measureThing(compared, point(place), Math.max(1, zoom))), atEdges: [] });
   }
   pane.remove();
-  return { name: 'Specks on a slice in a pane', kind: 'pane', webgl: null, pixelsPerVoxel: zoom, ratio: 1, leastContrast: 8, fewest: 40, whole: speckValue, pictures, uncertain: null };
+  return { name: 'Specks on a slice in a pane', kind: 'pane', webgl: null, pixelsPerVoxel: zoom, ratio: 1, minContrast: 8, fewest: 40, whole: speckValue, pictures, uncertain: null };
 }
 
 function readPane(pane: HTMLElement): ImageData {

@@ -57,7 +57,7 @@ function ontoBox(box: readonly number[]): Snap[] {
 
 const view = (pixelsPerVoxel: number, [theta, phi]: readonly [number, number], pixels = 112): SmallScene['view'] => ({ pixelsPerVoxel, pixels, ratio: 1, theta, phi });
 
-const usual = { leastContrast: 8, reach: 1, attributes: {}, children: '', shape: null, fewest: 15, whole: null };
+const usual = { minContrast: 8, reach: 1, attributes: {}, children: '', shape: null, fewest: 15, whole: null };
 const inVeil = { ...usual, transferFunction: smallFunctions.veil };
 const alone = { ...usual, transferFunction: smallFunctions.solid };
 
@@ -71,7 +71,7 @@ const cuts: readonly WithoutKind[] = [
   { ...alone, name: 'Specks in empty space, `cutout`', view: view(2, [200, 60]), attributes: { cutout: corner.join(' ') }, make: () => scatterOn(0, ontoBox(corner)) },
   { ...inVeil, name: 'Specks in a veil, an oblique `<volume-clip>`', view: view(1.3, [70, 70], 80), children: `<volume-clip type="plane" normal="${oblique.join(' ')}" at="2.3"></volume-clip>`, make: () => scatterOn(veilValue, [ontoPlane(oblique, 2.3)], 0.7) },
   { ...alone, name: 'Wires of 1 voxel, a `<volume-clip>` that cuts a box out', view: view(1.2, [70, 70], 80), children: `<volume-clip type="box" keep="outside" box="${corner.join(' ')}"></volume-clip>`, make: () => makeWires(edge, 14) },
-  { ...inVeil, name: 'Lesions of low contrast, radius 2, `ClipPlane`', fewest: 8, reach: 2, leastContrast: 2, view: view(2.2, [10, 80], 128), transferFunction: '0 #400 0, 60 #400 0, 80 #a64 1.5%, 170 #fda 6%, 255 white 10%', children: '<ClipPlane plane="0 -1 0 3.4"></ClipPlane>', make: makeLesions },
+  { ...inVeil, name: 'Lesions of low contrast, radius 2, `ClipPlane`', fewest: 8, reach: 2, minContrast: 2, view: view(2.2, [10, 80], 128), transferFunction: '0 #400 0, 60 #400 0, 80 #a64 1.5%, 170 #fda 6%, 255 white 10%', children: '<ClipPlane plane="0 -1 0 3.4"></ClipPlane>', make: makeLesions },
   { ...alone, name: 'Specks in a `region` that is 0.8 voxels thick', view: view(2, [20, 40]), attributes: { region: slab.join(' ') }, make: () => scatterOn(0, ontoBox(slab).filter((_, i) => i % 3 === 2), 0.8) },
 ];
 

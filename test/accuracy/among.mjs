@@ -89,12 +89,12 @@ async function measurePanes(page, angles) {
 }
 
 /**
- * @param {Pick<AmongResult, 'name' | 'webgl' | 'fewest' | 'leastContrast'> & { pictures: readonly Partial<AmongResult['pictures'][0]>[] }} result
+ * @param {Pick<AmongResult, 'name' | 'webgl' | 'fewest' | 'minContrast'> & { pictures: readonly Partial<AmongResult['pictures'][0]>[] }} result
  * @throws where so few things were seen that a table would tell nothing
  */
-function refuseFew({ name, webgl, fewest, leastContrast, pictures }) {
+function refuseFew({ name, webgl, fewest, minContrast, pictures }) {
   for (const { things = [], atEdges = [] } of pictures) {
-    const { shown } = countThings([[...things, ...atEdges]], leastContrast);
+    const { shown } = countThings([[...things, ...atEdges]], minContrast);
     if (shown < fewest) throw new Error(`${name}, WebGL ${webgl}: ${shown} things count at an angle; expected ${fewest} or more`);
   }
 }
@@ -112,7 +112,7 @@ function describeEdges(result) {
 }
 
 /** How much of a speck's own brightness its brightest pixel has, at all angles at which its middle is on the slice. @param {AmongResult} result */
-function describeWhole({ name, webgl, pixelsPerVoxel, pictures, whole, leastContrast, kind }) {
+function describeWhole({ name, webgl, pixelsPerVoxel, pictures, whole, minContrast, kind }) {
   const things = (kind === 'pane' ? pictures.slice(0, 1) : pictures).flatMap((one) => one.things).filter((thing) => thing !== null);
   const seen = things.map(({ contrast, kept }) => (contrast * kept) / (whole ?? 1));
   return {
@@ -120,7 +120,7 @@ function describeWhole({ name, webgl, pixelsPerVoxel, pictures, whole, leastCont
     WebGL: String(webgl ?? 'none'),
     'pixels a voxel': pixelsPerVoxel,
     'specks on it': things.length,
-    'not shown': things.filter(({ contrast }) => contrast < leastContrast).length,
+    'not shown': things.filter(({ contrast }) => contrast < minContrast).length,
     'least of its own brightness': `${(100 * Math.min(...seen)).toFixed(0)} %`,
   };
 }

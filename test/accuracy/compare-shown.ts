@@ -11,20 +11,20 @@ export function measureTrueError(shown: Uint8Array, ...fulls: readonly [Float32A
   const sum = new ErrorSum(4);
   for (let i = 0; i < shown.length; i += 4) {
     if (shown[i + 3] === 0 && Math.round(fulls[0][i + 3] * 255) === 0) continue;
-    sum.add(fulls.map((full) => comparePixel(shown, full, i)).reduce((a, b) => (b.most < a.most ? b : a)));
+    sum.add(fulls.map((full) => comparePixel(shown, full, i)).reduce((a, b) => (b.max < a.max ? b : a)));
   }
   return sum.result();
 }
 
 /** The worst channel of a pixel, and the sum of all of its squares, 1/255. */
-function comparePixel(shown: Uint8Array, full: Float32Array, at: number): { most: number; squares: number } {
-  let [most, squares] = [0, 0];
+function comparePixel(shown: Uint8Array, full: Float32Array, at: number): { max: number; squares: number } {
+  let [max, squares] = [0, 0];
   for (let c = at; c < at + 4; c++) {
     const off = Math.abs(shown[c] - full[c] * 255);
     squares += off ** 2;
-    most = Math.max(most, off);
+    max = Math.max(max, off);
   }
-  return { most, squares };
+  return { max, squares };
 }
 
 /** Three square pictures of a view, bottom row first. */

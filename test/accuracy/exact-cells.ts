@@ -87,15 +87,15 @@ export class ExactCells {
       const i = Math.floor(origin[0] + middle * forward[0]);
       const j = Math.floor(origin[1] + middle * forward[1]);
       const k = Math.floor(origin[2] + middle * forward[2]);
-      let [least, most] = [Infinity, -Infinity];
+      let [min, max] = [Infinity, -Infinity];
       for (let corner = 0; corner < 8; corner++) {
         const at = clamp(i + (corner & 1), nx) + nx * (clamp(j + ((corner >> 1) & 1), ny) + ny * clamp(k + (corner >> 2), nz));
         const value = slope * samples[at] + intercept;
         corners[corner] = value;
-        if (value < least) least = value;
-        if (value > most) most = value;
+        if (value < min) min = value;
+        if (value > max) max = value;
       }
-      if (most >= this.#firstSeen && least <= this.#lastSeen) {
+      if (max >= this.#firstSeen && min <= this.#lastSeen) {
         const valueAt = (share: number): number => {
           const at = t + share * (end - t);
           return interpolateCorners(corners, origin[0] + at * forward[0] - i, origin[1] + at * forward[1] - j, origin[2] + at * forward[2] - k);

@@ -61,9 +61,9 @@ async function takeSettled(element: VolumeView, pixels: number): Promise<Uint8Ar
 
 function largestDifference(a: ArrayLike<number>, b: ArrayLike<number>): number {
   if (a.length !== b.length) throw new Error(`pictures of ${a.length} and ${b.length} bytes`);
-  let most = 0;
-  for (let i = 0; i < a.length; i++) most = Math.max(most, Math.abs(a[i] - b[i]));
-  return most;
+  let max = 0;
+  for (let i = 0; i < a.length; i++) max = Math.max(max, Math.abs(a[i] - b[i]));
+  return max;
 }
 
 /** Of a PNG file: premultiplied, as colours of what is almost clear say little. */

@@ -27,7 +27,7 @@ export interface BudgetResult {
 export interface MovingResult {
   readonly name: string;
   readonly pixels: number;
-  readonly leastContrast: number;
+  readonly minContrast: number;
   readonly budgets: readonly BudgetResult[];
 }
 
@@ -38,7 +38,7 @@ const stepsPerVoxel = 4;
 
 /** @param name - of a scene with things @param angles - their number, a degree apart */
 export async function measureMotion(name: string, angles: number, tell: (what: string) => void): Promise<MovingResult> {
-  const { view, transferFunction, leastContrast } = smallScenes.find((one) => one.name === name)!;
+  const { view, transferFunction, minContrast } = smallScenes.find((one) => one.name === name)!;
   const { volume, bare, src, places, reach } = await show(name);
   const gl = new StudyGl();
   const size = view.pixels;
@@ -72,7 +72,7 @@ export async function measureMotion(name: string, angles: number, tell: (what: s
   gl.forget(volume);
   gl.dispose();
   return {
-    name, pixels: size, leastContrast,
-    budgets: shares.map((share, n) => ({ share, scale: plans[n][0].scale, steps: plans[n][0].steps, counts: countThings(kept[n], leastContrast) })),
+    name, pixels: size, minContrast,
+    budgets: shares.map((share, n) => ({ share, scale: plans[n][0].scale, steps: plans[n][0].steps, counts: countThings(kept[n], minContrast) })),
   };
 }

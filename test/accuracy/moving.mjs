@@ -33,7 +33,7 @@ export const run = ({ quick }) => measureTables({ quick }, async ({ page, machin
  */
 function sumUpBudgets(results) {
   return (results[0]?.budgets ?? []).map(({ share }, n) => {
-    const all = results.map(({ leastContrast, budgets }) => ({ leastContrast, ...budgets[n] }));
+    const all = results.map(({ minContrast, budgets }) => ({ minContrast, ...budgets[n] }));
     const sum = (/** @type {(one: import('./sum-up-small.mjs').ThingCounts) => number} */ of) => all.reduce((total, { counts }) => total + of(counts), 0);
     const shown = sum((one) => one.shown);
     const pairs = sum((one) => one.pairs);

@@ -148,8 +148,8 @@ const volumeOf = remember((voxels: number): Volume =>
   syntheticVolume({ dimensions: [voxels, voxels, voxels], spacing: [1 / voxels, 1 / voxels, 1 / voxels], kind: 'float32', field }));
 
 /** Against the integral over the interpolated voxels. */
-function measureSteps(draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[], most = maxSubsteps): number[] {
-  const picture = pictureOf(transferFunction, { maxSubsteps: most });
+function measureSteps(draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[], max = maxSubsteps): number[] {
+  const picture = pictureOf(transferFunction, { maxSubsteps: max });
   return counts.map((steps) => rmsOf(draw({ ...picture, stepLength: diagonal / steps }), integrateVoxels(transferFunction)));
 }
 

@@ -49,7 +49,7 @@ export interface SmallResult {
   readonly name: string;
   readonly pixelsPerVoxel: number;
   readonly ratio: number;
-  readonly leastContrast: number;
+  readonly minContrast: number;
   readonly webgl: 1 | 2;
   readonly pictures: readonly SmallPicture[];
   /** How far full rays are from such with twice the steps, and some of them from float64, at the first angle: the largest, 1/255. */
@@ -133,8 +133,8 @@ export async function measureScene(name: string, { angles, doubts = true, tell }
   element.remove();
   gl.forget(shown.volume);
   gl.dispose();
-  const leastContrast = smallScenes.find((one) => one.name === name)?.leastContrast ?? 0;
-  return { name, pixelsPerVoxel: view.pixelsPerVoxel, ratio: view.ratio, leastContrast, webgl, pictures, ...first };
+  const minContrast = smallScenes.find((one) => one.name === name)?.minContrast ?? 0;
+  return { name, pixelsPerVoxel: view.pixelsPerVoxel, ratio: view.ratio, minContrast, webgl, pictures, ...first };
 }
 
 /** A view that has been measured, and what else can be. */
@@ -162,7 +162,7 @@ async function measureView(
     picture,
     async doubt() {
       const finer = await castFullRays(gl, { ...asked, stepsPerVoxel: 2 * stepsPerVoxel });
-      const ofSteps = full.reduce((most, x, i) => Math.max(most, 255 * Math.abs(x - finer[i])), 0);
+      const ofSteps = full.reduce((max, x, i) => Math.max(max, 255 * Math.abs(x - finer[i])), 0);
       return { ofSteps, ofFloats: Math.max(0, ...compareWithExact(asked, full)) };
     },
     async drawLevels() {

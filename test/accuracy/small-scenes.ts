@@ -21,7 +21,7 @@ export interface SmallScene {
   /** The attribute; data values are 0..255. null for the element's own choice. */
   readonly transferFunction: string | null;
   /** Things of less contrast in full rays do not count, 1/255. */
-  readonly leastContrast: number;
+  readonly minContrast: number;
   /** Around a place its thing is looked for, voxels. */
   readonly reach: number;
   readonly make: () => SmallVolume;
@@ -35,7 +35,7 @@ export interface RealScene extends Pick<SmallScene, 'name' | 'view' | 'transferF
 const sight = (pixelsPerVoxel: number, pixels: number, ratio: number, [theta, phi]: readonly [number, number] = [30, 75]): SceneView =>
   ({ pixelsPerVoxel, pixels, ratio, theta, phi });
 
-const usual = { transferFunction: smallFunctions.veil, leastContrast: 8, reach: 1 };
+const usual = { transferFunction: smallFunctions.veil, minContrast: 8, reach: 1 };
 const alone = { ...usual, transferFunction: smallFunctions.solid };
 const ramp = '0 #234 0, 30 #48c 12%, 140 #c96 25%, 255 white 50%';
 
@@ -45,7 +45,7 @@ export const smallScenes: readonly SmallScene[] = [
   { ...usual, name: 'Specks of 1 voxel in a veil, small', view: sight(1, 128, 2, [50, 60]), make: () => scatter(96, veilValue, 60, 0) },
   { ...alone, name: 'Specks of 1 voxel in empty space', view: sight(2, 160, 1, [200, 100]), make: () => scatter(64, 0, 60, 0) },
   { ...usual, name: 'Balls, radius 1.2 voxels, in a veil', view: sight(1.5, 112, 1, [120, 80]), make: () => scatter(80, veilValue, 60, 1.2) },
-  { ...usual, name: 'Lesions of low contrast, radius 2', reach: 2, leastContrast: 2, view: sight(2.2, 128, 1, [10, 80]), transferFunction: '0 #400 0, 60 #400 0, 80 #a64 1.5%, 170 #fda 6%, 255 white 10%', make: makeLesions },
+  { ...usual, name: 'Lesions of low contrast, radius 2', reach: 2, minContrast: 2, view: sight(2.2, 128, 1, [10, 80]), transferFunction: '0 #400 0, 60 #400 0, 80 #a64 1.5%, 170 #fda 6%, 255 white 10%', make: makeLesions },
   { ...alone, name: 'Wires of 1 voxel', view: sight(1.2, 144, 3, [70, 70]), make: () => makeWires(96, 14) },
   { ...alone, name: 'Plate of 1 voxel', view: sight(2, 160, 1, [35, 25]), make: () => makePlate(64, 1, 10) },
   { ...alone, name: 'Plate of 2 voxels', view: sight(1.5, 128, 2, [110, 60]), make: () => makePlate(64, 2, 10) },

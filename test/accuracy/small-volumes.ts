@@ -37,10 +37,10 @@ export function scatter(edge: number, medium: number, count: number, radius: num
 /** A ball of a radius in voxels, its rim by the share that is covered; one voxel where the radius is 0. */
 function paintBall(block: VoxelBlock, [i, j, k]: Vector3, radius: number, value: () => number): void {
   const inside = value();
-  const most = Math.ceil(radius);
-  for (let c = -most; c <= most; c++) {
-    for (let b = -most; b <= most; b++) {
-      for (let a = -most; a <= most; a++) {
+  const max = Math.ceil(radius);
+  for (let c = -max; c <= max; c++) {
+    for (let b = -max; b <= max; b++) {
+      for (let a = -max; a <= max; a++) {
         const share = Math.min(1, Math.max(0, radius === 0 ? 1 : radius + 0.5 - Math.hypot(a, b, c)));
         const place: Vector3 = [i + a, j + b, k + c];
         const before = block.get(place);

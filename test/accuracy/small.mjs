@@ -32,7 +32,7 @@ export const run = ({ quick }) => measureTables({ quick }, async ({ page, machin
   }, { from: '/test/accuracy/final-page.ts', count: quick ? 1 : 4 });
   return {
     'small-where': `${angles} angles of each scene, real volumes ${Math.min(angles, realAngles)}; ${machine.browser}, ${machine.renderer}.`,
-    'small-things': formatTable(results.filter(({ leastContrast }) => leastContrast > 0).map(sumUpThings)),
+    'small-things': formatTable(results.filter(({ minContrast }) => minContrast > 0).map(sumUpThings)),
     'stated-errors': formatTable(results.map(sumUpErrors)),
     'small-levels': formatTable(results.map(sumUpLevels)),
     'one-picture': formatTable(finals),

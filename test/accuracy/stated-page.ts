@@ -37,7 +37,7 @@ export async function measureStated(count: number, tell: (what: string) => void)
     const full = await castFullRays(gl, { ...asked, stepsPerVoxel: 8 });
     const coarser = await castFullRays(gl, { ...asked, stepsPerVoxel: 4 });
     element.remove();
-    const uncertain = full.reduce((most, x, i) => Math.max(most, 255 * Math.abs(x - coarser[i])), 0);
+    const uncertain = full.reduce((max, x, i) => Math.max(max, 255 * Math.abs(x - coarser[i])), 0);
     const error = measureTrueError(data, full, coarser);
     results.push({ name, maxError, stats, error, coverage: error.covered / pixels ** 2, uncertain });
   }

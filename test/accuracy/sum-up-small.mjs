@@ -12,16 +12,16 @@ const maxError = 1;
 
 /**
  * What became of things, counted over several angles.
- * @typedef {{ shown: number, lost: number, dimmed: number, bright: number, leastKept: number | null, blinks: number, pairs: number }} ThingCounts
+ * @typedef {{ shown: number, lost: number, dimmed: number, bright: number, minKept: number | null, blinks: number, pairs: number }} ThingCounts
  */
 
 /**
  * @param {readonly (readonly (import('./compare-shown.ts').KeptThing | null)[])[]} pictures - by thing; null where a view does not hold it
- * @param {number} leastContrast - things with less do not count, 1/255
+ * @param {number} minContrast - things with less do not count, 1/255
  * @returns {ThingCounts}
  */
-export function countThings(pictures, leastContrast) {
-  const shown = pictures.map((things) => things.map((thing) => (thing && thing.contrast >= leastContrast ? thing.kept : null)));
+export function countThings(pictures, minContrast) {
+  const shown = pictures.map((things) => things.map((thing) => (thing && thing.contrast >= minContrast ? thing.kept : null)));
   const kept = shown.flat().filter((share) => share !== null);
   const pairs = shown.slice(1).flatMap((shares, i) => shares.map((share, n) => (share === null || shown[i][n] === null ? null : Math.abs(share - shown[i][n]))));
   const compared = pairs.filter((change) => change !== null);
@@ -30,7 +30,7 @@ export function countThings(pictures, leastContrast) {
     lost: kept.filter((share) => share < limits.lost).length,
     dimmed: kept.filter((share) => share >= limits.lost && share < limits.dimmed).length,
     bright: kept.filter((share) => share > limits.bright).length,
-    leastKept: kept.length > 0 ? Math.min(...kept) : null,
+    minKept: kept.length > 0 ? Math.min(...kept) : null,
     blinks: compared.filter((change) => change > steady).length,
     pairs: compared.length,
   };
@@ -41,10 +41,10 @@ const percentOf = (share) => (share === null ? '' : `${(100 * share).toFixed(0)}
 
 /**
  * What became of a scene's things, counted over all its angles.
- * @param {Pick<import('./small-page.ts').SmallResult, 'name' | 'pixelsPerVoxel' | 'ratio' | 'leastContrast'> & { pictures: readonly Pick<import('./small-page.ts').SmallPicture, 'things'>[] }} result
+ * @param {Pick<import('./small-page.ts').SmallResult, 'name' | 'pixelsPerVoxel' | 'ratio' | 'minContrast'> & { pictures: readonly Pick<import('./small-page.ts').SmallPicture, 'things'>[] }} result
  */
-export function sumUpThings({ name, pixelsPerVoxel, ratio, leastContrast, pictures }) {
-  const { shown, lost, dimmed, bright, leastKept, blinks, pairs } = countThings(pictures.map(({ things }) => things), leastContrast);
+export function sumUpThings({ name, pixelsPerVoxel, ratio, minContrast, pictures }) {
+  const { shown, lost, dimmed, bright, minKept, blinks, pairs } = countThings(pictures.map(({ things }) => things), minContrast);
   return {
     scene: name,
     'pixels a voxel': pixelsPerVoxel,
@@ -53,7 +53,7 @@ export function sumUpThings({ name, pixelsPerVoxel, ratio, leastContrast, pictur
     lost,
     dimmed,
     'too bright': bright,
-    'least kept': percentOf(leastKept),
+    'least kept': percentOf(minKept),
     'blinks, of pairs': `${blinks} of ${pairs}`,
   };
 }
@@ -104,12 +104,12 @@ export function sumUpErrors({ name, pictures, uncertain }) {
  * The error E of each level at the first angle, and in brackets how many things it dims or loses.
  * @param {import('./small-page.ts').SmallResult} result
  */
-export function sumUpLevels({ name, leastContrast, levels }) {
+export function sumUpLevels({ name, minContrast, levels }) {
   return {
     scene: name,
     ...Object.fromEntries(levels.map(({ stepsPerVoxel, substeps, e, things }) => {
-      const dimmed = things.filter((thing) => thing && thing.contrast >= leastContrast && thing.kept < limits.dimmed).length;
-      return [`${stepsPerVoxel} × ${substeps}`, `${e.toFixed(2)}${leastContrast > 0 ? ` (${dimmed})` : ''}`];
+      const dimmed = things.filter((thing) => thing && thing.contrast >= minContrast && thing.kept < limits.dimmed).length;
+      return [`${stepsPerVoxel} × ${substeps}`, `${e.toFixed(2)}${minContrast > 0 ? ` (${dimmed})` : ''}`];
     })),
   };
 }

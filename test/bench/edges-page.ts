@@ -56,9 +56,9 @@ async function compareScene({ name, url, surfaces, look }: EdgeScene, size: numb
   await scene.setStyle(look ? { surfaces } : { surfaces, clear: true });
   const steps = autoSteps(volume.grid);
   scene.setSubsteps(cutSteps({ steps, substeps: 1 }, steps, 1));
-  const time = async (most: number): Promise<{ work: number; clock: number }> => {
+  const time = async (max: number): Promise<{ work: number; clock: number }> => {
     const [before, start] = [await processorSeconds(), performance.now()];
-    scene.setMaxCurvature(0, most);
+    scene.setMaxCurvature(0, max);
     scene.draw(stepLengthOf(volume.grid, steps));
     scene.readPicture();
     await scene.finished();

@@ -9,9 +9,9 @@ export interface FoundSteps {
 }
 
 /** Numbers of steps that are tried, each about a tenth more than the one before. */
-export function listCounts(most: number, least = 6): number[] {
+export function listCounts(max: number, min = 6): number[] {
   const counts: number[] = [];
-  for (let steps = least; steps <= most; steps = Math.max(steps + 1, Math.round(steps * 1.1))) counts.push(steps);
+  for (let steps = min; steps <= max; steps = Math.max(steps + 1, Math.round(steps * 1.1))) counts.push(steps);
   return counts;
 }
 

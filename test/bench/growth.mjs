@@ -45,7 +45,7 @@ async function showInPage({ src, size, repeats: times }) {
  * @param {{ src: string, size: number, count: number, patience: number }} what
  * @returns {Promise<Many>} times until all in sight have their final picture, ms; NaN where not all got one
  */
-async function showManyInPage({ src, size, count, patience: most }) {
+async function showManyInPage({ src, size, count, patience: max }) {
   await customElements.whenDefined('volume-view');
   const elements = Array.from({ length: count }, (_, i) => {
     const element = document.createElement('volume-view');
@@ -68,7 +68,7 @@ async function showManyInPage({ src, size, count, patience: most }) {
   const waitForSight = async () => {
     const began = performance.now();
     while (!inSight().every((element) => done.has(element))) {
-      if (performance.now() - began > most) return NaN;
+      if (performance.now() - began > max) return NaN;
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
     return performance.now() - began;

@@ -35,7 +35,7 @@ interface Timed {
 }
 
 /** Frames are timed together until they took so long, ms: processor time is counted in hundredths of a second. */
-const leastTimed = 400;
+const minTimed = 400;
 
 export async function compareLit(options: LitOptions): Promise<LitRow[]> {
   const rows: LitRow[] = [];
@@ -60,7 +60,7 @@ async function compareScene(bench: LitScene, { size, steps, turns, variants }: L
     await draw(); // Compiles.
     const began = performance.now();
     await draw();
-    const frames = Math.max(1, Math.ceil(leastTimed / (performance.now() - began)));
+    const frames = Math.max(1, Math.ceil(minTimed / (performance.now() - began)));
     const time = async (): Promise<Timed> => {
       const [before, start] = [await processorSeconds(), performance.now()];
       for (let i = 0; i < frames; i++) await draw();

@@ -76,7 +76,7 @@ const litPeers: readonly string[] = ['vtk'];
 const limitSteps: readonly number[] = [1024, 2048, 4096, 8192];
 
 /** Lit, a peer tends to another picture than the reference, which does not tell where digits are lost: it takes no more than these. */
-const mostLitSteps = 4096;
+const maxLitSteps = 4096;
 
 /** Distances from the reference that differ by less are the same: RMSE, 1/255. */
 const asNear = 0.25;
@@ -124,7 +124,7 @@ async function compareScene(
     const peer = name === 'ours' ? await startOurs(host, { ...shown, camera }) : await startPeer(host, options.modules[name], scene);
     const isParallel = peer.parallel !== undefined;
     if (!references.has(isParallel)) references.set(isParallel, castReference(shown, viewRays(shown.volume, camera, peer.parallel), options.errorSize));
-    const measured = await measurePeer(peer, { volume: shown.volume, reference: references.get(isParallel)!, mostSteps: shown.isLit && name !== 'ours' ? mostLitSteps : Infinity }, options);
+    const measured = await measurePeer(peer, { volume: shown.volume, reference: references.get(isParallel)!, maxSteps: shown.isLit && name !== 'ours' ? maxLitSteps : Infinity }, options);
     for (const [size, result] of measured) results.get(size)![name] = result;
     peer.dispose();
     host.remove();
@@ -159,7 +159,7 @@ async function startOurs(host: HTMLElement, { volume, transferFunction, isLit, c
 }
 
 async function measurePeer(
-  peer: Peer, { volume, reference, mostSteps }: { volume: Volume; reference: readonly number[]; mostSteps: number }, { sizes, targets, repeats, errorSize }: PeersOptions,
+  peer: Peer, { volume, reference, maxSteps }: { volume: Volume; reference: readonly number[]; maxSteps: number }, { sizes, targets, repeats, errorSize }: PeersOptions,
 ): Promise<Map<number, PeerResult>> {
   const compare = (picture: Uint8Array): number => rms(referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]), reference);
   const drawLevel = ({ steps, substeps = maxSubsteps }: Pick<FoundSteps, 'steps' | 'substeps'>, size: number): Uint8Array => {
@@ -167,7 +167,7 @@ async function measurePeer(
     return drawPicture(peer, stepLengthOf(volume.grid, steps), size);
   };
   peer.setSize(errorSize);
-  const { limit, ofSteps, fromReference } = findLimit((steps) => drawLevel({ steps }, errorSize), peer.isFixed ? [1] : limitSteps.filter((n) => n <= mostSteps), compare);
+  const { limit, ofSteps, fromReference } = findLimit((steps) => drawLevel({ steps }, errorSize), peer.isFixed ? [1] : limitSteps.filter((n) => n <= maxSteps), compare);
   const errorOf = remember(async (level: Pick<FoundSteps, 'steps' | 'substeps'>) => compareCovered(drawLevel(level, errorSize), limit, 1, 3).e);
   const counts = listCounts(ofSteps / 2);
   const found = new Map<number, FoundSteps | null>();
@@ -197,8 +197,8 @@ function findLimit(
     const limit = drawSteps(ofSteps);
     return { limit, ofSteps, fromReference: compare(limit) };
   });
-  const least = Math.min(...pictures.map(({ fromReference }) => fromReference));
-  const near = pictures.filter(({ fromReference }) => fromReference <= least + asNear);
+  const min = Math.min(...pictures.map(({ fromReference }) => fromReference));
+  const near = pictures.filter(({ fromReference }) => fromReference <= min + asNear);
   return near[near.length - 1];
 }
 

@@ -72,10 +72,10 @@ export function drawPlot({ title, description, xName, yName, kinds, panels }) {
  * @returns {Axis}
  */
 function makeAxis(values, { from, to, before, after }) {
-  const [least, most] = [Math.min(...values), Math.max(...values)];
-  if (!(least > 0 && Number.isFinite(most))) throw new RangeError(`a logarithmic axis got ${least} to ${most}; expected numbers above zero`);
-  const perPixel = Math.max(0.1, Math.log10(most / least)) / (Math.abs(to - from) - before - after);
-  const [low, high] = [Math.log10(least) - before * perPixel, Math.log10(most) + after * perPixel];
+  const [min, max] = [Math.min(...values), Math.max(...values)];
+  if (!(min > 0 && Number.isFinite(max))) throw new RangeError(`a logarithmic axis got ${min} to ${max}; expected numbers above zero`);
+  const perPixel = Math.max(0.1, Math.log10(max / min)) / (Math.abs(to - from) - before - after);
+  const [low, high] = [Math.log10(min) - before * perPixel, Math.log10(max) + after * perPixel];
   const ticks = [];
   for (let decade = Math.floor(low); decade <= high; decade++) {
     for (const step of [1, 2, 5]) {

@@ -118,13 +118,13 @@ function compare(picture: Float32Array, limit: Float32Array): { rms: number; p99
   let sum = 0;
   const worst: number[] = [];
   for (let i = 0; i < picture.length; i += 4) {
-    let most = 0;
+    let max = 0;
     for (let c = i; c < i + 4; c++) {
       const off = (picture[c] - limit[c]) * 255;
       sum += off ** 2;
-      most = Math.max(most, Math.abs(off));
+      max = Math.max(max, Math.abs(off));
     }
-    worst.push(most);
+    worst.push(max);
   }
   worst.sort((a, b) => a - b);
   return { rms: Math.sqrt(sum / picture.length), p99: worst[Math.floor(worst.length * 0.99)] };

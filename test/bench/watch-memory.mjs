@@ -14,12 +14,12 @@ export async function watchMemory(browser) {
   const { processInfo } = await session.send('SystemInfo.getProcessInfo');
   const ids = processInfo.filter(({ type }) => type === 'renderer').map(({ id }) => id);
   const before = sumPrivateBytes(ids);
-  let most = before;
-  const timer = setInterval(() => (most = Math.max(most ?? 0, sumPrivateBytes(ids) ?? 0)), interval);
+  let max = before;
+  const timer = setInterval(() => (max = Math.max(max ?? 0, sumPrivateBytes(ids) ?? 0)), interval);
   return {
     stop() {
       clearInterval(timer);
-      return most === null || before === null ? null : most - before;
+      return max === null || before === null ? null : max - before;
     },
   };
 }

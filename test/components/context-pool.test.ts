@@ -28,8 +28,8 @@ class Holder implements ContextHolder {
 }
 
 /** Fill a pool with elements named a, b, c ... */
-function fillPool(most: number, holders: readonly Partial<Omit<Holder, 'name'>>[]): { pool: ContextPool; all: Holder[] } {
-  const pool = new ContextPool(most);
+function fillPool(max: number, holders: readonly Partial<Omit<Holder, 'name'>>[]): { pool: ContextPool; all: Holder[] } {
+  const pool = new ContextPool(max);
   const all = holders.map((changes, i) => new Holder('abcdefgh'[i], changes));
   for (const holder of all) pool.add(holder);
   return { pool, all };

@@ -16,7 +16,7 @@ function drawOn(scene: VolumeScene): DrawPicture {
     scene.setVolume(volume);
     void scene.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
     scene.setCamera(camera);
-    scene.setSubsteps({ ...allSubsteps, most: maxSubsteps });
+    scene.setSubsteps({ ...allSubsteps, max: maxSubsteps });
     scene.draw(fewSteps); // Only a view that was drawn can be probed.
     const [upsideDown] = probe(scene, [stepLength], { stride: 1, first: [0, 0], width, height }, { width, height })!;
     const pixels = new Float32Array(upsideDown.length);

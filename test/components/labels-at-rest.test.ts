@@ -28,7 +28,7 @@ const picture = { width: size, height: size };
  * Of a thing's contrast in full rays, the least that the picture at rest has; and what counts as a thing, 1/255: ten of it may be lost, see
  * quality/levels.ts. A ray may just touch a label.
  */
-const [leastKept, leastContrast] = [0.75, 40];
+const [minKept, minContrast] = [0.75, 40];
 
 interface LabelScene {
   readonly name: string;
@@ -102,17 +102,17 @@ describe('labels in the picture at rest', () => {
       console.log(`${name}: ${steps / one} steps a voxel, ${substeps} substeps; stated ${rms.toFixed(2)}, true ${error.rms.toFixed(2)}; largest: stated ${max?.toFixed(1)}, true ${error.max.toFixed(1)}`);
       expect(max, 'the largest error').to.be.at.least(error.max);
       if (places.length === 0) return;
-      const [fine, coarse] = [cutSteps({ steps: one, substeps: 1 }, one, 1), { ...allSubsteps, most: 1 }].map((substeps) => cast(1, substeps));
+      const [fine, coarse] = [cutSteps({ steps: one, substeps: 1 }, one, 1), { ...allSubsteps, max: 1 }].map((substeps) => cast(1, substeps));
       await scene().setLabels({ ...labels, styles: labels.styles.map(() => labels.styles[0]) });
       const bare = cast(4);
       const listKept = (drawn: Uint8Array): number[] => places.flatMap((place) => {
         const thing = measureThing({ shown: drawn, full, bare, size }, findPixel(camera, transformPoint(volume.grid.indexToWorld, place), size), Math.max(1, pixelsPerVoxel));
-        return thing && thing.contrast >= leastContrast ? [thing.kept] : [];
+        return thing && thing.contrast >= minContrast ? [thing.kept] : [];
       });
       const [kept, keptByDetail, keptWithout] = [shown, ...[fine, coarse].map((floats) => Uint8Array.from(floats, (x) => Math.round(255 * x)))].map(listKept);
       console.log(`${name}: ${kept.length} things, at least ${percent(kept)} kept, at one step a voxel ${percent(keptByDetail)}, without detail ${percent(keptWithout)}`);
       expect(kept.length, 'things that full rays show').to.be.at.least(25);
-      for (const shares of [kept, keptByDetail]) expect(shares.filter((share) => share < leastKept), 'dimmed').to.deep.equal([]);
+      for (const shares of [kept, keptByDetail]) expect(shares.filter((share) => share < minKept), 'dimmed').to.deep.equal([]);
       if (name.includes('1 voxel')) expect(Math.min(...keptWithout), 'without a closer look').to.be.below(0.5);
     });
   }

@@ -2,8 +2,8 @@ import { expect } from '@esm-bundle/chai';
 import { LoadQueue } from '../../src/viewer/loading/load-queue.ts';
 
 /** Loads that end when they are told to, by name. */
-function prepare(most: number): { running: string[]; load: (name: string, inSight?: boolean, signal?: AbortSignal) => Promise<string>; end: (name: string) => Promise<void> } {
-  const queue = new LoadQueue(most);
+function prepare(max: number): { running: string[]; load: (name: string, inSight?: boolean, signal?: AbortSignal) => Promise<string>; end: (name: string) => Promise<void> } {
+  const queue = new LoadQueue(max);
   const running: string[] = [];
   const ends = new Map<string, () => void>();
   const load = (name: string, inSight = false, signal = new AbortController().signal): Promise<string> =>

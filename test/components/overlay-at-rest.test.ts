@@ -22,7 +22,7 @@ const size = 72;
 const picture = { width: size, height: size };
 
 /** See labels-at-rest.test.ts. */
-const [leastKept, leastContrast] = [0.75, 40];
+const [minKept, minContrast] = [0.75, 40];
 
 // Flat ones: what is less deep takes less long, and as many things are looked at.
 const volume = syntheticVolume({ dimensions: [36, 15, 36], field: (x, y) => 0.4 + 0.05 * x - 0.04 * y });
@@ -74,14 +74,14 @@ describe('a second field in the picture at rest', () => {
       const kept = places.flatMap((place) => {
         const at = transformPoint(toWorld, place.map((x, axis) => (x + 0.5) / fine[axis]) as unknown as Vector3);
         const thing = measureThing({ shown, full, bare, size }, findPixel(camera, at, size), 1.3);
-        return thing && thing.contrast >= leastContrast ? [thing.kept] : [];
+        return thing && thing.contrast >= minContrast ? [thing.kept] : [];
       });
       console.log(`${name}: stated ${rms.toFixed(2)}, true ${error.rms.toFixed(2)}; largest: stated ${max?.toFixed(1)}, true ${error.max.toFixed(1)}; ${kept.length} things, at least ${(100 * Math.min(1, ...kept)).toFixed(0)} % kept`);
       expect(max, 'the largest error').to.be.at.least(error.max);
       expect(max, 'what specks may do, or waves: not all of a picture').to.be.below(places.length > 0 ? 200 : 60);
       if (places.length === 0) return;
       expect(kept.length, 'things that full rays show').to.be.at.least(9);
-      expect(kept.filter((share) => share < leastKept), 'dimmed').to.deep.equal([]);
+      expect(kept.filter((share) => share < minKept), 'dimmed').to.deep.equal([]);
     });
   }
 

@@ -58,7 +58,7 @@ describe('the control of quality', () => {
         expect(sampling).to.equal(allRays);
         expect(steps, 'never less than one a voxel').to.be.at.least(autoSteps(volume.grid));
         expect(substeps.voxelsPerStep).to.be.at.most(1);
-        chosen.push({ rms: control.error!.rms, cost: steps * substeps.most });
+        chosen.push({ rms: control.error!.rms, cost: steps * substeps.max });
       }
       expect(chosen[1].rms).to.be.below(chosen[0].rms);
       expect(chosen[1].cost).to.be.at.least(chosen[0].cost);
@@ -189,14 +189,14 @@ describe('the control of quality', () => {
       const lengths: number[] = [];
       const native = scene.startProbe.bind(scene);
       scene.startProbe = (stepLength, ...rest) => (lengths.push(stepLength), native(stepLength, ...rest));
-      const most = stepLengthOf(volume.grid, autoSteps(volume.grid));
+      const max = stepLengthOf(volume.grid, autoSteps(volume.grid));
       scene.draw(stepLengthOf(volume.grid, 7));
       expect(await control.probe(scene, volume.grid, { plan: plain(7), size, goesOn: () => true }), 'drawn again').to.equal(true);
       expect(lengths).to.have.property('length').above(0);
-      expect(Math.max(...lengths), 'before it').to.be.at.most(most);
-      expect(Math.min(...lengths), 'held against four steps a voxel').to.be.at.most(most / 4 + 1e-9);
+      expect(Math.max(...lengths), 'before it').to.be.at.most(max);
+      expect(Math.min(...lengths), 'held against four steps a voxel').to.be.at.most(max / 4 + 1e-9);
       await settle(control, scene);
-      expect(Math.max(...lengths), 'after it').to.be.above(2 * most);
+      expect(Math.max(...lengths), 'after it').to.be.above(2 * max);
     }));
 
   it('gives up without an error where the context is lost between two pictures', () =>

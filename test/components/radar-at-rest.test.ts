@@ -24,7 +24,7 @@ const size = 128;
 const picture = { width: size, height: size };
 
 /** What full rays show with 8/255 or more is there with three quarters of it at least. */
-const [leastKept, leastContrast] = [0.75, 8];
+const [minKept, minContrast] = [0.75, 8];
 
 const elevations = [2, 4, 6, 8, 10, 12, 14];
 const [gates, gateLength] = [44, 150];
@@ -76,7 +76,7 @@ async function look(scene: VolumeScene, [volume, bareVolume]: readonly [PolarVol
   specks.forEach(({ sweep, azimuth, gate }, i) => {
     const place = beamToLocal({ range: (gate + 0.5) * gateLength, azimuth, elevation: elevations[sweep] }, volume.grid.earthRadius);
     const thing = measureThing({ shown, full, bare, size }, findPixel(camera, place, size), 1.5);
-    if (thing && thing.contrast >= leastContrast) kept.set(i, thing.kept);
+    if (thing && thing.contrast >= minContrast) kept.set(i, thing.kept);
   });
   return { stated: control.error!, error: measureTrueError(shown, full), kept };
 }
@@ -97,7 +97,7 @@ for (const [version, angles] of [[2, 5], [1, 2]] as const) {
         const ratios = seen.map(({ stated, error }) => stated.rms / error.rms);
         console.log(`${name}: ${kept.length} gates seen, at least ${(100 * Math.min(...kept)).toFixed(0)} % kept; stated / true ${Math.min(...ratios).toFixed(2)} to ${Math.max(...ratios).toFixed(2)}`);
         expect(kept.length, 'gates that full rays show').to.be.at.least(35 * angles);
-        expect(kept.filter((share) => share < leastKept), 'dimmed').to.deep.equal([]);
+        expect(kept.filter((share) => share < minKept), 'dimmed').to.deep.equal([]);
         // Edges of gates in empty air are jumps: there up to three times as much is said.
         expect(ratios.filter((ratio) => ratio < 0.5), 'understated').to.deep.equal([]);
         expect(seen.filter(({ stated, error }) => stated.max! < error.max), 'the largest error').to.deep.equal([]);

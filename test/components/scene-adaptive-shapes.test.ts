@@ -62,9 +62,9 @@ async function withShapes({ volume, transferFunction, camera, referenceLength }:
 }
 
 /** The share of pixels that differ by more than `most` in any channel. */
-function shareBeyond(a: Uint8ClampedArray, b: Uint8ClampedArray, most: number): number {
+function shareBeyond(a: Uint8ClampedArray, b: Uint8ClampedArray, max: number): number {
   let beyond = 0;
-  for (let i = 0; i < a.length; i += 4) if ([0, 1, 2, 3].some((c) => Math.abs(a[i + c] - b[i + c]) > most)) beyond++;
+  for (let i = 0; i < a.length; i += 4) if ([0, 1, 2, 3].some((c) => Math.abs(a[i + c] - b[i + c]) > max)) beyond++;
   return beyond / (a.length / 4);
 }
 

@@ -127,11 +127,11 @@ for (const webgl1 of [false, true]) {
       const straight = syntheticVolume({ dimensions: [16, 14, 12], spacing: [1.1, 0.9, 1.3], field: (_x, _y, z) => (z > 0.9 ? 0.9 : 0.2) });
       const middle = boundingSphere(straight.grid).center;
       const [low, high] = [-1, 1].map((side) => middle.map((x, axis) => x + side * [8.8, 6.3, 7.8][axis]) as unknown as Vector3);
-      for (const [from, most] of [[low, 0], [[low[0], low[1], middle[2]], 60]] as const) {
+      for (const [from, max] of [[low, 0], [[low[0], low[1], middle[2]], 60]] as const) {
         const whole: View = { ...viewOf({ name: '', clips: { kept: [], cutout: cutBox(straight.grid, from, high) } }), volume: straight, projection: 'max', optics: { ...plainOptics, transferFunction: ramp } };
         for (const view of bothWalks(whole)) {
           const picture = drawPicture(scene(), view);
-          expect(Math.max(...picture)).to.be.within(most && 40, most);
+          expect(Math.max(...picture)).to.be.within(max && 40, max);
           expect(comparePictures(picture, drawReference(view)).worst).to.be.below(2.01);
         }
       }

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { leastSubsteps } from '../../src/optics/cells/least-substeps.ts';
+import { minSubsteps } from '../../src/optics/cells/min-substeps.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { setUpRays } from '../../src/optics/rays/rays.ts';
@@ -40,13 +40,13 @@ describe('cells that are sampled as finely as they need', () => {
           scene.draw(stepLength);
           return readPixels(scene);
         };
-        const coarse = draw({ ...allSubsteps, most: 1 });
+        const coarse = draw({ ...allSubsteps, max: 1 });
         const cut = cutSteps({ steps: oneAVoxel, substeps: 1 }, oneAVoxel, 1);
         const fine = draw(cut);
         const codes = scene.detail()!;
         expect(new Set(codes).size, 'cells differ').to.be.above(1);
         const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
-        const reference = renderReference({ ...volume, ...optics, stepLength, maxSubsteps: 1, leastSubsteps: leastSubsteps(volume, codes, cut.voxelsPerStep) }, rays, width, height);
+        const reference = renderReference({ ...volume, ...optics, stepLength, maxSubsteps: 1, minSubsteps: minSubsteps(volume, codes, cut.voxelsPerStep) }, rays, width, height);
         const { worst } = comparePictures(fine, Uint8ClampedArray.from(reference, (x) => Math.round(x * 255)));
         expect(worst).to.be.at.most(2);
         expect(comparePictures(coarse, fine).worst).to.be.above(10);

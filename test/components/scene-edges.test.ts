@@ -15,7 +15,7 @@ import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
 import { viewFromAbove } from '../helpers/views.ts';
 
 /** At `max-error` 1. */
-const most = 8 * Math.sqrt(12);
+const max = 8 * Math.sqrt(12);
 
 interface Case {
   readonly name: string;
@@ -60,9 +60,9 @@ for (const webgl1 of [false, true]) {
         await scene.prepare(view.volume);
         await scene.setStyle(one.style);
         const plain = draw(scene, view, Infinity);
-        const quads = turned(findEdges(scene.readPicture(), most));
+        const quads = turned(findEdges(scene.readPicture(), max));
         expect(quads.length, 'quads with edges').to.be.within(20, (width * height) / 8);
-        const got = draw(scene, view, most);
+        const got = draw(scene, view, max);
         const expected = meanAtEdges(raysOfPixels(one), quads, width);
         const off = new Set<number>();
         got.forEach((x, i) => Math.abs(x - expected[i]) > 2 && off.add(i >> 2));
@@ -75,16 +75,16 @@ for (const webgl1 of [false, true]) {
         const same = meanAtEdges([plain, plain.map((x) => 255 - x)], quads, width);
         expect(got.every((x, i) => x === plain[i] || same[i] !== plain[i]), 'all that is changed are quads with edges').to.equal(true);
 
-        expect(comparePictures(draw(scene, view, most), got).worst, 'once more').to.equal(0);
+        expect(comparePictures(draw(scene, view, max), got).worst, 'once more').to.equal(0);
         const size = { width, height };
         for (const pass of scene.passes(size)) {
           for (let firstRow = 0; firstRow < pass.height; firstRow += 7) scene.gather(view.stepLength, { pass, firstRow, rows: Math.min(7, pass.height - firstRow) }, size);
         }
         scene.drawGathered();
         const { data } = scene.readPicture();
-        expect(comparePictures(data, (draw(scene, view, most), scene.readPicture().data)).worst, 'in pieces').to.equal(0);
+        expect(comparePictures(data, (draw(scene, view, max), scene.readPicture().data)).worst, 'in pieces').to.equal(0);
         (scene.device as { quadPoints: boolean }).quadPoints = false;
-        expect(comparePictures(draw(scene, view, most), got).worst, 'where points are not drawn').to.equal(0);
+        expect(comparePictures(draw(scene, view, max), got).worst, 'where points are not drawn').to.equal(0);
         expect(comparePictures(draw(scene, view, Infinity), plain).worst, 'and without again').to.equal(0);
       }));
     }

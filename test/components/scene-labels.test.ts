@@ -200,7 +200,7 @@ describe('what is hidden', () => {
     const shown = { ...viewFromAbove(volume), camera: orbitCamera({ theta: 1.4, phi: 1.5, radius: 90 }, boundingSphere(volume.grid).center, 0.6), stepLength: 5 };
     const optics = { ...plainOptics, transferFunction: [{ value: 0.4, color: [1, 1, 1], opacity: 0 }, { value: 0.9, color: [1, 1, 1], opacity: 0.3 }] } as const;
     await scene().setLabels({ map: labelMap([48, 16, 16], (i) => Number(i >= 23), 2), styles: [plainLook, { ...plainLook, opacityFactor: 0 }] });
-    scene().setSubsteps({ ...allSubsteps, most: 1 });
+    scene().setSubsteps({ ...allSubsteps, max: 1 });
     scene().layers[0].skipping = false;
     const without = drawPicture(scene(), { ...shown, optics });
     scene().layers[0].skipping = true;

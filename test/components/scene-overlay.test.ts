@@ -141,7 +141,7 @@ describe('a second field', () => {
 
   it('of single bright voxels, of any size and anywhere, is skipped around without a byte being another', async () => {
     const random = randomNumbers(78);
-    const numbers = (least: number, most: number): Vector3 => [0, 1, 2].map(() => Math.floor(least + random() * (most - least))) as unknown as Vector3;
+    const numbers = (min: number, max: number): Vector3 => [0, 1, 2].map(() => Math.floor(min + random() * (max - min))) as unknown as Vector3;
     let shows = 0;
     for (let n = 0; n < 12; n++) {
       const over = syntheticVolume({ dimensions: numbers(8, 60), field: () => 0 });

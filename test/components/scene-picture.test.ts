@@ -76,7 +76,7 @@ for (const version of [2, 1] as const) {
       it(one.name, () => {
         expect(scene().device.webgl2).to.equal(version === 2);
         for (const expectation of expectationOf(one)) {
-          drawAsExpected(scene(), expectation, { name: `WebGL ${version} ${one.name}`, leastShown: 60 });
+          drawAsExpected(scene(), expectation, { name: `WebGL ${version} ${one.name}`, minShown: 60 });
         }
       });
     }

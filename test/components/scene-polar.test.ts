@@ -98,7 +98,7 @@ for (const version of [2, 1] as const) {
         expect(scene().device.webgl2).to.equal(version === 2);
         for (const expectation of expectationOf(one)) {
           await scene().prepare(expectation.view.volume);
-          drawAsExpected(scene(), expectation, { name: `WebGL ${version} ${one.name}`, leastShown: 20 });
+          drawAsExpected(scene(), expectation, { name: `WebGL ${version} ${one.name}`, minShown: 20 });
         }
       });
     }

@@ -7,17 +7,17 @@ import { measurePane } from '../accuracy/among-panes.ts';
 import { measureScene } from '../accuracy/small-page.ts';
 
 /** Of a thing's contrast in full rays, the least that the picture has. */
-const leastKept = 0.75;
+const minKept = 0.75;
 
 /** The kept shares of what counts. */
-function listKept({ pictures, leastContrast }: { readonly pictures: readonly Pick<SeenThings, 'things'>[]; readonly leastContrast: number }): number[] {
-  return pictures.flatMap(({ things }) => things.flatMap((thing) => (thing && thing.contrast >= leastContrast ? [thing.kept] : [])));
+function listKept({ pictures, minContrast }: { readonly pictures: readonly Pick<SeenThings, 'things'>[]; readonly minContrast: number }): number[] {
+  return pictures.flatMap(({ things }) => things.flatMap((thing) => (thing && thing.contrast >= minContrast ? [thing.kept] : [])));
 }
 
 function expectAll(name: string, kept: readonly number[], fewest: number): void {
   console.log(`${name}: ${kept.length} things, at least ${(100 * Math.min(...kept)).toFixed(0)} % kept`);
   expect(kept.length, 'things that full rays show').to.be.at.least(fewest);
-  expect(kept.filter((share) => !(share >= leastKept)), 'dimmed').to.deep.equal([]);
+  expect(kept.filter((share) => !(share >= minKept)), 'dimmed').to.deep.equal([]);
 }
 
 /** As x3dom sees Apple's systems, where it asks for WebGL 1. */
@@ -64,6 +64,6 @@ describe('the picture at rest of small things', function () {
 
   it('lacks some of them with too few steps: so they would be missed', async () => {
     const kept = listKept(await measureAmong(cut, { angles: 1, attributes: { steps: '24' } }));
-    expect(kept.filter((share) => share < leastKept).length).to.be.at.least(5);
+    expect(kept.filter((share) => share < minKept).length).to.be.at.least(5);
   });
 });

@@ -329,18 +329,18 @@ test.describe('with fingers', () => {
     await settle(page);
     const element = page.locator('volume-view');
     await expect(element.locator('.hint')).toHaveText('One finger turns, two fingers move and zoom.');
-    const measure = (): Promise<{ share: number; least: number; cut: boolean }> => withElement(page, (view) => {
+    const measure = (): Promise<{ share: number; min: number; cut: boolean }> => withElement(page, (view) => {
       const around = view.getBoundingClientRect();
       const parts = [...view.shadowRoot!.querySelectorAll('.hint, .bar')].map((part) => part.getBoundingClientRect());
       const buttons = [...view.shadowRoot!.querySelectorAll('.bar button')].map((one) => one.getBoundingClientRect()).filter(({ width }) => width > 0);
       const hint = view.shadowRoot!.querySelector('.hint');
       return {
         share: (around.bottom - Math.min(...parts.map(({ top }) => top))) / around.height,
-        least: Math.min(...buttons.flatMap(({ width, height }) => [width, height])),
+        min: Math.min(...buttons.flatMap(({ width, height }) => [width, height])),
         cut: hint !== null && (hint.scrollHeight > hint.clientHeight || hint.scrollWidth > hint.clientWidth),
       };
     });
-    expect(await measure()).toMatchObject({ least: 44, cut: false });
+    expect(await measure()).toMatchObject({ min: 44, cut: false });
     expect((await measure()).share).toBeLessThan(0.2);
     await element.locator('.picture').press('ArrowLeft');
     await expect(element.locator('.hint')).toHaveCount(0);

@@ -21,7 +21,7 @@ function tile(valueOf: (x: number, y: number, z: number) => number): Buffer {
 }
 
 /** A ball with a bright core, and air around it. */
-const ball = (most: number) => (x: number, y: number, z: number): number => Math.max(0, most * Math.min(1, 2.4 - 6 * Math.hypot(x - 0.5, y - 0.5, z - 0.5)));
+const ball = (max: number) => (x: number, y: number, z: number): number => Math.max(0, max * Math.min(1, 2.4 - 6 * Math.hypot(x - 0.5, y - 0.5, z - 0.5)));
 const red = Uint8Array.from({ length: 256 * 4 }, (_, i) => [255, 40, 20, Math.floor(i / 4)][i % 4]);
 const files = {
   'body.png': tile(ball(200)), 'inside.png': tile(ball(240)), 'halves.png': tile((x) => (x < 0.5 ? 0 : 1)), 'red.png': Buffer.from(encode({ width: 256, height: 1, data: red, channels: 4, depth: 8 })),
@@ -89,10 +89,10 @@ for (const { file, title, html, code } of exampleScenes) {
     if (!code) expect(checked).toMatchObject({ off: 0, agrees: true });
     await page.addStyleTag({ content: 'volume-view::part(error) { display: none }' });
     const { share, color, background, strongest } = describe(await takeScreenshot(page));
-    const [sky, [least, most], isOfColor, [weak, strong]] = expected[title];
+    const [sky, [min, max], isOfColor, [weak, strong]] = expected[title];
     expect(background).toEqual(sky);
-    expect(share).toBeGreaterThan(least);
-    expect(share).toBeLessThan(most);
+    expect(share).toBeGreaterThan(min);
+    expect(share).toBeLessThan(max);
     expect(isOfColor(color), `rgb ${color.join(' ')}`).toBe(true);
     expect(strongest).toBeGreaterThan(weak);
     expect(strongest).toBeLessThanOrEqual(strong);

@@ -5,10 +5,10 @@ import { Worker } from 'node:worker_threads';
 /** Megabytes that the worker's heap may grow to: what the largest cases may hold. What smaller ones hold is measured in the worker. */
 const heapMb = 400;
 /** Milliseconds of the processor's time after which a case is ended. */
-const mostCpuMs = 10_000;
+const maxCpuMs = 10_000;
 /** Milliseconds after which a case that takes less than that of the processor's time waits for what never comes. */
-const mostWaitMs = 60_000;
-const leastCpuMs = 500;
+const maxWaitMs = 60_000;
+const minCpuMs = 500;
 
 const worker = new Worker(new URL(process.argv[2]), { resourceLimits: { maxOldGenerationSizeMb: heapMb, maxYoungGenerationSizeMb: 32 } });
 let start = { wall: Infinity, cpu: process.cpuUsage() };
@@ -40,6 +40,6 @@ worker.on('error', (/** @type {NodeJS.ErrnoException} */ error) => {
 });
 setInterval(() => {
   if (start.wall === Infinity) return;
-  if (usedMs() > mostCpuMs) fail('time', `no answer in ${mostCpuMs} ms of the processor's time`);
-  else if (Date.now() - start.wall > mostWaitMs && usedMs() < leastCpuMs) fail('no answer', `nothing happens any more, for ${mostWaitMs} ms`);
+  if (usedMs() > maxCpuMs) fail('time', `no answer in ${maxCpuMs} ms of the processor's time`);
+  else if (Date.now() - start.wall > maxWaitMs && usedMs() < minCpuMs) fail('no answer', `nothing happens any more, for ${maxWaitMs} ms`);
 }, 250);

@@ -7,7 +7,7 @@ import { Oracle } from './oracle.mjs';
 
 /** Of so many sound cases of a format, this share must be volumes: else the grammar makes noise. */
 const soundCases = 20;
-const leastVolumes = 0.6;
+const minVolumes = 0.6;
 
 const oracle = new Oracle(await bundleWorker());
 await oracle.ready();
@@ -29,7 +29,7 @@ for (const format of oracle.formats) {
       assert.equal(verdict.finding, null, verdict.finding?.detail);
       read += Number(verdict.outcome === 'volume' || verdict.outcome === 'value' || format === 'attributes');
     }
-    assert.ok(read >= leastVolumes * soundCases, `${read} of ${soundCases} are volumes`);
+    assert.ok(read >= minVolumes * soundCases, `${read} of ${soundCases} are volumes`);
     return `${read} of ${soundCases}`;
   });
 }

@@ -9,7 +9,7 @@ import { runInNewContext } from 'node:vm';
 const step = 2 ** 18;
 
 /** Beyond this no array is given, as a browser would refuse it; the peak knows that it was asked for. */
-const mostBytes = 1.5 * 2 ** 30;
+const maxBytes = 1.5 * 2 ** 30;
 
 setFlagsFromString('--expose-gc');
 // Else arrays that are garbage are still counted for a while after they were collected.
@@ -17,7 +17,7 @@ setFlagsFromString('--no-concurrent-array-buffer-sweeping');
 const collect = runInNewContext('gc') as () => void;
 
 /** Garbage of cases before that may be there when one begins: by so much its peak may be too low. */
-const mostGarbage = 2 ** 22;
+const maxGarbage = 2 ** 22;
 
 /** A peak below this is not looked for: collecting the garbage takes longer than most cases. */
 const worthKnowing = 2 ** 22;
@@ -42,7 +42,7 @@ function note(bytes: number): void {
   if (readHeld() + bytes <= 1.25 * peak + step) return;
   const held = collectAndRead() + bytes;
   peak = Math.max(peak, held);
-  if (held > mostBytes) throw new RangeError('Array buffer allocation failed');
+  if (held > maxBytes) throw new RangeError('Array buffer allocation failed');
 }
 
 function collectAndRead(): number {
@@ -61,7 +61,7 @@ export function noteNative(bytes: number): void {
 
 export function startCounting(): void {
   [native, base, peak, since, pausedMs] = [0, 0, 0, 0, 0];
-  if (readHeld() > afterCollection + mostGarbage) {
+  if (readHeld() > afterCollection + maxGarbage) {
     collect();
     afterCollection = readHeld();
   }

@@ -11,9 +11,9 @@ import type { Finding, Verdict } from './verdict.ts';
 const lengths = [25_000, 50_000, 100_000];
 
 /** Of four times the text, this many times the time is more than one pass over it, whatever else the machine does. */
-const mostGrowth = 10;
+const maxGrowth = 10;
 /** Milliseconds: below this nothing can be said of growth. */
-const leastMs = 100;
+const minMs = 100;
 
 /** Read an attribute that gets longer and longer. The longest must be quick, and its time must not grow faster than it. */
 export async function judgeText(one: TextCase): Promise<Verdict> {
@@ -26,7 +26,7 @@ export async function judgeText(one: TextCase): Promise<Verdict> {
     if (verdict.finding) return verdict;
   }
   const growth = times[2] / Math.max(times[0], 1);
-  if (times[2] < leastMs || growth < mostGrowth) return verdict!;
+  if (times[2] < minMs || growth < maxGrowth) return verdict!;
   const detail = `${times.map((ms) => ms.toFixed(0)).join(', ')} ms for ${lengths.join(', ')} characters`;
   return { ...verdict!, finding: { kind: `growth: ${one.attribute}`, detail } };
 }

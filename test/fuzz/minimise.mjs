@@ -5,8 +5,8 @@
 /** @typedef {import('./oracle.mjs').Oracle} Oracle */
 
 /** Cases that are tried at most, and milliseconds. */
-const mostTries = 300;
-const mostMs = 40_000;
+const maxTries = 300;
+const maxMs = 40_000;
 
 /**
  * @param {Oracle} oracle
@@ -20,7 +20,7 @@ export async function minimise(oracle, made, verdict) {
   let tries = 0;
   /** @param {FuzzCase} candidate @returns {Promise<boolean>} whether it shows the same */
   const improve = async (candidate) => {
-    if (tries++ >= mostTries || Date.now() - start > mostMs) return false;
+    if (tries++ >= maxTries || Date.now() - start > maxMs) return false;
     const { verdict } = await oracle.run({ type: 'given', made: candidate });
     if (verdict.finding?.kind !== best.verdict.finding?.kind) return false;
     best = { made: candidate, verdict };

@@ -11,8 +11,8 @@ export class Tally {
   findings = new Map();
   slowest = { ms: 0, index: -1 };
   /** Bytes that were held for each byte of the files, beyond what is free. */
-  ratio = { most: 0, index: -1 };
-  mostPeak = 0;
+  ratio = { max: 0, index: -1 };
+  maxPeak = 0;
 
   /** @param {string} format */
   constructor(format) {
@@ -30,8 +30,8 @@ export class Tally {
     else this.errors.set(outcome, (this.errors.get(outcome) ?? 0) + 1);
     if (ms > this.slowest.ms) this.slowest = { ms, index };
     const ratio = Math.max(0, peak - 2 ** 26) / Math.max(1, size);
-    if (ratio > this.ratio.most) this.ratio = { most: ratio, index };
-    this.mostPeak = Math.max(this.mostPeak, peak);
+    if (ratio > this.ratio.max) this.ratio = { max: ratio, index };
+    this.maxPeak = Math.max(this.maxPeak, peak);
     if (!finding) return false;
     const count = this.findings.get(finding.kind) ?? 0;
     this.findings.set(finding.kind, count + 1);
@@ -44,15 +44,15 @@ export class Tally {
  * @param {readonly Tally[]} tallies
  */
 export function formatTable(tallies) {
-  const rows = tallies.map(({ format, cases, volumes, errors, findings, slowest, ratio, mostPeak }) => [
+  const rows = tallies.map(({ format, cases, volumes, errors, findings, slowest, ratio, maxPeak }) => [
     format,
     cases.toLocaleString('en'),
     volumes.toLocaleString('en'),
     sortByCount(errors).map(([code, count]) => `${code} ${count.toLocaleString('en')}`).join(', '),
     [...findings.values()].reduce((sum, count) => sum + count, 0).toLocaleString('en'),
     `${Math.round(slowest.ms)} ms`,
-    `${(mostPeak / 2 ** 20).toFixed(0)} MB`,
-    ratio.most > 0 ? ratio.most.toFixed(0) : 'none',
+    `${(maxPeak / 2 ** 20).toFixed(0)} MB`,
+    ratio.max > 0 ? ratio.max.toFixed(0) : 'none',
   ]);
   const head = ['format', 'cases', 'volumes', 'errors by code', 'findings', 'slowest', 'most memory', 'bytes per byte beyond 64 MB'];
   return [head, head.map(() => '---'), ...rows].map((cells) => `| ${cells.join(' | ')} |`).join('\n');

@@ -2,10 +2,10 @@ import { VolumeViewError } from '../../src/core/errors.ts';
 import { measureSlowness } from './machine-speed.ts';
 
 /** Milliseconds of the processor's time, on a quiet machine. */
-export const mostMs = 2000;
+export const maxMs = 2000;
 /** Bytes that a case may hold: so many for each byte of its files, and so many more. */
-export const mostPerByte = 1100;
-export const mostFree = 64 * 2 ** 20;
+export const maxPerByte = 1100;
+export const maxFree = 64 * 2 ** 20;
 /** Bytes of the heap that code and the runtime itself need while a case runs. */
 export const forRuntime = 8 * 2 ** 20;
 
@@ -29,11 +29,11 @@ export interface Finding {
 }
 
 export function judgeCost(ms: number, peak: number, size: number): Finding | null {
-  const allowed = mostPerByte * size + mostFree + forRuntime;
+  const allowed = maxPerByte * size + maxFree + forRuntime;
   if (peak > allowed) return { kind: 'memory', detail: `${megabytes(peak)} MB for ${size} bytes; at most ${megabytes(allowed)} MB` };
-  if (ms <= mostMs) return null;
-  const most = mostMs * measureSlowness();
-  return ms > most ? { kind: 'time', detail: `${Math.round(ms)} ms; at most ${Math.round(most)} ms as the machine is now` } : null;
+  if (ms <= maxMs) return null;
+  const max = maxMs * measureSlowness();
+  return ms > max ? { kind: 'time', detail: `${Math.round(ms)} ms; at most ${Math.round(max)} ms as the machine is now` } : null;
 }
 
 const megabytes = (bytes: number): string => (bytes / 2 ** 20).toFixed(1);

@@ -45,15 +45,15 @@ vec4 count(vec4 visible, vec4 seen) {
 }
 `;
 
-const least = 1 / 1024;
+const min = 1 / 1024;
 const pieces: readonly (readonly [name: string, visible: readonly [number, number], opacities: readonly [number, number], taps: readonly [number, number]])[] = [
   ['both show: where the second one begins is known', [1, 1], [0.1, 0.1], [12, 6]],
   ['nothing is there', [1, 1], [0, 0], [0, 0]],
   ['nothing is there, and then something', [1, 1], [0, 0.1], [0, 12]],
   ['something, and then nothing', [1, 1], [0.1, 0], [12, 0]],
   ['all is hidden', [0, 0], [0.9, 0.9], [0, 0]],
-  ['less is to be seen than counts', [0.9 * least, 1.1 * least], [1, 1], [0, 12]],
-  ['less is there than counts, by its length', [1, 1], [0.9 * least * 0.25, 1.1 * least * 0.25], [0, 12]],
+  ['less is to be seen than counts', [0.9 * min, 1.1 * min], [1, 1], [0, 12]],
+  ['less is there than counts, by its length', [1, 1], [0.9 * min * 0.25, 1.1 * min * 0.25], [0, 12]],
 ];
 
 for (const version of [1, 2] as const) {

@@ -49,10 +49,10 @@ export interface RestResult {
 const full = 12;
 
 /** Their maximum number of steps: all of their samples have to be taken. */
-const mostSteps = 16_384;
+const maxSteps = 16_384;
 
 /** The maximum number of frames until there is a picture at rest: draw, choose the steps, draw with these steps. */
-const mostFrames = 3;
+const maxFrames = 3;
 
 /** @param halves - compare also with half as many steps: where both references differ, a pixel counts by the nearer one */
 export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves = false): Promise<RestResult> {
@@ -60,7 +60,7 @@ export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves =
   const { volume, size } = scene;
   gpu.setSubsteps(allSubsteps);
   const one = autoSteps(volume.grid);
-  const lengthOf = (share: number): number => stepLengthOf(volume.grid, Math.min(mostSteps, share * one));
+  const lengthOf = (share: number): number => stepLengthOf(volume.grid, Math.min(maxSteps, share * one));
   const best = probe(gpu, (halves ? [full, full / 2] : [full]).map(lengthOf), { stride: 1, first: [0, 0], ...size }, size)! as [Float32Array];
   return { ...drawn, error: measureTrueError(drawn.shown, ...best) };
 }
@@ -86,11 +86,11 @@ export async function drawAtRest(gpu: VolumeScene, scene: RestScene): Promise<Om
 
 /** Draw as an element does: draw, choose the steps by the error, and draw with these steps. */
 export async function settle(control: QualityControl, gpu: VolumeScene, { volume: { grid }, size }: Pick<RestScene, 'volume' | 'size'>): Promise<Level> {
-  for (let frame = 1; frame <= mostFrames; frame++) {
+  for (let frame = 1; frame <= maxFrames; frame++) {
     const plan = control.still(grid);
     gpu.setSubsteps(plan.substeps);
     gpu.draw(stepLengthOf(grid, plan.steps));
-    if (!(await control.probe(gpu, grid, { plan, size, goesOn: () => true }))) return { steps: plan.steps, substeps: plan.substeps.most };
+    if (!(await control.probe(gpu, grid, { plan, size, goesOn: () => true }))) return { steps: plan.steps, substeps: plan.substeps.max };
   }
-  throw new Error(`no picture at rest within ${mostFrames} frames`);
+  throw new Error(`no picture at rest within ${maxFrames} frames`);
 }

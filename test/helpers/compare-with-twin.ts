@@ -39,13 +39,13 @@ export function expectWalks(view: View): Expectation[] {
 
 /**
  * Draw a view, and compare every pixel with the expected one. Rounding to 8 bits alone gives an error of 0.5, and of 0.29 RMS.
- * @param leastShown - the minimum of the strongest channel, so that the picture shows something
+ * @param minShown - the minimum of the strongest channel, so that the picture shows something
  */
-export function drawAsExpected(scene: VolumeScene, { view, expected }: Expectation, { name, leastShown }: { name: string; leastShown: number }): void {
+export function drawAsExpected(scene: VolumeScene, { view, expected }: Expectation, { name, minShown }: { name: string; minShown: number }): void {
   const { worst, rmse } = comparePictures(drawPicture(scene, view), expected);
   const strongest = Math.max(...expected);
   console.log(`${name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)} of ${strongest.toFixed(0)}`);
-  expect(strongest, 'the picture shows something').to.be.above(leastShown);
+  expect(strongest, 'the picture shows something').to.be.above(minShown);
   expect(worst, 'worst pixel').to.be.at.most(2);
   expect(rmse, 'RMSE').to.be.at.most(0.5);
 }

@@ -20,9 +20,9 @@ export class ErrorSum {
   /** @param channels - the number of channels of a pixel */
   constructor(readonly channels: number) {}
 
-  /** @param most - the largest error of the pixel's channels, in 1/255 @param squares - the sum of squares of all channels */
-  add({ most, squares }: { readonly most: number; readonly squares: number }): void {
-    this.#worst.push(most);
+  /** @param max - the largest error of the pixel's channels, in 1/255 @param squares - the sum of squares of all channels */
+  add({ max, squares }: { readonly max: number; readonly squares: number }): void {
+    this.#worst.push(max);
     this.#squares += squares;
   }
 
@@ -45,14 +45,14 @@ export class ErrorSum {
 export function compareCovered(a: ArrayLike<number>, b: ArrayLike<number>, scale: number, channels: 3 | 4 = 4): CoveredError {
   const sum = new ErrorSum(channels);
   for (let i = 0; i < a.length; i += 4) {
-    let [most, squares, isCovered] = [0, 0, false];
+    let [max, squares, isCovered] = [0, 0, false];
     for (let c = i; c < i + channels; c++) {
       const off = scale * Math.abs(a[c] - b[c]);
-      most = Math.max(most, off);
+      max = Math.max(max, off);
       squares += off ** 2;
       isCovered ||= a[c] > 0 || b[c] > 0;
     }
-    if (isCovered) sum.add({ most, squares });
+    if (isCovered) sum.add({ max, squares });
   }
   return sum.result();
 }

@@ -48,7 +48,7 @@ export function coverPairs<T>(rows: readonly Row<T>[], name: (level: T) => strin
   const news = pairs.map((some) => some.length);
   const chosen: Row<T>[] = [];
   while (rowsWith.size > 0) {
-    const best = news.reduce((most, count, row) => (count > news[most] ? row : most), 0);
+    const best = news.reduce((max, count, row) => (count > news[max] ? row : max), 0);
     chosen.push(rows[best]);
     for (const pair of pairs[best]) {
       for (const row of rowsWith.get(pair) ?? []) news[row]--;

@@ -24,7 +24,7 @@ export async function readExpected<T extends ExpectedFile>(name: string): Promis
  * magnitude. That is at most half the range if an offset is subtracted, else the largest end of the range.
  */
 function toleranceOf(volume: Volume): number {
-  const farthest = Array.from(volume.samples).reduce((most, sample) => Math.max(most, Math.abs(sample) || 0), 0);
+  const farthest = Array.from(volume.samples).reduce((max, sample) => Math.max(max, Math.abs(sample) || 0), 0);
   const stored = volume.samples instanceof Float32Array ? Math.abs(volume.slope) * farthest * 2 ** -24 : 0;
   // The rounding of doubles of this size, twice: in the other program and in ours.
   return stored + 4 * Math.max(Math.abs(volume.range[0]), Math.abs(volume.range[1])) * Number.EPSILON;

@@ -160,7 +160,7 @@ export interface View {
 
 /** A view with each of the two walks of a ray, see walk-steps.glsl and walk-substeps.glsl. */
 export function bothWalks(view: View): View[] {
-  return [1, maxSubsteps].map((most) => ({ ...view, maxSubsteps: most }));
+  return [1, maxSubsteps].map((max) => ({ ...view, maxSubsteps: max }));
 }
 
 /**
@@ -175,7 +175,7 @@ export function walksIn<T>(version: 1 | 2, scene: number, both: readonly T[]): r
 /** Draw a view with the GPU. */
 export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
   const { volume, camera, stepLength, optics = plainOptics, slices = [], region = null, maxSubsteps } = view;
-  if (maxSubsteps) scene.setSubsteps({ ...allSubsteps, most: maxSubsteps });
+  if (maxSubsteps) scene.setSubsteps({ ...allSubsteps, max: maxSubsteps });
   scene.setVolume(volume);
   void scene.setOptics(optics); // It resolves at once: `createScene` has loaded all parts that optics may need.
   scene.setSlices(slices, cutsOf(view));
@@ -219,14 +219,14 @@ async function prepareLayer(): Promise<VolumeLayer> {
 
 /** The stages of a view's rays in float64, from the twins of the modules that draw it. */
 export function stagesOfView(view: View, surfaceT?: (ray: Ray) => number): RayStages {
-  const { volume, optics = plainOptics, slices = [], stepLength, maxSubsteps: most = maxSubsteps } = view;
+  const { volume, optics = plainOptics, slices = [], stepLength, maxSubsteps: max = maxSubsteps } = view;
   quiet.set(volume);
   void quiet.setOptics(optics); // It resolves at once: all parts that optics may need are loaded.
   quiet.slices = slices;
   quiet.cuts = cutsOf(view);
   quiet.setModules(modulesBeside(view));
   const frame = { volume, optics, rays: raysOf(view), placesOnly: false, ...(surfaceT && { shapeT: surfaceT }) };
-  return composeTwins(quiet.twins(surfaceT !== undefined, most > 1)!, frame, { stepLength, maxSubsteps: most });
+  return composeTwins(quiet.twins(surfaceT !== undefined, max > 1)!, frame, { stepLength, maxSubsteps: max });
 }
 
 /** The modules of `setLabels`, `setOverlay` and `setStyle`: these calls are asynchronous, so the quiet layer can't use them. */
@@ -251,9 +251,9 @@ function moduleOf(name: string, stage: StageName, twin: RayTwin): RayModule {
 
 /** The same view as a scene of the reference, for tests that replace one of its stages. */
 export function referenceOf(view: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
-  const { volume, optics = plainOptics, stepLength, projection, modules, maxSubsteps: most } = view;
+  const { volume, optics = plainOptics, stepLength, projection, modules, maxSubsteps: max } = view;
   const { intervals: [, ...ends], field, moreFields, shades, gather, classify } = stagesOfView(view, surfaceT);
-  return { ...volume, ...optics, stepLength, ends, field, moreFields, shades, ...(projection && { gather }), ...(modules && { classifyBy: () => classify }), ...(most && { maxSubsteps: most }) };
+  return { ...volume, ...optics, stepLength, ends, field, moreFields, shades, ...(projection && { gather }), ...(modules && { classifyBy: () => classify }), ...(max && { maxSubsteps: max }) };
 }
 
 export interface Difference {

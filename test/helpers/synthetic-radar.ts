@@ -67,8 +67,8 @@ function syntheticSweep(options: SweepOptions, all: readonly string[], seed: num
 function syntheticData(options: SweepOptions, azimuths: readonly number[], seed: number): SweepData {
   const { firstGate = 500, gateLength = 1000, gates = 20, kind = 'uint8', slope = 0.5, intercept = -32 } = options;
   const random = randomNumbers(seed + 100);
-  const most = { uint8: 254, uint16: 65534, float32: 1 }[kind];
-  const stored = options.stored ?? (() => (kind === 'float32' ? random() : 1 + Math.round(most * random())));
+  const max = { uint8: 254, uint16: 65534, float32: 1 }[kind];
+  const stored = options.stored ?? (() => (kind === 'float32' ? random() : 1 + Math.round(max * random())));
   const samples = new { uint8: Uint8Array, uint16: Uint16Array, float32: Float32Array }[kind](azimuths.length * gates);
   azimuths.forEach((azimuth, ray) => {
     for (let gate = 0; gate < gates; gate++) samples[ray * gates + gate] = stored(azimuth, gate, ray);

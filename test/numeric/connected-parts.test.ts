@@ -13,7 +13,7 @@ function fillBoxes([nx, ny, nz]: Vector3, boxes: readonly Box[]): Uint8Array {
   return mask;
 }
 
-const find = (dimensions: Vector3, mask: Uint8Array, most?: number): SmallParts | null => findSmallParts(dimensions, (voxel) => mask[voxel] === 1, most);
+const find = (dimensions: Vector3, mask: Uint8Array, max?: number): SmallParts | null => findSmallParts(dimensions, (voxel) => mask[voxel] === 1, max);
 
 function hiddenIn(dimensions: Vector3, mask: Uint8Array): Uint8Array {
   const hidden = new Uint8Array(mask.length);
@@ -92,10 +92,10 @@ describe('parts that touch nothing larger', () => {
       for (const density of [0.1, 0.25, 0.31, 0.5, 0.8]) {
         const mask = Uint8Array.from({ length: size[0] * size[1] * size[2] }, () => Number(random() < density));
         const { sizes, partOf } = flood(size, mask);
-        const most = Math.max(0, ...sizes);
-        const expected = mask.map((is, voxel) => Number(is === 1 && sizes[partOf[voxel]] < keptShare * most));
+        const max = Math.max(0, ...sizes);
+        const expected = mask.map((is, voxel) => Number(is === 1 && sizes[partOf[voxel]] < keptShare * max));
         expect(hiddenIn(size, mask), `${size.join(' ')} ${density}`).to.deep.equal(expected);
-        const small = sizes.filter((one) => one < keptShare * most);
+        const small = sizes.filter((one) => one < keptShare * max);
         expect(find(size, mask)).to.include({ parts: small.length, voxels: small.reduce((sum, one) => sum + one, 0) });
       }
     }

@@ -168,9 +168,9 @@ describe('loadVolume of a stack', () => {
 
 describe('files that are fetched in order', () => {
   it('are at most six at a time, and in their order whichever comes first', async () => {
-    let [running, most] = [0, 0];
+    let [running, max] = [0, 0];
     const fetchOne = async (url: string) => {
-      most = Math.max(most, ++running);
+      max = Math.max(max, ++running);
       await new Promise((resolve) => setTimeout(resolve, (7 * Number(url)) % 5));
       running--;
       return { bytes: new Uint8Array(1), url, contentType: '' };
@@ -179,7 +179,7 @@ describe('files that are fetched in order', () => {
     const got: string[] = [];
     for await (const { url } of fetchInOrder(urls, fetchOne, ignore)) got.push(url);
     expect(got).to.deep.equal(urls);
-    expect(most).to.equal(6);
+    expect(max).to.equal(6);
   });
 
   it('tell the bytes of all that have come, and of one alone its total', async () => {

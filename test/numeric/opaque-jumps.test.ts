@@ -64,7 +64,7 @@ describe('rays that graze what is opaque at once', () => {
         const transferFunction = parse(text);
         const setup = setUpRays(volume.grid, viewMatrix(orbitCamera({ theta: 0.6, phi: 1.2, radius: 90 }, [0, 0, 0], 0.5)), projectionMatrix(0.4, 1, 1, 2))!;
         const exact = new ExactCells({ volume, transferFunction, referenceLength: 1.5 });
-        const scene: ReferenceScene = { ...volume, ...plainOptics, transferFunction, referenceLength: 1.5, stepLength: 0.5, maxSubsteps: 1, leastSubsteps: () => 1 };
+        const scene: ReferenceScene = { ...volume, ...plainOptics, transferFunction, referenceLength: 1.5, stepLength: 0.5, maxSubsteps: 1, minSubsteps: () => 1 };
         const known = opticsOf(scene);
         const random = randomNumbers(7);
         const wrong = { looked: 0, before: 0 };

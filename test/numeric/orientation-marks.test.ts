@@ -22,16 +22,16 @@ function lookFrom(theta: number, phi: number, target: Vector3 = [0, 0, 0]): { ma
   return { marks: placeMarks(camera, listSides({ anatomical: true, unit: '' })), eye: camera.eye };
 }
 
-const most = (marks: readonly OrientationMark[], key: 'x' | 'y' | 'towards'): string => letterOf(marks.reduce((best, mark) => (mark[key] > best[key] ? mark : best)));
+const max = (marks: readonly OrientationMark[], key: 'x' | 'y' | 'towards'): string => letterOf(marks.reduce((best, mark) => (mark[key] > best[key] ? mark : best)));
 
 describe('the orientation marker', () => {
   it('has the letters of a patient\'s sides, each towards who looks from there', () => {
     const sides = listSides({ anatomical: true, unit: '' });
     expect(sides.map(({ name }) => english.letter[name])).to.have.members(['R', 'L', 'A', 'P', 'S', 'I']);
-    for (const { name, theta, phi } of sides) expect(most(lookFrom(theta, phi).marks, 'towards')).to.equal(english.letter[name]);
+    for (const { name, theta, phi } of sides) expect(max(lookFrom(theta, phi).marks, 'towards')).to.equal(english.letter[name]);
     // From the front a patient's left is on the right, and the head above.
     const front = lookFrom(0, Math.PI / 2).marks;
-    expect([most(front, 'x'), most(front, 'y')]).to.deep.equal(['L', 'S']);
+    expect([max(front, 'x'), max(front, 'y')]).to.deep.equal(['L', 'S']);
     for (const { x, y, towards } of lookFrom(0.7, 1.1).marks) expect(Math.hypot(x, y, towards)).to.be.closeTo(1, 1e-12);
   });
 
@@ -63,7 +63,7 @@ describe('the orientation marker', () => {
     expect(sides.map(({ name }) => english.letter[name])).to.have.members(['N', 'E', 'S', 'W']);
     // From above with north up, east is on the right. World: x east, y north.
     const marks = placeMarks({ eye: [0, 0, 9], target: [0, 0, 0], up: [0, 1, 0], fieldOfView: 1 }, sides);
-    expect([most(marks, 'x'), most(marks, 'y')]).to.deep.equal(['E', 'N']);
+    expect([max(marks, 'x'), max(marks, 'y')]).to.deep.equal(['E', 'N']);
     for (const { towards } of marks) expect(towards).to.be.closeTo(0, 1e-12);
     expect(listSides({ unit: '' })).to.deep.equal([]);
     expect(listSides({ anatomical: false, unit: '' })).to.deep.equal([]);

@@ -154,8 +154,8 @@ describe('a session of edits by value and gradient', () => {
 });
 
 describe('a histogram of values and gradients', () => {
-  const run = (volume: Parameters<typeof samplePlane>[0], most: number): PlaneSamples => {
-    const work = samplePlane(volume, most);
+  const run = (volume: Parameters<typeof samplePlane>[0], max: number): PlaneSamples => {
+    const work = samplePlane(volume, max);
     for (;;) {
       const step = work.next();
       if (step.done) return step.value!;

@@ -172,13 +172,13 @@ describe('X3D\'s volume nodes', () => {
     const texture = '<PixelTexture image="2 1 1 0 255"></PixelTexture>';
     expect(await opacitiesOf('', texture)).to.deep.equal([0, 1]);
     expect(await opacitiesOf('', ''), 'what is not written leaves a file its look').to.deep.equal([]);
-    const [clear, most] = await opacitiesOf('opacityFactor="6"', texture);
+    const [clear, max] = await opacitiesOf('opacityFactor="6"', texture);
     // 85 steps of 6/85 each are the square root of 2 edges long; a reference length is a hundredth of an edge.
-    expect([clear, most]).to.deep.equal([0, most]);
-    expect(most).to.be.closeTo(1 - Math.exp(-6 / (100 * Math.SQRT2)), 1e-9);
+    expect([clear, max]).to.deep.equal([0, max]);
+    expect(max).to.be.closeTo(1 - Math.exp(-6 / (100 * Math.SQRT2)), 1e-9);
     const ramp = await opacitiesOf('opacityFactor="6"', '');
     expect(ramp).to.have.length(256);
-    expect([ramp[0], ramp[255]]).to.deep.equal([0, most]);
+    expect([ramp[0], ramp[255]]).to.deep.equal([0, max]);
   });
 
   it('have what is painted on a canvas', async () => {

@@ -17,7 +17,7 @@ import { hgtBytes } from '../helpers/terrain.ts';
 
 const radar: TerrainRadar = { site: { latitude: 46.4, longitude: 7.5 }, height: 800, reach: 25_000, exaggeration: 2 };
 const tile = (height: Parameters<typeof hgtBytes>[0], name = 'N46E007.hgt'): Promise<HgtTile> => readHgt(hgtBytes(height), name, null);
-const terrainOf = async (height: Parameters<typeof hgtBytes>[0], from = radar, most = 200_000): Promise<Surface> => makeTerrain(joinTiles([await tile(height)], from.site, from.reach), from, most);
+const terrainOf = async (height: Parameters<typeof hgtBytes>[0], from = radar, max = 200_000): Promise<Surface> => makeTerrain(joinTiles([await tile(height)], from.site, from.reach), from, max);
 
 /** Height of a surface in the world at a place, found triangle by triangle; NaN where there is none. */
 function heightOf(surface: Surface, [x, y]: readonly [number, number]): number {

@@ -6,8 +6,8 @@ import { english } from '../../src/messages/english-companions.ts';
 import { Language } from '../../src/messages/language.ts';
 
 const language = new Language('en', english);
-const textsOf = (domain: readonly [number, number], most = 9): string => {
-  const { ticks, offset } = labelTicks(domain, most, language);
+const textsOf = (domain: readonly [number, number], max = 9): string => {
+  const { ticks, offset } = labelTicks(domain, max, language);
   return [...(offset ? [`${offset}:`] : []), ...ticks.map(({ text }) => text)].join(' ');
 };
 
@@ -33,12 +33,12 @@ describe('the numbers along a scale', () => {
 
   it('have room: there are fewer of long ones', () => {
     for (const domain of [[0, 1e300], [-2.5e300, 1e300], [-1.7e308, 1.7e308], [0, 5e-320], [-1e-300, 2.5e-300], [-1e17, -1e17 + 1600], [1e15, 1e15 + 8]] as const) {
-      for (const most of [6, 9]) {
-        const { ticks } = labelTicks(domain, most, language);
-        expect(ticks, String(domain)).to.have.length.within(2, most + 1);
+      for (const max of [6, 9]) {
+        const { ticks } = labelTicks(domain, max, language);
+        expect(ticks, String(domain)).to.have.length.within(2, max + 1);
         expect(new Set(ticks.map(({ text }) => text)).size, `${domain.join(' ')}: all differ`).to.equal(ticks.length);
         const widest = Math.max(...ticks.map(({ text }) => text.length));
-        expect(ticks.length <= 3 || ticks.length * (widest + 1) <= 6 * most, `${domain.join(' ')}: ${ticks.map(({ text }) => text).join(' ')}`).to.equal(true);
+        expect(ticks.length <= 3 || ticks.length * (widest + 1) <= 6 * max, `${domain.join(' ')}: ${ticks.map(({ text }) => text).join(' ')}`).to.equal(true);
         for (const { value } of ticks) expect(value).to.be.within(domain[0], domain[1]);
       }
     }

@@ -26,16 +26,16 @@ function admits(range, major) {
   });
 }
 
-const least = Number(/\d+/.exec(read('package.json').engines.node)?.[0]);
+const min = Number(/\d+/.exec(read('package.json').engines.node)?.[0]);
 
 await check('ranges are read as they are meant', () => {
   const ranges = { '>=18': true, '>=22.0.0': false, '^20.19.0 || ^22.13.0 || >=24': true, '^22.13.0 || >=24': false, '18 || 20 || >=22': true, '>= 14': true, '*': true, '': true, '>=10 <20': false, '>=16.0.0 <23': true, '20.x': true };
   for (const [range, expected] of Object.entries(ranges)) assert.equal(admits(range, 20), expected, range);
 });
 
-await check(`no package asks for a newer Node than ${least}, which package.json names`, () => {
+await check(`no package asks for a newer Node than ${min}, which package.json names`, () => {
   const asking = Object.entries(read('package-lock.json').packages)
-    .filter(([, { engines, optional }]) => engines?.node && !optional && !admits(engines.node, least))
+    .filter(([, { engines, optional }]) => engines?.node && !optional && !admits(engines.node, min))
     .map(([path, { version, engines }]) => `${path} ${version} asks for ${engines.node}`);
   assert.deepEqual(asking, []);
 });

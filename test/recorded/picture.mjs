@@ -98,7 +98,7 @@ export function difference(a, b, kind) {
 }
 
 /** Of the pixels, the share that has to differ from the most frequent one. */
-const leastShown = 0.01;
+const minShown = 0.01;
 
 /**
  * @param {Picture} picture
@@ -113,7 +113,7 @@ export function isBlank({ data, kind }) {
     if (pixel.includes('NaN')) return true;
     counts.set(pixel, (counts.get(pixel) ?? 0) + 1);
   }
-  return Math.max(...counts.values()) > (1 - leastShown) * (numbers.length / 4);
+  return Math.max(...counts.values()) > (1 - minShown) * (numbers.length / 4);
 }
 
 /**

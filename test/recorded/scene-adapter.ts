@@ -165,7 +165,7 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
       return draw();
     },
     drawCoarsely(substeps) {
-      scene.setSubsteps({ ...allSubsteps, most: substeps });
+      scene.setSubsteps({ ...allSubsteps, max: substeps });
       return draw();
     },
   };

@@ -30,8 +30,8 @@ bool interpolateOverlay(vec3 q, out float stored) {
   vec4 lower = face * (1.0 - upper.z) * step(-3.0e38, below);
   vec4 higher = face * upper.z * step(-3.0e38, above);
   // Sum the differences from a voxel that has data, so that a constant stays exact to the last digit.
-  vec4 most = max(below, above);
-  float base = max(max(most.x, most.y), max(most.z, most.w));
+  vec4 largest = max(below, above);
+  float base = max(max(largest.x, largest.y), max(largest.z, largest.w));
   float weights = dot(lower + higher, vec4(1.0));
   stored = base + (dot(lower, below - base) + dot(higher, above - base)) / max(weights, 0.5);
   return weights >= 0.5;

@@ -56,8 +56,8 @@ vec4 overlayMean(float from, float to) {
 vec4 overlayLookShade(Segment segment, vec4 seen) {
   float from = segment.front.overlay;
   float to = segment.back.overlay;
-  bool hasFrom = from >= LEAST_OVERLAY;
-  bool hasTo = to >= LEAST_OVERLAY;
+  bool hasFrom = from >= MIN_OVERLAY;
+  bool hasTo = to >= MIN_OVERLAY;
   float known = (hasFrom ? 0.5 : 0.0) + (hasTo ? 0.5 : 0.0);
   if (!hasFrom) from = to;
   if (!hasTo) to = from;

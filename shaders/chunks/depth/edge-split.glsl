@@ -1,5 +1,5 @@
 /// Two ends of rays are on two sides of an edge if they are farther apart than this, in bounding diameters.
-uniform float uLeastJump;
+uniform float uMinJump;
 
 /// A pixel through which a shape's edge passes, if one does.
 struct Split {
@@ -18,7 +18,7 @@ float endAt(vec2 pixel) {
 /// Find the neighbour on the other side of an edge: the one whose end differs most from the end that the slope at this pixel predicts.
 Split splitAt(vec2 pixel) {
   float own = endAt(pixel);
-  float jump = uLeastJump;
+  float jump = uMinJump;
   Split split = Split(false, depthAt(pixel), 1.0, 1.0);
   for (int i = 0; i < 4; i++) {
     vec2 offset = i == 0 ? vec2(1.0, 0.0) : i == 1 ? vec2(0.0, 1.0) : i == 2 ? vec2(1.0, 1.0) : vec2(1.0, -1.0);

@@ -57,7 +57,7 @@ void gatherPart(Path path, float from, float to, Sample front, Sample back, inou
   bool isWhole;
   vec2 thirds = sampleThirds(path, from, to, isWhole);
   isWhole = isWhole && hasData(front) && hasData(back);
-  gathered.waits = seen.a * countParts() > MOST_HIDDEN || passes(front, back) || (isWhole && mayTurn(vec4(front.value, thirds, back.value)));
+  gathered.waits = seen.a * countParts() > MAX_HIDDEN || passes(front, back) || (isWhole && mayTurn(vec4(front.value, thirds, back.value)));
   if (!gathered.waits) gathered.color += seen;
 }
 
@@ -71,13 +71,13 @@ void lookCloser(Path path, float from, float to, Sample front, Sample back, inou
   vec2 turns = vec2(topOfCubic(values, top), bottomOfCubic(values));
   bool turnsOnce = isWhole && hasData(front) && hasData(back);
   turns = turnsOnce ? from + (to - from) * turns / 3.0 : vec2(from);
-  float least = (to - from) * LEAST_SHARE;
-  float limit = MOST_HIDDEN / countParts();
+  float smallest = (to - from) * MIN_SHARE;
+  float limit = MAX_HIDDEN / countParts();
   float at = from;
   float span = to - from;
-  for (int i = 0; i <= MOST_LOOKS; i++) {
+  for (int i = 0; i <= MAX_LOOKS; i++) {
     // The last piece is taken as it is.
-    bool isLast = i == MOST_LOOKS;
+    bool isLast = i == MAX_LOOKS;
     float end = isLast ? to : min(to, at + span);
     if (turns.x > at && !isLast) end = min(end, turns.x);
     if (turns.y > at && !isLast) end = min(end, turns.y);
@@ -85,7 +85,7 @@ void lookCloser(Path path, float from, float to, Sample front, Sample back, inou
     if (end < to) next = sampleField(path.origin + path.forward * end);
     float visible = 1.0 - gathered.color.a;
     vec4 seen = visible * seeSegment(Segment(front, next, at, end - at, visible));
-    if (!isLast && end - at > least && (seen.a > limit || passes(front, next))) {
+    if (!isLast && end - at > smallest && (seen.a > limit || passes(front, next))) {
       span = 0.5 * (end - at);
     } else {
       gathered.color += seen;

@@ -32,13 +32,13 @@ vec4 seeSurface(vec4 color, Sample hit, float visible) {
   seen = labelLooksShade(Segment(hit, hit, 0.0, 0.0, visible), seen);
 #endif
 #if SURFACES_LIT
-  if (visible * seen.a > LEAST_LIT) {
+  if (visible * seen.a > MIN_LIT) {
     Shade shade = shadeSample(hit, uPerFlatSurface, uMaterial);
     seen.rgb = min(vec3(seen.a), seen.rgb * shade.diffuse + seen.a * shade.specular);
   }
 #endif
 #if SURFACES_STYLED
-  if (visible * seen.a > LEAST_LIT) {
+  if (visible * seen.a > MIN_LIT) {
     Styled styled = styleSample(hit);
     vec3 own = seen.rgb / seen.a;
     seen.a = min(1.0, seen.a * styled.opacity);
@@ -112,7 +112,7 @@ void lookCloser(Segment segment, inout Gathered gathered) {
   float number = leg.piece.back.value >= leg.from ? -1.0 : 4.0;
   vec2 known = vec2(0.0, leg.piece.front.value);
   Sample from = leg.piece.front;
-  for (int i = 0; i < MOST_PIECES; i++) {
+  for (int i = 0; i < MAX_PIECES; i++) {
 #if !SURFACE_FOG
     if (!meetsAny) break;
 #endif
@@ -180,16 +180,16 @@ bool mayGraze(float from, float to, Gathered gathered) {
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
-  float least = runsOn(front, back) && mayGraze(front.value, back.value, gathered) ? min(uMaxSubsteps, GRAZING_SUBSTEPS) : 1.0;
+  float smallest = runsOn(front, back) && mayGraze(front.value, back.value, gathered) ? min(uMaxSubsteps, GRAZING_SUBSTEPS) : 1.0;
 #if SURFACE_FOG
 #ifdef FUNCTIONS
   float wanted = countSubstepsOf(front, back, 1.0 - gathered.color.a);
 #else
   float wanted = countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
 #endif
-  return max(wanted, least);
+  return max(wanted, smallest);
 #else
-  return least;
+  return smallest;
 #endif
 }
 #endif

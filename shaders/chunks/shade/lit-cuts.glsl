@@ -10,7 +10,7 @@ uniform mat4 uRegionInVoxels;
 /// The same for a box that is cut out.
 uniform mat4 uCutoutInVoxels;
 
-float least(vec4 x) {
+float smallest(vec4 x) {
   return min(min(x.x, x.y), min(x.z, x.w));
 }
 
@@ -19,5 +19,5 @@ float depthAtClips(vec3 p) {
   vec4 place = vec4(p, 1.0);
   float inside = depthInBox((place * uRegionInVoxels).xyz, uRegionInVoxels[3].xyz);
   float outside = -depthInBox((place * uCutoutInVoxels).xyz, uCutoutInVoxels[3].xyz);
-  return min(min(inside, outside), min(least(place * uClipVoxelsA), min(least(place * uClipVoxelsB), least(place * uClipVoxelsC))));
+  return min(min(inside, outside), min(smallest(place * uClipVoxelsA), min(smallest(place * uClipVoxelsB), smallest(place * uClipVoxelsC))));
 }

@@ -9,7 +9,7 @@ vec3 shadedPoint = vec3(-9.0);
 Shade shadedLast = Shade(vec3(1.0), vec3(0.0));
 
 /// Light on every place of a field, with its gradient as the normal of a surface. Taps are taken only where something shows: places that
-/// are left out change a picture by LEAST_LIT at most. Source: Lum, Wilson and Ma 2004. Twin: optics/lit.ts, litShade
+/// are left out change a picture by MIN_LIT at most. Source: Lum, Wilson and Ma 2004. Twin: optics/lit.ts, litShade
 vec4 litShade(Segment segment, vec4 seen) {
   Sample front = segment.front;
   Sample back = segment.back;
@@ -18,7 +18,7 @@ vec4 litShade(Segment segment, vec4 seen) {
   if (!hasData(back)) back = front;
 #endif
   // Per length, so that the step length does not decide what is lit.
-  bool shows = segment.visible > LEAST_LIT && segment.visible * seen.a > LEAST_LIT * segment.span;
+  bool shows = segment.visible > MIN_LIT && segment.visible * seen.a > MIN_LIT * segment.span;
   Shade near = shadedLast;
   Shade far = shadedLast;
   float first = !shows ? 2.0 : front.point == shadedPoint ? 1.0 : 0.0;

@@ -23,7 +23,7 @@ vec4 styledShade(Segment segment, vec4 seen) {
   if (!hasData(front)) front = back;
   if (!hasData(back)) back = front;
 #endif
-  bool shows = segment.visible > LEAST_LIT && segment.visible * seen.a > LEAST_LIT * segment.span;
+  bool shows = segment.visible > MIN_LIT && segment.visible * seen.a > MIN_LIT * segment.span;
   Styled near = styledLast;
   Styled far = styledLast;
   float first = !shows ? 2.0 : front.point == styledPoint ? 1.0 : 0.0;
@@ -42,7 +42,7 @@ vec4 styledShade(Segment segment, vec4 seen) {
   // The length in reference lengths, times the opacity factor.
   float ratio = max(share * (segment.span * uOpticalScale), 1.0e-30);
   float own = styleOpacity(styleDepth(seen.a) / ratio);
-  float alpha = styleOpacity(styleDepth(min(STYLE_MOST, 0.5 * own * (near.opacity + far.opacity))) * ratio);
+  float alpha = styleOpacity(styleDepth(min(STYLE_MAX, 0.5 * own * (near.opacity + far.opacity))) * ratio);
   vec3 color = 0.5 * ((seen.rgb / seen.a) * (near.gain + far.gain) + near.more + far.more);
   return vec4(alpha * min(vec3(1.0), color), alpha);
 }

@@ -6,7 +6,7 @@ uniform float uFaint;
 
 /// Whether a quad needs rays because of shapes. Twin: optics/depth-jumps.ts, needsRays
 bool needsRaysAtJumps(QuadPlace place, Surroundings s) {
-  vec4 most = max(max(s.a, s.b), max(s.c, s.d));
-  bool dark = max(max(most.r, most.g), max(most.b, most.a)) <= uFaint;
+  vec4 largest = max(max(s.a, s.b), max(s.c, s.d));
+  bool dark = max(max(largest.r, largest.g), max(largest.b, largest.a)) <= uFaint;
   return texture2D(uDepthJumps, place.at).r > (dark ? 0.75 : 0.25);
 }

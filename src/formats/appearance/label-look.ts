@@ -1,5 +1,5 @@
 import { labelColors as colors } from '../../volume/label-colors.ts';
-import { mostLabels } from '../../volume/index-numbers.ts';
+import { maxLabels } from '../../volume/index-numbers.ts';
 import type { Samples } from '../../volume/samples.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import type { SuggestedLook } from './suggested-look.ts';
@@ -49,7 +49,7 @@ function valuesOf(samples: Samples, slope: number, intercept: number): number[] 
   for (const value of samples) {
     if (value !== last) stored.add(value);
     last = value;
-    if (stored.size > mostLabels) break;
+    if (stored.size > maxLabels) break;
   }
   return Array.from(stored, (value) => Math.round(slope * value + intercept)).filter((label) => Number.isFinite(label));
 }

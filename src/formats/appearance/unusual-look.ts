@@ -1,5 +1,5 @@
 import type { Histogram } from '../../volume/histogram.ts';
-import { mostLabels } from '../../volume/index-numbers.ts';
+import { maxLabels } from '../../volume/index-numbers.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { labelLook } from './label-look.ts';
 import { longTailLook } from './long-tail-look.ts';
@@ -88,10 +88,10 @@ function areLabels({ samples: all, slope, intercept, indexed, grid: { dimensions
         const value = indexed ? indexed.ids[stored] : slope * stored + intercept;
         if (!Number.isSafeInteger(value) || value < 0) return false;
         const to = values.get(value) ?? values.size;
-        if (to === mostLabels) return false;
+        if (to === maxLabels) return false;
         values.set(value, to);
         if (from >= 0) {
-          const pair = from * mostLabels + to;
+          const pair = from * maxLabels + to;
           changes.set(pair, (changes.get(pair) ?? 0) + 1);
           met++;
         }
@@ -106,7 +106,7 @@ function areLabels({ samples: all, slope, intercept, indexed, grid: { dimensions
   const rising = [...values.keys()];
   rising.sort((a, b) => a - b);
   const numbers = rising.map((value) => values.get(value)!);
-  const count = (from: number, to: number): number => changes.get(from * mostLabels + to) ?? 0;
+  const count = (from: number, to: number): number => changes.get(from * maxLabels + to) ?? 0;
   const near = numbers.slice(1).reduce((sum, number, i) => sum + count(numbers[i], number) + count(number, numbers[i]), 0);
   const arePatches = steps < 0.3 * met && (values.size <= fewLabels || near < 0.5 * met);
   if (!arePatches) return false;

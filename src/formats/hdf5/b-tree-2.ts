@@ -41,14 +41,14 @@ function sizeCounts(sizes: { nodeBytes: number; recordBytes: number; depth: numb
   totalBytes: number[];
 } {
   const overhead = 10;
-  let most = Math.floor((sizes.nodeBytes - overhead) / sizes.recordBytes);
-  let total = most;
-  const countBytes = bytesToHold(most);
+  let max = Math.floor((sizes.nodeBytes - overhead) / sizes.recordBytes);
+  let total = max;
+  const countBytes = bytesToHold(max);
   const totalBytes = [0];
   for (let level = 1; level <= sizes.depth; level++) {
     const pointer = sizes.addressBytes + countBytes + totalBytes[level - 1];
-    most = Math.floor((sizes.nodeBytes - overhead - pointer) / (sizes.recordBytes + pointer));
-    total = (most + 1) * total + most;
+    max = Math.floor((sizes.nodeBytes - overhead - pointer) / (sizes.recordBytes + pointer));
+    total = (max + 1) * total + max;
     totalBytes.push(bytesToHold(total));
   }
   return { countBytes, totalBytes };

@@ -24,7 +24,7 @@ export interface LabelTable {
 }
 
 /** Maximum number of rows of a table. */
-export const mostRows = 65_536;
+export const maxRows = 65_536;
 
 /** Maximum number of problems that are listed one by one. */
 const maxProblems = 20;
@@ -48,7 +48,7 @@ export class TableRows {
   add(where: string, row: LabelRow): void {
     if (!Number.isSafeInteger(row.id)) return this.refuse(where, `the id ${row.id}`, 'a whole number');
     if (this.rows.has(row.id)) return this.report(`${where}: label ${row.id} is there already, and the first one holds`);
-    if (this.rows.size >= mostRows) return this.report(`${where}: expected at most ${mostRows.toLocaleString('en')} labels; this one is left out`);
+    if (this.rows.size >= maxRows) return this.report(`${where}: expected at most ${maxRows.toLocaleString('en')} labels; this one is left out`);
     this.rows.set(row.id, { ...row, name: clean(row.name, longest.name) });
   }
 

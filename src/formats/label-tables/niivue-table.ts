@@ -1,4 +1,4 @@
-import { colorOf, mostRows, quote, TableRows } from './label-table.ts';
+import { colorOf, maxRows, quote, TableRows } from './label-table.ts';
 import type { LabelTable } from './label-table.ts';
 
 export function isNiiVueTable(text: string): boolean {
@@ -23,7 +23,7 @@ export function readNiiVueTable(text: string): LabelTable {
   };
   const [red, green, blue, alphas, ids, names] = ['R', 'G', 'B', 'A', 'I', 'labels'].map(list);
   const count = Math.max(red.length, ids.length, names.length);
-  for (let i = 0; i < Math.min(count, mostRows + 1); i++) {
+  for (let i = 0; i < Math.min(count, maxRows + 1); i++) {
     const id = ids.length === 0 ? i : ids[i];
     const where = `entry ${i + 1}`;
     if (typeof id !== 'number') {

@@ -1,5 +1,5 @@
 // 3D Slicer's segmentations (.seg.nrrd): loaded with the first of them.
-import { mostLabels, valueOf } from '../../volume/index-numbers.ts';
+import { maxLabels, valueOf } from '../../volume/index-numbers.ts';
 import type { NamedLabel } from '../../volume/labels.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Samples } from '../../volume/samples.ts';
@@ -87,9 +87,9 @@ export class SegmentMerger {
     const key = `${layer} ${value}`;
     const known = this.#ids.get(key);
     if (known !== undefined) return known;
-    const isFree = Number.isInteger(value) && value > 0 && value < mostLabels && !this.#named.has(value);
+    const isFree = Number.isInteger(value) && value > 0 && value < maxLabels && !this.#named.has(value);
     const id = isFree ? value : Math.max(0, ...this.#named.keys()) + 1;
-    if (id >= mostLabels) throw unsupportedFile('the NRRD file', `holds segments with values from ${value} on; expected at most 65,535 segments`);
+    if (id >= maxLabels) throw unsupportedFile('the NRRD file', `holds segments with values from ${value} on; expected at most 65,535 segments`);
     this.#ids.set(key, id);
     this.#named.set(id, { id, name, color });
     return id;

@@ -43,11 +43,11 @@ export function packGates(numbers: Numbers, packing: Packing): PackedGates {
   const isWide = mayOverflow && numbers.includes(high);
   const samples = allocate(numbers.length, packing.type.endsWith('8') ? 8 : 16, isWide);
   const empty = emptyOf(samples);
-  const [least, most] = packing.valid ?? [-Infinity, Infinity];
+  const [min, max] = packing.valid ?? [-Infinity, Infinity];
   let invalid = 0;
   for (let i = 0; i < numbers.length; i++) {
     const number = numbers[i];
-    const isOutside = !(number >= least && number <= most);
+    const isOutside = !(number >= min && number <= max);
     if (isOutside || isNoData.has(number)) samples[i] = empty;
     else samples[i] = number + shift;
     if (isOutside && !isNoData.has(number)) invalid++;
@@ -65,14 +65,14 @@ function allocate(length: number, bits: number, isWide: boolean): Samples {
   return isWide ? new Float32Array(length) : new Uint16Array(length);
 }
 
-function packFloats(numbers: Numbers, { slope, intercept, noData, valid: [least, most] = [-Infinity, Infinity] }: Packing): PackedGates {
+function packFloats(numbers: Numbers, { slope, intercept, noData, valid: [min, max] = [-Infinity, Infinity] }: Packing): PackedGates {
   // What stands for no data is written in double precision, and stored in the array's.
   const isNoData = new Set(numbers instanceof Float32Array ? noData.map(Math.fround) : noData);
   const samples = new Float32Array(numbers.length);
   let invalid = 0;
   for (let i = 0; i < numbers.length; i++) {
     const number = numbers[i];
-    const isOutside = number < least || number > most;
+    const isOutside = number < min || number > max;
     const value = isOutside || isNoData.has(number) ? NaN : slope * number + intercept;
     samples[i] = Math.abs(value) <= highestFloat ? value : NaN;
     if (isOutside && !isNoData.has(number)) invalid++;

@@ -25,14 +25,14 @@ export function boundSeenCells(
   { view, projection }: { readonly view: Matrix4; readonly projection: Matrix4 },
 ): DeviceRectangle | null {
   const toClip = multiply(projection, multiply(view, unitToWorld(grid)));
-  const least = minDepth * Math.max(...cornersOf([0, 0, 0], [1, 1, 1], toClip).map(([, , w]) => Math.abs(w)));
+  const min = minDepth * Math.max(...cornersOf([0, 0, 0], [1, 1, 1], toClip).map(([, , w]) => Math.abs(w)));
   const edge = (cell: number, axis: number): number => Math.min(1, (cell * cellSize) / grid.dimensions[axis]);
   let bounds: DeviceRectangle = nowhere;
   /** Where the cells of a row, from one index to another, appear in the picture. */
   const appear = (from: number, to: number, j: number, k: number): Appearance => {
     const corners = cornersOf([edge(from, 0), edge(j, 1), edge(k, 2)], [edge(to, 0), edge(j + 1, 1), edge(k + 1, 2)], toClip);
-    const isAhead = corners.every(([, , w]) => w >= least);
-    const whole = boundPlaces(isAhead ? corners : cutCorners(corners, least));
+    const isAhead = corners.every(([, , w]) => w >= min);
+    const whole = boundPlaces(isAhead ? corners : cutCorners(corners, min));
     const part = clampToPicture(whole);
     return { part, isWhole: isAhead && whole.every((at, side) => at === part[side]), tellsMore: part[0] < part[2] && part[1] < part[3] && join(bounds, part).some((at, side) => at !== bounds[side]) };
   };
@@ -81,12 +81,12 @@ function join(a: DeviceRectangle, b: DeviceRectangle): DeviceRectangle {
 }
 
 /** What lies in front of the eye: corners, and the points where edges and diagonals between corners meet a plane just in front of it. */
-function cutCorners(corners: readonly Corner[], least: number): Corner[] {
-  const ahead = corners.filter(([, , w]) => w >= least);
-  const behind = corners.filter(([, , w]) => w < least);
+function cutCorners(corners: readonly Corner[], min: number): Corner[] {
+  const ahead = corners.filter(([, , w]) => w >= min);
+  const behind = corners.filter(([, , w]) => w < min);
   return [...ahead, ...ahead.flatMap((a) => behind.map((b): Corner => {
-    const share = (a[2] - least) / (a[2] - b[2]);
-    return [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), least];
+    const share = (a[2] - min) / (a[2] - b[2]);
+    return [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), min];
   }))];
 }
 

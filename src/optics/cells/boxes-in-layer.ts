@@ -58,17 +58,17 @@ export function boxReader({ samples, grid: { dimensions }, slope, intercept }: V
   return ({ low, high }) => {
     const first = low.map((x, axis) => inside(Math.floor(x * dimensions[axis] - 0.5 - voxelRounding), axis));
     const last = high.map((x, axis) => inside(Math.ceil(x * dimensions[axis] - 0.5 + voxelRounding), axis));
-    let [least, most] = [Infinity, -Infinity];
+    let [min, max] = [Infinity, -Infinity];
     for (let z = first[2]; z <= last[2]; z++) for (let y = first[1]; y <= last[1]; y++) {
       const row = nx * (y + ny * z);
       for (let at = row + first[0]; at <= row + last[0]; at++) {
         const stored = samples[at];
-        if (stored < least) least = stored; // Both comparisons are false for NaN.
-        if (stored > most) most = stored;
+        if (stored < min) min = stored; // Both comparisons are false for NaN.
+        if (stored > max) max = stored;
       }
     }
-    if (!(least <= most)) return [Infinity, -Infinity];
-    const ends = [slope * least + intercept, slope * most + intercept];
+    if (!(min <= max)) return [Infinity, -Infinity];
+    const ends = [slope * min + intercept, slope * max + intercept];
     return [Math.min(...ends), Math.max(...ends)];
   };
 }

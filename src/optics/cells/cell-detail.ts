@@ -41,7 +41,7 @@ export interface SeenVolume {
 /** The length in voxels of the smallest thing that may lie between the samples of a step: the tent that one voxel makes. */
 const thingLength = 2;
 
-const unstyled = { most: 1, apart: 0 };
+const unstyled = { max: 1, apart: 0 };
 
 /** Number of cells that are processed between two pauses. This takes a few milliseconds. */
 export const cellsAtOnce = 2 ** 14;
@@ -66,13 +66,13 @@ export function measureMissable(
     const [a, b] = [slope * low[cell] + intercept, slope * high[cell] + intercept];
     const range = Math.abs(b - a);
     const apart = isQuick ? range : Math.min(range, (offLine * Math.abs(slope) * roughness[cell]) / samplesAVoxel);
-    const [least, most] = [Math.min(a, b), Math.max(a, b)];
+    const [min, max] = [Math.min(a, b), Math.max(a, b)];
     // Between two samples, a ray may pass through a surface, or through a visible gradient, that neither sample hits. No steps are added
     // for this, but the error reports it.
     const isBent = kind === 'among' && apart > 0;
-    const styled = isBent && style ? style(least, most) : unstyled;
-    const depthIn = (of: EmissionRange): number => (styled.most * of[kind](least, most, apart) + (styled.apart > 0 ? styled.apart * of.largest(least, most) : 0)) * length;
-    const jump = isBent ? jumps.reduce((sum, depth) => sum + depth(least, most, length / samplesAVoxel), 0) : 0;
+    const styled = isBent && style ? style(min, max) : unstyled;
+    const depthIn = (of: EmissionRange): number => (styled.max * of[kind](min, max, apart) + (styled.apart > 0 ? styled.apart * of.largest(min, max) : 0)) * length;
+    const jump = isBent ? jumps.reduce((sum, depth) => sum + depth(min, max, length / samplesAVoxel), 0) : 0;
     return -Math.expm1(-(more ? more(cell, depthIn, kind, samplesAVoxel) : depthIn(emission)) / samplesAVoxel - jump);
   };
 }

@@ -15,9 +15,9 @@ export function measureCellLimits(
   { scale, offset }: { readonly scale: number; readonly offset: number },
   sign: 1 | -1,
 ): Uint8Array<ArrayBuffer> {
-  return Uint8Array.from(low, (least, cell) => {
-    if (!(least <= high[cell])) return 0;
-    const shares = [scale * least + offset, scale * high[cell] + offset];
+  return Uint8Array.from(low, (min, cell) => {
+    if (!(min <= high[cell])) return 0;
+    const shares = [scale * min + offset, scale * high[cell] + offset];
     const extreme = sign > 0 ? Math.max(...shares) : 1 - Math.min(...shares);
     return 1 + Math.ceil(254 * Math.min(1, Math.max(0, extreme + margin)));
   });

@@ -119,12 +119,12 @@ function spread(distances: Uint8Array, [nx, ny, nz]: readonly [number, number, n
   copyRows((at, from) => framed.set(distances.subarray(from, from + nx), at));
   const before = Int32Array.from(half, ([dx, dy, dz]) => -(dx + dy * row + dz * slice));
   const relax = (cell: number, direction: 1 | -1): void => {
-    let least = framed[cell];
+    let min = framed[cell];
     for (let i = 0; i < before.length; i++) {
       const near = framed[cell + direction * before[i]] + 1;
-      if (near < least) least = near;
+      if (near < min) min = near;
     }
-    framed[cell] = least;
+    framed[cell] = min;
   };
   for (let z = 1; z <= nz; z++) for (let y = 1; y <= ny; y++) for (let x = 1, cell = z * slice + y * row + 1; x <= nx; x++, cell++) if (framed[cell] > 0) relax(cell, 1);
   for (let z = nz; z >= 1; z--) for (let y = ny; y >= 1; y--) for (let x = nx, cell = z * slice + y * row + nx; x >= 1; x--, cell--) if (framed[cell] > 0) relax(cell, -1);

@@ -8,7 +8,7 @@ import { rangeEmission } from '../transfer/emission-range.ts';
 /** The appearance of the labels in each macrocell. */
 export interface CellLooks {
   /** The largest factor of the extinction; 0 if all labels are hidden. */
-  readonly most: Float32Array;
+  readonly max: Float32Array;
   /** The largest difference between the factors of extinction, or between the factors of extinction times a colour. */
   readonly spread: Float32Array;
   /** The groups of the labels that are not hidden: one bit each. */
@@ -18,10 +18,10 @@ export interface CellLooks {
 /** @param styles - by label number */
 export function lookOfCells({ starts, numbers }: LabelCells, styles: readonly LabelStyle[]): CellLooks {
   const factors = styles.map(({ color, opacityFactor }) => [opacityFactor, ...color.map((channel) => channel * opacityFactor)]);
-  const most = new Float32Array(starts.length - 1);
+  const max = new Float32Array(starts.length - 1);
   const spread = new Float32Array(starts.length - 1);
   const groups = new Uint8Array(starts.length - 1);
-  for (let cell = 0; cell < most.length; cell++) {
+  for (let cell = 0; cell < max.length; cell++) {
     const [low, high] = [[Infinity, Infinity, Infinity, Infinity], [0, 0, 0, 0]];
     for (let at = starts[cell]; at < starts[cell + 1]; at++) {
       const one = factors[numbers[at]];
@@ -31,10 +31,10 @@ export function lookOfCells({ starts, numbers }: LabelCells, styles: readonly La
         if (one[c] > high[c]) high[c] = one[c];
       }
     }
-    most[cell] = high[0];
+    max[cell] = high[0];
     for (let c = 0; c < 4; c++) spread[cell] = Math.max(spread[cell], high[c] - low[c]);
   }
-  return { most, spread, groups };
+  return { max, spread, groups };
 }
 
 /**
@@ -44,7 +44,7 @@ export function lookOfCells({ starts, numbers }: LabelCells, styles: readonly La
 const unknown = { among: 1, offLine: 0.5 } as const;
 
 /** The optical depth that could be missed in a cell when labels are included: see `SeenVolume`. */
-export function labelledDetail({ most, spread, groups }: CellLooks, { volume, transferFunction, functions = [], opticalScale }: Omit<SeenVolume, 'cells' | 'more'>): NonNullable<SeenVolume['more']> {
+export function labelledDetail({ max, spread, groups }: CellLooks, { volume, transferFunction, functions = [], opticalScale }: Omit<SeenVolume, 'cells' | 'more'>): NonNullable<SeenVolume['more']> {
   const { macrocells: { low, high }, slope, intercept, grid } = volume;
   const all = [transferFunction, ...functions];
   const ranges = all.map((one) => rangeEmission(one));
@@ -52,9 +52,9 @@ export function labelledDetail({ most, spread, groups }: CellLooks, { volume, tr
   return (cell, depthIn, kind) => {
     const present = all.map((_, group) => group).filter((group) => groups[cell] & (1 << group));
     if (present.length === 0) return 0;
-    const missed = most[cell] * Math.max(...present.map((group) => depthIn(ranges[group])));
+    const missed = max[cell] * Math.max(...present.map((group) => depthIn(ranges[group])));
     // Between two functions, the whole emission of either may differ.
-    const differs = present.length > 1 ? most[cell] : spread[cell];
+    const differs = present.length > 1 ? max[cell] : spread[cell];
     if (!(differs > 0)) return missed;
     const ends = [slope * low[cell] + intercept, slope * high[cell] + intercept];
     const [from, to] = [Math.min(...ends), Math.max(...ends)];

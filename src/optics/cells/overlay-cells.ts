@@ -31,7 +31,7 @@ export interface OverlayCells {
  * Up to this many voxels of a layer are read one by one, which takes a tenth of a second. Beyond it, only the layer's macrocells are read:
  * they describe wider blocks.
  */
-const mostReads = 2 ** 23;
+const maxReads = 2 ** 23;
 
 /** The range of no values. */
 const none: readonly [number, number] = [Infinity, -Infinity];
@@ -55,7 +55,7 @@ export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
   const boxOf = boxesIn(over.grid, volume.grid);
   if (!boxOf) return cells; // One of the two grids is flat.
   const read = boxReader(volume);
-  const isFine = length * countTouched(boxOf([0, 0, 0]), volume.grid.dimensions) <= mostReads;
+  const isFine = length * countTouched(boxOf([0, 0, 0]), volume.grid.dimensions) <= maxReads;
   const [mx, my] = macrocells.dimensions;
   for (let k = 0, cell = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++, cell++) {
     const box = boxOf([i, j, k]);
@@ -64,9 +64,9 @@ export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
     const { first, last } = blocksOf(box, volume);
     for (let z = first[2]; z <= last[2]; z++) for (let y = first[1]; y <= last[1]; y++) for (let x = first[0]; x <= last[0]; x++) include(cell, x + mx * (y + my * z));
     if (!isFine || !(cells.low[cell] <= cells.high[cell])) continue;
-    const [least, most] = read(box);
-    cells.low[cell] = least;
-    cells.high[cell] = most;
+    const [min, max] = read(box);
+    cells.low[cell] = min;
+    cells.high[cell] = max;
   }
   return cells;
 }
@@ -104,7 +104,7 @@ function blocksOf({ low, high }: UnitBox, { grid: { dimensions }, macrocells }: 
 export function shownByOverlay({ low, high }: OverlayCells, { blend, transferFunction }: ShownOverlay): Uint8Array | null {
   if (blend === 'color') return null;
   const shows = contributionOf(transferFunction);
-  return Uint8Array.from(low, (least, cell) => Number(least <= high[cell] && shows(least, high[cell])));
+  return Uint8Array.from(low, (min, cell) => Number(min <= high[cell] && shows(min, high[cell])));
 }
 
 /**
@@ -140,7 +140,7 @@ export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { see
       const reach = (length * overlay.opacityFactor) / samplesAVoxel;
       // Where a step leaves the layer, half of the step counts.
       const atEdge = cells.ends[cell] ? seenOf(reach / 4).largest(...cells.edge) : 0;
-      return missed - samplesAVoxel * Math.log1p(-Math.min(mostSeen, Math.max(atEdge, seenOf(reach).among(low, high, apart))));
+      return missed - samplesAVoxel * Math.log1p(-Math.min(maxSeen, Math.max(atEdge, seenOf(reach).among(low, high, apart))));
     }
     const largest = cells.ends[cell] ? Math.max(...emission(colors, low), ...emission(colors, high)) : 0;
     const change = Math.max(largest, range[kind](low, high, apart));
@@ -148,13 +148,13 @@ export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { see
     const ends = [slope * macrocells.low[cell] + intercept, slope * macrocells.high[cell] + intercept];
     const [from, to] = [Math.min(...ends), Math.max(...ends)];
     if (!Number.isFinite(to - from)) return missed;
-    const most = Math.min(...ends.map((value) => emission(seen.transferFunction, value)[3])) + own.among(from, to, to - from);
-    return missed + Math.min(1, change / fullColor) * most * length;
+    const max = Math.min(...ends.map((value) => emission(seen.transferFunction, value)[3])) + own.among(from, to, to - from);
+    return missed + Math.min(1, change / fullColor) * max * length;
   };
 }
 
 /** Larger opacities count as this: an 8-bit picture cannot distinguish them. */
-const mostSeen = 0.9999;
+const maxSeen = 0.9999;
 
 /** How much the visible effect of a length differs among values. */
 interface SeenRange {

@@ -4,7 +4,7 @@ import type { Volume } from '../../volume/volume.ts';
 import type { Contribution } from './empty-space-distance.ts';
 import { normalsToWorld } from '../rays/gradient.ts';
 import { perWorldUnit } from '../rays/patch-classify.ts';
-import { leastGradient, spanOfPatch } from '../transfer/patches.ts';
+import { minGradient, spanOfPatch } from '../transfer/patches.ts';
 import type { Patch } from '../transfer/patches.ts';
 
 /** Allowance for rounding in shaders. */
@@ -24,11 +24,11 @@ export function boundGradients({ macrocells: { dimensions: [nx, ny, nz], low, hi
   const perRange = slack * longest * perWorldUnit(grid) * Math.abs(slope) * (hasNoData ? 1 : 0.5);
   const bounds = new Float32Array(low.length);
   for (let k = 0, cell = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++, cell++) {
-    let [least, most] = [low[cell], high[cell]];
+    let [min, max] = [low[cell], high[cell]];
     const include = (isThere: boolean, other: number): void => {
       if (!isThere || !(low[other] <= high[other])) return;
-      least = Math.min(least, low[other]);
-      most = Math.max(most, high[other]);
+      min = Math.min(min, low[other]);
+      max = Math.max(max, high[other]);
     };
     include(i > 0, cell - 1);
     include(i < nx - 1, cell + 1);
@@ -36,7 +36,7 @@ export function boundGradients({ macrocells: { dimensions: [nx, ny, nz], low, hi
     include(j < ny - 1, cell + nx);
     include(k > 0, cell - nx * ny);
     include(k < nz - 1, cell + nx * ny);
-    bounds[cell] = least <= most ? perRange * (most - least) : 0;
+    bounds[cell] = min <= max ? perRange * (max - min) : 0;
   }
   return bounds;
 }
@@ -45,6 +45,6 @@ export function boundGradients({ macrocells: { dimensions: [nx, ny, nz], low, hi
 export function contributionOfGradients(patches: readonly Patch[], volume: Volume): Contribution {
   if (isPolar(volume)) return () => true;
   const bounds = boundGradients(volume);
-  const parts = patches.map((patch) => ({ span: spanOfPatch(patch), least: leastGradient(patch) }));
-  return (low, high, cell) => parts.some(({ span, least }) => low <= span[1] && high >= span[0] && bounds[cell] >= least);
+  const parts = patches.map((patch) => ({ span: spanOfPatch(patch), min: minGradient(patch) }));
+  return (low, high, cell) => parts.some(({ span, min }) => low <= span[1] && high >= span[0] && bounds[cell] >= min);
 }

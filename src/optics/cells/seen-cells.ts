@@ -10,9 +10,9 @@ import type { Contribution } from './empty-space-distance.ts';
 export function findSeenCells(
   { low, high }: Macrocells, contributions: readonly Contribution[], { slope, intercept }: { slope: number; intercept: number },
 ): Uint8Array<ArrayBuffer> {
-  return Uint8Array.from(low, (least, cell) => {
-    if (!(least <= high[cell])) return 0; // no data
-    const a = slope * least + intercept;
+  return Uint8Array.from(low, (min, cell) => {
+    if (!(min <= high[cell])) return 0; // no data
+    const a = slope * min + intercept;
     const b = slope * high[cell] + intercept;
     return Number(contributions.every((shows) => shows(Math.min(a, b), Math.max(a, b), cell)));
   });

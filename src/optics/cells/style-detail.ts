@@ -12,7 +12,7 @@ import type { StyleChain, VolumeStyle } from '../transfer/volume-styles.ts';
 /** How styles change the extinction of what is visible for a range of values. */
 export interface StyleChange {
   /** The largest factor. */
-  readonly most: number;
+  readonly max: number;
   /** The largest difference in appearance that one and the same value may have, colours included, as a share of the extinction. */
   readonly apart: number;
 }
@@ -39,7 +39,7 @@ function changeAmong({ grid }: StyledLook['volume']): (low: number, high: number
 export function rangeLight({ volume, transferFunction }: StyledLook): StyleRange {
   const flat = fogFlat * flatChange(domainOf(transferFunction), volume.range);
   const change = changeAmong(volume);
-  return (low, high) => ({ most: 1, apart: weighUpTo(change(low, high), flat) });
+  return (low, high) => ({ max: 1, apart: weighUpTo(change(low, high), flat) });
 }
 
 /** For styles, from their own table. */
@@ -53,9 +53,9 @@ export function rangeStyles(chains: readonly StyleChain[], look: StyledLook): St
     const [byFacing, byChange, byReach] = [0, 1, 2].map((channel) => extremes(table, channel));
     const perReach = perGradientReach(styles, flat, referenceLength);
     const facing = byFacing(1);
-    const least = Math.min(flatFactor(styles), facing[0]);
-    const most = Math.max(flatFactor(styles), facing[1]);
-    return { weight, hasColors: styles.some(isColored), least, most, byChange, byReach: (along: number) => byReach(perReach > 0 ? Math.min(1, along * perReach) : 0) };
+    const min = Math.min(flatFactor(styles), facing[0]);
+    const max = Math.max(flatFactor(styles), facing[1]);
+    return { weight, hasColors: styles.some(isColored), min, max, byChange, byReach: (along: number) => byReach(perReach > 0 ? Math.min(1, along * perReach) : 0) };
   });
   return (low, high) => {
     const perVoxel = change(low, high);
@@ -63,10 +63,10 @@ export function rangeStyles(chains: readonly StyleChain[], look: StyledLook): St
     const weighed = weighUpTo(perVoxel, flatOf(chains) * flat);
     return all.reduce<StyleChange>((sum, one) => {
       const [ofChange, ofReach] = [one.byChange(shareOfChange(Math.min(1e30, along))), one.byReach(Math.min(1e30, along))];
-      const most = one.most * ofChange[1] * ofReach[1];
-      const apart = most - one.least * ofChange[0] * ofReach[0] + (one.hasColors ? weighed * most : 0);
-      return { most: sum.most + one.weight * most, apart: sum.apart + one.weight * apart };
-    }, { most: 0, apart: 0 });
+      const max = one.max * ofChange[1] * ofReach[1];
+      const apart = max - one.min * ofChange[0] * ofReach[0] + (one.hasColors ? weighed * max : 0);
+      return { max: sum.max + one.weight * max, apart: sum.apart + one.weight * apart };
+    }, { max: 0, apart: 0 });
   };
 }
 
@@ -83,8 +83,8 @@ function extremes(table: Float64Array, channel: number): (share: number) => read
   const known: (readonly [number, number])[] = [];
   for (let i = 0; i < styleColumns; i++) {
     const factor = table[4 * (3 * styleColumns + i) + channel];
-    const [least, most] = known[i - 1] ?? [factor, factor];
-    known.push([Math.min(least, factor), Math.max(most, factor)]);
+    const [min, max] = known[i - 1] ?? [factor, factor];
+    known.push([Math.min(min, factor), Math.max(max, factor)]);
   }
   return (share) => known[Math.min(styleColumns - 1, Math.ceil(share * (styleColumns - 1)))];
 }

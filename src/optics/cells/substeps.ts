@@ -4,7 +4,7 @@ import { maxSubsteps } from '../transfer/substep-limits.ts';
 /** How steps are cut into substeps. */
 export interface Substeps {
   /** The largest number of substeps of a step where much may be visible at its ends. */
-  readonly most: number;
+  readonly max: number;
   /** The length of a step in voxels of the finest axis, so that each cell is sampled as finely as it needs; 0 if cells do not matter. */
   readonly voxelsPerStep: number;
   /** How much of a thing may be lost, 0..1, see `findDetail` of optics/cells/cell-detail.ts. */
@@ -14,12 +14,12 @@ export interface Substeps {
 }
 
 /** Whether steps are cut at all. Pictures at rest cut them. */
-export function isCut({ most, voxelsPerStep }: Substeps): boolean {
-  return most > 1 || voxelsPerStep > 0;
+export function isCut({ max, voxelsPerStep }: Substeps): boolean {
+  return max > 1 || voxelsPerStep > 0;
 }
 
 /** Steps are not cut. */
-export const wholeSteps: Substeps = { most: 1, voxelsPerStep: 0, mayLose: 0 };
+export const wholeSteps: Substeps = { max: 1, voxelsPerStep: 0, mayLose: 0 };
 
 /** Only the samples at the ends of a step decide how it is cut. */
-export const allSubsteps: Substeps = { most: maxSubsteps, voxelsPerStep: 0, mayLose: 0 };
+export const allSubsteps: Substeps = { max: maxSubsteps, voxelsPerStep: 0, mayLose: 0 };

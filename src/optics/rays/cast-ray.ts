@@ -42,7 +42,7 @@ function sampleAll(field: FieldStage, moreFields: readonly SecondFieldStage[], p
   return moreFields.reduce((known, stage) => stage(place, known), field.sampleAt(place));
 }
 
-function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { entry, exit, gap }: Interval): Path {
+function pathOf({ field, moreFields, minSubsteps }: RayStages, ray: Ray, { entry, exit, gap }: Interval): Path {
   const isWhole = !gap || exit <= gap[0];
   const spans: [number, number][] = isWhole ? [[entry, exit]] : [[entry, gap[0]], ...(exit > gap[1] + slackOf(ray) ? [[gap[1], exit] as [number, number]] : [])];
   const pieces = spans.map((span) => span.map((t) => (t - entry) * ray.lengthPerT) as [number, number]);
@@ -51,13 +51,13 @@ function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { ent
     total: pieces[pieces.length - 1][1],
     pieces,
     sampleAt: (along) => sampleAll(field, moreFields, placeAt(along)),
-    leastSubstepsAt: leastSubsteps && ((along) => leastSubsteps(placeAt(along))),
+    minSubstepsAt: minSubsteps && ((along) => minSubsteps(placeAt(along))),
     kinksAlong: field.kinksAlong && ((from, to) => field.kinksAlong!(placeAt(from), placeAt(to)).map((share) => from + share * (to - from))),
   };
 }
 
 function walk(stages: RayStages, path: Path, gathering: Gathering): void {
-  const isCubic = (stages.maxSubsteps > 1 || stages.leastSubsteps) && gathering.addPiece && path.kinksAlong;
+  const isCubic = (stages.maxSubsteps > 1 || stages.minSubsteps) && gathering.addPiece && path.kinksAlong;
   for (const piece of path.pieces) {
     if (isCubic) walkKinks(path, piece, (cubic) => gathering.addPiece!(cubic, path));
     else walkPiece(stages, path, piece, gathering);
@@ -74,7 +74,7 @@ export function walkKinks({ sampleAt, kinksAlong }: Path, [begin, end]: readonly
   }
 }
 
-function walkPiece({ step, maxSubsteps }: RayStages, { sampleAt, leastSubstepsAt }: Path, [from, to]: readonly [number, number], gathering: Gathering): void {
+function walkPiece({ step, maxSubsteps }: RayStages, { sampleAt, minSubstepsAt }: Path, [from, to]: readonly [number, number], gathering: Gathering): void {
   const count = countSteps(to - from, step);
   let front = sampleAt(from);
   for (let i = 0; i < count; i++) {
@@ -82,7 +82,7 @@ function walkPiece({ step, maxSubsteps }: RayStages, { sampleAt, leastSubstepsAt
     const end = i < count - 1 ? begin + step : to;
     const last = sampleAt(end);
     const wanted = maxSubsteps > 1 && (front.valid || last.valid) ? Math.min(maxSubsteps, gathering.chooseSubsteps(front, last)) : 1;
-    const substeps = Math.max(wanted, leastSubstepsAt?.(begin) ?? 1);
+    const substeps = Math.max(wanted, minSubstepsAt?.(begin) ?? 1);
     const span = (end - begin) / substeps;
     for (let substep = 1; substep <= substeps; substep++) {
       const back = substep < substeps ? sampleAt(begin + substep * span) : last;

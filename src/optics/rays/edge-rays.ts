@@ -10,14 +10,14 @@ export const edgeOffsets: readonly (readonly [number, number])[] = [[0.2, 0.4], 
  * Finds the quads of 2 x 2 pixels that an edge runs through: one of their pixels has a second difference above a limit
  * along its row or column.
  * @param picture - of bytes
- * @param most - the limit, in 1/255
+ * @param max - the limit, in 1/255
  * @returns the numbers of the quads, row by row, beginning with the one at the first pixel
  */
-export function findEdges({ data, width, height }: Pixels, most: number): Float32Array<ArrayBuffer> {
+export function findEdges({ data, width, height }: Pixels, max: number): Float32Array<ArrayBuffer> {
   const columns = Math.ceil(width / 2);
   const quads = new Uint8Array(columns * Math.ceil(height / 2));
   const bends = (before: number, at: number, after: number): boolean => {
-    for (let c = 0; c < 4; c++) if (Math.abs(data[before + c] - 2 * data[at + c] + data[after + c]) > most) return true;
+    for (let c = 0; c < 4; c++) if (Math.abs(data[before + c] - 2 * data[at + c] + data[after + c]) > max) return true;
     return false;
   };
   const row = 4 * width;

@@ -40,6 +40,6 @@ export function framePlaces(
   return { target: fixed ?? target, radius: distance - dot(back, fixed ?? target) };
 }
 
-function farthest(numbers: readonly number[], most: (a: number, b: number) => number): number {
-  return numbers.reduce((a, b) => most(a, b));
+function farthest(numbers: readonly number[], max: (a: number, b: number) => number): number {
+  return numbers.reduce((a, b) => max(a, b));
 }

@@ -66,7 +66,7 @@ export function transposeLinear(m: Matrix4): Matrix4 {
 export const flatShare = 0.02;
 
 /** The smallest width of a transfer function, as a share of the data's range: for functions of one value, or of a few close values. */
-const leastWidth = 0.05;
+const minWidth = 0.05;
 
 /**
  * If the change from voxel to voxel (data units) is below this, a field counts as flat: it has no direction and is not lit.
@@ -74,7 +74,7 @@ const leastWidth = 0.05;
  * @param range - of the data
  */
 export function flatChange([low, high]: readonly [number, number], range: readonly [number, number]): number {
-  return flatShare * Math.max(high - low, leastWidth * (range[1] - range[0]), Number.MIN_VALUE);
+  return flatShare * Math.max(high - low, minWidth * (range[1] - range[0]), Number.MIN_VALUE);
 }
 
 /** How much a place is lit: g^2 / (g^2 + g0^2). @param flat - g0 */

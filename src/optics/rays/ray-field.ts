@@ -27,7 +27,7 @@ function inVoxels(dimensions: Vector3, place: Vector3): Vector3 {
 }
 
 /** The longest way along each axis, in voxels: one, plus its rounding. */
-const mostVoxels = 1.01;
+const maxVoxels = 1.01;
 
 /**
  * Where a way of at most one voxel along each axis passes planes of voxels' centres, as shares of the way. Tri-linear values kink there and
@@ -35,7 +35,7 @@ const mostVoxels = 1.01;
  */
 export function kinksBetween(dimensions: Vector3, from: Vector3, to: Vector3): number[] {
   const ways = dimensions.map((n, axis) => (to[axis] - from[axis]) * n);
-  if (ways.some((way) => Math.abs(way) > mostVoxels)) return [];
+  if (ways.some((way) => Math.abs(way) > maxVoxels)) return [];
   return ways.flatMap((way, axis) => {
     const begin = from[axis] * dimensions[axis] - 0.5;
     const plane = way > 0 ? Math.floor(begin) + 1 : Math.ceil(begin) - 1;

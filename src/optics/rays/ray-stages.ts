@@ -45,7 +45,7 @@ export interface Path {
   readonly pieces: readonly (readonly [begin: number, end: number])[];
   sampleAt(along: number): Sample;
   /** The smallest number of substeps of a step that begins at this place; 1 if absent. */
-  leastSubstepsAt?(along: number): number;
+  minSubstepsAt?(along: number): number;
   /** Where values kink between two places, see `FieldStage.kinksAlong`; absent if this is not known. */
   kinksAlong?(from: number, to: number): readonly number[];
 }
@@ -133,5 +133,5 @@ export interface RayStages {
   /** A step is cut into at most this many substeps. */
   readonly maxSubsteps: number;
   /** The smallest number of substeps of a step, by the macrocell in which it begins. @param place - in the unit cube */
-  readonly leastSubsteps?: (place: Vector3) => number;
+  readonly minSubsteps?: (place: Vector3) => number;
 }

@@ -29,7 +29,7 @@ export interface StyledScene extends StyledPlaces {
 }
 
 /** The largest opacity over a reference length. */
-export const mostOpacity = 0.9999;
+export const maxOpacity = 0.9999;
 
 /** Factors stay below this, so that products in the shader stay finite. */
 const largestFactor = 1e30;
@@ -110,7 +110,7 @@ export function styledShade(scene: StyledScene): ShadeStage {
     // If neither end has data in the volume, a layer may be visible over the whole length.
     const ratio = span * opticalScale * (front.valid === back.valid ? 1 : 0.5);
     const own = -Math.expm1(Math.log1p(-Math.min(seen[3], 1 - 1e-16)) / ratio);
-    const alpha = -Math.expm1(ratio * Math.log1p(-Math.min(mostOpacity, own * ((near.opacity + far.opacity) / 2))));
+    const alpha = -Math.expm1(ratio * Math.log1p(-Math.min(maxOpacity, own * ((near.opacity + far.opacity) / 2))));
     const channel = (c: 0 | 1 | 2): number =>
       alpha * Math.min(1, ((seen[c] / seen[3]) * (near.gain[c] + far.gain[c]) + near.more[c] + far.more[c]) / 2);
     return [channel(0), channel(1), channel(2), alpha];

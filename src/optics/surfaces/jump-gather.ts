@@ -8,13 +8,13 @@ import type { Premultiplied } from '../transfer/transfer-function.ts';
  * If a part of a ray hides more than this share of the light, it is sampled more closely. With more samples per voxel, the
  * limit is smaller.
  */
-export const mostHidden = 0.25;
+export const maxHidden = 0.25;
 
 /** A part of a ray is halved at most this many times. */
-export const mostHalvings = 10;
+export const maxHalvings = 10;
 
 /** The largest number of samples on one part: about two for each halving in front of each of several values. */
-export const mostLooks = 256;
+export const maxLooks = 256;
 
 /** A smaller share of the light is not visible. Rays also end early by it. */
 const nothing = 1e-3;
@@ -37,7 +37,7 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
       composite(gathered, color);
     };
     const wholeParts = countParts(voxel, step);
-    const limit = mostHidden / wholeParts;
+    const limit = maxHidden / wholeParts;
     const passes = ({ front, back }: Segment): boolean => front.valid && back.valid && countUpTo(front.value) !== countUpTo(back.value);
     const addPart = (segment: Segment, { sampleAt }: Path): void => {
       const { front, back, begin, span } = segment;
@@ -58,11 +58,11 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
       for (let look = 0; at < span; look++) {
         const mark = turns.reduce((next, turn) => (turn > at && turn < next ? turn : next), span);
         // After the last sample, the rest is taken in one piece.
-        const end = look >= mostLooks ? span : Math.min(mark, at + length);
+        const end = look >= maxLooks ? span : Math.min(mark, at + length);
         const piece = { front: known, back: end === span ? segment.back : sampleAt(begin + end), begin: begin + at, span: end - at };
         const color = seeSegment(piece);
         const visible = 1 - gathered[3];
-        const isHalved = look < mostLooks && visible > nothing && end - at > span / 2 ** mostHalvings && (visible * color[3] > limit || passes(piece));
+        const isHalved = look < maxLooks && visible > nothing && end - at > span / 2 ** maxHalvings && (visible * color[3] > limit || passes(piece));
         if (isHalved) {
           length = (end - at) / 2;
           continue;
@@ -74,7 +74,7 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
     return {
       add: (segment) => take(segment, seeSegment(segment)),
       addPiece: ({ from, to, front, back }: CubicPiece, path) => {
-        const parts = wholeParts * (path.leastSubstepsAt?.(from) ?? 1);
+        const parts = wholeParts * (path.minSubstepsAt?.(from) ?? 1);
         let known = front;
         for (let n = 0; n < parts; n++) {
           const [begin, end] = [n, n + 1].map((part) => from + (part / parts) * (to - from));

@@ -29,11 +29,11 @@ export function contributionOfSurfaces(surfaces: readonly IsoSurface[]): Contrib
 }
 
 /** Larger opacities count as this: an 8-bit picture cannot distinguish them. */
-const mostSeen = 0.9999;
+const maxSeen = 0.9999;
 
 /** Optical depth of surfaces that a ray may pass, in and out again. */
 export function depthOfSurfaces(surfaces: readonly IsoSurface[]): JumpDepth {
-  const depths = surfaces.map(({ opacity }) => -2 * Math.log1p(-Math.min(mostSeen, opacity)));
+  const depths = surfaces.map(({ opacity }) => -2 * Math.log1p(-Math.min(maxSeen, opacity)));
   return (low, high) => surfaces.reduce((sum, { value }, i) => (low <= value && high >= value ? sum + depths[i] : sum), 0);
 }
 
@@ -87,8 +87,8 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
         before = segment;
       },
       chooseSubsteps: (front, back) => {
-        const least = runs(seen, front, back) && mayGraze(values, [front.value, back.value], changeBefore(before, seen)) ? (seen.field.kinksBetween ? kinkedSubsteps : maxSubsteps) : 1;
-        return isClear ? least : Math.max(least, seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3], [front, back]));
+        const min = runs(seen, front, back) && mayGraze(values, [front.value, back.value], changeBefore(before, seen)) ? (seen.field.kinksBetween ? kinkedSubsteps : maxSubsteps) : 1;
+        return isClear ? min : Math.max(min, seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3], [front, back]));
       },
       finish: () => gathered,
     };

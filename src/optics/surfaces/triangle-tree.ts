@@ -26,8 +26,8 @@ export class TriangleTree {
   constructor(readonly part: Pick<SurfacePart, 'positions' | 'indices'>) {
     const triangles = part.indices.length / 3;
     this.#order = Uint32Array.from({ length: triangles }, (_, i) => i);
-    const most = Math.max(1, 2 * triangles);
-    [this.#bounds, this.#firsts, this.#counts] = [new Float64Array(6 * most), new Int32Array(most), new Int32Array(most)];
+    const max = Math.max(1, 2 * triangles);
+    [this.#bounds, this.#firsts, this.#counts] = [new Float64Array(6 * max), new Int32Array(max), new Int32Array(max)];
     this.#boxes = 1;
     const open: [box: number, from: number, to: number][] = [[0, 0, triangles]];
     for (let next = open.pop(); next; next = open.pop()) open.push(...this.#cut(...next));

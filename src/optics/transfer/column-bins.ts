@@ -7,14 +7,14 @@ export interface ColumnBins {
 }
 
 const fewest = 2 ** 6;
-const most = 2 ** 18;
+const max = 2 ** 18;
 
 /** Values farther below 0 or above 1 do not occur in the data and have no bin. */
 const margin = 1e-3;
 
-/** @param edges - see Columns @param least - the smallest number of bins, a power of two @returns null if edges are too close together */
-export function binColumns(edges: Float32Array, least = fewest): ColumnBins | null {
-  for (let count = least; count <= most; count *= 2) if (areApart(edges, count)) return fill(edges, count);
+/** @param edges - see Columns @param min - the smallest number of bins, a power of two @returns null if edges are too close together */
+export function binColumns(edges: Float32Array, min = fewest): ColumnBins | null {
+  for (let count = min; count <= max; count *= 2) if (areApart(edges, count)) return fill(edges, count);
   return null;
 }
 

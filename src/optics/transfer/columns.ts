@@ -33,10 +33,10 @@ const smallest = 1e-30;
  * long ray (`least`).
  */
 const usualTolerance = 3e-3;
-const least = 3e-4;
+const min = 3e-4;
 
 /** If there would be more columns, lines are made coarser; but there are never fewer columns than pieces. */
-const mostColumns = 4096;
+const maxColumns = 4096;
 
 /** Halvings towards opacity 1, where extinction has a logarithmic pole. */
 const maxHalvings = 12;
@@ -81,7 +81,7 @@ export function cutColumns(transferFunction: TransferFunction, threshold: (value
   });
   const above = emission(transferFunction, Infinity);
   add({ share: endless, edge: endless }, above, above);
-  if (columns.length > Math.max(mostColumns, 2 * transferFunction.length)) return cutColumns(transferFunction, threshold, 4 * tolerance);
+  if (columns.length > Math.max(maxColumns, 2 * transferFunction.length)) return cutColumns(transferFunction, threshold, 4 * tolerance);
   const edges = Float32Array.from([-endless, ...columns.map(({ to }) => to.edge)]);
   return { edges, starts: Float32Array.from(columns.flatMap(({ start }) => start)), ends: Float32Array.from(columns.flatMap(({ end }) => end)), ...sumUp(columns) };
 }
@@ -121,7 +121,7 @@ function straighten(piece: Piece, tolerance: number): [number, Premultiplied, Pr
 function isStraight(piece: Piece, [from, to]: readonly [number, number], [start, end]: readonly [Premultiplied, Premultiplied], tolerance: number): boolean {
   return [0.25, 0.5, 0.75].every((t) => {
     const exact = emission(piece, from + t * (to - from));
-    const allowed = tolerance * (exact[3] + least);
+    const allowed = tolerance * (exact[3] + min);
     return exact.every((x, c) => Math.abs(start[c] + t * (end[c] - start[c]) - x) <= allowed);
   });
 }

@@ -2,7 +2,7 @@ import { domainOf, emission as emissionOf } from './emission.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
 /** The smallest number of bins that a change is spread over: it is not known where in its bin a jump lies, so half of the jump counts. */
-const leastWidth = 2;
+const minWidth = 2;
 
 /** Number of equal bins over the domain. */
 const bins = 512;
@@ -44,33 +44,33 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
     left: n > 0 && transferFunction[n - 1].value < value ? emission([transferFunction[n]], value) : null,
   }));
   const channels = [0, 1, 2, 3].map((c) => {
-    const [least, most] = [new Float32Array(bins), new Float32Array(bins)];
+    const [min, max] = [new Float32Array(bins), new Float32Array(bins)];
     for (let i = 0; i < bins; i++) {
-      least[i] = Math.min(edges[i][c], edges[i + 1][c]);
-      most[i] = Math.max(edges[i][c], edges[i + 1][c]);
+      min[i] = Math.min(edges[i][c], edges[i + 1][c]);
+      max[i] = Math.max(edges[i][c], edges[i + 1][c]);
     }
-    include([least, most], 0, before[c]);
+    include([min, max], 0, before[c]);
     for (const { bin, here, left } of seen) {
-      include([least, most], bin, here[c]);
-      if (left) include([least, most], bin, left[c]);
+      include([min, max], bin, here[c]);
+      if (left) include([min, max], bin, left[c]);
     }
     // A bin with a stop in it has no single slope: its additional difference may occur anywhere in it.
-    const rise = Float32Array.from(least, (_, i) => edges[i + 1][c] - edges[i][c]);
+    const rise = Float32Array.from(min, (_, i) => edges[i + 1][c] - edges[i][c]);
     const [lowest, highest] = [rise.slice(), rise.slice()];
     for (let i = 0; i < bins; i++) {
-      const beyond = most[i] - least[i] - Math.abs(rise[i]);
+      const beyond = max[i] - min[i] - Math.abs(rise[i]);
       lowest[i] -= beyond;
       highest[i] += beyond;
     }
     return {
-      least: buildExtremes(least, Math.min), most: buildExtremes(most, Math.max),
+      min: buildExtremes(min, Math.min), max: buildExtremes(max, Math.max),
       lowest: buildExtremes(lowest, Math.min), highest: buildExtremes(highest, Math.max),
     };
   });
   const binOf = (value: number): number => Math.min(bins - 1, Math.max(0, Math.floor(inBins(value - low))));
   type Channel = (typeof channels)[number];
-  const difference = ({ least, most }: Channel, first: number, last: number): number =>
-    extremeOf(most, first, last, Math.max) - extremeOf(least, first, last, Math.min);
+  const difference = ({ min, max }: Channel, first: number, last: number): number =>
+    extremeOf(max, first, last, Math.max) - extremeOf(min, first, last, Math.min);
   const bend = ({ lowest, highest }: Channel, first: number, last: number): number =>
     extremeOf(highest, first, last, Math.max) - extremeOf(lowest, first, last, Math.min);
   const differences = new Windows(1, (first, last) => [Math.max(...channels.map((channel) => difference(channel, first, last)))]);
@@ -93,11 +93,11 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
     }
   };
   return {
-    largest: (from, to) => Math.max(...channels.map(({ most }) => extremeOf(most, binOf(from), binOf(to), Math.max))),
+    largest: (from, to) => Math.max(...channels.map(({ max }) => extremeOf(max, binOf(from), binOf(to), Math.max))),
     among: (...where) => largestOf(where, 8, differences, (known, at) => known[at]),
     // A function whose slope lies between two slopes is off its chord by at most a quarter of their difference, times the width.
     offLine: (...where) => largestOf(where, 2, differencesAndBends, (known, at, count) => {
-      const times = Math.max(leastWidth, Math.min(count, inBins(where[2]))) / 4;
+      const times = Math.max(minWidth, Math.min(count, inBins(where[2]))) / 4;
       let largest = 0;
       for (let n = at; n < at + 2 * channels.length; n += 2) largest = Math.max(largest, Math.min(known[n], known[n + 1] * times));
       return largest;
@@ -121,9 +121,9 @@ class Windows {
   }
 }
 
-function include([least, most]: readonly Float32Array[], bin: number, value: number): void {
-  least[bin] = Math.min(least[bin], value);
-  most[bin] = Math.max(most[bin], value);
+function include([min, max]: readonly Float32Array[], bin: number, value: number): void {
+  min[bin] = Math.min(min[bin], value);
+  max[bin] = Math.max(max[bin], value);
 }
 
 function buildExtremes(values: Float32Array, of: (a: number, b: number) => number): Extremes {

@@ -2,7 +2,7 @@ import { opaqueExtinction } from './emission.ts';
 import { extinction } from './opacity.ts';
 import { maxSurfaces } from './surface-limits.ts';
 import type { Stop, TransferFunction } from './transfer-function.ts';
-import { mostOpacity } from './usual-columns.ts';
+import { maxOpacity } from './usual-columns.ts';
 
 /** A change of a voxel's opacity is visible from this on, even if a ray passes the place for less than a step. */
 const seen = 0.1;
@@ -26,7 +26,7 @@ export function findOpaqueJumps(transferFunction: TransferFunction, voxelRatio: 
     const from = transferFunction[i];
     const change = Math.abs(voxelOpacity(to.opacity, voxelRatio) - voxelOpacity(from.opacity, voxelRatio));
     if (to.value === from.value) found.push({ value: to.value, change });
-    else if (Math.max(from.opacity, to.opacity) > mostOpacity) found.push(...findInPiece([from, to], { change, narrow: narrow * domain, voxelRatio }));
+    else if (Math.max(from.opacity, to.opacity) > maxOpacity) found.push(...findInPiece([from, to], { change, narrow: narrow * domain, voxelRatio }));
   });
   const strong = found.filter(({ change }) => change >= seen);
   strong.sort((a, b) => b.change - a.change);

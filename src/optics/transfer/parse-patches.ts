@@ -55,11 +55,11 @@ interface Place {
 
 function parseBox(words: readonly string[], look: PatchLook, { where, units: { window, steepest } }: Place): Patch {
   const [low, high] = words.slice(0, 2).map((word) => readNumber(word, 'value', where, window));
-  const [least, most] = words.slice(2).map((word) => readNumber(word, 'gradient', where, [0, steepest]));
+  const [min, max] = words.slice(2).map((word) => readNumber(word, 'gradient', where, [0, steepest]));
   if (!(low < high)) throw syntax(`${where} got values from ${words[0]} to ${words[1]}; expected the lower one first`);
-  if (!(least < most)) throw syntax(`${where} got gradients from ${words[2]} to ${words[3]}; expected the lower one first`);
-  if (least < 0) throw syntax(`${where} got the gradient ${words[2]}; expected 0 or more`);
-  return { kind: 'box', values: [low, high], gradients: [least, most], ...look };
+  if (!(min < max)) throw syntax(`${where} got gradients from ${words[2]} to ${words[3]}; expected the lower one first`);
+  if (min < 0) throw syntax(`${where} got the gradient ${words[2]}; expected 0 or more`);
+  return { kind: 'box', values: [low, high], gradients: [min, max], ...look };
 }
 
 function parseGaussian(words: readonly string[], look: PatchLook, { where, units: { window, steepest } }: Place): Patch {

@@ -2,7 +2,7 @@ import type { JumpDepth } from './jump-depth.ts';
 import { extinction } from './opacity.ts';
 import { opaqueExtinction } from './emission.ts';
 import type { Color, Premultiplied, Stop, TransferFunction } from './transfer-function.ts';
-import { mostOpacity } from './usual-columns.ts';
+import { maxOpacity } from './usual-columns.ts';
 
 /** A part of the plane of values (data units) and gradients (data units per world unit) that is visible, in one colour. */
 export type Patch = BoxPatch | GaussianPatch;
@@ -59,7 +59,7 @@ export function spanOfPatch(patch: Patch): readonly [number, number] {
 }
 
 /** The smallest gradient at which a patch is visible. */
-export function leastGradient(patch: Patch): number {
+export function minGradient(patch: Patch): number {
   return patch.kind === 'box' ? patch.gradients[0] : patch.gradient - gaussianReach * patch.widths[1];
 }
 
@@ -156,27 +156,27 @@ const steps = 100;
  * to the data, and the function keeps the patches' opacity there.
  * @param range - of the data
  */
-export function outlinePatches(patches: readonly Patch[], [least, most]: readonly [number, number] = [-Infinity, Infinity]): TransferFunction {
+export function outlinePatches(patches: readonly Patch[], [min, max]: readonly [number, number] = [-Infinity, Infinity]): TransferFunction {
   const spans = patches.map(spanOfPatch);
   const [from, to] = [Math.min(...spans.map(([first]) => first)), Math.max(...spans.map(([, last]) => last))];
-  const [low, high] = Math.max(from, least) < Math.min(to, most) ? [Math.max(from, least), Math.min(to, most)] : [from, to];
+  const [low, high] = Math.max(from, min) < Math.min(to, max) ? [Math.max(from, min), Math.min(to, max)] : [from, to];
   const width = (high - low) / (steps - 2);
   const valueAt = (i: number): number => low + (i - 1) * width;
   return Array.from({ length: steps + 1 }, (_, i): Stop => {
     // Includes the neighbours' values, as the function is linear between stops. Outside, the opacity is 0, in the colour of the nearest
     // stop inside.
     const inside = Math.min(steps - 1, Math.max(1, i));
-    const [red, green, blue, density] = mostAmong(patches, valueAt(inside - 1), valueAt(inside + 1));
+    const [red, green, blue, density] = maxAmong(patches, valueAt(inside - 1), valueAt(inside + 1));
     const color: Color = density > 0 ? [red / density, green / density, blue / density] : patches[0].color;
-    return { value: valueAt(i), color, opacity: inside === i || (i === 0 ? from < low : to > high) ? Math.min(mostOpacity, -Math.expm1(-density)) : 0 };
+    return { value: valueAt(i), color, opacity: inside === i || (i === 0 ? from < low : to > high) ? Math.min(maxOpacity, -Math.expm1(-density)) : 0 };
   });
 }
 
 /** The largest value of each patch among values, added. */
-function mostAmong(patches: readonly Patch[], low: number, high: number): Premultiplied {
+function maxAmong(patches: readonly Patch[], low: number, high: number): Premultiplied {
   const sum: Premultiplied = [0, 0, 0, 0];
   for (const patch of patches) {
-    const density = densityOf(patch) * mostOf(patch, low, high);
+    const density = densityOf(patch) * maxOf(patch, low, high);
     if (!(density > 0)) continue;
     patch.color.forEach((channel, c) => (sum[c] += density * channel));
     sum[3] += density;
@@ -184,7 +184,7 @@ function mostAmong(patches: readonly Patch[], low: number, high: number): Premul
   return sum;
 }
 
-function mostOf(patch: Patch, low: number, high: number): number {
+function maxOf(patch: Patch, low: number, high: number): number {
   if (patch.kind === 'box') return Number(high >= patch.values[0] && low <= patch.values[1]);
   const nearest = Math.min(Math.max(patch.value, low), high);
   return gaussianAt([(nearest - patch.value) / patch.widths[0], 0]);

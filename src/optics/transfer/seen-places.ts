@@ -8,7 +8,7 @@ import { evaluate, largestOpacity } from './transfer-function.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
 /** The largest number of samples along each edge: all samples of a large volume would take the page too long. */
-const mostSamples = 96;
+const maxSamples = 96;
 
 /** Number of steps that the range of values is divided into. */
 const shades = 1023;
@@ -23,18 +23,18 @@ const haze = { opacity: 0.005, share: 0.03 };
  * @returns world coordinates; an empty list if nothing is visible
  */
 export function findSeenPlaces(volume: Volume, look: TransferFunction, shown: GridFrame): Vector3[] {
-  const { grid, samples, macrocells, slope, intercept, range: [least, most] } = volume;
+  const { grid, samples, macrocells, slope, intercept, range: [min, max] } = volume;
   const cells = grid.kind === 'polar' ? { ...macrocells, size: cellSize } : { dimensions: grid.dimensions, low: samples, high: samples, size: 1 };
   const [nx, ny, nz] = cells.dimensions;
   const toWorld = unitToWorld(grid);
   const ends = corners(shown);
   const limits = [0, 1, 2].map((axis) => [Math.min, Math.max].map((end) => end(...ends.map((corner) => corner[axis]))));
 
-  const width = (most - least) / shades || 1;
+  const width = (max - min) / shades || 1;
   const visible = Math.min(haze.opacity, haze.share * largestOpacity(look));
-  const isSeen = Uint8Array.from({ length: shades + 1 }, (_, i) => Number(evaluate(look, least + i * width)[3] >= visible));
-  const shadeOf = (stored: number): number => Math.round((slope * stored + intercept - least) / width);
-  const [scale, zero] = [slope / width, (intercept - least) / width];
+  const isSeen = Uint8Array.from({ length: shades + 1 }, (_, i) => Number(evaluate(look, min + i * width)[3] >= visible));
+  const shadeOf = (stored: number): number => Math.round((slope * stored + intercept - min) / width);
+  const [scale, zero] = [slope / width, (intercept - min) / width];
   const showsVoxel = (at: number): boolean => isSeen[Math.round(scale * samples[at] + zero)] === 1; // NaN gives undefined.
   const showsCell = (at: number): boolean => {
     if (!(cells.low[at] <= cells.high[at])) return false; // no data
@@ -48,7 +48,7 @@ export function findSeenPlaces(volume: Volume, look: TransferFunction, shown: Gr
   const isShown = (place: Vector3): boolean => place.every((x, axis) => x >= limits[axis][0] && x <= limits[axis][1]);
 
   const places: Vector3[] = [];
-  const [dx, dy, dz] = cells.dimensions.map((n) => Math.ceil(n / mostSamples));
+  const [dx, dy, dz] = cells.dimensions.map((n) => Math.ceil(n / maxSamples));
   for (let k = 0; k < nz; k += dz) {
     const [left, right] = [new Outline(-1), new Outline(1)];
     for (let j = 0; j < ny; j += dy) {

@@ -26,7 +26,7 @@ const largestShare = 1e34;
 const largestFloat = 1e38;
 
 /** Factors stay above this, or a GPU may treat them as 0. */
-const leastFloat = 2 ** -125;
+const minFloat = 2 ** -125;
 
 /** If a domain is tiny compared with the data's range, it is widened to what floats can distinguish. */
 export function mapShares({ slope, intercept, storedScale, range }: StoredValues, [low, high]: readonly [number, number]): ShareMap {
@@ -36,6 +36,6 @@ export function mapShares({ slope, intercept, storedScale, range }: StoredValues
   const shrink = Math.max(1, Math.abs(from) / largestFloat);
   const scale = (unit / width) * shrink;
   // If a domain is as wide as floats allow, scale becomes very small. A larger scale is used then: only where the domain begins matters.
-  const lift = Math.max(1, leastFloat / Math.abs(scale));
+  const lift = Math.max(1, minFloat / Math.abs(scale));
   return { from: Math.fround(from / shrink / lift), scale: Math.fround(scale * lift) };
 }

@@ -75,7 +75,7 @@ export const styleColumns = 256;
 export const styleRows = 4;
 
 /** The largest change that the table distinguishes; larger ones count as this. */
-const mostChange = 16;
+const maxChange = 16;
 
 /** The range of cosines on either side over which a colour's edge is blended. */
 const softEdge = 0.02;
@@ -132,11 +132,11 @@ export function hasEdges(styles: readonly VolumeStyle[]): boolean {
 
 /** The place of a change in its row of the table. About half of the row is for changes below 1. */
 export function shareOfChange(change: number): number {
-  return Math.min(1, ((1 + mostChange) / mostChange) * (change / (1 + change)));
+  return Math.min(1, ((1 + maxChange) / maxChange) * (change / (1 + change)));
 }
 
 function changeOf(share: number): number {
-  const x = (share * mostChange) / (1 + mostChange);
+  const x = (share * maxChange) / (1 + maxChange);
   return x / (1 - x);
 }
 
@@ -218,11 +218,11 @@ function mix(a: Vector3, b: Vector3, share: number): Vector3 {
 
 /** Hue, saturation and value, each 0 to 1. */
 export function toHsv([red, green, blue]: Vector3): Vector3 {
-  const most = Math.max(red, green, blue);
-  const range = most - Math.min(red, green, blue);
-  if (range === 0) return [0, 0, most];
-  const sixth = most === red ? (green - blue) / range : most === green ? 2 + (blue - red) / range : 4 + (red - green) / range;
-  return [(((sixth / 6) % 1) + 1) % 1, range / most, most];
+  const max = Math.max(red, green, blue);
+  const range = max - Math.min(red, green, blue);
+  if (range === 0) return [0, 0, max];
+  const sixth = max === red ? (green - blue) / range : max === green ? 2 + (blue - red) / range : 4 + (red - green) / range;
+  return [(((sixth / 6) % 1) + 1) % 1, range / max, max];
 }
 
 export function fromHsv([hue, saturation, value]: Vector3): Vector3 {

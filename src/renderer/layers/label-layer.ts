@@ -107,8 +107,8 @@ export class LabelLayer {
     const functions = cutsSteps && optics ? labels.functions : undefined;
     const text = labelsText({ texture3d: this.device.webgl2, twoBytes: labels.map.numbers instanceof Uint16Array, hides: !cutsSteps, groups: functions !== undefined });
     const contribution = this.#contribution.get([this.#looksOf(labels)], () => {
-      const { most } = this.#looksOf(labels);
-      return (_low, _high, cell) => most[cell] > 0;
+      const { max } = this.#looksOf(labels);
+      return (_low, _high, cell) => max[cell] > 0;
     });
     const field: RayModule<'field'> = { ...text, stage: 'field', sparesRays: true, order: 1, contributes: () => contribution, inputs: () => this.#inputs(labels), twin: labelsTwin(labels, !cutsSteps) };
     if (!cutsSteps) return [field];

@@ -237,7 +237,7 @@ export class VolumeLayer {
     const modules = this.modules(surfaces);
     const { webgl2, quadPoints } = this.device;
     const adaptive = quadPoints && modules.every(({ sparesRays }) => sparesRays) && listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2);
-    return { webgl2, adaptive, substeps: this.substeps.most > 1 && !modules.some(({ walk }) => walk), modules };
+    return { webgl2, adaptive, substeps: this.substeps.max > 1 && !modules.some(({ walk }) => walk), modules };
   }
 
   /** The minimum sampling of each macrocell; null if only the samples at a step's ends decide how it is cut. */
@@ -312,7 +312,7 @@ export class VolumeLayer {
       surfaces,
       fades: this.cutsSteps,
       skipping: this.skipping,
-      maxSubsteps: this.substeps.most,
+      maxSubsteps: this.substeps.max,
       detail,
       voxelsPerStep: this.substeps.voxelsPerStep,
       contributions: this.#contributions(modules),

@@ -121,11 +121,11 @@ export class PassDrawing {
     const [columns, all] = [Math.ceil(width / 2), Math.ceil(height / 2)];
     gl.viewport(0, 0, 2 * columns, 2 * all);
     const end = Math.ceil((firstRow + rows) / 2);
-    const most = Math.max(1, Math.floor(maxQuads / columns));
-    for (let row = Math.floor(firstRow / 2); row < end; row += most) {
+    const max = Math.max(1, Math.floor(maxQuads / columns));
+    for (let row = Math.floor(firstRow / 2); row < end; row += max) {
       const uniforms = { ...place, uQuads: [columns, all], uFirstQuadRow: row, uMaxCurvature: maxCurvature / 255 };
       useProgram(gl, program, joinInputs(inputs, { uniforms, units: half.units }));
-      const count = columns * Math.min(most, end - row);
+      const count = columns * Math.min(max, end - row);
       this.#readPositions(program, this.#numbered(count), 1);
       gl.drawArrays(gl.POINTS, 0, count);
     }

@@ -32,7 +32,7 @@ export function composeShapeEdges(webgl2: boolean, program: EdgeProgram): Shader
 }
 
 /** Two ray ends are on different sides of an edge only if they are at least this far apart, in bounding diameters. */
-const leastJump = 1 / 200;
+const minJump = 1 / 200;
 
 /** Shows pictures of the volume over shapes with smooth edges (antialiased by the canvas). */
 export class ShapeEdges {
@@ -78,7 +78,7 @@ export class ShapeEdges {
       gl.enable(gl.DEPTH_TEST);
       gl.depthMask(true);
       gl.depthFunc(gl.ALWAYS);
-      this.#passes.drawCorners(this.#program('otherSides'), joinInputs(depth, { uniforms: { uLeastJump: leastJump }, units: [] }));
+      this.#passes.drawCorners(this.#program('otherSides'), joinInputs(depth, { uniforms: { uMinJump: minJump }, units: [] }));
       gl.depthFunc(gl.LEQUAL);
     });
     const over: Pass['over'] = {
@@ -120,7 +120,7 @@ export class ShapeEdges {
       gl.depthMask(false);
       for (const side of [0, 1]) {
         gl.depthFunc(side ? gl.LESS : gl.GEQUAL);
-        const uniforms = { uGatheredPixel: [1 / width, 1 / height], uLeastJump: leastJump, uFarSide: side, uHasOtherSides: Number(this.#hasOthers) };
+        const uniforms = { uGatheredPixel: [1 / width, 1 / height], uMinJump: minJump, uFarSide: side, uHasOtherSides: Number(this.#hasOthers) };
         this.#passes.drawCorners(this.#program('shapeEdges'), joinInputs(depth, { uniforms, units: [...picture.units, { ...others.units[0], samplerName: 'uOtherSides' }, { ...split, samplerName: 'uSplitPixels' }] }));
       }
       gl.depthMask(true); // Without this, the next frame's depth would not be cleared.

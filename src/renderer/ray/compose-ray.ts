@@ -95,8 +95,8 @@ function checkModules(program: RayProgram): void {
     if (count !== 1) throw new TypeError(`the stage ${stage} got ${count} modules; expected 1`);
   }
   const samplers = listSamplers(program);
-  const most = maxSamplers(program.webgl2);
-  if (samplers.length > most) {
-    throw new TypeError(`the program got ${samplers.length} samplers (${samplers.join(', ')}); expected ${most} at most`);
+  const max = maxSamplers(program.webgl2);
+  if (samplers.length > max) {
+    throw new TypeError(`the program got ${samplers.length} samplers (${samplers.join(', ')}); expected ${max} at most`);
   }
 }

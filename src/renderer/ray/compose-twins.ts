@@ -9,7 +9,7 @@ export interface TwinWalk {
   /** The maximum number of substeps of a step. */
   readonly maxSubsteps: number;
   /** See `RayStages`. */
-  readonly leastSubsteps?: RayStages['leastSubsteps'];
+  readonly minSubsteps?: RayStages['minSubsteps'];
 }
 
 /** Stages in the order in which they are built: each may use the stages before it. */
@@ -30,7 +30,7 @@ export async function loadTwins({ modules }: Pick<RayTwins, 'modules'>, frame: T
  * Compose the stages of a picture's rays in float64, from the twins of the modules that draw the picture.
  * @throws {TypeError} if no module of a stage has a twin, or if a twin gives parts of a stage that is not its module's stage
  */
-export function composeTwins({ modules }: Pick<RayTwins, 'modules'>, frame: TwinFrame, { stepLength, maxSubsteps, leastSubsteps }: TwinWalk): RayStages {
+export function composeTwins({ modules }: Pick<RayTwins, 'modules'>, frame: TwinFrame, { stepLength, maxSubsteps, minSubsteps }: TwinWalk): RayStages {
   const first = modules.filter(isFirst);
   const sorted = [...first, ...order.flatMap((stage) => modules.filter((module) => module.stage === stage && !first.includes(module)))];
   const all = sorted.reduce((before, module) => join(before, partsOf(module, frame, before)), nothing as TwinStages);
@@ -38,7 +38,7 @@ export function composeTwins({ modules }: Pick<RayTwins, 'modules'>, frame: Twin
     if (!all[stage]) throw new TypeError(`no module of the stage ${stage} has a twin: ${modules.map(({ name }) => name).join(', ')}`);
   }
   const { rays } = frame;
-  return { ...all, eyeT: rays.eyeT, step: stepLength / rays.diameter, maxSubsteps, leastSubsteps };
+  return { ...all, eyeT: rays.eyeT, step: stepLength / rays.diameter, maxSubsteps, minSubsteps };
 }
 
 /** A twin may give only parts of its module's own stage: else modules would act in another order than on the GPU. */

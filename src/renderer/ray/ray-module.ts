@@ -51,7 +51,7 @@ import type { Upload } from '../textures/fill-texture.ts';
 import type { ProgramInputs } from '../device/inputs.ts';
 
 /** The members of `RayStages` that say how a ray is walked; no module gives them. */
-type Walk = 'eyeT' | 'step' | 'maxSubsteps' | 'leastSubsteps';
+type Walk = 'eyeT' | 'step' | 'maxSubsteps' | 'minSubsteps';
 
 /** The five stages of a ray in float64. */
 export type TwinStages = Omit<RayStages, Walk>;

@@ -39,7 +39,7 @@ export function joinView(view: CrosshairView, pane: JoiningPane): () => void {
 /** Three lines along the axes of the world through a place, from side to side of the box around a grid; none for a place outside it. */
 export function crosshairLines(grid: GridFrame, place: Vector3): readonly (readonly Vector3[])[] {
   const all = corners(grid);
-  const [low, high] = [Math.min, Math.max].map((least) => place.map((_, axis) => least(...all.map((corner) => corner[axis]))));
+  const [low, high] = [Math.min, Math.max].map((min) => place.map((_, axis) => min(...all.map((corner) => corner[axis]))));
   if (place.some((x, axis) => x < low[axis] || x > high[axis])) return [];
   return place.map((_, axis) => [low, high].map((ends) => place.map((x, other) => (other === axis ? ends[axis] : x)) as unknown as Vector3));
 }

@@ -1,7 +1,7 @@
 import { invalidAttribute, VolumeViewError } from '../../core/errors.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
-import { mostGroups } from '../../volume/labels.ts';
+import { maxGroups } from '../../volume/labels.ts';
 import type { LabelEntry } from '../model/view-labels.ts';
 
 /** Labels with the same text are a group. */
@@ -41,7 +41,7 @@ async function readAll(firsts: ReadonlyMap<string, number>, window: readonly [nu
   for (const [text, id] of firsts) {
     const name = `transfer-function of the label ${id}`;
     try {
-      if (functions.length === mostGroups) throw invalidAttribute(name, text, `one of the ${mostGroups} that labels before it have. Labels have at most ${mostGroups} different ones beside the volume's own`);
+      if (functions.length === maxGroups) throw invalidAttribute(name, text, `one of the ${maxGroups} that labels before it have. Labels have at most ${maxGroups} different ones beside the volume's own`);
       functions.push(await resolveTransferFunction(text, window));
       numbers.set(text, functions.length);
     } catch (thrown) {

@@ -91,22 +91,22 @@ export class SegmentKeeper {
 }
 
 /** Identifies a texture, and how it is read. */
-function nameOf({ url, mosaic, slices, most }: Identifiers): string {
-  return [url, mosaic && `${mosaic.columns}x${mosaic.rows}`, slices, most].filter((part) => part !== undefined && part !== null).join(' ');
+function nameOf({ url, mosaic, slices, max }: Identifiers): string {
+  return [url, mosaic && `${mosaic.columns}x${mosaic.rows}`, slices, max].filter((part) => part !== undefined && part !== null).join(' ');
 }
 
-function loadIdentifiers({ most, ...request }: Identifiers, signal: AbortSignal): Promise<LabelFile> {
-  return labelFileOf(request, signal, (volume) => (most === null ? volume : spread(volume, most)));
+function loadIdentifiers({ max, ...request }: Identifiers, signal: AbortSignal): Promise<LabelFile> {
+  return labelFileOf(request, signal, (volume) => (max === null ? volume : spread(volume, max)));
 }
 
 /** Convert X3DOM's shares of pixels to numbers of segments; `most` is the number of segments in X3DOM. */
-function spread(volume: Volume, most: number): Volume {
+function spread(volume: Volume, max: number): Volume {
   const { ids, samples } = volume;
   const full = samples instanceof Uint16Array || (ids?.at(-1) ?? 0) > 255 ? 65535 : 255;
-  return { ...volume, ids: undefined, samples: samples.map((pixel) => segmentOf((ids ? ids[pixel] : pixel) / full, most)) };
+  return { ...volume, ids: undefined, samples: samples.map((pixel) => segmentOf((ids ? ids[pixel] : pixel) / full, max)) };
 }
 
 /** Segment 0 starts at 0, and segment n at (n + 1/2) / most. */
-export function segmentOf(share: number, most: number): number {
-  return Math.max(0, Math.floor(share * most - 0.5));
+export function segmentOf(share: number, max: number): number {
+  return Math.max(0, Math.floor(share * max - 0.5));
 }

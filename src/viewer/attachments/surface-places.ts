@@ -2,7 +2,7 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import type { Surface } from '../../volume/surface.ts';
 
 /** The number of vertices that stand for all: enough that none of the others is visibly outside them. */
-const mostPlaces = 2000;
+const maxPlaces = 2000;
 
 /**
  * Places that must be in the picture of a camera that frames a surface. For terrain there are none: it is the ground as far as a
@@ -11,7 +11,7 @@ const mostPlaces = 2000;
 export function placesOf({ parts, terrain }: Surface): Vector3[] {
   if (terrain) return [];
   const count = parts.reduce((sum, { positions }) => sum + positions.length / 3, 0);
-  const every = Math.ceil(count / mostPlaces);
+  const every = Math.ceil(count / maxPlaces);
   const places: Vector3[] = [];
   const ends: (Vector3 | null)[] = [null, null, null, null, null, null];
   let number = 0;

@@ -13,7 +13,7 @@ const wheelPixelsPerDoubling = 600;
 const pinchPixelsPerDoubling = 100 * Math.LN2;
 
 /** The maximum for a pinch in one event. One notch of a real wheel while Ctrl is held is 100 pixels or more. */
-const mostPinchPixels = 25;
+const maxPinchPixels = 25;
 
 /** Wheel lines and pages in pixels. */
 const wheelUnits: readonly number[] = [1, 16, 400];
@@ -149,7 +149,7 @@ export class CameraInput {
     if (!zooms && (!this.#engaged || !event.cancelable)) return;
     const pixels = event.deltaY * wheelUnits[event.deltaMode];
     const doublings = event.ctrlKey
-      ? Math.min(mostPinchPixels, Math.max(-mostPinchPixels, pixels)) / pinchPixelsPerDoubling
+      ? Math.min(maxPinchPixels, Math.max(-maxPinchPixels, pixels)) / pinchPixelsPerDoubling
       : pixels / wheelPixelsPerDoubling;
     // At the limit the page scrolls again. With Ctrl, as for a pinch on a trackpad, browsers would zoom the page: that is
     // prevented.

@@ -258,14 +258,14 @@ export class CameraRig {
   /** A pose within the limits. Angles around an author's viewpoint are not limited, except by the poles. */
   within(pose: Pose): Pose {
     const { min, max } = this.#limits;
-    const [least, most] = this.#frame === worldFrame ? [min, max] : [{}, {}];
+    const [minOrbit, maxOrbit] = this.#frame === worldFrame ? [min, max] : [{}, {}];
     const { radius } = this.#home;
     const low = min.radius ? this.#lengthOf(min.radius, pose.fieldOfView, 0) : Math.min(nearest * this.#subject.radius, radius);
     const high = max.radius ? this.#lengthOf(max.radius, pose.fieldOfView, 0) : Math.max(this.#lengthOf(undefined, pose.fieldOfView, farthest), radius);
     return {
       ...pose,
-      theta: clamp(pose.theta, least.theta ?? -Infinity, most.theta ?? Infinity),
-      phi: clamp(pose.phi, Math.max(0, least.phi ?? 0), Math.min(Math.PI, most.phi ?? Math.PI)),
+      theta: clamp(pose.theta, minOrbit.theta ?? -Infinity, maxOrbit.theta ?? Infinity),
+      phi: clamp(pose.phi, Math.max(0, minOrbit.phi ?? 0), Math.min(Math.PI, maxOrbit.phi ?? Math.PI)),
       radius: clamp(pose.radius, low, high),
     };
   }
@@ -288,9 +288,9 @@ export class CameraRig {
     this.#send();
     const round = 2 * Math.PI;
     const near = theta - round * Math.round((theta - this.#goal.theta) / round);
-    const { theta: most } = this.within({ ...this.#goal, theta: near });
+    const { theta: maxOrbit } = this.within({ ...this.#goal, theta: near });
     // The limits may allow only another turn.
-    const one = near === most ? near : near + Math.sign(most - near) * round;
+    const one = near === maxOrbit ? near : near + Math.sign(maxOrbit - near) * round;
     this.#goal = this.within({ ...this.#goal, theta: this.within({ ...this.#goal, theta: one }).theta === one ? one : near, phi });
   }
 

@@ -71,7 +71,7 @@ const keys: Readonly<Record<string, Vector3>> = {
 };
 
 /** A key has no effect if the line has less than this share of its direction in the picture. */
-const leastShare = 0.2;
+const minShare = 0.2;
 
 /**
  * Where a key moves a place: the arrows in the plane that faces the camera, Page up and Page down away from the eye and towards
@@ -90,5 +90,5 @@ export function moveByKey(picture: SeenPicture, at: Vector3, { key, shiftKey }: 
   const line = normalize(along);
   if (z !== 0) return add(at, scale(line, z * step));
   const part = dot(line, way);
-  return Math.abs(part) < leastShare ? null : add(at, scale(line, Math.sign(part) * step));
+  return Math.abs(part) < minShare ? null : add(at, scale(line, Math.sign(part) * step));
 }

@@ -23,9 +23,9 @@ export function readClipAttributes(text: (name: string) => string | null): ClipA
 
 function parseNormal(name: string, text: string): Vector3 {
   const normal = parseNumbers(name, text, 3) as unknown as Vector3;
-  const most = Math.max(...normal.map(Math.abs));
-  if (!(most > 0)) throw invalid(name, text, 'a direction, like "0 1 1"; it may not be 0 0 0');
-  return normalize(scale(normal, 1 / most));
+  const max = Math.max(...normal.map(Math.abs));
+  if (!(max > 0)) throw invalid(name, text, 'a direction, like "0 1 1"; it may not be 0 0 0');
+  return normalize(scale(normal, 1 / max));
 }
 
 function parseAt(name: string, text: string): number {

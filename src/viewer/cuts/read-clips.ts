@@ -36,9 +36,9 @@ class Clips {
   }
 
   /** @returns as many of them as the shader supports */
-  some<T>(all: readonly T[], most: number, words: string): readonly T[] {
-    if (all.length > most) this.error ??= new VolumeViewError('attribute/invalid', `volume-view got ${all.length} ${words}`);
-    return all.slice(0, most);
+  some<T>(all: readonly T[], max: number, words: string): readonly T[] {
+    if (all.length > max) this.error ??= new VolumeViewError('attribute/invalid', `volume-view got ${all.length} ${words}`);
+    return all.slice(0, max);
   }
 }
 

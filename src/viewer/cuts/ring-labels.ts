@@ -100,8 +100,8 @@ export class RingLabels implements ViewPart {
 
 /** How far a text must move to be inside a side. It has the given length, and its middle is at the given place. */
 function pushInside(middle: number, length: number, side: number): number {
-  const least = length / 2 + margin;
-  return Math.min(Math.max(middle, least), Math.max(side - least, least)) - middle;
+  const min = length / 2 + margin;
+  return Math.min(Math.max(middle, min), Math.max(side - min, min)) - middle;
 }
 
 /** Device coordinates of a place, -1..1 inside the picture, and its distance in front of the eye. */

@@ -65,8 +65,8 @@ export function parsePlace(name: string, text: string): Vector3 {
 
 function parseNormal(name: string, text: string): Vector3 {
   const normal = parseNumbers(name, text, 3) as unknown as Vector3;
-  const most = Math.max(...normal.map(Math.abs));
-  if (!(most > 0 && most <= longest)) throw invalid(name, text, 'a direction, like "0 1 1"; it may not be 0 0 0');
+  const max = Math.max(...normal.map(Math.abs));
+  if (!(max > 0 && max <= longest)) throw invalid(name, text, 'a direction, like "0 1 1"; it may not be 0 0 0');
   return normal;
 }
 

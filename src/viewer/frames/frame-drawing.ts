@@ -114,6 +114,6 @@ export class FrameDrawing {
     if (!keeper.scene || loop.dirty || loop.host.moving || shown.volume!.coarse || this.quality.undecided) return false;
     const full = this.sizeIn(keeper.scene);
     const plan = this.planAtRest;
-    return width === full.width && height === full.height && steps === plan.steps && substeps === plan.substeps.most && maxCurvature === 0;
+    return width === full.width && height === full.height && steps === plan.steps && substeps === plan.substeps.max && maxCurvature === 0;
   }
 }

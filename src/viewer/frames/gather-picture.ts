@@ -25,13 +25,13 @@ const minRows = 8;
 const wholeRows = 4;
 
 /** A piece has at most this many times the rows of the one before, and at least the inverse of it. */
-const mostChange = 2;
+const maxChange = 2;
 
 /**
  * No piece has more than this many times the rows that the times of whole pictures suggest, even if the pieces at the picture's
  * empty edge took almost no time: the next one may take long.
  */
-const mostRows = 2;
+const maxRows = 2;
 
 /**
  * Number of pieces that are sent to the GPU: while it draws one, the next is already there, so that it never waits. The time for a
@@ -69,7 +69,7 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
     return took;
   };
   let next = rows / atOnce;
-  const most = mostRows * Math.max(minRows, rows);
+  const max = maxRows * Math.max(minRows, rows);
   let before: Promise<number> | null = null;
   scene.startGathering(stepLength, { width, height });
   const passes = scene.passes({ width, height });
@@ -79,7 +79,7 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
   for (const pass of passes) {
     // Such a pass first reads the earlier ones, and the page would wait for them. Its few rays may be anywhere.
     if (pass.over) await before;
-    const limit = pass.over ? pass.height : most;
+    const limit = pass.over ? pass.height : max;
     for (let firstRow = 0; firstRow < pass.height; ) {
       // A row of a coarser lattice has fewer pixels, so that a piece has more of its rows.
       const count = Math.min(Math.max(minRows, wholeRows * Math.round(next / wholeRows)) * pass.stride, pass.height - firstRow);
@@ -91,7 +91,7 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
       const took = await before;
       if (!goesOn()) return null;
       told(done / pixels);
-      if (took !== null) next = Math.min(limit, next * Math.min(mostChange, Math.max(1 / mostChange, pieceMs / atOnce / Math.max(0.1, took))));
+      if (took !== null) next = Math.min(limit, next * Math.min(maxChange, Math.max(1 / maxChange, pieceMs / atOnce / Math.max(0.1, took))));
       before = last;
     }
   }

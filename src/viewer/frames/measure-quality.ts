@@ -195,8 +195,8 @@ export class ErrorProbe {
     const one = autoSteps(grid);
     const isEven = level.steps >= one;
     const finer = isEven ? level : { steps: one, substeps: maxSubsteps };
-    const cut = isEven && maxError === null ? { ...allSubsteps, most: level.substeps } : cutSteps(finer, voxelsAlong(grid), maxError ?? usualError);
-    const own = maxError === null ? { ...allSubsteps, most: level.substeps } : cut;
+    const cut = isEven && maxError === null ? { ...allSubsteps, max: level.substeps } : cutSteps(finer, voxelsAlong(grid), maxError ?? usualError);
+    const own = maxError === null ? { ...allSubsteps, max: level.substeps } : cut;
     return { isEven, pictures: [[level.steps, own], [finer.steps * 2, cut], [finer.steps * 4, cut]] };
   }
 

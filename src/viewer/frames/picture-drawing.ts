@@ -67,7 +67,7 @@ export class PictureDrawing {
     await this.#finish(scene, volume);
     const frameMs = performance.now() - began;
     const gpuMs = await scene.gpuMs();
-    return { stats: this.#describe({ frameMs, steps, substeps: substeps.most, stepLength, width, height, ...raysOf(sampling) }), gpuMs, compiled };
+    return { stats: this.#describe({ frameMs, steps, substeps: substeps.max, stepLength, width, height, ...raysOf(sampling) }), gpuMs, compiled };
   }
 
   /**
@@ -93,7 +93,7 @@ export class PictureDrawing {
     author.aim(scene, width / height);
     scene.drawGathered();
     await this.#finish(scene, volume);
-    return this.#describe({ frameMs, steps, substeps: substeps.most, stepLength, width, height, ...raysOf(sampling) });
+    return this.#describe({ frameMs, steps, substeps: substeps.max, stepLength, width, height, ...raysOf(sampling) });
   }
 
   /** Draw a picture of any size into the canvas, without waiting for the GPU. */

@@ -127,7 +127,7 @@ export class QualityControl {
     const oneAVoxel = autoSteps(grid);
     const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
     // Cells influence the sampling as soon as the code that chooses steps is loaded: before that, no picture at rest is drawn.
-    const substeps = this.#tools?.cutSteps(level, voxelsAlong(grid), maxError) ?? { ...allSubsteps, most: level.substeps };
+    const substeps = this.#tools?.cutSteps(level, voxelsAlong(grid), maxError) ?? { ...allSubsteps, max: level.substeps };
     return { scale: 1, steps: level.steps, substeps, sampling: allRays };
   }
 
@@ -218,9 +218,9 @@ export class QualityControl {
     }
     const target = this.still(grid);
     const isAtRest = plan.scale === 1 && plan.steps === target.steps && plan.sampling === target.sampling;
-    if (!isAtRest || plan.substeps.most !== target.substeps.most || plan.substeps.voxelsPerStep !== target.substeps.voxelsPerStep) return true;
+    if (!isAtRest || plan.substeps.max !== target.substeps.max || plan.substeps.voxelsPerStep !== target.substeps.voxelsPerStep) return true;
     if (isAuto) this.#errors = { ...this.#errors, ...(await learnFrom({ scene, grid, size, goesOn }, this.#hasSpared)) };
-    else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(await view.measure({ steps: plan.steps, substeps: plan.substeps.most }));
+    else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(await view.measure({ steps: plan.steps, substeps: plan.substeps.max }));
     return false;
   }
 

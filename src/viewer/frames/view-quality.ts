@@ -143,8 +143,8 @@ export class ViewQuality {
    */
   async learnSteps(level: Level, goesOn: () => boolean): Promise<Partial<ErrorModel>> {
     const { view: { scene, grid }, asked } = this;
-    const most = autoSteps(grid);
-    const steps = [Math.min(inMotion[0], Math.ceil(most / 4)), Math.min(inMotion[1], most)] as const;
+    const max = autoSteps(grid);
+    const steps = [Math.min(inMotion[0], Math.ceil(max / 4)), Math.min(inMotion[1], max)] as const;
     const isPrepared = await this.#probe.prepareDistances(steps, level, goesOn);
     scene.setSubsteps(cutSteps(level, voxelsAlong(grid), asked.maxError)); // As in the picture on the screen.
     if (!isPrepared) return {};

@@ -13,7 +13,7 @@ export class LoadQueue {
   #lent = 0;
   #waiting: Waiting[] = [];
 
-  constructor(readonly most: number) {}
+  constructor(readonly max: number) {}
 
   /**
    * Load something when it is its turn.
@@ -23,11 +23,11 @@ export class LoadQueue {
    * loads run
    */
   async run<T>(inSight: () => boolean, signal: AbortSignal, load: (lend: () => void) => Promise<T>): Promise<T> {
-    if (this.#running >= this.most) await this.#wait(inSight, signal);
+    if (this.#running >= this.max) await this.#wait(inSight, signal);
     else this.#running++;
     let isLent = false;
     const lend = (): void => {
-      if (isLent || this.#lent >= this.most) return;
+      if (isLent || this.#lent >= this.max) return;
       isLent = true;
       this.#lent++;
       this.#leave();

@@ -53,10 +53,10 @@ export function parseWindow(text: string): [number, number] {
 }
 
 /** `auto` or a number of steps. */
-export function parseSteps(text: string, most: number): number | 'auto' {
+export function parseSteps(text: string, max: number): number | 'auto' {
   if (text.trim().toLowerCase() === 'auto' || text.trim() === '') return 'auto';
   const steps = isNumber(text.trim()) ? Math.round(Number(text)) : NaN;
-  if (!(steps >= 1 && steps <= most)) throw invalid('steps', text, `auto, or a number from 1 to ${most}`);
+  if (!(steps >= 1 && steps <= max)) throw invalid('steps', text, `auto, or a number from 1 to ${max}`);
   return steps;
 }
 
@@ -89,12 +89,12 @@ export function parseOrbit(text: string, name = 'camera-orbit'): OrbitAttribute 
 }
 
 /** The smallest and the largest orbit; an absent text sets no limit. */
-export function parseLimits(least: string | null, greatest: string | null): { min: OrbitAttribute; max: OrbitAttribute } {
-  const [min, max] = [[least, 'min-camera-orbit'], [greatest, 'max-camera-orbit']].map(([text, name]) => (text?.trim() ? parseOrbit(text, name!) : {}));
+export function parseLimits(smallest: string | null, greatest: string | null): { min: OrbitAttribute; max: OrbitAttribute } {
+  const [min, max] = [[smallest, 'min-camera-orbit'], [greatest, 'max-camera-orbit']].map(([text, name]) => (text?.trim() ? parseOrbit(text, name!) : {}));
   const isBelow = (a: number | undefined, b: number | undefined): boolean => a !== undefined && b !== undefined && a < b;
   const [low, high] = [min, max].map(({ radius }) => ({ world: undefined, fraction: undefined, ...radius }));
   if (isBelow(max.theta, min.theta) || isBelow(max.phi, min.phi) || isBelow(high.world, low.world) || isBelow(high.fraction, low.fraction)) {
-    throw invalid('max-camera-orbit', greatest!, `no part below that of min-camera-orbit, "${least!.slice(0, 60)}"`);
+    throw invalid('max-camera-orbit', greatest!, `no part below that of min-camera-orbit, "${smallest!.slice(0, 60)}"`);
   }
   return { min, max };
 }

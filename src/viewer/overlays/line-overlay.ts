@@ -101,15 +101,15 @@ function project(picture: SeenPicture, line: readonly Vector3[]): Pixel[][] {
   return parts;
 }
 
-function clamp(value: number, least: number, most: number): number {
-  return Math.max(least, Math.min(most, value));
+function clamp(value: number, min: number, max: number): number {
+  return Math.max(min, Math.min(max, value));
 }
 
 /** The part of a line that is in front of the eye. */
 function clip(camera: Camera, from: Vector3, to: Vector3): readonly [Vector3, Vector3] | null {
   const view = viewMatrix(camera);
-  const least = nearest * Math.hypot(...subtract(camera.eye, camera.target));
-  const [a, b] = [from, to].map((place) => -transformPoint(view, place)[2] - least);
+  const min = nearest * Math.hypot(...subtract(camera.eye, camera.target));
+  const [a, b] = [from, to].map((place) => -transformPoint(view, place)[2] - min);
   if (a <= 0 && b <= 0) return null;
   const between = add(from, scale(subtract(to, from), a / (a - b)));
   return [a > 0 ? from : between, b > 0 ? to : between];

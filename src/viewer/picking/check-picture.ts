@@ -1,7 +1,7 @@
 // Compares what the GPU draws with rays that the CPU casts: loaded with the first check.
 import { loadPart } from '../../core/load-part.ts';
 import { castRay } from '../../optics/rays/cast-ray.ts';
-import { leastSubsteps } from '../../optics/cells/least-substeps.ts';
+import { minSubsteps } from '../../optics/cells/min-substeps.ts';
 import type { RayStages, Sample } from '../../optics/rays/ray-stages.ts';
 import { rayThrough } from '../../optics/rays/rays.ts';
 import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
@@ -40,7 +40,7 @@ export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null>
     // Read at once: others draw into the same buffer.
     const drawn = scene.startProbe(stepLength, lattice, size, true)?.();
     if (!drawn) return null;
-    const stages = rays.stages({ stepLength, maxSubsteps: substepsOf(scene, substeps), leastSubsteps: leastOf(scene, substeps.voxelsPerStep) });
+    const stages = rays.stages({ stepLength, maxSubsteps: substepsOf(scene, substeps), minSubsteps: minOf(scene, substeps.voxelsPerStep) });
     const compare = (ray: number): RayDifference => {
       const pixel = [lattice.first[0] + lattice.stride * (ray % lattice.width), lattice.first[1] + lattice.stride * Math.floor(ray / lattice.width)];
       const through = (shift: readonly [number, number]): number[] => pixel.map((one, axis) => (2 * (one + 0.5 + shift[axis])) / (axis ? size.height : size.width) - 1);
@@ -60,25 +60,25 @@ const digit = 2 ** -20;
  */
 function withDigits(stages: RayStages, { range }: Volume, digits: number): RayStages {
   if (digits === 0) return stages;
-  const most = digit * Math.max(...range.map(Math.abs));
+  const max = digit * Math.max(...range.map(Math.abs));
   const { field } = stages;
   const sampleAt = (place: Vector3): Sample => {
     const known = field.sampleAt(place);
-    return { ...known, value: known.value + most * Math.sin(digits * (1e4 * place[0] + 2e4 * place[1] + 3e4 * place[2])) };
+    return { ...known, value: known.value + max * Math.sin(digits * (1e4 * place[0] + 2e4 * place[1] + 3e4 * place[2])) };
   };
   return { ...stages, field: { ...field, sampleAt } };
 }
 
 /** The maximum number of substeps in a step. A projection is exact however its steps are cut. */
 function substepsOf({ cutsSteps }: Scene, substeps: Substeps): number {
-  return !cutsSteps && isCut(substeps) ? maxSubsteps : substeps.most;
+  return !cutsSteps && isCut(substeps) ? maxSubsteps : substeps.max;
 }
 
 /** The minimum substeps that cells require; cells require none where an author gives steps, and in projections. */
-function leastOf(scene: Scene, voxelsPerStep: number): RayStages['leastSubsteps'] {
+function minOf(scene: Scene, voxelsPerStep: number): RayStages['minSubsteps'] {
   const codes = scene.cutsSteps ? scene.detail() : null;
   const seen = scene.whatIsSeen();
-  return codes && seen ? leastSubsteps(seen.volume, codes, voxelsPerStep) : undefined;
+  return codes && seen ? minSubsteps(seen.volume, codes, voxelsPerStep) : undefined;
 }
 
 function* compareAll(chosen: readonly number[], compare: (ray: number) => RayDifference): Generator<void, RayDifference[]> {

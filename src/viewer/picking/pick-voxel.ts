@@ -16,7 +16,7 @@ export interface Voxel {
 export function nearestVoxel(volume: Pick<Volume, 'grid' | 'samples' | 'slope' | 'intercept' | 'ids' | 'indexed'>, place: Vector3): Voxel | null {
   const { grid: { dimensions }, samples, indexed } = volume;
   let nearest: Voxel | null = null;
-  let most = 0;
+  let max = 0;
   const inside = place.map((p, axis) => Math.min(dimensions[axis] - 1, Math.max(0, p * dimensions[axis] - 0.5)));
   for (let corner = 0; corner < 8; corner++) {
     const upper = [corner & 1, (corner >> 1) & 1, corner >> 2];
@@ -25,8 +25,8 @@ export function nearestVoxel(volume: Pick<Volume, 'grid' | 'samples' | 'slope' |
     const at = index[0] + dimensions[0] * (index[1] + dimensions[1] * index[2]);
     const stored = samples[at];
     // In the middle between two voxels it is the upper one, as in the look-up of labels.
-    if (!Number.isFinite(stored) || weight === 0 || weight < most) continue;
-    most = weight;
+    if (!Number.isFinite(stored) || weight === 0 || weight < max) continue;
+    max = weight;
     // A value that float32 rounds is reported as the file has it.
     nearest = { index, value: indexed ? indexed.ids[indexed.samples[at]] : valueOf(volume, stored) };
   }

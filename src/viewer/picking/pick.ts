@@ -21,7 +21,7 @@ import type { Viewer } from '../view/viewer.ts';
 import type { PickOptions, RadarPlace, VolumePick } from '../model/volume-pick.ts';
 
 /** Maximum number of steps of a ray; each of them may be cut into substeps. */
-const mostSteps = 1500;
+const maxSteps = 1500;
 
 /**
  * What is at a place of the picture that is on the page.
@@ -40,7 +40,7 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
   if (!(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
   const { shown } = viewer;
-  const stages = rays.stages({ stepLength: Math.max(finestSpacing(volume.grid), longestDiagonal(shown.grid) / mostSteps), maxSubsteps });
+  const stages = rays.stages({ stepLength: Math.max(finestSpacing(volume.grid), longestDiagonal(shown.grid) / maxSteps), maxSubsteps });
   const ray = rayThrough(setup, 2 * across - 1, 1 - 2 * down);
   const end = surfaces?.endAtSurface(host!, ray, unitToWorld(volume.grid), setup.eyeT);
   const look = { ...rays, projection: optics.projection, intensityThreshold: optics.intensityThreshold, isClear: rays.hasSurfaces && optics.surfaces?.clear === true };

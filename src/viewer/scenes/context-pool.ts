@@ -39,7 +39,7 @@ export class ContextPool {
   readonly #holders = new Map<ContextHolder, number>();
   #planned = false;
 
-  constructor(readonly most: number) {}
+  constructor(readonly max: number) {}
 
   add(candidate: ContextHolder): void {
     this.#candidates.add(candidate);
@@ -80,7 +80,7 @@ export class ContextPool {
 
   #clear(): void {
     for (const holder of this.#holders.keys()) {
-      const isBeyond = this.#holders.size > this.most && !holder.inSight && isIdle(holder);
+      const isBeyond = this.#holders.size > this.max && !holder.inSight && isIdle(holder);
       if (!holder.busy && (!holder.mayHold || isBeyond)) this.#dismiss(holder);
     }
   }
@@ -98,7 +98,7 @@ export class ContextPool {
   }
 
   #makeRoom(candidate: ContextHolder): boolean {
-    if (this.#holders.size < this.most) return true;
+    if (this.#holders.size < this.max) return true;
     const holders = [...this.#holders.keys()];
     const leaving = holders.filter((holder) => this.#mayTake(candidate, holder));
     const last = leaving.find((holder) => !holder.inSight) ?? leaving.find(isIdle) ?? leaving[0];

@@ -16,10 +16,10 @@ export interface SampledPlane {
 }
 
 /** The maximum number of samples: enough for a picture of a few thousand bins. */
-const mostSamples = 120_000;
+const maxSamples = 120_000;
 
 /** The maximum number of places to try; places without data give no sample. */
-const mostPlaces = 4 * mostSamples;
+const maxPlaces = 4 * maxSamples;
 
 /** The number of places between two checks of the clock. */
 const batch = 64;
@@ -31,15 +31,15 @@ const slice = 8;
 const steps: Vector3 = [0.8191725133961645, 0.6710436067037893, 0.5497004779019703];
 
 /** Collect the samples, step by step. Volumes of labels have no gradients. @returns null for these */
-export function* samplePlane(volume: Volume, most = mostSamples): Generator<undefined, SampledPlane | null> {
+export function* samplePlane(volume: Volume, max = maxSamples): Generator<undefined, SampledPlane | null> {
   if (volume.isDiscrete) return null;
   const { grid } = volume;
   const field = isPolar(volume) ? polarField(volume) : cartesianField({ ...volume, dimensions: grid.dimensions });
   const gradient = isPolar(volume) ? polarGradient(polarBeamField(volume), volume.grid) : cartesianGradient(field, grid);
   const toWorld = perWorldUnit(grid);
-  const [values, gradients] = [new Float32Array(most), new Float32Array(most)];
+  const [values, gradients] = [new Float32Array(max), new Float32Array(max)];
   let count = 0;
-  for (let i = 1; i <= (mostPlaces / mostSamples) * most && count < most; i++) {
+  for (let i = 1; i <= (maxPlaces / maxSamples) * max && count < max; i++) {
     if (i % batch === 0) yield;
     const place = steps.map((x) => (i * x) % 1) as unknown as Vector3;
     const known = field.sampleAt(place);

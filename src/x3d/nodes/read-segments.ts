@@ -7,7 +7,7 @@ import { X3dFields } from './x3d-fields.ts';
 /** The texture that gives the segment of each voxel. */
 export interface Identifiers extends VoxelTexture {
   /** X3DOM spreads its segment numbers over 0 to 1; null if a pixel's number is the number of its segment. */
-  readonly most: number | null;
+  readonly max: number | null;
 }
 
 /** One segment, by its style: the n-th style belongs to segment n. */
@@ -27,8 +27,8 @@ export function readIdentifiers(node: Element): Identifiers {
     throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got no segment identifiers; expected an <ImageTextureAtlas containerField="segmentIdentifiers" url="…"> in it, with the number of a segment in each voxel.');
   }
   const fields = new X3dFields(node, 'SegmentedVolumeData');
-  const most = fields.text('numberOfMaxSegments') === '' ? null : fields.whole('numberOfMaxSegments', 10, [1, 255]);
-  return { ...readVoxelTexture(texture), most };
+  const max = fields.text('numberOfMaxSegments') === '' ? null : fields.whole('numberOfMaxSegments', 10, [1, 255]);
+  return { ...readVoxelTexture(texture), max };
 }
 
 /** Which segments are drawn, by number; all further ones are drawn. @throws {VolumeViewError} `attribute/invalid` */

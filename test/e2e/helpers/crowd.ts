@@ -24,7 +24,7 @@ interface Count {
   /** WebGL contexts that are not lost. */
   now(): number;
   /** The most of them at any time. */
-  most: number;
+  max: number;
 }
 
 declare global {
@@ -37,20 +37,20 @@ declare global {
 export async function countContexts(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const all = new Set<WebGLRenderingContext | WebGL2RenderingContext>();
-    const count: Count = { now: () => [...all].filter((context) => !context.isContextLost()).length, most: 0 };
+    const count: Count = { now: () => [...all].filter((context) => !context.isContextLost()).length, max: 0 };
     const original = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: unknown[]) {
       const context = Reflect.apply(original, this, args) as RenderingContext | null;
       if (context instanceof WebGLRenderingContext || context instanceof WebGL2RenderingContext) all.add(context);
-      count.most = Math.max(count.most, count.now());
+      count.max = Math.max(count.max, count.now());
       return context as never;
     };
     window.__contexts = count;
   });
 }
 
-export const contexts = (page: Page): Promise<{ now: number; most: number }> =>
-  page.evaluate(() => ({ now: window.__contexts.now(), most: window.__contexts.most }));
+export const contexts = (page: Page): Promise<{ now: number; max: number }> =>
+  page.evaluate(() => ({ now: window.__contexts.now(), max: window.__contexts.max }));
 
 /** Whether an element has a scene of its own, and not only its last picture. */
 export const isLive = (page: Page, i: number): Promise<boolean> =>

@@ -255,7 +255,7 @@ export function compare(a: Picture, b: Picture): { worst: number; rmse: number }
 
 /** The issue's own bounds: 2/255 at any pixel, 0.5/255 RMSE. */
 export function expectSamePicture(got: Picture, expected: Picture): void {
-  const strongest = expected.data.reduce((most, x, i) => (i % 4 < 3 ? Math.max(most, x) : most), 0);
+  const strongest = expected.data.reduce((max, x, i) => (i % 4 < 3 ? Math.max(max, x) : max), 0);
   expect(strongest, 'the reference shows something').toBeGreaterThan(80);
   const { worst, rmse } = compare(got, expected);
   expect(worst, 'worst pixel').toBeLessThanOrEqual(2);

@@ -9,6 +9,6 @@ const pieces = [
 
 /** Pumped texts: something before, a piece again and again, something after, for each attribute. */
 export const attributes: Grammar = (random) => {
-  const some = (most: number): string => Array.from({ length: random.int(0, most) }, () => random.pick(pieces)).join('');
+  const some = (max: number): string => Array.from({ length: random.int(0, max) }, () => random.pick(pieces)).join('');
   return { attribute: random.pick(names), before: some(3), pump: some(2) || random.pick(pieces), after: some(2) };
 };

@@ -230,9 +230,9 @@ describe('the frame of a pane', () => {
     const all = corners(cartesianGrid(dimensions, indexToWorld));
     const frame = fitFrame(boxAround(axial, all), size);
     const points = all.map((corner) => pointAt(frame, size, toPlane(axial, corner)));
-    for (const [axis, most] of [[0, 300], [1, 200]] as const) {
+    for (const [axis, max] of [[0, 300], [1, 200]] as const) {
       expect(Math.min(...points.map((point) => point[axis]))).to.be.above(-1e-9);
-      expect(Math.max(...points.map((point) => point[axis]))).to.be.below(most + 1e-9);
+      expect(Math.max(...points.map((point) => point[axis]))).to.be.below(max + 1e-9);
     }
     const before = placeAt(frame, size, [40, 170]);
     const after = placeAt(zoomFrame(frame, size, 2.5, [40, 170]), size, [40, 170]);

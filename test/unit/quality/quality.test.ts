@@ -168,10 +168,10 @@ describe('steps', () => {
 
   it('that are longer than a voxel, as there may be no more of them, are cut into the more', () => {
     const { grid } = syntheticVolume({ dimensions: [40, 40, 40], spacing: [0.005, 1, 1] });
-    const [one, most] = [autoSteps(grid), voxelsAlong(grid)];
+    const [one, max] = [autoSteps(grid), voxelsAlong(grid)];
     expect(one).to.equal(maxAutoSteps);
-    expect(most / one).to.be.within(2.7, 2.8);
-    expect(cutSteps({ steps: one, substeps: 1 }, most, 1).voxelsPerStep).to.equal(most / one);
+    expect(max / one).to.be.within(2.7, 2.8);
+    expect(cutSteps({ steps: one, substeps: 1 }, max, 1).voxelsPerStep).to.equal(max / one);
   });
 });
 
@@ -255,26 +255,26 @@ describe('the plan of a frame', () => {
   });
 
   describe('if no time is enough', () => {
-    const least = (model: ErrorModel, pixels: number, steps = 100): FramePlan => planFrame({ a: 50, b: 1 }, model, { pixels, steps }, { budgetMs: 30 });
+    const min = (model: ErrorModel, pixels: number, steps = 100): FramePlan => planFrame({ a: 50, b: 1 }, model, { pixels, steps }, { budgetMs: 30 });
 
     it('does as much work as 30 steps for few of the pixels are', () => {
-      expect(least(errors, 256 ** 2)).to.deep.equal({ scale: 0.25, steps: 30, substeps: wholeSteps, sampling: allRays });
-      expect(least(errors, 10, 3)).to.deep.equal({ scale: 0.25, steps: 3, substeps: wholeSteps, sampling: allRays });
-      for (const [pixels, most] of [[800 ** 2, 128 ** 2 * 34], [4000 ** 2, 500 ** 2 * 34]]) {
-        const work = workOfPlan(least(errors, pixels), pixels);
-        expect(work).to.be.at.most(most * (1 + 1e-9));
-        expect(work).to.be.above(0.9 * most);
+      expect(min(errors, 256 ** 2)).to.deep.equal({ scale: 0.25, steps: 30, substeps: wholeSteps, sampling: allRays });
+      expect(min(errors, 10, 3)).to.deep.equal({ scale: 0.25, steps: 3, substeps: wholeSteps, sampling: allRays });
+      for (const [pixels, max] of [[800 ** 2, 128 ** 2 * 34], [4000 ** 2, 500 ** 2 * 34]]) {
+        const work = workOfPlan(min(errors, pixels), pixels);
+        expect(work).to.be.at.most(max * (1 + 1e-9));
+        expect(work).to.be.above(0.9 * max);
       }
     });
 
     it('spends that of a large picture on enough steps for what is thin, and on more where the scene gains from them', () => {
       // What was measured of the MRI and of a storm without rings in the demos, see docs/benchmark.md.
-      const [brain, storm] = [{ ...errors, steps: 24, error: 1.8, order: 1.7, atHalf: 0.73 }, { ...errors, steps: 24, error: 4.3, order: 1.4, atHalf: 0.67 }].map((model) => least(model, 800 ** 2));
+      const [brain, storm] = [{ ...errors, steps: 24, error: 1.8, order: 1.7, atHalf: 0.73 }, { ...errors, steps: 24, error: 4.3, order: 1.4, atHalf: 0.67 }].map((model) => min(model, 800 ** 2));
       expect(brain.steps).to.be.at.least(60);
       expect(800 * brain.scale).to.be.within(80, 105);
       expect(storm.steps).to.be.above(brain.steps - 1);
-      expect(least({ ...errors, atHalf: 1000 }, 800 ** 2).steps, 'however many edges there are').to.be.within(60, 80);
-      expect(800 * least({ ...errors, error: 1000 }, 800 ** 2).scale, 'however much steps would help').to.be.closeTo(80, 1e-9);
+      expect(min({ ...errors, atHalf: 1000 }, 800 ** 2).steps, 'however many edges there are').to.be.within(60, 80);
+      expect(800 * min({ ...errors, error: 1000 }, 800 ** 2).scale, 'however much steps would help').to.be.closeTo(80, 1e-9);
     });
 
     it('changes nothing for a little more or less time', () => {

@@ -81,7 +81,7 @@ interface Expected {
   readonly count: number;
   readonly mean: number;
   readonly deviation: number;
-  readonly least: number;
+  readonly min: number;
   readonly largest: number;
   readonly cut: number;
 }
@@ -98,7 +98,7 @@ describe('statistics of the voxels inside', () => {
       for (const { kind, points, affine, ...numbers } of cases) {
         const found = finish(sumUpVoxels({ ...volume, grid: cartesianGrid(own.dimensions, affine) }, solidOf(kind, points)));
         const what = `${kind} ${affine.slice(0, 4).join(' ')}`;
-        expect([found.count, found.cut, found.withoutData, found.least, found.largest], what).to.deep.equal([numbers.count, numbers.cut, 0, numbers.least, numbers.largest]);
+        expect([found.count, found.cut, found.withoutData, found.min, found.largest], what).to.deep.equal([numbers.count, numbers.cut, 0, numbers.min, numbers.largest]);
         expect(found.mean, what).to.be.closeTo(numbers.mean, 1e-9);
         expect(found.deviation, what).to.be.closeTo(numbers.deviation, 1e-9);
         expect(found.standardError, what).to.be.closeTo(numbers.deviation / Math.sqrt(numbers.count), 1e-9);
@@ -113,7 +113,7 @@ describe('statistics of the voxels inside', () => {
 
   it('leave out and count what has no data, and take in a centre on the surface', () => {
     const all = finish(sumUpVoxels(small, solidOf('box', [[0, 0, 0], [3, 4, 3]])));
-    expect([all.count, all.withoutData, all.least, all.largest, all.cut]).to.deep.equal([22, 2, 1, 47, 24]);
+    expect([all.count, all.withoutData, all.min, all.largest, all.cut]).to.deep.equal([22, 2, 1, 47, 24]);
     expect(all.mean).to.be.closeTo(2 * ((276 - 22) / 22) + 1, 1e-12);
     const around = finish(sumUpVoxels(small, solidOf('box', [[3.5, 5, 4.5], [-0.5, -1, -1.5]])));
     expect([around.count, around.cut], 'whole voxels').to.deep.equal([22, 0]);
@@ -126,7 +126,7 @@ describe('statistics of the voxels inside', () => {
     expect([one.count, one.mean, one.deviation, one.standardError]).to.deep.equal([1, 2 * 18 + 1, null, null]);
     for (const points of [[[20, 20, 20], [30, 30, 30]], [[0.2, 0.2, 0.2], [0.3, 0.3, 0.3]]] as const) {
       const none = finish(sumUpVoxels(small, solidOf('box', points)));
-      expect(none).to.deep.equal({ count: 0, withoutData: 0, mean: null, deviation: null, standardError: null, least: null, largest: null, cut: 0 });
+      expect(none).to.deep.equal({ count: 0, withoutData: 0, mean: null, deviation: null, standardError: null, min: null, largest: null, cut: 0 });
     }
   });
 
@@ -170,7 +170,7 @@ describe('statistics of the gates of a radar inside', () => {
       }
       const mean = values.reduce((sum, x) => sum + x, 0) / values.length;
       const found = finish(sumUpGates(volume, solid));
-      expect([found.count, found.withoutData, found.least, found.largest, found.cut]).to.deep.equal([values.length, 0, Math.min(...values), Math.max(...values), null]);
+      expect([found.count, found.withoutData, found.min, found.largest, found.cut]).to.deep.equal([values.length, 0, Math.min(...values), Math.max(...values), null]);
       expect(found.mean).to.be.closeTo(mean, 1e-9);
       expect(found.deviation).to.be.closeTo(Math.sqrt(values.reduce((sum, x) => sum + (x - mean) ** 2, 0) / (values.length - 1)), 1e-9);
       expect(values.length).to.be.above(30);

@@ -19,7 +19,7 @@ import type { RayFrame } from '../ray-module.ts';
 const binsAcross = 512;
 
 /** The maximum columns in a row of the columns' texture: every device allows this width. Label volumes have tens of thousands of columns. */
-const mostAcross = 2048;
+const maxAcross = 2048;
 
 /** Texture rows for the columns of a function: see shaders/chunks/classify/columns.glsl. */
 const columnRows = 7;
@@ -70,8 +70,8 @@ function binAll(all: readonly Columns[]): readonly ColumnBins[] | null {
 }
 
 /** The part of a domain that is in the data: floats distinguish values best near its low end, and if it is narrow. */
-function clip([low, high]: readonly [number, number], [least, most]: readonly [number, number]): readonly [number, number] {
-  const [from, to] = [Math.max(low, Math.min(least, high)), Math.min(high, Math.max(most, low))];
+function clip([low, high]: readonly [number, number], [min, max]: readonly [number, number]): readonly [number, number] {
+  const [from, to] = [Math.max(low, Math.min(min, high)), Math.min(high, Math.max(max, low))];
   return to > from ? [from, to] : [low, high];
 }
 
@@ -83,7 +83,7 @@ interface Tables {
 
 function upload(gl: Gl, { all, bins, room }: Tables, previous: readonly TextureUnit[]): ProgramInputs {
   const count = Math.max(...all.map(({ edges }) => edges.length - 1));
-  const across = Math.min(mostAcross, count);
+  const across = Math.min(maxAcross, count);
   const lines = Math.ceil(count / across);
   const uColumnTexels = [count, across, 1 / across, lines];
   const fill = (samplerName: string, parts: readonly Float32Array[], width: number, height: number): TextureUnit => {

@@ -5,7 +5,7 @@ import jumpsChunk from '../../../../shaders/chunks/gather/jumps.glsl?raw';
 import surfaceValuesChunk from '../../../../shaders/chunks/gather/surface-values.glsl?raw';
 import voxelPlanes from '../../../../shaders/chunks/walk/voxel-planes.glsl?raw';
 import walkParts from '../../../../shaders/chunks/walk/walk-parts.glsl?raw';
-import { mostHalvings, mostHidden, mostLooks } from '../../../optics/surfaces/jump-gather.ts';
+import { maxHalvings, maxHidden, maxLooks } from '../../../optics/surfaces/jump-gather.ts';
 import { maxSurfaces } from '../../../optics/transfer/surface-limits.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
 import type { Device, Gl } from '../../device/device.ts';
@@ -21,7 +21,7 @@ export function jumpsText(isOne: boolean): RayText {
     name: 'jumps',
     stage: 'gather',
     walk: walkParts,
-    defines: { ...compositeText.defines, SURFACE_COUNT: isOne ? 1 : maxSurfaces, MOST_HIDDEN: mostHidden, LEAST_SHARE: 0.5 ** mostHalvings, MOST_LOOKS: mostLooks },
+    defines: { ...compositeText.defines, SURFACE_COUNT: isOne ? 1 : maxSurfaces, MAX_HIDDEN: maxHidden, MIN_SHARE: 0.5 ** maxHalvings, MAX_LOOKS: maxLooks },
     chunks: [emptySpace, surfaceValuesChunk, cubic, voxelPlanes, jumpsChunk, compositeWalk],
     samplers: compositeText.samplers,
   };

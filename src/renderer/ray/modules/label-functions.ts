@@ -11,7 +11,7 @@ import { substepTableSize } from '../../../optics/transfer/substep-limits.ts';
 import { buildSubstepTable } from '../../../optics/transfer/substep-table.ts';
 import type { TransferFunction } from '../../../optics/transfer/transfer-function.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
-import { mostGroups } from '../../../volume/labels.ts';
+import { maxGroups } from '../../../volume/labels.ts';
 import type { Gl } from '../../device/device.ts';
 import { prepareUpload, uploadPlane } from '../../textures/fill-texture.ts';
 import { joinInputs } from '../../device/inputs.ts';
@@ -27,7 +27,7 @@ import { columnsText, fetchEach } from './columns.ts';
 import { classifyText, opticalUniforms } from './transfer-function.ts';
 
 /** The maximum number of functions: the volume's own, and those of groups. */
-const room = mostGroups + 1;
+const room = maxGroups + 1;
 
 const defines = { FUNCTIONS: room.toFixed(1) };
 

@@ -26,7 +26,7 @@ import type { CutsOfRays } from './lit-cuts.ts';
 import { lightUniforms } from './lit-lights.ts';
 
 /** Segments that are left unlit change a picture by at most this: a quarter of 1/255. */
-const leastLit = 1 / 1024;
+const minLit = 1 / 1024;
 
 /** How a kind of field takes taps (samples around a place) for gradients: its chunk, and the uniforms that the chunk reads. */
 export interface FieldTaps {
@@ -68,7 +68,7 @@ export const pointsModule: RayModule<'field'> = {
 export function shadingText({ taps, ...options }: LitOptions): Pick<RayText, 'defines' | 'chunks'> {
   return {
     defines: {
-      LIT_LIGHTS: Number(options.lights), LIT_CUTS: Number(options.cuts), LEAST_LIT: leastLit.toExponential(),
+      LIT_LIGHTS: Number(options.lights), LIT_CUTS: Number(options.cuts), MIN_LIT: minLit.toExponential(),
       ...(options.lights && { SOFT_FACING: softFacing.toFixed(2), SOFT_SPECULAR: softSpecular.toFixed(2) }),
     },
     chunks: [litBegin, ...(options.lights ? [lights] : []), ...(options.cuts ? [litCuts] : []), taps.chunk, gradientTaps, litSample],

@@ -15,7 +15,7 @@ import { partOf, usualTwins } from '../ray-twin.ts';
 import type { Later } from '../ray-twin.ts';
 
 /** No share of a layer's domain is smaller than this; a smaller value means no data. */
-const leastShare = '-1.0e18';
+const minShare = '-1.0e18';
 
 /** How a layer's samples are stored on the GPU and how shaders read them. */
 export interface OverlayOptions {
@@ -34,7 +34,7 @@ export function overlayText({ texture3d, twoBytes, filter, holes }: OverlayOptio
   return {
     name: 'overlay',
     stage: 'field',
-    defines: { OVERLAY_3D: Number(texture3d), OVERLAY_TWO_BYTES: Number(twoBytes), OVERLAY_FILTER: Number(filter), OVERLAY_HOLES: Number(holes), OVERLAY_SLACK: edgeSlack, LEAST_OVERLAY: leastShare },
+    defines: { OVERLAY_3D: Number(texture3d), OVERLAY_TWO_BYTES: Number(twoBytes), OVERLAY_FILTER: Number(filter), OVERLAY_HOLES: Number(holes), OVERLAY_SLACK: edgeSlack, MIN_OVERLAY: minShare },
     chunks: [overlayGrid, texture3d ? overlay3d : overlayMosaic, overlayCartesian, overlayField],
     samplers: ['uOverlay'],
     members: ['float overlay'],
@@ -46,7 +46,7 @@ export function secondMomentText(folds: boolean): RayText {
   return {
     name: 'overlay',
     stage: 'field',
-    defines: { SECOND_MOMENT: 1, OVERLAY_FOLDS: Number(folds), LEAST_OVERLAY: leastShare },
+    defines: { SECOND_MOMENT: 1, OVERLAY_FOLDS: Number(folds), MIN_OVERLAY: minShare },
     chunks: [...(folds ? [polarFolds] : []), overlayPolar, overlayField],
     samplers: ['uOverlay'],
     members: ['float overlay'],

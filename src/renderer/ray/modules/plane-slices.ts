@@ -14,14 +14,14 @@ import type { RayText, RayTwin, SliceModule } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
 
 /** The maximum pieces of a line through a slab: GLSL ES 1.00 needs a constant. A line through 2,048 voxels along each axis has so many. */
-const mostPieces = 6144;
+const maxPieces = 6144;
 
 /** @param slabs - whether any plane is thick (a slab) */
 export function planesText(slabs: boolean): RayText {
   return {
     name: 'planes',
     stage: 'interval',
-    defines: { MIN_SLICE_OPACITY: minSliceOpacity.toExponential(1), SLABS: slabs ? mostPieces : 0 },
+    defines: { MIN_SLICE_OPACITY: minSliceOpacity.toExponential(1), SLABS: slabs ? maxPieces : 0 },
     chunks: [slack, cutOut, ...(slabs ? [cubic, voxelPlanes] : []), planes],
     samplers: [],
     between: outlinesText,

@@ -1,6 +1,6 @@
 import styled from '../../../../shaders/chunks/shade/styled.glsl?raw';
 import styledSample from '../../../../shaders/chunks/shade/styled-sample.glsl?raw';
-import { mostOpacity, perGradientReach, perReferenceLength, splitMaterial } from '../../../optics/rays/styled.ts';
+import { maxOpacity, perGradientReach, perReferenceLength, splitMaterial } from '../../../optics/rays/styled.ts';
 import { flatChange } from '../../../optics/rays/gradient.ts';
 import { domainOf } from '../../../optics/transfer/emission.ts';
 import { buildStyleTable, flatFactor, flatOf, hasEdges, maxChains, shadedOf, shareOfChange, styleColumns, styleRows } from '../../../optics/transfer/volume-styles.ts';
@@ -32,7 +32,7 @@ export function stylingText(options: LitOptions): Pick<RayText, 'defines' | 'chu
 
 export function styledText(options: LitOptions): RayText {
   const { defines, chunks, samplers } = stylingText(options);
-  return { name: 'styled', stage: 'shade', defines: { ...defines, STYLE_MOST: String(mostOpacity) }, chunks: [...chunks, styled], samplers };
+  return { name: 'styled', stage: 'shade', defines: { ...defines, STYLE_MAX: String(maxOpacity) }, chunks: [...chunks, styled], samplers };
 }
 
 let told = false;

@@ -52,8 +52,8 @@ export function surfacesText({ isOne, fog, kinks, light, styling }: SurfaceOptio
     stage: 'gather',
     defines: {
       ...compositeText.defines, ...shading?.defines, LOOKS: 1, SURFACE_COUNT: count, FARTHEST: farthest, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null && !styling), SURFACES_STYLED: Number(light !== null && styling !== undefined), KINKS: Number(kinks),
-      // MOST_PIECES: crossings of each surface up, down, and the one after that; and the ends of these three parts.
-      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? kinkProbes : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * count + 3,
+      // MAX_PIECES: crossings of each surface up, down, and the one after that; and the ends of these three parts.
+      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? kinkProbes : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MAX_PIECES: 3 * count + 3,
     },
     chunks: [...(shading?.chunks ?? []), emptySpace, surfaceValuesChunk, crossings, gatheredPieces, surfacesChunk, compositeWalk],
     samplers: [...compositeText.samplers, ...(shading?.samplers ?? [])],

@@ -51,7 +51,7 @@ describe('the demos\' radar scans', () => {
   it('have hail, and no echo below what a radar sees', () => {
     for (const { sweeps } of scans) {
       const all = sweeps.flatMap((sweep) => [...echoes(sweep, 'DBZH')]);
-      expect(all.reduce((most, { value }) => Math.max(most, value), -99)).to.be.within(60, 75);
+      expect(all.reduce((max, { value }) => Math.max(max, value), -99)).to.be.within(60, 75);
       // A tenth to a quarter of the gates: below the threshold, most hold nothing.
       expect(all.length / (14 * 360 * 400)).to.be.within(0.05, 0.25);
       expect(all.filter(({ value, x, y }) => !(value >= -36.5 + 20 * Math.log10(Math.hypot(x, y) / 1000) - 0.1))).to.deep.equal([]);

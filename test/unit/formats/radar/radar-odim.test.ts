@@ -80,7 +80,7 @@ describe('ODIM_H5 as stored', () => {
     // -128 is valid here and 127 is not: the lowest becomes 1, and fits.
     const signed = sweep.read('ZDR')!;
     expect(signed.samples).to.be.instanceOf(Uint8Array);
-    expect(gateValues(signed).reduce((least, value) => (value < least ? value : least), Infinity)).to.be.closeTo(-12.8, 1e-9);
+    expect(gateValues(signed).reduce((min, value) => (value < min ? value : min), Infinity)).to.be.closeTo(-12.8, 1e-9);
     expect(sweep.read('DBZH')?.samples).to.be.instanceOf(Uint16Array);
     expect(sweep.read('RHOHV')?.samples).to.be.instanceOf(Float32Array);
     expect(sweep.read('no such moment')).to.equal(null);

@@ -191,10 +191,10 @@ describe('cells and their labels', () => {
     const map = labelMap([8, 8, 16], (_i, _j, k) => (k < 9 ? 1 : 2), 3);
     const styles = [plainLook, { color: [1, 0.5, 0], opacityFactor: 0.5 }, { color: [1, 0, 0], opacityFactor: 0.25 }] as const;
     // The face is at 9: the first cell of 8 has a voxel beyond it, the second both.
-    const { most, spread } = lookOfCells(cellsOf(map), styles);
-    expect([...most]).to.deep.equal([0.5, 0.5]);
+    const { max, spread } = lookOfCells(cellsOf(map), styles);
+    expect([...max]).to.deep.equal([0.5, 0.5]);
     expect([...spread]).to.deep.equal([0, 0.25]);
-    expect([...lookOfCells(cellsOf(map), mixedLooks(map).styles.map((style) => ({ ...style, opacityFactor: 0 }))).most]).to.deep.equal([0, 0]);
+    expect([...lookOfCells(cellsOf(map), mixedLooks(map).styles.map((style) => ({ ...style, opacityFactor: 0 }))).max]).to.deep.equal([0, 0]);
   });
 });
 

@@ -41,7 +41,7 @@ describe('the gradients that macrocells may have', () => {
         largest[cell] = Math.max(largest[cell], perWorldUnit(grid) * length(gradient(place, field.sampleAt(place)).world));
       }
       for (let cell = 0; cell < bounds.length; cell++) expect(bounds[cell], `cell ${cell}`).to.be.at.least(largest[cell]);
-      const closest = bounds.reduce((least, bound, cell) => Math.min(least, bound / largest[cell]), Infinity);
+      const closest = bounds.reduce((min, bound, cell) => Math.min(min, bound / largest[cell]), Infinity);
       expect(closest).to.be.below('holes' in options ? 4 : 3);
     });
   }

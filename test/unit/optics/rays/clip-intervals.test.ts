@@ -116,8 +116,8 @@ describe('a volume that a box is cut out of', () => {
     const hole = cutoutInterval(cutBox(grid, [-6, -8, -5], [4, 1, 5]));
     const outside = Math.max(...[-6, 4].map((x) => bump(0.5 - x / 20, 0.7, 0.5)), ...[-8, 1].map((y) => bump(0.55, 0.5 - y / 18, 0.5)), ...[-5, 5].map((z) => bump(0.55, 0.7, 0.5 + z / 16)));
     for (const steps of [6, 30]) {
-      const [most, inAll] = [[hole], []].map((ends) => 2 * Math.max(...channel(draw({ ...look, steps, ends, projection: 'max' }), 0)));
-      expect(most, `${steps} steps`).to.be.within(outside - 0.1, outside + 1e-9);
+      const [max, inAll] = [[hole], []].map((ends) => 2 * Math.max(...channel(draw({ ...look, steps, ends, projection: 'max' }), 0)));
+      expect(max, `${steps} steps`).to.be.within(outside - 0.1, outside + 1e-9);
       expect(inAll).to.be.above(outside + 0.1);
     }
     // The mean of a field that runs straight is that of both pieces, by their lengths.

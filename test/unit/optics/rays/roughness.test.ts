@@ -27,7 +27,7 @@ function cellsByTheWord(samples: Samples, dimensions: Readonly<Vector3>): Pick<M
     Array.from({ length: cellSize + 2 * beside }, (_, i) => cell * cellSize - beside + i).filter((i) => i >= 0 && i < dimensions[axis]);
   for (let cell = 0; cell < count; cell++) {
     const at = [cell % cells[0], Math.floor(cell / cells[0]) % cells[1], Math.floor(cell / cells[0] / cells[1])];
-    let most = 0;
+    let max = 0;
     for (const k of alongCell(at[2], 2, 1)) for (const j of alongCell(at[1], 1, 1)) for (const i of alongCell(at[0], 0, 1)) {
       const place = [i, j, k];
       const voxel = i + strides[1] * j + strides[2] * k;
@@ -38,12 +38,12 @@ function cellsByTheWord(samples: Samples, dimensions: Readonly<Vector3>): Pick<M
         const before = place[axis] > 0 ? -strides[axis] : 0;
         const after = place[axis] < dimensions[axis] - 1 ? strides[axis] : 0;
         const bend = Math.abs(samples[voxel + before] + samples[voxel + after] - 2 * samples[voxel]);
-        if (bend > most) most = bend;
+        if (bend > max) max = bend;
       }
     }
     // Where most of the range could be off, all of it counts.
     const all = (high[cell] - low[cell]) / offLine;
-    roughness[cell] = all > 0 && most >= Math.fround(0.6 * all) ? all : most;
+    roughness[cell] = all > 0 && max >= Math.fround(0.6 * all) ? all : max;
   }
   return { low, high, roughness };
 }

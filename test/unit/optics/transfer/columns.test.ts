@@ -92,10 +92,10 @@ describe('where stops lie among the numbers of a GPU', () => {
         const slope = [1, -1, 0.1, 0.0037, -1 / 3][i % 5];
         const intercept = [0, -1024, 12.5, 0.3][i % 4];
         const storedScale = whole ? [1, 255][i % 2] : 1;
-        const most = storedScale === 255 ? 255 : 65535;
-        const sample = Math.floor(random() * most);
+        const max = storedScale === 255 ? 255 : 65535;
+        const sample = Math.floor(random() * max);
         const value = slope * sample + intercept;
-        const range = [Math.min(0, slope) * most + intercept, Math.max(0, slope) * most + intercept] as const;
+        const range = [Math.min(0, slope) * max + intercept, Math.max(0, slope) * max + intercept] as const;
         const values = { slope, intercept, storedScale, range, whole };
         const map = mapShares(values, range);
         const shareOf = (stored: number): number => Math.fround(Math.fround(Math.fround(stored / storedScale) - map.from) * map.scale);
@@ -113,11 +113,11 @@ describe('where stops lie among the numbers of a GPU', () => {
   });
 
   it('values are where they should be in domains as wide as numbers go, by factors that no GPU takes for 0', () => {
-    const leastNormal = 2 ** -126;
+    const minNormal = 2 ** -126;
     for (const width of [1e5, 1e30, 1e38, 3e38, 1e300]) {
       for (const [slope, intercept, storedScale] of [[1, 0, 1], [-1, 0, 255], [1 / 65535, -1024, 1]] as const) {
         const map = mapShares({ slope, intercept, storedScale, range: [intercept, intercept + 1] }, [-width, width]);
-        expect(Math.abs(map.scale), `${width}, slope ${slope}`).to.be.at.least(leastNormal);
+        expect(Math.abs(map.scale), `${width}, slope ${slope}`).to.be.at.least(minNormal);
         expect([map.scale, map.from].every(Number.isFinite)).to.equal(true);
         for (const value of [0, 0.4, 1]) {
           const number = Math.fround((value - intercept) / slope / storedScale);

@@ -84,9 +84,9 @@ function start(changes: Partial<FakeHost> = {}): { host: FakeHost; clock: FakeCl
 }
 
 /** Frames of the page until none is planned. */
-async function run(clock: FakeClock, most = 20): Promise<number> {
+async function run(clock: FakeClock, max = 20): Promise<number> {
   let count = 0;
-  for (; clock.planned > 0 && count < most; count++) await clock.frame(1000 + 16 * count);
+  for (; clock.planned > 0 && count < max; count++) await clock.frame(1000 + 16 * count);
   return count;
 }
 

@@ -8,7 +8,7 @@ import { maxSubsteps } from '../transfer/substep-limits.ts';
  * The smallest number of substeps for steps that begin at a place, by the code of its macrocell. Twin: shaders/chunks/walk/empty-space.glsl
  * @param codes - from `findDetail`
  */
-export function leastSubsteps(volume: SeenVolume['volume'], codes: Uint8Array, voxelsPerStep: number): (place: Vector3) => number {
+export function minSubsteps(volume: SeenVolume['volume'], codes: Uint8Array, voxelsPerStep: number): (place: Vector3) => number {
   const { grid, macrocells: { dimensions: cells } } = volume;
   const power = powerOfSteps(voxelsPerStep);
   return (place) => {
