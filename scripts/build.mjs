@@ -34,7 +34,7 @@ const worker = join(projectRoot, 'src/worker/decode-worker.ts');
 
 // In the modules for bundlers, these files are in dist itself. Where a bundler leaves the expression unchanged, it then names a file next
 // to the bundle, and not one some folders above.
-const besideParts = ['create-worker', 'x3dom-url', 'x3dom-beside-page'];
+const attachedParts = ['create-worker', 'x3dom-url', 'x3dom-beside-page'];
 const withoutUrl = join(projectRoot, 'src/x3d/x3dom-beside-page.ts'); // For Parcel.
 
 /** A chunk that defines an element is called after it. @param {{ facadeModuleId: string | null, name: string }} chunk */
@@ -103,7 +103,7 @@ async function buildUnbundled(workerSource) {
         output: {
           preserveModules: true,
           preserveModulesRoot: projectRoot,
-          entryFileNames: ({ name }) => (besideParts.includes(posix.basename(name)) ? `${posix.basename(name)}.js` : 'esm/[name].js'),
+          entryFileNames: ({ name }) => (attachedParts.includes(posix.basename(name)) ? `${posix.basename(name)}.js` : 'esm/[name].js'),
         },
       },
     },

@@ -18,7 +18,7 @@ export class ReflectingElement extends LitElement {
 
   /** The element was moved into another document, where its styles have to be applied again. */
   adoptedCallback(): void {
-    void import('./wear-styles.ts').then(({ wearStyles }) => wearStyles(this), () => {});
+    void import('./apply-styles.ts').then(({ applyStyles }) => applyStyles(this), () => {});
   }
 
   /** The text of an attribute; null where it is absent. */

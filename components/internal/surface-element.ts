@@ -1,16 +1,16 @@
 import type { VolumeViewError } from '../../src/core/errors.ts';
-import { SurfaceKeeper } from '../../src/viewer/attachments/surface-keeper.ts';
+import { SurfaceController } from '../../src/viewer/attachments/surface-controller.ts';
 import type { WantedSurface } from '../../src/viewer/attachments/surface-attributes.ts';
 import { noSurfaceTarget, SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { Surface } from '../../src/volume/surface.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { BesideElement } from './beside-element.ts';
+import { AttachmentElement } from './attachment-element.ts';
 import { tell } from './volume-view-events.ts';
 
 /** An element that adds a surface to the scene of the `<volume-view>` around it. */
-export abstract class SurfaceElement extends BesideElement<SurfaceTarget> {
-  protected override readonly keeper = new SurfaceKeeper({
+export abstract class SurfaceElement extends AttachmentElement<SurfaceTarget> {
+  protected override readonly controller = new SurfaceController({
     localName: this.localName,
     wanted: (volume) => (this.hasAttribute('hidden') ? null : this.readWanted((name) => this.readText(name), volume)),
     target: () => this.target,
@@ -32,7 +32,7 @@ export abstract class SurfaceElement extends BesideElement<SurfaceTarget> {
 
   /** The surface that is shown. */
   protected get surface(): Surface | null {
-    return this.keeper.surface;
+    return this.controller.surface;
   }
 
   protected override refuse(around: HTMLElement | null): VolumeViewError | null {

@@ -1,8 +1,8 @@
 import { html, nothing } from 'lit';
 import type { LitElement } from 'lit';
-import type { FileNotices } from '../../src/viewer/model/beside-notices.ts';
+import type { FileNotices } from '../../src/viewer/model/file-notices.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
-import { wearSheet } from '../../src/viewer/overlays/wear-sheet.ts';
+import { applySheet } from '../../src/viewer/overlays/apply-sheet.ts';
 import { english } from '../../src/messages/english-notices.ts';
 import type { NoticeTerms } from '../../src/messages/notice-terms.ts';
 import { Words } from '../../src/messages/words.ts';
@@ -13,7 +13,7 @@ import { noticeStyles } from './view-notices-styles.ts';
 export interface NoticeSource {
   readonly info: Pick<VolumeInfo, 'notices' | 'reduced'> | null;
   /** Notices of additional files, by the object that shows the files. */
-  readonly besideNotices: ReadonlyMap<object, readonly FileNotices[]>;
+  readonly fileNotices: ReadonlyMap<object, readonly FileNotices[]>;
 }
 
 /** Maximum number of lines, as nobody reads more: `left` of the volume has them all. */
@@ -45,7 +45,7 @@ export class ViewNotices implements DrawnPart {
   render(): unknown {
     const lines = this.#list();
     if (lines.length === 0) return nothing;
-    wearSheet(this.host.renderRoot as ShadowRoot, noticeStyles);
+    applySheet(this.host.renderRoot as ShadowRoot, noticeStyles);
     const { terms } = this.#words;
     const isOpen = this.#open.size > 0;
     return html`<div class="notice" @keydown=${this.#onKey} @pointerenter=${this.#onEnter} @pointerleave=${this.#onLeave} @focusin=${this.#onFocus} @focusout=${this.#onBlur}>
@@ -61,10 +61,10 @@ export class ViewNotices implements DrawnPart {
 
   /** The notices of readers are in English, as their errors are. */
   #list(): { text: string; lang?: string }[] {
-    const { info, besideNotices } = this.source();
+    const { info, fileNotices } = this.source();
     const own = info?.notices ?? [];
-    const beside = [...besideNotices.values()].flat().flatMap(({ name, notices }) => notices.filter((notice) => !own.includes(notice)).map((notice) => (name ? `${name}: ${notice}` : notice)));
-    const told = new Set([...own, ...beside]);
+    const attached = [...fileNotices.values()].flat().flatMap(({ name, notices }) => notices.filter((notice) => !own.includes(notice)).map((notice) => (name ? `${name}: ${notice}` : notice)));
+    const told = new Set([...own, ...attached]);
     const size = (axes: readonly number[]): string => axes.map((n) => this.#words.number(n)).join(' × ');
     const smaller = info?.reduced ? [{ text: this.#words.terms.madeSmaller(size(info.reduced.from), size(info.reduced.to)) }] : [];
     return [...smaller, ...[...told].map((text) => ({ text, lang: 'en' }))];

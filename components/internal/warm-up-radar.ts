@@ -5,7 +5,7 @@ import { fieldProviders } from './field-providers.ts';
 const parts = [
   import('../../src/optics/transfer/presets.ts').then(({ readTransferFunction }) => readTransferFunction('radar-dbz', [0, 1])),
   import('../../src/viewer/cuts/read-cuts.ts'),
-  import('../../src/viewer/view/rehearse.ts'),
+  import('../../src/viewer/view/precompile.ts'),
   import('../../src/renderer/ray/modules/classifiers.ts'),
   import('../../src/x3d/other-shapes.ts'),
   fieldProviders.polar!(),

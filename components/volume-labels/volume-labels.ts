@@ -3,12 +3,12 @@ import type { VolumeViewError } from '../../src/core/errors.ts';
 import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts';
 import { childrenOf } from '../../src/page/page-children.ts';
 import { readLabelChildren } from '../../src/viewer/attachments/label-children.ts';
-import { LabelKeeper } from '../../src/viewer/attachments/label-keeper.ts';
+import { LabelController } from '../../src/viewer/attachments/label-controller.ts';
 import { isOwnPane, noTarget, PresenterTarget } from '../../src/viewer/attachments/label-target.ts';
 import type { LabelTarget } from '../../src/viewer/model/label-target.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
-import { BesideElement } from '../internal/beside-element.ts';
+import { AttachmentElement } from '../internal/attachment-element.ts';
 import { property } from '../internal/reflecting-element.ts';
 import { tell } from '../internal/volume-view-events.ts';
 
@@ -38,7 +38,7 @@ export interface VolumeLabelInfo {
  * @fires {CustomEvent<null>} labels-change - the labels or their appearance have changed; it bubbles
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good labels stay
  */
-export class VolumeLabels extends BesideElement<LabelTarget> {
+export class VolumeLabels extends AttachmentElement<LabelTarget> {
   /**
    * A file with a label, a whole number, for each voxel: NIfTI, NRRD or MetaImage. Without it, the values of the volume itself are the
    * labels.
@@ -54,7 +54,7 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
   @property({ attribute: 'transfer-function' }) transferFunction!: string | null;
 
   readonly #watcher = new MutationObserver((records) => this.#follow(records));
-  protected override readonly keeper = new LabelKeeper({
+  protected override readonly controller = new LabelController({
     said: () => readLabelChildren(this),
     wanted: () => ({ src: this.src, table: this.table, hidden: this.hasAttribute('hidden'), transferFunction: this.transferFunction }),
     target: () => this.target,
@@ -66,11 +66,11 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
   readonly #part: ViewPart = {
     key: 'volume-labels',
     element: this,
-    inPane: (volume, opacity) => this.keeper.inPane(volume, opacity),
+    inPane: (volume, opacity) => this.controller.inPane(volume, opacity),
     // The other hidden labels stay as they are, with or without a ghost.
     showLabel: (id, isShown) => {
       const others = this.hiddenLabels.filter((other) => other !== id);
-      this.keeper.choose(isShown ? others : [...others, id]);
+      this.controller.choose(isShown ? others : [...others, id]);
     },
   };
 
@@ -79,16 +79,16 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
    * loaded.
    */
   get labels(): readonly VolumeLabelInfo[] {
-    return this.keeper.entries.map(({ id, name, color, opacity, hidden }) => ({ id, name, color: writeColor(color), opacity, hidden }));
+    return this.controller.entries.map(({ id, name, color, opacity, hidden }) => ({ id, name, color: writeColor(color), opacity, hidden }));
   }
 
   /** The ids of the labels that are not shown. Setting it shows all others. */
   get hiddenLabels(): readonly number[] {
-    return this.keeper.entries.filter(({ hidden }) => hidden).map(({ id }) => id);
+    return this.controller.entries.filter(({ hidden }) => hidden).map(({ id }) => id);
   }
 
   set hiddenLabels(ids: readonly number[]) {
-    this.keeper.choose(ids, false);
+    this.controller.choose(ids, false);
   }
 
   /**
@@ -98,7 +98,7 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
    */
   showOnly(ids: readonly number[], rest?: 'ghost'): void {
     const shown = new Set(ids);
-    this.keeper.choose(this.keeper.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id), rest === 'ghost');
+    this.controller.choose(this.controller.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id), rest === 'ghost');
   }
 
   /** Show all labels, and voxels without one. */
@@ -112,8 +112,8 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    if (changed.has('src') || changed.has('table')) this.keeper.refresh();
-    else if (changed.has('transferFunction')) this.keeper.restyle();
+    if (changed.has('src') || changed.has('table')) this.controller.refresh();
+    else if (changed.has('transferFunction')) this.controller.restyle();
   }
 
   protected override get file(): string {
@@ -126,7 +126,7 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
   }
 
   protected override join(around: HTMLElement, signal: AbortSignal): LabelTarget {
-    around.addEventListener('optics-change', () => this.keeper.rewindow(), { signal });
+    around.addEventListener('optics-change', () => this.controller.rewindow(), { signal });
     const socket = socketOf(around);
     void socket.join(this.#part);
     signal.addEventListener('abort', () => void socket.leave(this.#part));
@@ -140,10 +140,10 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
 
   #follow(records: readonly MutationRecord[]): void {
     for (const { target, attributeName } of records) {
-      if (attributeName === 'hidden' && target !== this) this.keeper.forgetChoice(Number((target as Element).getAttribute('value')));
+      if (attributeName === 'hidden' && target !== this) this.controller.forgetChoice(Number((target as Element).getAttribute('value')));
     }
-    if (records.some(({ target, attributeName }) => target === this && attributeName === 'hidden')) this.keeper.refresh();
-    else if (records.some(({ type, target }) => type === 'childList' || target !== this)) this.keeper.restyle();
+    if (records.some(({ target, attributeName }) => target === this && attributeName === 'hidden')) this.controller.refresh();
+    else if (records.some(({ type, target }) => type === 'childList' || target !== this)) this.controller.restyle();
   }
 }
 

@@ -1,12 +1,12 @@
 import type { VolumeViewError } from '../../src/core/errors.ts';
 import type { Stop } from '../../src/optics/transfer/transfer-function.ts';
-import { OverlayKeeper } from '../../src/viewer/attachments/overlay-keeper.ts';
+import { OverlayController } from '../../src/viewer/attachments/overlay-controller.ts';
 import { childrenOf } from '../../src/page/page-children.ts';
 import { noPlace, OverlayTarget } from '../../src/viewer/attachments/overlay-target.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { describeVolume } from '../../src/viewer/model/volume-info.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
-import { BesideElement } from '../internal/beside-element.ts';
+import { AttachmentElement } from '../internal/attachment-element.ts';
 import { number, pair, transferFunction } from '../internal/property-kinds.ts';
 import { property, writeSafely } from '../internal/reflecting-element.ts';
 
@@ -28,7 +28,7 @@ export interface LayerLook {
  * @fires {CustomEvent<null>} layer-change - the layer or its appearance has changed; it bubbles
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good layer stays
  */
-export class VolumeLayer extends BesideElement<OverlayTarget> {
+export class VolumeLayer extends AttachmentElement<OverlayTarget> {
   /** The file: NIfTI, NRRD, MetaImage, or a mosaic's manifest. */
   @property() src!: string | null;
 
@@ -61,7 +61,7 @@ export class VolumeLayer extends BesideElement<OverlayTarget> {
   /** Its name next to values, `t value` for instance; by default the title of its file. */
   @property() label!: string | null;
 
-  protected override readonly keeper = new OverlayKeeper({
+  protected override readonly controller = new OverlayController({
     wanted: () => ({
       src: this.src,
       label: this.label,
@@ -78,18 +78,18 @@ export class VolumeLayer extends BesideElement<OverlayTarget> {
 
   constructor() {
     super();
-    new MutationObserver(() => this.keeper.refresh()).observe(this, { attributes: true, attributeFilter: ['hidden'] });
+    new MutationObserver(() => this.controller.refresh()).observe(this, { attributes: true, attributeFilter: ['hidden'] });
   }
 
   /** The loaded layer: dimensions, unit, value range ...; null before it is loaded. */
   get volume(): VolumeInfo | null {
-    const { volume } = this.keeper;
+    const { volume } = this.controller;
     return volume && describeVolume(volume);
   }
 
   /** Its appearance; null before it is loaded. */
   get look(): LayerLook | null {
-    return this.keeper.look;
+    return this.controller.look;
   }
 
   protected override refuse(around: HTMLElement | null): VolumeViewError | null {

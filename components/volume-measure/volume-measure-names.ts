@@ -2,22 +2,22 @@ import type { Handle } from '../../src/viewer/overlays/handles.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { isRadar, writePlace } from '../internal/volume-readout-rows.ts';
-import type { MeasureTongue } from './volume-measure-rows.ts';
+import type { MeasureLocale } from './volume-measure-rows.ts';
 
 /** Names of the handles of a measure, with their places as text. */
 export function namePoints(
-  { points, count, name }: { readonly points: readonly Vector3[]; readonly count: number; readonly name: string }, info: VolumeInfo, tongue: MeasureTongue,
+  { points, count, name }: { readonly points: readonly Vector3[]; readonly count: number; readonly name: string }, info: VolumeInfo, locale: MeasureLocale,
 ): Pick<Handle, 'name' | 'place' | 'keys'>[] {
-  const { language, terms } = tongue;
+  const { language, terms } = locale;
   return points.map((point, i) => ({
     name: `${name}: ${terms.measurePoint(language.number(i + 1), language.number(count))}`,
-    place: isRadar(info) ? writeRadarPlace(point, tongue) : writePlace(point, info, { ...tongue, coordinates: null }),
+    place: isRadar(info) ? writeRadarPlace(point, locale) : writePlace(point, info, { ...locale, coordinates: null }),
     keys: terms.handleKeys,
   }));
 }
 
 /** @param place - metres east, north and above the antenna */
-function writeRadarPlace([east, north, up]: Vector3, { language, terms }: MeasureTongue): string {
+function writeRadarPlace([east, north, up]: Vector3, { language, terms }: MeasureLocale): string {
   const way = (length: number, [less, more]: readonly [string, string]): string => `${length < 0 ? less : more} ${language.fixed(Math.abs(length) / 1000, 2)}`;
   return `${terms.kilometres(`${way(east, [terms.west, terms.east])} ${way(north, [terms.south, terms.north])}`)}, ${terms.metres(language.fixed(up, 0))}`;
 }

@@ -6,7 +6,7 @@ import type { MeasureWordTerms } from '../../src/messages/measure-words.ts';
 import type { Row } from '../internal/volume-readout-rows.ts';
 
 /** The language and messages in which a measure is written. */
-export interface MeasureTongue {
+export interface MeasureLocale {
   readonly language: Language;
   readonly terms: MeasureWordTerms;
 }
@@ -18,7 +18,7 @@ const valueDigits = 6;
 const large = { m: 1000, mm: Infinity, '': Infinity };
 
 /** The number of a measure with its uncertainty. */
-export function writeMeasure(result: MeasureResult, { language, terms }: MeasureTongue): string {
+export function writeMeasure(result: MeasureResult, { language, terms }: MeasureLocale): string {
   const { type, value, uncertainty, lengthUnit } = result;
   if (type === 'angle') return terms.plusMinus(`${writeRounded(value, uncertainty, language)}°`, `${writeUncertainty(uncertainty, language)}°`);
   const { factor, unit } = type === 'distance' ? lengthScale(value, lengthUnit) : volumeScale(value, lengthUnit);
@@ -26,21 +26,21 @@ export function writeMeasure(result: MeasureResult, { language, terms }: Measure
 }
 
 /** All results of a measure, one row each. @param isRadar - whether it contains gates instead of voxels */
-export function listMeasure(result: MeasureResult, isRadar: boolean, tongue: MeasureTongue): Row[] {
-  const { terms } = tongue;
+export function listMeasure(result: MeasureResult, isRadar: boolean, locale: MeasureLocale): Row[] {
+  const { terms } = locale;
   const { type, lengths, lengthUnit } = result;
-  const number = writeMeasure(result, tongue);
+  const number = writeMeasure(result, locale);
   if (type === 'distance' || type === 'angle') return [{ name: terms.measure[type], text: number }];
   const { factor, unit } = lengthScale(Math.max(...lengths), lengthUnit);
-  const written = lengths.map((one) => tongue.language.number(one / factor)).join(' × ');
+  const written = lengths.map((one) => locale.language.number(one / factor)).join(' × ');
   return [
     { name: type === 'box' ? terms.measureSize : terms.measureRadius, text: `${written}${unit && ` ${unit}`}` },
     { name: terms.measureVolume, text: number },
-    ...listStatistics(result, isRadar, tongue),
+    ...listStatistics(result, isRadar, locale),
   ];
 }
 
-function listStatistics({ statistics, unit }: MeasureResult, isRadar: boolean, { language, terms }: MeasureTongue): Row[] {
+function listStatistics({ statistics, unit }: MeasureResult, isRadar: boolean, { language, terms }: MeasureLocale): Row[] {
   const inside = isRadar ? terms.measureGates : terms.measureVoxels;
   if (!statistics) return [{ name: inside, text: terms.measureSummingUp }];
   const rows: Row[] = [{ name: inside, text: writeCount(statistics, { language, terms }) }];
@@ -53,7 +53,7 @@ function listStatistics({ statistics, unit }: MeasureResult, isRadar: boolean, {
   return rows;
 }
 
-function writeCount({ count, withoutData, cut }: Statistics, { language, terms }: MeasureTongue): string {
+function writeCount({ count, withoutData, cut }: Statistics, { language, terms }: MeasureLocale): string {
   if (count === 0 && withoutData === 0) return terms.measureNothing;
   const whole = (number: number): string => language.fixed(number, 0);
   const text = cut === null || count === 0 ? whole(count) : terms.measureCut(whole(count), whole(cut));

@@ -16,7 +16,7 @@ import { companionGap, withViewWidth } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 import { namePoints } from './volume-measure-names.ts';
 import { listMeasure, writeMeasure } from './volume-measure-rows.ts';
-import type { MeasureTongue } from './volume-measure-rows.ts';
+import type { MeasureLocale } from './volume-measure-rows.ts';
 import { styles } from './volume-measure-styles.ts';
 import { isRadar } from '../internal/volume-readout-rows.ts';
 import type { Row } from '../internal/volume-readout-rows.ts';
@@ -187,12 +187,12 @@ export class VolumeMeasure extends ReflectingElement {
     if (!this.#stage) return;
     this.#stage.placing = placing;
     if (!volume || !info || this.hidden) return this.#stage.show(null);
-    const tongue = this.#tongue;
+    const locale = this.#locale;
     this.#stage.show({
       volume, type, points,
       color: this.#color,
-      text: result ? writeMeasure(result, tongue) : '',
-      names: namePoints({ points, count: pointCounts[type], name: this.#name }, info, tongue),
+      text: result ? writeMeasure(result, locale) : '',
+      names: namePoints({ points, count: pointCounts[type], name: this.#name }, info, locale),
     });
   }
 
@@ -207,7 +207,7 @@ export class VolumeMeasure extends ReflectingElement {
     this.requestUpdate();
   }
 
-  get #tongue(): MeasureTongue {
+  get #locale(): MeasureLocale {
     const { language, terms } = this.#words;
     return { language, terms };
   }
@@ -219,7 +219,7 @@ export class VolumeMeasure extends ReflectingElement {
   get #rows(): Row[] {
     const info = this.#link.view?.volume;
     const { result } = this.#model;
-    return result && info ? listMeasure(result, isRadar(info), this.#tongue) : [];
+    return result && info ? listMeasure(result, isRadar(info), this.#locale) : [];
   }
 
   get #prompt(): string {

@@ -26,7 +26,7 @@ export interface SliceCursorDetail {
 }
 
 /** The language and messages in which a slice is described. */
-export interface SliceTongue {
+export interface SliceLocale {
   readonly language: Language;
   readonly terms: SliceTerms;
 }
@@ -35,23 +35,23 @@ export interface SliceTongue {
 const longestBar = 0.3;
 
 /** A length in the world of a volume, with its unit where the format has one. */
-function writeLength(length: number, volume: Volume, { language, terms }: SliceTongue): string {
+function writeLength(length: number, volume: Volume, { language, terms }: SliceLocale): string {
   const written = language.number(length);
   return isInMillimetres(volume) ? terms.millimetres(written) : written;
 }
 
 /** The position of the slice: `S 23.5 mm`, or a number where the file does not say whose axes they are. */
-export function describePlace(pane: SlicePane, tongue: SliceTongue): string {
+export function describePlace(pane: SlicePane, locale: SliceLocale): string {
   const { normal } = pane.plane;
   const d = Number(toPlane(pane.plane, pane.place).d.toFixed(2));
-  if (!pane.sliced) return tongue.language.number(d);
+  if (!pane.sliced) return locale.language.number(d);
   const { volume } = pane.sliced;
-  if (!isPatient(volume)) return writeLength(d, volume, tongue);
-  return `${sideLetters(d < 0 ? scale(normal, -1) : normal)} ${writeLength(Math.abs(d), volume, tongue)}`;
+  if (!isPatient(volume)) return writeLength(d, volume, locale);
+  return `${sideLetters(d < 0 ? scale(normal, -1) : normal)} ${writeLength(Math.abs(d), volume, locale)}`;
 }
 
 /** The name of the label at the crosshair, and the value there, with its unit. */
-export function describeValue(pane: SlicePane, { language, terms }: SliceTongue): string {
+export function describeValue(pane: SlicePane, { language, terms }: SliceLocale): string {
   const value = pane.sliced?.valueAt(pane.place) ?? null;
   if (value === null) return terms.noValue;
   const { unit, isDiscrete } = pane.sliced!.volume;
@@ -61,7 +61,7 @@ export function describeValue(pane: SlicePane, { language, terms }: SliceTongue)
 }
 
 /** The window as text: the meaning of `W 400  L 40`. */
-export function describeWindow(pane: SlicePane, { language, terms }: SliceTongue): string {
+export function describeWindow(pane: SlicePane, { language, terms }: SliceLocale): string {
   const [low, high] = pane.window;
   const { unit } = pane.sliced!.volume;
   const [width, level] = [high - low, (low + high) / 2].map((value) => language.number(value, 3));
@@ -69,16 +69,16 @@ export function describeWindow(pane: SlicePane, { language, terms }: SliceTongue
   return terms.windowWords({ width, level, black, white });
 }
 
-export function renderTexts(pane: SlicePane, tongue: SliceTongue): unknown {
-  const { language, terms } = tongue;
+export function renderTexts(pane: SlicePane, locale: SliceLocale): unknown {
+  const { language, terms } = locale;
   const look = pane.look!;
   const [low, high] = pane.window;
-  const length = (value: number): string => writeLength(value, pane.sliced!.volume, tongue);
+  const length = (value: number): string => writeLength(value, pane.sliced!.volume, locale);
   return html`
-    <div class="text top left" part="place">${describePlace(pane, tongue)}${look.thickness > 0 ? html`<br />${terms.slab[look.projection](length(look.thickness))}` : nothing}</div>
-    ${look.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, tongue)}>${terms.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
+    <div class="text top left" part="place">${describePlace(pane, locale)}${look.thickness > 0 ? html`<br />${terms.slab[look.projection](length(look.thickness))}` : nothing}</div>
+    ${look.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, locale)}>${terms.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
     <div class="text bottom left" part="scale">${renderBar(pane, length)}</div>
-    <div class="text bottom right" part="value"><span class="told">${describeValue(pane, tongue)}</span></div>
+    <div class="text bottom right" part="value"><span class="told">${describeValue(pane, locale)}</span></div>
   `;
 }
 

@@ -14,7 +14,7 @@ import { Words } from '../../src/messages/words.ts';
 import { number, pair, vector } from '../internal/property-kinds.ts';
 import { property, ReflectingElement, writeSafely } from '../internal/reflecting-element.ts';
 import { PaneTarget } from '../../src/viewer/attachments/pane-label-target.ts';
-import { hasNotices } from '../../src/viewer/model/beside-notices.ts';
+import { hasNotices } from '../../src/viewer/model/file-notices.ts';
 import { SlicePresenter } from '../../src/viewer/attachments/slice-presenter.ts';
 import type { Shown } from '../../src/viewer/attachments/slice-presenter.ts';
 import { describeVolume } from '../../src/viewer/model/volume-info.ts';
@@ -25,7 +25,7 @@ import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 import { tell } from '../internal/volume-view-events.ts';
 import { describePlace, describeValue, describeWindow, labelsOf, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
-import type { SliceCursorDetail, SliceTongue } from './volume-slice-view-parts.ts';
+import type { SliceCursorDetail, SliceLocale } from './volume-slice-view-parts.ts';
 import { styles } from './volume-slice-view-styles.ts';
 
 export type { SliceCursorDetail } from './volume-slice-view-parts.ts';
@@ -152,7 +152,7 @@ export class VolumeSliceView extends ReflectingElement {
   #own: Volume | null = null;
   #info: VolumeInfo | null = null;
   /** Notices of the file of `src`: for the volume of a view, the view shows them. */
-  readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => ({ info: this.#info, besideNotices: this.#labelTarget.besideNotices })));
+  readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => ({ info: this.#info, fileNotices: this.#labelTarget.fileNotices })));
   #saying = 0;
 
   readonly #presenter: SlicePresenter = new SlicePresenter({
@@ -225,7 +225,7 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    this.#notices.follow(hasNotices(this.#info, this.#labelTarget.besideNotices));
+    this.#notices.follow(hasNotices(this.#info, this.#labelTarget.fileNotices));
     if (changed.has('src') && this.isConnected) this.#follow();
     // Names with an underscore are internal state, not attributes.
     if ([...changed.keys()].some((name) => !String(name).startsWith('_'))) this.#presenter.refresh((name) => changed.has(name));
@@ -236,20 +236,20 @@ export class VolumeSliceView extends ReflectingElement {
     const error = this.#presenter.error ?? this.#labelTarget.error;
     const { sliced, look } = pane;
     const { language } = this.#words;
-    const tongue: SliceTongue = { language, terms: this.#terms.terms };
-    const { slice, sliceAt, sliceKeys, loading } = tongue.terms;
-    const label = this.alt ?? (sliced && look ? sliceAt(slice[look.type], describePlace(pane, tongue)) : slice.axial);
+    const locale: SliceLocale = { language, terms: this.#terms.terms };
+    const { slice, sliceAt, sliceKeys, loading } = locale.terms;
+    const label = this.alt ?? (sliced && look ? sliceAt(slice[look.type], describePlace(pane, locale)) : slice.axial);
     return html`
       <div class="picture" part="picture" role="img" tabindex="0" aria-label=${label} aria-describedby="window keys">
         <canvas aria-hidden="true"></canvas>
-        ${sliced && look ? html`${renderCrosshair(pane)}${isPatient(sliced.volume) ? renderSides(pane) : nothing}${renderTexts(pane, tongue)}` : nothing}
+        ${sliced && look ? html`${renderCrosshair(pane)}${isPatient(sliced.volume) ? renderSides(pane) : nothing}${renderTexts(pane, locale)}` : nothing}
       </div>
-      ${sliced && look ? this.#renderSlider(sliced, slice[look.type], describePlace(pane, tongue)) : nothing}
+      ${sliced && look ? this.#renderSlider(sliced, slice[look.type], describePlace(pane, locale)) : nothing}
       ${sliced ? this.#notices.render() : nothing}
       ${this._progress ? html`<div class="loading">${loading}<progress aria-label=${loading} max="1" value=${shareOf(this._progress) ?? nothing}></progress></div>` : nothing}
       ${sliced || this._progress || error || this.src ? nothing : html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`}
       ${error ? html`<p class="problem" part="error" role="alert" tabindex="0">${error.message}</p>` : nothing}
-      <div class="spoken" id="window">${sliced && look && !look.colors ? describeWindow(pane, tongue) : nothing}</div>
+      <div class="spoken" id="window">${sliced && look && !look.colors ? describeWindow(pane, locale) : nothing}</div>
       <div class="spoken" id="keys">${sliceKeys}</div>
       <div class="spoken" role="status">${this._said}</div>
     `;
@@ -316,8 +316,8 @@ export class VolumeSliceView extends ReflectingElement {
     clearTimeout(this.#saying);
     this.#saying = setTimeout(() => {
       const { pane } = this.#presenter;
-      const tongue: SliceTongue = { language: this.#words.language, terms: this.#terms.terms };
-      this._said = what === 'window' ? describeWindow(pane, tongue) : `${describePlace(pane, tongue)}: ${describeValue(pane, tongue)}`;
+      const locale: SliceLocale = { language: this.#words.language, terms: this.#terms.terms };
+      this._said = what === 'window' ? describeWindow(pane, locale) : `${describePlace(pane, locale)}: ${describeValue(pane, locale)}`;
     }, 500) as unknown as number;
   }
 

@@ -157,7 +157,7 @@ export class VolumeTransferFunction extends ReflectingElement {
       ${renderStopFields({ stop: stops[index], unit, step: dragStep(chart.domain), removable: stops.length > 1, terms }, {
         change: (change) => editor.changeStop(index, change),
         done: () => editor.session.commit(),
-        add: () => editor.addBeside(index),
+        add: () => editor.addAttached(index),
         remove: () => editor.remove(index),
       })}
     `;

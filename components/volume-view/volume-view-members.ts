@@ -38,7 +38,7 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
    * scans; empty before there is a picture.
    */
   getView(): Record<string, string> {
-    return this._session.hands?.writeView(this, (name) => this.readText(name)) ?? {};
+    return this._session.interaction?.writeView(this, (name) => this.readText(name)) ?? {};
   }
 
   /** Statistics of the last drawn frame; null before the first one. */
@@ -137,7 +137,7 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
    */
   async checkPicture(): Promise<PictureCheck | null> {
     await this.whenRendered();
-    return this._session.hands?.checkIn(this._session.viewer) ?? null;
+    return this._session.interaction?.checkIn(this._session.viewer) ?? null;
   }
 
   /**
@@ -147,6 +147,6 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
    * visible value
    */
   async pick(x: number, y: number, options?: PickOptions): Promise<VolumePick | null> {
-    return this._session.hands?.pickIn(this._session.viewer, [x, y], options) ?? null;
+    return this._session.interaction?.pickIn(this._session.viewer, [x, y], options) ?? null;
   }
 }

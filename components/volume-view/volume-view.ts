@@ -123,16 +123,16 @@ export class VolumeView extends VolumeViewMembers {
   }
 
   protected override readSeen(attribute: 'camera-orbit' | 'camera-target'): string | null {
-    const { hands, viewer } = this._session;
+    const { interaction, viewer } = this._session;
     const written = this.readText(attribute);
     const camera = written === null || viewer?.leftAttributes ? this.camera : null;
-    return (camera && hands?.writeCamera(camera)[attribute]) ?? written;
+    return (camera && interaction?.writeCamera(camera)[attribute]) ?? written;
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    const { viewer, loader, errors, playback, hands, presenter } = this._session;
+    const { viewer, loader, errors, playback, interaction, presenter } = this._session;
     viewer?.relabel();
-    void hands?.follow(this, presenter);
+    void interaction?.follow(this, presenter);
     this.#states.set('loading', loader.progress !== null && !errors.first);
     this.#states.set('error', errors.first !== null);
     this.#states.set('playing', !playback.paused);

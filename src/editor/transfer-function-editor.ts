@@ -81,7 +81,7 @@ export class TransferFunctionEditor {
     this.listener.changed();
   }
 
-  addBeside(index: number): void {
+  addAttached(index: number): void {
     this.#put(addStopBeside(this.stops, index, this.domain));
   }
 
@@ -101,7 +101,7 @@ export class TransferFunctionEditor {
     const move = moveByKey(event, this.stops[index], this.domain);
     if (move) this.changeStop(index, move);
     else if (event.key === 'Delete' || event.key === 'Backspace') this.remove(index);
-    else if (event.key === 'Insert' || event.key === '+') this.addBeside(index);
+    else if (event.key === 'Insert' || event.key === '+') this.addAttached(index);
     else return false;
     return true;
   }

@@ -33,10 +33,10 @@ type CoarseTold = (coarse: CoarseVolume) => void;
 export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: CoarseTold, clean?: Cleaning): Promise<Volume> {
   if (!isPolarVolume(decoded)) return finishCartesian(decoded, limits, onCoarse, clean);
   if (clean !== undefined) throw (await loadCleaning()).refuseCleaning(clean, 'a CT, an MRI or another volume of voxels, and not a radar scan');
-  const { outlinePolar, foretellPolar } = await loadReader(() => import('./radar/finish-polar.ts'));
+  const { outlinePolar, predictPolar } = await loadReader(() => import('./radar/finish-polar.ts'));
   const outline = outlinePolar(decoded);
   await checkRange(outline);
-  const preview = onCoarse && foretellPolar(outline);
+  const preview = onCoarse && predictPolar(outline);
   if (preview) onCoarse(preview);
   return { ...outline, macrocells: decoded.makeMacrocells() };
 }

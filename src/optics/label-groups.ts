@@ -1,6 +1,6 @@
 // Rays through volumes in which groups of labels have transfer functions of their own.
 import { dataEnds } from './rays/cast-ray.ts';
-import { groupOf, labelledEnds, labelShade, wear } from './attachments/labels.ts';
+import { groupOf, labelledEnds, labelShade, apply } from './attachments/labels.ts';
 import type { LabelledSample } from './attachments/labels.ts';
 import { transferFunctionClassify } from './rays/ray-classify.ts';
 import type { RayOptics } from './rays/ray-classify.ts';
@@ -58,9 +58,9 @@ export function groupShade(classify: ClassifyStage, field: FieldStage): ShadeSta
     if (groupOf(first) === groupOf(last)) return labelShade(segment, seen, ray);
     const [from, to] = dataEnds(first, last);
     const isFolded = field.isFolded(from, to);
-    const see = (end: LabelledSample): ReturnType<typeof wear> => {
+    const see = (end: LabelledSample): ReturnType<typeof apply> => {
       const middle = { ...end, value: isFolded ? end.value : (from + to) / 2 };
-      return wear(classify.classifySegment({ front: end, back: middle, begin, span: span / 2 }), end.style, 1);
+      return apply(classify.classifySegment({ front: end, back: middle, begin, span: span / 2 }), end.style, 1);
     };
     const both = see(first);
     composite(both, see(last));

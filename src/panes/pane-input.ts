@@ -23,7 +23,7 @@ type Point = readonly [x: number, y: number];
 type Drag = DragKind | 'pan';
 
 /** Receives what the user does. The pane itself does not know who listens. */
-export interface PaneHands {
+export interface PaneInteraction {
   readonly drag: () => DragKind;
   /** The frame has changed. Crosshair and window report their own changes. */
   readonly moved: () => void;
@@ -45,7 +45,7 @@ export class PaneInput {
   /** Where the crosshair was before the last press, and before the first press of a possible double click. */
   #places: { readonly press: Vector3; readonly click: Vector3 } | null = null;
 
-  constructor(readonly target: HTMLElement, readonly pane: SlicePane, readonly hands: PaneHands) {
+  constructor(readonly target: HTMLElement, readonly pane: SlicePane, readonly interaction: PaneInteraction) {
     const { signal } = this.#abort;
     const listen = <Name extends keyof HTMLElementEventMap>(name: Name, act: (event: HTMLElementEventMap[Name]) => void): void =>
       target.addEventListener(name, act, { signal, passive: false });
@@ -79,7 +79,7 @@ export class PaneInput {
     const point = this.#pointOf(event);
     this.#places = { press: this.pane.place, click: this.#places?.click ?? this.pane.place };
     if (this.#pointers.size === 0) {
-      const first = this.hands.drag();
+      const first = this.interaction.drag();
       this.#drag = button === 1 || shiftKey ? 'pan' : button === 0 ? first : first === 'cursor' ? 'window' : 'cursor';
       this.#from = point;
       this.#window = this.pane.window;
@@ -103,7 +103,7 @@ export class PaneInput {
     else if (this.#drag === 'cursor') this.pane.pointTo(now);
     else if (this.#drag === 'pan') {
       this.pane.pan(by);
-      this.hands.moved();
+      this.interaction.moved();
     }
   }
 
@@ -113,7 +113,7 @@ export class PaneInput {
     const [before, after] = [last, now].map(([x, y]) => Math.hypot(x - other[0], y - other[1]));
     this.pane.pan([(now[0] - last[0]) / 2, (now[1] - last[1]) / 2]);
     if (before > 0 && after > 0) this.pane.zoom(after / before, [(now[0] + other[0]) / 2, (now[1] + other[1]) / 2]);
-    this.hands.moved();
+    this.interaction.moved();
   }
 
   #release(event: PointerEvent): void {
@@ -137,7 +137,7 @@ export class PaneInput {
     if (zooms) {
       const doubling = event.ctrlKey && Math.abs(pixels) < 25 ? wheelPixels.pinchDoubling : wheelPixels.doubling;
       this.pane.zoom(2 ** (-pixels / doubling), this.#pointOf(event));
-      return this.hands.moved();
+      return this.interaction.moved();
     }
     // A wheel gives a hundred pixels at once, a trackpad a few at a time.
     this.#wheeled += pixels;
@@ -154,7 +154,7 @@ export class PaneInput {
     const middle: Point = [pane.size.width / 2, pane.size.height / 2];
     const zoom = (factor: number): void => {
       pane.zoom(factor, middle);
-      this.hands.moved();
+      this.interaction.moved();
     };
     if (Object.hasOwn(arrows, key)) pane.stepBy(arrows[key][0] * many, arrows[key][1] * many, 0);
     else if (key === 'PageUp') pane.stepBy(0, 0, many);
@@ -170,7 +170,7 @@ export class PaneInput {
 
   #reset(): void {
     this.pane.reset();
-    this.hands.moved();
+    this.interaction.moved();
   }
 
   /** Undoes the first click of a double click, which moved the crosshair: the user only wants to see the whole volume. */

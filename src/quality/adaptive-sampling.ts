@@ -67,7 +67,7 @@ function weigh(fine: Quads, coarse: Quads): SamplingOutcome[] {
  * The same at several strides.
  * @param among - if there are shapes in the picture: the volume's part of it
  */
-export function* foretellSampling(picture: Pixels, strides: readonly number[], among: AmongShapes | null): Waiting<SamplingOutcome[][]> {
+export function* forecastSampling(picture: Pixels, strides: readonly number[], among: AmongShapes | null): Waiting<SamplingOutcome[][]> {
   function* waitForJumps(stride: number, isCoarse: boolean): Waiting<Pixels | undefined> {
     const read = among?.startJumps(stride, isCoarse);
     yield;

@@ -22,7 +22,7 @@ function isWorthwhile(next: ErrorEstimate, last: ErrorEstimate): boolean {
 }
 
 /** The next level with another kind of refinement: more substeps if there are any, else more steps. @returns -1 if there is none */
-function findFinerOtherwise(levels: readonly Level[], i: number): number {
+function findFinerElsewhere(levels: readonly Level[], i: number): number {
   const cut = levels.findIndex(({ substeps }) => substeps > levels[i].substeps);
   return cut >= 0 ? cut : levels.findIndex(({ steps, substeps }) => substeps === levels[i].substeps && steps > levels[i].steps);
 }
@@ -46,7 +46,7 @@ export async function chooseLevel(
     const isBetter = !best || isWorthwhile(estimate, best.estimate);
     if (isBetter) best = { level: levels[i], estimate };
     const ahead = Math.max(1, Math.floor(Math.log(error / maxError) / Math.log(bestStep)));
-    const next = isBetter ? i + ahead : findFinerOtherwise(levels, i);
+    const next = isBetter ? i + ahead : findFinerElsewhere(levels, i);
     if (next < 0 || i === levels.length - 1) break;
     i = Math.min(levels.length - 1, next);
   }

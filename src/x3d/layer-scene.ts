@@ -22,11 +22,11 @@ export abstract class LayerScene {
   }
 
   setLabels(labels: ShownLabels | null): Promise<void> {
-    return this.layers[0].setBeside((beside) => beside.setLabels(labels));
+    return this.layers[0].setAttached((attached) => attached.setLabels(labels));
   }
 
   setOverlay(overlay: ShownOverlay | null): Promise<void> {
-    return this.layers[0].setBeside((beside) => beside.setOverlay(overlay));
+    return this.layers[0].setAttached((attached) => attached.setOverlay(overlay));
   }
 
   /** Shows only one part of the volume, see volume/region.ts; null for all of it. */

@@ -55,8 +55,8 @@ export async function measureMotion(name: string, angles: number, tell: (what: s
     const full = await castFullRays(gl, asked);
     const without = await castFullRays(gl, { ...asked, volume: bare! });
     const viewer = element._session.viewer!;
-    const { keeper, shown: { grid } } = viewer;
-    const scene = keeper.scene!;
+    const { controller, shown: { grid } } = viewer;
+    const scene = controller.scene!;
     const atRest = viewer.frames.planAtRest;
     const errors = { ...unknownErrors, ...(await learnFrom({ scene, grid, size: { width: size, height: size }, goesOn: () => true }, false)) };
     for (const [n, share] of shares.entries()) {

@@ -65,7 +65,7 @@ export async function compareChoices(size: number, turns: number, steps: number)
       scene.draw(stepLength);
       await scene.finished();
     };
-    const otherwise: Record<string, () => Promise<unknown>> = {
+    const others: Record<string, () => Promise<unknown>> = {
       'without skipping': async () => {
         layer.skipping = false;
         await plain();
@@ -90,11 +90,11 @@ export async function compareChoices(size: number, turns: number, steps: number)
       await draw();
       return performance.now() - began;
     };
-    for (const draw of [plain, ...Object.values(otherwise)]) await draw(); // Programs and tables.
+    for (const draw of [plain, ...Object.values(others)]) await draw(); // Programs and tables.
     const times: number[] = [];
-    const ratios = Object.fromEntries(Object.keys(otherwise).map((what) => [what, [] as number[]]));
+    const ratios = Object.fromEntries(Object.keys(others).map((what) => [what, [] as number[]]));
     for (let turn = 0; turn < turns; turn++) {
-      for (const [what, draw] of Object.entries(otherwise)) {
+      for (const [what, draw] of Object.entries(others)) {
         const ms = await time(plain);
         times.push(ms);
         ratios[what].push((await time(draw)) / ms);

@@ -1,6 +1,6 @@
 // Cuts that an author asks for while the volume is on its way.
 import { expect } from '@esm-bundle/chai';
-import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
+import { ErrorState } from '../../src/viewer/model/error-state.ts';
 import { readSettings } from '../../src/viewer/model/settings.ts';
 import type { GivenAttributes } from '../../src/viewer/model/settings.ts';
 import { noCuts } from '../../src/viewer/cuts/shown-cuts.ts';
@@ -13,7 +13,7 @@ import { syntheticVolume } from '../helpers/synthetic.ts';
 it('a cutout that is set while the first volume is uploaded is cut out', async () => {
   const host = document.createElement('div');
   const work: Promise<unknown>[] = [];
-  const errors = new ErrorBoard({ file: '', changed: () => {}, failed: () => {} });
+  const errors = new ErrorState({ file: '', changed: () => {}, failed: () => {} });
   const settings = readSettings(new Proxy({} as GivenAttributes, { get: () => null }));
   const presenter = new VolumePresenter({ host, settings, awake: true, emit: () => {}, changed: () => {}, track: (one) => work.push(one) }, errors);
   const shown: { volume: Volume | null; cuts: Cuts } = { volume: null, cuts: noCuts };
@@ -23,7 +23,7 @@ it('a cutout that is set while the first volume is uploaded is cut out', async (
     },
     show(volume: Volume, _optics: unknown, readCuts: () => Cuts) {
       host.setAttribute('cutout', '-2 -2 -2 0 0 0');
-      presenter.cutAnew(); // As who watches the element does.
+      presenter.cutAgain(); // As who watches the element does.
       shown.volume = volume;
       shown.cuts = readCuts();
       return Promise.resolve();
@@ -39,7 +39,7 @@ it('a cutout that is set while the first volume is uploaded is cut out', async (
 
 it('a region that is not there is told of the volume, and not of its stand-in as well', async () => {
   const told: string[] = [];
-  const errors = new ErrorBoard({ file: '', changed: () => {}, failed: (aspect) => told.push(aspect) });
+  const errors = new ErrorState({ file: '', changed: () => {}, failed: (aspect) => told.push(aspect) });
   const settings = readSettings(new Proxy({ region: '100 100 100 101 101 101' } as GivenAttributes, { get: (given, name) => Reflect.get(given, name) ?? null }));
   const presenter = new VolumePresenter({ host: document.createElement('div'), settings, awake: true, emit: () => {}, changed: () => {}, track: () => {} }, errors);
   const shown: unknown[] = [];

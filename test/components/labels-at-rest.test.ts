@@ -55,7 +55,7 @@ function scatter(name: string, edge: number, look: Omit<LabelScene, 'name' | 'la
 // Flat ones, of which specks are seen from above: what is less deep takes less long, and as many things are looked at.
 const veil = syntheticVolume({ dimensions: [36, 36, 8], field: (x, y) => 0.4 + 0.05 * x - 0.04 * y });
 const smooth = syntheticVolume({ dimensions: [40, 14, 32] });
-const beside = { pixelsPerVoxel: 1.05, phi: 1.1 };
+const attached = { pixelsPerVoxel: 1.05, phi: 1.1 };
 const faint = parseTransferFunction('0 #cde 0.6%, 1 #cde 0.6%', [0, 1]);
 const fog = parseTransferFunction('0 #246 0, 0.3 #fa6 5%, 1 #fff 30%', [0, 1]);
 const dense = parseTransferFunction('0 #246 0, 0.2 #246 0, 0.3 #fa6 60%, 1 #fff 90%', [0, 1]);
@@ -66,9 +66,9 @@ const scenes: readonly LabelScene[] = [
   scatter('specks of 2 voxels, dense in a veil', 2, { volume: veil, transferFunction: faint, styles: [plainLook, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1, phi: 0.7 }),
   scatter('specks of 1 voxel, of which alone something shows', 1, { volume: veil, transferFunction: parseTransferFunction('0 #fff 60%, 1 #fff 60%', [0, 1]), styles: [{ ...plainLook, opacityFactor: 0 }, plainLook], pixelsPerVoxel: 1.6, phi: 0.7 }),
   scatter('specks of 1 voxel in a group of their own', 1, { volume: veil, transferFunction: faint, styles: [plainLook, { ...plainLook, group: 1 }], functions: [parseTransferFunction('0 #fb6 60%, 1 #fb6 60%', [0, 1])], pixelsPerVoxel: 1.6, phi: 0.7 }),
-  { name: 'an atlas of blocks in five groups', volume: smooth, transferFunction: fog, labels: mixedGroups(blocks([40, 14, 32], 20, 6)), places: [], ...beside },
-  { name: 'an atlas of blocks in fog', volume: smooth, transferFunction: fog, labels: mixedLooks(blocks([40, 14, 32], 20, 6)), places: [], ...beside },
-  { name: 'half of what is dense is hidden', volume: smooth, transferFunction: dense, labels: { map: halves, styles: [plainLook, { ...plainLook, opacityFactor: 0 }] }, places: [], ...beside },
+  { name: 'an atlas of blocks in five groups', volume: smooth, transferFunction: fog, labels: mixedGroups(blocks([40, 14, 32], 20, 6)), places: [], ...attached },
+  { name: 'an atlas of blocks in fog', volume: smooth, transferFunction: fog, labels: mixedLooks(blocks([40, 14, 32], 20, 6)), places: [], ...attached },
+  { name: 'half of what is dense is hidden', volume: smooth, transferFunction: dense, labels: { map: halves, styles: [plainLook, { ...plainLook, opacityFactor: 0 }] }, places: [], ...attached },
 ];
 
 const percent = (shares: readonly number[]): string => `${(100 * Math.min(...shares)).toFixed(0)} %`;

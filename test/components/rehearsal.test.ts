@@ -2,10 +2,10 @@
 import { expect } from '@esm-bundle/chai';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { wholeSteps } from '../../src/optics/cells/substeps.ts';
-import { foretellPolar } from '../../src/formats/radar/finish-polar.ts';
+import { predictPolar } from '../../src/formats/radar/finish-polar.ts';
 import { noCuts } from '../../src/viewer/cuts/cuts.ts';
 import { readRings } from '../../src/viewer/cuts/read-rings.ts';
-import { rehearse } from '../../src/viewer/view/rehearse.ts';
+import { precompile } from '../../src/viewer/view/precompile.ts';
 import type { Viewer } from '../../src/viewer/view/viewer.ts';
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import type { Scene } from '../../src/viewer/model/scene.ts';
@@ -58,8 +58,8 @@ describe('the rehearsal of a radar\'s picture', () => {
     await withScene({}, async (scene) => {
       const before = watchPrograms();
       const acts: Promise<void>[] = [];
-      const keeper = { rehearse: (act: (one: Scene) => Promise<void>) => void acts.push(act(scene)) };
-      rehearse({ keeper } as unknown as Viewer, { volume: foretellPolar(volume)!.volume, optics, cuts });
+      const controller = { precompile: (act: (one: Scene) => Promise<void>) => void acts.push(act(scene)) };
+      precompile({ controller } as unknown as Viewer, { volume: predictPolar(volume)!.volume, optics, cuts });
       await Promise.all(acts);
       expect(acts.length).to.equal(1);
       before.stop();

@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { foretellSampling } from '../../src/quality/adaptive-sampling.ts';
+import { forecastSampling } from '../../src/quality/adaptive-sampling.ts';
 import { atOnce } from '../../src/core/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
@@ -92,7 +92,7 @@ for (const { name, shown, webgl1, kinds } of cases) {
           const volumePicture = scene.readVolume()!;
           const jumps = volumePicture.startJumps(1, false)();
           expect(Array.from(jumps.data).some((x, i) => i % 4 === 0 && x > 0), 'shapes end rays').to.equal(true);
-          const [outcomes] = atOnce(foretellSampling(scene.readPicture(), [1], volumePicture));
+          const [outcomes] = atOnce(forecastSampling(scene.readPicture(), [1], volumePicture));
           const foretold = outcomes.filter(({ error }) => error <= maxError / 2).at(-1)!;
           const adaptive = draw(foretold.maxCurvature);
           const { rmse } = comparePictures(adaptive, all);

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
-import { foretellSampling } from '../../src/quality/adaptive-sampling.ts';
+import { forecastSampling } from '../../src/quality/adaptive-sampling.ts';
 import { atOnce } from '../../src/core/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import type { RayCut } from '../../src/renderer/ray/ray-module.ts';
@@ -64,7 +64,7 @@ for (const webgl1 of [false, true]) {
         const draw = await show(scene(), volume, { ...cutting, camera: seen(volume, 1.1) });
         const all = draw(0);
         expect(scene().adaptive).to.equal(true);
-        const [outcomes] = atOnce(foretellSampling(scene().readPicture(), [1], null));
+        const [outcomes] = atOnce(forecastSampling(scene().readPicture(), [1], null));
         const foretold = outcomes.filter(({ error }) => error <= 0.5).at(-1)!;
         expect(foretold.share, 'rays are spared').to.be.below(0.95);
         const adaptive = draw(foretold.maxCurvature);

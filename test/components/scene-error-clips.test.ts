@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { maxSubsteps } from '../../src/optics/rays/segment.ts';
 import { allSubsteps } from '../../src/optics/cells/substeps.ts';
-import { foretellSampling } from '../../src/quality/adaptive-sampling.ts';
+import { forecastSampling } from '../../src/quality/adaptive-sampling.ts';
 import { atOnce } from '../../src/core/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { createClip } from '../../src/renderer/ray/modules/clip.ts';
@@ -74,7 +74,7 @@ describe('a volume that is cut', function () {
       };
       const all = draw(0);
       expect(scene.adaptive).to.equal(true);
-      const [outcomes] = atOnce(foretellSampling(scene.readPicture(), [1], null));
+      const [outcomes] = atOnce(forecastSampling(scene.readPicture(), [1], null));
       const foretold = outcomes.filter(({ error }) => error <= 0.5).at(-1)!;
       const adaptive = draw(foretold.maxCurvature);
       const { rmse } = comparePictures(adaptive, all);

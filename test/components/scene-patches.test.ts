@@ -78,8 +78,8 @@ function render(view: View, { patches, more = {} }: Look): Float64Array {
   const taps = volume.grid.kind === 'polar' ? polarTapsOf : cartesianTapsOf;
   const module = createPatches(quietGl(), patches).of({ taps, lights: false, cuts: false }, { lights: headlightAlone, cuts: { halfSpaces: [], unitToCutout: null } });
   const staged = referenceOf({ ...view, modules: [pointsModule, module] });
-  const beside: Pick<ReferenceScene, 'shades' | 'gather'> = more.lit ? litStages(volume, optics.transferFunction) : more.surfaces ? surfaceStages(volume, more, optics.transferFunction) : {};
-  return renderReference({ ...staged, ...beside, moreFields: staged.moreFields }, raysOf(view), width, height).map((x) => x * 255);
+  const attached: Pick<ReferenceScene, 'shades' | 'gather'> = more.lit ? litStages(volume, optics.transferFunction) : more.surfaces ? surfaceStages(volume, more, optics.transferFunction) : {};
+  return renderReference({ ...staged, ...attached, moreFields: staged.moreFields }, raysOf(view), width, height).map((x) => x * 255);
 }
 
 const expectationsOf = remember((name: string) => Object.entries(looksOf(name)).flatMap(([look, shown]) =>

@@ -7,7 +7,7 @@ import { later, twinOf } from '../../src/renderer/ray/ray-twin.ts';
 import { noCuts } from '../../src/viewer/cuts/cuts.ts';
 import { checkPicture } from '../../src/viewer/picking/check-picture.ts';
 import { pick } from '../../src/viewer/picking/pick.ts';
-import { Presence } from '../../src/viewer/scenes/presence.ts';
+import { Visibility } from '../../src/viewer/scenes/visibility.ts';
 import { Viewer } from '../../src/viewer/view/viewer.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { x3dScenes } from '../../components/internal/x3d-scenes.ts';
@@ -150,15 +150,15 @@ async function withViewer(use: (viewer: Viewer, scene: VolumeScene) => Promise<v
   container.style.cssText = 'width: 100%; height: 100%';
   host.append(container);
   document.body.append(host);
-  const presence = new Presence(() => {});
+  const visibility = new Visibility(() => {});
   const failures: unknown[] = [];
-  const viewer = new Viewer({ host, container, presence, scenes: x3dScenes }, { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: (error) => failures.push(error) });
+  const viewer = new Viewer({ host, container, visibility, scenes: x3dScenes }, { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: (error) => failures.push(error) });
   viewer.setQuality({ steps: 60, maxError: 1, targetFps: 30 });
   try {
-    await presence.ask(async () => {
+    await visibility.ask(async () => {
       await viewer.show(volume, { ...plainOptics, window: [0, 1], projection: null, shading: 'unlit', surfaces: null }, () => noCuts);
       await viewer.redraw();
-      await use(viewer, viewer.pictures.parts.keeper.scene as VolumeScene);
+      await use(viewer, viewer.pictures.parts.controller.scene as VolumeScene);
     });
     expect(failures).to.deep.equal([]);
   } finally {
@@ -197,8 +197,8 @@ describe('a module that is added to the list of a layer', () => {
 
       await show([tint]);
       const tinted = await opacityOf();
-      viewer.pictures.parts.keeper.leave();
-      expect(viewer.pictures.parts.keeper.scene, 'its context is another view\'s').to.equal(null);
+      viewer.pictures.parts.controller.leave();
+      expect(viewer.pictures.parts.controller.scene, 'its context is another view\'s').to.equal(null);
       expect(await opacityOf(), 'the picture that stands there is picked').to.be.closeTo(tinted, 1e-9);
     });
   });

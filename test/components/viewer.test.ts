@@ -1,7 +1,7 @@
 // The viewer with scenes that draw nothing: what it asks of them, and when.
 import { expect } from '@esm-bundle/chai';
 import { asVolumeViewError, VolumeViewError } from '../../src/core/errors.ts';
-import { Presence } from '../../src/viewer/scenes/presence.ts';
+import { Visibility } from '../../src/viewer/scenes/visibility.ts';
 import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import type { RenderStats } from '../../src/viewer/model/render-stats.ts';
 import type { Scene, SceneFactory } from '../../src/viewer/model/scene.ts';
@@ -158,8 +158,8 @@ async function withViewer(use: (parts: { viewer: Viewer; scenes: FakeFactory; st
   const scenes = new FakeFactory();
   const stats: RenderStats[] = [];
   const failures: unknown[] = [];
-  const presence = new Presence(() => {});
-  const viewer = new Viewer({ host, container, presence, scenes }, {
+  const visibility = new Visibility(() => {});
+  const viewer = new Viewer({ host, container, visibility, scenes }, {
     rendered: (one) => stats.push(one),
     cameraMoved: () => {},
     labelRing: () => '',
@@ -167,7 +167,7 @@ async function withViewer(use: (parts: { viewer: Viewer; scenes: FakeFactory; st
   });
   viewer.setQuality({ steps: 40, maxError: 1, targetFps: 30 });
   try {
-    await presence.ask(() => use({ viewer, scenes, stats, failures }));
+    await visibility.ask(() => use({ viewer, scenes, stats, failures }));
   } finally {
     viewer.dispose();
     host.remove();

@@ -65,9 +65,9 @@ test('a plain MRI compiles one ray-caster, and asks for no part of other feature
   expect(tables, 'what the coarse picture has made stays').toBe(1);
   expect(widths.every((width, i) => i === 0 || width >= widths[i - 1]), `no picture is smaller than the one before: ${widths.join(' ')}`).toBe(true);
   expect(widths.at(-1)).toBe(160);
-  const expected = ['volume-view.js', 'decode-worker.js', 'x3dom.js', 'framing', 'gpu-timer', 'upload-gradually', 'view-quality', 'emission-range', 'depth-jumps', 'hands', 'camera-moves', 'pointer-place', 'gather-picture', 'worker-nifti', 'worker-grid-samples'];
+  const expected = ['volume-view.js', 'decode-worker.js', 'x3dom.js', 'framing', 'gpu-timer', 'upload-gradually', 'view-quality', 'emission-range', 'depth-jumps', 'interaction', 'camera-moves', 'pointer-place', 'gather-picture', 'worker-nifti', 'worker-grid-samples'];
   // Where the final picture takes more than a second, which no test can say.
-  expected.push('refining-sign', 'wear-sheet');
+  expected.push('refining-sign', 'apply-sheet');
   expect(scripts.filter((name) => !expected.includes(name))).toEqual([]);
   expect(bytes.samples).toBe(197 * 233 * 189);
   expect(bytes.textures).toBeLessThan(1.3 * bytes.samples);
@@ -77,7 +77,7 @@ test('what draws a radar is there before its file is', async ({ page }) => {
   const scripts: string[] = [];
   page.on('requestfinished', (request) => scripts.push(new URL(request.url()).pathname.split('/').at(-1)!.replace(/-.{8}\.js$/, '')));
   let isHeld = false;
-  const parts = ['polar-provider', 'other-shapes', 'read-cuts', 'presets', 'rehearse'];
+  const parts = ['polar-provider', 'other-shapes', 'read-cuts', 'presets', 'precompile'];
   // The picture of the manifest is held back until they are there: it would never come, were they asked for later.
   await page.route('**/storm-radar-1510.png', async (route) => {
     isHeld = true;

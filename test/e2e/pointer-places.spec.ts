@@ -192,8 +192,8 @@ test('a view is picked, turned, zoomed and pointed at by its own pixels, and so 
       await document.querySelector('volume-clip')!.updateComplete;
     });
     await settle(page);
-    const beside = await to('#view', [[20, 180], [70, 150]]);
-    await drag(page, beside);
+    const attached = await to('#view', [[20, 180], [70, 150]]);
+    await drag(page, attached);
     await settle(page);
     const turned = await numbersOf();
     await page.mouse.move(...corner);
@@ -270,7 +270,7 @@ test.describe('an editor', () => {
 const placeless: Readonly<Record<string, string>> = {
   'src/page/pointer-place.ts': 'it is what all others ask',
   'src/viewer/camera/right-button.ts': 'how far a hand has gone, in the pixels of the page; the menu opens where the browser says',
-  'src/viewer/scenes/presence.ts': 'whether the mouse is over an element',
+  'src/viewer/scenes/visibility.ts': 'whether the mouse is over an element',
   'src/viewer/view/auto-rotation.ts': 'whether a hand is on the picture',
   'components/volume-view/orientation-marker.ts': 'buttons',
   'components/volume-view/view-controls.ts': 'whether a press is beside a list',

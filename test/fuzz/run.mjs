@@ -51,9 +51,9 @@ console.log(`${listCorpus().length} cases in the corpus`);
 await oracle.restart();
 process.exitCode = tallies.some(({ findings }) => findings.size > 0) ? 1 : 0;
 
-/** @param {string} name @param {string | undefined} text @param {number} otherwise */
-function readNumber(name, text, otherwise) {
-  const value = text === undefined ? otherwise : Number(text);
+/** @param {string} name @param {string | undefined} text @param {number} others */
+function readNumber(name, text, others) {
+  const value = text === undefined ? others : Number(text);
   if (!(value >= 0)) throw new Error(`--${name} got ${text}; expected a number`);
   return value;
 }

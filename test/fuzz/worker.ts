@@ -17,10 +17,10 @@ const lookEvery = 4;
 
 watchMemory();
 installStandIns();
-parentPort!.on('message', (order: Order) => void obey(order));
+parentPort!.on('message', (order: Order) => void run(order));
 parentPort!.postMessage({ type: 'ready', formats: Object.keys(grammars), named: Object.keys(namedCases) } satisfies Answer);
 
-async function obey(order: Order): Promise<void> {
+async function run(order: Order): Promise<void> {
   const { made, random } = make(order);
   parentPort!.postMessage({ type: 'made', made } satisfies Answer);
   const verdict = await judge(made);

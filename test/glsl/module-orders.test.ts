@@ -152,8 +152,8 @@ async function listModules(): Promise<Map<string, RayModule>> {
     layer.surfacesModule = sceneDepth.createSceneDepth(test.gl);
     layer.slices = [level];
     layer.cuts = [{ create: clip.createClip, items: [] }, { create: cutout.createCutout, items: [hole] }, { create: planes.createPlanes, items: [plane] }];
-    await layer.setBeside((beside) => beside.setLabels(things));
-    await layer.setBeside((beside) => beside.setOverlay(over));
+    await layer.setAttached((attached) => attached.setLabels(things));
+    await layer.setAttached((attached) => attached.setOverlay(over));
     for (const volume of [head, named, storm]) {
       await layer.prepare(volume);
       layer.set(volume);
@@ -169,7 +169,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
     layer.set(head);
     await layer.setOptics({ ...plain, transferFunction: opaque });
     for (const module of layer.modules(true, true)) found.set(module.name, module);
-    await layer.setBeside((beside) => beside.setLabels(mixedGroups(things.map)));
+    await layer.setAttached((attached) => attached.setLabels(mixedGroups(things.map)));
     for (const module of layer.modules(true)) found.set(module.name, module);
   } finally {
     layer.dispose();

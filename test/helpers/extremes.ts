@@ -286,11 +286,11 @@ const eyes: Extreme[] = [
   { name: 'a field of view of 179 degrees from inside', view: viewOf({ radius: 0.1, camera: { fieldOfView: 179 * (Math.PI / 180) } }) },
   ...[0, 1e-7, -1e-7].flatMap((tilt): Extreme[] => {
     const far = { radius: 1e6, camera: { fieldOfView: 1e-6 } };
-    const beside = tilt === 0 ? '' : `, ${tilt} off`;
+    const attached = tilt === 0 ? '' : `, ${tilt} off`;
     return [
-      { name: `rays along z${beside}`, view: viewOf({ ...far, theta: 0, phi: tilt }), same: viewOf({ ...far, theta: 0, phi: 0 }), near: 1 },
-      { name: `rays along y${beside}`, view: viewOf({ ...far, theta: tilt, phi: Math.PI / 2 }), same: viewOf({ ...far, theta: 0, phi: Math.PI / 2 }), near: 1 },
-      { name: `rays along x${beside}`, view: viewOf({ ...far, theta: Math.PI / 2 + tilt, phi: Math.PI / 2 }), same: viewOf({ ...far, theta: Math.PI / 2, phi: Math.PI / 2 }), near: 1 },
+      { name: `rays along z${attached}`, view: viewOf({ ...far, theta: 0, phi: tilt }), same: viewOf({ ...far, theta: 0, phi: 0 }), near: 1 },
+      { name: `rays along y${attached}`, view: viewOf({ ...far, theta: tilt, phi: Math.PI / 2 }), same: viewOf({ ...far, theta: 0, phi: Math.PI / 2 }), near: 1 },
+      { name: `rays along x${attached}`, view: viewOf({ ...far, theta: Math.PI / 2 + tilt, phi: Math.PI / 2 }), same: viewOf({ ...far, theta: Math.PI / 2, phi: Math.PI / 2 }), near: 1 },
     ];
   }),
 ];

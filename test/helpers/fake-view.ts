@@ -1,5 +1,5 @@
 // A view with a small volume that draws nothing: for tests of what X3D nodes among its children attach to that volume.
-import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
+import { ErrorState } from '../../src/viewer/model/error-state.ts';
 import { withVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
 import type { ViewLabels } from '../../src/viewer/model/view-labels.ts';
 import type { ViewOverlay } from '../../src/viewer/model/view-overlay.ts';
@@ -25,7 +25,7 @@ export function atlasOf(field: string, pixels: readonly number[]): string {
 
 export interface FakeView {
   readonly host: HTMLElement;
-  readonly errors: ErrorBoard;
+  readonly errors: ErrorState;
   readonly shown: { readonly labels: ViewLabels | null; readonly overlay: ViewOverlay | null };
   /** Reads the appearance, and waits for files that it loads. */
   read(): Promise<VolumeOptics>;
@@ -35,12 +35,12 @@ export interface FakeView {
 export function fakeView(html: string): FakeView {
   const host = viewOf(html);
   const work: Promise<unknown>[] = [];
-  const errors = new ErrorBoard({ file: 'ct.png', changed: () => {}, failed: () => {} });
+  const errors = new ErrorState({ file: 'ct.png', changed: () => {}, failed: () => {} });
   const grid = cartesianGrid([2, 1, 2], axialIndexToWorld([2, 1, 2], [1, 1, 1]));
   const scene = { setLabels: async () => {}, setOverlay: async () => {} };
   const socket = socketOf(host);
   socket.view = {
-    host, awake: true, settings: { src: 'ct.png' }, errors, look: { current: plainLook, dress: null },
+    host, awake: true, settings: { src: 'ct.png' }, errors, look: { current: plainLook, replacement: null },
     volume: { grid, samples: new Uint8Array(4), slope: 1, intercept: 0, format: 'png mosaic', range: [0, 200] },
     viewer: { scene, invalidate: () => {} },
     track: (one: Promise<unknown>) => work.push(one),

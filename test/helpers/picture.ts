@@ -224,13 +224,13 @@ export function stagesOfView(view: View, surfaceT?: (ray: Ray) => number): RaySt
   void quiet.setOptics(optics); // It resolves at once: all parts that optics may need are loaded.
   quiet.slices = slices;
   quiet.cuts = cutsOf(view);
-  quiet.setModules(modulesBeside(view));
+  quiet.setModules(attachedModules(view));
   const frame = { volume, optics, rays: raysOf(view), placesOnly: false, ...(surfaceT && { shapeT: surfaceT }) };
   return composeTwins(quiet.twins(surfaceT !== undefined, max > 1)!, frame, { stepLength, maxSubsteps: max });
 }
 
 /** The modules of `setLabels`, `setOverlay` and `setStyle`: these calls are asynchronous, so the quiet layer can't use them. */
-function modulesBeside({ labels, overlay, projection, intensityThreshold, modules = [] }: View): RayModule[] {
+function attachedModules({ labels, overlay, projection, intensityThreshold, modules = [] }: View): RayModule[] {
   const functions = (!projection && labels?.functions) || null;
   const layer = overlay && overlayTwins(overlay, isPolar(overlay.volume) ? sameGates : undefined);
   const own: (RayModule | null | false | undefined)[] = [

@@ -3,13 +3,13 @@ import { contextPool, maxContexts } from '../../src/viewer/scenes/context-pool.t
 import type { ContextHolder } from '../../src/viewer/scenes/context-pool.ts';
 import type { Scene } from '../../src/viewer/model/scene.ts';
 import { ViewSocket } from '../../src/viewer/model/view-socket.ts';
-import { SceneKeeper } from '../../src/viewer/scenes/scene-keeper.ts';
-import type { ScenePlace, SceneUser } from '../../src/viewer/scenes/scene-keeper.ts';
+import { SceneController } from '../../src/viewer/scenes/scene-controller.ts';
+import type { ScenePlace, SceneUser } from '../../src/viewer/scenes/scene-controller.ts';
 
 const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
 /** A keeper in sight whose scenes tell what happens to them. */
-function keep(refusals = 0): { keeper: SceneKeeper; told: string[]; user: { volume: unknown; ready: boolean } } {
+function keep(refusals = 0): { controller: SceneController; told: string[]; user: { volume: unknown; ready: boolean } } {
   const told: string[] = [];
   const tell = (what: string) => (): void => void told.push(what);
   const create = async (): Promise<Scene> => {
@@ -20,48 +20,48 @@ function keep(refusals = 0): { keeper: SceneKeeper; told: string[]; user: { volu
   };
   const user = {
     volume: null as unknown, optics: null as unknown, ready: false, givenUp: false, socket: new ViewSocket(),
-    loop: { unfinished: true, drawing: null, plan: tell('planned'), wake: () => {}, rest: () => {} }, furnish: () => {}, entered: tell('entered'), failed: tell('failed'), invalidate: () => {}, sceneChanged: () => {},
+    loop: { unfinished: true, drawing: null, plan: tell('planned'), wake: () => {}, rest: () => {} }, applyTo: () => {}, entered: tell('entered'), failed: tell('failed'), invalidate: () => {}, sceneChanged: () => {},
   };
-  const presence = { inSight: true, asked: false, mayBeNear: true, inHand: false };
-  const place = { host: document.createElement('div'), container: document.createElement('div'), presence, scenes: { create } } as unknown as ScenePlace;
-  return { keeper: new SceneKeeper(place, user as unknown as SceneUser), told, user };
+  const visibility = { inSight: true, asked: false, mayBeNear: true, inHand: false };
+  const place = { host: document.createElement('div'), container: document.createElement('div'), visibility, scenes: { create } } as unknown as ScenePlace;
+  return { controller: new SceneController(place, user as unknown as SceneUser), told, user };
 }
 
 describe('a scene for a volume that is on its way', () => {
   it('is made meanwhile, and filled when the volume is there', async () => {
-    const { keeper, told, user } = keep();
+    const { controller, told, user } = keep();
     await settle();
     expect(told, 'nothing is expected yet').to.deep.equal([]);
-    keeper.expect(true);
-    keeper.expect(true);
+    controller.expect(true);
+    controller.expect(true);
     await settle();
     expect(told).to.deep.equal(['made']);
-    expect(keeper.busy, 'it can be taken').to.equal(false);
+    expect(controller.busy, 'it can be taken').to.equal(false);
     Object.assign(user, { ready: true, volume: {}, optics: {} });
-    keeper.expect(false);
+    controller.expect(false);
     await settle();
     expect(told).to.deep.equal(['made', 'filled', 'entered', 'planned']);
-    keeper.dispose();
+    controller.dispose();
   });
 
   it('goes where the volume does not come', async () => {
-    const { keeper, told } = keep();
-    keeper.expect(true);
+    const { controller, told } = keep();
+    controller.expect(true);
     await settle();
-    keeper.expect(false);
+    controller.expect(false);
     await settle();
     expect(told).to.deep.equal(['made', 'gone']);
-    keeper.expect(true);
+    controller.expect(true);
     await settle();
     expect(told, 'and the next one gets one of its own').to.deep.equal(['made', 'gone', 'made']);
-    keeper.dispose();
+    controller.dispose();
     await settle();
     expect(told.at(-1)).to.equal('gone');
   });
 
   it('gives its context to whoever has something to show', async () => {
-    const { keeper, told } = keep();
-    keeper.expect(true);
+    const { controller, told } = keep();
+    controller.expect(true);
     await settle();
     let entered = 0;
     const others = Array.from({ length: maxContexts }, (): ContextHolder => ({ inSight: true, asked: false, mayHold: true, need: 'picture', busy: true, enter: () => entered++, leave: () => {} }));
@@ -72,55 +72,55 @@ describe('a scene for a volume that is on its way', () => {
     others.forEach((other) => contextPool.remove(other));
     await settle();
     expect(told, 'as soon as there is room').to.deep.equal(['made', 'gone', 'made']);
-    keeper.dispose();
+    controller.dispose();
   });
 
   it('is there whenever the next volume is expected after one that did not come', async () => {
     for (let later = 0; later < 12; later++) {
-      const { keeper, told, user } = keep();
-      keeper.expect(true);
+      const { controller, told, user } = keep();
+      controller.expect(true);
       await settle();
-      keeper.expect(false);
+      controller.expect(false);
       for (let i = 0; i < later; i++) await Promise.resolve();
-      keeper.expect(true);
+      controller.expect(true);
       await settle();
       Object.assign(user, { ready: true, volume: {}, optics: {} });
-      keeper.review();
+      controller.review();
       await settle();
       expect(told.filter((what) => what === 'entered'), `${later} turns later: ${told.join(' ')}`).to.deep.equal(['entered']);
-      keeper.dispose();
+      controller.dispose();
     }
   });
 
   it('is one scene, whenever the volume comes while others want the context', async () => {
     for (let later = 0; later < 12; later++) {
-      const { keeper, told, user } = keep();
-      keeper.expect(true);
+      const { controller, told, user } = keep();
+      controller.expect(true);
       await settle();
       const others = Array.from({ length: maxContexts }, (): ContextHolder => ({ inSight: true, asked: false, mayHold: true, need: 'picture', busy: false, enter: () => {}, leave: () => {} }));
       others.forEach((other) => contextPool.add(other));
       for (let i = 0; i < later; i++) await Promise.resolve();
       Object.assign(user, { ready: true, volume: {}, optics: {} });
-      keeper.review();
+      controller.review();
       await settle();
       others.forEach((other) => contextPool.remove(other));
       await settle();
       const count = (what: string): number => told.filter((one) => one === what).length;
       expect([count('entered'), count('made') - count('gone')], `${later} turns later: ${told.join(' ')}`).to.deep.equal([1, 1]);
-      keeper.dispose();
+      controller.dispose();
     }
   });
 
   it('that can not be made is told when the volume is there, and then once', async () => {
-    const { keeper, told, user } = keep(2);
-    keeper.expect(true);
+    const { controller, told, user } = keep(2);
+    controller.expect(true);
     await settle();
-    expect([told, keeper.hasFailed]).to.deep.equal([[], true]);
+    expect([told, controller.hasFailed]).to.deep.equal([[], true]);
     Object.assign(user, { ready: true, volume: {}, optics: {} });
-    keeper.forgive();
-    keeper.review();
+    controller.clearErrors();
+    controller.review();
     await settle();
     expect(told).to.deep.equal(['failed']);
-    keeper.dispose();
+    controller.dispose();
   });
 });

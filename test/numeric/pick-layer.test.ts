@@ -22,11 +22,11 @@ async function pickAt(across: number, { styles, blend = 'mix' }: Pick<RayStyle, 
   const overlay = makeOverlay(overlayOf(volume, layer, { blend }), 'PET');
   const quiet = createQuietLayer();
   quiet.set(volume);
-  await Promise.all([quiet.setOptics(optics), quiet.setStyle(styleOf(optics)), quiet.setBeside((beside) => beside.setOverlay(overlay.shown))]);
+  await Promise.all([quiet.setOptics(optics), quiet.setStyle(styleOf(optics)), quiet.setAttached((attached) => attached.setOverlay(overlay.shown))]);
   const view = { view: viewMatrix(orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 30 }, [0, 0, 0], 0.6)), projection: projectionMatrix(0.6, 1, 1, 2) };
   const viewer = {
     volume, optics, drawn: true, place: { host: { clientWidth: 100, clientHeight: 100 } },
-    shown: { grid: volume.grid, cuts: { region: null, slices: [], cuts: [] }, labels: null, overlay }, scene: { getView: () => view }, keeper: { twins: (looks: boolean) => quiet.twins(false, looks) },
+    shown: { grid: volume.grid, cuts: { region: null, slices: [], cuts: [] }, labels: null, overlay }, scene: { getView: () => view }, controller: { twins: (looks: boolean) => quiet.twins(false, looks) },
   };
   return pick(viewer as unknown as Viewer, [across, 50]);
 }
@@ -35,12 +35,12 @@ describe('a pick where a layer shows, and the volume has no data', () => {
   for (const [name, styles] of [['as it is', undefined], ['in a style', [{ weight: 1, styles: [{ kind: 'silhouette', retained: 0.5, boundary: 1, sharpness: 2 }] }]]] as const) {
     it(`tells the layer's value, and that there is none of the volume: ${name}`, async () => {
       const both = [await pickAt(40, { styles }), await pickAt(60, { styles })];
-      const [there, beside] = both[0]?.voxel ? both : [both[1], both[0]];
+      const [there, attached] = both[0]?.voxel ? both : [both[1], both[0]];
       expect(there!.value).to.be.closeTo(0.2, 1e-6);
-      expect(beside!.value).to.deep.equal(NaN);
-      expect([beside!.voxel, beside!.layers]).to.deep.equal([null, [{ name: 'PET', value: 1, unit: '' }]]);
-      expect(beside!.opacity, 'as opaque as it is drawn').to.be.within(0.5, 1);
-      expect(beside!.world[2]).to.be.within(-5, 5);
+      expect(attached!.value).to.deep.equal(NaN);
+      expect([attached!.voxel, attached!.layers]).to.deep.equal([null, [{ name: 'PET', value: 1, unit: '' }]]);
+      expect(attached!.opacity, 'as opaque as it is drawn').to.be.within(0.5, 1);
+      expect(attached!.world[2]).to.be.within(-5, 5);
     });
   }
 

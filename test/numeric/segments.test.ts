@@ -4,7 +4,7 @@ import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { VolumeViewError } from '../../src/core/errors.ts';
 import { leadOf, readEnabled, readIdentifiers, tellStyles } from '../../src/x3d/nodes/read-segments.ts';
 import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
-import { segmentOf } from '../../src/viewer/attachments/segment-keeper.ts';
+import { segmentOf } from '../../src/viewer/attachments/segment-controller.ts';
 import { atlasOf, fakeView, plainLook, viewOf } from '../helpers/fake-view.ts';
 
 const nodeOf = (attributes: string): Element => viewOf(`<SegmentedVolumeData ${attributes}></SegmentedVolumeData>`).firstElementChild!;

@@ -1,7 +1,7 @@
 // When a surface is cut anew: with its volume, once a frame, and more rarely where it takes long; whole again without.
 import { expect } from '@esm-bundle/chai';
-import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
-import { SurfaceKeeper } from '../../src/viewer/attachments/surface-keeper.ts';
+import { ErrorState } from '../../src/viewer/model/error-state.ts';
+import { SurfaceController } from '../../src/viewer/attachments/surface-controller.ts';
 import { SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { SocketView } from '../../src/viewer/model/view-socket.ts';
@@ -22,7 +22,7 @@ function createView() {
   const settings = { region: { value: null as readonly number[] | null } };
   const work: Promise<unknown>[] = [];
   const viewer = { volume, shown, scene: { loadLines: async () => null }, invalidate: () => {}, reframe: () => {} };
-  socket.view = { host, awake: true, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), settings, viewer, volume, track: (one: Promise<unknown>) => work.push(one), reportFiles: () => {} } as unknown as SocketView;
+  socket.view = { host, awake: true, errors: new ErrorState({ file: '', changed: () => {}, failed: () => {} }), settings, viewer, volume, track: (one: Promise<unknown>) => work.push(one), reportFiles: () => {} } as unknown as SocketView;
   const target = new SurfaceTarget(socket, document.createElement('i'));
   return {
     socket, target, shown, settings, work,
@@ -76,18 +76,18 @@ describe('a surface that is cut with its volume', () => {
     const view = createView();
     const { socket, target, shown, settings, work } = view;
     let isCut = true;
-    const keeper = new SurfaceKeeper({
+    const controller = new SurfaceController({
       localName: 'volume-surface',
       wanted: () => ({ request: { surface: 'mesh', url: `data:text/plain,${encodeURIComponent(ballPly([0, 0, 0], 5))}`, space: null }, look: { color: [1, 0, 0], usesOwnColors: false, isCut } }),
       target: () => target, came: () => {}, progress: () => {}, failed: (error) => expect.fail(String(error)),
     });
     shown.cuts.away = above(1);
-    keeper.refresh();
+    controller.refresh();
     await Promise.all(work);
     expect(view.lowest).to.be.closeTo(1, 1e-6);
     const { places, cut } = socket.last('surface')!;
     expect(places!.some(([, , z]) => z < -4.9), 'cameras frame the whole').to.equal(true);
-    expect([cut!.away, cut!.whole]).to.deep.equal([above(1), keeper.surface]);
+    expect([cut!.away, cut!.whole]).to.deep.equal([above(1), controller.surface]);
 
     await view.cut(above(-2));
     expect(view.lowest).to.be.closeTo(-2, 1e-6);
@@ -101,17 +101,17 @@ describe('a surface that is cut with its volume', () => {
     expect(view.lowest).to.be.closeTo(4, 1e-6);
 
     isCut = false;
-    keeper.refresh();
+    controller.refresh();
     await Promise.all(work);
-    expect(socket.last('surface')!.surface).to.equal(keeper.surface);
+    expect(socket.last('surface')!.surface).to.equal(controller.surface);
     await view.cut(above(0));
-    expect(socket.last('surface')!.surface, 'nothing cuts it').to.equal(keeper.surface);
+    expect(socket.last('surface')!.surface, 'nothing cuts it').to.equal(controller.surface);
     shown.cuts.away = { ...nothing, removed: [[-9, 9], [-9, 9], [0, 4]] };
     isCut = true;
-    keeper.refresh();
+    controller.refresh();
     await Promise.all(work);
     expect(view.lowest).to.be.closeTo(4, 1e-6);
-    keeper.leave(target);
+    controller.leave(target);
     expect(socket.parts).to.deep.equal([]);
   });
 

@@ -1,12 +1,12 @@
 // A toy thing in the picture joins a view: it is in each scene, is placed after each picture, knows the volume, and leaves.
 import { expect } from '@esm-bundle/chai';
 import { noCuts } from '../../src/viewer/cuts/cuts.ts';
-import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
+import { ErrorState } from '../../src/viewer/model/error-state.ts';
 import type { Scene, View } from '../../src/viewer/model/scene.ts';
 import { socketOf, standIn, ViewSocket } from '../../src/viewer/model/view-socket.ts';
 import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
-import type { ScenePlace } from '../../src/viewer/scenes/scene-keeper.ts';
+import type { ScenePlace } from '../../src/viewer/scenes/scene-controller.ts';
 import type { ShownSurface } from '../../src/renderer/layers/shown-surfaces.ts';
 import { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
 import type { PresenterHost } from '../../src/viewer/view/volume-presenter.ts';
@@ -34,9 +34,9 @@ function makeView() {
     scenes.push(scene);
     return scene;
   };
-  const presence = { inSight: true, asked: false, mayBeNear: true, inHand: false };
-  const place = { host, container: document.createElement('div'), presence, scenes: { create } } as unknown as ScenePlace;
-  const errors = new ErrorBoard({ file: '', changed: () => {}, failed: (_, error) => did.push(error.message) });
+  const visibility = { inSight: true, asked: false, mayBeNear: true, inHand: false };
+  const place = { host, container: document.createElement('div'), visibility, scenes: { create } } as unknown as ScenePlace;
+  const errors = new ErrorState({ file: '', changed: () => {}, failed: (_, error) => did.push(error.message) });
   const presenter = new VolumePresenter({ host, settings: {}, awake: true, emit: () => {}, track: () => {} } as unknown as PresenterHost, errors);
   const viewer = (presenter.viewer = new Viewer(place, { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: (error) => errors.report('scene', error) }));
   viewer.loop.end(); // Nothing here draws pictures.

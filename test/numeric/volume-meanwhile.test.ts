@@ -1,7 +1,7 @@
 import { rotate } from '../../src/viewer/camera/camera-moves.ts';
 import { expect } from '@esm-bundle/chai';
 import { noCuts } from '../../src/viewer/cuts/cuts.ts';
-import type { ScenePlace } from '../../src/viewer/scenes/scene-keeper.ts';
+import type { ScenePlace } from '../../src/viewer/scenes/scene-controller.ts';
 import type { AuthorCamera, Scene } from '../../src/viewer/model/scene.ts';
 import { SourceLoader } from '../../src/viewer/session/source-loader.ts';
 import type { LoaderHost, LoaderParts } from '../../src/viewer/session/source-loader.ts';
@@ -32,8 +32,8 @@ function view(author: AuthorCamera | null = null): { viewer: Viewer; volumes: Vo
     bringVolume: async (one: Volume, givenUp: () => boolean) => !givenUp() && volumes.push(one) > 0,
     authorCamera: () => author, dispose: () => {},
   }) as unknown as Scene;
-  const presence = { inSight: true, asked: false, mayBeNear: true, inHand: false };
-  const place = { host: document.createElement('div'), container: document.createElement('div'), presence, scenes: { create } } as unknown as ScenePlace;
+  const visibility = { inSight: true, asked: false, mayBeNear: true, inHand: false };
+  const place = { host: document.createElement('div'), container: document.createElement('div'), visibility, scenes: { create } } as unknown as ScenePlace;
   return { viewer: new Viewer(place, { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: () => {} }), volumes };
 }
 

@@ -90,7 +90,7 @@ interface Way {
 }
 
 /** Volumes drawn in another way, by names. */
-function otherwise({ how, family, use }: Way, names: readonly string[]): InnerScene[] {
+function drawnBy({ how, family, use }: Way, names: readonly string[]): InnerScene[] {
   return names.map((name) => ({ family: `${name}${family}`, name: `${name}, ${how}`, shown: volumes[name], use }));
 }
 
@@ -99,11 +99,11 @@ export const innerScenes: readonly InnerScene[] = [
   ...plain,
   { family: 'box, a shape', name: 'box, a shape', shown: ofBox(box('uint8'), { children: sphere }), use: (d) => d.draw() },
   { family: 'box, a shape, probe', name: 'box, a shape, probe', shown: ofBox(box('uint8'), { children: sphere }), use: (d) => d.probe(5) },
-  ...otherwise({ how: 'adaptive rays', family: ', adaptive', use: (d) => d.drawAdaptive(12) }, ['box, 8 bits', 'box, floats with a hole', 'polar, 8 bits', 'polar, folds']),
-  ...otherwise({ how: 'many adaptive rays', family: ', many', use: (d) => d.drawAdaptive(3) }, ['box, 16 bits', 'polar, rays of their own elevations']),
-  ...otherwise({ how: 'in pieces', family: '', use: (d) => d.drawInPieces(17, 0) }, ['box, 16 bits', 'box, region', 'polar, slices']),
-  ...otherwise({ how: 'adaptive rays in pieces', family: ', adaptive', use: (d) => d.drawInPieces(17, 12) }, ['box, 8 bits', 'polar, 8 bits']),
-  ...otherwise({ how: 'without skipping', family: '', use: (d) => d.drawSlowly() }, ['box, 8 bits', 'polar, 8 bits', 'polar, slices']),
-  ...otherwise({ how: 'undivided steps', family: ', undivided', use: (d) => d.drawCoarsely(1) }, ['box, 8 bits', 'polar, 8 bits']),
-  ...otherwise({ how: 'probe', family: ', probe', use: (d) => d.probe(7) }, ['box, 8 bits', 'box, floats with a hole', 'polar, 8 bits', 'polar, folds', 'polar, slices']),
+  ...drawnBy({ how: 'adaptive rays', family: ', adaptive', use: (d) => d.drawAdaptive(12) }, ['box, 8 bits', 'box, floats with a hole', 'polar, 8 bits', 'polar, folds']),
+  ...drawnBy({ how: 'many adaptive rays', family: ', many', use: (d) => d.drawAdaptive(3) }, ['box, 16 bits', 'polar, rays of their own elevations']),
+  ...drawnBy({ how: 'in pieces', family: '', use: (d) => d.drawInPieces(17, 0) }, ['box, 16 bits', 'box, region', 'polar, slices']),
+  ...drawnBy({ how: 'adaptive rays in pieces', family: ', adaptive', use: (d) => d.drawInPieces(17, 12) }, ['box, 8 bits', 'polar, 8 bits']),
+  ...drawnBy({ how: 'without skipping', family: '', use: (d) => d.drawSlowly() }, ['box, 8 bits', 'polar, 8 bits', 'polar, slices']),
+  ...drawnBy({ how: 'undivided steps', family: ', undivided', use: (d) => d.drawCoarsely(1) }, ['box, 8 bits', 'polar, 8 bits']),
+  ...drawnBy({ how: 'probe', family: ', probe', use: (d) => d.probe(7) }, ['box, 8 bits', 'box, floats with a hole', 'polar, 8 bits', 'polar, folds', 'polar, slices']),
 ];

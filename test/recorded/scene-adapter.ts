@@ -91,7 +91,7 @@ export async function withDrawing<T>(shown: Shown, webgl2: boolean, use: (drawin
   const scene = await VolumeScene.create(host, container, () => {}, fieldProviders);
   try {
     if (scene.device.webgl2 !== webgl2) throw new Error(`the scene got WebGL ${scene.device.webgl2 ? 2 : 1}; expected the other one`);
-    return use(startDrawing(scene, shown, await furnish(scene, shown)));
+    return use(startDrawing(scene, shown, await applyTo(scene, shown)));
   } finally {
     scene.dispose();
     host.remove();
@@ -114,7 +114,7 @@ function toSlice(cut: Cut): Slice {
 }
 
 /** @returns the step's world length */
-async function furnish(scene: VolumeScene, shown: Shown): Promise<number> {
+async function applyTo(scene: VolumeScene, shown: Shown): Promise<number> {
   const volume = buildVolume(shown.volume);
   const diagonal = longestDiagonal(volume.grid);
   await scene.prepare(volume);

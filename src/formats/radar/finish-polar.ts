@@ -19,7 +19,7 @@ export function outlinePolar({ makeMacrocells: _later, ...decoded }: DecodedPola
 }
 
 /** A copy with empty macrocells, so that the renderer can prepare for this volume; null for a large one. */
-export function foretellPolar({ samples, ...of }: PolarOutline): CoarseVolume | null {
+export function predictPolar({ samples, ...of }: PolarOutline): CoarseVolume | null {
   if (samples.byteLength > maxPreviewBytes) return null;
   const cells = of.grid.dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
   return { volume: { ...of, samples: samples.slice(), macrocells: emptyMacrocells(samples, cells), coarse: true }, of };

@@ -40,9 +40,9 @@ export function labelField({ map, styles }: ShownLabels, hides = false): SecondF
  */
 export const labelShade: ShadeStage = ({ front, back }, seen) => {
   const [first, last] = labelledEnds(front, back).map(({ style }) => style);
-  if (isAlike(first, last)) return wear(seen, first, 1);
-  const both = wear(seen, first, 0.5);
-  composite(both, wear(seen, last, 0.5));
+  if (isAlike(first, last)) return apply(seen, first, 1);
+  const both = apply(seen, first, 0.5);
+  composite(both, apply(seen, last, 0.5));
   return both;
 };
 
@@ -66,7 +66,7 @@ function isAlike(a: LabelStyle, b: LabelStyle): boolean {
 }
 
 /** Applies a label's style to a share of a piece of a ray: extinction times the factor, colours times the label's colour. */
-export function wear([red, green, blue, alpha]: Premultiplied, { color, opacityFactor }: LabelStyle, share: number): Premultiplied {
+export function apply([red, green, blue, alpha]: Premultiplied, { color, opacityFactor }: LabelStyle, share: number): Premultiplied {
   if (!(alpha > 0)) return [0, 0, 0, 0];
   const opacity = opacityFactor > 0 ? -Math.expm1(opacityFactor * share * Math.log1p(-alpha)) : 0;
   const ratio = opacity / alpha;

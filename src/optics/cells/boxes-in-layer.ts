@@ -34,7 +34,7 @@ export function boxesIn(over: Grid, layer: Grid): ((cell: Vector3) => UnitBox) |
 }
 
 /** Whether a box lies wholly outside the layer. */
-export function isBeside({ low, high }: UnitBox): boolean {
+export function isOutside({ low, high }: UnitBox): boolean {
   return low.some((x) => x > 1) || high.some((x) => x < 0);
 }
 

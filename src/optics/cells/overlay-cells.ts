@@ -3,7 +3,7 @@ import { finestSpacing } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { boxesIn, boxReader, countTouched, isBeside, reachesBeyond } from './boxes-in-layer.ts';
+import { boxesIn, boxReader, countTouched, isOutside, reachesBeyond } from './boxes-in-layer.ts';
 import type { UnitBox } from './boxes-in-layer.ts';
 import type { SeenVolume } from './cell-detail.ts';
 import { emission } from '../transfer/emission.ts';
@@ -59,7 +59,7 @@ export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
   const [mx, my] = macrocells.dimensions;
   for (let k = 0, cell = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++, cell++) {
     const box = boxOf([i, j, k]);
-    if (isBeside(box)) continue;
+    if (isOutside(box)) continue;
     cells.ends[cell] = Number(reachesBeyond(box));
     const { first, last } = blocksOf(box, volume);
     for (let z = first[2]; z <= last[2]; z++) for (let y = first[1]; y <= last[1]; y++) for (let x = first[0]; x <= last[0]; x++) include(cell, x + mx * (y + my * z));

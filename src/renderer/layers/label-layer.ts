@@ -51,7 +51,7 @@ export class LabelLayer {
   #wanted: ShownLabels | null = null;
   #brought: Brought | null = null;
   /** The styles that are in the table now. */
-  #worn: ShownLabels['styles'] | null = null;
+  #applied: ShownLabels['styles'] | null = null;
   readonly #looks = new Kept<CellLooks>();
   readonly #contribution = new Kept<Contribution>();
   readonly #detail = new Kept<Pick<SeenVolume, 'more' | 'functions'>>();
@@ -76,7 +76,7 @@ export class LabelLayer {
       if (labels && !brought) return; // The context was lost.
       disposeOf(this.#brought);
       this.#brought = brought;
-      this.#worn = null;
+      this.#applied = null;
     }
     this.#shown = labels;
   }
@@ -142,8 +142,8 @@ export class LabelLayer {
   #inputs({ styles }: ShownLabels): ProgramInputs {
     const { block, table } = this.#brought!;
     const { uniforms: { uMosaic }, units: [unit] } = block.inputs();
-    if (this.#worn !== styles) table.wear(styles);
-    this.#worn = styles;
+    if (this.#applied !== styles) table.apply(styles);
+    this.#applied = styles;
     return joinInputs(table.inputs, { uniforms: uMosaic ? { uLabelMosaic: uMosaic } : {}, units: [{ ...unit, samplerName: 'uLabels' }] });
   }
 

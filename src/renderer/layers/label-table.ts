@@ -15,7 +15,7 @@ const finestEdge = 4;
 export interface LabelTable {
   readonly inputs: ProgramInputs;
   /** Write the labels' appearance. @param styles - one for each id of the map */
-  wear(styles: readonly LabelStyle[]): void;
+  apply(styles: readonly LabelStyle[]): void;
   dispose(): void;
 }
 
@@ -45,7 +45,7 @@ export function* createLabelTable(gl: Gl, map: LabelMap, { maxTextureSize }: Dev
       uniforms: { uLabelTableRows: [styleRows, 1 / rows], uLabelCells: [...map.dimensions.map((n) => Math.ceil(n / edge)), 1 / edge] },
       units: [textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uLabelTable' })],
     },
-    wear: (styles) => upload(Float32Array.from(styles.flatMap(({ color: [red, green, blue], opacityFactor, group = 0 }) => [red + 2 * group, green, blue, Math.max(0, opacityFactor)])), 0),
+    apply: (styles) => upload(Float32Array.from(styles.flatMap(({ color: [red, green, blue], opacityFactor, group = 0 }) => [red + 2 * group, green, blue, Math.max(0, opacityFactor)])), 0),
     dispose: () => gl.deleteTexture(texture),
   };
 }

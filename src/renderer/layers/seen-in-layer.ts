@@ -24,12 +24,12 @@ export class SeenInLayer {
    * Which macrocells show something, and what they show.
    * @param contributions - which values can show; empty if any value can be seen
    */
-  find(volume: Volume, optics: Optics, contributions: readonly Contribution[], beside: MoreSeen): SeenVolume {
+  find(volume: Volume, optics: Optics, contributions: readonly Contribution[], attached: MoreSeen): SeenVolume {
     const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
     const cells = this.#cells.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
-    return this.#seen.get([cells, optics, ...beside.shown], () => {
+    return this.#seen.get([cells, optics, ...attached.shown], () => {
       const seen = { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
-      return { ...seen, ...beside.more(seen) };
+      return { ...seen, ...attached.more(seen) };
     });
   }
 

@@ -12,7 +12,7 @@ import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { BesideLayer } from './beside-layer.ts';
+import type { AttachedLayers } from './attached-layers.ts';
 import type { Device, Gl } from '../device/device.ts';
 import type { FieldProviders } from './field-providers.ts';
 import { finishUpload, quickBytes } from '../textures/fill-texture.ts';
@@ -50,7 +50,7 @@ export class VolumeLayer {
   #slices: SliceModule | null = null;
   #style: StyleModules | null = null;
   #styleCalls = 0;
-  #beside: BesideLayer | null = null;
+  #attached: AttachedLayers | null = null;
   #classifiers: Classifiers | null = null;
   #optics: Optics | null = null;
   #opticsCalls = 0;
@@ -119,9 +119,9 @@ export class VolumeLayer {
    * @returns resolves when the next picture will show it; a later call replaces this one
    * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing, `format/too-large`
    */
-  async setBeside(set: (beside: BesideLayer) => Promise<void>): Promise<void> {
-    const { BesideLayer } = await loadPart(import('./beside-layer.ts'), 'shows labels and layers');
-    await set((this.#beside ??= new BesideLayer(this.gl, this.device, this.providers)));
+  async setAttached(set: (attached: AttachedLayers) => Promise<void>): Promise<void> {
+    const { AttachedLayers } = await loadPart(import('./attached-layers.ts'), 'shows labels and layers');
+    await set((this.#attached ??= new AttachedLayers(this.gl, this.device, this.providers)));
   }
 
   /** Modules from outside: one replaces the layer's module of a stage that has one module, and is added to a stage that has several. */
@@ -186,8 +186,8 @@ export class VolumeLayer {
   modules(surfaces: boolean, looks = isCut(this.substeps)): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying(looks)];
-    const beside = chooseModules([...own, ...(this.#beside?.modules(this) ?? [])]);
-    const all = this.#beside?.fit(beside) ?? beside;
+    const attached = chooseModules([...own, ...(this.#attached?.modules(this) ?? [])]);
+    const all = this.#attached?.fit(attached) ?? attached;
     return chooseModules([...all, ...(this.#style?.modules(all) ?? []), ...this.#given]);
   }
 
@@ -269,10 +269,10 @@ export class VolumeLayer {
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
     const optics = this.optics;
     return this.#seen.find(this.#opened, optics, contributions, {
-      shown: [this.#beside?.shown, this.#style],
+      shown: [this.#attached?.shown, this.#style],
       more: (seen) => {
         const looks = this.modules(false, true).some(({ name }) => name === 'jumps');
-        const own = this.#beside?.more(volume, seen, optics);
+        const own = this.#attached?.more(volume, seen, optics);
         const more = looks ? { ...own, found: this.#classifiers!.jumpsOf(volume, optics) } : own;
         return this.#style?.seen ? this.#style.seen(more, { volume, ...optics }) : more;
       },
@@ -282,12 +282,12 @@ export class VolumeLayer {
   #contributions(modules: readonly RayModule[]): readonly Contribution[] {
     const own = this.#style?.contributions?.(modules, this.optics!);
     const all = own ?? modules.map((module) => module.contributes?.(this.optics!)).filter((one): one is Contribution => one !== undefined);
-    return this.#beside?.widen(this.#volume!, all) ?? all;
+    return this.#attached?.widen(this.#volume!, all) ?? all;
   }
 
   /** The volume as the code that skips empty space reads it. */
   get #opened(): Volume {
-    return this.#beside?.open(this.#volume!) ?? this.#volume!;
+    return this.#attached?.open(this.#volume!) ?? this.#volume!;
   }
 
   /** The rays of a view; null without a volume, or if the grid is singular. */
@@ -323,6 +323,6 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#style, this.#classifiers, this.#beside]) module?.dispose?.();
+    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#style, this.#classifiers, this.#attached]) module?.dispose?.();
   }
 }

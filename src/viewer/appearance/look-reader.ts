@@ -1,4 +1,4 @@
-import type { ErrorBoard } from '../model/error-board.ts';
+import type { ErrorState } from '../model/error-state.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { resolveLook } from './resolve-look.ts';
 import type { ScanModel } from '../model/scan-model.ts';
@@ -14,7 +14,7 @@ export interface LookHost {
   /** The volume of the present appearance; null where there is no volume. */
   readonly model: ScanModel | null;
   /** Show the volume with another appearance. @param signal - aborted where a newer one is being read */
-  wear(optics: VolumeOptics, signal: AbortSignal): Promise<void>;
+  apply(optics: VolumeOptics, signal: AbortSignal): Promise<void>;
   /** The appearance has changed; null where there is no longer a volume. */
   lookChanged(optics: VolumeOptics | null): void;
   track(work: Promise<unknown>): void;
@@ -38,9 +38,9 @@ export class LookReader {
   /** The code that reads X3D's volume nodes, once there are some. */
   declare nodes?: Promise<VolumeNodeReader>;
   /** The transfer function of a volume that is itself labels, where its page gives none. */
-  dress: { readonly transferFunction: TransferFunction } | null = null;
+  replacement: { readonly transferFunction: TransferFunction } | null = null;
 
-  constructor(readonly host: LookHost, readonly errors: ErrorBoard) {}
+  constructor(readonly host: LookHost, readonly errors: ErrorState) {}
 
   /** The appearance of the volume; null before there is one. */
   get current(): VolumeOptics | null {
@@ -48,7 +48,7 @@ export class LookReader {
   }
 
   /** Read the settings again and apply them. */
-  readAnew(): void {
+  readAgain(): void {
     const { model } = this.host;
     this.interrupt();
     this.#isDue = false;
@@ -58,7 +58,7 @@ export class LookReader {
     this.host.track(this.errors.run('optics', signal, async () => {
       const optics = await this.read(model);
       signal.throwIfAborted();
-      await this.host.wear(optics, signal);
+      await this.host.apply(optics, signal);
       signal.throwIfAborted();
       this.#reading = null;
       this.tell(optics);
@@ -81,14 +81,14 @@ export class LookReader {
 
   /** Read again what has changed during a load. */
   catchUp(): void {
-    if (this.#isDue) this.readAnew();
+    if (this.#isDue) this.readAgain();
   }
 
   /** @throws {VolumeViewError} `attribute/invalid` or `transfer-function/syntax` */
   async read(model: ScanModel): Promise<VolumeOptics> {
     const { look } = this.host.settings;
     if (look.error) throw look.error;
-    const optics = await resolveLook(look.value, { ...model, ...this.dress });
+    const optics = await resolveLook(look.value, { ...model, ...this.replacement });
     return (await this.nodes)?.withVolumeNodes(this.host, optics, model) ?? optics;
   }
 

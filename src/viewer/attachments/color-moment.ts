@@ -8,7 +8,7 @@ import { deviceLimits } from '../../renderer/device/device.ts';
 import { probeDevice } from '../../renderer/probes/probe-device.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { PolarVolume, Volume } from '../../volume/volume.ts';
-import { loadBeside } from '../loading/load-beside.ts';
+import { loadAttachment } from '../loading/load-attachment.ts';
 import { makeOverlay } from './make-overlay.ts';
 import { OverlayTarget } from './overlay-target.ts';
 import { readSource } from '../loading/read-source.ts';
@@ -79,7 +79,7 @@ class ColorMoment {
     if (!moment && before) this.#target.cleared(); // Else the error may belong to a <volume-layer>.
     const isWanted = moment !== null && volume !== null && viewer !== null;
     if (!isWanted && !this.#isShown) return false;
-    const work = (isWanted ? this.#read(moment, volume, signal) : this.#wear(null)).catch((error: unknown) => this.#fail(error, signal));
+    const work = (isWanted ? this.#read(moment, volume, signal) : this.#apply(null)).catch((error: unknown) => this.#fail(error, signal));
     this.#target.track(work);
     await work;
     return true;
@@ -96,7 +96,7 @@ class ColorMoment {
     if (volume.radar?.time !== over.radar?.time) return;
     const overlay = await colorByMoment(over, volume, moment);
     signal.throwIfAborted();
-    await this.#wear(overlay);
+    await this.#apply(overlay);
     this.#target.cleared();
   }
 
@@ -108,18 +108,18 @@ class ColorMoment {
     const several = scan !== null && scan.count > 1;
     const which = settings.stack ? { url: urls[0], files: urls } : urls.length > 1 ? { url: urls[index] } : { url: urls[0], ...(several ? { scan: { index } } : {}) };
     const request = { ...(settings.source && readSource(settings.source)), ...which, moment, limits: deviceLimits(probeDevice()) };
-    return loadBeside(request, signal); // Nobody reports when the view is gone, so the volume is not kept.
+    return loadAttachment(request, signal); // Nobody reports when the view is gone, so the volume is not kept.
   }
 
-  async #wear(overlay: ViewOverlay | null): Promise<void> {
+  async #apply(overlay: ViewOverlay | null): Promise<void> {
     this.#isShown = overlay !== null;
-    await this.#target.wear(overlay);
+    await this.#target.show(overlay);
     this.view.dispatchEvent(new CustomEvent('layer-change', { detail: null }));
   }
 
   #fail(error: unknown, signal: AbortSignal): void {
     if (signal.aborted) return;
-    if (this.#isShown) this.#wear(null).catch(() => {});
+    if (this.#isShown) this.#apply(null).catch(() => {});
     this.#target.failed(error);
   }
 }

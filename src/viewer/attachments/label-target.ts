@@ -41,11 +41,11 @@ export class PresenterTarget extends PresenterPlace<ViewLabels> implements Label
     return scene.setLabels(labels);
   }
 
-  dress(transferFunction: TransferFunction | null): void {
+  replaceTransferFunction(transferFunction: TransferFunction | null): void {
     const { look } = this.view;
-    if (isSame(look.dress?.transferFunction ?? null, transferFunction)) return;
-    look.dress = transferFunction === null ? null : { transferFunction };
-    look.readAnew();
+    if (isSame(look.replacement?.transferFunction ?? null, transferFunction)) return;
+    look.replacement = transferFunction === null ? null : { transferFunction };
+    look.readAgain();
   }
 
   takeAsLabels(volume: Volume): Promise<void> {

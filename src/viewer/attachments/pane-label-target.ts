@@ -3,8 +3,8 @@ import type { VolumeViewError } from '../../core/errors.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { asLabels } from '../../volume/label-volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { tellBeside } from '../model/beside-notices.ts';
-import type { FileNotices, ToldFile } from '../model/beside-notices.ts';
+import { reportFileNotices } from '../model/file-notices.ts';
+import type { FileNotices, ToldFile } from '../model/file-notices.ts';
 import type { LabelTarget } from './label-target.ts';
 
 /** A pane with its own volume. */
@@ -28,7 +28,7 @@ export class PaneTarget implements LabelTarget {
   /** The error of the labels. */
   error: VolumeViewError | null = null;
   /** What of the labels' file is not shown. */
-  readonly besideNotices = new Map<object, readonly FileNotices[]>();
+  readonly fileNotices = new Map<object, readonly FileNotices[]>();
   #work: Promise<unknown> = Promise.resolve();
 
   constructor(readonly pane: LabelledPane) {}
@@ -46,11 +46,11 @@ export class PaneTarget implements LabelTarget {
     return this.#work;
   }
 
-  async wear(): Promise<void> {
+  async show(): Promise<void> {
     this.pane.changed();
   }
 
-  dress(transferFunction: TransferFunction | null): void {
+  replaceTransferFunction(transferFunction: TransferFunction | null): void {
     this.look = transferFunction;
   }
 
@@ -74,6 +74,6 @@ export class PaneTarget implements LabelTarget {
   }
 
   reportFiles(files: readonly ToldFile[]): void {
-    tellBeside({ besideNotices: this.besideNotices, user: this.pane }, this, files);
+    reportFileNotices({ fileNotices: this.fileNotices, user: this.pane }, this, files);
   }
 }

@@ -1,6 +1,6 @@
 import type { Volume } from '../../volume/volume.ts';
-import type { ToldFile } from '../model/beside-notices.ts';
-import type { Aspect } from '../model/error-board.ts';
+import type { ToldFile } from '../model/file-notices.ts';
+import type { Aspect } from '../model/error-state.ts';
 import type { Scene } from '../model/scene.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
 
@@ -36,7 +36,7 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
   }
 
   /** Show another value; null for nothing. @returns resolves when the next picture shows it @throws {VolumeViewError} */
-  async wear(value: Value | null): Promise<void> {
+  async show(value: Value | null): Promise<void> {
     const before = this.value;
     this.value = value;
     if (!value) await this.socket.leave(this);

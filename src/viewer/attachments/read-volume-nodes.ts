@@ -6,11 +6,11 @@ import type { ProjectionKind } from '../../optics/rays/ray-style.ts';
 import type { StyleChain, VolumeStyle } from '../../optics/transfer/volume-styles.ts';
 import { readIsoSurfaces } from '../../x3d/nodes/read-iso-surfaces.ts';
 import { atlasUnit, isEnabled, isStyle, readOpacityFactor, textureIn, voxelsOf, withNodeColors } from '../../x3d/nodes/read-node-colors.ts';
-import type { BlendKeeper } from './blend-keeper.ts';
+import type { BlendController } from './blend-controller.ts';
 import { leadOf, readEnabled, readIdentifiers } from '../../x3d/nodes/read-segments.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import type { Segment } from '../../x3d/nodes/read-segments.ts';
-import type { SegmentKeeper, Segments } from './segment-keeper.ts';
+import type { SegmentController, Segments } from './segment-controller.ts';
 import { readVolumeStyle } from '../../x3d/nodes/read-volume-style.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 import { socketOf, standIn } from '../model/view-socket.ts';
@@ -36,8 +36,8 @@ interface Said {
 const nothingSaid = (): Said => ({ chains: [{ weight: 1, styles: [] }], projection: null, threshold: 0 });
 
 /** The controllers of segments, and of second volumes, for each view that has or had one. */
-const segmentKeepers = new WeakMap<Element, SegmentKeeper>();
-const blendKeepers = new WeakMap<Element, BlendKeeper>();
+const segmentKeepers = new WeakMap<Element, SegmentController>();
+const blendKeepers = new WeakMap<Element, BlendController>();
 
 /** The last reading of nodes for each view: parts and textures of an earlier reading may come later. */
 const readings = new WeakMap<Element, object>();
@@ -73,8 +73,8 @@ function isOfAtlas(host: Element): boolean {
 /** The second volume is a layer, which has its own controller. */
 async function showSecond(host: Element, second: SecondVolume, isLast: () => boolean): Promise<void> {
   if (!blendKeepers.has(host)) {
-    const { BlendKeeper } = await loadPart(import('./blend-keeper.ts'), 'blends two volumes');
-    if (!blendKeepers.has(host)) blendKeepers.set(host, new BlendKeeper(socketOf(host)));
+    const { BlendController } = await loadPart(import('./blend-controller.ts'), 'blends two volumes');
+    if (!blendKeepers.has(host)) blendKeepers.set(host, new BlendController(socketOf(host)));
   }
   if (isLast()) await blendKeepers.get(host)!.show(second);
 }
@@ -86,8 +86,8 @@ function findNode(host: Element, name: string): Element | undefined {
 /** Segments are labels of the volume, which have their own controller. */
 async function showSegments(host: Element, segments: Segments, isLast: () => boolean): Promise<void> {
   if (!segmentKeepers.has(host)) {
-    const { SegmentKeeper } = await loadPart(import('./segment-keeper.ts'), 'shows segments');
-    if (!segmentKeepers.has(host)) segmentKeepers.set(host, new SegmentKeeper(socketOf(host)));
+    const { SegmentController } = await loadPart(import('./segment-controller.ts'), 'shows segments');
+    if (!segmentKeepers.has(host)) segmentKeepers.set(host, new SegmentController(socketOf(host)));
   }
   if (isLast()) await segmentKeepers.get(host)!.show(segments, isLast);
 }

@@ -3,8 +3,8 @@ import { loadPart } from '../../core/load-part.ts';
 import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { ToldFile } from '../model/beside-notices.ts';
-import type { BesideTarget } from '../model/label-target.ts';
+import type { ToldFile } from '../model/file-notices.ts';
+import type { AttachmentTarget } from '../model/label-target.ts';
 import type { Scene } from '../model/scene.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
 import type { SurfaceCutter } from './surface-cutter.ts';
@@ -13,7 +13,7 @@ import type { SurfaceCutter } from './surface-cutter.ts';
 const problems = new WeakMap<ViewSocket, Map<Element, unknown>>();
 
 /** The place of a surface in a <volume-view>; it is also the part that shows it in the view. */
-export class SurfaceTarget implements BesideTarget, ViewPart {
+export class SurfaceTarget implements AttachmentTarget, ViewPart {
   readonly key: string;
   #waitNoMore = (): void => {};
   /** The last surface to be shown, uncut. */

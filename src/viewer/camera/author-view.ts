@@ -9,7 +9,7 @@ export class AuthorView {
   /** The author's viewpoint as it was before a person moved it. */
   #given = '';
   /** Whether the next scene starts at the author's viewpoint, even if a person had moved it. */
-  #anew = false;
+  #again = false;
 
   constructor(readonly rig: CameraRig) {}
 
@@ -23,10 +23,10 @@ export class AuthorView {
    */
   follow(scene: Scene | null, force = false): void {
     if (!scene) {
-      this.#anew ||= force;
+      this.#again ||= force;
       return;
     }
-    this.#anew = false;
+    this.#again = false;
     const author = scene.authorCamera();
     const left = this.#drives && !author;
     this.#drives = author !== null;
@@ -43,7 +43,7 @@ export class AuthorView {
   /** Follow in a new scene: if the viewpoint has not changed, a person's turn around it is kept. */
   enter(scene: Scene): void {
     const author = scene.authorCamera();
-    if (author && !this.#anew && JSON.stringify(author.camera) === this.#given) this.#last = this.#given;
+    if (author && !this.#again && JSON.stringify(author.camera) === this.#given) this.#last = this.#given;
     else this.follow(scene, true);
   }
 

@@ -1,6 +1,6 @@
 import { loadPart } from '../../core/load-part.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { ErrorBoard } from '../model/error-board.ts';
+import type { ErrorState } from '../model/error-state.ts';
 import type * as ReadCuts from './read-cuts.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import type { Settings } from '../model/settings.ts';
@@ -42,7 +42,7 @@ export class CutReader {
    */
   constructor(
     readonly host: Element,
-    readonly errors: ErrorBoard,
+    readonly errors: ErrorState,
     readonly settings: () => Settings,
   ) {}
 

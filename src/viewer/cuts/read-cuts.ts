@@ -11,7 +11,7 @@ import type { PolarGrid } from '../../volume/polar-grid.ts';
 import { cutRegion } from '../../volume/region.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { WorldCut } from '../../volume/world-cut.ts';
-import { ErrorBoard } from '../model/error-board.ts';
+import { ErrorState } from '../model/error-state.ts';
 import { invalid, parseNumbers } from '../model/parse-attributes.ts';
 import type * as Clips from './read-clips.ts';
 import type * as Planes from './read-planes.ts';
@@ -24,12 +24,12 @@ import type { Cuts } from './shown-cuts.ts';
 /** What reading cuts needs of its caller. */
 interface Reader {
   readonly host: Element;
-  readonly errors: ErrorBoard;
+  readonly errors: ErrorState;
   readonly settings: () => Pick<Settings, 'region' | 'rings' | 'look'>;
 }
 
 /** Takes the errors of a coarse volume: they are reported only once, for the full volume. */
-const untold = new ErrorBoard({ file: '', changed: () => {}, failed: () => {} });
+const untold = new ErrorState({ file: '', changed: () => {}, failed: () => {} });
 
 /**
  * All cuts that an author requests. What can't be read is reported, and left out.

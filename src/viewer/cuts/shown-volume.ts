@@ -35,7 +35,7 @@ export class ShownVolume {
   }
 
   /** @returns whether rays must now be drawn in another style */
-  wear(optics: VolumeOptics): boolean {
+  apply(optics: VolumeOptics): boolean {
     const { style } = this;
     this.optics = optics;
     return !isSameStyle(style, this.style);
@@ -52,7 +52,7 @@ export class ShownVolume {
   }
 
   /** Apply the rest to a new scene, which already has the volume, the projection and what the optics need. */
-  furnish(scene: Scene): void {
+  applyTo(scene: Scene): void {
     void scene.setOptics(this.optics!); // At once: what the optics need is loaded.
     this.cut(scene);
   }

@@ -28,7 +28,7 @@ export class FrameDrawing {
 
   /** Draw the next frame. @returns whether another must follow, because this one is not final */
   async drawFrame(time: number): Promise<boolean> {
-    const { keeper, loop, shown } = this.pictures.parts;
+    const { controller, loop, shown } = this.pictures.parts;
     await this.quality.prepare();
     const { volume } = shown;
     if (!volume) return false;
@@ -39,8 +39,8 @@ export class FrameDrawing {
     if (!inMotion && (isBrief || isFirst)) return this.#drawStandIn(time, !isBrief);
     // At rest too, a quick picture shows how long others take, once its program is compiled.
     const { untimed } = this.quality;
-    if (untimed && (inMotion || keeper.isNew)) await this.#time(time);
-    const { scene } = keeper;
+    if (untimed && (inMotion || controller.isNew)) await this.#time(time);
+    const { scene } = controller;
     if (!scene) return false;
     const size = this.sizeIn(scene);
     // At rest too, the first picture of a view appears within a frame's time, and a better one follows.
@@ -49,11 +49,11 @@ export class FrameDrawing {
     const rows = quick || !scene.gatherable ? null : this.quality.rowsOfPieces(size, plan);
     const stats = rows ? await this.pictures.gather(scene, plan, size, { rows, pieceMs: this.quality.pieceMs }) : await this.#draw(scene, time, plan);
     if (!stats) return true;
-    const atRest = !inMotion && !loop.dirty && keeper.scene === scene;
+    const atRest = !inMotion && !loop.dirty && controller.scene === scene;
     // Report the picture at once if its error is known; else when the error has been measured.
     const isKnown = quick || this.quality.error !== null;
     if (isKnown) this.#tell(stats);
-    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && keeper.scene === scene;
+    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && controller.scene === scene;
     const again = atRest && (await this.quality.probe(scene, shown.grid, { plan, size, goesOn }));
     if (!isKnown || (quick && atRest && !again)) this.#tell(stats);
     return again || inMotion;
@@ -61,7 +61,7 @@ export class FrameDrawing {
 
   /** Draw a coarse picture at once: the time of a frame is not known yet. @returns `again` */
   async #drawStandIn(time: number, again: boolean): Promise<boolean> {
-    const { scene } = this.pictures.parts.keeper;
+    const { scene } = this.pictures.parts.controller;
     this.quality.warmUp();
     if (scene) this.#tell(await this.#draw(scene, time, standInFrame, false));
     return again;
@@ -85,11 +85,11 @@ export class FrameDrawing {
    * scene compiles the shader, so its time is not used.
    */
   async #time(time: number): Promise<void> {
-    const { keeper } = this.pictures.parts;
+    const { controller } = this.pictures.parts;
     const plan = this.pictures.drawn ? standInFrame : firstFrame;
     this.quality.warmUp();
-    if (keeper.isNew && keeper.scene) await this.#draw(keeper.scene, time, plan, false);
-    if (keeper.scene) await this.#draw(keeper.scene, time, plan);
+    if (controller.isNew && controller.scene) await this.#draw(controller.scene, time, plan, false);
+    if (controller.scene) await this.#draw(controller.scene, time, plan);
   }
 
   async #draw(scene: Scene, time: number, plan: FramePlan, counts = true): Promise<RenderStats> {
@@ -110,9 +110,9 @@ export class FrameDrawing {
   }
 
   #isFinal({ width, height, steps, substeps, maxCurvature }: RenderStats): boolean {
-    const { keeper, loop, shown } = this.pictures.parts;
-    if (!keeper.scene || loop.dirty || loop.host.moving || shown.volume!.coarse || this.quality.undecided) return false;
-    const full = this.sizeIn(keeper.scene);
+    const { controller, loop, shown } = this.pictures.parts;
+    if (!controller.scene || loop.dirty || loop.host.moving || shown.volume!.coarse || this.quality.undecided) return false;
+    const full = this.sizeIn(controller.scene);
     const plan = this.planAtRest;
     return width === full.width && height === full.height && steps === plan.steps && substeps === plan.substeps.max && maxCurvature === 0;
   }

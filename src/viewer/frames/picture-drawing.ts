@@ -11,7 +11,7 @@ import type { PictureSize } from '../model/picture-size.ts';
 import type { RenderStats } from '../model/render-stats.ts';
 import type { Scene } from '../model/scene.ts';
 import type { ViewSocket } from '../model/view-socket.ts';
-import type { SceneKeeper } from '../scenes/scene-keeper.ts';
+import type { SceneController } from '../scenes/scene-controller.ts';
 import type { ShownVolume } from '../cuts/shown-volume.ts';
 
 /** The parts that drawing uses. */
@@ -21,7 +21,7 @@ export interface DrawingParts {
   /** The parts that show something over the picture have joined here. */
   readonly socket: Pick<ViewSocket, 'place'>;
   readonly loop: FrameLoop;
-  readonly keeper: SceneKeeper;
+  readonly controller: SceneController;
 }
 
 /** A picture that has been drawn. */
@@ -51,7 +51,7 @@ export class PictureDrawing {
    * @param full - pixels of the picture at the plan's scale of 1
    */
   async draw(scene: Scene, time: number, { scale, steps, substeps, sampling, edgeCurvature }: FramePlan, full: PictureSize): Promise<DrawnPicture> {
-    const { shown, author, keeper, loop } = this.parts;
+    const { shown, author, controller, loop } = this.parts;
     const { volume } = shown;
     loop.takeChanges();
     const [width, height] = [full.width, full.height].map((pixels) => Math.max(1, Math.round(pixels * scale)));
@@ -59,11 +59,11 @@ export class PictureDrawing {
     author.aim(scene, full.width / full.height);
     const stepLength = stepLengthOf(shown.grid, steps);
     const began = performance.now();
-    const compiled = keeper.isNew;
+    const compiled = controller.isNew;
     scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
     scene.setSubsteps(substeps);
     scene.draw(stepLength, time);
-    keeper.hasDrawn();
+    controller.hasDrawn();
     await this.#finish(scene, volume);
     const frameMs = performance.now() - began;
     const gpuMs = await scene.gpuMs();
@@ -77,15 +77,15 @@ export class PictureDrawing {
    * @throws {VolumeViewError} `format/unsupported` where that part of the package could not be loaded
    */
   async gather(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
-    const { shown, author, keeper, loop } = this.parts;
+    const { shown, author, controller, loop } = this.parts;
     const { gatherPicture } = await loadPart(import('./gather-picture.ts'), 'draws pictures piece by piece');
-    if (keeper.scene !== scene) return null;
+    if (controller.scene !== scene) return null;
     scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
     scene.setSubsteps(substeps);
     const { volume } = shown;
     const stepLength = stepLengthOf(shown.grid, steps);
     loop.takeChanges();
-    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !loop.host.animating && keeper.scene === scene;
+    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !loop.host.animating && controller.scene === scene;
     const frameMs = await gatherPicture(scene, { stepLength, width, height, ...pieces }, goesOn, (share) => (this.gathered = share));
     this.gathered = null;
     if (frameMs === null) return null;
@@ -98,13 +98,13 @@ export class PictureDrawing {
 
   /** Draw a picture of any size into the canvas, without waiting for the GPU. */
   drawAtRest(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize): void {
-    const { shown, author, keeper } = this.parts;
+    const { shown, author, controller } = this.parts;
     scene.resize(width, height);
     author.aim(scene, width / height);
     scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
     scene.setSubsteps(substeps);
     scene.draw(stepLengthOf(shown.grid, steps));
-    keeper.hasDrawn();
+    controller.hasDrawn();
   }
 
   async #finish(scene: Scene, volume: Volume | null): Promise<void> {
@@ -114,7 +114,7 @@ export class PictureDrawing {
   }
 
   #describe(frame: Omit<RenderStats, 'samples' | 'converged' | 'error' | 'keepsMaxError'>): RenderStats {
-    const rays = this.parts.keeper.scene?.getRays();
+    const rays = this.parts.controller.scene?.getRays();
     const samples = rays ? countSamples(rays, frame.stepLength, frame.width * frame.height * frame.rays) : 0;
     return { ...frame, samples, converged: false, error: null, keepsMaxError: null };
   }

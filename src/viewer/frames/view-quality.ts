@@ -1,6 +1,6 @@
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
-import { foretellSampling } from '../../quality/adaptive-sampling.ts';
+import { forecastSampling } from '../../quality/adaptive-sampling.ts';
 import { chooseLevel } from '../../quality/choose-level.ts';
 import type { ErrorEstimate, PictureError } from '../../quality/error-estimate.ts';
 import { boundProjected, seekMissed, stateError } from '../../quality/largest-error.ts';
@@ -174,7 +174,7 @@ export async function learnFrom(view: DrawnView, isTimed: boolean): Promise<Part
   const { adaptive } = scene;
   const among = adaptive ? scene.readVolume() : null;
   await rest();
-  const foreseen = adaptive ? await aside(foretellSampling(picture, foretold, among), scene, view.goesOn) : { value: [] };
+  const foreseen = adaptive ? await aside(forecastSampling(picture, foretold, among), scene, view.goesOn) : { value: [] };
   if (!foreseen) return {};
   const sampling = foreseen.value;
   const cost = isTimed ? await timeSampling(view, [sampling[1] ?? [], sampling[0] ?? []].flat()) : 1;

@@ -8,7 +8,7 @@ import type { FoundLabels, LabelProblem, LabelVoxels } from '../../volume/resamp
 import type { NamedLabel } from '../../volume/labels.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { loadBeside } from './load-beside.ts';
+import { loadAttachment } from './load-attachment.ts';
 
 /** A label file, and its contents. */
 export interface LabelFile {
@@ -38,7 +38,7 @@ export async function loadLabelFile(url: string, signal: AbortSignal): Promise<L
 
 /** The same for a file with more reading options. @param change - changes its values first */
 export async function labelFileOf(request: Omit<LoadRequest, 'limits'>, signal: AbortSignal, change: (volume: Volume) => Volume = (volume) => volume): Promise<LabelFile> {
-  const volume = await loadBeside({ ...request, limits }, signal);
+  const volume = await loadAttachment({ ...request, limits }, signal);
   return { ...labelsIn(change(volume), request.url), format: volume.format, named: volume.named, left: volume.left };
 }
 

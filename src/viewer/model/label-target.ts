@@ -1,10 +1,10 @@
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { ToldFile } from './beside-notices.ts';
+import type { ToldFile } from './file-notices.ts';
 import type { ViewLabels } from './view-labels.ts';
 
 /** The target of something that is attached to a volume. */
-export interface BesideTarget {
+export interface AttachmentTarget {
   /** The last good volume; null before there is one. */
   readonly volume: Volume | null;
   /** Whether a volume is loading, or would load if there were one: the picture is near enough to be visible soon. */
@@ -18,7 +18,7 @@ export interface BesideTarget {
 }
 
 /** The target of labels. */
-export interface LabelTarget extends BesideTarget {
+export interface LabelTarget extends AttachmentTarget {
   /** The file of that volume, for messages. */
   readonly file: string;
   /** Data values that presets and percentages span; null before there is a volume. */
@@ -26,9 +26,9 @@ export interface LabelTarget extends BesideTarget {
   /** Whether hidden labels can stay faintly visible, as ghosts. */
   readonly showsGhosts: boolean;
   /** Show labels; null for none. @throws {VolumeViewError} */
-  wear(labels: ViewLabels | null): Promise<void>;
+  show(labels: ViewLabels | null): Promise<void>;
   /** Set the appearance of a volume that is itself labels, where its page gives none; null to derive it from the values. */
-  dress(transferFunction: TransferFunction | null): void;
+  replaceTransferFunction(transferFunction: TransferFunction | null): void;
   /** Show a volume's values as labels, after they were read as intensities. @throws {VolumeViewError} */
   takeAsLabels(volume: Volume): Promise<void>;
 }

@@ -5,9 +5,9 @@ import type { GridFrame } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { WorldCut } from '../../volume/world-cut.ts';
-import type { ToldFile } from './beside-notices.ts';
+import type { ToldFile } from './file-notices.ts';
 import type { ClipShape } from './clip-source.ts';
-import type { ErrorBoard } from './error-board.ts';
+import type { ErrorState } from './error-state.ts';
 import type { LabelTarget } from './label-target.ts';
 import type { Scene, View } from './scene.ts';
 import type { Settings } from './settings.ts';
@@ -77,14 +77,14 @@ export interface SocketView {
   readonly settings: Settings;
   /** Whether a volume is loading, or would load if there were one: the picture is near enough to be visible soon. */
   readonly awake: boolean;
-  readonly errors: Pick<ErrorBoard, 'report' | 'clear'>;
+  readonly errors: Pick<ErrorState, 'report' | 'clear'>;
   /** Its appearance. */
   readonly look: {
     /** null before there is a volume. */
     readonly current: VolumeOptics | null;
-    /** The transfer function of a volume that is labels, where its page gives none. `readAnew` applies it. */
-    dress: { readonly transferFunction: TransferFunction } | null;
-    readAnew(): void;
+    /** The transfer function of a volume that is labels, where its page gives none. `readAgain` applies it. */
+    replacement: { readonly transferFunction: TransferFunction } | null;
+    readAgain(): void;
   };
   /** Draws the pictures of the view; null while the view is in no page. */
   readonly viewer: SocketViewer | null;
@@ -93,7 +93,7 @@ export interface SocketView {
   /** Report which parts of files are not in the picture; empty where all are. @param owner - the object that shows the files */
   reportFiles(owner: object, files: readonly ToldFile[]): void;
   /** Read again which cuts the volume has. */
-  cutAnew(): void;
+  cutAgain(): void;
   /** Show another volume in place of the last one, and notify the page. @throws {VolumeViewError} */
   replace(volume: Volume): Promise<void>;
 }
@@ -194,7 +194,7 @@ export class ViewSocket {
 
   async #show(part: ViewPart, change: (scene: Scene) => Promise<void> | void): Promise<void> {
     const { view } = this;
-    if (part.clip) view?.cutAnew();
+    if (part.clip) view?.cutAgain();
     const { viewer } = view ?? {};
     if (!viewer) return;
     if (part.bounds) viewer.reframe();

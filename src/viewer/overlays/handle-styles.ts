@@ -1,4 +1,4 @@
-import { wearSheet } from './wear-sheet.ts';
+import { applySheet } from './apply-sheet.ts';
 
 const styles = `
 .handles {
@@ -64,6 +64,6 @@ const styles = `
 }`;
 
 /** Give a view's shadow root the styles of its handles. */
-export function wearHandleStyles(root: ShadowRoot): void {
-  wearSheet(root, styles);
+export function applyHandleStyles(root: ShadowRoot): void {
+  applySheet(root, styles);
 }

@@ -6,7 +6,7 @@ import { moveByKey, placeInPlane, placeOnLine } from '../camera/drag-place.ts';
 import type { Pixel, SeenPicture } from '../camera/drag-place.ts';
 import { socketOf } from '../model/view-socket.ts';
 import type { ViewPart } from '../model/view-socket.ts';
-import { wearHandleStyles } from './handle-styles.ts';
+import { applyHandleStyles } from './handle-styles.ts';
 import { projectPlace } from '../camera/project-place.ts';
 
 /** A place that a person can move. */
@@ -92,7 +92,7 @@ export class Handles implements ViewPart {
 
   /** Show these handles in place of the previous ones. A handle that is held, or has the focus, keeps this state by its number. */
   set(handles: readonly Handle[]): void {
-    wearHandleStyles(this.view.shadowRoot!); // Each document needs its own styles.
+    applyHandleStyles(this.view.shadowRoot!); // Each document needs its own styles.
     while (this.#buttons.length > handles.length) this.#drop(this.#buttons.length - 1);
     this.#handles = handles;
     while (this.#buttons.length < handles.length) this.#buttons.push(this.#make(this.#buttons.length));

@@ -24,12 +24,12 @@ import type { Viewer } from '../view/viewer.ts';
  * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
  */
 export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null> {
-  const { keeper, loop, shown, frames } = viewer;
+  const { controller, loop, shown, frames } = viewer;
   const { seenPixels } = await loadPart(import('../frames/view-quality.ts'), 'measures the error of pictures');
-  return keeper.withScene(async (scene) => {
+  return controller.withScene(async (scene) => {
     const { steps, substeps } = frames.planAtRest;
     const rays = await raysOfView(viewer, { placesOnly: false, looks: isCut(substeps) });
-    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && keeper.scene === scene;
+    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && controller.scene === scene;
     if (!rays || !goesOn()) return null;
     const size = frames.sizeIn(scene);
     const stepLength = stepLengthOf(shown.grid, steps);

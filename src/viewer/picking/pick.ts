@@ -52,9 +52,9 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const { value: interpolated } = stages.field.sampleAt(found.place);
   const radar = polar && isPolar(volume) ? polar.describeRadar(volume, found.place) : null;
   const { labels, overlay } = shown;
-  const beside = layersAt(overlay, found.place, volume);
-  const described = describe(rays, found, { interpolated, colors, radar, hasLayer: overlay?.shown.blend === 'mix' && typeof beside.layers?.[0].value === 'number' });
-  return described && { ...described, ...labelOf(labels, found.place, described, volume), ...beside };
+  const attached = layersAt(overlay, found.place, volume);
+  const described = describe(rays, found, { interpolated, colors, radar, hasLayer: overlay?.shown.blend === 'mix' && typeof attached.layers?.[0].value === 'number' });
+  return described && { ...described, ...labelOf(labels, found.place, described, volume), ...attached };
 }
 
 /** What is known about a place, in addition to the place itself. */

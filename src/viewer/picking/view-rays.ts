@@ -33,8 +33,8 @@ export interface ViewRays {
  * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
  */
 export async function raysOfView(viewer: Viewer, { placesOnly, looks = true }: { readonly placesOnly: boolean; readonly looks?: boolean }): Promise<ViewRays | null> {
-  const { volume, optics, drawn, keeper, shown: { labels } } = viewer;
-  const twins = keeper.twins(looks);
+  const { volume, optics, drawn, controller, shown: { labels } } = viewer;
+  const twins = controller.twins(looks);
   // The coarse volume that is shown until a larger one is loaded has other voxels.
   if (!volume || !optics || !drawn || volume.coarse || twins?.volume !== volume) return null;
   const setup = setUpView(viewer, volume);

@@ -8,7 +8,7 @@ import type { DeviceLimits } from '../../volume/reduce.ts';
 import { probeDevice } from '../../renderer/probes/probe-device.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { ErrorBoard } from '../model/error-board.ts';
+import type { ErrorState } from '../model/error-state.ts';
 import { loads } from '../loading/load-queue.ts';
 import { openSource } from '../loading/open-source.ts';
 import type { Source, SourceRequest } from '../loading/open-source.ts';
@@ -46,7 +46,7 @@ export interface LoaderHost {
 /** The objects that a loader works with. */
 export interface LoaderParts {
   readonly presenter: VolumePresenter;
-  readonly errors: ErrorBoard;
+  readonly errors: ErrorState;
   readonly playback: Playback;
 }
 
@@ -154,7 +154,7 @@ export class SourceLoader {
   }
 
   /** The element came nearer or went away: start the waiting work, or stop the load and let it wait. */
-  followPresence(): void {
+  followVisibility(): void {
     if (this.host.awake) {
       const act = this.#putOff;
       this.#putOff = null;

@@ -1,13 +1,13 @@
 import type { VolumeViewError } from '../../core/errors.ts';
-import { ErrorBoard } from '../model/error-board.ts';
-import type { Aspect, ErrorListener } from '../model/error-board.ts';
-import { PageVisit } from './page-visit.ts';
-import type { PagePlace, VisitListener } from './page-visit.ts';
+import { ErrorState } from '../model/error-state.ts';
+import type { Aspect, ErrorListener } from '../model/error-state.ts';
+import { PageConnection } from './page-connection.ts';
+import type { PagePlace, ConnectionListener } from './page-connection.ts';
 import { PendingWork } from '../model/pending-work.ts';
 import type { RingWriter } from '../cuts/ring-labels.ts';
 import { loadPart } from '../../core/load-part.ts';
 import { Playback } from '../loading/playback.ts';
-import { Presence } from '../scenes/presence.ts';
+import { Visibility } from '../scenes/visibility.ts';
 import type { RenderStats } from '../model/render-stats.ts';
 import type { TimeChangeDetail } from '../loading/scan-player.ts';
 import type { SceneFactory } from '../model/scene.ts';
@@ -37,8 +37,8 @@ export interface SessionListener {
  * show volumes with appearance and cuts (VolumePresenter), play (Playback) and draw (Viewer). These classes keep the state that a
  * person changes; nothing is ever written back into the settings.
  */
-export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, VisitListener {
-  readonly errors = new ErrorBoard(this);
+export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, ConnectionListener {
+  readonly errors = new ErrorState(this);
   readonly presenter: VolumePresenter;
   readonly playback = new Playback((event) => {
     this.emit(event, null);
@@ -47,13 +47,13 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   });
   readonly loader: SourceLoader;
   #settings: Settings | null = null;
-  #visit: PageVisit | null = null;
+  #connection: PageConnection | null = null;
   #stats: RenderStats | null = null;
   #hasPicture = false;
   /** Resolves when a person can move the camera. */
-  #hands: Promise<void> | null = null;
+  #interaction: Promise<void> | null = null;
   readonly #work = new PendingWork();
-  readonly #presence = new Presence(() => this.#followPresence());
+  readonly #visibility = new Visibility(() => this.#followVisibility());
 
   constructor(readonly host: HTMLElement, readonly scenes: SceneFactory, readonly listener: SessionListener) {
     this.presenter = new VolumePresenter(this, this.errors);
@@ -65,13 +65,13 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   }
 
   /** The code for interaction; null before there is a picture. */
-  get hands(): PageVisit['hands'] {
-    return this.#visit?.hands ?? null;
+  get interaction(): PageConnection['interaction'] {
+    return this.#connection?.interaction ?? null;
   }
 
   /** null while the element is in no page. */
   get viewer(): Viewer | null {
-    return this.#visit?.viewer ?? null;
+    return this.#connection?.viewer ?? null;
   }
 
   /** Available after the first call of `apply`. */
@@ -123,33 +123,33 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     this.#settings = settings;
     const changed = (name: 'look' | 'limits' | 'quality' | 'region' | 'rings' | 'playSpeed'): boolean =>
       !before || !isSameReading(before[name], settings[name]);
-    if (before && before.eager !== settings.eager) this.#followPresence();
+    if (before && before.eager !== settings.eager) this.#followVisibility();
     const [source, sourceBefore] = [settings, before].map((one) => JSON.stringify([one?.src, one?.stack, one?.source]));
     if (source !== sourceBefore) this.loader.load();
     else if (changed('look')) this.#readLook();
     if (settings.autoplay && before?.autoplay === false && this.loader.scans) this.playback.startByItself();
     if (changed('playSpeed')) this.#readSpeed();
-    if (!this.#visit) return;
+    if (!this.#connection) return;
     if (changed('limits')) this.#readLimits();
     if (placed) this.#readCamera();
     if (changed('quality')) this.#readQuality();
-    if (changed('region') || changed('rings')) this.presenter.cutAnew();
-    if (before?.controls !== settings.controls && this.#hasPicture) this.#giveHands();
+    if (changed('region') || changed('rings')) this.presenter.cutAgain();
+    if (before?.controls !== settings.controls && this.#hasPicture) this.#addInteraction();
   }
 
   /** The element has come into a page. */
   enter({ picture, container }: PagePlace): void {
-    if (this.#visit) return;
+    if (this.#connection) return;
     const { host, scenes, loader, presenter } = this;
-    this.#visit = new PageVisit(picture, { host, container, scenes, presence: this.#presence }, this);
-    presenter.viewer = this.#visit.viewer;
+    this.#connection = new PageConnection(picture, { host, container, scenes, visibility: this.#visibility }, this);
+    presenter.viewer = this.#connection.viewer;
     this.#readLimits();
     this.#readCamera();
     this.#readQuality();
-    this.#visit.watch(this.#presence);
+    this.#connection.watch(this.#visibility);
     this.motionChanged();
     if (loader.scans && loader.isCurrent) loader.showWanted();
-    else if (presenter.volume && (loader.isCurrent || !this.settings.src)) presenter.look.readAnew();
+    else if (presenter.volume && (loader.isCurrent || !this.settings.src)) presenter.look.readAgain();
     else loader.load();
   }
 
@@ -160,8 +160,8 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   /** The element has left its page: stop all work, and free the GPU. */
   leave(): void {
     this.loader.leave();
-    this.#visit?.dispose();
-    this.#visit = null;
+    this.#connection?.dispose();
+    this.#connection = null;
     this.presenter.viewer = null;
     this.#hasPicture = false;
     this.changed();
@@ -169,18 +169,18 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
 
   /** Resolves when the picture for the present settings is final. @throws the error that is shown */
   whenRendered(): Promise<void> {
-    return this.#presence.ask(() => this.#settle());
+    return this.#visibility.ask(() => this.#settle());
   }
 
   redraw(): Promise<RenderStats> {
-    return this.#presence.ask(async () => {
+    return this.#visibility.ask(async () => {
       await this.#workDone();
       return this.#requireViewer().redraw();
     });
   }
 
   toBlob(goal: FileGoal): Promise<Blob> {
-    return this.#presence.ask(async () => {
+    return this.#visibility.ask(async () => {
       await this.#settle();
       return this.#requireViewer().toBlob(goal);
     });
@@ -189,7 +189,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   async #settle(): Promise<void> {
     await this.#workDone();
     await this.viewer?.settled();
-    await this.#hands;
+    await this.#interaction;
     const { first } = this.errors;
     if (first && first.code !== 'webgl/inaccurate') throw first; // With this error there is still a picture.
   }
@@ -204,20 +204,20 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     return viewer;
   }
 
-  #followPresence(): void {
-    this.loader.followPresence();
-    this.viewer?.followPresence();
+  #followVisibility(): void {
+    this.loader.followVisibility();
+    this.viewer?.followVisibility();
   }
 
   #readLook(): void {
     const { look } = this.presenter;
     if (this.loader.isLoading) look.readLater();
-    else look.readAnew();
+    else look.readAgain();
   }
 
   /** Without a picture there is nothing to turn: the code for interaction is loaded with the first picture. */
-  #giveHands(): void {
-    this.#hands = this.#visit!.setControls(this.settings.controls).then(() => this.hands?.follow(this.host, this.presenter), (error: unknown) => this.errors.report('camera', error));
+  #addInteraction(): void {
+    this.#interaction = this.#connection!.setControls(this.settings.controls).then(() => this.interaction?.follow(this.host, this.presenter), (error: unknown) => this.errors.report('camera', error));
   }
 
   #readCamera(): void {
@@ -240,15 +240,15 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   // What the parts of the session need of it and report to it.
 
   get inPage(): boolean {
-    return this.#visit !== null;
+    return this.#connection !== null;
   }
 
   get awake(): boolean {
-    return this.#presence.awake || this.#settings?.eager === true;
+    return this.#visibility.awake || this.#settings?.eager === true;
   }
 
   get inSight(): boolean {
-    return this.#presence.inSight;
+    return this.#visibility.inSight;
   }
 
   get file(): string {
@@ -258,8 +258,8 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   /** Without a source there is no picture, as with an image; the poster appears again. */
   sourceGone(): void {
     this.#stats = null;
-    if (!this.#visit) return;
-    const { picture, viewer } = this.#visit;
+    if (!this.#connection) return;
+    const { picture, viewer } = this.#connection;
     this.leave();
     this.enter({ picture, container: viewer.place.container });
   }
@@ -268,7 +268,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     this.#stats = stats;
     if (!this.#hasPicture) {
       this.#hasPicture = true;
-      this.#giveHands();
+      this.#addInteraction();
     }
     this.changed();
     this.errors.clear('scene');
@@ -282,7 +282,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   }
 
   slicesChanged(isLook?: boolean): void {
-    if (isLook) this.presenter.followNodes(() => loadPart(import('../attachments/read-volume-nodes.ts'), 'reads styles'), () => this.#readLook()); else this.presenter.cutAnew();
+    if (isLook) this.presenter.followNodes(() => loadPart(import('../attachments/read-volume-nodes.ts'), 'reads styles'), () => this.#readLook()); else this.presenter.cutAgain();
   }
 
   changed(): void {

@@ -9,7 +9,7 @@ import type { RenderStats } from '../model/render-stats.ts';
 import type { Scene } from '../model/scene.ts';
 import type { Viewer } from './viewer.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
-import { wearSheet } from '../overlays/wear-sheet.ts';
+import { applySheet } from '../overlays/apply-sheet.ts';
 
 /** Detail of `picture-blank`. */
 export interface BlankPicture {
@@ -162,7 +162,7 @@ class BlankNote {
     const { shadowRoot: root, ownerDocument: document } = this.view;
     if (!root || !this.#cause) return;
     if (!this.#element) {
-      wearSheet(root, styles);
+      applySheet(root, styles);
       this.#element = document.createElement('div');
       this.#element.className = 'blank';
       this.#element.setAttribute('part', 'blank');

@@ -1,6 +1,6 @@
 // The line at the lower edge of a picture while a finer one is in progress: loaded with the first picture that takes long.
 import type { RenderStats } from '../model/render-stats.ts';
-import { wearSheet } from '../overlays/wear-sheet.ts';
+import { applySheet } from '../overlays/apply-sheet.ts';
 
 /** An element whose pictures become finer at rest. */
 export interface RefinedView extends HTMLElement {
@@ -60,7 +60,7 @@ const pace = 100;
 export async function showSign(view: RefinedView, refined: () => { readonly gathered: number | null } | null): Promise<void> {
   const { shadowRoot: root, ownerDocument: document } = view;
   if (!root) return;
-  wearSheet(root, styles);
+  applySheet(root, styles);
   const sign = document.createElement('div');
   sign.className = 'refining';
   sign.setAttribute('part', 'refining');

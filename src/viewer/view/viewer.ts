@@ -21,8 +21,8 @@ import type { Scene } from '../model/scene.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 import { socketOf } from '../model/view-socket.ts';
 import type { SocketViewer, ViewSocket } from '../model/view-socket.ts';
-import { SceneKeeper } from '../scenes/scene-keeper.ts';
-import type { ScenePlace, SceneUser } from '../scenes/scene-keeper.ts';
+import { SceneController } from '../scenes/scene-controller.ts';
+import type { ScenePlace, SceneUser } from '../scenes/scene-controller.ts';
 import { ShownVolume } from '../cuts/shown-volume.ts';
 import type { FileGoal } from '../frames/take-picture.ts';
 import type { CameraState } from './write-camera.ts';
@@ -50,11 +50,11 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   /** null until there are rings. */
   #labels: RingLabels | null = null;
   readonly loop = new FrameLoop(this);
-  readonly keeper: SceneKeeper;
+  readonly controller: SceneController;
   readonly pictures: PictureDrawing;
   readonly frames: FrameDrawing;
   /** Identifies the last volume that is still loading into the scene; earlier ones are given up. */
-  #entrance: object | null = null;
+  #entry: object | null = null;
   #framingComing: Promise<void> | null = null;
   #createFraming: typeof createFraming | null = null;
   /** Whether the camera moved before the present frame. */
@@ -64,8 +64,8 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   constructor(readonly place: ScenePlace, readonly listener: ViewerListener) {
     this.socket = socketOf(place.host);
     this.shown = new ShownVolume(this.socket);
-    this.keeper = new SceneKeeper(place, this);
-    this.pictures = new PictureDrawing({ shown: this.shown, author: this.#author, socket: this.socket, loop: this.loop, keeper: this.keeper });
+    this.controller = new SceneController(place, this);
+    this.pictures = new PictureDrawing({ shown: this.shown, author: this.#author, socket: this.socket, loop: this.loop, controller: this.controller });
     this.frames = new FrameDrawing(place.host, this.#quality, this.pictures, (stats) => {
       if (!this.#disposed) listener.rendered(stats);
     });
@@ -96,7 +96,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   }
 
   get scene(): Scene | null {
-    return this.keeper.scene;
+    return this.controller.scene;
   }
 
   /** Whether the volume and its appearance are known. */
@@ -116,40 +116,40 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     if (!(await this.#bring(volume, optics, signal))) return;
     if (first) this.#quality.forgetAll();
     this.setCuts(readCuts(), optics);
-    if (first || (this.#author.drives && !this.rig.touched)) this.#author.follow(this.keeper.scene, true);
-    await this.#wear(optics);
+    if (first || (this.#author.drives && !this.rig.touched)) this.#author.follow(this.controller.scene, true);
+    await this.#apply(optics);
   }
 
   /** Put a volume into the scene, where there is one. @returns whether it is still needed */
   async #bring(volume: Volume, optics: VolumeOptics, signal?: AbortSignal): Promise<boolean> {
-    const entrance = (this.#entrance = {});
-    const keeper = this.keeper;
-    const givenUp = (): boolean => this.#disposed || this.#entrance !== entrance || signal?.aborted === true;
+    const entry = (this.#entry = {});
+    const controller = this.controller;
+    const givenUp = (): boolean => this.#disposed || this.#entry !== entry || signal?.aborted === true;
     try {
       // If the scene goes or comes meanwhile, try again with the next scene, or leave it to the code that builds that scene.
       for (let isThere = false; !isThere; ) {
-        const { scene } = keeper;
+        const { scene } = controller;
         await scene?.prepare(volume, optics);
         if (givenUp()) return false;
-        if (scene === keeper.scene) isThere = !scene || (await scene.bringVolume(volume, () => givenUp() || scene !== keeper.scene));
+        if (scene === controller.scene) isThere = !scene || (await scene.bringVolume(volume, () => givenUp() || scene !== controller.scene));
       }
       this.shown.volume = volume; // At once: a scene that comes a moment later must have it.
       return true;
     } finally {
-      if (this.#entrance === entrance) this.#entrance = null;
+      if (this.#entry === entry) this.#entry = null;
     }
   }
 
   /** @throws {VolumeViewError} `format/unsupported` where a part of the package that they need could not be loaded */
   async setOptics(optics: VolumeOptics): Promise<void> {
     const ids = this.volume?.ids;
-    await this.#wear(ids ? await opticsByPlace(ids, optics) : optics);
+    await this.#apply(ids ? await opticsByPlace(ids, optics) : optics);
   }
 
-  async #wear(optics: VolumeOptics): Promise<void> {
-    const { scene } = this.keeper;
-    if (this.shown.wear(optics)) await scene?.setStyle(this.shown.style);
-    if (scene !== this.keeper.scene) return; // A new scene already has them.
+  async #apply(optics: VolumeOptics): Promise<void> {
+    const { scene } = this.controller;
+    if (this.shown.apply(optics)) await scene?.setStyle(this.shown.style);
+    if (scene !== this.controller.scene) return; // A new scene already has them.
     await scene?.setOptics(this.shown.optics!);
     this.#quality.forgetProbes();
     this.invalidate();
@@ -161,12 +161,12 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   }
 
   /** A volume is loading, or no longer is. */
-  readonly expect = (isComing: boolean): void => this.keeper.expect(isComing);
+  readonly expect = (isComing: boolean): void => this.controller.expect(isComing);
   /** Show one part of the present volume, slices of it, and rings around it. @param optics - used to frame it */
   setCuts(cuts: Cuts, optics = this.optics): void {
     const { volume } = this.shown;
     this.shown.cuts = cuts;
-    if (this.keeper.scene) this.shown.cut(this.keeper.scene);
+    if (this.controller.scene) this.shown.cut(this.controller.scene);
     if (!this.#labels && cuts.rings) {
       this.#labels = cuts.rings.labelsAfter(this.place.container, (what) => this.listener.labelRing(what));
       void this.socket.join(this.#labels, true); // Other texts make room for themselves among these.
@@ -188,13 +188,13 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   /** Something changed: draw soon. */
   invalidate(): void {
     this.#quality.forget();
-    this.keeper.forgive();
+    this.controller.clearErrors();
     this.loop.request();
   }
 
   /** The element came nearer or went away, or a script waits for its picture. */
-  followPresence(): void {
-    this.keeper.review();
+  followVisibility(): void {
+    this.controller.review();
   }
 
   /** Set how far interaction and attributes may move the camera, and how fast it gets there. */
@@ -222,7 +222,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     this.#createFraming = part?.createFraming ?? null;
     if (!this.shown.volume) return;
     this.setCuts(this.shown.cuts);
-    if (this.#author.drives) this.#author.follow(this.keeper.scene, true);
+    if (this.#author.drives) this.#author.follow(this.controller.scene, true);
   }
 
   /** Move the camera at once to where attributes or a person send it. */
@@ -243,35 +243,35 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   }
 
   #resetAuthorCamera(): void {
-    this.keeper.scene?.resetAuthorCamera();
-    this.#author.follow(this.keeper.scene, true);
+    this.controller.scene?.resetAuthorCamera();
+    this.#author.follow(this.controller.scene, true);
     this.invalidate();
   }
 
   /** Resolves when the picture is final: all steps, nothing moves, nothing has changed since. */
   async settled(): Promise<void> {
-    await this.keeper.scene?.othersReady();
+    await this.controller.scene?.othersReady();
     await this.loop.settled();
   }
 
   /** Draw one frame at once and wait for the GPU. */
   async redraw(): Promise<RenderStats> {
-    await this.keeper.scene?.othersReady();
+    await this.controller.scene?.othersReady();
     if (this.rig.placing) this.rig.jump(); // The frame must have the camera of the present settings.
-    return this.keeper.withScene((scene) => this.loop.drawNow(() => this.frames.drawNow(scene)));
+    return this.controller.withScene((scene) => this.loop.drawNow(() => this.frames.drawNow(scene)));
   }
 
   /** A picture file of the view at rest. */
   async toBlob(goal: FileGoal): Promise<Blob> {
     const { takePicture } = await loadPart(import('../frames/take-picture.ts'), 'writes pictures to files');
-    return this.keeper.withScene((scene) => takePicture(scene, this.frames, goal));
+    return this.controller.withScene((scene) => takePicture(scene, this.frames, goal));
   }
 
   /** Give back the context and the GPU's memory. */
   dispose(): void {
     this.#disposed = true;
     this.loop.end();
-    this.keeper.dispose();
+    this.controller.dispose();
     if (this.#labels) {
       this.#labels.container.remove();
       void this.socket.leave(this.#labels);
@@ -282,11 +282,11 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   // What the frame loop needs.
 
   get canDraw(): boolean {
-    return this.keeper.scene !== null;
+    return this.controller.scene !== null;
   }
 
   get wantsPicture(): boolean {
-    return this.ready && !this.keeper.hasFailed;
+    return this.ready && !this.controller.hasFailed;
   }
 
   get moving(): boolean {
@@ -294,11 +294,11 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   }
 
   get animating(): boolean {
-    return this.rig.spin !== 0 || (this.keeper.scene?.animating ?? false);
+    return this.rig.spin !== 0 || (this.controller.scene?.animating ?? false);
   }
 
   askForScene(): void {
-    this.keeper.review();
+    this.controller.review();
   }
 
   advance(elapsedMs: number): void {
@@ -313,7 +313,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   }
 
   drew(): void {
-    this.keeper.endFrame();
+    this.controller.endFrame();
   }
 
   // What the controller of the scene needs.
@@ -322,8 +322,8 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     return this.#disposed;
   }
 
-  furnish(scene: Scene): void {
-    this.shown.furnish(scene);
+  applyTo(scene: Scene): void {
+    this.shown.applyTo(scene);
   }
 
   entered(scene: Scene): void {

@@ -1,11 +1,11 @@
 import type { CoarseVolume } from '../../formats/base/load-request.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { hasNotices, tellBeside } from '../model/beside-notices.ts';
-import type { FileNotices, ToldFile } from '../model/beside-notices.ts';
+import { hasNotices, reportFileNotices } from '../model/file-notices.ts';
+import type { FileNotices, ToldFile } from '../model/file-notices.ts';
 import { CutReader } from '../cuts/cuts.ts';
 import type { Cuts } from '../cuts/cuts.ts';
-import type { ErrorBoard } from '../model/error-board.ts';
+import type { ErrorState } from '../model/error-state.ts';
 import { LookReader } from '../appearance/look-reader.ts';
 import type { LookHost, VolumeNodeReader } from '../appearance/look-reader.ts';
 import { followModel } from '../model/scan-model.ts';
@@ -42,10 +42,10 @@ export class VolumePresenter implements LookHost, SocketView {
   /** What stays the same from one scan to the next. */
   #model: ScanModel | null = null;
   #info: VolumeInfo | null = null;
-  /** What of attached files is not shown, by the object that shows them; see `tellBeside`. */
-  readonly besideNotices = new Map<object, readonly FileNotices[]>();
+  /** What of attached files is not shown, by the object that shows them; see `reportFileNotices`. */
+  readonly fileNotices = new Map<object, readonly FileNotices[]>();
 
-  constructor(readonly user: PresenterHost, readonly errors: ErrorBoard) {
+  constructor(readonly user: PresenterHost, readonly errors: ErrorState) {
     this.look = new LookReader(this, errors);
     this.#cuts = new CutReader(user.host, errors, () => user.settings);
     socketOf(user.host).view = this;
@@ -62,11 +62,11 @@ export class VolumePresenter implements LookHost, SocketView {
 
   /** Whether something of the files is not in the picture, or is changed in it. */
   get hasNotices(): boolean {
-    return hasNotices(this.#info, this.besideNotices);
+    return hasNotices(this.#info, this.fileNotices);
   }
 
   reportFiles(owner: object, files: readonly ToldFile[]): void {
-    tellBeside(this, owner, files);
+    reportFileNotices(this, owner, files);
   }
 
   get host(): HTMLElement {
@@ -123,7 +123,7 @@ export class VolumePresenter implements LookHost, SocketView {
     signal.throwIfAborted();
     this.#volume = volume;
     this.#info = describeVolume(volume);
-    if (!this.#cuts.isReady(volume)) this.cutAnew(); // A cut was added while the volume was loading.
+    if (!this.#cuts.isReady(volume)) this.cutAgain(); // A cut was added while the volume was loading.
     return optics;
   }
 
@@ -146,7 +146,7 @@ export class VolumePresenter implements LookHost, SocketView {
       const optics = await this.look.read(of);
       await this.#cuts.prepare(volume);
       if (signal.aborted) return;
-      if (isPolar(volume)) (await import('./rehearse.ts')).rehearse(this.viewer, { volume, optics, cuts: this.#cuts.read(volume, of) });
+      if (isPolar(volume)) (await import('./precompile.ts')).precompile(this.viewer, { volume, optics, cuts: this.#cuts.read(volume, of) });
       else await this.viewer?.show(volume, optics, () => this.#cuts.read(volume, of), signal);
     } catch {
       // The large volume follows, and fails in the same way.
@@ -163,7 +163,7 @@ export class VolumePresenter implements LookHost, SocketView {
     this.look.catchUp();
   }
 
-  async wear(optics: VolumeOptics, signal: AbortSignal): Promise<void> {
+  async apply(optics: VolumeOptics, signal: AbortSignal): Promise<void> {
     const [viewer, volume] = [this.viewer, this.#volume];
     if (viewer?.ready) await viewer.setOptics(optics);
     else if (viewer && volume) {
@@ -188,7 +188,7 @@ export class VolumePresenter implements LookHost, SocketView {
   }
 
   /** The region, a slice or the rings have changed. A volume that is still loading reads them when it is there. */
-  cutAnew(): void {
+  cutAgain(): void {
     const shown = this.viewer?.volume;
     if (!shown) return;
     const apply = (): void => {

@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../../core/errors.ts';
-import type { ErrorBoard } from '../../viewer/model/error-board.ts';
+import type { ErrorState } from '../../viewer/model/error-state.ts';
 import { socketOf } from '../../viewer/model/view-socket.ts';
 import { meantParent } from '../../page/unclosed.ts';
 import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
@@ -14,7 +14,7 @@ interface AtlasView extends Element {
 /** The view whose volume nodes are followed, and whether its appearance has been read. */
 interface Presented {
   readonly user: { readonly host: AtlasView };
-  readonly look: { readonly current: unknown; readonly errors: Pick<ErrorBoard, 'report' | 'clear'> };
+  readonly look: { readonly current: unknown; readonly errors: Pick<ErrorState, 'report' | 'clear'> };
 }
 
 const known = new WeakMap<Element, Atlas | null>();
@@ -54,7 +54,7 @@ function isOwnAtlas(one: Element): boolean {
 const refused = new WeakMap<Element, string>();
 
 /** Reports voxels of a scene that are not an atlas: without a `src` the page would stay empty, with no reason given. */
-function refuseFiles(host: AtlasView, errors: Pick<ErrorBoard, 'report' | 'clear'>): void {
+function refuseFiles(host: AtlasView, errors: Pick<ErrorState, 'report' | 'clear'>): void {
   const texture = [...host.querySelectorAll('imagetexture3d')].find((one) => /volumedata$/i.test(meantParent(one)?.localName ?? '') && !/^(segmentidentifiers|gradients)$/.test(containerFieldOf(one)));
   if (!texture || host.hasAttribute('src') || known.get(host)) {
     if (refused.delete(host)) errors.clear('optics');

@@ -16,10 +16,10 @@ import { Language } from '../../../src/messages/language.ts';
 import { radarVolume } from '../../helpers/synthetic-radar.ts';
 
 const terms = { ...companions, ...readout, ...handles, ...english };
-const tongue = { language: new Language('en', terms), terms };
+const locale = { language: new Language('en', terms), terms };
 
 const plain: MeasureResult = { type: 'distance', points: [], lengthUnit: 'mm', value: 123.456, uncertainty: 0.789, lengths: [], statistics: null, unit: '' };
-const written = (known: Partial<MeasureResult>): string => writeMeasure({ ...plain, ...known }, tongue);
+const written = (known: Partial<MeasureResult>): string => writeMeasure({ ...plain, ...known }, locale);
 
 describe('the attributes of a measure', () => {
   it('are points in threes, or an error that says how many', () => {
@@ -49,13 +49,13 @@ describe('what was measured, in words', () => {
   it('says what is inside, what the surface cuts, and what has no data', () => {
     const statistics = { count: 900, withoutData: 7, mean: 12.3456, deviation: 3.21, standardError: 0.107, min: -5, largest: 30, cut: 100 };
     const box: MeasureResult = { ...plain, type: 'box', lengths: [10, 20.5, 30], value: 6150, uncertainty: 50, unit: 'HU', statistics };
-    expect(listMeasure(box, false, tongue).map(({ name, text }) => `${name}: ${text}`)).to.deep.equal([
+    expect(listMeasure(box, false, locale).map(({ name, text }) => `${name}: ${text}`)).to.deep.equal([
       'Size: 10 × 20.5 × 30 mm', 'Volume: 6.150 ± 0.050 cm³', 'Mean: 12.35 HU (standard error 0.11)', 'Standard deviation: 3.21 HU', 'Minimum to maximum: −5 to 30 HU',
       'Voxels: 900, 100 of them at the edge; 7 without data left out',
     ]);
     const none = { count: 0, withoutData: 0, mean: null, deviation: null, standardError: null, min: null, largest: null, cut: 0 };
-    expect(listMeasure({ ...box, statistics: none }, true, tongue).at(-1)).to.deep.equal({ name: 'Gates', text: 'none inside' });
-    expect(listMeasure({ ...box, statistics: null }, false, tongue).at(-1)!.text).to.equal('adding up …');
+    expect(listMeasure({ ...box, statistics: none }, true, locale).at(-1)).to.deep.equal({ name: 'Gates', text: 'none inside' });
+    expect(listMeasure({ ...box, statistics: null }, false, locale).at(-1)!.text).to.equal('adding up …');
   });
 
   it('of a radar is in metres, and heights are not exaggerated', () => {

@@ -96,9 +96,9 @@ describe('the cells in which something can be seen', () => {
       const { volume, cells } = cubes([40, 36, 40], [40, 40, 40]);
       expect(boundSeenCells(volume, cells, look([0, 0, 0], 1))).to.deep.equal([-1, -1, 1, 1]);
       expect(boundSeenCells(volume, cells, look([20, 0, 0], 1)), 'from their side').to.deep.equal(null);
-      const beside = boundSeenCells(volume, cells, look([9, 14, 0], 1))!;
-      expect(beside[0]).to.be.above(0.1);
-      expect(beside[2]).to.equal(1);
+      const attached = boundSeenCells(volume, cells, look([9, 14, 0], 1))!;
+      expect(attached[0]).to.be.above(0.1);
+      expect(attached[2]).to.equal(1);
     });
   });
 });

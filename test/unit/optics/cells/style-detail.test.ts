@@ -12,10 +12,10 @@ import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const speck = (x: number, y: number, z: number): number => (Math.max(Math.abs(x - 0.48), Math.abs(y - 0.48), Math.abs(z - 0.48)) < 0.02 ? 1 : 0.1);
 
-function see(field: (x: number, y: number, z: number) => number, text: string, dress: (look: Parameters<typeof rangeLight>[0]) => SeenVolume['style']): SeenVolume {
+function see(field: (x: number, y: number, z: number) => number, text: string, replacement: (look: Parameters<typeof rangeLight>[0]) => SeenVolume['style']): SeenVolume {
   const volume = syntheticVolume({ dimensions: [24, 24, 24], field });
   const transferFunction = parseTransferFunction(text, [0, 1]);
-  const style = dress({ volume, transferFunction, referenceLength: 1 });
+  const style = replacement({ volume, transferFunction, referenceLength: 1 });
   return { volume, transferFunction, cells: findSeenCells(volume.macrocells, [contributionOf(transferFunction)], volume), opticalScale: 1, style };
 }
 

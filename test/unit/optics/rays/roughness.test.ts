@@ -23,8 +23,8 @@ function cellsByTheWord(samples: Samples, dimensions: Readonly<Vector3>): Pick<M
   const { low, high } = emptyMacrocells(samples, cells as unknown as Vector3);
   const roughness = new Float32Array(count);
   /** From a cell's first voxel to its last, and so many beside it. */
-  const alongCell = (cell: number, axis: number, beside: number): number[] =>
-    Array.from({ length: cellSize + 2 * beside }, (_, i) => cell * cellSize - beside + i).filter((i) => i >= 0 && i < dimensions[axis]);
+  const alongCell = (cell: number, axis: number, attached: number): number[] =>
+    Array.from({ length: cellSize + 2 * attached }, (_, i) => cell * cellSize - attached + i).filter((i) => i >= 0 && i < dimensions[axis]);
   for (let cell = 0; cell < count; cell++) {
     const at = [cell % cells[0], Math.floor(cell / cells[0]) % cells[1], Math.floor(cell / cells[0] / cells[1])];
     let max = 0;

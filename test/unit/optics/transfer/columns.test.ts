@@ -102,10 +102,10 @@ describe('where stops lie among the numbers of a GPU', () => {
         // As an author writes it: with fewer digits than slope and intercept make.
         const written = Number(value.toPrecision(12));
         const { edge } = placeThreshold(values, map, written);
-        for (const beside of [-1, 0, 1]) {
-          const isRight = slope * (sample + beside) + intercept >= written;
+        for (const attached of [-1, 0, 1]) {
+          const isRight = slope * (sample + attached) + intercept >= written;
           for (const ulps of [-2, 0, 2]) {
-            expect(shareOf(sample + beside) * (1 + ulps * 2 ** -24) >= Math.fround(edge), `${written}, ${sample} + ${beside}, slope ${slope}, intercept ${intercept}`).to.equal(isRight);
+            expect(shareOf(sample + attached) * (1 + ulps * 2 ** -24) >= Math.fround(edge), `${written}, ${sample} + ${attached}, slope ${slope}, intercept ${intercept}`).to.equal(isRight);
           }
         }
       }

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../../../src/core/errors.ts';
-import { ErrorBoard } from '../../../../src/viewer/model/error-board.ts';
-import type { Aspect } from '../../../../src/viewer/model/error-board.ts';
+import { ErrorState } from '../../../../src/viewer/model/error-state.ts';
+import type { Aspect } from '../../../../src/viewer/model/error-state.ts';
 import { isSameReading, readSettings } from '../../../../src/viewer/model/settings.ts';
 import { readSource } from '../../../../src/viewer/loading/read-source.ts';
 import type { GivenAttributes, Reading, Settings } from '../../../../src/viewer/model/settings.ts';
@@ -125,64 +125,64 @@ describe('settings', () => {
 });
 
 describe('the board of errors', () => {
-  function openBoard(): { board: ErrorBoard; told: [Aspect, string][]; shown: (string | null)[] } {
+  function openErrorState(): { errorState: ErrorState; told: [Aspect, string][]; shown: (string | null)[] } {
     const told: [Aspect, string][] = [];
     const shown: (string | null)[] = [];
-    const board: ErrorBoard = new ErrorBoard({
+    const errorState: ErrorState = new ErrorState({
       file: 'head.nii.gz',
-      changed: () => shown.push(board.first?.code ?? null),
+      changed: () => shown.push(errorState.first?.code ?? null),
       failed: (aspect, { code }) => told.push([aspect, code]),
     });
-    return { board, told, shown };
+    return { errorState, told, shown };
   }
   const wrong = (): never => {
     throw new VolumeViewError('attribute/invalid', 'steps got "x"');
   };
 
   it('shows the first of several, tells each, and is clear when all are mended', () => {
-    const { board, told, shown } = openBoard();
-    board.attempt('steps', wrong);
-    board.report('source', new VolumeViewError('source/not-found', 'no'));
-    board.clear('source');
-    board.attempt('steps', () => {});
+    const { errorState, told, shown } = openErrorState();
+    errorState.attempt('steps', wrong);
+    errorState.report('source', new VolumeViewError('source/not-found', 'no'));
+    errorState.clear('source');
+    errorState.attempt('steps', () => {});
     expect(told).to.deep.equal([['steps', 'attribute/invalid'], ['source', 'source/not-found']]);
     expect(shown).to.deep.equal(['attribute/invalid', 'source/not-found', 'attribute/invalid', null]);
   });
 
   it('calls an exception that nobody expects internal, with the attributes and the file', () => {
-    const { board, told } = openBoard();
+    const { errorState, told } = openErrorState();
     const mistake = new TypeError('x is undefined');
-    board.attempt('optics', () => {
+    errorState.attempt('optics', () => {
       throw mistake;
     });
     expect(told).to.deep.equal([['optics', 'internal']]);
-    expect(board.first!.message).to.match(/transfer-function.*window.*head\.nii\.gz.*x is undefined/);
-    expect(board.first!.cause).to.equal(mistake);
-    board.report('scene', mistake);
-    board.clear('optics');
-    expect(board.first!.message).to.match(/picture.*head\.nii\.gz/);
+    expect(errorState.first!.message).to.match(/transfer-function.*window.*head\.nii\.gz.*x is undefined/);
+    expect(errorState.first!.cause).to.equal(mistake);
+    errorState.report('scene', mistake);
+    errorState.clear('optics');
+    expect(errorState.first!.message).to.match(/picture.*head\.nii\.gz/);
   });
 
   it('uses what could be read, and reports what could not', () => {
-    const { board, told } = openBoard();
+    const { errorState, told } = openErrorState();
     const used: unknown[] = [];
-    board.take('steps', read({ steps: 'many' }).quality, (quality) => used.push(quality));
-    board.take('play', read({ playSpeed: '3' }).playSpeed, (speed) => used.push(speed));
+    errorState.take('steps', read({ steps: 'many' }).quality, (quality) => used.push(quality));
+    errorState.take('play', read({ playSpeed: '3' }).playSpeed, (speed) => used.push(speed));
     expect(used).to.deep.equal([3]);
     expect(told).to.deep.equal([['steps', 'attribute/invalid']]);
   });
 
   it('says nothing of work that was given up', async () => {
-    const { board, told } = openBoard();
+    const { errorState, told } = openErrorState();
     const controller = new AbortController();
-    const given = board.run('source', controller.signal, async () => {
+    const given = errorState.run('source', controller.signal, async () => {
       await Promise.resolve();
       wrong();
     });
     controller.abort();
     expect(await given).to.equal(false);
-    expect(await board.run('source', null, async () => wrong())).to.equal(false);
-    expect(await board.run('source', null, async () => {})).to.equal(true);
-    expect([told.length, board.first]).to.deep.equal([1, null]);
+    expect(await errorState.run('source', null, async () => wrong())).to.equal(false);
+    expect(await errorState.run('source', null, async () => {})).to.equal(true);
+    expect([told.length, errorState.first]).to.deep.equal([1, null]);
   });
 });

@@ -12,14 +12,14 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
   const socket = new ViewSocket();
   socket.view = { viewer: null } as unknown as SocketView;
   const target = new PresenterTarget(socket);
-  await target.wear(first);
+  await target.show(first);
   const told: unknown[] = [];
   const scene = {
     prepare: async () => {},
     setStyle: async () => {},
     setLabels: async (labels: unknown) => void told.push(labels),
     bringVolume: async () => {
-      await target.wear(second);
+      await target.show(second);
       return true;
     },
     dispose: () => told.push('disposed'),
@@ -30,7 +30,7 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
   await build(scene);
   expect(put).to.equal(scene);
   expect(told).to.deep.equal([first.shown, second.shown]);
-  const gone = { ...scene, bringVolume: async () => (await target.wear(null), true) };
+  const gone = { ...scene, bringVolume: async () => (await target.show(null), true) };
   await build(gone);
   expect(told.slice(2), 'nor does it keep those that are gone by then').to.deep.equal([second.shown, null]);
   await build(gone);
@@ -44,9 +44,9 @@ it('labels that come after a new scene has looked for them, and before it is in 
   const socket = new ViewSocket();
   socket.view = { viewer } as unknown as SocketView;
   const labels = { shown: { map: 'one' }, nameOf: () => null } as unknown as ViewLabels;
-  const worn = new PresenterTarget(socket).wear(labels);
+  const applied = new PresenterTarget(socket).show(labels);
   await Promise.resolve();
   viewer.scene = scene;
-  await worn;
+  await applied;
   expect(told).to.deep.equal([labels.shown, 'drawn anew']);
 });

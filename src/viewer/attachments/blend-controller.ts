@@ -10,11 +10,11 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { withoutIds } from '../../volume/label-volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { noticesOf } from '../model/beside-notices.ts';
-import { BesideKeeper } from './beside-keeper.ts';
-import type { BesideHost } from './beside-keeper.ts';
+import { noticesOf } from '../model/file-notices.ts';
+import { AttachmentController } from './attachment-controller.ts';
+import type { AttachmentHost } from './attachment-controller.ts';
 import { LastWork } from '../model/last-work.ts';
-import { loadBeside } from '../loading/load-beside.ts';
+import { loadAttachment } from '../loading/load-attachment.ts';
 import { makeOverlay } from './make-overlay.ts';
 import { OverlayTarget } from './overlay-target.ts';
 import { placeOverlay } from './place-overlay.ts';
@@ -36,13 +36,13 @@ class BlendTarget extends OverlayTarget {
     return childrenOf(this.view.host, 'volume-layer').length > 0;
   }
 
-  override async wear(overlay: ViewOverlay | null): Promise<void> {
-    if (!overlay || !this.isTaken) await super.wear(overlay);
+  override async show(overlay: ViewOverlay | null): Promise<void> {
+    if (!overlay || !this.isTaken) await super.show(overlay);
   }
 }
 
 /** Controls the second volume of a view. */
-export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarget>> {
+export class BlendController extends AttachmentController<BlendTarget, AttachmentHost<BlendTarget>> {
   readonly #target: BlendTarget;
   readonly #files = new LastWork<Volume>();
   #second: SecondVolume | null = null;
@@ -71,12 +71,12 @@ export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarge
   protected override forget(target: BlendTarget): void {
     this.#files.forget();
     sharedVolumes.release(this);
-    target.track(target.wear(null).catch(() => {}));
+    target.track(target.show(null).catch(() => {}));
   }
 
   protected override async read(target: BlendTarget, signal: AbortSignal): Promise<void> {
     const { voxels, texture, ratio, opacityFactor } = this.#second!;
-    const file = await this.#files.get(JSON.stringify(voxels), signal, (stop) => loadBeside({ ...voxels, limits: deviceLimits(probeDevice()) }, stop, this));
+    const file = await this.#files.get(JSON.stringify(voxels), signal, (stop) => loadAttachment({ ...voxels, limits: deviceLimits(probeDevice()) }, stop, this));
     const loaded = withoutIds(file);
     const colors = texture || opacityFactor !== null ? await readOpacityMap(texture, opacityFactor) : gray;
     signal.throwIfAborted();
@@ -86,7 +86,7 @@ export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarge
     const window = voxels.mosaic ? ([0, white] as const) : (volume.window ?? volume.range);
     const transferFunction = await resolveTransferFunction(colors, window);
     signal.throwIfAborted();
-    await target.wear(makeOverlay({ volume, over, missing: null, transferFunction, blend: 'mix', opacityFactor: ratio }, volume.title ?? ''));
+    await target.show(makeOverlay({ volume, over, missing: null, transferFunction, blend: 'mix', opacityFactor: ratio }, volume.title ?? ''));
     signal.throwIfAborted();
     target.cleared();
     target.reportFiles([[voxels.url, noticesOf(file)]]);

@@ -9,7 +9,7 @@ import { sharedVolumes } from './shared-volumes.ts';
  * @param holder - the object that will show it, until it is released. Without it, the volume is not kept for anyone
  * @throws as loadVolume does
  */
-export async function loadBeside(request: LoadRequest, signal: AbortSignal, holder?: object): Promise<Volume> {
+export async function loadAttachment(request: LoadRequest, signal: AbortSignal, holder?: object): Promise<Volume> {
   // A holder that is not released keeps its volume in memory.
   const nobody = {};
   try {

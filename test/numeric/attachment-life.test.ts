@@ -1,14 +1,14 @@
 // What stands beside a volume, in the course of its life: errors that come and go, and files that come late.
 import { expect } from '@esm-bundle/chai';
 import { childrenOf } from '../../src/page/page-children.ts';
-import { BesideElement } from '../../components/internal/beside-element.ts';
+import { AttachmentElement } from '../../components/internal/attachment-element.ts';
 import { VolumeViewError } from '../../src/core/errors.ts';
 import { colorsOf } from '../../src/viewer/attachments/color-moment.ts';
 import type { ColoredView } from '../../src/viewer/attachments/color-moment.ts';
-import { ErrorBoard } from '../../src/viewer/model/error-board.ts';
+import { ErrorState } from '../../src/viewer/model/error-state.ts';
 import { PaneTarget } from '../../src/viewer/attachments/pane-label-target.ts';
 import { follow } from '../../src/x3d/nodes/read-atlas.ts';
-import { SurfaceKeeper } from '../../src/viewer/attachments/surface-keeper.ts';
+import { SurfaceController } from '../../src/viewer/attachments/surface-controller.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 import { identity } from '../../src/volume/matrix.ts';
 import { SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';
@@ -23,7 +23,7 @@ const turn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
 describe('beside a volume', () => {
   it('the error of a surface that still has one is shown when another one is well again', () => {
-    const errors = new ErrorBoard({ file: '', changed: () => {}, failed: () => {} });
+    const errors = new ErrorState({ file: '', changed: () => {}, failed: () => {} });
     const socket = socketOf(document.createElement('div'));
     socket.view = { errors, viewer: null, volume: null } as unknown as SocketView;
     const [first, second] = [0, 1].map(() => new SurfaceTarget(socket, document.createElement('i')));
@@ -38,8 +38,8 @@ describe('beside a volume', () => {
   it('the next one takes the place of one that leaves, where there can be one', async () => {
     const joined: Element[] = [];
     const refused: Element[] = [];
-    class OnlyOne extends BesideElement<Element> {
-      protected override readonly keeper = { refresh: () => {}, leave: () => {} };
+    class OnlyOne extends AttachmentElement<Element> {
+      protected override readonly controller = { refresh: () => {}, leave: () => {} };
 
       protected override refuse(around: HTMLElement | null): VolumeViewError | null {
         if (around?.localName === 'volume-view' && childrenOf(around, 'only-one')[0] === this) return null;
@@ -73,14 +73,14 @@ describe('beside a volume', () => {
     const socket = socketOf(host);
     const viewer = { volume: {}, scene: null as Scene | null, invalidate: () => {}, reframe: () => {} };
     const work: Promise<unknown>[] = [];
-    const presenter = { host, awake: true, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), viewer: viewer as typeof viewer | null, volume: { grid: cartesianGrid([9, 9, 9], identity) } as unknown, track: (one: Promise<unknown>) => work.push(one), reportFiles: () => {} };
+    const presenter = { host, awake: true, errors: new ErrorState({ file: '', changed: () => {}, failed: () => {} }), viewer: viewer as typeof viewer | null, volume: { grid: cartesianGrid([9, 9, 9], identity) } as unknown, track: (one: Promise<unknown>) => work.push(one), reportFiles: () => {} };
     socket.view = presenter as unknown as SocketView;
     const target = new SurfaceTarget(socket, document.createElement('i'));
     const shown = (): readonly number[] | undefined => socket.last('surface')?.color;
     const url = `data:text/plain,${encodeURIComponent(ballPly([0, 0, 0], 5, 4))}`;
     const told: string[] = [];
     let red = 0;
-    const surfaces = new SurfaceKeeper({
+    const surfaces = new SurfaceController({
       localName: 'volume-surface',
       wanted: () => ({ request: { surface: 'mesh', url, space: null }, look: { color: [red, 0, 0], usesOwnColors: false } }),
       target: () => target,
@@ -126,7 +126,7 @@ describe('beside a volume', () => {
   });
 
   it('a view without color-moment keeps the error of its layer', async () => {
-    const errors = new ErrorBoard({ file: '', changed: () => {}, failed: () => {} });
+    const errors = new ErrorState({ file: '', changed: () => {}, failed: () => {} });
     const view = Object.assign(document.createElement('div'), { colorMoment: null as string | null, scan: null }) as ColoredView & { colorMoment: string | null };
     socketOf(view).view = { errors, viewer: null, volume: null, track: () => {} } as unknown as SocketView;
     errors.report('overlay', wrong('a layer'));

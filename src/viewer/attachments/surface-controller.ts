@@ -3,8 +3,8 @@ import type { LoadProgress } from '../../formats/base/load-request.ts';
 import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
 import type { Surface } from '../../volume/surface.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { BesideKeeper } from './beside-keeper.ts';
-import type { BesideHost } from './beside-keeper.ts';
+import { AttachmentController } from './attachment-controller.ts';
+import type { AttachmentHost } from './attachment-controller.ts';
 import { LastWork } from '../model/last-work.ts';
 import { loads } from '../loading/load-queue.ts';
 import { noteOnPlace } from './note-on-place.ts';
@@ -13,7 +13,7 @@ import type { WantedSurface } from './surface-attributes.ts';
 import type { SurfaceTarget } from './surface-target.ts';
 
 /** What the controller of a surface needs of its element. */
-export interface SurfaceKeeperHost extends BesideHost<SurfaceTarget> {
+export interface SurfaceControllerHost extends AttachmentHost<SurfaceTarget> {
   readonly localName: string;
   /** null where nothing must be shown. @throws {VolumeViewError} */
   wanted(volume: Volume | null): WantedSurface | null;
@@ -22,7 +22,7 @@ export interface SurfaceKeeperHost extends BesideHost<SurfaceTarget> {
 }
 
 /** Loads a surface and shows it. */
-export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost> {
+export class SurfaceController extends AttachmentController<SurfaceTarget, SurfaceControllerHost> {
   readonly #files = new LastWork<Surface>();
   #shown: ShownSurface | null = null;
   /** The surface that was last reported to the page. */

@@ -5,7 +5,7 @@ import type { LitElement } from 'lit';
  * Apply the styles of an element again. A style sheet works in one document only: an element that is moved to an iframe loses its sheets,
  * and can't use them there.
  */
-export function wearStyles({ shadowRoot: root, constructor }: LitElement): void {
+export function applyStyles({ shadowRoot: root, constructor }: LitElement): void {
   const { elementStyles } = constructor as typeof LitElement;
   if (!root || (!supportsAdoptingStyleSheets && root.querySelector('style'))) return; // Style elements move with the element.
   const page = root.ownerDocument;

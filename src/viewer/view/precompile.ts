@@ -19,8 +19,8 @@ export interface Foretold {
  * Precompile, in a viewer's scene that waits for its volume, the code that draws it: by a picture of one pixel that is cleared
  * before anybody sees it. For a radar, compiling takes as long as all other work before its first picture.
  */
-export function rehearse(viewer: Viewer | null, foretold: Foretold): void {
-  viewer?.keeper.rehearse((scene) => draw(scene, foretold).catch(() => {})); // An error is reported when the picture itself is drawn.
+export function precompile(viewer: Viewer | null, foretold: Foretold): void {
+  viewer?.controller.precompile((scene) => draw(scene, foretold).catch(() => {})); // An error is reported when the picture itself is drawn.
 }
 
 async function draw(scene: Scene, { volume, optics, cuts }: Foretold): Promise<void> {
@@ -28,7 +28,7 @@ async function draw(scene: Scene, { volume, optics, cuts }: Foretold): Promise<v
   await scene.setStyle(styleOf(optics));
   if (!(await scene.bringVolume(volume, () => false))) return;
   const shown = new ShownVolume();
-  Object.assign(shown, { volume, optics, cuts }).furnish(scene);
+  Object.assign(shown, { volume, optics, cuts }).applyTo(scene);
   scene.resize(1, 1); // From any direction: an author's viewpoint stays as it is.
   scene.setSubsteps(wholeSteps);
   scene.draw(stepLengthOf(volume.grid, 1));

@@ -14,7 +14,7 @@ import { listSamplers, maxSamplers } from '../ray/compose-ray.ts';
 import type { Optics, RayModule } from '../ray/ray-module.ts';
 
 /** The labels and the second field of a layer, if it has them. */
-export class BesideLayer {
+export class AttachedLayers {
   #labels: LabelLayer | null = null;
   #overlay: OverlayLayer | null = null;
   #hasTold = false;

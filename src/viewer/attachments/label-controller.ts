@@ -6,8 +6,8 @@ import type { CartesianGrid } from '../../volume/grid.ts';
 import { invertAffine } from '../../volume/matrix.ts';
 import type { LabelMap, NamedLabel } from '../../volume/labels.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { BesideKeeper } from './beside-keeper.ts';
-import type { BesideHost } from './beside-keeper.ts';
+import { AttachmentController } from './attachment-controller.ts';
+import type { AttachmentHost } from './attachment-controller.ts';
 import type { LabelChildren } from './label-children.ts';
 import { labelsIn, loadLabelFile, loadLabelTable } from '../loading/label-files.ts';
 import type { LabelFile } from '../loading/label-files.ts';
@@ -20,7 +20,7 @@ import { describeLabels, styleLabels } from '../model/view-labels.ts';
 import type { LabelEntry } from '../model/view-labels.ts';
 
 /** What the controller of labels needs of its element. */
-export interface LabelKeeperHost extends BesideHost<LabelTarget> {
+export interface LabelControllerHost extends AttachmentHost<LabelTarget> {
   /** What the author says about labels. @param ids - of the file */
   said(ids: readonly number[]): LabelChildren;
   /** Load the file, where its values need a change before they are labels. */
@@ -31,7 +31,7 @@ export interface LabelKeeperHost extends BesideHost<LabelTarget> {
 }
 
 /** The labels that are shown, and their volume. */
-interface Worn {
+interface Applied {
   readonly map: LabelMap;
   readonly table: LabelTable | null;
   /** Whether the volume itself is the labels. */
@@ -40,7 +40,7 @@ interface Worn {
 }
 
 /** Loads labels and their table, resamples them to the volume's grid, and keeps the choices of persons and scripts. */
-export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
+export class LabelController extends AttachmentController<LabelTarget, LabelControllerHost> {
   /** For each label, the choice of a person or a script: whether it is hidden. */
   readonly #chosen = new Map<number, boolean>();
   /** Whether hidden labels stay faintly visible, as ghosts. */
@@ -48,13 +48,13 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
   readonly #files = new LastWork<LabelFile>();
   readonly #tables = new LastWork<LabelTable>();
   readonly #placed = new LastWork<LabelMap>();
-  #worn: Worn | null = null;
+  #applied: Applied | null = null;
   #entries: readonly LabelEntry[] = [];
   #nameOf: (id: number) => string | null = () => null;
   readonly #functions = new LabelFunctions();
   /** The window for which transfer functions of labels were read. */
   #window = '';
-  #wears = 0;
+  #applies = 0;
   /** Whether the target could show ghosts when labels were styled last. */
   #showsGhosts = false;
   /** Whether the last request has failed. */
@@ -65,40 +65,40 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
    * labels are loaded.
    */
   get entries(): readonly LabelEntry[] {
-    return this.#worn?.isOwn ? this.#entries.slice(1) : this.#entries;
+    return this.#applied?.isOwn ? this.#entries.slice(1) : this.#entries;
   }
 
   /** The labels as a pane of the volume shows them; null where it has none. @param opacity - over its grey values, 0..1 */
   inPane(volume: Volume | null, opacity: number): PaneLabels | null {
-    const worn = this.#worn;
-    const worldToIndex = worn && worn.volume === volume && invertAffine((volume.grid as CartesianGrid).indexToWorld);
+    const applied = this.#applied;
+    const worldToIndex = applied && applied.volume === volume && invertAffine((volume.grid as CartesianGrid).indexToWorld);
     if (!worldToIndex) return null;
     // A volume that is itself labels already has their colours.
-    return paneLabels({ map: worn.map, styles: styleLabels(this.#entries) }, { worldToIndex, nameOf: this.#nameOf, opacity: worn.isOwn ? 0 : opacity });
+    return paneLabels({ map: applied.map, styles: styleLabels(this.#entries) }, { worldToIndex, nameOf: this.#nameOf, opacity: applied.isOwn ? 0 : opacity });
   }
 
   protected override unread(target: LabelTarget): void {
     this.#isLacking = true;
     // The labels of another volume do not fit this one.
-    if (this.#worn?.volume !== target.volume) this.#wear(null).catch(() => {});
+    if (this.#applied?.volume !== target.volume) this.#apply(null).catch(() => {});
   }
 
   protected override forget(target: LabelTarget): void {
     this.#files.forget();
     this.#tables.forget();
     this.#placed.forget();
-    this.#worn = null;
-    this.#wears++;
+    this.#applied = null;
+    this.#applies++;
     this.#entries = [];
-    target.dress(null);
-    target.track(target.wear(null).catch(() => {}));
+    target.replaceTransferFunction(null);
+    target.track(target.show(null).catch(() => {}));
     this.host.changed();
   }
 
   /** The settings of labels, or the choices of a person, have changed. */
   restyle(): void {
     const target = this.host.target();
-    if (this.#worn && target) target.track(this.#wear(this.#worn).catch((error: unknown) => this.fail(error)));
+    if (this.#applied && target) target.track(this.#apply(this.#applied).catch((error: unknown) => this.fail(error)));
   }
 
   /** The volume's appearance has changed: presets of labels span its window. */
@@ -126,7 +126,7 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     if (hidden) {
       target.cleared();
       target.reportFiles([]);
-      return this.#wear(null);
+      return this.#apply(null);
     }
     // Both load at the same time; if one fails, an error of the other is not reported.
     const [file, names] = await Promise.all([
@@ -145,30 +145,30 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     signal.throwIfAborted();
     this.#isLacking = false;
     target.reportFiles([[src ?? '', file?.left ?? []], [table ?? '', names?.problems ?? []]]);
-    await this.#wear({ map, table: withNamed(names, from.named), isOwn: !file, volume });
+    await this.#apply({ map, table: withNamed(names, from.named), isOwn: !file, volume });
   }
 
-  async #wear(worn: Worn | null): Promise<void> {
+  async #apply(applied: Applied | null): Promise<void> {
     const target = this.host.target();
-    this.#worn = worn;
-    const call = ++this.#wears;
-    const { overrides, error } = this.host.said(worn?.map.ids ?? []);
+    this.#applied = applied;
+    const call = ++this.#applies;
+    const { overrides, error } = this.host.said(applied?.map.ids ?? []);
     const transferFunction = this.host.wanted().transferFunction?.trim() || null;
-    this.#entries = worn ? describeLabels(worn.map.ids, { table: worn.table, overrides, chosen: this.#chosen, transferFunction, ghosts: this.#ghosts && target?.showsGhosts === true }) : [];
+    this.#entries = applied ? describeLabels(applied.map.ids, { table: applied.table, overrides, chosen: this.#chosen, transferFunction, ghosts: this.#ghosts && target?.showsGhosts === true }) : [];
     this.#showsGhosts = target?.showsGhosts === true;
     const names = new Map(this.#entries.map(({ id, name }) => [id, name]));
     this.#nameOf = (id) => names.get(id) || null;
-    target?.dress(worn?.isOwn ? ownLabelsLook(this.#entries) : null);
+    target?.replaceTransferFunction(applied?.isOwn ? ownLabelsLook(this.#entries) : null);
     this.host.changed();
-    const reading = target?.window && worn ? this.#functions.read(this.#entries, target.window) : null;
+    const reading = target?.window && applied ? this.#functions.read(this.#entries, target.window) : null;
     this.#window = reading ? String(target!.window) : '';
     const groups = reading && (await reading);
-    if (call !== this.#wears) return;
-    const shown = worn && !worn.isOwn ? { map: worn.map, styles: styleLabels(this.#entries, groups?.numbers), ...(groups?.functions.length && { functions: groups.functions }) } : null;
-    await target?.wear(worn && { shown, nameOf: this.#nameOf });
-    const wrong = error ?? groups?.error ?? (groups && worn?.isOwn ? ownHaveNone() : null);
+    if (call !== this.#applies) return;
+    const shown = applied && !applied.isOwn ? { map: applied.map, styles: styleLabels(this.#entries, groups?.numbers), ...(groups?.functions.length && { functions: groups.functions }) } : null;
+    await target?.show(applied && { shown, nameOf: this.#nameOf });
+    const wrong = error ?? groups?.error ?? (groups && applied?.isOwn ? ownHaveNone() : null);
     if (wrong) this.fail(wrong);
-    else if (worn && !this.#isLacking) target?.cleared();
+    else if (applied && !this.#isLacking) target?.cleared();
   }
 }
 

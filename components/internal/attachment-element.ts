@@ -5,7 +5,7 @@ import { ReflectingElement } from './reflecting-element.ts';
 import { tell } from './volume-view-events.ts';
 
 /** Loads what the attributes of such an element name, adds it to the target and removes it again. */
-interface Keeper<Target> {
+interface Controller<Target> {
   refresh(): void;
   leave(target: Target): void;
 }
@@ -14,12 +14,12 @@ interface Keeper<Target> {
  * An element that adds something to the volume of the element around it (its host). It follows the volumes of the host, and removes what it
  * added when it leaves.
  */
-export abstract class BesideElement<Target> extends ReflectingElement {
+export abstract class AttachmentElement<Target> extends ReflectingElement {
   #around: HTMLElement | null = null;
   #target: Target | null = null;
   #stay = new AbortController();
 
-  protected abstract readonly keeper: Keeper<Target>;
+  protected abstract readonly controller: Controller<Target>;
 
   /** The reason why the element can't be inside `around`; null where it can. */
   protected abstract refuse(around: HTMLElement | null): VolumeViewError | null;
@@ -61,7 +61,7 @@ export abstract class BesideElement<Target> extends ReflectingElement {
   }
 
   protected override updated(_changed: ReadonlyMap<PropertyKey, unknown>): void {
-    this.keeper.refresh();
+    this.controller.refresh();
   }
 
   /** The host draws what this element adds. The element itself shows nothing. */
@@ -86,8 +86,8 @@ export abstract class BesideElement<Target> extends ReflectingElement {
     await customElements.whenDefined(around!.localName);
     if (signal.aborted || !this.isConnected) return;
     this.#target = this.join(around!, signal);
-    around!.addEventListener('load', () => this.keeper.refresh(), { signal });
-    this.keeper.refresh();
+    around!.addEventListener('load', () => this.controller.refresh(), { signal });
+    this.controller.refresh();
   }
 
   #leave(): void {
@@ -96,11 +96,11 @@ export abstract class BesideElement<Target> extends ReflectingElement {
     this.#around = null;
     this.#target = null;
     if (!target) return;
-    this.keeper.leave(target);
+    this.controller.leave(target);
     if (around!.contains(this)) return;
     this.left(around!);
     // Where a host takes only one such element, the next one replaces this one.
     const [next] = childrenOf(around!, this.localName);
-    if (next instanceof BesideElement && !next.#target) void next.#enter(around);
+    if (next instanceof AttachmentElement && !next.#target) void next.#enter(around);
   }
 }

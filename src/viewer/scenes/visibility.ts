@@ -7,7 +7,7 @@ const nearMargin = '50%';
  * The visibility of an element: how near it is to the visible part of the page, whether a person interacts with it, and whether a
  * script waits for it.
  */
-export class Presence {
+export class Visibility {
   #near = false;
   /** Whether the place of the element is known. */
   #isPlaced = false;

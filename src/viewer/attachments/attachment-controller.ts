@@ -1,14 +1,14 @@
-import type { BesideTarget } from '../model/label-target.ts';
+import type { AttachmentTarget } from '../model/label-target.ts';
 
 /** The element that owns the attachment. */
-export interface BesideHost<Target extends BesideTarget> {
+export interface AttachmentHost<Target extends AttachmentTarget> {
   /** null while the element is in no page. */
   target(): Target | null;
   failed(error: unknown): void;
 }
 
 /** Shows something that is attached to a volume in the picture. The last request counts, and an error leaves the last good state. */
-export abstract class BesideKeeper<Target extends BesideTarget, Host extends BesideHost<Target>> {
+export abstract class AttachmentController<Target extends AttachmentTarget, Host extends AttachmentHost<Target>> {
   #run = new AbortController();
 
   constructor(readonly host: Host) {}

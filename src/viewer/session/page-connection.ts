@@ -1,9 +1,9 @@
 import { loadPart } from '../../core/load-part.ts';
 import { watchSlices } from '../cuts/cuts.ts';
-import type * as Hands from './hands.ts';
+import type * as Interaction from './interaction.ts';
 import { PageWatcher } from '../scenes/page-watcher.ts';
-import type { Presence } from '../scenes/presence.ts';
-import type { ScenePlace } from '../scenes/scene-keeper.ts';
+import type { Visibility } from '../scenes/visibility.ts';
+import type { ScenePlace } from '../scenes/scene-controller.ts';
 import { Viewer } from '../view/viewer.ts';
 import type { ViewerListener } from '../view/viewer.ts';
 
@@ -16,7 +16,7 @@ export interface PagePlace {
 }
 
 /** What a page connection reports. */
-export interface VisitListener extends ViewerListener {
+export interface ConnectionListener extends ViewerListener {
   /** The <volume-slice> children have changed; X3D's volume nodes if `isLook`. */
   slicesChanged(isLook?: boolean): void;
   /** A person wants less motion, or no longer. */
@@ -24,16 +24,16 @@ export interface VisitListener extends ViewerListener {
 }
 
 /** What an element has only while it is in a page: a viewer, the input for its camera, and observers of the page. */
-export class PageVisit {
+export class PageConnection {
   readonly viewer: Viewer;
   readonly #watcher = new PageWatcher();
-  #input: Hands.CameraInput | null = null;
+  #input: Interaction.CameraInput | null = null;
   /** The code for interaction; null until there is a picture. */
-  hands: typeof Hands | null = null;
+  interaction: typeof Interaction | null = null;
   /** Identifies the last call of `setControls`: an earlier one that is still loading has no effect. */
   #word = {};
 
-  constructor(readonly picture: HTMLElement, place: ScenePlace, listener: VisitListener) {
+  constructor(readonly picture: HTMLElement, place: ScenePlace, listener: ConnectionListener) {
     this.viewer = new Viewer(place, listener);
     this.#watcher.watchSize(place.host, () => this.viewer.invalidate());
     this.#watcher.watchMotion(() => listener.motionChanged());
@@ -41,8 +41,8 @@ export class PageVisit {
   }
 
   /** Watch how near the element is to the visible part of the page. */
-  watch(presence: Presence): void {
-    presence.watch(this.viewer.place.host, this.#watcher);
+  watch(visibility: Visibility): void {
+    visibility.watch(this.viewer.place.host, this.#watcher);
   }
 
   /** Set whether mouse, touch and keys move the camera. @throws {VolumeViewError} `format/unsupported` */
@@ -51,8 +51,8 @@ export class PageVisit {
     const word = (this.#word = {});
     this.#input?.dispose();
     this.#input = null;
-    this.hands ??= await loadPart(import('./hands.ts'), 'turns the picture by hand');
-    if (on && this.#word === word) this.#input = new this.hands.CameraInput(this.picture, viewer.rig, { changed: () => viewer.invalidate(), reset: () => viewer.resetCamera() });
+    this.interaction ??= await loadPart(import('./interaction.ts'), 'turns the picture by hand');
+    if (on && this.#word === word) this.#input = new this.interaction.CameraInput(this.picture, viewer.rig, { changed: () => viewer.invalidate(), reset: () => viewer.resetCamera() });
   }
 
   dispose(): void {

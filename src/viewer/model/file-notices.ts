@@ -11,7 +11,7 @@ export interface FileNotices {
 
 /** Where the notices are kept and shown. */
 interface NoticePlace {
-  readonly besideNotices: Map<object, readonly FileNotices[]>;
+  readonly fileNotices: Map<object, readonly FileNotices[]>;
   readonly user: { changed(): void };
 }
 
@@ -25,17 +25,17 @@ export type ToldFile = readonly [url: string, notices: readonly string[]];
  * Notify the people who see a picture which parts of attached files are not in it, or are changed in it.
  * @param owner - the object that shows the files: this call replaces its earlier report
  */
-export function tellBeside({ besideNotices, user }: NoticePlace, owner: object, files: readonly ToldFile[]): void {
+export function reportFileNotices({ fileNotices, user }: NoticePlace, owner: object, files: readonly ToldFile[]): void {
   const told = files.filter(([, notices]) => notices.length > 0).map(([url, notices]): FileNotices => ({ name: nameOf(url), notices }));
-  if (told.length === 0 && !besideNotices.has(owner)) return;
-  if (told.length > 0) besideNotices.set(owner, told);
-  else besideNotices.delete(owner);
+  if (told.length === 0 && !fileNotices.has(owner)) return;
+  if (told.length > 0) fileNotices.set(owner, told);
+  else fileNotices.delete(owner);
   user.changed();
 }
 
 /** Whether something of a volume's file, or of the files shown with it, is not in the picture, or is changed there. */
-export function hasNotices(info: Pick<VolumeInfo, 'notices' | 'reduced'> | null, beside: ReadonlyMap<object, readonly FileNotices[]>): boolean {
-  return beside.size > 0 || Boolean(info?.notices?.length || info?.reduced);
+export function hasNotices(info: Pick<VolumeInfo, 'notices' | 'reduced'> | null, attached: ReadonlyMap<object, readonly FileNotices[]>): boolean {
+  return attached.size > 0 || Boolean(info?.notices?.length || info?.reduced);
 }
 
 /** The notices about a volume's file that change what people see. */

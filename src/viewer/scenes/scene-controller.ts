@@ -4,7 +4,7 @@ import type { SceneContents } from './build-scene.ts';
 import { contextPool } from './context-pool.ts';
 import type { ContextHolder, Need } from './context-pool.ts';
 import type { FrameLoop } from './frame-loop.ts';
-import type { Presence } from './presence.ts';
+import type { Visibility } from './visibility.ts';
 import type { RayTwins } from '../../renderer/ray/ray-twin.ts';
 import type { Scene, SceneFactory } from '../model/scene.ts';
 import { Snapshot } from './snapshot.ts';
@@ -15,7 +15,7 @@ export interface ScenePlace {
   readonly host: HTMLElement;
   /** Holds the canvas. */
   readonly container: Element;
-  readonly presence: Presence;
+  readonly visibility: Visibility;
   readonly scenes: SceneFactory;
 }
 
@@ -25,7 +25,7 @@ export interface SceneUser extends SceneContents {
   readonly ready: boolean;
   readonly loop: FrameLoop;
   /** Apply the rest to a scene that has the volume but is not in use yet. */
-  furnish(scene: Scene): void;
+  applyTo(scene: Scene): void;
   /** The scene is in use now. */
   entered(scene: Scene): void;
   /** Something in the scene changed. */
@@ -39,7 +39,7 @@ export interface SceneUser extends SceneContents {
  * Holds a scene, and with it a WebGL context, while it is a holder of the page's context pool. Without a scene, a snapshot of the
  * last picture is on the page. A lost context is replaced.
  */
-export class SceneKeeper implements ContextHolder {
+export class SceneController implements ContextHolder {
   #scene: Scene | null = null;
   #lastTwins: RayTwins | null = null;
   #isBuilding = false;
@@ -93,21 +93,21 @@ export class SceneKeeper implements ContextHolder {
   }
 
   get inSight(): boolean {
-    return this.place.presence.inSight;
+    return this.place.visibility.inSight;
   }
 
   get asked(): boolean {
-    return this.place.presence.asked;
+    return this.place.visibility.asked;
   }
 
   get mayHold(): boolean {
-    return (this.user.ready || this.#expecting) && this.place.presence.mayBeNear && !this.hasFailed;
+    return (this.user.ready || this.#expecting) && this.place.visibility.mayBeNear && !this.hasFailed;
   }
 
   get need(): Need {
     if (!this.mayHold) return 'none';
     if (!this.user.ready) return 'ready'; // It takes no context from viewers that have something to show.
-    if (this.place.presence.inHand) return 'hand';
+    if (this.place.visibility.inHand) return 'hand';
     if (this.#pins > 0 || this.user.loop.unfinished) return 'picture';
     return this.inSight ? 'ready' : 'none';
   }
@@ -132,7 +132,7 @@ export class SceneKeeper implements ContextHolder {
   }
 
   /** Something changed: a scene that could not be built may work now. */
-  forgive(): void {
+  clearErrors(): void {
     this.#failure = null;
   }
 
@@ -144,7 +144,7 @@ export class SceneKeeper implements ContextHolder {
   }
 
   /** Do some work with a scene that waits for its contents; nothing where no scene waits. */
-  rehearse(act: (scene: Scene) => Promise<void>): void {
+  precompile(act: (scene: Scene) => Promise<void>): void {
     if (!this.#isBuilding || this.user.ready) return;
     this.#rehearsal = act;
     this.#lookAgain?.();
@@ -233,7 +233,7 @@ export class SceneKeeper implements ContextHolder {
   }
 
   #put(scene: Scene): void {
-    this.user.furnish(scene);
+    this.user.applyTo(scene);
     scene.canvas.addEventListener('webglcontextlost', () => void this.#recover(scene));
     this.user.entered(scene);
     this.#scene = scene;

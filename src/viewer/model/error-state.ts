@@ -24,7 +24,7 @@ const aspects = {
 
 export type Aspect = keyof typeof aspects;
 
-/** What an `ErrorBoard` reports to its element. */
+/** What an `ErrorState` reports to its element. */
 export interface ErrorListener {
   /** The file that is shown or loaded, for messages about unexpected errors. */
   readonly file: string;
@@ -35,7 +35,7 @@ export interface ErrorListener {
 }
 
 /** The present errors of an element: at most one for each aspect. */
-export class ErrorBoard {
+export class ErrorState {
   readonly #errors = new Map<Aspect, VolumeViewError>();
 
   constructor(readonly listener: ErrorListener) {}

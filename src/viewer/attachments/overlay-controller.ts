@@ -6,11 +6,11 @@ import { probeDevice } from '../../renderer/probes/probe-device.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { withoutIds } from '../../volume/label-volume.ts';
 import type { PolarVolume, Volume } from '../../volume/volume.ts';
-import { noticesOf } from '../model/beside-notices.ts';
-import { BesideKeeper } from './beside-keeper.ts';
-import type { BesideHost } from './beside-keeper.ts';
+import { noticesOf } from '../model/file-notices.ts';
+import { AttachmentController } from './attachment-controller.ts';
+import type { AttachmentHost } from './attachment-controller.ts';
 import { LastWork } from '../model/last-work.ts';
-import { loadBeside } from '../loading/load-beside.ts';
+import { loadAttachment } from '../loading/load-attachment.ts';
 import { makeOverlay } from './make-overlay.ts';
 import { resolveOverlayLook } from '../appearance/overlay-look.ts';
 import type { OverlayLook, OverlayWords } from '../appearance/overlay-look.ts';
@@ -27,14 +27,14 @@ export interface OverlayWishes extends OverlayWords {
 }
 
 /** What the controller of a layer needs of its element. */
-export interface OverlayKeeperHost extends BesideHost<OverlayTarget> {
+export interface OverlayControllerHost extends AttachmentHost<OverlayTarget> {
   readonly wanted: () => OverlayWishes;
   /** The layer, or its appearance, has changed. */
   changed(): void;
 }
 
 /** Loads a layer, reads its appearance, and puts it over the volume. */
-export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost> {
+export class OverlayController extends AttachmentController<OverlayTarget, OverlayControllerHost> {
   readonly #files = new LastWork<Volume>();
   #volume: Volume | null = null;
   #look: OverlayLook | null = null;
@@ -65,9 +65,9 @@ export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost
     this.#volume = null;
     this.#look = null;
     this.#over = null;
-    const worn = target.wear(null);
+    const applied = target.show(null);
     this.host.changed();
-    await worn;
+    await applied;
   }
 
   protected override async read(target: OverlayTarget, signal: AbortSignal): Promise<void> {
@@ -79,7 +79,7 @@ export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost
     }
     const url = src?.trim();
     if (!url || /\s/.test(url)) throw new VolumeViewError('attribute/invalid', `<volume-layer> got ${url ? 'several files' : 'no src'}; expected src="map.nii.gz", one file with the layer.`);
-    const loaded = await this.#files.get(url, signal, (stop) => loadBeside({ url, limits: deviceLimits(probeDevice()) }, stop, this));
+    const loaded = await this.#files.get(url, signal, (stop) => loadAttachment({ url, limits: deviceLimits(probeDevice()) }, stop, this));
     signal.throwIfAborted();
     const { volume: over } = target;
     if (!over) return; // The target reports the volume when it is there.
@@ -89,7 +89,7 @@ export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost
     const shown = { volume, over, missing: null, ...look };
     const overlay = isPolar(volume) ? await this.#overRadar(shown, name, words.transferFunction === null) : makeOverlay(shown, name);
     signal.throwIfAborted();
-    await target.wear(overlay);
+    await target.show(overlay);
     signal.throwIfAborted();
     [this.#volume, this.#look, this.#over] = [volume, look, over];
     target.cleared();

@@ -2,7 +2,7 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import type { Color } from '../../optics/transfer/transfer-function.ts';
 import { childrenOf } from '../../page/page-children.ts';
-import { LabelKeeper } from './label-keeper.ts';
+import { LabelController } from './label-controller.ts';
 import { labelFileOf } from '../loading/label-files.ts';
 import type { LabelFile } from '../loading/label-files.ts';
 import { PresenterTarget } from './label-target.ts';
@@ -39,21 +39,21 @@ class SegmentTarget extends PresenterTarget {
     return childrenOf(this.view.host, 'volume-labels').length > 0;
   }
 
-  override async wear(labels: ViewLabels | null): Promise<void> {
-    if (!labels || !this.isTaken) await super.wear(labels);
+  override async show(labels: ViewLabels | null): Promise<void> {
+    if (!labels || !this.isTaken) await super.show(labels);
   }
 }
 
 /** Controls the segments of a view. */
-export class SegmentKeeper {
+export class SegmentController {
   readonly #target: SegmentTarget;
-  readonly #keeper: LabelKeeper;
+  readonly #controller: LabelController;
   #segments: Segments | null = null;
   #functions: readonly (string | null)[] = [];
 
   constructor(socket: ViewSocket) {
     this.#target = new SegmentTarget(socket);
-    this.#keeper = new LabelKeeper({
+    this.#controller = new LabelController({
       said: (ids) => ({ overrides: new Map(ids.map((id) => [id, this.#look(id)])), error: this.#segments && tellStyles(this.#segments.all, this.#segments.enabled, ids) }),
       load: (_, signal) => loadIdentifiers(this.#segments!.identifiers, signal),
       wanted: () => ({ src: this.#segments && nameOf(this.#segments.identifiers), table: null, hidden: false, transferFunction: null }),
@@ -62,8 +62,8 @@ export class SegmentKeeper {
       failed: () => {},
     });
     const { host } = socket.view!;
-    host.addEventListener('load', () => this.#keeper.refresh());
-    host.addEventListener('optics-change', () => this.#keeper.rewindow());
+    host.addEventListener('load', () => this.#controller.refresh());
+    host.addEventListener('optics-change', () => this.#controller.rewindow());
   }
 
   /** @param isLast - whether no newer segments have come meanwhile: textures may load slowly @throws {VolumeViewError} */
@@ -76,11 +76,11 @@ export class SegmentKeeper {
     this.#functions = functions;
     this.#segments = segments;
     this.#target.span = segments.window;
-    this.#keeper.refresh();
+    this.#controller.refresh();
   }
 
   hide(): void {
-    if (this.#segments) this.#keeper.leave(this.#target);
+    if (this.#segments) this.#controller.leave(this.#target);
     this.#segments = null;
   }
 
