@@ -38,13 +38,13 @@ function listImports(file, files) {
 export function findCycles(paths) {
   const files = new Set(paths.map((path) => resolve(path)));
   const graph = new Map([...files].map((file) => [file, listImports(file, files)]));
-  const told = new Set();
+  const reported = new Set();
   const cycles = [];
   for (const file of graph.keys()) {
-    const cycle = told.has(file) ? undefined : findWayBack(file, graph);
+    const cycle = reported.has(file) ? undefined : findWayBack(file, graph);
     if (!cycle) continue;
     cycles.push(cycle);
-    for (const one of cycle) told.add(one);
+    for (const one of cycle) reported.add(one);
   }
   return cycles;
 }

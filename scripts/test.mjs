@@ -117,8 +117,8 @@ for (const part of parts) {
   const partFailed = Math.max(found ? Number(found[2]) : 0, Number(status !== 0 || (counts && !found)));
   passed += partPassed;
   failed += partFailed;
-  const told = partFailed > 0 ? /^.*(?:not ok|FAILED|second try): .*$/gm : /^.*second try: .*$/gm;
-  const named = [...output.matchAll(told)].map(([line]) => `\n        ${line}`).join('');
+  const reported = partFailed > 0 ? /^.*(?:not ok|FAILED|second try): .*$/gm : /^.*second try: .*$/gm;
+  const named = [...output.matchAll(reported)].map(([line]) => `\n        ${line}`).join('');
   summary.push(`${partFailed > 0 ? 'FAILED' : 'ok    '}  ${title}: ${partPassed} passed, ${partFailed} failed (${seconds.toFixed(1)} s)${named}`);
 }
 console.log(`\n=== Summary ===\n${summary.join('\n')}\n`);

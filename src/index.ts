@@ -7,5 +7,5 @@ export type { PickOptions, RadarGate, RadarPlace, VolumePick } from './viewer/mo
 export { VolumeViewError } from './core/errors.ts';
 export type { ErrorCode } from './core/errors.ts';
 export { presetNames } from './optics/transfer/preset-names.ts';
-export { registerTranslation } from './messages/words.ts';
-export type { Terms } from './messages/terms.ts';
+export { registerTranslation } from './messages/locale-controller.ts';
+export type { Messages as Terms } from './messages/messages.ts';

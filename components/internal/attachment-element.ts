@@ -2,7 +2,7 @@ import { asVolumeViewError } from '../../src/core/errors.ts';
 import type { VolumeViewError } from '../../src/core/errors.ts';
 import { childrenOf, hostOf } from '../../src/page/page-children.ts';
 import { ReflectingElement } from './reflecting-element.ts';
-import { tell } from './volume-view-events.ts';
+import { emit } from './volume-view-events.ts';
 
 /** Loads what the attributes of such an element name, adds it to the target and removes it again. */
 interface Controller<Target> {
@@ -69,9 +69,9 @@ export abstract class AttachmentElement<Target> extends ReflectingElement {
     return this;
   }
 
-  protected tellError(thrown: unknown): void {
+  protected reportError(thrown: unknown): void {
     const { code, message, cause } = asVolumeViewError(thrown, `${this.localName} of "${this.file}"`);
-    tell(this, 'error', { code, message, cause });
+    emit(this, 'error', { code, message, cause });
   }
 
   async #enter(around: HTMLElement | null): Promise<void> {
@@ -81,7 +81,7 @@ export abstract class AttachmentElement<Target> extends ReflectingElement {
     const problem = this.refuse(around);
     if (problem) {
       console.warn(problem.message); // There is no picture in which the error could be shown.
-      return this.tellError(problem);
+      return this.reportError(problem);
     }
     await customElements.whenDefined(around!.localName);
     if (signal.aborted || !this.isConnected) return;

@@ -11,7 +11,7 @@ export function isOurs(localName: string): boolean {
   return element !== undefined && versionKey in element;
 }
 
-let hasTold = false;
+let hasNotified = false;
 
 /**
  * Define an element, unless the page already has one of this name: where a script is loaded several times, the first copy counts. If the
@@ -24,8 +24,8 @@ export function define(name: string, element: CustomElementConstructor): void {
   if (!first) {
     Object.defineProperty(element, versionKey, { value: version });
     customElements.define(name, element);
-  } else if (first !== element && first[versionKey] !== version && !hasTold) {
-    hasTold = true;
+  } else if (first !== element && first[versionKey] !== version && !hasNotified) {
+    hasNotified = true;
     console.warn(`<${name}> of volume-view ${version} was not defined: the page has ${first[versionKey] ?? 'another one'} already. Load one copy of the script.`);
   }
 }

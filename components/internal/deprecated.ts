@@ -21,7 +21,7 @@ const renamed: Readonly<Record<string, Renamed>> = {
 
 export const oldAttributes = Object.keys(renamed);
 
-const told = new Set<string>();
+const reported = new Set<string>();
 
 /** The present name of an attribute. An old name causes a warning, once for all elements of a page. */
 export function renameAttribute(name: string): string {
@@ -33,8 +33,8 @@ export function renameAttribute(name: string): string {
 
 /** Warn the author of the page that a name is old, once for each name. */
 export function warnOfOldName(old: string, now: string): void {
-  if (told.has(old)) return;
-  told.add(old);
+  if (reported.has(old)) return;
+  reported.add(old);
   console.warn(`<volume-view>: ${old} is an old name; write ${now}.`);
 }
 

@@ -49,7 +49,7 @@ class OpenRoots {
     for (let root = element.getRootNode(); root instanceof ShadowRoot; root = root.host.getRootNode()) {
       isNew = this.#enter(root) || isNew;
     }
-    if (isNew) this.#tell();
+    if (isNew) this.#notify();
   }
 
   /** The first result of a search: in the document, else in an open shadow root. */
@@ -95,7 +95,7 @@ class OpenRoots {
     this.#awaited.delete(localName);
     if (!this.#observer) return;
     for (const root of this.#roots) root.querySelectorAll(localName).forEach((element) => this.#see(element));
-    this.#tell();
+    this.#notify();
   }
 
   #onMutations(records: readonly MutationRecord[]): void {
@@ -106,10 +106,10 @@ class OpenRoots {
       }
     }
     for (const root of this.#roots) if (!root.isConnected) this.#roots.delete(root);
-    this.#tell();
+    this.#notify();
   }
 
-  #tell(): void {
+  #notify(): void {
     for (const listener of this.#listeners) listener.changed?.();
   }
 }

@@ -6,7 +6,7 @@ import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { Surface } from '../../src/volume/surface.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { AttachmentElement } from './attachment-element.ts';
-import { tell } from './volume-view-events.ts';
+import { emit } from './volume-view-events.ts';
 
 /** An element that adds a surface to the scene of the `<volume-view>` around it. */
 export abstract class SurfaceElement extends AttachmentElement<SurfaceTarget> {
@@ -14,9 +14,9 @@ export abstract class SurfaceElement extends AttachmentElement<SurfaceTarget> {
     localName: this.localName,
     wanted: (volume) => (this.hasAttribute('hidden') ? null : this.readWanted((name) => this.readText(name), volume)),
     target: () => this.target,
-    came: (surface) => tell(this, 'load', this.describe(surface)),
-    progress: ({ loaded, total, phase }) => tell(this, 'progress', { loaded, total, phase }),
-    failed: (error) => this.tellError(error),
+    came: (surface) => emit(this, 'load', this.describe(surface)),
+    progress: ({ loaded, total, phase }) => emit(this, 'progress', { loaded, total, phase }),
+    failed: (error) => this.reportError(error),
   });
 
   constructor() {

@@ -4,8 +4,8 @@ import type { FileNotices } from '../../src/viewer/model/file-notices.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import { applySheet } from '../../src/viewer/overlays/apply-sheet.ts';
 import { english } from '../../src/messages/english-notices.ts';
-import type { NoticeTerms } from '../../src/messages/notice-terms.ts';
-import { Words } from '../../src/messages/words.ts';
+import type { NoticeMessages } from '../../src/messages/notice-messages.ts';
+import { LocaleController } from '../../src/messages/locale-controller.ts';
 import type { DrawnPart } from './lazy-part.ts';
 import { noticeStyles } from './view-notices-styles.ts';
 
@@ -25,13 +25,13 @@ const maxLines = 40;
  * it. The code is loaded when there is a notice.
  */
 export class ViewNotices implements DrawnPart {
-  readonly #words: Words<NoticeTerms>;
+  readonly #locale: LocaleController<NoticeMessages>;
   readonly #abort = new AbortController();
   /** The reasons why it is open. */
   readonly #open = new Set<'pointed' | 'focused' | 'pressed'>();
 
   constructor(readonly host: LitElement, readonly source: () => NoticeSource) {
-    this.#words = new Words(host, english);
+    this.#locale = new LocaleController(host, english);
     document.addEventListener('pointerdown', (event) => {
       if (this.#open.has('pressed') && !event.composedPath().some((part) => part instanceof Element && part.matches('.notice'))) this.#close();
     }, { signal: this.#abort.signal, capture: true });
@@ -39,21 +39,21 @@ export class ViewNotices implements DrawnPart {
 
   dispose(): void {
     this.#abort.abort();
-    this.host.removeController(this.#words);
+    this.host.removeController(this.#locale);
   }
 
   render(): unknown {
     const lines = this.#list();
     if (lines.length === 0) return nothing;
     applySheet(this.host.renderRoot as ShadowRoot, noticeStyles);
-    const { terms } = this.#words;
+    const { messages } = this.#locale;
     const isOpen = this.#open.size > 0;
     return html`<div class="notice" @keydown=${this.#onKey} @pointerenter=${this.#onEnter} @pointerleave=${this.#onLeave} @focusin=${this.#onFocus} @focusout=${this.#onBlur}>
-      <button type="button" part="notice-sign" aria-label=${terms.notices(this.#words.number(lines.length))} aria-expanded=${String(isOpen)} aria-controls="notices" @click=${this.#onPress}>
+      <button type="button" part="notice-sign" aria-label=${messages.notices(this.#locale.number(lines.length))} aria-expanded=${String(isOpen)} aria-controls="notices" @click=${this.#onPress}>
         <svg viewBox="0 0 24 24" aria-hidden="true"><circle cx="12" cy="12" r="9"></circle><path d="M12 11v5.5M12 7.5h.01"></path></svg>
       </button>
-      <div class="told" id="notices" part="notice-text" ?hidden=${!isOpen} tabindex=${isOpen ? '0' : nothing} role="group" aria-label=${terms.noticesAre}>
-        <p>${terms.noticesAre}</p>
+      <div class="told" id="notices" part="notice-text" ?hidden=${!isOpen} tabindex=${isOpen ? '0' : nothing} role="group" aria-label=${messages.noticesAre}>
+        <p>${messages.noticesAre}</p>
         <ul>${lines.slice(0, maxLines).map(({ text, lang }) => html`<li lang=${lang ?? nothing}>${text}</li>`)}</ul>
       </div>
     </div>`;
@@ -64,10 +64,10 @@ export class ViewNotices implements DrawnPart {
     const { info, fileNotices } = this.source();
     const own = info?.notices ?? [];
     const attached = [...fileNotices.values()].flat().flatMap(({ name, notices }) => notices.filter((notice) => !own.includes(notice)).map((notice) => (name ? `${name}: ${notice}` : notice)));
-    const told = new Set([...own, ...attached]);
-    const size = (axes: readonly number[]): string => axes.map((n) => this.#words.number(n)).join(' × ');
-    const smaller = info?.reduced ? [{ text: this.#words.terms.madeSmaller(size(info.reduced.from), size(info.reduced.to)) }] : [];
-    return [...smaller, ...[...told].map((text) => ({ text, lang: 'en' }))];
+    const reported = new Set([...own, ...attached]);
+    const size = (axes: readonly number[]): string => axes.map((n) => this.#locale.number(n)).join(' × ');
+    const smaller = info?.reduced ? [{ text: this.#locale.messages.madeSmaller(size(info.reduced.from), size(info.reduced.to)) }] : [];
+    return [...smaller, ...[...reported].map((text) => ({ text, lang: 'en' }))];
   }
 
   readonly #onPress = (): void => (this.#open.has('pressed') ? this.#close() : this.#set('pressed', true));

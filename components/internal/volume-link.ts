@@ -1,5 +1,5 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import type { CompanionTerms } from '../../src/messages/terms.ts';
+import type { CompanionMessages } from '../../src/messages/messages.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -51,9 +51,9 @@ export class VolumeLink implements ReactiveController {
   }
 
   /** A sentence that says what is missing before something can be shown; null where nothing is missing. */
-  describeLack(terms: CompanionTerms): string | null {
-    if (this.#view) return this.#view.optics ? null : terms.noVolume;
-    return terms.noView(this.host.htmlFor);
+  describeLack(messages: CompanionMessages): string | null {
+    if (this.#view) return this.#view.optics ? null : messages.noVolume;
+    return messages.noView(this.host.htmlFor);
   }
 
   hostConnected(): void {

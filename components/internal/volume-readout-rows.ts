@@ -3,7 +3,7 @@ import type { RadarPlace, VolumePick } from '../../src/viewer/model/volume-pick.
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { isInMillimetres, isPatient } from '../../src/volume/world-axes.ts';
 import type { Language } from '../../src/messages/language.ts';
-import type { ReadoutTerms } from '../../src/messages/readout-terms.ts';
+import type { ReadoutMessages } from '../../src/messages/readout-messages.ts';
 
 /** One row: a name and its value as text. */
 export interface Row {
@@ -14,7 +14,7 @@ export interface Row {
 /** How rows are written. */
 export interface RowStyle {
   readonly language: Language;
-  readonly terms: ReadoutTerms;
+  readonly messages: ReadoutMessages;
   /** The attribute as the author wrote it: `patient` or `xyz`; null for the system that suits the volume. */
   readonly coordinates: string | null;
   /** Whether the volume has labels. */
@@ -31,22 +31,22 @@ const valueDigits = 6;
  * @param pick - null for no place
  */
 export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: RowStyle): Row[] {
-  const { terms, language } = style;
+  const { messages, language } = style;
   const none = '–';
   const write = (text: (known: VolumePick) => string): string => (pick ? text(pick) : none);
   const writeValue = (number: number, unit: string): string => `${language.number(number, valueDigits)}${unit && ` ${unit}`}`;
-  const value: Row = { name: terms.value, text: write(({ value: number, unit }) => (Number.isNaN(number) ? none : writeValue(number, unit))) };
+  const value: Row = { name: messages.value, text: write(({ value: number, unit }) => (Number.isNaN(number) ? none : writeValue(number, unit))) };
   const layers: Row[] = typeof style.layer !== 'string' ? [] : [{
-    name: style.layer || terms.layer,
+    name: style.layer || messages.layer,
     text: write(({ layers: [first] = [] }) => (first && first.value !== null ? writeValue(first.value, first.unit) : none)),
   }];
   if (isRadar(volume)) return [value, ...layers, ...listRadarRows(pick?.radar ?? pick?.surface?.radar ?? null, volume, style)];
-  const label: Row = { name: terms.label, text: pick?.labelName ?? pick?.label ?? none };
+  const label: Row = { name: messages.label, text: pick?.labelName ?? pick?.label ?? none };
   return [
     ...(style.hasLabels ? [label, value] : [pick?.label === undefined ? value : label]),
     ...layers,
-    { name: terms.place, text: write(({ world }) => writePlace(world, volume, style)) },
-    { name: terms.voxel, text: write(({ voxel }) => voxel?.map((index) => language.fixed(index, 0)).join(', ') ?? none) },
+    { name: messages.place, text: write(({ world }) => writePlace(world, volume, style)) },
+    { name: messages.voxel, text: write(({ voxel }) => voxel?.map((index) => language.fixed(index, 0)).join(', ') ?? none) },
   ];
 }
 
@@ -54,31 +54,31 @@ export function isRadar({ moment, site }: VolumeInfo): boolean {
   return moment !== undefined || site !== undefined;
 }
 
-function listRadarRows(place: Omit<RadarPlace, 'gate'> | null, { site }: VolumeInfo, { language, terms }: RowStyle): Row[] {
+function listRadarRows(place: Omit<RadarPlace, 'gate'> | null, { site }: VolumeInfo, { language, messages }: RowStyle): Row[] {
   const row = (name: string, write: (known: Omit<RadarPlace, 'gate'>) => string): Row => ({ name, text: place ? write(place) : '–' });
   const degrees = (angle: number, decimals: number): string => `${language.fixed(angle, decimals)}°`;
   return [
-    row(terms.beamRange, ({ range }) => terms.kilometres(language.fixed(range / 1000, 2))),
-    row(terms.beamAzimuth, ({ azimuth }) => degrees(azimuth, 1)),
-    row(terms.beamElevation, ({ elevation }) => degrees(elevation, 2)),
-    ...(site?.height === undefined ? [] : [row(terms.aboveSea, ({ heightAboveSea }) => terms.metres(language.fixed(heightAboveSea!, 0)))]),
-    row(terms.aboveAntenna, ({ heightAboveAntenna }) => terms.metres(language.fixed(heightAboveAntenna, 0))),
-    ...(site?.latitude === undefined || site.longitude === undefined ? [] : [row(terms.latitudeLongitude, ({ latitude, longitude }) =>
-      `${degrees(Math.abs(latitude!), 3)} ${latitude! < 0 ? terms.south : terms.north} ${degrees(Math.abs(longitude!), 3)} ${longitude! < 0 ? terms.west : terms.east}`)]),
+    row(messages.beamRange, ({ range }) => messages.kilometres(language.fixed(range / 1000, 2))),
+    row(messages.beamAzimuth, ({ azimuth }) => degrees(azimuth, 1)),
+    row(messages.beamElevation, ({ elevation }) => degrees(elevation, 2)),
+    ...(site?.height === undefined ? [] : [row(messages.aboveSea, ({ heightAboveSea }) => messages.metres(language.fixed(heightAboveSea!, 0)))]),
+    row(messages.aboveAntenna, ({ heightAboveAntenna }) => messages.metres(language.fixed(heightAboveAntenna, 0))),
+    ...(site?.latitude === undefined || site.longitude === undefined ? [] : [row(messages.latitudeLongitude, ({ latitude, longitude }) =>
+      `${degrees(Math.abs(latitude!), 3)} ${latitude! < 0 ? messages.south : messages.north} ${degrees(Math.abs(longitude!), 3)} ${longitude! < 0 ? messages.west : messages.east}`)]),
   ];
 }
 
 /** A place in words, with a precision of about a tenth of a voxel. */
-export function writePlace(world: Vector3, volume: VolumeInfo, { language, terms, coordinates }: RowStyle): string {
+export function writePlace(world: Vector3, volume: VolumeInfo, { language, messages, coordinates }: RowStyle): string {
   const decimals = Math.min(6, Math.max(0, Math.round(1 - Math.log10(Math.min(...volume.spacing)))));
   const asked = coordinates?.trim().toLowerCase();
   if (asked === 'patient' || (asked !== 'xyz' && isPatient(volume))) {
-    const { right, left, anterior, posterior, superior, inferior } = terms.patient;
+    const { right, left, anterior, posterior, superior, inferior } = messages.patient;
     const signs = [[left, right], [posterior, anterior], [inferior, superior]];
     const parts = world.map((length, axis) => `${signs[axis][length < 0 ? 0 : 1]} ${language.fixed(Math.abs(length), decimals)}`);
-    return terms.millimetres(parts.join(' '));
+    return messages.millimetres(parts.join(' '));
   }
   const plain = world.map((length, axis) => `${'xyz'[axis]} ${language.fixed(length, decimals)}`).join(' ');
   // The file does not say whose axes these are; but the format says the unit.
-  return asked !== 'xyz' && isInMillimetres(volume) ? terms.millimetres(plain) : plain;
+  return asked !== 'xyz' && isInMillimetres(volume) ? messages.millimetres(plain) : plain;
 }

@@ -71,6 +71,6 @@ export interface VolumeViewListeners {
  * Fire an event at an element. The function is in this file, as the analyzer of the manifest would otherwise take "type" for the name of an
  * event.
  */
-export function tell(element: Element, type: string, detail: unknown): void {
+export function emit(element: Element, type: string, detail: unknown): void {
   element.dispatchEvent(new CustomEvent(type, { detail }));
 }

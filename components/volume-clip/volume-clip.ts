@@ -10,7 +10,7 @@ import { Handles } from '../../src/viewer/overlays/handles.ts';
 import type { Handle } from '../../src/viewer/overlays/handles.ts';
 import { corners } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { ClipWords } from '../../src/messages/clip-words.ts';
+import { ClipLocale } from '../../src/messages/clip-locale.ts';
 import { box, number, vector } from '../internal/property-kinds.ts';
 import { property, ReflectingElement, writeSafely } from '../internal/reflecting-element.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
@@ -51,7 +51,7 @@ export class VolumeClip extends ReflectingElement {
   @property() keep!: string | null;
 
   readonly #model = new ClipModel();
-  readonly #words = new ClipWords(this);
+  readonly #locale = new ClipLocale(this);
   readonly #link = new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'time-change']);
   readonly #part: ViewPart = {
     key: 'volume-clip',
@@ -167,12 +167,12 @@ export class VolumeClip extends ReflectingElement {
   }
 
   #name({ at, along, side }: ClipGrip, { stretch }: ClipRoom): Handle {
-    const { language, terms } = this.#words;
+    const { language, messages } = this.#locale;
     const shape = this.#shape!;
     const own: Vector3 = [at[0], at[1], at[2] / stretch];
     const places = shape.kind === 'plane' ? [shape.at!] : side ? [own[side.axis]] : own;
-    const name = shape.kind === 'plane' ? terms.clipPlane : side ? terms.clipSides[side.axis][Number(side.isHigh)] : terms.clipBox;
-    return { at, along, name, place: places.map((place) => language.number(place)).join(' '), keys: along ? terms.handleKeysAlong : terms.handleKeys };
+    const name = shape.kind === 'plane' ? messages.clipPlane : side ? messages.clipSides[side.axis][Number(side.isHigh)] : messages.clipBox;
+    return { at, along, name, place: places.map((place) => language.number(place)).join(' '), keys: along ? messages.handleKeysAlong : messages.handleKeys };
   }
 
   #move(index: number, to: Vector3): void {

@@ -4,4 +4,4 @@ import { VolumeLabelList } from './volume-label-list.ts';
 define('volume-label-list', VolumeLabelList);
 
 export { VolumeLabelList };
-export { registerTranslation } from '../../src/messages/words.ts';
+export { registerTranslation } from '../../src/messages/locale-controller.ts';

@@ -6,7 +6,7 @@ import { repeat } from 'lit/directives/repeat.js';
 import { english as companions } from '../../src/messages/english-companions.ts';
 import { english } from '../../src/messages/english-labels.ts';
 import { Language } from '../../src/messages/language.ts';
-import { Words } from '../../src/messages/words.ts';
+import { LocaleController } from '../../src/messages/locale-controller.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { styles } from './volume-label-list-styles.ts';
@@ -46,7 +46,7 @@ export class VolumeLabelList extends ReflectingElement {
   @state() private _search = '';
 
   readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'labels-change']));
-  readonly #words = new Words(this, { ...companions, ...english });
+  readonly #locale = new LocaleController(this, { ...companions, ...english });
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
@@ -57,25 +57,25 @@ export class VolumeLabelList extends ReflectingElement {
   }
 
   protected override render(): unknown {
-    const { terms } = this.#words;
+    const { messages } = this.#locale;
     const { view } = this.#link;
     const all = this.#labels?.labels ?? [];
-    if (!view?.optics) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(terms)}</span></p>`;
-    if (all.length === 0) return html`<p class="hint" part="hint"><span dir="auto">${this.#labels && !this.#labels.hidden ? terms.labelsComing : terms.noLabels}</span></p>`;
-    const found = all.filter(finder(this._search, terms.otherParts));
-    return html`<div class="list" part="list" role="group" aria-label=${terms.labelList}>
+    if (!view?.optics) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(messages)}</span></p>`;
+    if (all.length === 0) return html`<p class="hint" part="hint"><span dir="auto">${this.#labels && !this.#labels.hidden ? messages.labelsComing : messages.noLabels}</span></p>`;
+    const found = all.filter(finder(this._search, messages.otherParts));
+    return html`<div class="list" part="list" role="group" aria-label=${messages.labelList}>
       <div class="tools">
-        <input type="search" part="search" aria-label=${terms.findLabel} placeholder=${terms.findLabel} .value=${live(this._search)} @input=${this.#onSearch} />
-        <button type="button" part="button" ?disabled=${all.every(({ hidden }) => !hidden)} @click=${() => this.#labels?.showAll()}>${terms.allLabels}</button>
+        <input type="search" part="search" aria-label=${messages.findLabel} placeholder=${messages.findLabel} .value=${live(this._search)} @input=${this.#onSearch} />
+        <button type="button" part="button" ?disabled=${all.every(({ hidden }) => !hidden)} @click=${() => this.#labels?.showAll()}>${messages.allLabels}</button>
       </div>
       ${found.length > 0 ? html`<ul>${repeat(found.slice(0, maxRows), ({ id }) => id, (label) => this.#renderRow(label))}</ul>` : nothing}
-      ${found.length > maxRows ? html`<p class="hint" part="hint"><span dir="auto">${terms.moreLabels(this.#number(found.length - maxRows))}</span></p>` : nothing}
-      <p class="count" part="count" role="status"><span dir="auto">${found.length > 0 ? this.#count(all) : terms.noSuchLabel}</span></p>
+      ${found.length > maxRows ? html`<p class="hint" part="hint"><span dir="auto">${messages.moreLabels(this.#number(found.length - maxRows))}</span></p>` : nothing}
+      <p class="count" part="count" role="status"><span dir="auto">${found.length > 0 ? this.#count(all) : messages.noSuchLabel}</span></p>
     </div>`;
   }
 
   #renderRow({ id, name, color, hidden }: VolumeLabelInfo): unknown {
-    const { onlyThis, onlyLabel, otherParts } = this.#words.terms;
+    const { onlyThis, onlyLabel, otherParts } = this.#locale.messages;
     const called = name || otherParts;
     return html`<li part="row">
       <label>
@@ -94,11 +94,11 @@ export class VolumeLabelList extends ReflectingElement {
 
   #count(all: readonly VolumeLabelInfo[]): string {
     const things = all.filter(({ id }) => id !== 0);
-    return this.#words.terms.labelsShown(this.#number(things.filter(({ hidden }) => !hidden).length), this.#number(things.length));
+    return this.#locale.messages.labelsShown(this.#number(things.filter(({ hidden }) => !hidden).length), this.#number(things.length));
   }
 
   #number(count: number): string {
-    return new Language(this.#words.lang(), this.#words.terms).number(count, 6);
+    return new Language(this.#locale.lang(), this.#locale.messages).number(count, 6);
   }
 
   readonly #onSearch = ({ target }: Event): void => {

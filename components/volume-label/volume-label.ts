@@ -1,4 +1,4 @@
-import { tellIfLost } from '../internal/lost-element.ts';
+import { reportIfLost } from '../internal/lost-element.ts';
 import { number } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 
@@ -38,7 +38,7 @@ export class VolumeLabel extends ReflectingElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    tellIfLost(this, 'volume-labels');
+    reportIfLost(this, 'volume-labels');
   }
 
   /** The `<volume-view>` draws it. The element itself shows nothing. */

@@ -10,7 +10,7 @@ import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
 import { AttachmentElement } from '../internal/attachment-element.ts';
 import { property } from '../internal/reflecting-element.ts';
-import { tell } from '../internal/volume-view-events.ts';
+import { emit } from '../internal/volume-view-events.ts';
 
 /** One label of a volume, as pages and companions get it. */
 export interface VolumeLabelInfo {
@@ -59,7 +59,7 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
     wanted: () => ({ src: this.src, table: this.table, hidden: this.hasAttribute('hidden'), transferFunction: this.transferFunction }),
     target: () => this.target,
     changed: () => this.dispatchEvent(new CustomEvent('labels-change', { detail: null, bubbles: true })),
-    failed: (error) => this.tellError(error),
+    failed: (error) => this.reportError(error),
   });
 
   /** What panes and companions use of the labels. */
@@ -135,7 +135,7 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
 
   /** The events of this element no longer reach the companions of the view that it has left, so the event is fired on the view. */
   protected override left(around: HTMLElement): void {
-    tell(around, 'labels-change', null);
+    emit(around, 'labels-change', null);
   }
 
   #follow(records: readonly MutationRecord[]): void {

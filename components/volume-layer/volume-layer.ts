@@ -73,7 +73,7 @@ export class VolumeLayer extends AttachmentElement<OverlayTarget> {
     }),
     target: () => this.target,
     changed: () => this.#announce(this),
-    failed: (error) => this.tellError(error),
+    failed: (error) => this.reportError(error),
   });
 
   constructor() {

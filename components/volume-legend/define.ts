@@ -4,4 +4,4 @@ import { VolumeLegend } from './volume-legend.ts';
 define('volume-legend', VolumeLegend);
 
 export { VolumeLegend };
-export { registerTranslation } from '../../src/messages/words.ts';
+export { registerTranslation } from '../../src/messages/locale-controller.ts';

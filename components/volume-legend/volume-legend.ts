@@ -9,7 +9,7 @@ import { labelShift } from '../../src/editor/ticks.ts';
 import { toShare } from '../../src/editor/transfer-function-axes.ts';
 import type { Language } from '../../src/messages/language.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
-import { CompanionWords } from '../../src/messages/companion-words.ts';
+import { CompanionLocale } from '../../src/messages/companion-locale.ts';
 import { renderGradientStops } from '../internal/color-gradient.ts';
 import { flag } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
@@ -58,17 +58,17 @@ export class VolumeLegend extends ReflectingElement {
   @property() orientation!: string | null;
 
   readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'layer-change']));
-  readonly #words = new CompanionWords(this);
+  readonly #locale = new CompanionLocale(this);
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
   }
 
   protected override render(): unknown {
-    const { language } = this.#words;
+    const { language } = this.#locale;
     const volume = this.#link.view?.volume;
     const optics = this.#link.view?.optics;
-    if (!volume || !optics) return html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`;
+    if (!volume || !optics) return html`<p class="hint" part="hint">${this.#link.describeLack(language.messages)}</p>`;
     const over = this.layer && this.#link.view ? socketOf(this.#link.view).last('overlay') : null;
     if (this.layer && !over) return nothing; // The layer is still loading, or hidden.
     const { unit, range } = over?.shown.volume ?? volume;

@@ -4,4 +4,4 @@ import { VolumeMeasure } from './volume-measure.ts';
 define('volume-measure', VolumeMeasure);
 
 export { VolumeMeasure };
-export { registerTranslation } from '../../src/messages/words.ts';
+export { registerTranslation } from '../../src/messages/locale-controller.ts';

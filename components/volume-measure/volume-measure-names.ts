@@ -8,16 +8,16 @@ import type { MeasureLocale } from './volume-measure-rows.ts';
 export function namePoints(
   { points, count, name }: { readonly points: readonly Vector3[]; readonly count: number; readonly name: string }, info: VolumeInfo, locale: MeasureLocale,
 ): Pick<Handle, 'name' | 'place' | 'keys'>[] {
-  const { language, terms } = locale;
+  const { language, messages } = locale;
   return points.map((point, i) => ({
-    name: `${name}: ${terms.measurePoint(language.number(i + 1), language.number(count))}`,
+    name: `${name}: ${messages.measurePoint(language.number(i + 1), language.number(count))}`,
     place: isRadar(info) ? writeRadarPlace(point, locale) : writePlace(point, info, { ...locale, coordinates: null }),
-    keys: terms.handleKeys,
+    keys: messages.handleKeys,
   }));
 }
 
 /** @param place - metres east, north and above the antenna */
-function writeRadarPlace([east, north, up]: Vector3, { language, terms }: MeasureLocale): string {
+function writeRadarPlace([east, north, up]: Vector3, { language, messages }: MeasureLocale): string {
   const way = (length: number, [less, more]: readonly [string, string]): string => `${length < 0 ? less : more} ${language.fixed(Math.abs(length) / 1000, 2)}`;
-  return `${terms.kilometres(`${way(east, [terms.west, terms.east])} ${way(north, [terms.south, terms.north])}`)}, ${terms.metres(language.fixed(up, 0))}`;
+  return `${messages.kilometres(`${way(east, [messages.west, messages.east])} ${way(north, [messages.south, messages.north])}`)}, ${messages.metres(language.fixed(up, 0))}`;
 }

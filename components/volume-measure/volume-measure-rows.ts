@@ -2,13 +2,13 @@
 import type { MeasureResult } from '../../src/viewer/tools/measuring.ts';
 import type { Statistics } from '../../src/volume/statistics.ts';
 import type { Language } from '../../src/messages/language.ts';
-import type { MeasureWordTerms } from '../../src/messages/measure-words.ts';
+import type { MeasureWordMessages } from '../../src/messages/measure-locale.ts';
 import type { Row } from '../internal/volume-readout-rows.ts';
 
 /** The language and messages in which a measure is written. */
 export interface MeasureLocale {
   readonly language: Language;
-  readonly terms: MeasureWordTerms;
+  readonly messages: MeasureWordMessages;
 }
 
 /** Digits of a value: enough for all values of 16 bits. */
@@ -18,46 +18,46 @@ const valueDigits = 6;
 const large = { m: 1000, mm: Infinity, '': Infinity };
 
 /** The number of a measure with its uncertainty. */
-export function writeMeasure(result: MeasureResult, { language, terms }: MeasureLocale): string {
+export function writeMeasure(result: MeasureResult, { language, messages }: MeasureLocale): string {
   const { type, value, uncertainty, lengthUnit } = result;
-  if (type === 'angle') return terms.plusMinus(`${writeRounded(value, uncertainty, language)}°`, `${writeUncertainty(uncertainty, language)}°`);
+  if (type === 'angle') return messages.plusMinus(`${writeRounded(value, uncertainty, language)}°`, `${writeUncertainty(uncertainty, language)}°`);
   const { factor, unit } = type === 'distance' ? lengthScale(value, lengthUnit) : volumeScale(value, lengthUnit);
-  return `${terms.plusMinus(writeRounded(value / factor, uncertainty / factor, language), writeUncertainty(uncertainty / factor, language))}${unit && ` ${unit}`}`;
+  return `${messages.plusMinus(writeRounded(value / factor, uncertainty / factor, language), writeUncertainty(uncertainty / factor, language))}${unit && ` ${unit}`}`;
 }
 
 /** All results of a measure, one row each. @param isRadar - whether it contains gates instead of voxels */
 export function listMeasure(result: MeasureResult, isRadar: boolean, locale: MeasureLocale): Row[] {
-  const { terms } = locale;
+  const { messages } = locale;
   const { type, lengths, lengthUnit } = result;
   const number = writeMeasure(result, locale);
-  if (type === 'distance' || type === 'angle') return [{ name: terms.measure[type], text: number }];
+  if (type === 'distance' || type === 'angle') return [{ name: messages.measure[type], text: number }];
   const { factor, unit } = lengthScale(Math.max(...lengths), lengthUnit);
   const written = lengths.map((one) => locale.language.number(one / factor)).join(' × ');
   return [
-    { name: type === 'box' ? terms.measureSize : terms.measureRadius, text: `${written}${unit && ` ${unit}`}` },
-    { name: terms.measureVolume, text: number },
+    { name: type === 'box' ? messages.measureSize : messages.measureRadius, text: `${written}${unit && ` ${unit}`}` },
+    { name: messages.measureVolume, text: number },
     ...listStatistics(result, isRadar, locale),
   ];
 }
 
-function listStatistics({ statistics, unit }: MeasureResult, isRadar: boolean, { language, terms }: MeasureLocale): Row[] {
-  const inside = isRadar ? terms.measureGates : terms.measureVoxels;
-  if (!statistics) return [{ name: inside, text: terms.measureSummingUp }];
-  const rows: Row[] = [{ name: inside, text: writeCount(statistics, { language, terms }) }];
+function listStatistics({ statistics, unit }: MeasureResult, isRadar: boolean, { language, messages }: MeasureLocale): Row[] {
+  const inside = isRadar ? messages.measureGates : messages.measureVoxels;
+  if (!statistics) return [{ name: inside, text: messages.measureSummingUp }];
+  const rows: Row[] = [{ name: inside, text: writeCount(statistics, { language, messages }) }];
   const { mean, standardError, deviation, min, largest } = statistics;
   if (mean === null || min === null || largest === null) return rows;
   const value = (known: number, digits = valueDigits): string => `${language.number(known, digits)}${unit && ` ${unit}`}`;
-  rows.unshift({ name: terms.measureMean, text: standardError === null ? value(mean) : terms.measureWithError(`${writeRounded(mean, standardError, language)}${unit && ` ${unit}`}`, writeUncertainty(standardError, language)) });
-  if (deviation !== null) rows.splice(1, 0, { name: terms.measureDeviation, text: value(deviation, 4) });
-  rows.splice(-1, 0, { name: terms.measureRange, text: terms.range(language.number(min, valueDigits), value(largest)) });
+  rows.unshift({ name: messages.measureMean, text: standardError === null ? value(mean) : messages.measureWithError(`${writeRounded(mean, standardError, language)}${unit && ` ${unit}`}`, writeUncertainty(standardError, language)) });
+  if (deviation !== null) rows.splice(1, 0, { name: messages.measureDeviation, text: value(deviation, 4) });
+  rows.splice(-1, 0, { name: messages.measureRange, text: messages.range(language.number(min, valueDigits), value(largest)) });
   return rows;
 }
 
-function writeCount({ count, withoutData, cut }: Statistics, { language, terms }: MeasureLocale): string {
-  if (count === 0 && withoutData === 0) return terms.measureNothing;
+function writeCount({ count, withoutData, cut }: Statistics, { language, messages }: MeasureLocale): string {
+  if (count === 0 && withoutData === 0) return messages.measureNothing;
   const whole = (number: number): string => language.fixed(number, 0);
-  const text = cut === null || count === 0 ? whole(count) : terms.measureCut(whole(count), whole(cut));
-  return withoutData > 0 ? terms.measureWithoutData(text, whole(withoutData)) : text;
+  const text = cut === null || count === 0 ? whole(count) : messages.measureCut(whole(count), whole(cut));
+  return withoutData > 0 ? messages.measureWithoutData(text, whole(withoutData)) : text;
 }
 
 function lengthScale(length: number, unit: MeasureResult['lengthUnit']): { factor: number; unit: string } {

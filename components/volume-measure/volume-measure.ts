@@ -9,7 +9,7 @@ import { pointCounts } from '../../src/viewer/tools/measuring.ts';
 import type { MeasureResult } from '../../src/viewer/tools/measuring.ts';
 import type { LineColor } from '../../src/viewer/tools/view-lines.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { MeasureWords } from '../../src/messages/measure-words.ts';
+import { MeasureLocaleController } from '../../src/messages/measure-locale.ts';
 import { places } from '../internal/places-kind.ts';
 import { property, ReflectingElement, writeSafely } from '../internal/reflecting-element.ts';
 import { companionGap, withViewWidth } from '../internal/view-width.ts';
@@ -70,7 +70,7 @@ export class VolumeMeasure extends ReflectingElement {
   @property() color!: string | null;
 
   readonly #link = withViewWidth(new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'time-change']));
-  readonly #words = new MeasureWords(this);
+  readonly #controller = new MeasureLocaleController(this);
   readonly #model = new MeasureModel({
     volume: () => this.#link.volume,
     changed: () => {
@@ -83,7 +83,7 @@ export class VolumeMeasure extends ReflectingElement {
   #color: { css: string; rgb: LineColor } = { css: usualColor, rgb: parseCssColor(usualColor)!.color };
   #error: VolumeViewError | null = null;
   /** The text that a screen reader got last, and the timer for the next one. */
-  #told = '';
+  #reported = '';
   #timer = 0;
 
   /**
@@ -150,7 +150,7 @@ export class VolumeMeasure extends ReflectingElement {
     if (view && picture && this.#link.volume) {
       this.#stage ??= new MeasureStage(view, picture, {
         moved: (index, to) => this.#model.move(index, to),
-        picked: (at) => (at ? this.#model.add(at) : this.#say(this.#words.terms.nothingThere)),
+        picked: (at) => (at ? this.#model.add(at) : this.#say(this.#controller.messages.nothingThere)),
         key: (event) => this.#onKey(event),
       });
     }
@@ -203,17 +203,17 @@ export class VolumeMeasure extends ReflectingElement {
   }
 
   #say(text: string): void {
-    this.#told = text;
+    this.#reported = text;
     this.requestUpdate();
   }
 
   get #locale(): MeasureLocale {
-    const { language, terms } = this.#words;
-    return { language, terms };
+    const { language, messages } = this.#controller;
+    return { language, messages };
   }
 
   get #name(): string {
-    return this.label?.trim() || this.#words.terms.measure[this.#model.type];
+    return this.label?.trim() || this.#controller.messages.measure[this.#model.type];
   }
 
   get #rows(): Row[] {
@@ -223,27 +223,27 @@ export class VolumeMeasure extends ReflectingElement {
   }
 
   get #prompt(): string {
-    const { language, terms } = this.#words;
-    return terms.measurePlace(language.number(this.#model.points.length + 1), language.number(pointCounts[this.#model.type]));
+    const { language, messages } = this.#controller;
+    return messages.measurePlace(language.number(this.#model.points.length + 1), language.number(pointCounts[this.#model.type]));
   }
 
   protected override render(): unknown {
-    const { terms } = this.#words;
+    const { messages } = this.#controller;
     const info = this.#link.view?.volume;
     const problem = this.#error ? html`<p class="problem" part="error" role="alert">${this.#error.message}</p>` : nothing;
-    if (!this.#stage || !info) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(terms)}</span></p>${problem}`;
+    if (!this.#stage || !info) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(messages)}</span></p>${problem}`;
     const { placing: isPlacing, result } = this.#model;
     return html`<div class="measure" part="measure" role="group" aria-label=${this.#name} @keydown=${this.#onKey}>
       <p class="name" part="name"><span class="swatch" .style=${`background: ${this.#color.css}`}></span><bdi>${this.#name}</bdi></p>
       <dl>${this.#rows.map(({ name, text }) => html`<div class="row" part="row"><dt><span dir="auto">${name}</span></dt><dd><bdi>${text}</bdi></dd></div>`)}</dl>
-      ${result && info.reduced ? html`<p class="hint" part="hint"><span dir="auto">${terms.measureReduced}</span></p>` : nothing}
-      ${isPlacing || !result ? html`<p class="hint" part="hint"><span dir="auto">${isPlacing ? this.#prompt : terms.measureHint}</span></p>` : nothing}
+      ${result && info.reduced ? html`<p class="hint" part="hint"><span dir="auto">${messages.measureReduced}</span></p>` : nothing}
+      ${isPlacing || !result ? html`<p class="hint" part="hint"><span dir="auto">${isPlacing ? this.#prompt : messages.measureHint}</span></p>` : nothing}
       <div class="tools">
-        <button type="button" part="button" aria-pressed=${isPlacing ? 'true' : 'false'} @click=${this.#toggle}>${isPlacing ? terms.measureCancel : terms.measureButton}</button>
-        ${isPlacing || !result ? html`<button type="button" part="button" @click=${this.#placeInMiddle}>${terms.measureMiddle}</button>` : nothing}
+        <button type="button" part="button" aria-pressed=${isPlacing ? 'true' : 'false'} @click=${this.#toggle}>${isPlacing ? messages.measureCancel : messages.measureButton}</button>
+        ${isPlacing || !result ? html`<button type="button" part="button" @click=${this.#placeInMiddle}>${messages.measureMiddle}</button>` : nothing}
       </div>
       ${problem}
-      <div class="spoken" role="status">${this.#told}</div>
+      <div class="spoken" role="status">${this.#reported}</div>
     </div>`;
   }
 

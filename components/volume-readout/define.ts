@@ -4,4 +4,4 @@ import { VolumeReadout } from './volume-readout.ts';
 define('volume-readout', VolumeReadout);
 
 export { VolumeReadout };
-export { registerTranslation } from '../../src/messages/words.ts';
+export { registerTranslation } from '../../src/messages/locale-controller.ts';

@@ -51,7 +51,7 @@ export class Marker {
   }
 
   /** @param name - of the part at the place; null for none */
-  tell(name: string | null): void {
+  setName(name: string | null): void {
     this.#name.hidden = !name;
     this.#name.textContent = name;
   }

@@ -44,8 +44,8 @@ export class ReadoutPointer {
   }
 
   /** Show the name of the part in the picture too, as the readout may be out of sight. */
-  told(pick: VolumePick | null, points: boolean): void {
-    this.#marker.tell(pick?.labelName ?? null);
+  show(pick: VolumePick | null, points: boolean): void {
+    this.#marker.setName(pick?.labelName ?? null);
     this.listener(pick, points);
   }
 
@@ -139,10 +139,10 @@ export class ReadoutPointer {
     const place = this.#mouse ?? this.#crosshair;
     if (!place) {
       this.#marker.show(this.#keptPlace());
-      return this.told(this.#kept?.pick ?? null, this.#kept !== null);
+      return this.show(this.#kept?.pick ?? null, this.#kept !== null);
     }
     this.#marker.show(place);
     const pick = await this.view.pick(...place).catch(() => null);
-    if (place === (this.#mouse ?? this.#crosshair) && !this.#abort.signal.aborted) this.told(pick, true);
+    if (place === (this.#mouse ?? this.#crosshair) && !this.#abort.signal.aborted) this.show(pick, true);
   }
 }

@@ -2,7 +2,7 @@ import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
 import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
-import { ReadoutWords } from '../../src/messages/readout-words.ts';
+import { ReadoutLocale } from '../../src/messages/readout-locale.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { ReadoutPointer } from './volume-readout-pointer.ts';
 import { listRows } from '../internal/volume-readout-rows.ts';
@@ -51,12 +51,12 @@ export class VolumeReadout extends ReflectingElement {
   @property() coordinates!: string | null;
 
   readonly #link = withViewWidth(new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'labels-change', 'layer-change']));
-  readonly #words = new ReadoutWords(this);
+  readonly #locale = new ReadoutLocale(this);
   #pointer: ReadoutPointer | null = null;
   #pick: VolumePick | null = null;
   #points = false;
   /** The text that a screen reader got last, and the timer for the next one. */
-  #told = '';
+  #spoken = '';
   #timer = 0;
 
   override disconnectedCallback(): void {
@@ -86,39 +86,39 @@ export class VolumeReadout extends ReflectingElement {
     this.#points = points;
     clearTimeout(this.#timer);
     this.#timer = window.setTimeout(() => {
-      this.#told = this.#points ? (this.#pick ? this.#rows.map(({ name, text }) => `${name} ${text}`).join(', ') : this.#words.terms.nothingThere) : '';
+      this.#spoken = this.#points ? (this.#pick ? this.#rows.map(({ name, text }) => `${name} ${text}`).join(', ') : this.#locale.messages.nothingThere) : '';
       this.requestUpdate();
     }, restMs);
     this.requestUpdate();
   }
 
   get #rows(): Row[] {
-    const { language, terms } = this.#words;
+    const { language, messages } = this.#locale;
     const volume = this.#link.view?.volume;
     const socket = this.#link.view && socketOf(this.#link.view);
-    return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates, hasLabels: Boolean(socket?.last('labels')?.shown), layer: socket?.last('overlay')?.name }) : [];
+    return volume ? listRows(this.#pick, volume, { language, messages, coordinates: this.coordinates, hasLabels: Boolean(socket?.last('labels')?.shown), layer: socket?.last('overlay')?.name }) : [];
   }
 
   protected override render(): unknown {
-    const { terms } = this.#words;
-    if (!this.#pointer || !this.#link.view?.volume) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(terms)}</span></p>`;
+    const { messages } = this.#locale;
+    if (!this.#pointer || !this.#link.view?.volume) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(messages)}</span></p>`;
     const { hasCrosshair } = this.#pointer;
-    return html`<div class="readout" part="readout" role="group" aria-label=${terms.readout}>
+    return html`<div class="readout" part="readout" role="group" aria-label=${messages.readout}>
       <dl>${this.#renderRows()}</dl>
       <div class="tools">
-        <button type="button" part="button" aria-pressed=${hasCrosshair ? 'true' : 'false'} @click=${this.#toggle}>${terms.crosshair}</button>
+        <button type="button" part="button" aria-pressed=${hasCrosshair ? 'true' : 'false'} @click=${this.#toggle}>${messages.crosshair}</button>
         ${hasCrosshair
-          ? html`<div class="keys" part="keys" role="application" tabindex="0" aria-label=${`${terms.crosshair}. ${terms.crosshairKeys}`} @keydown=${this.#onKey}>${terms.crosshairKeys}</div>`
-          : html`<p class="hint" part="hint"><span dir="auto">${this.#points && !this.#pick ? terms.nothingThere : terms.pointHint}</span></p>`}
+          ? html`<div class="keys" part="keys" role="application" tabindex="0" aria-label=${`${messages.crosshair}. ${messages.crosshairKeys}`} @keydown=${this.#onKey}>${messages.crosshairKeys}</div>`
+          : html`<p class="hint" part="hint"><span dir="auto">${this.#points && !this.#pick ? messages.nothingThere : messages.pointHint}</span></p>`}
       </div>
-      <div class="spoken" role="status">${this.#told}</div>
+      <div class="spoken" role="status">${this.#spoken}</div>
     </div>`;
   }
 
   /** The swatch has the colour of the value. */
   #renderRows(): unknown {
     const rows = this.#rows;
-    const colored = Math.max(0, rows.findIndex(({ name }) => name === this.#words.terms.value));
+    const colored = Math.max(0, rows.findIndex(({ name }) => name === this.#locale.messages.value));
     return rows.map((row, i) => renderRow(row, i === colored ? (this.#pick?.color ?? '') : null));
   }
 

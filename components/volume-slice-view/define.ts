@@ -4,4 +4,4 @@ import { VolumeSliceView } from './volume-slice-view.ts';
 define('volume-slice-view', VolumeSliceView);
 
 export { VolumeSliceView };
-export { registerTranslation } from '../../src/messages/words.ts';
+export { registerTranslation } from '../../src/messages/locale-controller.ts';

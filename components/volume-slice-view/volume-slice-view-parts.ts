@@ -13,7 +13,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { isInMillimetres, isPatient } from '../../src/volume/world-axes.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { Language } from '../../src/messages/language.ts';
-import type { SliceTerms } from '../../src/messages/terms.ts';
+import type { SliceMessages } from '../../src/messages/messages.ts';
 
 /** Detail of `cursor-change`. */
 export interface SliceCursorDetail {
@@ -28,16 +28,16 @@ export interface SliceCursorDetail {
 /** The language and messages in which a slice is described. */
 export interface SliceLocale {
   readonly language: Language;
-  readonly terms: SliceTerms;
+  readonly messages: SliceMessages;
 }
 
 /** Maximum length of the bar, as a share of the width of the pane. */
 const longestBar = 0.3;
 
 /** A length in the world of a volume, with its unit where the format has one. */
-function writeLength(length: number, volume: Volume, { language, terms }: SliceLocale): string {
+function writeLength(length: number, volume: Volume, { language, messages }: SliceLocale): string {
   const written = language.number(length);
-  return isInMillimetres(volume) ? terms.millimetres(written) : written;
+  return isInMillimetres(volume) ? messages.millimetres(written) : written;
 }
 
 /** The position of the slice: `S 23.5 mm`, or a number where the file does not say whose axes they are. */
@@ -51,9 +51,9 @@ export function describePlace(pane: SlicePane, locale: SliceLocale): string {
 }
 
 /** The name of the label at the crosshair, and the value there, with its unit. */
-export function describeValue(pane: SlicePane, { language, terms }: SliceLocale): string {
+export function describeValue(pane: SlicePane, { language, messages }: SliceLocale): string {
   const value = pane.sliced?.valueAt(pane.place) ?? null;
-  if (value === null) return terms.noValue;
+  if (value === null) return messages.noValue;
   const { unit, isDiscrete } = pane.sliced!.volume;
   const name = pane.labels?.nameAt(pane.place) ?? (isDiscrete ? nameInFile(pane.sliced!.volume, value) : null);
   if (isDiscrete && name !== null) return name; // The value is only the number of the label.
@@ -61,22 +61,22 @@ export function describeValue(pane: SlicePane, { language, terms }: SliceLocale)
 }
 
 /** The window as text: the meaning of `W 400  L 40`. */
-export function describeWindow(pane: SlicePane, { language, terms }: SliceLocale): string {
+export function describeWindow(pane: SlicePane, { language, messages }: SliceLocale): string {
   const [low, high] = pane.window;
   const { unit } = pane.sliced!.volume;
   const [width, level] = [high - low, (low + high) / 2].map((value) => language.number(value, 3));
   const [black, white] = [low, high].map((value) => language.value(Number(value.toPrecision(3)), unit));
-  return terms.windowWords({ width, level, black, white });
+  return messages.windowWords({ width, level, black, white });
 }
 
 export function renderTexts(pane: SlicePane, locale: SliceLocale): unknown {
-  const { language, terms } = locale;
+  const { language, messages } = locale;
   const look = pane.look!;
   const [low, high] = pane.window;
   const length = (value: number): string => writeLength(value, pane.sliced!.volume, locale);
   return html`
-    <div class="text top left" part="place">${describePlace(pane, locale)}${look.thickness > 0 ? html`<br />${terms.slab[look.projection](length(look.thickness))}` : nothing}</div>
-    ${look.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, locale)}>${terms.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
+    <div class="text top left" part="place">${describePlace(pane, locale)}${look.thickness > 0 ? html`<br />${messages.slab[look.projection](length(look.thickness))}` : nothing}</div>
+    ${look.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, locale)}>${messages.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
     <div class="text bottom left" part="scale">${renderBar(pane, length)}</div>
     <div class="text bottom right" part="value"><span class="told">${describeValue(pane, locale)}</span></div>
   `;

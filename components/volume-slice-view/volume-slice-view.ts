@@ -8,9 +8,9 @@ import { toPlane } from '../../src/panes/slice-plane.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { isPatient } from '../../src/volume/world-axes.ts';
-import { CompanionWords } from '../../src/messages/companion-words.ts';
+import { CompanionLocale } from '../../src/messages/companion-locale.ts';
 import { english } from '../../src/messages/english-slices.ts';
-import { Words } from '../../src/messages/words.ts';
+import { LocaleController } from '../../src/messages/locale-controller.ts';
 import { number, pair, vector } from '../internal/property-kinds.ts';
 import { property, ReflectingElement, writeSafely } from '../internal/reflecting-element.ts';
 import { PaneTarget } from '../../src/viewer/attachments/pane-label-target.ts';
@@ -23,7 +23,7 @@ import { SliceSource } from '../../src/viewer/attachments/slice-source.ts';
 import { LazyPart } from '../internal/lazy-part.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
-import { tell } from '../internal/volume-view-events.ts';
+import { emit } from '../internal/volume-view-events.ts';
 import { describePlace, describeValue, describeWindow, labelsOf, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
 import type { SliceCursorDetail, SliceLocale } from './volume-slice-view-parts.ts';
 import { styles } from './volume-slice-view-styles.ts';
@@ -144,8 +144,8 @@ export class VolumeSliceView extends ReflectingElement {
   /** The text for screen readers. */
   @state() private _said = '';
 
-  readonly #words = new CompanionWords(this);
-  readonly #terms = new Words(this, english);
+  readonly #locale = new CompanionLocale(this);
+  readonly #messages = new LocaleController(this, english);
   readonly #link = new VolumeLink(this, () => this.#presenter.refresh(() => false), ['load', 'optics-change', 'time-change', 'labels-change', 'layer-change']);
   readonly #resizing = new ResizeObserver(() => this.#resize());
   /** The volume of `src`, and its description. */
@@ -161,7 +161,7 @@ export class VolumeSliceView extends ReflectingElement {
     text: (name) => this.readText(name),
     changed: () => this.requestUpdate(),
     moved: (what) => this.#onMoved(what),
-    failed: ({ code, message, cause }) => tell(this, 'error', { code, message, cause }),
+    failed: ({ code, message, cause }) => emit(this, 'error', { code, message, cause }),
   });
 
   readonly #source = new SliceSource({
@@ -235,9 +235,9 @@ export class VolumeSliceView extends ReflectingElement {
     const { pane } = this.#presenter;
     const error = this.#presenter.error ?? this.#labelTarget.error;
     const { sliced, look } = pane;
-    const { language } = this.#words;
-    const locale: SliceLocale = { language, terms: this.#terms.terms };
-    const { slice, sliceAt, sliceKeys, loading } = locale.terms;
+    const { language } = this.#locale;
+    const locale: SliceLocale = { language, messages: this.#messages.messages };
+    const { slice, sliceAt, sliceKeys, loading } = locale.messages;
     const label = this.alt ?? (sliced && look ? sliceAt(slice[look.type], describePlace(pane, locale)) : slice.axial);
     return html`
       <div class="picture" part="picture" role="img" tabindex="0" aria-label=${label} aria-describedby="window keys">
@@ -247,7 +247,7 @@ export class VolumeSliceView extends ReflectingElement {
       ${sliced && look ? this.#renderSlider(sliced, slice[look.type], describePlace(pane, locale)) : nothing}
       ${sliced ? this.#notices.render() : nothing}
       ${this._progress ? html`<div class="loading">${loading}<progress aria-label=${loading} max="1" value=${shareOf(this._progress) ?? nothing}></progress></div>` : nothing}
-      ${sliced || this._progress || error || this.src ? nothing : html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`}
+      ${sliced || this._progress || error || this.src ? nothing : html`<p class="hint" part="hint">${this.#link.describeLack(language.messages)}</p>`}
       ${error ? html`<p class="problem" part="error" role="alert" tabindex="0">${error.message}</p>` : nothing}
       <div class="spoken" id="window">${sliced && look && !look.colors ? describeWindow(pane, locale) : nothing}</div>
       <div class="spoken" id="keys">${sliceKeys}</div>
@@ -280,7 +280,7 @@ export class VolumeSliceView extends ReflectingElement {
   #take(volume: Volume | null): void {
     this.#setOwn(volume);
     this.#presenter.refresh(() => false);
-    tell(this, 'load', null);
+    emit(this, 'load', null);
   }
 
   /** Load the file of `src`. */
@@ -306,8 +306,8 @@ export class VolumeSliceView extends ReflectingElement {
 
   #onMoved(what: 'cursor' | 'window'): void {
     const { sliced, place, window, labels } = this.#presenter.pane;
-    if (what === 'window') tell(this, 'window-change', { window });
-    else tell(this, 'cursor-change', { cursor: place, value: sliced?.valueAt(place) ?? null, label: labels?.nameAt(place) ?? null } satisfies SliceCursorDetail);
+    if (what === 'window') emit(this, 'window-change', { window });
+    else emit(this, 'cursor-change', { cursor: place, value: sliced?.valueAt(place) ?? null, label: labels?.nameAt(place) ?? null } satisfies SliceCursorDetail);
     if (this.shadowRoot?.activeElement === this._picture) this.#sayLater(what);
   }
 
@@ -316,7 +316,7 @@ export class VolumeSliceView extends ReflectingElement {
     clearTimeout(this.#saying);
     this.#saying = setTimeout(() => {
       const { pane } = this.#presenter;
-      const locale: SliceLocale = { language: this.#words.language, terms: this.#terms.terms };
+      const locale: SliceLocale = { language: this.#locale.language, messages: this.#messages.messages };
       this._said = what === 'window' ? describeWindow(pane, locale) : `${describePlace(pane, locale)}: ${describeValue(pane, locale)}`;
     }, 500) as unknown as number;
   }

@@ -1,5 +1,5 @@
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { tellIfLost } from '../internal/lost-element.ts';
+import { reportIfLost } from '../internal/lost-element.ts';
 import { number, pair, vector } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 
@@ -78,7 +78,7 @@ export class VolumeSlice extends ReflectingElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    tellIfLost(this, 'volume-view');
+    reportIfLost(this, 'volume-view');
   }
 
   /** The `<volume-view>` draws it. The element itself shows nothing. */

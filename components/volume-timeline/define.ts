@@ -4,4 +4,4 @@ import { VolumeTimeline } from './volume-timeline.ts';
 define('volume-timeline', VolumeTimeline);
 
 export { VolumeTimeline };
-export { registerTranslation } from '../../src/messages/words.ts';
+export { registerTranslation } from '../../src/messages/locale-controller.ts';

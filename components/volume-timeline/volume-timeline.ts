@@ -4,7 +4,7 @@ import { invalidAttribute } from '../../src/core/errors.ts';
 import type { VolumeViewError } from '../../src/core/errors.ts';
 import { Language } from '../../src/messages/language.ts';
 import { describeScan, scanLabeller } from '../../src/messages/name-scans.ts';
-import { CompanionWords } from '../../src/messages/companion-words.ts';
+import { CompanionLocale } from '../../src/messages/companion-locale.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { styles } from './volume-timeline-styles.ts';
 import { companionGap, withViewWidth } from '../internal/view-width.ts';
@@ -50,7 +50,7 @@ export class VolumeTimeline extends ReflectingElement {
   @property({ attribute: 'time-zone' }) timeZone!: string | null;
 
   readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']));
-  readonly #words = new CompanionWords(this);
+  readonly #locale = new CompanionLocale(this);
 
   /** The scan that a person chose with the slider, until that scan is shown. */
   #chosen: number | null = null;
@@ -63,23 +63,23 @@ export class VolumeTimeline extends ReflectingElement {
   protected override render(): unknown {
     const { view } = this.#link;
     const { language, problem } = this.#readZone();
-    const { terms } = language;
+    const { messages } = language;
     const times = view?.times ?? [];
     const several = times.length > 1;
     const index = this.#chosen ?? view?.scan?.index ?? 0;
     const isPlaying = view?.paused === false;
-    return html`<div class="timeline" part="timeline" role="group" aria-label=${terms.time} aria-busy=${view?.waiting ? 'true' : 'false'}>
+    return html`<div class="timeline" part="timeline" role="group" aria-label=${messages.time} aria-busy=${view?.waiting ? 'true' : 'false'}>
       <div class="buttons" part="buttons">
-        ${renderButton('previous', terms.previousScan, !several || index === 0, () => view?.previous())}
-        ${renderButton(isPlaying ? 'pause' : 'play', isPlaying ? terms.pause : terms.play, !several, () => this.#togglePlay())}
-        ${renderButton('next', terms.nextScan, !several || index === times.length - 1, () => view?.next())}
+        ${renderButton('previous', messages.previousScan, !several || index === 0, () => view?.previous())}
+        ${renderButton(isPlaying ? 'pause' : 'play', isPlaying ? messages.pause : messages.play, !several, () => this.#togglePlay())}
+        ${renderButton('next', messages.nextScan, !several || index === times.length - 1, () => view?.next())}
       </div>
       <output class="time" part="time" aria-live=${isPlaying ? 'off' : 'polite'}>${several ? renderTime(times, index, language) : html`<span class="hint" part="hint">${this.#hint(times, language)}</span>`}</output>
       <div class="track">
         <input
           type="range"
           part="slider"
-          aria-label=${terms.scan}
+          aria-label=${messages.scan}
           min="0"
           max=${Math.max(1, times.length - 1)}
           step="1"
@@ -96,21 +96,21 @@ export class VolumeTimeline extends ReflectingElement {
 
   /** The language with the time zone. An unknown zone is reported, and times stay in UTC. */
   #readZone(): { language: Language; problem: VolumeViewError | null } {
-    const { language } = this.#words;
+    const { language } = this.#locale;
     const asked = this.timeZone?.trim() ?? '';
     if (asked === '') return { language, problem: null };
     try {
       const { timeZone } = new Intl.DateTimeFormat('en', asked === 'local' ? {} : { timeZone: asked }).resolvedOptions();
-      return { language: new Language(language.code, language.terms, timeZone), problem: null };
+      return { language: new Language(language.code, language.messages, timeZone), problem: null };
     } catch {
       return { language, problem: invalidAttribute('time-zone of <volume-timeline>', asked, '"local", or a zone as browsers know them, like "Europe/Brussels"') };
     }
   }
 
   #hint(times: readonly (string | null)[], language: Language): string {
-    const { terms } = language;
-    if (!this.#link.view || times.length === 0) return this.#link.describeLack(terms) ?? terms.noScan;
-    return terms.oneScan(times[0] ? describeScan(times, 0, language) : null);
+    const { messages } = language;
+    if (!this.#link.view || times.length === 0) return this.#link.describeLack(messages) ?? messages.noScan;
+    return messages.oneScan(times[0] ? describeScan(times, 0, language) : null);
   }
 
   #togglePlay(): void {

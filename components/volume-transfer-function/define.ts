@@ -4,4 +4,4 @@ import { VolumeTransferFunction } from './volume-transfer-function.ts';
 define('volume-transfer-function', VolumeTransferFunction);
 
 export { VolumeTransferFunction };
-export { registerTranslation } from '../../src/messages/words.ts';
+export { registerTranslation } from '../../src/messages/locale-controller.ts';

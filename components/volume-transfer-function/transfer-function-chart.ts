@@ -71,7 +71,7 @@ const placeLabel = (share: number): string => `--x: ${share}; --shift: ${labelSh
 
 /** A handle for every stop, in the order of their values. */
 export function renderHandles({ domain, stops, unit, language }: Chart, chosen: number): unknown {
-  const { terms } = language;
+  const { messages } = language;
   return stops.map((stop, i) => {
     const { value, opacity, color } = stop;
     const [min, max] = stopBounds(stops, i);
@@ -81,11 +81,11 @@ export function renderHandles({ domain, stops, unit, language }: Chart, chosen: 
       role="slider"
       tabindex="0"
       data-index=${i}
-      aria-label=${terms.stopOf(language.number(i + 1), language.number(stops.length))}
+      aria-label=${messages.stopOf(language.number(i + 1), language.number(stops.length))}
       aria-valuemin=${Math.max(min, domain[0])}
       aria-valuemax=${Math.min(max, domain[1])}
       aria-valuenow=${value}
-      aria-valuetext=${terms.stopState(language.value(value, unit), language.opacity(opacity), nameColor(color, terms))}
+      aria-valuetext=${messages.stopState(language.value(value, unit), language.opacity(opacity), nameColor(color, messages))}
       aria-describedby="keys"
       ?data-chosen=${i === chosen}
       .style=${`--x: ${toShare(value, domain)}; --y: ${toHeight(opacity)}; --color: ${writeColor(color)}`}

@@ -7,7 +7,7 @@ import { roundTo } from '../../src/editor/ticks.ts';
 import { toHeight } from '../../src/editor/transfer-function-axes.ts';
 import type { Band } from '../../src/editor/transfer-function-bands.ts';
 import type { Language } from '../../src/messages/language.ts';
-import type { CompanionTerms } from '../../src/messages/terms.ts';
+import type { CompanionMessages } from '../../src/messages/messages.ts';
 
 /** Step of a range input from 0 to 1: finer than a person can drag. */
 const fineStep = 0.001;
@@ -27,7 +27,7 @@ export interface StopFieldsListener {
  * @param step - values are rounded to this step while a stop is dragged; the field shows one more digit
  */
 export function renderStopFields(
-  { stop, unit, step, removable, terms }: { stop: Stop; unit: string; step: number; removable: boolean; terms: CompanionTerms },
+  { stop, unit, step, removable, messages }: { stop: Stop; unit: string; step: number; removable: boolean; messages: CompanionMessages },
   listener: StopFieldsListener,
 ): unknown {
   // Not live(): the volume may respond to an earlier edit while a person types, and the typed text has to stay.
@@ -43,12 +43,12 @@ export function renderStopFields(
     return html`<input type="number" step="any" min=${min} max=${max} .style=${`--digits: ${shown.length}`} .value=${shown} @change=${enter} />`;
   };
   return html`<div class="fields" part="fields">
-    <label>${terms.valueIn(unit)} ${field('value', String(roundTo(stop.value, step / 10)), 1)}</label>
-    <label>${terms.opacityPercent} ${field('opacity', String(Number((stop.opacity * 100).toPrecision(4))), 0.01)}</label>
-    <label class="color">${terms.color} ${renderColor(writeColor(stop.color), terms.colorOfStop, (color) => listener.change({ color }), () => listener.done())}</label>
+    <label>${messages.valueIn(unit)} ${field('value', String(roundTo(stop.value, step / 10)), 1)}</label>
+    <label>${messages.opacityPercent} ${field('opacity', String(Number((stop.opacity * 100).toPrecision(4))), 0.01)}</label>
+    <label class="color">${messages.color} ${renderColor(writeColor(stop.color), messages.colorOfStop, (color) => listener.change({ color }), () => listener.done())}</label>
     <div class="buttons">
-      <button type="button" title=${terms.addTip} @click=${() => listener.add()}>${terms.add}</button>
-      <button type="button" title=${terms.removeTip} ?disabled=${!removable} @click=${() => listener.remove()}>${terms.remove}</button>
+      <button type="button" title=${messages.addTip} @click=${() => listener.add()}>${messages.add}</button>
+      <button type="button" title=${messages.removeTip} ?disabled=${!removable} @click=${() => listener.remove()}>${messages.remove}</button>
     </div>
   </div>`;
 }
@@ -66,14 +66,14 @@ export interface BandsListener {
 
 /** A colour and a slider for every band, from the lowest one. */
 export function renderBands({ bands, unit, language }: { bands: readonly Band[]; unit: string; language: Language }, listener: BandsListener): unknown {
-  const { terms } = language;
+  const { messages } = language;
   return html`<ul class="bands" part="bands">
     ${bands.map(({ low, high, color, opacity }, i) => {
       const range = language.range(low, high, unit);
       return html`<li>
-        ${renderColor(writeColor(color), terms.colorOfBand(range), (color) => listener.change(i, { color }), () => listener.done())}
+        ${renderColor(writeColor(color), messages.colorOfBand(range), (color) => listener.change(i, { color }), () => listener.done())}
         <span class="range" aria-hidden="true"><bdi dir="ltr">${language.number(low)} – ${language.number(high)}</bdi></span>
-        <input type="range" min="0" max="1" step=${fineStep} aria-label=${terms.opacityOfBand(range)} aria-valuetext=${language.opacity(opacity)}
+        <input type="range" min="0" max="1" step=${fineStep} aria-label=${messages.opacityOfBand(range)} aria-valuetext=${language.opacity(opacity)}
           .value=${live(String(toHeight(opacity)))}
           @input=${(event: Event) => listener.change(i, { height: Number(valueOf(event)) })} @change=${() => listener.done()} />
         <span class="told" aria-hidden="true"><bdi dir="ltr">${language.opacity(opacity)}</bdi></span>
@@ -112,18 +112,18 @@ export interface ToolbarState {
   copy(): void;
 }
 
-export function renderToolbar(state: ToolbarState, terms: CompanionTerms): unknown {
+export function renderToolbar(state: ToolbarState, messages: CompanionMessages): unknown {
   return html`<div class="buttons" part="toolbar">
-    <button type="button" title=${terms.undoTip} ?disabled=${!state.canUndo} @click=${() => state.undo()}>${terms.undo}</button>
-    <button type="button" title=${terms.redoTip} ?disabled=${!state.canRedo} @click=${() => state.redo()}>${terms.redo}</button>
-    <button type="button" title=${terms.resetTip} ?disabled=${!state.canReset} @click=${() => state.reset()}>${terms.reset}</button>
-    <button type="button" title=${terms.copyTip} @click=${() => state.copy()}>${terms.copy}</button>
+    <button type="button" title=${messages.undoTip} ?disabled=${!state.canUndo} @click=${() => state.undo()}>${messages.undo}</button>
+    <button type="button" title=${messages.redoTip} ?disabled=${!state.canRedo} @click=${() => state.redo()}>${messages.redo}</button>
+    <button type="button" title=${messages.resetTip} ?disabled=${!state.canReset} @click=${() => state.reset()}>${messages.reset}</button>
+    <button type="button" title=${messages.copyTip} @click=${() => state.copy()}>${messages.copy}</button>
   </div>`;
 }
 
 /** The text for copying by hand, where the page may not write to the clipboard. */
-export function renderCopyText(text: string | null, terms: CompanionTerms): unknown {
-  return text === null ? nothing : html`<label class="by-hand">${terms.copyByHand}
+export function renderCopyText(text: string | null, messages: CompanionMessages): unknown {
+  return text === null ? nothing : html`<label class="by-hand">${messages.copyByHand}
     <textarea readonly rows="3" .value=${text} @focus=${(event: Event) => (event.target as HTMLTextAreaElement).select()}></textarea>
   </label>`;
 }

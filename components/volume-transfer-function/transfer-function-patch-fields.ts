@@ -5,7 +5,7 @@ import type { Patch } from '../../src/optics/transfer/patches.ts';
 import { roundedNumbersOf } from '../../src/optics/transfer/write-patches.ts';
 import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts';
 import type { Language } from '../../src/messages/language.ts';
-import type { PlaneTerms } from '../../src/messages/plane-terms.ts';
+import type { PlaneMessages } from '../../src/messages/plane-messages.ts';
 
 /** Events of the fields: also while a colour is being picked; `done` when a field is left. */
 export interface PatchFieldsListener {
@@ -21,26 +21,26 @@ interface PatchFields {
   /** Undefined where nothing is chosen. */
   readonly patch: Patch | undefined;
   readonly hasRoom: boolean;
-  readonly terms: PlaneTerms;
+  readonly messages: PlaneMessages;
   readonly language: Language;
 }
 
-export function renderPatchFields({ patch, hasRoom, terms, language }: PatchFields, listener: PatchFieldsListener): unknown {
+export function renderPatchFields({ patch, hasRoom, messages, language }: PatchFields, listener: PatchFieldsListener): unknown {
   return html`<div class="fields" part="fields">
-    ${patch ? renderNumbers(patch, terms, listener) : nothing}
-    ${patch ? renderLook(patch, terms, language, listener) : nothing}
+    ${patch ? renderNumbers(patch, messages, listener) : nothing}
+    ${patch ? renderLook(patch, messages, language, listener) : nothing}
     <div class="buttons">
-      <button type="button" ?disabled=${!hasRoom} @click=${() => listener.add('box')}>${terms.addBox}</button>
-      <button type="button" ?disabled=${!hasRoom} @click=${() => listener.add('gaussian')}>${terms.addGaussian}</button>
-      <button type="button" title=${terms.removePatchTip} ?disabled=${!patch} @click=${() => listener.remove()}>${language.terms.remove}</button>
+      <button type="button" ?disabled=${!hasRoom} @click=${() => listener.add('box')}>${messages.addBox}</button>
+      <button type="button" ?disabled=${!hasRoom} @click=${() => listener.add('gaussian')}>${messages.addGaussian}</button>
+      <button type="button" title=${messages.removePatchTip} ?disabled=${!patch} @click=${() => listener.remove()}>${language.messages.remove}</button>
     </div>
   </div>`;
 }
 
-function renderNumbers(patch: Patch, terms: PlaneTerms, { number, done }: PatchFieldsListener): unknown {
+function renderNumbers(patch: Patch, messages: PlaneMessages, { number, done }: PatchFieldsListener): unknown {
   const names = patch.kind === 'box'
-    ? [terms.valueFrom, terms.valueTo, terms.gradientFrom, terms.gradientTo]
-    : [terms.middleValue, terms.middleGradient, terms.valueWidth, terms.gradientWidth];
+    ? [messages.valueFrom, messages.valueTo, messages.gradientFrom, messages.gradientTo]
+    : [messages.middleValue, messages.middleGradient, messages.valueWidth, messages.gradientWidth];
   return roundedNumbersOf(patch).map((x, i) => renderNumber(names[i], x, (entered) => {
     number(i, entered);
     done();
@@ -62,11 +62,11 @@ function renderNumber(label: string, shown: number, enter: (number: number) => v
   return html`<label>${label} <input type="number" step="any" .style=${`--digits: ${text.length}`} .value=${text} @change=${onChange} /></label>`;
 }
 
-function renderLook(patch: Patch, terms: PlaneTerms, { terms: common }: Language, { look, done }: PatchFieldsListener): unknown {
+function renderLook(patch: Patch, messages: PlaneMessages, { messages: common }: Language, { look, done }: PatchFieldsListener): unknown {
   return html`${renderNumber(common.opacityPercent, Number((patch.opacity * 100).toPrecision(4)), (percent) => {
     look({ opacity: percent / 100 });
     done();
   })}
-  <label class="color">${common.color} <input type="color" aria-label=${terms.colorOfPatch} .value=${live(writeColor(patch.color))}
+  <label class="color">${common.color} <input type="color" aria-label=${messages.colorOfPatch} .value=${live(writeColor(patch.color))}
     @input=${({ target }: Event) => look({ color: (target as HTMLInputElement).value })} @change=${done} /></label>`;
 }

@@ -16,7 +16,7 @@ import { writeColor } from '../../src/optics/transfer/write-transfer-function.ts
 import { collectSamples } from '../../src/viewer/tools/sample-plane.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { Language } from '../../src/messages/language.ts';
-import { PlaneWords } from '../../src/messages/plane-words.ts';
+import { PlaneLocale } from '../../src/messages/plane-locale.ts';
 import { renderValueScale } from './transfer-function-chart.ts';
 import { renderPatchFields } from './transfer-function-patch-fields.ts';
 
@@ -45,12 +45,12 @@ interface Counting {
 /** Boxes and Gaussians over a histogram of values and gradients, with handles to edit them. */
 export class Plane {
   readonly editor: PatchEditor;
-  readonly #words: PlaneWords;
+  readonly #locale: PlaneLocale;
   #counted: Counting | null = null;
   #painted: readonly unknown[] = [];
 
   constructor(readonly host: ReactiveControllerHost & HTMLElement, session: EditSession) {
-    this.#words = new PlaneWords(host);
+    this.#locale = new PlaneLocale(host);
     this.editor = new PatchEditor(session, {
       changed: () => host.requestUpdate(),
       focus: (taken) => void host.updateComplete.then(() => (this.#gripOf(taken) ?? host.shadowRoot?.querySelector<HTMLElement>('.fields button'))?.focus({ preventScroll: true })),
@@ -58,30 +58,30 @@ export class Plane {
   }
 
   render({ volume, domain, unit, language }: PlaneChart): unknown {
-    const { terms } = this.#words;
-    if (volume.isDiscrete) return html`<p class="hint" part="hint">${terms.noGradients}</p>`;
+    const { messages } = this.#locale;
+    if (volume.isDiscrete) return html`<p class="hint" part="hint">${messages.noGradients}</p>`;
     const { editor } = this;
     editor.span(domain, this.#samplesOf(volume));
     const { patches, input } = editor;
     const index = Math.min(editor.chosen, patches.length - 1);
     return html`<div>
-      <div class="plot plane editable" role="group" aria-label=${terms.valuesAndGradients}
+      <div class="plot plane editable" role="group" aria-label=${messages.valuesAndGradients}
         @pointerdown=${input.down} @pointermove=${input.move} @pointerup=${input.up} @pointercancel=${input.up} @mousedown=${input.keepFocus}>
         <canvas part="chart" width=${bins[0]} height=${bins[1]} aria-hidden="true"></canvas>
         <svg class="chart" viewBox="0 0 ${size} ${size}" preserveAspectRatio="none" aria-hidden="true">${patches.map((patch, i) => this.#renderPatch(patch, i === index))}</svg>
-        <div class="opacities" aria-hidden="true"><span class="axis">${terms.middleGradient}</span>${listTicks([0, editor.range.steepest], 4).slice(1).map((tick) => html`<span .style=${`--y: ${tick / editor.range.steepest}`}>${language.number(tick)}</span>`)}</div>
+        <div class="opacities" aria-hidden="true"><span class="axis">${messages.middleGradient}</span>${listTicks([0, editor.range.steepest], 4).slice(1).map((tick) => html`<span .style=${`--y: ${tick / editor.range.steepest}`}>${language.number(tick)}</span>`)}</div>
         <div class="handles">${patches.map((patch, i) => this.#renderGrips(patch, i, { unit, language }))}</div>
       </div>
       ${renderValueScale({ domain, unit, language })}</div>
-      ${patches[index] ? nothing : html`<p>${terms.drawBox}</p>`}
-      ${renderPatchFields({ patch: patches[index], hasRoom: hasRoom(patches), terms, language }, {
+      ${patches[index] ? nothing : html`<p>${messages.drawBox}</p>`}
+      ${renderPatchFields({ patch: patches[index], hasRoom: hasRoom(patches), messages, language }, {
         number: (which, number) => editor.changeNumber(index, which, number),
         look: (look) => editor.changeLook(index, look),
         done: () => editor.session.commit(),
         add: (kind) => editor.add(kind),
         remove: () => editor.remove(index),
       })}
-      <div id="patch-keys" class="spoken">${terms.patchKeys}</div>`;
+      <div id="patch-keys" class="spoken">${messages.patchKeys}</div>`;
   }
 
   /** Draw the histogram, when the chart is in the page. */
@@ -156,17 +156,17 @@ export class Plane {
   }
 
   #renderGrips(patch: Patch, index: number, { unit, language }: { unit: string; language: Language }): unknown {
-    const { terms } = this.#words;
+    const { messages } = this.#locale;
     const { patches, range: { domain } } = this.editor;
-    const name = (patch.kind === 'box' ? terms.boxOf : terms.gaussianOf)(language.number(index + 1), language.number(patches.length));
+    const name = (patch.kind === 'box' ? messages.boxOf : messages.gaussianOf)(language.number(index + 1), language.number(patches.length));
     const [low, high] = patch.kind === 'box' ? patch.values : [patch.value - patch.widths[0], patch.value + patch.widths[0]];
     const [min, max] = patch.kind === 'box' ? patch.gradients : [Math.max(0, patch.gradient - patch.widths[1]), patch.gradient + patch.widths[1]];
-    const said = terms.patchState(language.range(low, high, unit), language.range(min, max, ''), language.opacity(patch.opacity), nameColor(patch.color, language.terms));
+    const said = messages.patchState(language.range(low, high, unit), language.range(min, max, ''), language.opacity(patch.opacity), nameColor(patch.color, language.messages));
     const render = (grip: Grip): unknown => {
       const place = placeOfGrip(patch, grip);
       const { share, height } = this.editor.placeOf(place);
       return html`<div class="handle ${grip}" part="handle" role="slider" tabindex="0" data-patch=${index} data-grip=${grip}
-        aria-label=${grip === 'size' ? terms.sizeOf(name) : name} aria-valuemin=${domain[0]} aria-valuemax=${domain[1]} aria-valuenow=${place[0]} aria-valuetext=${said} aria-describedby="patch-keys"
+        aria-label=${grip === 'size' ? messages.sizeOf(name) : name} aria-valuemin=${domain[0]} aria-valuemax=${domain[1]} aria-valuenow=${place[0]} aria-valuetext=${said} aria-describedby="patch-keys"
         ?data-chosen=${index === this.editor.chosen} .style=${`--x: ${Math.min(1, Math.max(0, share))}; --y: ${Math.min(1, Math.max(0, height))}; --color: ${writeColor(patch.color)}`}></div>`;
     };
     return [render('middle'), render('size')];

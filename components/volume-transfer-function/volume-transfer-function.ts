@@ -7,8 +7,8 @@ import { dragStep } from '../../src/editor/transfer-function-axes.ts';
 import { bandsFromStops, chooseBandEdges } from '../../src/editor/transfer-function-bands.ts';
 import { TransferFunctionEditor } from '../../src/editor/transfer-function-editor.ts';
 import type { Language } from '../../src/messages/language.ts';
-import type { CompanionTerms } from '../../src/messages/terms.ts';
-import { CompanionWords } from '../../src/messages/companion-words.ts';
+import type { CompanionMessages } from '../../src/messages/messages.ts';
+import { CompanionLocale } from '../../src/messages/companion-locale.ts';
 import { number, numbers } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { renderChart, renderHandles, renderOpacityScale, renderPicture } from './transfer-function-chart.ts';
@@ -81,14 +81,14 @@ export class VolumeTransferFunction extends ReflectingElement {
 
   @state() private _chosen = 0;
   /** The result of copying, and the text where a person has to copy it. */
-  @state() private _copy: { said: keyof CompanionTerms & ('copied' | 'copyRefused'); byHand: string | null } | null = null;
+  @state() private _copy: { said: keyof CompanionMessages & ('copied' | 'copyRefused'); byHand: string | null } | null = null;
 
   /** The chart of values and gradients, or the error that prevented it. */
   @state() private _plane: Plane | VolumeViewError | null = null;
 
   @query('.plot') private readonly _plot!: HTMLElement | null;
 
-  readonly #words = new CompanionWords(this);
+  readonly #locale = new CompanionLocale(this);
   readonly #editor = new TransferFunctionEditor({
     changed: () => this.requestUpdate(),
     wrote: (type) => this.#onWritten(type),
@@ -111,21 +111,21 @@ export class VolumeTransferFunction extends ReflectingElement {
   }
 
   protected override render(): unknown {
-    const { language } = this.#words;
-    const { terms } = language;
+    const { language } = this.#locale;
+    const { messages } = language;
     const { look } = this.#editor.session;
     const volume = this.#link.view?.volume;
-    if (!look || !volume) return html`<p class="hint" part="hint">${this.#link.describeLack(terms)}</p>`;
+    if (!look || !volume) return html`<p class="hint" part="hint">${this.#link.describeLack(messages)}</p>`;
     const chart = { histogram: volume.histogram, domain: this.#editor.domain, stops: look.stops, unit: volume.unit, language };
     return html`<div class="editor" @input=${stop} @change=${stop} @focusin=${this.#onPlaneFocus} @keydown=${this.#onKeyDown} @keyup=${this.#onKeyUp}>
       ${this.#attemptMode(chart)}
       <div class="factors" part="factors">
-        ${this.#renderFactor('opacityFactor', terms.opacity, language)}
-        ${this.#renderFactor('lightFactor', terms.light, language)}
+        ${this.#renderFactor('opacityFactor', messages.opacity, language)}
+        ${this.#renderFactor('lightFactor', messages.light, language)}
       </div>
-      <div class="foot">${this.#renderToolbar(terms)}<span class="said" role="status">${this._copy ? terms[this._copy.said] : ''}</span></div>
-      ${renderCopyText(this._copy?.byHand ?? null, terms)}
-      <div id="keys" class="spoken">${terms.stopKeys}</div>
+      <div class="foot">${this.#renderToolbar(messages)}<span class="said" role="status">${this._copy ? messages[this._copy.said] : ''}</span></div>
+      ${renderCopyText(this._copy?.byHand ?? null, messages)}
+      <div id="keys" class="spoken">${messages.stopKeys}</div>
     </div>`;
   }
 
@@ -144,17 +144,17 @@ export class VolumeTransferFunction extends ReflectingElement {
   }
 
   #renderStops(chart: Chart): unknown {
-    const { stops, unit, language: { terms } } = chart;
+    const { stops, unit, language: { messages } } = chart;
     const editor = this.#editor;
     const index = Math.min(this._chosen, stops.length - 1);
     return html`
-      ${renderChart(chart, html`<div class="plot editable" role="group" aria-label=${terms.transferFunction}
+      ${renderChart(chart, html`<div class="plot editable" role="group" aria-label=${messages.transferFunction}
         @pointerdown=${editor.input.down} @pointermove=${editor.input.move} @pointerup=${editor.input.up} @pointercancel=${editor.input.up}
         @mousedown=${editor.input.keepFocus} @focusin=${this.#onFocus}>
         ${renderPicture(chart)}${renderOpacityScale(chart)}
         <div class="handles">${renderHandles(chart, index)}</div>
       </div>`)}
-      ${renderStopFields({ stop: stops[index], unit, step: dragStep(chart.domain), removable: stops.length > 1, terms }, {
+      ${renderStopFields({ stop: stops[index], unit, step: dragStep(chart.domain), removable: stops.length > 1, messages }, {
         change: (change) => editor.changeStop(index, change),
         done: () => editor.session.commit(),
         add: () => editor.addAttached(index),
@@ -205,7 +205,7 @@ export class VolumeTransferFunction extends ReflectingElement {
     return renderFactor({ name, label, factor, language }, (changed) => this.#editor.setFactor(name, changed), () => session.commit());
   }
 
-  #renderToolbar(terms: CompanionTerms): unknown {
+  #renderToolbar(messages: CompanionMessages): unknown {
     const { session } = this.#editor;
     const { canUndo, canRedo, canReset } = session;
     return renderToolbar({
@@ -216,7 +216,7 @@ export class VolumeTransferFunction extends ReflectingElement {
       redo: () => session.redo(),
       reset: () => session.reset(),
       copy: () => void this.#copy(),
-    }, terms);
+    }, messages);
   }
 
   async #choose(index: number, when: 'now' | 'updated'): Promise<void> {

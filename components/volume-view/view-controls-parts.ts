@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
 import type { StandardView } from '../../src/viewer/camera/standard-views.ts';
-import type { ControlTerms } from '../../src/messages/terms.ts';
+import type { ControlMessages } from '../../src/messages/messages.ts';
 
 /** The controls that may be left out. */
 export type ControlName = 'play' | 'rotate' | 'views' | 'zoom' | 'reset' | 'fullscreen' | 'save' | 'copy' | 'embed' | 'help' | 'hint';
@@ -33,7 +33,7 @@ export interface BarState {
   has(name: ControlName): boolean;
 }
 
-export function renderBar(terms: ControlTerms, { open, playing, rotating, isFull, has }: BarState, act: Act): unknown {
+export function renderBar(messages: ControlMessages, { open, playing, rotating, isFull, has }: BarState, act: Act): unknown {
   const button = (action: Parameters<Act>[0], icon: keyof typeof icons, label: string, more = ''): unknown => html`<button
     type="button"
     part="control"
@@ -48,32 +48,32 @@ export function renderBar(terms: ControlTerms, { open, playing, rotating, isFull
   // Where there is no room for these buttons, they are under "More".
   const more = hasMore ? 'wide' : '';
   return html`<div class="bar" part="controls-bar">
-    ${playing === null ? nothing : button('play', playing ? 'pause' : 'play', playing ? terms.pauseScans : terms.playScans)}
-    ${rotating === null ? nothing : button('rotate', rotating ? 'stay' : 'turn', rotating ? terms.stopRotation : terms.startRotation)}
-    ${has('views') ? button('views', 'views', terms.views) : nothing}
-    ${has('zoom') ? html`${button('zoomin', 'zoomin', terms.zoomIn, more)}${button('zoomout', 'zoomout', terms.zoomOut, more)}` : nothing}
-    ${has('reset') ? button('reset', 'reset', terms.resetView, more) : nothing}
-    ${has('fullscreen') ? button('fullscreen', isFull ? 'leave' : 'fullscreen', isFull ? terms.leaveFullscreen : terms.fullscreen) : nothing}
-    ${hasMore ? button('more', 'more', terms.more) : nothing}
+    ${playing === null ? nothing : button('play', playing ? 'pause' : 'play', playing ? messages.pauseScans : messages.playScans)}
+    ${rotating === null ? nothing : button('rotate', rotating ? 'stay' : 'turn', rotating ? messages.stopRotation : messages.startRotation)}
+    ${has('views') ? button('views', 'views', messages.views) : nothing}
+    ${has('zoom') ? html`${button('zoomin', 'zoomin', messages.zoomIn, more)}${button('zoomout', 'zoomout', messages.zoomOut, more)}` : nothing}
+    ${has('reset') ? button('reset', 'reset', messages.resetView, more) : nothing}
+    ${has('fullscreen') ? button('fullscreen', isFull ? 'leave' : 'fullscreen', isFull ? messages.leaveFullscreen : messages.fullscreen) : nothing}
+    ${hasMore ? button('more', 'more', messages.more) : nothing}
   </div>`;
 }
 
-export function renderViews(terms: ControlTerms, views: readonly StandardView[], choose: (view: StandardView) => void): unknown {
-  return html`<div class="panel views" part="controls-panel" role="group" aria-label=${terms.views}>
-    ${views.map((view) => html`<button type="button" part="control" @click=${() => choose(view)}>${terms.view[view.name]}</button>`)}
+export function renderViews(messages: ControlMessages, views: readonly StandardView[], choose: (view: StandardView) => void): unknown {
+  return html`<div class="panel views" part="controls-panel" role="group" aria-label=${messages.views}>
+    ${views.map((view) => html`<button type="button" part="control" @click=${() => choose(view)}>${messages.view[view.name]}</button>`)}
   </div>`;
 }
 
-export function renderMore(terms: ControlTerms, has: (name: ControlName) => boolean, act: Act): unknown {
+export function renderMore(messages: ControlMessages, has: (name: ControlName) => boolean, act: Act): unknown {
   const entry = (name: ControlName, label: string, action = name as Parameters<Act>[0], more = ''): unknown =>
     (has(name) ? html`<button type="button" part="control" class=${more} @click=${() => act(action)}>${label}</button>` : nothing);
-  return html`<div class="panel" part="controls-panel" role="group" aria-label=${terms.more}>
-    ${entry('zoom', terms.zoomIn, 'zoomin', 'narrow')}${entry('zoom', terms.zoomOut, 'zoomout', 'narrow')}${entry('reset', terms.resetView, 'reset', 'narrow')}
-    ${entry('save', terms.savePicture)}${entry('copy', terms.copyView)}${entry('embed', terms.copyEmbed)}${entry('help', terms.help)}
+  return html`<div class="panel" part="controls-panel" role="group" aria-label=${messages.more}>
+    ${entry('zoom', messages.zoomIn, 'zoomin', 'narrow')}${entry('zoom', messages.zoomOut, 'zoomout', 'narrow')}${entry('reset', messages.resetView, 'reset', 'narrow')}
+    ${entry('save', messages.savePicture)}${entry('copy', messages.copyView)}${entry('embed', messages.copyEmbed)}${entry('help', messages.help)}
   </div>`;
 }
 
-export function renderHelp({ help, helpLines }: ControlTerms): unknown {
+export function renderHelp({ help, helpLines }: ControlMessages): unknown {
   return html`<div class="panel" part="controls-panel" role="status" aria-label=${help} tabindex="0">
     <dl>${helpLines.map(([what, how]) => html`<dt>${what}</dt><dd>${how}</dd>`)}</dl>
   </div>`;
@@ -86,7 +86,7 @@ export function renderCopied({ sentence, text }: { readonly sentence: string; re
   </div>`;
 }
 
-export function renderHint({ mouseHint, touchHint }: ControlTerms): unknown {
+export function renderHint({ mouseHint, touchHint }: ControlMessages): unknown {
   return html`<p class="hint" part="controls-hint">${matchMedia('(pointer: coarse)').matches ? touchHint : mouseHint}</p>`;
 }
 

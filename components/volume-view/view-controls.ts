@@ -4,8 +4,8 @@ import type { StandardView } from '../../src/viewer/camera/standard-views.ts';
 import { zoomFrom } from '../../src/viewer/camera/camera-moves.ts';
 import type { Viewer } from '../../src/viewer/view/viewer.ts';
 import { english } from '../../src/messages/english-controls.ts';
-import type { ControlTerms } from '../../src/messages/terms.ts';
-import { Words } from '../../src/messages/words.ts';
+import type { ControlMessages } from '../../src/messages/messages.ts';
+import { LocaleController } from '../../src/messages/locale-controller.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { readControls } from '../../src/viewer/model/settings.ts';
 import { findCompanion } from '../internal/find-companion.ts';
@@ -33,16 +33,16 @@ let isHintNeeded = true;
  * attributes that need a part of them: `auto-rotate`, which a person has to be able to stop, or `orientation-marker`.
  */
 export class ViewControls {
-  readonly #words: Words<ControlTerms>;
+  readonly #locale: LocaleController<ControlMessages>;
   readonly #abort = new AbortController();
   #panel: Panel | null = null;
   /** The contents of the open panel: a sentence, and a text that a person may copy by hand. */
-  #told = { sentence: '', text: '' };
+  #message = { sentence: '', text: '' };
   #marker: typeof MarkerPart | null = null;
 
   /** @param hand - the viewer whose camera the buttons move; null while there is no picture */
   constructor(readonly view: ControlledView, readonly hand: () => Pick<Viewer, 'resetCamera' | 'turnTo' | 'invalidate' | 'rig'> | null) {
-    this.#words = new Words(view, english);
+    this.#locale = new LocaleController(view, english);
     const root = view.renderRoot as ShadowRoot;
     root.adoptedStyleSheets = [...root.adoptedStyleSheets, ...sheets];
     const { signal } = this.#abort;
@@ -60,7 +60,7 @@ export class ViewControls {
     this.#abort.abort();
     const root = this.view.renderRoot as ShadowRoot;
     root.adoptedStyleSheets = root.adoptedStyleSheets.filter((sheet) => !sheets.includes(sheet));
-    this.view.removeController(this.#words);
+    this.view.removeController(this.#locale);
   }
 
   render(): unknown {
@@ -70,7 +70,7 @@ export class ViewControls {
   #renderMarker(): unknown {
     const { orientationMarker, volume, camera } = this.view;
     if (!orientationMarker || !volume || !camera) return nothing;
-    if (this.#marker) return this.#marker.renderMarker(volume, camera, this.#words.terms, this.#turn);
+    if (this.#marker) return this.#marker.renderMarker(volume, camera, this.#locale.messages, this.#turn);
     void import('./orientation-marker.ts').then((part) => {
       this.#marker = part;
       this.view.requestUpdate();
@@ -91,16 +91,16 @@ export class ViewControls {
 
   #renderControls(): unknown {
     const { view } = this;
-    const { terms } = this.#words;
+    const { messages } = this.#locale;
     const has = (name: ControlName): boolean => this.#has(name);
     const isPlayable = has('play') && view.times.length > 1 && !findCompanion(view, 'volume-timeline');
     const isLong = isPlayable || view.autoRotate;
     const hint = isHintNeeded && this.#panel === null && has('hint') && readControls(view.interaction);
-    return html`<div class="controls ${isLong ? 'long' : ''} ${hint ? 'hinted' : ''}" part="controls" role="group" aria-label=${terms.controls} @keydown=${this.#onKey}>
-      ${this.#renderPanel(terms, has)}
+    return html`<div class="controls ${isLong ? 'long' : ''} ${hint ? 'hinted' : ''}" part="controls" role="group" aria-label=${messages.controls} @keydown=${this.#onKey}>
+      ${this.#renderPanel(messages, has)}
       <div class="row">
-        ${hint ? renderHint(terms) : nothing}
-        ${renderBar(terms, {
+        ${hint ? renderHint(messages) : nothing}
+        ${renderBar(messages, {
           open: this.#panel,
           playing: isPlayable ? !view.paused : null,
           rotating: view.autoRotate && has('rotate') ? !socketOf(view).last('rotation')?.stopped : null,
@@ -115,18 +115,18 @@ export class ViewControls {
     return new Set(this.view.controlslist?.toLowerCase().split(/\s+/));
   }
 
-  #renderPanel(terms: ControlTerms, has: (name: ControlName) => boolean): unknown {
+  #renderPanel(messages: ControlMessages, has: (name: ControlName) => boolean): unknown {
     switch (this.#panel) {
       case 'views':
-        return renderViews(terms, listStandardViews(this.view.volume ?? {}), this.#turn);
+        return renderViews(messages, listStandardViews(this.view.volume ?? {}), this.#turn);
       case 'more':
-        return renderMore(terms, has, this.#act);
+        return renderMore(messages, has, this.#act);
       case 'help':
-        return renderHelp(terms);
+        return renderHelp(messages);
       case 'copied':
-        return renderCopied(this.#told);
+        return renderCopied(this.#message);
       case 'failed':
-        return html`<div class="panel" part="controls-panel" role="alert"><p>${this.#told.sentence}</p></div>`;
+        return html`<div class="panel" part="controls-panel" role="alert"><p>${this.#message.sentence}</p></div>`;
       case null:
         return nothing;
     }
@@ -182,7 +182,7 @@ export class ViewControls {
   }
 
   #fail(sentence: string): void {
-    this.#told = { sentence, text: '' };
+    this.#message = { sentence, text: '' };
     this.#open('failed');
   }
 
@@ -196,19 +196,19 @@ export class ViewControls {
       setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
       this.#open(null);
     } catch {
-      this.#fail(this.#words.terms.saveFailed);
+      this.#fail(this.#locale.messages.saveFailed);
     }
   }
 
   async #copy(): Promise<void> {
     const text = Object.entries(this.view.getView()).map(([name, value]) => `${name}="${value}"`).join(' ');
-    const { copied, copyByHand } = this.#words.terms;
+    const { copied, copyByHand } = this.#locale.messages;
     await this.#offer(text, copied, copyByHand);
   }
 
   async #embed(): Promise<void> {
-    const { copiedEmbed, copyEmbedByHand, embedMissing, embedFailed } = this.#words.terms;
-    const written = await import('./embed-code.ts').then(({ writeEmbedCode }) => writeEmbedCode(this.view, this.#words.lang())).catch(() => null);
+    const { copiedEmbed, copyEmbedByHand, embedMissing, embedFailed } = this.#locale.messages;
+    const written = await import('./embed-code.ts').then(({ writeEmbedCode }) => writeEmbedCode(this.view, this.#locale.lang())).catch(() => null);
     if (!written) this.#fail(embedFailed);
     else if ('missing' in written) this.#fail(embedMissing(written.missing));
     else await this.#offer(written.code, copiedEmbed, copyEmbedByHand);
@@ -217,7 +217,7 @@ export class ViewControls {
   /** Copy a text to the clipboard; if the page may not do so, show a field from which a person copies it. */
   async #offer(text: string, copied: string, byHand: string): Promise<void> {
     const isCopied = await Promise.resolve().then(() => navigator.clipboard.writeText(text)).then(() => true, () => false);
-    this.#told = isCopied ? { sentence: copied, text: '' } : { sentence: byHand, text };
+    this.#message = isCopied ? { sentence: copied, text: '' } : { sentence: byHand, text };
     this.#open('copied');
   }
 

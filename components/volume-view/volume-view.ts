@@ -4,12 +4,12 @@ import { query } from 'lit/decorators.js';
 import { readControls, readSettings } from '../../src/viewer/model/settings.ts';
 import { VolumeSession } from '../../src/viewer/session/volume-session.ts';
 import { english } from '../../src/messages/english-view.ts';
-import { Words } from '../../src/messages/words.ts';
+import { LocaleController } from '../../src/messages/locale-controller.ts';
 import { companionComing } from '../internal/coming-companions.ts';
 import { CustomStates } from '../internal/custom-states.ts';
 import { LazyPart } from '../internal/lazy-part.ts';
 import { OwnSize } from '../internal/own-size.ts';
-import { tell } from '../internal/volume-view-events.ts';
+import { emit } from '../internal/volume-view-events.ts';
 import type { VolumeViewListeners } from '../internal/volume-view-events.ts';
 import { VolumeViewMembers } from './volume-view-members.ts';
 import { describeRing, describeStatus, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
@@ -81,12 +81,12 @@ export class VolumeView extends VolumeViewMembers {
   /** @internal */
   override readonly _session: VolumeSession = new VolumeSession(this, x3dScenes, {
     changed: () => this.requestUpdate(),
-    emit: (type, detail) => tell(this, type, detail),
-    labelRing: (what) => describeRing(what, this.#words),
+    emit: (type, detail) => emit(this, type, detail),
+    labelRing: (what) => describeRing(what, this.#locale),
     settingsComing: () => (this.isUpdatePending ? this.updateComplete : companionComing(this)),
   });
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
-  readonly #words = new Words(this, english);
+  readonly #locale = new LocaleController(this, english);
   readonly #controls = new LazyPart(this, async () => new (await import('./view-controls.ts')).ViewControls(this, () => this._session.viewer));
   readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => this._session.presenter));
   readonly #size = new OwnSize();
@@ -148,20 +148,20 @@ export class VolumeView extends VolumeViewMembers {
 
   protected override render(): unknown {
     const { loader, presenter, errors: { first: failure }, hasPicture } = this._session;
-    const { terms } = this.#words;
+    const { messages } = this.#locale;
     const controls = readControls(this.interaction);
     const decorative = this.alt === '' && !controls;
-    const label = (this.alt ?? presenter.info?.title) || terms.volumePicture;
+    const label = (this.alt ?? presenter.info?.title) || messages.volumePicture;
     return html`
       <div class="picture" part="picture" role=${decorative ? 'presentation' : 'img'} aria-label=${decorative ? nothing : label}
         aria-describedby=${controls ? 'keys' : nothing} tabindex=${controls ? '0' : nothing}
       ><div class="scene"></div></div>
       ${hasPicture ? nothing : renderPoster(this.poster)}
-      ${loader.progress && !failure ? renderProgress(loader.progress, terms) : nothing}
+      ${loader.progress && !failure ? renderProgress(loader.progress, messages) : nothing}
       ${hasPicture ? [this.#controls.render(), this.#notices.render()] : nothing}
-      ${failure ? renderError(failure, terms, this.#retry) : nothing}
-      <div class="status" role="status">${failure ? '' : describeStatus(loader.progress, hasPicture, this.#words)}</div>
-      <div class="status" id="keys" hidden>${terms.cameraKeys}</div>
+      ${failure ? renderError(failure, messages, this.#retry) : nothing}
+      <div class="status" role="status">${failure ? '' : describeStatus(loader.progress, hasPicture, this.#locale)}</div>
+      <div class="status" id="keys" hidden>${messages.cameraKeys}</div>
     `;
   }
 

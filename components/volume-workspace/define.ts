@@ -4,4 +4,4 @@ import { VolumeWorkspace } from './volume-workspace.ts';
 define('volume-workspace', VolumeWorkspace);
 
 export { VolumeWorkspace };
-export { registerTranslation } from '../../src/messages/words.ts';
+export { registerTranslation } from '../../src/messages/locale-controller.ts';

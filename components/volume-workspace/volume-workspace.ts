@@ -5,7 +5,7 @@ import { invalidAttribute } from '../../src/core/errors.ts';
 import type { VolumeViewError } from '../../src/core/errors.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import type { VolumeView } from '../volume-view/volume-view.ts';
-import { tell } from '../internal/volume-view-events.ts';
+import { emit } from '../internal/volume-view-events.ts';
 import { styles } from './volume-workspace-styles.ts';
 
 /** Planes in the order of the panes. */
@@ -113,7 +113,7 @@ export class VolumeWorkspace extends ReflectingElement {
   protected override updated(changed: PropertyValues<this>): void {
     if (!this.#problem || (!changed.has('panes') && !changed.has('companions'))) return;
     const { code, message } = this.#problem;
-    tell(this, 'error', { code, message });
+    emit(this, 'error', { code, message });
   }
 
   protected override render(): unknown {

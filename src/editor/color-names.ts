@@ -1,5 +1,5 @@
 import type { Color } from '../optics/transfer/transfer-function.ts';
-import type { ColorName, CompanionTerms } from '../messages/terms.ts';
+import type { ColorName, CompanionMessages } from '../messages/messages.ts';
 
 /** Where each name of a hue ends, degrees. */
 const hues: readonly (readonly [end: number, name: ColorName])[] = [
@@ -7,7 +7,7 @@ const hues: readonly (readonly [end: number, name: ColorName])[] = [
 ];
 
 /** A colour in a word or two, for readers who can't see it. */
-export function nameColor([red, green, blue]: Color, { colors, lightColor, darkColor }: CompanionTerms): string {
+export function nameColor([red, green, blue]: Color, { colors, lightColor, darkColor }: CompanionMessages): string {
   const max = Math.max(red, green, blue);
   const min = Math.min(red, green, blue);
   const chroma = max - min;

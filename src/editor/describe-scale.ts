@@ -27,16 +27,16 @@ export interface Scale {
 
 /** A legend in words, for readers who can't see it: each colour's name, and the value at which it begins. */
 export function describeScale({ stops, domain, label, unit }: Scale, language: Language): string {
-  const { terms } = language;
+  const { messages } = language;
   const [low, high] = domain;
-  const digits = language.digitsToTell(low, low + (high - low) / 8, 2);
+  const digits = language.digitsToDistinguish(low, low + (high - low) / 8, 2);
   const parts: string[] = [];
   let last = '';
   for (let i = 0; i < samples; i++) {
     const value = low + ((high - low) * (i + 0.5)) / samples;
-    const name = nameColor(colorAt(stops, value), terms);
-    if (name !== last) parts.push(i === 0 ? name : terms.colorFrom(name, language.number(value, digits)));
+    const name = nameColor(colorAt(stops, value), messages);
+    if (name !== last) parts.push(i === 0 ? name : messages.colorFrom(name, language.number(value, digits)));
     last = name;
   }
-  return terms.scale(label || terms.legend, language.range(low, high, unit), parts);
+  return messages.scale(label || messages.legend, language.range(low, high, unit), parts);
 }

@@ -21,7 +21,7 @@ export const minForMeans = 2 ** 25;
 /** Maximum bytes of a coarse volume: 128 x 128 x 128 voxels of 16 bits. */
 export const maxCoarse = 2 ** 22;
 
-type CoarseTold = (coarse: CoarseVolume) => void;
+type CoarseListener = (coarse: CoarseVolume) => void;
 
 /**
  * Make a decoded volume fit the device, and count its values.
@@ -30,7 +30,7 @@ type CoarseTold = (coarse: CoarseVolume) => void;
  * @throws {VolumeViewError} `format/corrupt` where its values are beyond numbers, `attribute/invalid` where it can't be cleaned
  * @throws {NeedsMainThread} in a worker that can not load what makes it smaller
  */
-export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: CoarseTold, clean?: Cleaning): Promise<Volume> {
+export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: CoarseListener, clean?: Cleaning): Promise<Volume> {
   if (!isPolarVolume(decoded)) return finishCartesian(decoded, limits, onCoarse, clean);
   if (clean !== undefined) throw (await loadCleaning()).refuseCleaning(clean, 'a CT, an MRI or another volume of voxels, and not a radar scan');
   const { outlinePolar, predictPolar } = await loadReader(() => import('./radar/finish-polar.ts'));
@@ -50,7 +50,7 @@ function isPolarVolume(decoded: DecodedVolume): decoded is DecodedPolarVolume {
   return decoded.grid.kind === 'polar';
 }
 
-async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLimits, onCoarse?: CoarseTold, clean?: Cleaning): Promise<Volume> {
+async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLimits, onCoarse?: CoarseListener, clean?: Cleaning): Promise<Volume> {
   const block = { ...decoded.grid, samples: decoded.samples };
   const { dimensions, samples, indexToWorld } = await fitBlock(block, limits);
   const isReduced = samples !== block.samples;
@@ -66,7 +66,7 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
     ...summary,
     ...(decoded.indexed && { range: [decoded.indexed.ids[0], decoded.indexed.ids[decoded.indexed.ids.length - 1]] as const }),
     ...look,
-    left: decoded.rounded || hidden ? [...(decoded.left ?? []), ...(decoded.rounded ? [(await loadReader(() => import('./base/whole-numbers.ts'))).tellRounded(decoded.rounded)] : []), ...(hidden ? [hidden] : [])] : decoded.left,
+    left: decoded.rounded || hidden ? [...(decoded.left ?? []), ...(decoded.rounded ? [(await loadReader(() => import('./base/whole-numbers.ts'))).reportRounded(decoded.rounded)] : []), ...(hidden ? [hidden] : [])] : decoded.left,
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
   await checkRange(outline);

@@ -1,7 +1,7 @@
-import type { BlankTerms } from './blank-terms.ts';
+import type { BlankMessages } from './blank-messages.ts';
 
 /** English messages for pictures in which nothing is visible. The file is loaded with the first such picture. */
-export const english: BlankTerms = {
+export const english: BlankMessages = {
   blankPicture: 'Nothing to see here.',
   blankCauses: {
     noData: 'The file has no values: all of its voxels are marked as having no data.',

@@ -1,7 +1,7 @@
-import type { CompanionTerms } from './terms.ts';
+import type { CompanionMessages } from './messages.ts';
 
 /** English messages of the companions. They are not in the file of <volume-view>, which every page loads. */
-export const english: CompanionTerms = {
+export const english: CompanionMessages = {
   noView: (id) => `There is no <volume-view${id === null ? '' : ` id="${id}"`}> in this page.`,
   noVolume: 'No volume is loaded yet.',
 

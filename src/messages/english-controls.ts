@@ -1,7 +1,7 @@
-import type { ControlTerms } from './terms.ts';
+import type { ControlMessages } from './messages.ts';
 
 /** English messages of the controls. The file is loaded where a page has controls. */
-export const english: ControlTerms = {
+export const english: ControlMessages = {
   controls: 'Controls of the picture',
   playScans: 'Play',
   pauseScans: 'Pause',

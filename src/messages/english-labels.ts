@@ -1,7 +1,7 @@
-import type { LabelTerms } from './label-terms.ts';
+import type { LabelMessages } from './label-messages.ts';
 
 /** English messages of the list of labels. The file is loaded where a page has such a list. */
-export const english: LabelTerms = {
+export const english: LabelMessages = {
   labelList: 'Labels',
   findLabel: 'Find a label',
   allLabels: 'Show all',

@@ -1,7 +1,7 @@
-import type { MeasureTerms } from './measure-terms.ts';
+import type { MeasureMessages } from './measure-messages.ts';
 
 /** English messages of measures. The file is loaded where a page has measures. */
-export const english: MeasureTerms = {
+export const english: MeasureMessages = {
   measure: { distance: 'Distance', angle: 'Angle', box: 'Box', sphere: 'Sphere' },
   measureButton: 'Measure',
   measureMiddle: 'Place in the middle',

@@ -1,6 +1,6 @@
-import type { PlaneTerms } from './plane-terms.ts';
+import type { PlaneMessages } from './plane-messages.ts';
 
-export const english: PlaneTerms = {
+export const english: PlaneMessages = {
   valuesAndGradients: 'Values across, gradients upwards',
   noGradients: 'Labels have no gradients.',
   boxOf: (number, count) => `Box, ${number} of ${count}`,

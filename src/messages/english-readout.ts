@@ -1,7 +1,7 @@
-import type { ReadoutTerms } from './readout-terms.ts';
+import type { ReadoutMessages } from './readout-messages.ts';
 
 /** English messages of the readout. The file is loaded where a page has a readout. */
-export const english: ReadoutTerms = {
+export const english: ReadoutMessages = {
   readout: 'Values in the picture',
   value: 'Value',
   label: 'Label',

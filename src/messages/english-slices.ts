@@ -1,7 +1,7 @@
-import type { SliceTerms } from './terms.ts';
+import type { SliceMessages } from './messages.ts';
 
 /** English messages of panes with slices. The file is loaded where a page has such panes. */
-export const english: SliceTerms = {
+export const english: SliceMessages = {
   slice: { axial: 'Axial slice', coronal: 'Coronal slice', sagittal: 'Sagittal slice', oblique: 'Oblique slice' },
   sliceAt: (slice, place) => `${slice}, ${place}`,
   millimetres: (length) => `${length} mm`,

@@ -1,6 +1,6 @@
-import type { ViewTerms } from './terms.ts';
+import type { ViewMessages } from './messages.ts';
 
-export const english: ViewTerms = {
+export const english: ViewMessages = {
   volumePicture: 'Volume picture',
   cameraKeys: 'Arrow keys turn it, with Shift they move it, plus and minus zoom, 0 goes back to the first view.',
   loading: 'Loading',

@@ -1,4 +1,4 @@
-import type { CompanionTerms } from './terms.ts';
+import type { CompanionMessages } from './messages.ts';
 
 /** Numbers smaller or larger than these are written with an exponent. */
 const [tiny, huge] = [1e-6, 1e15];
@@ -23,7 +23,7 @@ export class Language {
    */
   constructor(
     readonly code: string,
-    readonly terms: CompanionTerms,
+    readonly messages: CompanionMessages,
     readonly timeZone = 'UTC',
   ) {}
 
@@ -46,12 +46,12 @@ export class Language {
 
   /** Two values of one unit, with enough digits to differ. */
   range(low: number, high: number, unit: string): string {
-    const digits = this.digitsToTell(low, high);
-    return this.terms.range(this.number(low, digits), this.value(high, unit, digits));
+    const digits = this.digitsToDistinguish(low, high);
+    return this.messages.range(this.number(low, digits), this.value(high, unit, digits));
   }
 
   /** The number of significant digits by which two numbers differ: the usual number, or more. */
-  digitsToTell(low: number, high: number, usual = 4): number {
+  digitsToDistinguish(low: number, high: number, usual = 4): number {
     if (low === high) return usual;
     for (let digits = usual; digits < maxDigits; digits++) if (this.number(low, digits) !== this.number(high, digits)) return digits;
     return maxDigits;
@@ -70,7 +70,7 @@ export class Language {
 
   /** Name of the zone of a time: `UTC`, `AEDT`, `GMT+1`. */
   zone(time: string): string {
-    if (this.timeZone === 'UTC') return this.terms.utc;
+    if (this.timeZone === 'UTC') return this.messages.utc;
     const parts = new Intl.DateTimeFormat(this.code, { timeZone: this.timeZone, timeZoneName: 'short' }).formatToParts(new Date(time));
     return parts.find(({ type }) => type === 'timeZoneName')!.value;
   }

@@ -1,7 +1,7 @@
-import type { Terms } from './terms.ts';
+import type { Messages } from './messages.ts';
 
 /** The languages of the package, and their files. */
-const files: Readonly<Record<string, () => Promise<{ readonly terms: Terms }>>> = {
+const files: Readonly<Record<string, () => Promise<{ readonly messages: Messages }>>> = {
   ar: () => import('./locales/ar.ts'),
   de: () => import('./locales/de.ts'),
   es: () => import('./locales/es.ts'),
@@ -16,8 +16,8 @@ const files: Readonly<Record<string, () => Promise<{ readonly terms: Terms }>>> 
  * @param code - BCP 47, like `de-AT`
  * @returns null where the package has none; its Chinese is in simplified characters only
  */
-export async function loadLanguage(code: string): Promise<Terms | null> {
+export async function loadLanguage(code: string): Promise<Messages | null> {
   const { language, script } = new Intl.Locale(code).maximize();
   if (!Object.hasOwn(files, language) || script === 'Hant') return null;
-  return (await files[language]()).terms;
+  return (await files[language]()).messages;
 }

@@ -19,9 +19,9 @@ export function scanLabeller(times: readonly (string | null)[], language: Langua
 
 /** One scan in words, for screen readers: `15:10 UTC, 20 Jun 2011, scan 2 of 3`. */
 export function describeScan(times: readonly (string | null)[], index: number, language: Language): string {
-  const { terms } = language;
+  const { messages } = language;
   const time = times[index];
   const when = time === null ? [] : [`${scanLabeller(times, language)(index)} ${language.zone(time)}`, language.day(time)];
-  const which = times.length > 1 ? [terms.scanOf(language.number(index + 1), language.number(times.length))] : [];
+  const which = times.length > 1 ? [messages.scanOf(language.number(index + 1), language.number(times.length))] : [];
   return [...when, ...which].join(', ');
 }

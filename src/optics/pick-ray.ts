@@ -95,7 +95,7 @@ interface Walked {
 }
 
 /** Gathers as the picture does, and records what each piece added. */
-function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void): Gathering {
+function record(seen: Seen, gather: GatherStage, report: (walked: Walked) => void): Gathering {
   const segments: Segment[] = [];
   const rises: Rise[] = [];
   let [opacity, alpha] = [0, 0];
@@ -105,7 +105,7 @@ function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void)
     return color;
   };
   const pieces: (readonly [piece: Segment, opacity: number])[] = [];
-  const gathering = gather({ ...seen, seeSegment, tell: (piece, opacity) => pieces.push([piece, opacity]) });
+  const gathering = gather({ ...seen, seeSegment, report: (piece, opacity) => pieces.push([piece, opacity]) });
   const keep = (segment: Segment, height: number): void => {
     segments.push(segment);
     rises.push({ begin: segment.begin, span: segment.span, height });
@@ -141,7 +141,7 @@ function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void)
     chooseSubsteps: (front, back) => gathering.chooseSubsteps(front, back),
     finish: (path) => {
       const color = gathering.finish(path);
-      if (path) tell({ seen, path, segments, rises, color });
+      if (path) report({ seen, path, segments, rises, color });
       return color;
     },
   };

@@ -3,7 +3,7 @@ import { meantChildren, meantParent, meantWithin } from '../page/unclosed.ts';
 import type { X3dOwned } from './x3dom-types.ts';
 
 /** Receives what is left out of an author's element, and why. */
-export type TellLeftOut = (element: Element, what: string, why: string) => void;
+export type ReportLeftOut = (element: Element, what: string, why: string) => void;
 
 /** Maximum depth of nested elements. */
 const maxDepth = 200;
@@ -44,7 +44,7 @@ export class AuthorCopies {
   #repeated = 0;
   readonly #costly = new Set<Element>();
 
-  constructor(readonly report: TellLeftOut) {}
+  constructor(readonly report: ReportLeftOut) {}
 
   copyOf(element: Node): X3dOwned | undefined {
     return this.#copies.get(element as Element);

@@ -50,7 +50,7 @@ interface HowMeasured {
   readonly doubts?: boolean;
   /** More of an element's attributes. */
   readonly attributes?: Readonly<Record<string, string>>;
-  readonly tell?: (what: string) => void;
+  readonly notify?: (what: string) => void;
 }
 
 /** A volume's elements, alike but for their small things. */
@@ -68,7 +68,7 @@ interface Looked {
 }
 
 /** @param name - of a scene */
-export async function measureAmong(name: string, { angles, doubts = false, attributes, tell }: HowMeasured): Promise<AmongResult> {
+export async function measureAmong(name: string, { angles, doubts = false, attributes, notify }: HowMeasured): Promise<AmongResult> {
   const scene = amongScenes.find((one) => one.name === name)!;
   const { view, reach, minContrast, fewest, kind, whole } = scene;
   const made = scene.make();
@@ -80,7 +80,7 @@ export async function measureAmong(name: string, { angles, doubts = false, attri
   const pictures: SeenThings[] = [];
   let uncertain: number | null = null;
   for (let angle = 0; angle < angles; angle++) {
-    tell?.(`${name}, angle ${angle + 1} of ${angles}`);
+    notify?.(`${name}, angle ${angle + 1} of ${angles}`);
     const sight = sightOf(volume, view, angle);
     for (const element of [full, bare]) setSight(element, sight);
     const around = places.map((place) => findPixel(cameraOf(sight), place, view.pixels));

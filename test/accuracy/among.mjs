@@ -49,7 +49,7 @@ async function measureIn(page, { angles, words }) {
     if (!words.some((word) => name.toLowerCase().includes(word))) continue;
     results.push(await page.evaluate(async ({ from, scene, count }) => {
       const { measureAmong } = /** @type {typeof import('./among-page.ts')} */ (await import(from));
-      return measureAmong(scene, { angles: count, doubts: true, tell: (what) => /** @type {any} */ (window).sayProgress(what) });
+      return measureAmong(scene, { angles: count, doubts: true, notify: (what) => /** @type {any} */ (window).sayProgress(what) });
     }, { from: module, scene: name, count: angles }));
   }
   return results;
@@ -69,7 +69,7 @@ async function measurePlain(page, { angles, words }) {
     if (!hasThings || !words.some((word) => name.toLowerCase().includes(word))) continue;
     results.push(await page.evaluate(async ({ from, scene, count }) => {
       const { measureScene } = /** @type {typeof import('./small-page.ts')} */ (await import(from));
-      return measureScene(scene, { angles: count, doubts: false, tell: (what) => /** @type {any} */ (window).sayProgress(`WebGL 1: ${what}`) });
+      return measureScene(scene, { angles: count, doubts: false, notify: (what) => /** @type {any} */ (window).sayProgress(`WebGL 1: ${what}`) });
     }, { from: module, scene: name, count: angles }));
   }
   return results;

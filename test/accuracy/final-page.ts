@@ -87,7 +87,7 @@ const names = ['Specks of 1 voxel in a veil, large', 'Wires of 1 voxel', 'Thresh
  * Largest differences of bytes from the first picture of each view.
  * @param count - of scenes @param tell - what is being done
  */
-export async function compareFinals(count: number, tell: (what: string) => void): Promise<Record<string, string | number>[]> {
+export async function compareFinals(count: number, notify: (what: string) => void): Promise<Record<string, string | number>[]> {
   const rows: Record<string, string | number>[] = [];
   for (const name of names.slice(0, count)) {
     const scene = smallScenes.find((one) => one.name === name);
@@ -99,7 +99,7 @@ export async function compareFinals(count: number, tell: (what: string) => void)
     const picture = await takeSettled(first, view.pixels);
     const row: Record<string, string | number> = { scene: name };
     for (const [history, show] of Object.entries(histories)) {
-      tell(`${name}, ${history}`);
+      notify(`${name}, ${history}`);
       const element = await show(setup);
       row[history] = largestDifference(await takeSettled(element, view.pixels), picture);
       element.remove();

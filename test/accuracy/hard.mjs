@@ -10,7 +10,7 @@ import { groupByKind, isKept, misleading, nameLargest, sumUp } from './sum-up-st
 const few = 5;
 
 /** Less than this, 1/255, is what rounding to 8 bits makes of any picture: understating it misleads nobody. */
-const told = 0.5;
+const reported = 0.5;
 
 /** @param {{ quick: boolean }} options */
 export const run = ({ quick }) => measureTables({ quick }, async ({ page }) => {
@@ -48,10 +48,10 @@ export function listFaults(result) {
   if (![stated.rms, stated.p99, stated.max ?? 0, stated.probed].every(Number.isFinite)) faults.push('is no number');
   if (keepsMaxError && !isKept(result)) faults.push('said to be kept, is not');
   if (stated.max !== null && error.max > stated.max + 0.5) faults.push('maximum exceeded');
-  if (error.rms > told && stated.rms < error.rms / misleading) faults.push('RMSE understated');
+  if (error.rms > reported && stated.rms < error.rms / misleading) faults.push('RMSE understated');
   if (keepsMaxError && stated.rms > result.maxError) faults.push('contradicts itself');
   if (result.isOutOfSight && stated.max !== 0) faults.push('counts what is out of sight');
-  if (!result.isOutOfSight && stated.max !== null && stated.max < told) faults.push('zero is believed');
+  if (!result.isOutOfSight && stated.max !== null && stated.max < reported) faults.push('zero is believed');
   return faults;
 }
 

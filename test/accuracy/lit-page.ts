@@ -38,14 +38,14 @@ const size = { width: 96, height: 72 };
 const full = { coarse: 10, aVoxel: 24 };
 
 /** @param quick - whether some of each kind are enough @param tell - what is being done */
-export async function measureLit(quick: boolean, tell: (what: string) => void): Promise<LitResult[]> {
+export async function measureLit(quick: boolean, notify: (what: string) => void): Promise<LitResult[]> {
   const results: LitResult[] = [];
   const host = document.createElement('div');
   document.body.append(host);
   const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
   scene.resize(size.width, size.height);
   for await (const one of eachLitScene(quick)) {
-    tell(`scene ${results.length + 1}: ${one.kind}: ${one.name}`);
+    notify(`scene ${results.length + 1}: ${one.kind}: ${one.name}`);
     results.push(await measureScene(scene, one));
   }
   scene.dispose();

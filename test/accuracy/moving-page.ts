@@ -37,7 +37,7 @@ const shares = [1, 1 / 2, 1 / 4, 1 / 16, 1 / 64] as const;
 const stepsPerVoxel = 4;
 
 /** @param name - of a scene with things @param angles - their number, a degree apart */
-export async function measureMotion(name: string, angles: number, tell: (what: string) => void): Promise<MovingResult> {
+export async function measureMotion(name: string, angles: number, notify: (what: string) => void): Promise<MovingResult> {
   const { view, transferFunction, minContrast } = smallScenes.find((one) => one.name === name)!;
   const { volume, bare, src, places, reach } = await show(name);
   const gl = new StudyGl();
@@ -46,7 +46,7 @@ export async function measureMotion(name: string, angles: number, tell: (what: s
   const kept = shares.map((): (KeptThing | null)[][] => []);
   const plans: FramePlan[][] = shares.map(() => []);
   for (let angle = 0; angle < angles; angle++) {
-    tell(`${name}, angle ${angle + 1} of ${angles}`);
+    notify(`${name}, angle ${angle + 1} of ${angles}`);
     const sight = sightOf(volume, view, angle);
     setSight(element, sight);
     const { data } = await takeAtRest(element, size);

@@ -32,12 +32,12 @@ export interface OpaqueResult {
 const affordable = 2048;
 
 /** @param called - a volume, see `opaqueVolumes` @param tell - what is being done @returns null where there is no such file */
-export async function measureOpaque(called: string, tell: (what: string) => void): Promise<OpaqueResult[] | null> {
+export async function measureOpaque(called: string, notify: (what: string) => void): Promise<OpaqueResult[] | null> {
   const scenes = await listOpaqueScenes(called);
   if (!scenes) return null;
   const results: OpaqueResult[] = [];
   for (const { kind, name, scene } of scenes) {
-    tell(name);
+    notify(name);
     const host = document.createElement('div');
     document.body.append(host);
     // Each has a scene of its own: nothing of the one before is left.

@@ -17,7 +17,7 @@ const oldEvery = 5;
 const nearlyKept = 1.1;
 
 /** Less than this, 1/255, is what rounding to 8 bits makes of any picture: understating it misleads nobody. */
-const told = 0.5;
+const reported = 0.5;
 
 /** @param {{ quick: boolean }} options */
 export const run = ({ quick }) => measureTables({ quick }, async ({ openPage, page }) => {
@@ -68,7 +68,7 @@ export function listFaults({ error, finest, maxError, stats: { error: stated, ke
   const faults = [];
   if (keepsMaxError && error.e > nearlyKept * maxError) faults.push('said to be kept, is not');
   if (stated.max !== null && error.max > stated.max + 0.5) faults.push('maximum exceeded');
-  if (error.rms > told && stated.rms < error.rms / misleading) faults.push('RMSE understated');
+  if (error.rms > reported && stated.rms < error.rms / misleading) faults.push('RMSE understated');
   if (keepsMaxError && stated.rms > maxError) faults.push('contradicts itself');
   if (finest !== null && finest <= maxError) faults.push('stopped too early');
   return faults;

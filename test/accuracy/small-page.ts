@@ -109,11 +109,11 @@ interface HowMeasured {
   /** Whether full rays are held against better ones. */
   readonly doubts?: boolean;
   /** What is being done. */
-  readonly tell?: (what: string) => void;
+  readonly notify?: (what: string) => void;
 }
 
 /** @param name - of a scene */
-export async function measureScene(name: string, { angles, doubts = true, tell }: HowMeasured): Promise<SmallResult> {
+export async function measureScene(name: string, { angles, doubts = true, notify }: HowMeasured): Promise<SmallResult> {
   const { view, transferFunction } = [...smallScenes, ...realScenes].find((one) => one.name === name)!;
   const shown = await show(name);
   const gl = new StudyGl();
@@ -122,7 +122,7 @@ export async function measureScene(name: string, { angles, doubts = true, tell }
   const pictures: SmallPicture[] = [];
   let first: Pick<SmallResult, 'uncertain' | 'levels'> = { uncertain: { ofSteps: 0, ofFloats: 0 }, levels: [] };
   for (let angle = 0; angle < angles; angle++) {
-    tell?.(`${name}, angle ${angle + 1} of ${angles}`);
+    notify?.(`${name}, angle ${angle + 1} of ${angles}`);
     const sight = sightOf(shown.volume, view, angle);
     setSight(element, sight);
     const taken = await measureView(gl, element, shown, { sight, view });

@@ -23,7 +23,7 @@ export const run = ({ quick }) => measureTables({ quick }, async ({ page, machin
     if (!words.some((word) => name.toLowerCase().includes(word))) continue;
     results.push(await page.evaluate(async ({ from, scene, count }) => {
       const { measureScene } = /** @type {typeof import('./small-page.ts')} */ (await import(from));
-      return measureScene(scene, { angles: count, tell: (what) => /** @type {any} */ (window).sayProgress(what) });
+      return measureScene(scene, { angles: count, notify: (what) => /** @type {any} */ (window).sayProgress(what) });
     }, { from: module, scene: name, count: hasThings ? angles : Math.min(angles, realAngles) }));
   }
   const finals = await page.evaluate(async ({ from, count }) => {

@@ -22,12 +22,12 @@ export interface StatedResult {
 }
 
 /** @param count - of scenes @param tell - what is being done */
-export async function measureStated(count: number, tell: (what: string) => void): Promise<StatedResult[]> {
+export async function measureStated(count: number, notify: (what: string) => void): Promise<StatedResult[]> {
   const gl = new StudyGl();
   const results: StatedResult[] = [];
   const sources = new Map<Volume, string>();
   for await (const { name, volume, transferFunction, maxError, sight, pixels } of eachStatedScene(count)) {
-    tell(`scene ${results.length + 1} of ${count}: ${name}, max-error ${maxError}`);
+    notify(`scene ${results.length + 1} of ${count}: ${name}, max-error ${maxError}`);
     const src = sources.get(volume) ?? serveVolume(volume);
     sources.set(volume, src);
     const attributes = { 'transfer-function': transferFunction, 'value-window': volume.range.join(' '), 'max-error': String(maxError) };

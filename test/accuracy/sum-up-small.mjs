@@ -79,8 +79,8 @@ export function sumUpMotion({ name, pixels, budgets }) {
  */
 export function sumUpErrors({ name, pictures, uncertain }) {
   const errors = pictures.map(({ error }) => error);
-  const told = pictures.flatMap(({ stats: { error: stated }, error }) => (stated ? [{ stated, error }] : []));
-  const ratios = told.map(({ stated, error }) => stated.rms / error.rms);
+  const reported = pictures.flatMap(({ stats: { error: stated }, error }) => (stated ? [{ stated, error }] : []));
+  const ratios = reported.map(({ stated, error }) => stated.rms / error.rms);
   const largest = (/** @type {(error: import('../helpers/covered-error.ts').CoveredError) => number} */ of) => Math.max(...errors.map(of)).toFixed(2);
   return {
     scene: name,
@@ -94,8 +94,8 @@ export function sumUpErrors({ name, pictures, uncertain }) {
     'E kept': `${errors.filter(({ e }) => e <= maxError).length} of ${errors.length}`,
     'said to be kept, is not': pictures.filter(({ stats, error }) => stats.keepsMaxError === true && error.e > maxError).length,
     'stated / true RMSE': ratios.length > 0 ? `${Math.min(...ratios).toFixed(2)} … ${Math.max(...ratios).toFixed(2)}` : 'not stated',
-    'stated maximum, median': told.length > 0 ? median(told.map(({ stated }) => stated.max ?? Infinity)).toFixed(1) : '',
-    'exceeded': told.filter(({ stated, error }) => stated.max !== null && error.max > stated.max).length,
+    'stated maximum, median': reported.length > 0 ? median(reported.map(({ stated }) => stated.max ?? Infinity)).toFixed(1) : '',
+    'exceeded': reported.filter(({ stated, error }) => stated.max !== null && error.max > stated.max).length,
     'full rays: to twice the steps, to float64': `${uncertain.ofSteps.toFixed(2)}, ${uncertain.ofFloats.toFixed(2)}`,
   };
 }

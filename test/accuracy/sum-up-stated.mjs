@@ -30,9 +30,9 @@ export function groupByKind(results) {
 
 /** @param {readonly Stated[]} group */
 export function sumUp(group) {
-  const told = group.flatMap(({ stats: { error: stated }, error }) => (stated && error.rms > 0 ? [{ stated, error, ratio: stated.rms / error.rms }] : []));
-  const bounded = told.flatMap(({ stated: { max }, error }) => (max === null ? [] : [{ max, error }]));
-  const ratios = told.map(({ ratio }) => ratio);
+  const reported = group.flatMap(({ stats: { error: stated }, error }) => (stated && error.rms > 0 ? [{ stated, error, ratio: stated.rms / error.rms }] : []));
+  const bounded = reported.flatMap(({ stated: { max }, error }) => (max === null ? [] : [{ max, error }]));
+  const ratios = reported.map(({ ratio }) => ratio);
   return {
     count: group.length,
     'E kept': share(group.filter(isKept), group),

@@ -149,8 +149,8 @@ export async function run() {
       alone.push(ranges.milliseconds);
       all.push(cells.milliseconds);
     }
-    const tell = (/** @type {readonly number[]} */ times) => `${Math.round(median(times))} ms (${Math.round(Math.min(...times))} to ${Math.round(Math.max(...times))})`;
-    rows.push({ volume, 'ranges alone': tell(alone), 'ranges and roughness': tell(all), 'times as long': (median(all) / median(alone)).toFixed(2) });
+    const notify = (/** @type {readonly number[]} */ times) => `${Math.round(median(times))} ms (${Math.round(Math.min(...times))} to ${Math.round(Math.max(...times))})`;
+    rows.push({ volume, 'ranges alone': notify(alone), 'ranges and roughness': notify(all), 'times as long': (median(all) / median(alone)).toFixed(2) });
   }
   printTable('Macrocells', rows);
 }

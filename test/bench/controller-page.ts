@@ -74,8 +74,8 @@ const idleMs = 2000;
 const judged = 3;
 
 /** @param tell - what is being done */
-export async function measureController(scene: ControllerScene, tell: (what: string) => void): Promise<ControllerResult> {
-  tell(`${scene.transferFunction.slice(0, 20)}, ${scene.size} pixels: loading`);
+export async function measureController(scene: ControllerScene, notify: (what: string) => void): Promise<ControllerResult> {
+  notify(`${scene.transferFunction.slice(0, 20)}, ${scene.size} pixels: loading`);
   const element = document.createElement('volume-view');
   element.src = scene.src;
   element.transferFunction = scene.transferFunction;
@@ -85,14 +85,14 @@ export async function measureController(scene: ControllerScene, tell: (what: str
   await element.whenRendered();
   const atRest = await element.redraw();
   await orbit(element, 1); // The controller learns what frames of this scene take.
-  tell('the orbit');
+  notify('the orbit');
   const frames = await orbit(element, scene.seconds);
   const released = performance.now();
   await element.whenRendered();
   const convergedMs = performance.now() - released;
   const idle = await watchIdle(element);
   element.remove();
-  tell('errors of its frames');
+  notify('errors of its frames');
   const errors = await measureErrors(scene, frames);
   const times = frames.map(({ ms }) => ms);
   return {

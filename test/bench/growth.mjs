@@ -135,12 +135,12 @@ async function showMany({ openPage }, count) {
   const { contexts, all } = await page.evaluate(() => /** @type {any} */ (window).gpuBytes());
   const heap = await readHeap(page);
   await page.close();
-  const tell = (/** @type {number} */ ms) => (Number.isNaN(ms) ? `not in ${patience / 1000} s` : ms.toFixed(0));
+  const notify = (/** @type {number} */ ms) => (Number.isNaN(ms) ? `not in ${patience / 1000} s` : ms.toFixed(0));
   return {
     elements: count,
     'in sight': visible,
-    'all in sight final, ms': tell(visibleMs),
-    'after scrolling to the end, ms': tell(scrolledMs),
+    'all in sight final, ms': notify(visibleMs),
+    'after scrolling to the end, ms': notify(scrolledMs),
     'drew at all': pictures,
     'contexts alive': contexts,
     'GPU in all, MB': formatMegabytes(all),

@@ -21,10 +21,10 @@ export interface LimitRow {
 }
 
 /** @param tell - what is being done */
-export async function measureLimits(options: QualityOptions, tell: (what: string) => void): Promise<LimitRow[]> {
+export async function measureLimits(options: QualityOptions, notify: (what: string) => void): Promise<LimitRow[]> {
   const gl = new StudyGl();
   const rows: LimitRow[] = [];
-  for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, tell)) {
+  for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, notify)) {
     const found = await findAllSteps(gl, picture, ['shipped'], options);
     const voxels = { ...picture, steps: autoSteps(picture.volume.grid) };
     for (const size of options.sizes) {

@@ -70,10 +70,10 @@ interface Cell {
 }
 
 /** @param tell - what is being done */
-export async function drawLooks({ size, scenes, modules }: LooksOptions, tell: (what: string) => void): Promise<{ name: string; sheet: string }[]> {
+export async function drawLooks({ size, scenes, modules }: LooksOptions, notify: (what: string) => void): Promise<{ name: string; sheet: string }[]> {
   const sheets: { name: string; sheet: string }[] = [];
   for (const subject of subjects.filter(({ id }) => scenes.length === 0 || scenes.includes(id))) {
-    tell(subject.id);
+    notify(subject.id);
     const loaded = await loadVolume({ ...subject.more, url: subject.url, limits }, { signal: new AbortController().signal, onProgress: () => {} }).catch(() => null);
     if (!loaded) continue; // These data are not here.
     const volume = alignVolume(loaded);

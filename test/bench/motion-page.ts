@@ -47,10 +47,10 @@ const affordable = 128 ** 2 * (100 + 4);
 const shares = [0.16, 0.14, 0.125, 0.11, 0.1, 0.08] as const;
 
 /** @param tell - what is being done */
-export async function compareMotion({ size, scenes }: MotionOptions, tell: (what: string) => void): Promise<MotionRow[]> {
+export async function compareMotion({ size, scenes }: MotionOptions, notify: (what: string) => void): Promise<MotionRow[]> {
   const rows: MotionRow[] = [];
   for (const scene of litScenes.filter(({ id }) => (scenes.length === 0 ? ['mri', 'ct', 'radar'] : scenes).includes(id))) {
-    tell(scene.id);
+    notify(scene.id);
     rows.push(...await compareScene(scene, size));
   }
   return rows;

@@ -67,7 +67,7 @@ const dragged = 0.1;
 const finer = 4;
 
 /** @param tell - what is being done */
-export async function measurePairs(options: PairsOptions, tell: (what: string) => void): Promise<ScenePairs> {
+export async function measurePairs(options: PairsOptions, notify: (what: string) => void): Promise<ScenePairs> {
   const element = document.createElement('volume-view');
   for (const [name, value] of Object.entries(options.attributes)) element.setAttribute(name, value);
   element.style.cssText = `width: ${options.size}px; height: ${options.size}px; max-height: none; aspect-ratio: auto`;
@@ -75,29 +75,29 @@ export async function measurePairs(options: PairsOptions, tell: (what: string) =
   await element.whenRendered();
   const fixed: Taken[] = [];
   for (const steps of options.stepCounts) {
-    tell(`${steps} steps`);
+    notify(`${steps} steps`);
     element.steps = steps;
     fixed.push({ ...(await takeAtRest(element, options)), target: steps });
   }
   element.steps = null;
   const atRest: Taken[] = [];
   for (const maxError of options.maxErrors) {
-    tell(`max-error ${maxError}`);
+    notify(`max-error ${maxError}`);
     element.maxError = maxError;
     atRest.push({ ...(await takeAtRest(element, options)), target: maxError });
   }
   element.maxError = null;
   const judgeOf = (taken: readonly Taken[]): Judge => new Judge(element, options.size, finer * Math.max(...taken.map(({ steps }) => steps)));
   const ofRest = judgeOf([...fixed, ...atRest]); // Before anything moves the camera from the element's own view.
-  const pairsOfRest = { fixed: await ofRest.measure(fixed, tell), atRest: await ofRest.measure(atRest, tell) };
+  const pairsOfRest = { fixed: await ofRest.measure(fixed, notify), atRest: await ofRest.measure(atRest, notify) };
   element.steps = null;
   const moving: Taken[] = [];
   for (const fps of options.targetFps) {
-    tell(`target-fps ${fps}`);
+    notify(`target-fps ${fps}`);
     element.targetFps = fps;
     moving.push({ ...(await takeMoving(element, options)), target: fps });
   }
-  const pairs = { ...pairsOfRest, moving: await judgeOf(moving).measure(moving, tell) };
+  const pairs = { ...pairsOfRest, moving: await judgeOf(moving).measure(moving, notify) };
   element.remove();
   return pairs;
 }
@@ -145,10 +145,10 @@ class Judge {
     readonly steps: number,
   ) {}
 
-  async measure(taken: readonly Taken[], tell: (what: string) => void): Promise<Pair[]> {
+  async measure(taken: readonly Taken[], notify: (what: string) => void): Promise<Pair[]> {
     const pairs: Pair[] = [];
     for (const { shown, ...rest } of taken) {
-      tell(`error at ${rest.target}`);
+      notify(`error at ${rest.target}`);
       const errors: number[] = [];
       for (const { picture, view } of shown) errors.push(compareCovered(picture, await this.#limitOf(view), 1).rms);
       pairs.push({ ...rest, error: median(errors) });

@@ -59,9 +59,9 @@ export async function run() {
     }
     console.log(`\n${nameMachine(machine)}, ${size} x ${size} pixels, medians of ${repeats} redraws, and of the frames of ${seconds} s.`);
     console.log('Cells: error, RMS in 1/255; time, ms; steps; at rest the error that the element states, moving the share of pixels.\n');
-    printPolicy('Fixed steps', measured, { policy: 'fixed', head: (target) => `steps ${target}`, tell: says });
-    printPolicy('The controller at rest', measured, { policy: 'atRest', head: (target) => `max-error ${target}`, tell: says });
-    printPolicy('The controller, moving', measured, { policy: 'moving', head: (target) => `target-fps ${target}`, tell: ({ pixels }) => `, ${(pixels * 100).toFixed(0)} %` });
+    printPolicy('Fixed steps', measured, { policy: 'fixed', head: (target) => `steps ${target}`, describe: says });
+    printPolicy('The controller at rest', measured, { policy: 'atRest', head: (target) => `max-error ${target}`, describe: says });
+    printPolicy('The controller, moving', measured, { policy: 'moving', head: (target) => `target-fps ${target}`, describe: ({ pixels }) => `, ${(pixels * 100).toFixed(0)} %` });
     if (process.env.PLOT) {
       writeFileSync(process.env.PLOT, plotPairs(measured, size));
       console.log(`drawn: ${process.env.PLOT}`);
@@ -75,12 +75,12 @@ const says = ({ stated }) => `, says ${stated?.toFixed(2) ?? 'nothing'}`;
 /**
  * @param {string} title
  * @param {readonly Measured[]} measured
- * @param {{ policy: keyof Measured['pairs'], head: (target: number) => string, tell: (pair: Pair) => string }} columns
+ * @param {{ policy: keyof Measured['pairs'], head: (target: number) => string, describe: (pair: Pair) => string }} columns
  */
-function printPolicy(title, measured, { policy, head, tell }) {
+function printPolicy(title, measured, { policy, head, describe }) {
   printTable(title, measured.map(({ name, pairs }) => ({
     scene: name,
-    ...Object.fromEntries(pairs[policy].map((pair) => [head(pair.target), `${pair.error.toFixed(2)}; ${pair.ms.toFixed(0)} ms; ${pair.steps}${tell(pair)}`])),
+    ...Object.fromEntries(pairs[policy].map((pair) => [head(pair.target), `${pair.error.toFixed(2)}; ${pair.ms.toFixed(0)} ms; ${pair.steps}${describe(pair)}`])),
   })));
 }
 

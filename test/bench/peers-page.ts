@@ -88,14 +88,14 @@ const referenceSide = 12;
 const slow = 1000;
 
 /** @param tell - what is being done */
-export async function comparePeers(options: PeersOptions, tell: (what: string) => void): Promise<PeersRow[]> {
+export async function comparePeers(options: PeersOptions, notify: (what: string) => void): Promise<PeersRow[]> {
   const rows: PeersRow[] = [];
   for await (const { name, volume: loaded, functions } of eachVolume(options.scenes, new AbortController().signal)) {
     const volume = alignVolume(loaded);
     const looks = [...(options.lit === 'only' ? [] : functions.map((one) => ({ ...one, isLit: false }))), ...(options.lit === 'no' ? [] : [{ ...functions[0], isLit: true }])];
     for (const { name: functionName, transferFunction, isLit } of looks) {
       const title = isLit ? `${functionName}, lit` : functionName;
-      const results = await compareScene({ volume, transferFunction, isLit }, options, (what) => tell(`${name}, ${title}, ${what}`));
+      const results = await compareScene({ volume, transferFunction, isLit }, options, (what) => notify(`${name}, ${title}, ${what}`));
       for (const [size, bySize] of results) rows.push({ volume: name, transferFunction: title, size, isLit, results: bySize });
     }
   }
@@ -110,7 +110,7 @@ interface Shown {
 }
 
 async function compareScene(
-  shown: Shown, options: PeersOptions, tell: (what: string) => void,
+  shown: Shown, options: PeersOptions, notify: (what: string) => void,
 ): Promise<Map<number, Record<string, PeerResult>>> {
   const camera = findCamera(shown.volume);
   const scene = { ...describeScene(shown.volume, shown.transferFunction, camera), ...(shown.isLit && { light: fogMaterial }) };
@@ -118,7 +118,7 @@ async function compareScene(
   const results = new Map<number, Record<string, PeerResult>>(options.sizes.map((size) => [size, {}]));
   const peers = Object.keys(options.modules).filter((name) => !shown.isLit || litPeers.includes(name));
   for (const name of ['ours', ...peers]) {
-    tell(name);
+    notify(name);
     const host = document.createElement('div');
     document.body.append(host);
     const peer = name === 'ours' ? await startOurs(host, { ...shown, camera }) : await startPeer(host, options.modules[name], scene);

@@ -52,7 +52,7 @@ function printPeers(rows, { size, target }) {
   printTable(`Time to an error of ${target}/255, ${size} x ${size} pixels: ms (steps, ours × the most substeps); in brackets what does not count, as it tends to another picture. What is lit counts: models of light differ`, rows.map(({ volume, transferFunction, results }, i) => ({
     volume,
     'transfer function': transferFunction,
-    ...Object.fromEntries(Object.entries(results).map(([name, result]) => [name, tell(result, target, rows[i].isLit)])),
+    ...Object.fromEntries(Object.entries(results).map(([name, result]) => [name, notify(result, target, rows[i].isLit)])),
     'fastest peer / ours': ratios[i]?.toFixed(2) ?? 'none counts',
   })));
   const known = ratios.filter((ratio) => ratio !== null);
@@ -61,7 +61,7 @@ function printPeers(rows, { size, target }) {
 }
 
 /** @param {import('./peers-page.ts').PeerResult} result @param {number} target @param {boolean} isLit */
-function tell({ fromReference, reached, fixedMs }, target, isLit) {
+function notify({ fromReference, reached, fixedMs }, target, isLit) {
   const one = reached[target];
   const text = fixedMs === null ? (one ? `${one.ms.toFixed(0)} (${one.steps}${one.substeps ? ` × ${one.substeps}` : ''})` : 'never') : `${fixedMs.toFixed(0)} (fixed)`;
   return (isLit || fromReference <= maxFromReference) && fixedMs === null ? text : `[${text}]`;

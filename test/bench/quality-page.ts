@@ -59,11 +59,11 @@ export type ScenePicture = Pick<StudyPicture, 'volume' | 'rays' | 'referenceLeng
 
 /** All scenes, each with all its transfer functions. @param tell - what is being done */
 export async function* eachScene(
-  gl: StudyGl, ids: readonly string[], tell: (what: string) => void,
+  gl: StudyGl, ids: readonly string[], notify: (what: string) => void,
 ): AsyncGenerator<{ volume: string; transferFunction: string; picture: ScenePicture }> {
   for await (const { name, volume, functions } of eachVolume(ids, new AbortController().signal)) {
     for (const { name: transferFunction, ...fn } of functions) {
-      tell(`${name}, ${transferFunction}`);
+      notify(`${name}, ${transferFunction}`);
       yield {
         volume: name,
         transferFunction,
@@ -138,10 +138,10 @@ export function timeInTurns(
 }
 
 /** Time to an error, for all scenes. @param tell - what is being done */
-export async function measureQuality(options: QualityOptions, tell: (what: string) => void): Promise<QualityRow[]> {
+export async function measureQuality(options: QualityOptions, notify: (what: string) => void): Promise<QualityRow[]> {
   const gl = new StudyGl();
   const rows: QualityRow[] = [];
-  for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, tell)) {
+  for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, notify)) {
     const found = await findAllSteps(gl, picture, Object.keys(techniques), options);
     const [first, ...further] = options.sizes;
     const full = timeAll(gl, { picture, found, names: Object.keys(techniques) }, { size: first, repeats: options.repeats });

@@ -26,8 +26,8 @@ function printQuality(rows, { size, target }) {
   printTable(`Time to an error of ${target}/255, ${size} x ${size} pixels: ms (steps × the most substeps)`, rows.map(({ volume, transferFunction, reached }) => ({
     volume,
     'transfer function': transferFunction,
-    ...Object.fromEntries(Object.entries(reached[target]).map(([name, one]) => [name, tell(one)])),
-    'plain / shipped': tellRatio(reached[target]),
+    ...Object.fromEntries(Object.entries(reached[target]).map(([name, one]) => [name, notify(one)])),
+    'plain / shipped': reportRatio(reached[target]),
   })));
   const ratios = rows.map(({ reached }) => ratioOf(reached[target])).filter((ratio) => ratio !== null);
   if (ratios.length === 0) return console.log('plain samples reach it in no scene\n');
@@ -37,7 +37,7 @@ function printQuality(rows, { size, target }) {
 /** @typedef {Readonly<Record<string, import('./quality-page.ts').Reached | null>>} Reaches */
 
 /** @param {import('./quality-page.ts').Reached | null} one */
-function tell(one) {
+function notify(one) {
   if (!one) return 'never';
   return `${one.ms === null ? 'too long' : one.ms.toFixed(0)} (${one.steps}${one.substeps ? ` × ${one.substeps}` : ''})`;
 }
@@ -48,7 +48,7 @@ function ratioOf({ shipped, 'plain samples': plain }) {
 }
 
 /** @param {Reaches} reached */
-function tellRatio(reached) {
+function reportRatio(reached) {
   if (!reached.shipped) return 'never';
   return ratioOf(reached)?.toFixed(2) ?? (reached['plain samples'] ? 'not drawn' : 'only shipped');
 }

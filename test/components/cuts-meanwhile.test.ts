@@ -38,8 +38,8 @@ it('a cutout that is set while the first volume is uploaded is cut out', async (
 });
 
 it('a region that is not there is told of the volume, and not of its stand-in as well', async () => {
-  const told: string[] = [];
-  const errors = new ErrorState({ file: '', changed: () => {}, failed: (aspect) => told.push(aspect) });
+  const reported: string[] = [];
+  const errors = new ErrorState({ file: '', changed: () => {}, failed: (aspect) => reported.push(aspect) });
   const settings = readSettings(new Proxy({ region: '100 100 100 101 101 101' } as GivenAttributes, { get: (given, name) => Reflect.get(given, name) ?? null }));
   const presenter = new VolumePresenter({ host: document.createElement('div'), settings, awake: true, emit: () => {}, changed: () => {}, track: () => {} }, errors);
   const shown: unknown[] = [];
@@ -48,5 +48,5 @@ it('a region that is not there is told of the volume, and not of its stand-in as
   const { signal } = new AbortController();
   await presenter.showCoarse({ volume: { ...volume, coarse: true }, of: volume }, signal);
   await presenter.show(volume, signal);
-  expect([shown, told]).to.deep.equal([[true, null, undefined, null], ['region']]);
+  expect([shown, reported]).to.deep.equal([[true, null, undefined, null], ['region']]);
 });

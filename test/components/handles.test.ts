@@ -102,10 +102,10 @@ describe('handles over a picture', () => {
     expect(buttons()[0].getAttribute('aria-label')).to.equal('Point 1, 0.00 0.00 0.00');
     buttons()[0].focus();
     buttons()[0].dispatchEvent(new KeyboardEvent('keydown', { key: 'PageUp', bubbles: true, cancelable: true }));
-    const told = view.shadowRoot!.querySelector('[role=status]')!;
-    expect(told.textContent).to.equal('');
+    const reported = view.shadowRoot!.querySelector('[role=status]')!;
+    expect(reported.textContent).to.equal('');
     await new Promise((resolve) => setTimeout(resolve, 700));
-    expect(told.textContent?.split(' ')[1]).to.equal((-4 * pixel).toFixed(2));
+    expect(reported.textContent?.split(' ')[1]).to.equal((-4 * pixel).toFixed(2));
     view.remove();
   });
 });

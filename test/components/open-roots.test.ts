@@ -16,7 +16,7 @@ function addHost(place: Node = document.body): HTMLElement {
 }
 
 /** What a companion says once nothing is under way. */
-async function wordsOf(element: Element | null): Promise<string> {
+async function textOf(element: Element | null): Promise<string> {
   await customElements.whenDefined(element!.localName);
   await new Promise((resolve) => setTimeout(resolve)); // Observers call back before it.
   await (element as VolumeLegend).updateComplete;
@@ -33,12 +33,12 @@ describe('the code of a companion is fetched', () => {
     const host = document.createElement('div');
     const root = attach(host, '<volume-view></volume-view><volume-legend></volume-legend>');
     document.body.append(host);
-    expect(await wordsOf(root.querySelector('volume-legend'))).to.equal(noVolume);
+    expect(await textOf(root.querySelector('volume-legend'))).to.equal(noVolume);
   });
 
   it('in a shadow root that is attached later, once a view is in it', async () => {
     const root = attach(addHost(), '<volume-view></volume-view><section><volume-timeline></volume-timeline></section>');
-    expect(await wordsOf(root.querySelector('volume-timeline'))).to.equal(noVolume);
+    expect(await textOf(root.querySelector('volume-timeline'))).to.equal(noVolume);
   });
 
   it('in the shadow root that an element has once it is defined, in a shadow root', async () => {
@@ -51,7 +51,7 @@ describe('the code of a companion is fetched', () => {
         inner = attach(this, '<volume-transfer-function></volume-transfer-function>');
       }
     });
-    expect(await wordsOf(inner!.firstElementChild)).to.equal(noVolume);
+    expect(await textOf(inner!.firstElementChild)).to.equal(noVolume);
     expect(outer.querySelector('later-host')!.shadowRoot).to.equal(inner);
   });
 
@@ -77,9 +77,9 @@ describe('a companion finds the view', () => {
   it('in its own root before one around it, and in one around it before one below', async () => {
     document.body.innerHTML = '<volume-view id="a"></volume-view>';
     const root = attach(addHost(), '<volume-legend for="a"></volume-legend><p id="a"></p>');
-    expect(await wordsOf(legendIn(root)), 'the nearest element of this id is none').to.equal(nobody('a'));
+    expect(await textOf(legendIn(root)), 'the nearest element of this id is none').to.equal(nobody('a'));
     root.querySelector('p')!.remove();
-    expect(await wordsOf(legendIn(root))).to.equal(noVolume);
+    expect(await textOf(legendIn(root))).to.equal(noVolume);
   });
 
   for (const name of ['', 'for="v"']) {
@@ -87,32 +87,32 @@ describe('a companion finds the view', () => {
       const host = addHost();
       attach(addHost(attach(host, '')), '<volume-view id="v"></volume-view>');
       document.body.insertAdjacentHTML('beforeend', `<volume-legend ${name}></volume-legend>`);
-      expect(await wordsOf(legendIn(document))).to.equal(noVolume);
+      expect(await textOf(legendIn(document))).to.equal(noVolume);
       host.remove();
-      expect(await wordsOf(legendIn(document))).to.equal(nobody(name ? 'v' : null));
+      expect(await textOf(legendIn(document))).to.equal(nobody(name ? 'v' : null));
       document.body.append(host);
-      expect(await wordsOf(legendIn(document))).to.equal(noVolume);
+      expect(await textOf(legendIn(document))).to.equal(noVolume);
     });
 
     it(`in the shadow root of a sibling ${name}, which comes later`, async () => {
       const root = attach(addHost(), `<volume-legend ${name}></volume-legend>`);
-      expect(await wordsOf(legendIn(root))).to.equal(nobody(name ? 'v' : null));
+      expect(await textOf(legendIn(root))).to.equal(nobody(name ? 'v' : null));
       attach(addHost(), '<volume-view id="v"></volume-view>');
-      expect(await wordsOf(legendIn(root))).to.equal(noVolume);
+      expect(await textOf(legendIn(root))).to.equal(noVolume);
     });
   }
 
   it('when it is given its id', async () => {
     const root = attach(addHost(), '<volume-view></volume-view>');
     document.body.insertAdjacentHTML('beforeend', '<volume-legend for="named"></volume-legend>');
-    expect(await wordsOf(legendIn(document))).to.equal(nobody('named'));
+    expect(await textOf(legendIn(document))).to.equal(nobody('named'));
     root.querySelector('volume-view')!.id = 'named';
-    expect(await wordsOf(legendIn(document))).to.equal(noVolume);
+    expect(await textOf(legendIn(document))).to.equal(noVolume);
   });
 
   it('is not found in a closed root from outside', async () => {
     attach(addHost(), '<volume-view></volume-view>', 'closed');
     document.body.insertAdjacentHTML('beforeend', '<volume-legend></volume-legend>');
-    expect(await wordsOf(legendIn(document))).to.equal(nobody());
+    expect(await textOf(legendIn(document))).to.equal(nobody());
   });
 });

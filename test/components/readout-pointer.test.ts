@@ -20,8 +20,8 @@ function openView() {
     pick: () => new Promise<VolumePick | null>((resolve) => answers.push(resolve)),
   });
   view.style.cssText = 'width: 100px; height: 100px';
-  const told: (number | null)[] = [];
-  const pointer = new ReadoutPointer(view as unknown as VolumeView, view, (pick) => told.push(pick?.value ?? null));
+  const reported: (number | null)[] = [];
+  const pointer = new ReadoutPointer(view as unknown as VolumeView, view, (pick) => reported.push(pick?.value ?? null));
   const keep = async (value: number): Promise<void> => {
     view.dispatchEvent(new CustomEvent('volume-pick', { detail: found(value) }));
     await nextFrame();
@@ -30,26 +30,26 @@ function openView() {
     pointer.dispose();
     view.remove();
   };
-  return { view, answers, told, keep, close };
+  return { view, answers, reported, keep, close };
 }
 
 describe('what a readout keeps', () => {
   it('is read anew from another scan, also where the answer takes longer than a frame', async () => {
-    const { view, answers, told, keep, close } = openView();
+    const { view, answers, reported, keep, close } = openView();
     await keep(1);
-    assert.equal(told.at(-1), 1);
+    assert.equal(reported.at(-1), 1);
     view.dispatchEvent(new Event('time-change'));
     for (let i = 0; i < 3; i++) await nextFrame();
-    assert.equal(told.at(-1), 1, 'nothing new is known');
+    assert.equal(reported.at(-1), 1, 'nothing new is known');
     assert.lengthOf(answers, 1);
     answers[0](found(2));
     for (let i = 0; i < 2; i++) await nextFrame();
-    assert.equal(told.at(-1), 2);
+    assert.equal(reported.at(-1), 2);
     close();
   });
 
   it('is what was asked for last, in whichever order answers come', async () => {
-    const { view, answers, told, keep, close } = openView();
+    const { view, answers, reported, keep, close } = openView();
     await keep(1);
     view.dispatchEvent(new Event('time-change'));
     view.dispatchEvent(new Event('optics-change'));
@@ -57,27 +57,27 @@ describe('what a readout keeps', () => {
     await nextFrame();
     answers[0](found(2));
     for (let i = 0; i < 2; i++) await nextFrame();
-    assert.equal(told.at(-1), 3);
+    assert.equal(reported.at(-1), 3);
     view.dispatchEvent(new Event('time-change'));
     await keep(4);
     answers[2](found(5));
     for (let i = 0; i < 2; i++) await nextFrame();
-    assert.equal(told.at(-1), 4, 'somebody has clicked elsewhere since');
+    assert.equal(reported.at(-1), 4, 'somebody has clicked elsewhere since');
     close();
   });
 
   it('is a place without a value where nothing is there any more', async () => {
-    const { view, answers, told, keep, close } = openView();
+    const { view, answers, reported, keep, close } = openView();
     await keep(1);
     view.dispatchEvent(new Event('load'));
     answers[0](null);
     for (let i = 0; i < 2; i++) await nextFrame();
-    assert.isNull(told.at(-1));
+    assert.isNull(reported.at(-1));
     view.dispatchEvent(new Event('time-change'));
     assert.lengthOf(answers, 2, 'it is asked again');
     answers[1](found(2));
     for (let i = 0; i < 2; i++) await nextFrame();
-    assert.equal(told.at(-1), 2);
+    assert.equal(reported.at(-1), 2);
     close();
   });
 });

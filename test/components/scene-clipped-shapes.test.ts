@@ -102,11 +102,11 @@ describe('ClipPlanes of the author', () => {
   }));
 
   it('are sixteen at most: each makes the shaders of shapes longer', () => {
-    const told: string[] = [];
-    const copies = new AuthorCopies((_, what, why) => told.push(`${what}: ${why}`));
+    const reported: string[] = [];
+    const copies = new AuthorCopies((_, what, why) => reported.push(`${what}: ${why}`));
     const made = Array.from({ length: 18 }, () => copies.copy(document.createElement('clipplane'))).filter(Boolean);
     expect(made).to.have.length(16);
-    expect(told).to.deep.equal(Array.from({ length: 2 }, () => '<clipplane>: there are more than 16 clipplanes'));
+    expect(reported).to.deep.equal(Array.from({ length: 2 }, () => '<clipplane>: there are more than 16 clipplanes'));
     expect(copies.copy(document.createElement('pointlight'))).not.to.equal(null);
   });
 });

@@ -39,16 +39,16 @@ async function turn(): Promise<void> {
 describe('volumes that several elements show', () => {
   it('are loaded once, while the first is on its way and after', async () => {
     const { shared, loads } = start();
-    const told: LoadProgress[] = [];
+    const reported: LoadProgress[] = [];
     const volume = some();
     const first = shared.get({ name: 'first' }, request, quietly());
-    const second = shared.get({ name: 'second' }, { ...request }, { ...quietly(), onProgress: (progress) => told.push(progress) });
+    const second = shared.get({ name: 'second' }, { ...request }, { ...quietly(), onProgress: (progress) => reported.push(progress) });
     await turn();
     loads[0].options.onProgress(half);
     loads[0].end(volume);
     expect(await first).to.equal(volume);
     expect(await second).to.equal(volume);
-    expect(told).to.deep.equal([half]);
+    expect(reported).to.deep.equal([half]);
     expect(await shared.get({ name: 'third' }, request, quietly())).to.equal(volume);
     expect(loads.length).to.equal(1);
   });

@@ -121,14 +121,14 @@ describe('modules of others', () => {
     { name: 'a field and a shade stage join ours', modules: [heightModule, redden] },
     { name: 'one changes opacity', modules: [tint] },
   ]) {
-    const told = { ...view, modules };
-    const stages = stagesOfView(told);
+    const reported = { ...view, modules };
+    const stages = stagesOfView(reported);
     for (const version of [2, 1] as const) {
       it(`${name}, and draw what their twins say, in WebGL ${version}`, () => withScene({ webgl1: version === 1 }, (scene) => {
         const before = drawPicture(scene, view);
         scene.layers[0].setModules(modules);
         const got = drawPicture(scene, view);
-        const expected = drawReference(told);
+        const expected = drawReference(reported);
         const edges = new Set([...listOff(got, expected)].filter((pixel) => isEdge(stages, rays, pixel)));
         const { worst, rmse } = comparePictures(got, expected, (pixel) => edges.has(pixel));
         console.log(`WebGL ${version} ${modules.map((module) => module.name).join(', ')}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${edges.size} pixels left out`);

@@ -5,7 +5,7 @@ import { renderError } from '../../components/volume-view/volume-view-parts.ts';
 import { VolumeViewError } from '../../src/core/errors.ts';
 import { VolumeView } from '../../components/volume-view/define.ts';
 import { english } from '../../src/messages/english-view.ts';
-import { registerTranslation } from '../../src/messages/words.ts';
+import { registerTranslation } from '../../src/messages/locale-controller.ts';
 
 registerTranslation('nl', {
   cameraKeys: 'Pijltjes draaien het.',

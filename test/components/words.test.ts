@@ -7,7 +7,7 @@ import '../../components/volume-transfer-function/define.ts';
 import type { VolumeLegend } from '../../components/volume-legend/volume-legend.ts';
 import type { VolumeTimeline } from '../../components/volume-timeline/volume-timeline.ts';
 import { english } from '../../src/messages/english-companions.ts';
-import { registerTranslation } from '../../src/messages/words.ts';
+import { registerTranslation } from '../../src/messages/locale-controller.ts';
 
 registerTranslation('nl', {
   noView: (id) => (id === null ? 'Hier is geen <volume-view>.' : `Hier is geen <volume-view id="${id}">.`),
@@ -16,7 +16,7 @@ registerTranslation('nl', {
   slice: { axial: 'Axiale doorsnede', coronal: 'Coronale doorsnede', sagittal: 'Sagittale doorsnede', oblique: 'Schuine doorsnede' },
 });
 
-const wordsOf = (element: Element | null): string => element!.shadowRoot!.textContent.replace(/\s+/g, ' ').trim();
+const textOf = (element: Element | null): string => element!.shadowRoot!.textContent.replace(/\s+/g, ' ').trim();
 const labelsOf = (element: Element): (string | null)[] => [...element.shadowRoot!.querySelectorAll('button')].map((button) => button.getAttribute('aria-label'));
 
 /** Put HTML in the page; returns what holds it. */
@@ -41,7 +41,7 @@ describe('a second language', () => {
     const [dutch, englishOne] = place.querySelectorAll<VolumeTimeline>('volume-timeline');
     expect(labelsOf(dutch)).to.deep.equal(['Vorige scan', 'Afspelen', english.nextScan]);
     expect(labelsOf(englishOne)).to.deep.equal([english.previousScan, english.play, english.nextScan]);
-    expect(wordsOf(dutch)).to.equal('Hier is geen <volume-view>.');
+    expect(textOf(dutch)).to.equal('Hier is geen <volume-view>.');
     expect(dutch.shadowRoot!.querySelector('[role=group]')!.getAttribute('aria-label')).to.equal(english.time);
   });
 
@@ -57,13 +57,13 @@ describe('a second language', () => {
     const place = await show('<section><p><volume-legend for="nobody"></volume-legend></p></section>');
     const legend = place.querySelector('volume-legend');
     const section = place.querySelector('section')!;
-    expect(wordsOf(legend)).to.equal(english.noView('nobody'));
+    expect(textOf(legend)).to.equal(english.noView('nobody'));
     section.lang = 'nl';
     await settle(place);
-    expect(wordsOf(legend)).to.equal('Hier is geen <volume-view id="nobody">.');
+    expect(textOf(legend)).to.equal('Hier is geen <volume-view id="nobody">.');
     section.lang = 'en';
     await settle(place);
-    expect(wordsOf(legend)).to.equal(english.noView('nobody'));
+    expect(textOf(legend)).to.equal(english.noView('nobody'));
   });
 
   it('is found across shadow roots; what is no language is passed over', async () => {
@@ -72,15 +72,15 @@ describe('a second language', () => {
     root.append(document.createElement('volume-transfer-function'));
     await settle(root.host);
     await (root.firstElementChild as VolumeLegend).updateComplete;
-    expect(wordsOf(root.firstElementChild)).to.equal('Hier is geen <volume-view>.');
+    expect(textOf(root.firstElementChild)).to.equal('Hier is geen <volume-view>.');
   });
 
   it('may come late', async () => {
     const place = await show('<volume-legend lang="fi"></volume-legend>');
-    expect(wordsOf(place.firstElementChild)).to.equal(english.noView(null));
+    expect(textOf(place.firstElementChild)).to.equal(english.noView(null));
     registerTranslation('fi', { noView: () => 'Ei tilavuutta täällä.' });
     await settle(place);
-    expect(wordsOf(place.firstElementChild)).to.equal('Ei tilavuutta täällä.');
+    expect(textOf(place.firstElementChild)).to.equal('Ei tilavuutta täällä.');
   });
 });
 
@@ -95,14 +95,14 @@ describe('a language of the package', () => {
   it('comes by itself where lang names it, and goes with it', async () => {
     const place = await show('<section lang="fr-CA"><volume-legend for="nobody"></volume-legend></section>');
     const legend = place.querySelector('volume-legend');
-    await until(() => wordsOf(legend).startsWith('Il n’y a pas'));
-    expect(wordsOf(legend)).to.equal('Il n’y a pas de <volume-view id="nobody"> dans cette page.');
+    await until(() => textOf(legend).startsWith('Il n’y a pas'));
+    expect(textOf(legend)).to.equal('Il n’y a pas de <volume-view id="nobody"> dans cette page.');
     place.querySelector('section')!.lang = 'en-GB';
     await settle(place);
-    expect(wordsOf(legend)).to.equal(english.noView('nobody'));
+    expect(textOf(legend)).to.equal(english.noView('nobody'));
     place.querySelector('section')!.lang = 'sv';
     await settle(place);
-    expect(wordsOf(legend), 'a language that is not there').to.equal(english.noView('nobody'));
+    expect(textOf(legend), 'a language that is not there').to.equal(english.noView('nobody'));
   });
 
   it('gives way to what the page registers, word by word', async () => {
@@ -110,7 +110,7 @@ describe('a language of the package', () => {
     const place = await show('<section lang="es"><volume-timeline></volume-timeline></section>');
     const timeline = place.querySelector('volume-timeline')!;
     await until(() => labelsOf(timeline).includes('Reproducir'));
-    expect(wordsOf(timeline)).to.equal('Nada aquí.');
+    expect(textOf(timeline)).to.equal('Nada aquí.');
     expect(labelsOf(timeline)).to.deep.equal(['Barrido anterior', 'Reproducir', 'Barrido siguiente']);
   });
 });

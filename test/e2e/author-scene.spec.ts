@@ -68,7 +68,7 @@ test.describe('the author\'s X3D', () => {
       const lamp = (direction: string, kind = 'directional'): string => `<${kind}light id="lamp" direction="${direction}" color="1 0 0"></${kind}light>`;
       const put = (light: string): Promise<Picture> => change(page, (element, html) => (element.innerHTML = html), `<group>${light}${box}</group>`);
       const turn = (direction: string): Promise<Picture> => change(page, (element, text) => element.querySelector('#lamp')!.setAttribute('direction', text), direction);
-      const told = (direction: string, kind = 'directional'): string =>
+      const reported = (direction: string, kind = 'directional'): string =>
         `warning: <volume-view>: <${kind}light> (id "lamp") was left out of the picture: direction got "${direction}"; expected three numbers, not all of them 0, like "0 -1 0".`;
       const said = (): string[] => lines.splice(0).filter((line) => line.includes('left out'));
       await open(page, plain.replace('></volume-view>', ` shading="lit"><group>${box}</group></volume-view>`));
@@ -77,12 +77,12 @@ test.describe('the author\'s X3D', () => {
       expect(compare(shining, without).worst, 'the light shines').toBeGreaterThan(20);
       expect(said()).toEqual([]);
       expect(compare(await put(lamp('0 0 0')), without).worst).toBe(0);
-      expect(said()).toEqual([told('0 0 0')]);
+      expect(said()).toEqual([reported('0 0 0')]);
       expect(compare(await turn('1 0 0'), shining).worst, 'put right').toBe(0);
       expect(compare(await turn('left'), without).worst).toBe(0);
-      expect(said()).toEqual([told('left')]);
+      expect(said()).toEqual([reported('left')]);
       expect(compare(await put(lamp('0', 'spot')), without).worst).toBe(0);
-      expect(said()).toEqual([told('0', 'spot')]);
+      expect(said()).toEqual([reported('0', 'spot')]);
     });
   });
 });

@@ -72,8 +72,8 @@ for (const [name, html] of Object.entries(right)) test(`${name}: no word`, async
 test('it tells the page, follows its language, is not printed, and goes as soon as something shows', async ({ page }) => {
   await open(page, view(above), size);
   await withElement(page, (element) => {
-    const told: unknown[] = ((window as unknown as { told: unknown[] }).told = []);
-    element.addEventListener('picture-blank', ({ detail }) => told.push(detail && detail.cause));
+    const reported: unknown[] = ((window as unknown as { reported: unknown[] }).reported = []);
+    element.addEventListener('picture-blank', ({ detail }) => reported.push(detail && detail.cause));
   });
   await settle(page);
   await expect.poll(() => note(page)).toMatch(/^Nothing/);
@@ -90,7 +90,7 @@ test('it tells the page, follows its language, is not printed, and goes as soon 
   await expect.poll(() => note(page)).toMatch(/^Nothing/);
   await setAttributes(page, { src: null });
   await expect.poll(() => note(page), 'there is no picture any more').toBe('');
-  expect(await page.evaluate(() => (window as unknown as { told: unknown[] }).told)).toEqual(['values', null, 'values', null]);
+  expect(await page.evaluate(() => (window as unknown as { reported: unknown[] }).reported)).toEqual(['values', null, 'values', null]);
 });
 
 test('a person who moves away knows why nothing is to be seen', async ({ page }) => {

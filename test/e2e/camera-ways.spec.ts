@@ -234,24 +234,24 @@ newPageTest('a picture that takes long has a line that says so, with what is dra
   // Much to draw: with software GL several seconds.
   await open(page, '<volume-view src="/demos/data/mni152-t1.nii.gz" max-error="0.1" style="width: 480px; height: 360px" alt="A head"></volume-view>');
   const seen = await withElement(page, async (element) => {
-    const told: { at: number; share: string; hidden: boolean }[] = [];
+    const reported: { at: number; share: string; hidden: boolean }[] = [];
     let rested = 0;
     element.addEventListener('render', ({ detail }) => (rested ||= detail.converged ? 0 : performance.now()));
     const root = element.shadowRoot!;
     const timer = setInterval(() => {
       const line = root.querySelector<HTMLElement>('.refining > div');
-      if (line) told.push({ at: performance.now() - rested, share: line.style.getPropertyValue('--_share'), hidden: line.parentElement!.ariaHidden === 'true' });
+      if (line) reported.push({ at: performance.now() - rested, share: line.style.getPropertyValue('--_share'), hidden: line.parentElement!.ariaHidden === 'true' });
     }, 50);
     await element.whenRendered();
     await new Promise((resolve) => setTimeout(resolve, 300));
     clearInterval(timer);
-    return { told, left: root.querySelectorAll('.refining').length, converged: element.renderStats!.converged };
+    return { reported, left: root.querySelectorAll('.refining').length, converged: element.renderStats!.converged };
   });
   expect(seen).toMatchObject({ left: 0, converged: true });
-  expect(seen.told.length).toBeGreaterThan(3);
-  expect(seen.told[0].at).toBeGreaterThan(900);
-  expect(seen.told.every(({ hidden }) => hidden)).toBe(true);
-  const shares = seen.told.map(({ share }) => share).filter((share) => share !== '').map(Number);
+  expect(seen.reported.length).toBeGreaterThan(3);
+  expect(seen.reported[0].at).toBeGreaterThan(900);
+  expect(seen.reported.every(({ hidden }) => hidden)).toBe(true);
+  const shares = seen.reported.map(({ share }) => share).filter((share) => share !== '').map(Number);
   expect(shares.length).toBeGreaterThan(1);
   expect(shares.every((share) => share >= 0 && share <= 1)).toBe(true);
 });

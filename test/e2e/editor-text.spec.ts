@@ -1,5 +1,5 @@
 // <volume-transfer-function>, and what the page says: the transfer function to go back to, its text, bands.
-import { drag, editor, handle, handles, openEditor, readStops, said, told, view } from './helpers/companions.ts';
+import { drag, editor, handle, handles, openEditor, readStops, said, reported, view } from './helpers/companions.ts';
 import { expect, keptTest as test, test as newPageTest, withElement } from './helpers/harness.ts';
 
 test.describe('what the page says', () => {
@@ -34,7 +34,7 @@ test.describe('what the page says', () => {
     });
     await expect(handles(page)).toHaveCount(2);
     await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
-    expect((await told(page)).at(-1)!.type).toBe('change');
+    expect((await reported(page)).at(-1)!.type).toBe('change');
   });
 
   test('a colour table of 65 stops is given few handles, and only an edit changes it', async ({ page }) => {
@@ -83,7 +83,7 @@ test.describe('bands', () => {
     expect(stops[4]).toEqual({ ...stops[3], value: 100 });
     expect(stops[5].color).toEqual([0, 1, 0]);
     await expect(page.getByRole('slider', { name: 'Opacity, 50 to 100' })).toHaveAttribute('aria-valuetext', '12.5%');
-    expect((await told(page)).some(({ type }) => type === 'change')).toBe(true);
+    expect((await reported(page)).some(({ type }) => type === 'change')).toBe(true);
   });
 
   test('15 by default; in stops again they are what was made of them', async ({ page }) => {

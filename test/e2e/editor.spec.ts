@@ -1,5 +1,5 @@
 // <volume-transfer-function>, by mouse, touch and keyboard.
-import { drag, editor, handle, handles, middleOf, openEditor, readStops, readValues, said, told, view } from './helpers/companions.ts';
+import { drag, editor, handle, handles, middleOf, openEditor, readStops, readValues, said, reported, view } from './helpers/companions.ts';
 import { compare, expect, settle, takePicture, keptTest as test, withElement } from './helpers/harness.ts';
 
 test.describe('the editor by mouse', () => {
@@ -10,13 +10,13 @@ test.describe('the editor by mouse', () => {
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x + 40, y - 60);
-    await expect.poll(async () => (await told(page)).map(({ type }) => type)).toContain('input');
-    expect((await told(page)).some(({ type }) => type === 'change')).toBe(false);
+    await expect.poll(async () => (await reported(page)).map(({ type }) => type)).toContain('input');
+    expect((await reported(page)).some(({ type }) => type === 'change')).toBe(false);
     const [, during] = await readStops(page);
     expect(during.value).toBeGreaterThan(110);
     expect(during.opacity).toBeGreaterThan(0.05);
     await page.mouse.up();
-    const events = await told(page);
+    const events = await reported(page);
     expect(events.at(-1)).toMatchObject({ type: 'change', bubbles: false });
     expect(events.at(-1)!.transferFunction).toBe(await withElement(page, (element) => element.transferFunction));
     await settle(page);
@@ -39,7 +39,7 @@ test.describe('the editor by mouse', () => {
     await page.mouse.click(x, y);
     await expect(handle(page, 3)).toBeFocused();
     await expect(page.getByLabel('Value')).toHaveValue('200');
-    expect(await told(page)).toEqual([]);
+    expect(await reported(page)).toEqual([]);
     expect(await withElement(page, (element) => element.transferFunction)).toBe(said);
   });
 
@@ -53,7 +53,7 @@ test.describe('the editor by mouse', () => {
     expect(added.value).toBeGreaterThan(100);
     expect(added.value).toBeLessThan(200);
     expect(Math.abs(Math.cbrt(added.opacity) - 0.8)).toBeLessThan(0.05);
-    expect((await told(page)).map(({ type }) => type)).toEqual(['change']);
+    expect((await reported(page)).map(({ type }) => type)).toEqual(['change']);
   });
 
   test('changes the colour of a stop, and its value and opacity by numbers', async ({ page }) => {
@@ -115,7 +115,7 @@ test.describe('the editor by touch', () => {
     await touch('touchStart', [x + 12, y - 12]); // a fingertip is not exact
     for (const part of [0.3, 0.6, 1]) await touch('touchMove', [x + 12 + 50 * part, y - 12 - 40 * part]);
     await touch('touchEnd');
-    await expect.poll(async () => (await told(page)).at(-1)?.type).toBe('change');
+    await expect.poll(async () => (await reported(page)).at(-1)?.type).toBe('change');
     const moved = (await readStops(page))[1];
     expect(moved.value).toBeGreaterThan(115);
     expect(moved.value, 'not by the whole 62 pixels: it was taken by its edge').toBeLessThan(145);

@@ -108,7 +108,7 @@ async function serveWrongFiles(page: Page): Promise<void> {
 }
 
 /** What `error` says. */
-const toldBy = ({ detail }: Seen): { code: string; message: string } => detail as { code: string; message: string };
+const notifiedBy = ({ detail }: Seen): { code: string; message: string } => detail as { code: string; message: string };
 
 test.describe('bad input', () => {
   test.use({ allowedLines: networkLines });
@@ -122,11 +122,11 @@ test.describe('bad input', () => {
       await page.locator('volume-view').evaluate((element, [changes, cross]) => {
         for (const [attribute, value] of Object.entries(changes)) element.setAttribute(attribute, value.replace('CROSS', cross));
       }, [attributes, process.env.VOLUME_VIEW_CROSS_URL!] as const);
-      const told = toldBy(await waitForEvent(page, 'error'));
-      expect(told.code).toBe(code);
-      expect(told.message).toMatch(message);
+      const reported = notifiedBy(await waitForEvent(page, 'error'));
+      expect(reported.code).toBe(code);
+      expect(reported.message).toMatch(message);
       // One fault, one event, in words for everybody, in place.
-      await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, withoutAddresses(told.message)]);
+      await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, withoutAddresses(reported.message)]);
       const rejection = await withElement(page, (element) =>
         element.whenRendered().then(() => 'resolved', (error: { code: string }) => error.code));
       expect(rejection).toBe(code);
@@ -163,7 +163,7 @@ test.describe('bad input', () => {
     await settle(page);
     await page.evaluate(() => Object.assign(window, { broken: true }));
     await withElement(page, (element) => element.setAttribute('steps', '50'));
-    const { code, message } = toldBy(await waitForEvent(page, 'error'));
+    const { code, message } = notifiedBy(await waitForEvent(page, 'error'));
     expect(code).toBe('internal');
     expect(message).toContain(fieldUrl);
     expect(message).toContain('nobody expects this');
@@ -175,7 +175,7 @@ test.describe('bad input', () => {
 
   test('at the first load there is no picture, and the words stand in place', async ({ page }) => {
     await open(page, '<volume-view src="nowhere.nii"></volume-view>');
-    const { message } = toldBy(await waitForEvent(page, 'error'));
+    const { message } = notifiedBy(await waitForEvent(page, 'error'));
     await expect(page.getByText(message.slice(message.indexOf('nowhere.nii')))).toBeVisible();
     expect(await withElement(page, (element) => [element.volume, element.renderStats])).toEqual([null, null]);
     expect(await withElement(page, (element) => element.toBlob().catch((error: { code: string }) => error.code))).toBe('source/not-found');
@@ -184,7 +184,7 @@ test.describe('bad input', () => {
 
   test('of an address a reader sees the folder and the name, and nothing that may be secret', async ({ page }) => {
     await open(page, '<volume-view src="/courses/anatomy/nowhere.nii?token=a1b2c3#part"></volume-view>');
-    const { message } = toldBy(await waitForEvent(page, 'error'));
+    const { message } = notifiedBy(await waitForEvent(page, 'error'));
     expect(message).toContain('/courses/anatomy/nowhere.nii?token=a1b2c3');
     const shown = page.getByRole('alert').getByRole('paragraph').last();
     await expect(shown).toHaveText(/^anatomy\/nowhere\.nii got HTTP status 404 Not Found; expected the file; check the URL/);
@@ -232,10 +232,10 @@ test.describe('bad input', () => {
   newPageTest('x3dom that is missing, and then is there', async ({ page }) => {
     await page.route('**/x3dom.js', (route) => route.abort());
     await open(page, plain);
-    const told = toldBy(await waitForEvent(page, 'error'));
-    expect(told.code).toBe('x3dom/unavailable');
-    expect(told.message).toMatch(/x3dom could not be loaded from http.*\/dist\/x3dom\.js/);
-    await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, told.message.replace(/http\S+\/(?=dist\/x3dom)/, '')]);
+    const reported = notifiedBy(await waitForEvent(page, 'error'));
+    expect(reported.code).toBe('x3dom/unavailable');
+    expect(reported.message).toMatch(/x3dom could not be loaded from http.*\/dist\/x3dom\.js/);
+    await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, reported.message.replace(/http\S+\/(?=dist\/x3dom)/, '')]);
     await page.unroute('**/x3dom.js');
     await withElement(page, async (element, url) => {
       element.src = null;
@@ -258,10 +258,10 @@ newPageTest('a page without WebGL', async ({ page }) => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });
   await open(page, plain);
-  const told = toldBy(await waitForEvent(page, 'error'));
-  expect(told.code).toBe('webgl/unavailable');
-  expect(told.message).toMatch(/no WebGL/);
-  await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, told.message]);
+  const reported = notifiedBy(await waitForEvent(page, 'error'));
+  expect(reported.code).toBe('webgl/unavailable');
+  expect(reported.message).toMatch(/no WebGL/);
+  await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, reported.message]);
 });
 
 newPageTest('WebGL that goes away after the probe', async ({ page }) => {
@@ -273,9 +273,9 @@ newPageTest('WebGL that goes away after the probe', async ({ page }) => {
     };
   });
   await open(page, plain);
-  const told = toldBy(await waitForEvent(page, 'error'));
-  expect(told.code).toBe('webgl/unavailable');
-  await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, told.message]);
+  const reported = notifiedBy(await waitForEvent(page, 'error'));
+  expect(reported.code).toBe('webgl/unavailable');
+  await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, reported.message]);
 });
 
 test('a message is text, whatever an attribute holds', async ({ page }) => {

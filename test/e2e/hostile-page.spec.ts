@@ -116,7 +116,7 @@ test.describe('X3D that makes no sense', () => {
 
   test('the console says which attribute of which element holds a number that can not be drawn', async () => {
     const page = shared();
-    const told = (): string[] => said.filter((line) => quiet.test(line));
+    const reported = (): string[] => said.filter((line) => quiet.test(line));
     const points = '<indexedfaceset coordindex="0 1 2 -1"><coordinate point="0 0 0, 1 0 0, 0 -1e39 0"></coordinate></indexedfaceset>';
     for (const [html, line] of [
       ['<transform id="far" translation="0 1e400 0"></transform>', '<transform> (id "far") was left out of the picture: translation of <transform> got "1e400"'],
@@ -125,10 +125,10 @@ test.describe('X3D that makes no sense', () => {
       ['<viewpoint position="1e300 0 0"></viewpoint>', '<viewpoint> was left out of the picture: position of <viewpoint> got "1e300"'],
     ] as const) {
       await put(page, html);
-      expect(told()).toEqual([`<volume-view>: ${line}; expected numbers up to 1e18.`]);
+      expect(reported()).toEqual([`<volume-view>: ${line}; expected numbers up to 1e18.`]);
     }
     await put(page, `<group><shape>${green}<sphere radius="2"></sphere></shape></group>`);
-    expect(told()).toEqual([]);
+    expect(reported()).toEqual([]);
     const later = page.waitForEvent('console', { predicate: (message) => quiet.test(message.text()) });
     await withElement(page, (element) => element.querySelector('sphere')!.setAttribute('radius', 'NaN'));
     expect((await later).text()).toBe('<volume-view>: <sphere> was left out of the picture: radius of <sphere> got "NaN"; expected numbers up to 1e18.');

@@ -215,8 +215,8 @@ test.describe('a script', () => {
     const camera = orbitCamera(orbit, target, angle);
     expectNear(eye, camera.eye);
     expectNear(up, camera.up);
-    const told = await withElement(page, ({ cameraOrbit, cameraTarget }) => ({ cameraOrbit, cameraTarget }));
-    expect(told).toEqual({ cameraOrbit: `30deg 75deg ${Number(orbit.radius.toFixed(5))}`, cameraTarget: target.map((x) => Number(x.toFixed(5))) });
+    const reported = await withElement(page, ({ cameraOrbit, cameraTarget }) => ({ cameraOrbit, cameraTarget }));
+    expect(reported).toEqual({ cameraOrbit: `30deg 75deg ${Number(orbit.radius.toFixed(5))}`, cameraTarget: target.map((x) => Number(x.toFixed(5))) });
     await page.locator('.picture').press('ArrowRight');
     await page.locator('.picture').press('Shift+ArrowUp');
     await readCamera(page);

@@ -226,12 +226,12 @@ test.describe('what can\'t be shown', () => {
       [{ src: fieldUrl, table: `${folder}/atlas.nii` }, 'format/unknown', /BIDS/],
     ];
     for (const [attributes, code, message] of errors) {
-      const told = await page.locator('volume-labels').evaluate((element, changes) => new Promise<{ code: string; message: string }>((resolve) => {
+      const reported = await page.locator('volume-labels').evaluate((element, changes) => new Promise<{ code: string; message: string }>((resolve) => {
         element.addEventListener('error', (event) => resolve((event as unknown as CustomEvent<{ code: string; message: string }>).detail), { once: true });
         for (const [name, value] of Object.entries(changes)) element.setAttribute(name, value);
       }), attributes);
-      expect(told.code).toBe(code);
-      expect(told.message).toMatch(message);
+      expect(reported.code).toBe(code);
+      expect(reported.message).toMatch(message);
       await expect(page.getByRole('alert')).toContainText('The labels cannot be shown.');
       await expect(page.getByRole('alert')).toContainText(message);
     }

@@ -60,11 +60,11 @@ test('a map of both signs is seen in 3D, in a pane, under the pointer and in a l
   expect(await layer.evaluate((element: VolumeLayer) => [element.volume!.dimensions, element.look!.window])).toEqual([[12, 10, 8], [-6, 6]]);
   expect(await findFaults(page)).toEqual([]);
 
-  const told = await layer.evaluate((element: VolumeLayer, src) => new Promise((resolve) => {
+  const reported = await layer.evaluate((element: VolumeLayer, src) => new Promise((resolve) => {
     element.addEventListener('error', (event) => resolve((event as unknown as CustomEvent<{ message: string }>).detail.message), { once: true });
     element.src = src;
   }), `${folder}/far.nii`);
-  expect(told).toMatch(/far\.nii and the volume have no place in common; expected files of the same body/);
+  expect(reported).toMatch(/far\.nii and the volume have no place in common; expected files of the same body/);
   const kept = await page.locator('#v').evaluate(async (view: VolumeView) => (await view.pick(0.5 * view.clientWidth, 0.5 * view.clientHeight))?.layers);
   expect(kept, 'the last good one stays').toEqual([{ name: 'z value', value: expect.any(Number), unit: '' }]);
   await layer.evaluate((element: VolumeLayer, src) => ((element.src = src), (element.hidden = true)), `${folder}/map.nii`);
@@ -86,9 +86,9 @@ test('a map of both signs is seen in 3D, in a pane, under the pointer and in a l
 
 test('where a file has no such moment its picture comes to rest, and that is told', async ({ page }) => {
   const renders = (): Promise<number> => page.locator('volume-view').evaluate((view: VolumeView & { renders?: number }) => view.renders ?? 0);
-  for (const [src, told] of [['/demos/data/storm-radar-1510.json', /color-moment got "VRADH"; expected one that the file holds: DBZH/], ['/demos/data/mni152-t1.nii.gz', /color-moment got "VRADH" and a volume that is no radar scan/]] as const) {
+  for (const [src, reported] of [['/demos/data/storm-radar-1510.json', /color-moment got "VRADH"; expected one that the file holds: DBZH/], ['/demos/data/mni152-t1.nii.gz', /color-moment got "VRADH" and a volume that is no radar scan/]] as const) {
     await open(page, `<volume-view src="${src}" color-moment="VRADH" style="width: 160px; height: 120px" alt="A volume"></volume-view>`);
-    await expect(page.locator('volume-view [part=error]')).toContainText(told);
+    await expect(page.locator('volume-view [part=error]')).toContainText(reported);
     await page.locator('volume-view').evaluate((view: VolumeView & { renders?: number }) => view.addEventListener('render', () => (view.renders = (view.renders ?? 0) + 1)));
     await expect.poll(() => page.locator('volume-view').evaluate((view: VolumeView) => view.renderStats?.converged), { timeout: 30_000 }).toBe(true);
     const before = await renders();
@@ -108,12 +108,12 @@ test('a radar is coloured by another moment of its file; one that is not there i
   await setAttributes(page, { 'color-moment': other });
   const colored = await takePicture(page);
   expect(comparePictures(colored, plain).worst).toBeGreaterThan(20);
-  const told = page.locator('volume-view [part=error]');
+  const reported = page.locator('volume-view [part=error]');
   await setAttributes(page, { 'color-moment': 'NOPE' }).catch(() => {});
-  await expect(told).toContainText('NOPE');
-  await expect(told).toContainText(other);
+  await expect(reported).toContainText('NOPE');
+  await expect(reported).toContainText(other);
   await setAttributes(page, { 'color-moment': null });
   expect(comparePictures(await takePicture(page), plain).worst).toBeLessThanOrEqual(1);
   await setAttributes(page, { src: '/test/fixtures/radar/odim-2.2.h5', 'color-moment': 'VRADH' }).catch(() => {});
-  await expect(told).toContainText('VRADH has 1 sweeps of up to 66 gates, and DBZH has 2 sweeps of up to 33 gates');
+  await expect(reported).toContainText('VRADH has 1 sweeps of up to 66 gates, and DBZH has 2 sweeps of up to 33 gates');
 });

@@ -7,7 +7,7 @@ const series = '/test/fixtures/nifti/v1-le-series.nii';
 const view = (src: string, more = '', inside = ''): string => `<main><h1>Scan</h1><volume-view src="${src}" style="width: 360px; height: 240px" ${more}>${inside}</volume-view><p tabindex="0">text</p></main>`;
 const script = ['volume-view', 'volume-labels', 'volume-layer', 'volume-surface', 'volume-slice-view'].map((name) => `<script type="module" src="/dist/${name}.js"></script>`).join('');
 
-const told = async (page: Page, within = 'volume-view'): Promise<string[]> => page.locator(`${within} [part=notice-text] li`).allTextContents();
+const reported = async (page: Page, within = 'volume-view'): Promise<string[]> => page.locator(`${within} [part=notice-text] li`).allTextContents();
 const sign = (page: Page, within = 'volume-view') => page.locator(`${within} [part=notice-sign]`);
 const text = (page: Page, within = 'volume-view') => page.locator(`${within} [part=notice-text]`);
 
@@ -36,7 +36,7 @@ test('it tells when it is pointed at, has the focus of the keys, or is pressed; 
   await expect(text(page)).toBeHidden();
   await sign(page).hover();
   await expect(text(page)).toBeVisible();
-  expect(await told(page)).toEqual(['volume 2 of the file', 'number 2 of each voxel']);
+  expect(await reported(page)).toEqual(['volume 2 of the file', 'number 2 of each voxel']);
   await text(page).hover();
   await expect(text(page), 'the words can be pointed at').toBeVisible();
   await page.keyboard.press('Escape');
@@ -80,10 +80,10 @@ test.describe('beside the volume', () => {
     await open(page, view(ballUrl, '', `<volume-labels src="${segments}" table="/labels.tsv"></volume-labels><volume-layer src="${twoVolumes([])}"></volume-layer><volume-surface src="${obj}"></volume-surface>`), { script });
     await settle(page);
     await expect(sign(page)).toBeVisible();
-    await expect.poll(() => told(page)).toHaveLength(4);
-    expect(new Set(await told(page))).toEqual(new Set([overlap, 'its materials are not shown', 'volume 2 of the file', 'labels.tsv: line 2 got the index "x"; expected a whole number. It is left out']));
+    await expect.poll(() => reported(page)).toHaveLength(4);
+    expect(new Set(await reported(page))).toEqual(new Set([overlap, 'its materials are not shown', 'volume 2 of the file', 'labels.tsv: line 2 got the index "x"; expected a whole number. It is left out']));
     await page.evaluate(() => document.querySelector('volume-layer')!.setAttribute('hidden', ''));
-    await expect.poll(() => told(page)).toHaveLength(3);
+    await expect.poll(() => reported(page)).toHaveLength(3);
   });
 });
 
@@ -92,7 +92,7 @@ test.describe('elsewhere', () => {
     await open(page, `<main><h1>Slices</h1><volume-slice-view src="${segments}" style="width: 240px"></volume-slice-view></main>`, { script });
     await page.locator('volume-slice-view').evaluate((pane) => (pane as unknown as { whenRendered(): Promise<void> }).whenRendered());
     await expect(sign(page, 'volume-slice-view')).toBeVisible();
-    expect(await told(page, 'volume-slice-view')).toEqual([overlap]);
+    expect(await reported(page, 'volume-slice-view')).toEqual([overlap]);
     await sign(page, 'volume-slice-view').click();
     await expect(text(page, 'volume-slice-view')).toBeVisible();
     expect(await findFaults(page)).toEqual([]);

@@ -3,7 +3,7 @@ import type { Page } from '@playwright/test';
 import { black, contexts, countContexts, element, expected, isLive, onBlack, waitUntilDrawn } from './helpers/crowd.ts';
 import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
-import { shown, told } from './helpers/scans.ts';
+import { shown, reported } from './helpers/scans.ts';
 
 test.describe('out of sight and back', () => {
   const tall = '<div style="height: 6000px"></div>';
@@ -119,7 +119,7 @@ test.describe('out of sight and back', () => {
     const urls = [0, 1, 2].map((i) => `${fieldUrl}?${i}`).join(' ');
     await open(page, `<volume-view id="v0" src="${urls}" ${attributesOf()} autoplay play-speed="5"></volume-view>${tall}`);
     // What was shown, and not what is: one who looks once a second may meet the same of three scans each time.
-    const scansSince = async (since: number): Promise<number[]> => (await told(page)).slice(since).map(({ index }) => index);
+    const scansSince = async (since: number): Promise<number[]> => (await reported(page)).slice(since).map(({ index }) => index);
     await expect.poll(() => scansSince(0)).toContain(1);
     await away(page);
     await page.waitForTimeout(300);

@@ -179,9 +179,9 @@ test('a view is picked, turned, zoomed and pointed at by its own pixels, and so 
     const picked = await page.evaluate(() => (window as never as { picked: { world: number[] } }).picked.world);
     await page.mouse.move(place[0] + 1, place[1]);
     await page.mouse.move(...place);
-    const told = async (): Promise<number> => Number(/-?[\d.]+/.exec((await page.locator('volume-readout').textContent()) ?? '')?.[0]);
+    const reported = async (): Promise<number> => Number(/-?[\d.]+/.exec((await page.locator('volume-readout').textContent()) ?? '')?.[0]);
     const marker = await page.locator('#view [part=marker]').evaluate(({ style }) => [parseFloat(style.left), parseFloat(style.top)]);
-    const value = await told();
+    const value = await reported();
     // The handle is where its own pixels are, and goes along with the pointer.
     const handle = (await page.locator('#view .handle').first().evaluate(({ style }) => [parseFloat(style.left), parseFloat(style.top)])) as unknown as Place;
     const grabbed = await to('#view', [handle, [handle[0] + 30, handle[1] + 12]]);

@@ -13,7 +13,7 @@ const wide = { head: '<style>volume-view { width: 240px; height: 180px }</style>
 
 const rows = (page: Page): Locator => page.locator('volume-readout [part=row]');
 const texts = (page: Page): Promise<string[]> => page.locator('volume-readout [part=text]').allInnerTexts();
-const told = (page: Page): Locator => page.locator('volume-readout [role=status]');
+const reported = (page: Page): Locator => page.locator('volume-readout [role=status]');
 const marker = (page: Page): Locator => page.locator('volume-view [part=marker]');
 
 /** Where the cross is, from the left and top edge of the picture; null where it is not. */
@@ -106,7 +106,7 @@ test('has a crosshair that keys move, which fires volume-pick and leaves the cam
   await page.keyboard.press('ArrowUp');
   await expect.poll(() => markerPlace(page)).toEqual([128, 86]);
   await expect.poll(() => texts(page)).toEqual(await expectedAt(page, 128, 86));
-  await expect(told(page)).toHaveText(/^Value [\d.]+, Place [RL] [\d.]+ [AP] [\d.]+ [SI] [\d.]+ mm, Voxel \d+, \d+, \d+$/);
+  await expect(reported(page)).toHaveText(/^Value [\d.]+, Place [RL] [\d.]+ [AP] [\d.]+ [SI] [\d.]+ mm, Voxel \d+, \d+, \d+$/);
   await page.keyboard.press('Enter');
   await expect.poll(() => page.evaluate(() => (window as unknown as { picks: unknown[] }).picks.length)).toBe(1);
   await page.keyboard.press('Shift+ArrowLeft');
@@ -132,7 +132,7 @@ test('is told once, when it is still', async ({ page }) => {
   });
   await page.mouse.move(110, 90);
   await page.mouse.move(130, 85, { steps: 12 });
-  await expect(told(page)).toHaveText(/^Value/);
+  await expect(reported(page)).toHaveText(/^Value/);
   expect(await page.evaluate(() => (window as unknown as { heard: string[] }).heard.length)).toBe(1);
 });
 
@@ -247,7 +247,7 @@ test('works alone from its own file, in the classic script, and under a strict p
   });
   await page.mouse.click(60, 45);
   await page.mouse.move(400, 400);
-  await expect(told(page)).toHaveText(/^Value/);
+  await expect(reported(page)).toHaveText(/^Value/);
   await expect(page.locator('volume-view')).toHaveAttribute('data-picks', '1');
   await page.unrouteAll();
   await open(page, view + readout, { path: '/test/e2e/pages/classic.html', script: '<script defer src="/dist/volume-view.iife.js"></script>', head: policy });

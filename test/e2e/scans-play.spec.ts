@@ -1,19 +1,19 @@
 // Scans that play, times that are wrong, and scans that fail.
 import { expect, networkLines, open, seenEvents, settle, keptTest as test, withElement } from './helpers/harness.ts';
-import { colors, expectMiddle, expectShown, listed, look, middle, serve, several, shown, told } from './helpers/scans.ts';
+import { colors, expectMiddle, expectShown, listed, look, middle, serve, several, shown, reported } from './helpers/scans.ts';
 
 test.describe('play', () => {
   test('goes round and round, and holds where it is told to', async ({ page }) => {
     await serve(page);
     await open(page, `<volume-view ${several(3)} autoplay play-speed="10"></volume-view>`);
-    await expect.poll(async () => (await told(page)).length).toBeGreaterThan(6);
+    await expect.poll(async () => (await reported(page)).length).toBeGreaterThan(6);
     expect(await withElement(page, (element) => element.paused)).toBe(false);
     await withElement(page, (element) => element.pause());
     await settle(page);
-    const seen = (await told(page)).map(({ index }) => index);
+    const seen = (await reported(page)).map(({ index }) => index);
     expect(seen).toEqual(seen.map((_, i) => i % 3));
     await page.waitForTimeout(400);
-    expect(await told(page)).toHaveLength(seen.length);
+    expect(await reported(page)).toHaveLength(seen.length);
     // What a person or a script does is no attribute.
     expect(await withElement(page, (element) => [element.paused, element.autoplay, element.time])).toEqual([true, true, null]);
   });
@@ -31,7 +31,7 @@ test.describe('play', () => {
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await expect.poll(paused, 'while it plays by itself').toBe(true);
     await withElement(page, (element) => element.play());
-    await expect.poll(async () => (await told(page)).length, 'a person or a script says so').toBeGreaterThan(3);
+    await expect.poll(async () => (await reported(page)).length, 'a person or a script says so').toBeGreaterThan(3);
     await page.emulateMedia({ reducedMotion: 'no-preference' });
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await page.waitForTimeout(100);
@@ -57,7 +57,7 @@ test.describe('play', () => {
     }, { argument: several(2).split('"')[1] });
     expect(events).toEqual(['play', 'pause', 'play']);
     expect([refused, before, after]).toEqual(['AbortError', true, false]);
-    await expect.poll(async () => (await told(page)).length).toBeGreaterThan(2);
+    await expect.poll(async () => (await reported(page)).length).toBeGreaterThan(2);
   });
 
   test('is refused where there is one scan, none, or an error', async ({ page }) => {
@@ -79,7 +79,7 @@ test.describe('play', () => {
     test('is a switch still, and the console says once what to write', async ({ page, lines }) => {
       await serve(page);
       await open(page, `<volume-view ${several(3)} play play-speed="10"></volume-view>`);
-      await expect.poll(async () => (await told(page)).length).toBeGreaterThan(3);
+      await expect.poll(async () => (await reported(page)).length).toBeGreaterThan(3);
       await withElement(page, (element) => element.removeAttribute('play'));
       expect(await withElement(page, (element) => element.paused)).toBe(true);
       await withElement(page, async (element) => {
@@ -108,7 +108,7 @@ test.describe('play', () => {
       expect(await middle(page, 200, 120)).toBe(colors[0]);
       expect(await shown(page)).toBe(0);
       await withElement(page, (element) => Object.assign(element, { playSpeed: '10' }).play());
-      await expect.poll(async () => (await told(page)).map(({ index }) => index).join('')).toContain('0202');
+      await expect.poll(async () => (await reported(page)).map(({ index }) => index).join('')).toContain('0202');
       expect((await seenEvents(page)).filter(({ type }) => type === 'error').length).toBeGreaterThan(1);
       expect(await withElement(page, (element) => element.paused)).toBe(false);
     });

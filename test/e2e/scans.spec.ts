@@ -1,6 +1,6 @@
 // Several scans: which one is shown, and what is loaded when.
 import { expect, open, settle, keptTest as test, withElement } from './helpers/harness.ts';
-import { colors, expectMiddle, expectShown, listed, look, middle, serve, several, timeOf, told, urls } from './helpers/scans.ts';
+import { colors, expectMiddle, expectShown, listed, look, middle, serve, several, timeOf, reported, urls } from './helpers/scans.ts';
 
 test.describe('a list of URLs', () => {
   test('shows the first, goes to the next and back, and says where it ends', async ({ page }) => {
@@ -16,7 +16,7 @@ test.describe('a list of URLs', () => {
     await expectShown(page, 2);
     expect(await withElement(page, (element) => element.previous())).toBe(true);
     await expectShown(page, 1);
-    expect(await told(page)).toEqual([0, 1, 2, 1].map((index) => ({ index, time: null, count: 3 })));
+    expect(await reported(page)).toEqual([0, 1, 2, 1].map((index) => ({ index, time: null, count: 3 })));
     // Where the person is, is no attribute; to set one shows its scan, though it says what it said before.
     expect(await withElement(page, (element) => element.time)).toBe(null);
     for (let i = 0; i < 2; i++) {
@@ -74,7 +74,7 @@ test.describe('a list of URLs', () => {
     await expectShown(page, 4);
     server.held.clear();
     await expectMiddle(page, 4);
-    expect((await told(page)).map(({ index }) => index)).toEqual([0, 4]);
+    expect((await reported(page)).map(({ index }) => index)).toEqual([0, 4]);
     expect(await withElement(page, (element) => element.waiting)).toBe(false);
   });
 
@@ -136,7 +136,7 @@ test.describe('a manifest', () => {
     await open(page, `<volume-view src="/scans/list.json" ${look} time="${timeOf(3).replace('28Z', '40Z')}" alt="Scans"></volume-view>`);
     await expectMiddle(page, 3);
     expect(asked[0]).toBe(3);
-    expect(await told(page)).toEqual([{ index: 3, time: timeOf(3), count: 6 }]);
+    expect(await reported(page)).toEqual([{ index: 3, time: timeOf(3), count: 6 }]);
     expect(await withElement(page, (element) => [...element.times])).toEqual([0, 1, 2, 3, 4, 5].map(timeOf));
     await withElement(page, (element) => (element.time = '2018-12-20T01:00:00Z'));
     await expectShown(page, 0);
@@ -148,7 +148,7 @@ test.describe('a manifest', () => {
     const storm = ['1500', '1510', '1520'].map((clock) => `/demos/data/storm-radar-${clock}.json`);
     await open(page, `<volume-view src="${storm.join(' ')}" time="2011-06-20T15:19:00Z" steps="16" alt="Storm"></volume-view>`);
     await expectShown(page, 1);
-    expect(await told(page)).toEqual([{ index: 1, time: '2011-06-20T15:10:00Z', count: 3 }]);
+    expect(await reported(page)).toEqual([{ index: 1, time: '2011-06-20T15:10:00Z', count: 3 }]);
     await expect.poll(() => withElement(page, (element) => [...element.times])).toEqual(['2011-06-20T15:00:00Z', '2011-06-20T15:10:00Z', '2011-06-20T15:20:00Z']);
   });
 });

@@ -60,7 +60,7 @@ function breakGpu(): void {
 }
 
 /** What the element told, and what it says. */
-function told(page: Page): Promise<{ code: string | undefined; message: string; checks: PictureCheck[] }> {
+function reported(page: Page): Promise<{ code: string | undefined; message: string; checks: PictureCheck[] }> {
   return withElement(page, (element) => {
     const { checks, code } = element as unknown as { checks: PictureCheck[]; code?: string };
     return { code, checks, message: element.shadowRoot!.querySelector('[part=error]')?.textContent ?? '' };
@@ -77,8 +77,8 @@ const watched = `<volume-view src="${fieldUrl}" self-check ${shown}></volume-vie
 test('a GPU that draws wrong is told of, and the picture stays', async ({ page }) => {
   await page.addInitScript(breakGpu);
   await open(page, watched);
-  await expect.poll(async () => (await told(page)).code, { timeout: 30_000 }).toBe('webgl/inaccurate');
-  const { message, checks } = await told(page);
+  await expect.poll(async () => (await reported(page)).code, { timeout: 30_000 }).toBe('webgl/inaccurate');
+  const { message, checks } = await reported(page);
   expect(message).toMatch(/graphics processor .* draws the volume wrong: \d+ of 24 rays .* are off, by up to \d+ of 255/);
   expect(checks[0].agrees).toBe(false);
   expect(checks[0].max).toBeGreaterThan(3);
@@ -89,18 +89,18 @@ test('a GPU that draws wrong is told of, and the picture stays', async ({ page }
   });
   expect(size).toBeGreaterThan(1000);
   await withElement(page, (element) => (element.selfCheck = false));
-  await expect.poll(async () => (await told(page)).message).toBe('');
+  await expect.poll(async () => (await reported(page)).message).toBe('');
 });
 
 test('with self-check each picture at rest is checked, and a good one is no error', async ({ page }) => {
   await open(page, watched);
-  await expect.poll(async () => (await told(page)).checks.length, { timeout: 30_000 }).toBeGreaterThan(0);
+  await expect.poll(async () => (await reported(page)).checks.length, { timeout: 30_000 }).toBeGreaterThan(0);
   await withElement(page, (element) => {
     (element as unknown as { checks: PictureCheck[] }).checks = [];
     element.cameraOrbit = '120deg 60deg auto';
   });
-  await expect.poll(async () => (await told(page)).checks.length, { timeout: 30_000 }).toBeGreaterThan(0);
-  const { checks, code, message } = await told(page);
+  await expect.poll(async () => (await reported(page)).checks.length, { timeout: 30_000 }).toBeGreaterThan(0);
+  const { checks, code, message } = await reported(page);
   expect(checks.every(({ agrees, off }) => agrees && off === 0)).toBe(true);
   expect(code).toBeUndefined();
   expect(message).toBe('');

@@ -275,11 +275,11 @@ test.describe('panes of a <volume-view>', () => {
     await withPane(page, '#axial', (pane) => void (pane.cursor = [31.25, -12.5, 40.75]));
     for (const type of ['axial', 'coronal', 'sagittal']) expect(await cursorOf(page, `#${type}`), type).toEqual([31.25, -12.5, 40.75]);
     expect(await cursorOf(page, '#other')).not.toEqual([31.25, -12.5, 40.75]);
-    const told = await withPane(page, '#coronal', (pane) => new Promise((resolve) => {
+    const reported = await withPane(page, '#coronal', (pane) => new Promise((resolve) => {
       pane.addEventListener('cursor-change', (event) => resolve((event as CustomEvent).detail), { once: true });
       (document.querySelector('#sagittal') as unknown as VolumeSliceView).cursor = [0, 0, 0];
     }));
-    expect(told).toMatchObject({ cursor: [0, 0, 0], value: expect.any(Number) });
+    expect(reported).toMatchObject({ cursor: [0, 0, 0], value: expect.any(Number) });
     expect(asked.filter((path) => path === phantom).length).toBe(1);
     await page.locator('#v').evaluate((view) => view.setAttribute('value-window', '-1000 1000'));
     await expect(page.locator('#axial [part=window]')).toHaveText('W 2000  L 0');

@@ -56,19 +56,19 @@ test.describe('a page in which somebody else names elements', () => {
 
 test('x3dom does not listen to unload, and every other listener stays', async ({ page }) => {
   await page.addInitScript(() => {
-    const told: string[] = ((window as unknown as { told: string[] }).told = []);
+    const reported: string[] = ((window as unknown as { reported: string[] }).reported = []);
     const native = EventTarget.prototype.addEventListener;
     EventTarget.prototype.addEventListener = function (this: EventTarget, ...args: Parameters<typeof native>) {
-      if (this === window) told.push(args[0]);
+      if (this === window) reported.push(args[0]);
       Reflect.apply(native, this, args);
     };
   });
   await open(page, plain);
   await settle(page);
   await page.evaluate(() => window.addEventListener('unload', () => {}));
-  const told = await page.evaluate(() => (window as unknown as { told: string[] }).told);
-  expect(told).toContain('reload'); // x3dom's own event.
-  expect(told.filter((type) => type === 'unload'), "the page's own one").toHaveLength(1);
+  const reported = await page.evaluate(() => (window as unknown as { reported: string[] }).reported);
+  expect(reported).toContain('reload'); // x3dom's own event.
+  expect(reported.filter((type) => type === 'unload'), "the page's own one").toHaveLength(1);
 });
 
 test('the back-forward cache keeps a page with a picture', async ({ playwright }) => {

@@ -76,9 +76,9 @@ test.describe('surfaces', () => {
     await settle(page);
     expect(await pickMiddle(page)).toEqual(['surface', 'volume-surface', [0, 9, 0].map((x) => expect.closeTo(x, 0)), '#ff8800']);
 
-    const told = page.locator('volume-surface').evaluate((one) => new Promise((resolve) => one.addEventListener('error', (event) => resolve((event as CustomEvent<{ code: string }>).detail.code), { once: true })));
+    const reported = page.locator('volume-surface').evaluate((one) => new Promise((resolve) => one.addEventListener('error', (event) => resolve((event as CustomEvent<{ code: string }>).detail.code), { once: true })));
     await page.locator('volume-surface').evaluate((one, url) => one.setAttribute('src', url), `${folder}/broken.stl`);
-    expect(await told).toBe('format/corrupt');
+    expect(await reported).toBe('format/corrupt');
     await expect(page.locator('volume-view .error')).toContainText('the STL');
     expect(await pickMiddle(page)).toEqual(expect.arrayContaining(['surface'])); // The last good one.
     await page.locator('volume-surface').evaluate((one) => one.setAttribute('opacity', '0.5'));

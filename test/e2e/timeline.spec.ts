@@ -2,7 +2,7 @@
 import type { Locator, Page } from '@playwright/test';
 import { findFaults } from './helpers/axe.ts';
 import { expect, keptTest as test, open, withElement } from './helpers/harness.ts';
-import { expectShown, listed, look, serve, told } from './helpers/scans.ts';
+import { expectShown, listed, look, serve, reported } from './helpers/scans.ts';
 
 const timeline = '<volume-timeline style="width: 600px"></volume-timeline>';
 
@@ -28,7 +28,7 @@ test.describe('<volume-timeline>', () => {
     await expectShown(page, 1);
     await button(page, 'Play').click();
     await expect(button(page, 'Pause')).toBeVisible();
-    await expect.poll(async () => (await told(page)).map(({ index }) => index)).toContain(3);
+    await expect.poll(async () => (await reported(page)).map(({ index }) => index)).toContain(3);
     await button(page, 'Pause').click();
     await expect(button(page, 'Play')).toBeVisible();
     expect(await findFaults(page)).toEqual([]);

@@ -78,15 +78,15 @@ describe('beside a volume', () => {
     const target = new SurfaceTarget(socket, document.createElement('i'));
     const shown = (): readonly number[] | undefined => socket.last('surface')?.color;
     const url = `data:text/plain,${encodeURIComponent(ballPly([0, 0, 0], 5, 4))}`;
-    const told: string[] = [];
+    const reported: string[] = [];
     let red = 0;
     const surfaces = new SurfaceController({
       localName: 'volume-surface',
       wanted: () => ({ request: { surface: 'mesh', url, space: null }, look: { color: [red, 0, 0], usesOwnColors: false } }),
       target: () => target,
-      came: () => told.push('came'),
+      came: () => reported.push('came'),
       progress: () => {},
-      failed: (error) => told.push(String(error)),
+      failed: (error) => reported.push(String(error)),
     });
     const until = async (isSo: () => boolean): Promise<void> => {
       while (!isSo()) await turn();
@@ -97,16 +97,16 @@ describe('beside a volume', () => {
     surfaces.refresh();
     surfaces.refresh();
     await turn();
-    expect(told, 'before there is a scene').to.deep.equal([]);
+    expect(reported, 'before there is a scene').to.deep.equal([]);
     let brought = 0;
     const scene = { loadLines: async () => ({ showSurface: async () => brought++ }) } as unknown as Scene;
     await socket.applyTo(scene);
     viewer.scene = scene;
     host.dispatchEvent(new Event('render'));
-    await until(() => told.length > 0);
+    await until(() => reported.length > 0);
     surfaces.refresh();
     await Promise.all(work);
-    expect([told, brought > 0, shown()]).to.deep.equal([['came'], true, [1, 0, 0]]);
+    expect([reported, brought > 0, shown()]).to.deep.equal([['came'], true, [1, 0, 0]]);
 
     viewer.scene = null;
     red = 0.5;
@@ -122,7 +122,7 @@ describe('beside a volume', () => {
     presenter.viewer = null;
     surfaces.leave(target);
     await Promise.all(work);
-    expect([told, shown()]).to.deep.equal([['came'], undefined]);
+    expect([reported, shown()]).to.deep.equal([['came'], undefined]);
   });
 
   it('a view without color-moment keeps the error of its layer', async () => {
@@ -196,20 +196,20 @@ describe('beside a volume', () => {
 
   it('tells once of voxels that are a file, where there is no src, and not where they are gone', async () => {
     const host = document.createElement('div');
-    const told: string[] = [];
-    const errors = { report: (aspect: string, error: unknown) => told.push(`${aspect}: ${(error as Error).message}`), clear: (aspect: string) => told.push(`${aspect} is well`) };
+    const reported: string[] = [];
+    const errors = { report: (aspect: string, error: unknown) => reported.push(`${aspect}: ${(error as Error).message}`), clear: (aspect: string) => reported.push(`${aspect} is well`) };
     host.innerHTML = '<VolumeData><ImageTexture3D containerField="voxels" url=\'"a.nrrd" "b.nrrd"\'></ImageTexture3D></VolumeData>';
     await follow({ user: { host }, look: { current: null, errors } }, () => {});
-    expect(told).to.deep.equal(['optics: <volumedata> got an ImageTexture3D, "a.nrrd", and no src; expected an ImageTextureAtlas, or that file as the src of the volume-view.']);
+    expect(reported).to.deep.equal(['optics: <volumedata> got an ImageTexture3D, "a.nrrd", and no src; expected an ImageTextureAtlas, or that file as the src of the volume-view.']);
     host.firstElementChild!.setAttribute('dimensions', '1 1 2');
     await turn();
-    expect(told).to.have.length(1);
+    expect(reported).to.have.length(1);
     host.firstElementChild!.remove();
     await turn();
-    expect(told.slice(1)).to.deep.equal(['optics is well']);
+    expect(reported.slice(1)).to.deep.equal(['optics is well']);
     host.setAttribute('src', 'a.nrrd');
     host.innerHTML = '<VolumeData><ImageTexture3D containerField="voxels" url="a.nrrd"></ImageTexture3D></VolumeData>';
     await turn();
-    expect(told).to.have.length(2);
+    expect(reported).to.have.length(2);
   });
 });

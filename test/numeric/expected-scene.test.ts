@@ -9,58 +9,58 @@ import type { ScenePlace, SceneUser } from '../../src/viewer/scenes/scene-contro
 const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
 /** A keeper in sight whose scenes tell what happens to them. */
-function keep(refusals = 0): { controller: SceneController; told: string[]; user: { volume: unknown; ready: boolean } } {
-  const told: string[] = [];
-  const tell = (what: string) => (): void => void told.push(what);
+function keep(refusals = 0): { controller: SceneController; reported: string[]; user: { volume: unknown; ready: boolean } } {
+  const reported: string[] = [];
+  const notify = (what: string) => (): void => void reported.push(what);
   const create = async (): Promise<Scene> => {
     if (refusals-- > 0) throw new Error('no context');
-    told.push('made');
+    reported.push('made');
     const canvas = document.createElement('canvas');
-    return { canvas, prepare: async () => {}, setStyle: async () => {}, bringVolume: async () => (told.push('filled'), true), dispose: tell('gone') } as unknown as Scene;
+    return { canvas, prepare: async () => {}, setStyle: async () => {}, bringVolume: async () => (reported.push('filled'), true), dispose: notify('gone') } as unknown as Scene;
   };
   const user = {
     volume: null as unknown, optics: null as unknown, ready: false, givenUp: false, socket: new ViewSocket(),
-    loop: { unfinished: true, drawing: null, plan: tell('planned'), wake: () => {}, rest: () => {} }, applyTo: () => {}, entered: tell('entered'), failed: tell('failed'), invalidate: () => {}, sceneChanged: () => {},
+    loop: { unfinished: true, drawing: null, plan: notify('planned'), wake: () => {}, rest: () => {} }, applyTo: () => {}, entered: notify('entered'), failed: notify('failed'), invalidate: () => {}, sceneChanged: () => {},
   };
   const visibility = { inSight: true, asked: false, mayBeNear: true, inHand: false };
   const place = { host: document.createElement('div'), container: document.createElement('div'), visibility, scenes: { create } } as unknown as ScenePlace;
-  return { controller: new SceneController(place, user as unknown as SceneUser), told, user };
+  return { controller: new SceneController(place, user as unknown as SceneUser), reported, user };
 }
 
 describe('a scene for a volume that is on its way', () => {
   it('is made meanwhile, and filled when the volume is there', async () => {
-    const { controller, told, user } = keep();
+    const { controller, reported, user } = keep();
     await settle();
-    expect(told, 'nothing is expected yet').to.deep.equal([]);
+    expect(reported, 'nothing is expected yet').to.deep.equal([]);
     controller.expect(true);
     controller.expect(true);
     await settle();
-    expect(told).to.deep.equal(['made']);
+    expect(reported).to.deep.equal(['made']);
     expect(controller.busy, 'it can be taken').to.equal(false);
     Object.assign(user, { ready: true, volume: {}, optics: {} });
     controller.expect(false);
     await settle();
-    expect(told).to.deep.equal(['made', 'filled', 'entered', 'planned']);
+    expect(reported).to.deep.equal(['made', 'filled', 'entered', 'planned']);
     controller.dispose();
   });
 
   it('goes where the volume does not come', async () => {
-    const { controller, told } = keep();
+    const { controller, reported } = keep();
     controller.expect(true);
     await settle();
     controller.expect(false);
     await settle();
-    expect(told).to.deep.equal(['made', 'gone']);
+    expect(reported).to.deep.equal(['made', 'gone']);
     controller.expect(true);
     await settle();
-    expect(told, 'and the next one gets one of its own').to.deep.equal(['made', 'gone', 'made']);
+    expect(reported, 'and the next one gets one of its own').to.deep.equal(['made', 'gone', 'made']);
     controller.dispose();
     await settle();
-    expect(told.at(-1)).to.equal('gone');
+    expect(reported.at(-1)).to.equal('gone');
   });
 
   it('gives its context to whoever has something to show', async () => {
-    const { controller, told } = keep();
+    const { controller, reported } = keep();
     controller.expect(true);
     await settle();
     let entered = 0;
@@ -68,16 +68,16 @@ describe('a scene for a volume that is on its way', () => {
     others.forEach((other) => contextPool.add(other));
     await settle();
     expect(entered).to.equal(maxContexts);
-    expect(told).to.deep.equal(['made', 'gone']);
+    expect(reported).to.deep.equal(['made', 'gone']);
     others.forEach((other) => contextPool.remove(other));
     await settle();
-    expect(told, 'as soon as there is room').to.deep.equal(['made', 'gone', 'made']);
+    expect(reported, 'as soon as there is room').to.deep.equal(['made', 'gone', 'made']);
     controller.dispose();
   });
 
   it('is there whenever the next volume is expected after one that did not come', async () => {
     for (let later = 0; later < 12; later++) {
-      const { controller, told, user } = keep();
+      const { controller, reported, user } = keep();
       controller.expect(true);
       await settle();
       controller.expect(false);
@@ -87,14 +87,14 @@ describe('a scene for a volume that is on its way', () => {
       Object.assign(user, { ready: true, volume: {}, optics: {} });
       controller.review();
       await settle();
-      expect(told.filter((what) => what === 'entered'), `${later} turns later: ${told.join(' ')}`).to.deep.equal(['entered']);
+      expect(reported.filter((what) => what === 'entered'), `${later} turns later: ${reported.join(' ')}`).to.deep.equal(['entered']);
       controller.dispose();
     }
   });
 
   it('is one scene, whenever the volume comes while others want the context', async () => {
     for (let later = 0; later < 12; later++) {
-      const { controller, told, user } = keep();
+      const { controller, reported, user } = keep();
       controller.expect(true);
       await settle();
       const others = Array.from({ length: maxContexts }, (): ContextHolder => ({ inSight: true, asked: false, mayHold: true, need: 'picture', busy: false, enter: () => {}, leave: () => {} }));
@@ -105,22 +105,22 @@ describe('a scene for a volume that is on its way', () => {
       await settle();
       others.forEach((other) => contextPool.remove(other));
       await settle();
-      const count = (what: string): number => told.filter((one) => one === what).length;
-      expect([count('entered'), count('made') - count('gone')], `${later} turns later: ${told.join(' ')}`).to.deep.equal([1, 1]);
+      const count = (what: string): number => reported.filter((one) => one === what).length;
+      expect([count('entered'), count('made') - count('gone')], `${later} turns later: ${reported.join(' ')}`).to.deep.equal([1, 1]);
       controller.dispose();
     }
   });
 
   it('that can not be made is told when the volume is there, and then once', async () => {
-    const { controller, told, user } = keep(2);
+    const { controller, reported, user } = keep(2);
     controller.expect(true);
     await settle();
-    expect([told, controller.hasFailed]).to.deep.equal([[], true]);
+    expect([reported, controller.hasFailed]).to.deep.equal([[], true]);
     Object.assign(user, { ready: true, volume: {}, optics: {} });
     controller.clearErrors();
     controller.review();
     await settle();
-    expect(told).to.deep.equal(['failed']);
+    expect(reported).to.deep.equal(['failed']);
     controller.dispose();
   });
 });

@@ -149,26 +149,26 @@ describe('what comes before the picture at the extremes', () => {
   });
 
   /** What doubles are stored as, told again. */
-  const tellDoubles = (values: readonly number[]): { told: number[]; scale: number } => {
+  const distinguishDoubles = (values: readonly number[]): { reported: number[]; scale: number } => {
     const { samples, scale, offset } = storeSamples(new Uint8Array(Float64Array.from(values).buffer), niftiTypes.get(64)!, true, { slope: 1, intercept: 0 });
-    return { told: Array.from(samples, (sample) => sample * scale + offset), scale };
+    return { reported: Array.from(samples, (sample) => sample * scale + offset), scale };
   };
 
   it('doubles that are all the same are told to their last digit', () => {
-    for (const value of [1e17, 1e300, -1e300, 0.1, 1.7e308, 1e-320]) expect(tellDoubles([value, NaN, value, value]).told, String(value)).to.deep.equal([value, NaN, value, value]);
+    for (const value of [1e17, 1e300, -1e300, 0.1, 1.7e308, 1e-320]) expect(distinguishDoubles([value, NaN, value, value]).reported, String(value)).to.deep.equal([value, NaN, value, value]);
   });
 
   it('doubles that are all the same are in units that float32 tells the window around them in', () => {
-    for (const value of [1e17, 1e40, -1e300, 1.7e308]) expect(2 ** -20 * (Math.abs(value) / tellDoubles([value, value]).scale), String(value)).to.be.within(1e-10, 1e12);
+    for (const value of [1e17, 1e40, -1e300, 1.7e308]) expect(2 ** -20 * (Math.abs(value) / distinguishDoubles([value, value]).scale), String(value)).to.be.within(1e-10, 1e12);
   });
 
   it('doubles far from 0 keep what tells them apart, to the last digit that they have; what doubles do not tell is one value', () => {
     for (const [far, unit] of [[1e17, 16], [-1e17, 16], [1e300, 2 ** 944]] as const) {
       const values = Array.from({ length: 64 }, (_, i) => far + unit * (i % 5));
       expect(new Set(values).size, 'of the file').to.equal(5);
-      expect(tellDoubles(values).told, String(far)).to.deep.equal(values);
+      expect(distinguishDoubles(values).reported, String(far)).to.deep.equal(values);
     }
-    expect(new Set(tellDoubles(Array.from({ length: 64 }, (_, i) => 1e17 + i / 64e3)).told)).to.deep.equal(new Set([1e17]));
+    expect(new Set(distinguishDoubles(Array.from({ length: 64 }, (_, i) => 1e17 + i / 64e3)).reported)).to.deep.equal(new Set([1e17]));
   });
 
   it('says in words where values are too far apart, and takes those that differ by less than numbers tell for one', async () => {

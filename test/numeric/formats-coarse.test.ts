@@ -111,14 +111,14 @@ describe('a large volume out of the worker', () => {
       const made: Volume = await finishVolume({ ...decoded(samples), slope: 1, intercept: 0 }, roomyLimits);
       const url = URL.createObjectURL(new Blob([niftiBytes(made)]));
       const order: string[] = [];
-      const told: CoarseVolume[] = [];
+      const reported: CoarseVolume[] = [];
       const { signal } = new AbortController();
-      const onCoarse = (it: CoarseVolume | null): void => void (order.push('coarse'), told.push(it!));
+      const onCoarse = (it: CoarseVolume | null): void => void (order.push('coarse'), reported.push(it!));
       const volume = await loadVolume({ url, limits: roomyLimits }, { signal, onProgress: () => {}, onCoarse });
       order.push('volume');
       URL.revokeObjectURL(url);
       expect(order).to.deep.equal(['coarse', 'volume']);
-      expect(told[0].volume.range).to.deep.equal(volume.range);
+      expect(reported[0].volume.range).to.deep.equal(volume.range);
       expect(volume.samples.constructor).to.equal(samples.constructor);
       // What differs is not printed: millions of numbers help nobody.
       expect(volume.samples.length === samples.length && volume.samples.every((x, i) => x === samples[i]), 'the samples').to.equal(true);
@@ -131,14 +131,14 @@ describe('a large volume out of the worker', () => {
 
 describe('a radar out of the worker', () => {
   it('is told of as soon as its file is known for one, then all of it but for its macrocells, in memory of its own, and then the volume', async () => {
-    const told: (CoarseVolume | null)[] = [];
+    const reported: (CoarseVolume | null)[] = [];
     const phases: string[] = [];
     const { signal } = new AbortController();
-    const volume = await loadVolume({ url: '/demos/data/storm-radar-1510.json', limits: roomyLimits }, { signal, onProgress: ({ phase }) => void phases.push(`${told.length} ${phase}`), onCoarse: (it) => void told.push(it) });
-    expect(told.length).to.equal(2);
-    expect(told[0], 'before its picture is fetched').to.equal(null);
+    const volume = await loadVolume({ url: '/demos/data/storm-radar-1510.json', limits: roomyLimits }, { signal, onProgress: ({ phase }) => void phases.push(`${reported.length} ${phase}`), onCoarse: (it) => void reported.push(it) });
+    expect(reported.length).to.equal(2);
+    expect(reported[0], 'before its picture is fetched').to.equal(null);
     expect(phases).to.include('1 fetch');
-    const { volume: foretold, of } = told[1]!;
+    const { volume: foretold, of } = reported[1]!;
     expect(foretold.coarse).to.equal(true);
     expect(foretold.grid).to.deep.equal(volume.grid);
     expect(foretold.samples.length === volume.samples.length && foretold.samples.every((x, i) => x === volume.samples[i]), 'the samples').to.equal(true);

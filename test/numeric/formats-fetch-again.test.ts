@@ -79,9 +79,9 @@ describe('a file that did not come at once', () => {
   it('stops to wait at once where it is given up', () =>
     withServer([{ status: 503, headers: { 'retry-after': '7' } }, whole], async (asked) => {
       const controller = new AbortController();
-      let told = 0;
+      let reported = 0;
       // The second sign of life of the new try is told right before it waits.
-      const onProgress = (): void => void (++told === 1 && queueMicrotask(() => controller.abort(new Error('not wanted'))));
+      const onProgress = (): void => void (++reported === 1 && queueMicrotask(() => controller.abort(new Error('not wanted'))));
       const error = await fetchOne('/a.nii', { signal: controller.signal, onProgress }).then(() => null, (reason: unknown) => reason);
       expect(error).to.have.property('message', 'not wanted');
       expect(asked).to.have.length(1);

@@ -187,12 +187,12 @@ describe('files that are fetched in order', () => {
       for (const loaded of [0, 4, 10]) onProgress(loaded, 10);
       return { bytes: new Uint8Array(10), url, contentType: '' };
     };
-    const told = async (urls: string[]) => {
+    const reported = async (urls: string[]) => {
       const seen: [number, number][] = [];
       for await (const _file of fetchInOrder(urls, fetchOne, (loaded, total) => seen.push([loaded, total])));
       return seen;
     };
-    expect(await told(['a'])).to.deep.equal([[0, 10], [4, 10], [10, 10]]);
-    expect(await told(['a', 'b'])).to.deep.equal([[0, 0], [4, 0], [10, 0], [10, 0], [14, 0], [20, 0]]);
+    expect(await reported(['a'])).to.deep.equal([[0, 10], [4, 10], [10, 10]]);
+    expect(await reported(['a', 'b'])).to.deep.equal([[0, 0], [4, 0], [10, 0], [10, 0], [14, 0], [20, 0]]);
   });
 });

@@ -31,7 +31,7 @@ interface Watched {
   readonly worker: SilentWorker;
   /** Let seconds pass; what the load has come to then: undefined where it goes on. */
   readonly pass: (seconds: number) => Promise<unknown>;
-  readonly told: LoadProgress[];
+  readonly reported: LoadProgress[];
   readonly clocks: () => number;
   readonly controller: AbortController;
 }
@@ -46,10 +46,10 @@ async function withSilence(run: (watched: Watched) => Promise<void>): Promise<vo
     clearInterval: (id: number) => void ticks.delete(id),
   });
   try {
-    const told: LoadProgress[] = [];
+    const reported: LoadProgress[] = [];
     const controller = new AbortController();
     let end: unknown;
-    const loading = loadVolume({ url: '/scan.nii', limits: roomyLimits }, { signal: controller.signal, onProgress: (progress) => told.push(progress) });
+    const loading = loadVolume({ url: '/scan.nii', limits: roomyLimits }, { signal: controller.signal, onProgress: (progress) => reported.push(progress) });
     loading.then((volume) => (end = volume), (error: unknown) => (end = error));
     const pass = async (seconds: number): Promise<unknown> => {
       for (let i = 0; i < seconds; i++) ticks.forEach((act) => act());
@@ -57,7 +57,7 @@ async function withSilence(run: (watched: Watched) => Promise<void>): Promise<vo
       return end;
     };
     await pass(0);
-    await run({ worker: SilentWorker.last, pass, told, clocks: () => ticks.size, controller });
+    await run({ worker: SilentWorker.last, pass, reported, clocks: () => ticks.size, controller });
   } finally {
     Object.assign(globalThis, native);
   }
@@ -95,19 +95,19 @@ describe('a load of which nothing is heard', () => {
     }));
 
   it('says after 5 seconds that others may load meanwhile', () =>
-    withSilence(async ({ worker, pass, told }) => {
+    withSilence(async ({ worker, pass, reported }) => {
       worker.say({ type: 'ready' }, progress(1000, 5000));
       await pass(4);
-      expect(told.some(({ isStill }) => isStill)).to.equal(false);
+      expect(reported.some(({ isStill }) => isStill)).to.equal(false);
       await pass(1);
-      expect(told.at(-1)).to.deep.equal({ loaded: 1000, total: 5000, phase: 'fetch', isStill: true });
+      expect(reported.at(-1)).to.deep.equal({ loaded: 1000, total: 5000, phase: 'fetch', isStill: true });
     }));
 
   it('but is decoded may be silent for a minute, and a second more a megabyte', () =>
-    withSilence(async ({ worker, pass, told }) => {
+    withSilence(async ({ worker, pass, reported }) => {
       worker.say({ type: 'ready' }, progress(50e6, 50e6));
       expect(await pass(109)).to.equal(undefined);
-      expect(told.some(({ isStill }) => isStill), 'what works holds its place').to.equal(false);
+      expect(reported.some(({ isStill }) => isStill), 'what works holds its place').to.equal(false);
       expectStall(await pass(1), /for 110 seconds, after 50000000 bytes/);
       expect(worker.ended).to.equal(true);
     }));

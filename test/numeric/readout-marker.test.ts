@@ -11,14 +11,14 @@ it('a label is named beside the cross, inside the picture wherever the cross is,
   const box = picture.getBoundingClientRect();
   for (const place of [[20, 20], [139, 99], [141, 101], [260, 190], [260, 10], [10, 190]] as const) {
     marker.show(place);
-    marker.tell('Primary somatosensory cortex, middle (area 1)');
+    marker.setName('Primary somatosensory cortex, middle (area 1)');
     const { left, right, top, bottom } = name.getBoundingClientRect();
     expect(name.textContent).to.equal('Primary somatosensory cortex, middle (area 1)');
     expect([left >= box.left, right <= box.right, top >= box.top, bottom <= box.bottom, right - left > 60], String(place)).to.deep.equal([true, true, true, true, true]);
   }
-  marker.tell('<b>no markup</b>');
+  marker.setName('<b>no markup</b>');
   expect(name.children.length).to.equal(0);
-  marker.tell(null);
+  marker.setName(null);
   expect(name.getBoundingClientRect().width).to.equal(0);
   marker.remove();
   picture.remove();

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { VolumeViewError } from '../../src/core/errors.ts';
-import { leadOf, readEnabled, readIdentifiers, tellStyles } from '../../src/x3d/nodes/read-segments.ts';
+import { leadOf, readEnabled, readIdentifiers, reportStyles } from '../../src/x3d/nodes/read-segments.ts';
 import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
 import { segmentOf } from '../../src/viewer/attachments/segment-controller.ts';
 import { atlasOf, fakeView, plainLook, viewOf } from '../helpers/fake-view.ts';
@@ -76,10 +76,10 @@ describe('X3D\'s segments', () => {
     const all = [{ node: 'a', key: '', texture: null }, { node: 'b', key: 'b', texture: null }];
     expect(leadOf(all, [])).to.equal(1);
     expect(leadOf(all, [true, false])).to.equal(-1);
-    expect(tellStyles(all, [], [1])).to.equal(null);
-    expect(tellStyles(all, [false], [0, 1])).to.equal(null);
-    expect(tellStyles(all, [], [0, 1])!.message).to.match(/got <a> for segment 0 and <b> for segment 1/);
-    expect(tellStyles(all, [false], [0, 1, 5])!.message).to.match(/got no style for segment 5/);
+    expect(reportStyles(all, [], [1])).to.equal(null);
+    expect(reportStyles(all, [false], [0, 1])).to.equal(null);
+    expect(reportStyles(all, [], [0, 1])!.message).to.match(/got <a> for segment 0 and <b> for segment 1/);
+    expect(reportStyles(all, [false], [0, 1, 5])!.message).to.match(/got no style for segment 5/);
   });
 
   it('are spread over a pixel where X3DOM says how many there are', async () => {

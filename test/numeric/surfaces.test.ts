@@ -83,8 +83,8 @@ describe('surfaces along a ray', () => {
     for (const stepLength of [0.3, 7, 40, 200]) {
       met.length = 0;
       const gather = surfaceGather({ ...alone, isClear: false, surfaces });
-      const told: GatherStage = (seen) => gather({ ...seen, tell: ({ begin, span }: Segment, opacity) => span === 0 && met.push({ begin, opacity }) });
-      const [red, green, blue, alpha] = castRay(stagesOf({ ...sceneOf(field, { ...alone, surfaces }, stepLength), transferFunction: fog, gather: told }, rays), ray);
+      const reported: GatherStage = (seen) => gather({ ...seen, report: ({ begin, span }: Segment, opacity) => span === 0 && met.push({ begin, opacity }) });
+      const [red, green, blue, alpha] = castRay(stagesOf({ ...sceneOf(field, { ...alone, surfaces }, stepLength), transferFunction: fog, gather: reported }, rays), ray);
       const y = ray.point[1];
       const toX = (value: number): number => (value - 0.5 * y) / 3;
       const isRising = ray.direction[0] > 0;
@@ -114,7 +114,7 @@ describe('surfaces along a ray', () => {
     const bent = known((x) => x ** 3 + 0.1 * Math.sin(9 * x));
     let begin = NaN;
     const gather = surfaceGather({ ...alone, surfaces: [white(0.3)] });
-    castRay(stagesOf({ ...sceneOf(bent, { ...alone, surfaces: [] }, 6), gather: (seen) => gather({ ...seen, tell: (piece) => (begin = piece.span === 0 ? piece.begin : begin) }) }, rays), ray);
+    castRay(stagesOf({ ...sceneOf(bent, { ...alone, surfaces: [] }, 6), gather: (seen) => gather({ ...seen, report: (piece) => (begin = piece.span === 0 ? piece.begin : begin) }) }, rays), ray);
     const at = (begin * rays.diameter) / edge;
     const x = ray.direction[0] > 0 ? at : 1 - at;
     expect(x ** 3 + 0.1 * Math.sin(9 * x)).to.be.closeTo(0.3, 1e-6);
@@ -212,9 +212,9 @@ describe('thin edges of a surface where a mask of zeros cuts tissue', () => {
     const rays = setUpRays(masked.grid, viewMatrix(camera), parallel(0.7 * edge))!;
     const walk = surfaceGather(gather);
     let at = NaN;
-    const told: GatherStage = (one) => walk({ ...one, tell: ({ begin, span }, opacity) => (at = span === 0 && opacity > 0 && Number.isNaN(at) ? begin : at) });
+    const reported: GatherStage = (one) => walk({ ...one, report: ({ begin, span }, opacity) => (at = span === 0 && opacity > 0 && Number.isNaN(at) ? begin : at) });
     // Once for all rays: they build tables of the transfer function.
-    const stages = stagesOf({ ...masked, ...plainOptics, field: seen, stepLength, maxSubsteps: 4, moreFields: [pointField], gather: told }, rays);
+    const stages = stagesOf({ ...masked, ...plainOptics, field: seen, stepLength, maxSubsteps: 4, moreFields: [pointField], gather: reported }, rays);
     return Array.from({ length: 70 * 70 }, (_, pixel) => {
       at = NaN;
       castRay(stages, rayOfPixel(rays, [70, 70], pixel));

@@ -64,9 +64,9 @@ it('a person who turns a stand-in around the viewpoint of the author keeps what 
 });
 
 it('nothing stays of a stand-in whose source is taken away', () => {
-  const told: string[] = [];
-  const host = { settings: { src: null }, inPage: true, sourceGone: () => told.push('gone') } as unknown as LoaderHost;
-  const presenter = { volume: null, viewer: { volume: coarse }, forgetModel: () => {}, empty: () => told.push('emptied') };
+  const reported: string[] = [];
+  const host = { settings: { src: null }, inPage: true, sourceGone: () => reported.push('gone') } as unknown as LoaderHost;
+  const presenter = { volume: null, viewer: { volume: coarse }, forgetModel: () => {}, empty: () => reported.push('emptied') };
   new SourceLoader(host, { presenter, errors: { clear: () => {} }, playback: { forget: () => {} } } as unknown as LoaderParts).load();
-  expect(told).to.deep.equal(['emptied', 'gone']);
+  expect(reported).to.deep.equal(['emptied', 'gone']);
 });

@@ -237,14 +237,14 @@ await check('the classic script\'s worker for NIfTI makes a volume fit by itself
   runInContext(part ?? '', world);
   /** @type {{ text: string }} */
   const { text } = runInContext('const own = {}; Object.values(volumeViewParts)[0](() => own, () => own, own); own', world);
-  const told = new Promise((resolve) => {
+  const reported = new Promise((resolve) => {
     world.postMessage = (/** @type {{ type: string }} */ message) => ['ready', 'progress'].includes(message.type) || resolve(message);
   });
   runInContext(text, world);
   const url = `data:application/octet-stream;base64,${readFileSync(join(projectRoot, 'test/fixtures/nifti/v1-le-i2.nii')).toString('base64')}`;
   world.onmessage({ data: { request: { url }, pageOrigin: 'http://localhost' } });
   world.onmessage({ data: { limits: { maxVoxelsPerAxis: 3, maxAtlasSize: 4096, maxBytes: 2 ** 30 } } });
-  const { type, message, volume } = await told;
+  const { type, message, volume } = await reported;
   assert.equal(type, 'done', message);
   assert.deepEqual([...volume.reduced.to], [3, 2, 3]);
 });

@@ -38,10 +38,10 @@ export async function checkTagData() {
     count += attributes.size;
     for (const [file, list] of Object.entries(lists)) {
       assert.deepEqual(new Set(list.map(({ name }) => name)), new Set(tags), file);
-      const told = list.find(({ name }) => name === tag);
-      assert.ok(told?.description, `${file} describes <${tag}>`);
-      assert.deepEqual(new Set(told.attributes.map(({ name }) => name)), new Set(attributes.keys()), `${file}: <${tag}>`);
-      for (const { name, description } of told.attributes) assert.ok(description, `${file} describes ${name} of <${tag}>`);
+      const reported = list.find(({ name }) => name === tag);
+      assert.ok(reported?.description, `${file} describes <${tag}>`);
+      assert.deepEqual(new Set(reported.attributes.map(({ name }) => name)), new Set(attributes.keys()), `${file}: <${tag}>`);
+      for (const { name, description } of reported.attributes) assert.ok(description, `${file} describes ${name} of <${tag}>`);
     }
     for (const [name, text] of Object.entries(types)) {
       const className = tag.replace(/(^|-)(.)/g, (_, __, letter) => letter.toUpperCase());

@@ -1,7 +1,7 @@
-import type { Terms } from '../terms.ts';
+import type { Messages } from '../messages.ts';
 
 /** Arabic. Not yet reviewed by a native speaker of the field. */
-export const terms: Terms = {
+export const messages: Messages = {
   volumePicture: 'صورة حجم',
   cameraKeys: 'مفاتيح الأسهم تديرها، ومع Shift تحركها، والزائد والناقص للتكبير والتصغير، و0 للعودة إلى المنظر الأول.',
   loading: 'جارٍ التحميل',

@@ -1,7 +1,7 @@
-import type { Terms } from '../terms.ts';
+import type { Messages } from '../messages.ts';
 
 /** German. Not yet reviewed by a native speaker of the field. */
-export const terms: Terms = {
+export const messages: Messages = {
   volumePicture: 'Volumenbild',
   cameraKeys: 'Pfeiltasten drehen es, mit Umschalttaste verschieben sie es, Plus und Minus vergrößern und verkleinern, 0 zeigt die erste Ansicht.',
   loading: 'Wird geladen',

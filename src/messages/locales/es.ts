@@ -1,7 +1,7 @@
-import type { Terms } from '../terms.ts';
+import type { Messages } from '../messages.ts';
 
 /** Spanish. Not yet reviewed by a native speaker of the field. */
-export const terms: Terms = {
+export const messages: Messages = {
   volumePicture: 'Imagen de un volumen',
   cameraKeys: 'Las flechas la giran, con Mayús la desplazan, más y menos acercan y alejan, 0 vuelve a la primera vista.',
   loading: 'Cargando',

@@ -1,7 +1,7 @@
-import type { Terms } from '../terms.ts';
+import type { Messages } from '../messages.ts';
 
 /** French. Not yet reviewed by a native speaker of the field. */
-export const terms: Terms = {
+export const messages: Messages = {
   volumePicture: 'Image d’un volume',
   cameraKeys: 'Les flèches la tournent, avec Maj elles la déplacent, plus et moins zooment, 0 revient à la première vue.',
   loading: 'Chargement',

@@ -1,7 +1,7 @@
-import type { Terms } from '../terms.ts';
+import type { Messages } from '../messages.ts';
 
 /** Japanese. Not yet reviewed by a native speaker of the field. */
-export const terms: Terms = {
+export const messages: Messages = {
   volumePicture: 'ボリューム画像',
   cameraKeys: '矢印キーで回転、Shift と矢印キーで移動、プラスとマイナスで拡大と縮小、0 で最初の表示に戻ります。',
   loading: '読み込み中',

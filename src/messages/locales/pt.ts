@@ -1,7 +1,7 @@
-import type { Terms } from '../terms.ts';
+import type { Messages } from '../messages.ts';
 
 /** Portuguese. Not yet reviewed by a native speaker of the field. */
-export const terms: Terms = {
+export const messages: Messages = {
   volumePicture: 'Imagem de um volume',
   cameraKeys: 'As setas giram a imagem, com Shift a deslocam, mais e menos aproximam e afastam, 0 volta à primeira vista.',
   loading: 'Carregando',

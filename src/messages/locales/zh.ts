@@ -1,7 +1,7 @@
-import type { Terms } from '../terms.ts';
+import type { Messages } from '../messages.ts';
 
 /** Chinese in simplified characters. Not yet reviewed by a native speaker of the field. */
-export const terms: Terms = {
+export const messages: Messages = {
   volumePicture: '体数据图像',
   cameraKeys: '方向键旋转，Shift 加方向键移动，加号和减号缩放，0 回到最初的视图。',
   loading: '正在加载',

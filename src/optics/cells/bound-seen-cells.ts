@@ -34,7 +34,7 @@ export function boundSeenCells(
     const isAhead = corners.every(([, , w]) => w >= min);
     const whole = boundPlaces(isAhead ? corners : cutCorners(corners, min));
     const part = clampToPicture(whole);
-    return { part, isWhole: isAhead && whole.every((at, side) => at === part[side]), tellsMore: part[0] < part[2] && part[1] < part[3] && join(bounds, part).some((at, side) => at !== bounds[side]) };
+    return { part, isWhole: isAhead && whole.every((at, side) => at === part[side]), saysMore: part[0] < part[2] && part[1] < part[3] && join(bounds, part).some((at, side) => at !== bounds[side]) };
   };
   for (let k = 0; k < cells[2]; k++) {
     for (let j = 0; j < cells[1]; j++) {
@@ -44,7 +44,7 @@ export function boundSeenCells(
       const [first, last] = [run.indexOf(1), run.lastIndexOf(1)];
       if (first < 0) continue;
       const all = appear(first, last + 1, j, k);
-      if (!all.tellsMore) continue;
+      if (!all.saysMore) continue;
       if (all.isWhole) {
         bounds = join(bounds, all.part);
         continue;
@@ -52,7 +52,7 @@ export function boundSeenCells(
       // The row is partly outside the picture. The part inside may have only cells in which nothing is visible, so test each cell.
       for (let i = first; i <= last; i++) {
         const one = run[i] === 1 ? appear(i, i + 1, j, k) : null;
-        if (one?.tellsMore) bounds = join(bounds, one.part);
+        if (one?.saysMore) bounds = join(bounds, one.part);
       }
     }
   }
@@ -66,7 +66,7 @@ interface Appearance {
   /** Whether they are wholly in the picture. */
   readonly isWhole: boolean;
   /** Whether this part extends the bounds found so far. */
-  readonly tellsMore: boolean;
+  readonly saysMore: boolean;
 }
 
 const nowhere: DeviceRectangle = [1, 1, -1, -1];

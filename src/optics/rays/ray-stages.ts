@@ -100,7 +100,7 @@ export interface Seen {
   /** Classifies and shades a segment. */
   seeSegment(segment: Segment): Premultiplied;
   /** Reports the pieces of a segment, if it has more than one: called for each piece, with its opacity. */
-  readonly tell?: (piece: Segment, opacity: number) => void;
+  readonly report?: (piece: Segment, opacity: number) => void;
 }
 
 /** The state of a gather stage for one ray. */

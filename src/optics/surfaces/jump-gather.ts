@@ -30,10 +30,10 @@ const nothing = 1e-3;
  */
 export function jumpGather(values: readonly number[], voxel: number): GatherStage {
   const countUpTo = (value: number): number => values.filter((one) => one <= value).length;
-  return ({ classify, seeSegment, step, tell }) => {
+  return ({ classify, seeSegment, step, report }) => {
     const gathered: Premultiplied = [0, 0, 0, 0];
     const take = (segment: Segment, color: Premultiplied): void => {
-      tell?.(segment, color[3]);
+      report?.(segment, color[3]);
       composite(gathered, color);
     };
     const wholeParts = countParts(voxel, step);

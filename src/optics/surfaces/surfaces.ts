@@ -63,7 +63,7 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
     const gathered: Premultiplied = [0, 0, 0, 0];
     let before: Segment | null = null;
     const gather = (piece: Segment, color: Premultiplied): void => {
-      seen.tell?.(piece, color[3]);
+      seen.report?.(piece, color[3]);
       composite(gathered, color);
     };
     const walk = (leg: Leg): void => {

@@ -17,7 +17,7 @@ import type { Optics, RayModule } from '../ray/ray-module.ts';
 export class AttachedLayers {
   #labels: LabelLayer | null = null;
   #overlay: OverlayLayer | null = null;
-  #hasTold = false;
+  #hasNotified = false;
   readonly #widened = new Kept<readonly Contribution[]>();
   readonly #opened = new Kept<Volume>();
 
@@ -42,8 +42,8 @@ export class AttachedLayers {
   fit(modules: readonly RayModule[]): readonly RayModule[] {
     if (listSamplers({ adaptive: false, modules }).length <= maxSamplers(this.device.webgl2)) return modules;
     const others = modules.filter(({ name }) => !name.startsWith('overlay'));
-    if (others.length < modules.length && !this.#hasTold) {
-      this.#hasTold = true;
+    if (others.length < modules.length && !this.#hasNotified) {
+      this.#hasNotified = true;
       console.warn('WebGL 1 has no room here for a layer beside all else that is shown: the layer is left out. Show it without labels, or without shapes.');
     }
     return others;

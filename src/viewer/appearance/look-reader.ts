@@ -61,7 +61,7 @@ export class LookReader {
       await this.host.apply(optics, signal);
       signal.throwIfAborted();
       this.#reading = null;
-      this.tell(optics);
+      this.notify(optics);
     }));
   }
 
@@ -106,7 +106,7 @@ export class LookReader {
   }
 
   /** The volume has this appearance now, or null where it is gone. */
-  tell(optics: VolumeOptics | null): void {
+  notify(optics: VolumeOptics | null): void {
     if (optics === this.#current) return;
     this.#current = optics;
     this.host.lookChanged(optics);

@@ -131,7 +131,7 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     // Both load at the same time; if one fails, an error of the other is not reported.
     const [file, names] = await Promise.all([
       src ? this.#files.get(src, signal, (stop) => (this.host.load ?? loadLabelFile)(src, stop)) : null,
-      table ? this.#tables.get(table, signal, (stop) => loadTold(table, stop)) : null,
+      table ? this.#tables.get(table, signal, (stop) => loadTable(table, stop)) : null,
     ]);
     signal.throwIfAborted();
     const { volume } = target;
@@ -185,7 +185,7 @@ function ownHaveNone(): VolumeViewError {
 }
 
 /** Load a table; its unusable parts are reported to the author of the page. */
-async function loadTold(url: string, signal: AbortSignal): Promise<LabelTable> {
+async function loadTable(url: string, signal: AbortSignal): Promise<LabelTable> {
   const table = await loadLabelTable(url, signal);
   if (table.problems.length > 0) console.warn(`<volume-labels>: of the ${table.format} table ${url} some could not be used.\n${table.problems.join('\n')}`);
   return table;

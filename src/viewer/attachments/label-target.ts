@@ -37,7 +37,7 @@ export class PresenterTarget extends PresenterPlace<ViewLabels> implements Label
     return this.view.look.current?.projection === null;
   }
 
-  protected tell(scene: Scene, labels: ViewLabels['shown']): Promise<void> {
+  protected applyTo(scene: Scene, labels: ViewLabels['shown']): Promise<void> {
     return scene.setLabels(labels);
   }
 
@@ -53,10 +53,10 @@ export class PresenterTarget extends PresenterPlace<ViewLabels> implements Label
   }
 
   override failed(error: unknown): void {
-    const told = asVolumeViewError(error, 'labels');
+    const reported = asVolumeViewError(error, 'labels');
     // Errors of attributes already have suitable messages.
-    if (/^(source|format)/.test(told.code)) told.topic = 'labels';
-    super.failed(told);
+    if (/^(source|format)/.test(reported.code)) reported.topic = 'labels';
+    super.failed(reported);
   }
 }
 

@@ -13,14 +13,14 @@ import { LastWork } from '../model/last-work.ts';
 import { loadAttachment } from '../loading/load-attachment.ts';
 import { makeOverlay } from './make-overlay.ts';
 import { resolveOverlayLook } from '../appearance/overlay-look.ts';
-import type { OverlayLook, OverlayWords } from '../appearance/overlay-look.ts';
+import type { OverlayLook, OverlayAttributes } from '../appearance/overlay-look.ts';
 import type { OverlayTarget } from './overlay-target.ts';
 import { placeOverlay } from './place-overlay.ts';
 import { sharedVolumes } from '../loading/shared-volumes.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
 
 /** The layer as its author requests it. */
-export interface OverlayWishes extends OverlayWords {
+export interface OverlayWishes extends OverlayAttributes {
   readonly src: string | null;
   readonly label: string | null;
   readonly hidden: boolean;

@@ -16,7 +16,7 @@ export class OverlayTarget extends PresenterPlace<ViewOverlay> {
     return this.value;
   }
 
-  protected tell(scene: Scene, overlay: ViewOverlay['shown'] | null): Promise<void> {
+  protected applyTo(scene: Scene, overlay: ViewOverlay['shown'] | null): Promise<void> {
     return scene.setOverlay(overlay);
   }
 }

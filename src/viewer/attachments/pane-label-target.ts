@@ -4,7 +4,7 @@ import type { TransferFunction } from '../../optics/transfer/transfer-function.t
 import { asLabels } from '../../volume/label-volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { reportFileNotices } from '../model/file-notices.ts';
-import type { FileNotices, ToldFile } from '../model/file-notices.ts';
+import type { FileNotices, ReportedFile } from '../model/file-notices.ts';
 import type { LabelTarget } from './label-target.ts';
 
 /** A pane with its own volume. */
@@ -73,7 +73,7 @@ export class PaneTarget implements LabelTarget {
     this.pane.changed();
   }
 
-  reportFiles(files: readonly ToldFile[]): void {
+  reportFiles(files: readonly ReportedFile[]): void {
     reportFileNotices({ fileNotices: this.fileNotices, user: this.pane }, this, files);
   }
 }

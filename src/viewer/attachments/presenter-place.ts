@@ -1,5 +1,5 @@
 import type { Volume } from '../../volume/volume.ts';
-import type { ToldFile } from '../model/file-notices.ts';
+import type { ReportedFile } from '../model/file-notices.ts';
 import type { Aspect } from '../model/error-state.ts';
 import type { Scene } from '../model/scene.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
@@ -10,7 +10,7 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
   /** What this place shows; null for nothing. */
   protected value: Value | null = null;
   /** Scenes that have, or had, a value. */
-  readonly #told = new WeakSet<Scene>();
+  readonly #appliedTo = new WeakSet<Scene>();
 
   /** @param aspect - under which errors are reported */
   constructor(readonly socket: ViewSocket, readonly aspect: Aspect) {}
@@ -47,16 +47,16 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
   apply(scene: Scene): Promise<void> | void {
     // The last value counts, from whichever place it is. The code that draws it is loaded with the first value.
     const shown = this.socket.last(this.key)?.shown ?? null;
-    if (!shown && !this.#told.has(scene)) return;
-    this.#told.add(scene);
-    return this.tell(scene, shown);
+    if (!shown && !this.#appliedTo.has(scene)) return;
+    this.#appliedTo.add(scene);
+    return this.applyTo(scene, shown);
   }
 
   remove(scene: Scene): Promise<void> | void {
     return this.apply(scene);
   }
 
-  protected abstract tell(scene: Scene, shown: Value['shown'] | null): Promise<void>;
+  protected abstract applyTo(scene: Scene, shown: Value['shown'] | null): Promise<void>;
 
   /** Add work that scripts wait for when they wait for the picture. It does not reject. */
   track(work: Promise<unknown>): void {
@@ -71,7 +71,7 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
     this.view.errors.clear(this.aspect);
   }
 
-  reportFiles(files: readonly ToldFile[]): void {
+  reportFiles(files: readonly ReportedFile[]): void {
     this.view.reportFiles(this, files);
   }
 }

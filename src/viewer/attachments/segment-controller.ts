@@ -7,7 +7,7 @@ import { labelFileOf } from '../loading/label-files.ts';
 import type { LabelFile } from '../loading/label-files.ts';
 import { PresenterTarget } from './label-target.ts';
 import { readOpacityMap } from '../../x3d/nodes/read-opacity-map.ts';
-import { isDrawn, tellStyles } from '../../x3d/nodes/read-segments.ts';
+import { isDrawn, reportStyles } from '../../x3d/nodes/read-segments.ts';
 import type { Identifiers, Segment } from '../../x3d/nodes/read-segments.ts';
 import type { LabelOverride, ViewLabels } from '../model/view-labels.ts';
 import type { ViewSocket } from '../model/view-socket.ts';
@@ -54,7 +54,7 @@ export class SegmentController {
   constructor(socket: ViewSocket) {
     this.#target = new SegmentTarget(socket);
     this.#controller = new LabelController({
-      said: (ids) => ({ overrides: new Map(ids.map((id) => [id, this.#look(id)])), error: this.#segments && tellStyles(this.#segments.all, this.#segments.enabled, ids) }),
+      said: (ids) => ({ overrides: new Map(ids.map((id) => [id, this.#look(id)])), error: this.#segments && reportStyles(this.#segments.all, this.#segments.enabled, ids) }),
       load: (_, signal) => loadIdentifiers(this.#segments!.identifiers, signal),
       wanted: () => ({ src: this.#segments && nameOf(this.#segments.identifiers), table: null, hidden: false, transferFunction: null }),
       target: () => (this.#segments ? this.#target : null),

@@ -57,7 +57,7 @@ export class SlicePresenter {
   #drawing: Promise<void> = Promise.resolve();
   #settleDrawing: () => void = () => {};
   /** The place and the window that were reported last. */
-  #told: readonly [place: Vector3, window: readonly [number, number]] | null = null;
+  #reported: readonly [place: Vector3, window: readonly [number, number]] | null = null;
 
   constructor(readonly host: SlicePresenterHost) {}
 
@@ -119,7 +119,7 @@ export class SlicePresenter {
       this.pane.draw();
       this.#settleDrawing();
       this.host.changed();
-      this.#tell();
+      this.#notify();
     });
   }
 
@@ -154,11 +154,11 @@ export class SlicePresenter {
     this.#ignore = this.pane.crosshair.listen(() => this.redraw());
   }
 
-  #tell(): void {
+  #notify(): void {
     const { sliced, place, window } = this.pane;
     if (!sliced) return;
-    const before = this.#told;
-    this.#told = [place, window];
+    const before = this.#reported;
+    this.#reported = [place, window];
     // The first place is reported too.
     if (String(before?.[0]) !== String(place)) this.host.moved('cursor');
     if (before && String(before[1]) !== String(window)) this.host.moved('window');

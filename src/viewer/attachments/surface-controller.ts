@@ -26,7 +26,7 @@ export class SurfaceController extends AttachmentController<SurfaceTarget, Surfa
   readonly #files = new LastWork<Surface>();
   #shown: ShownSurface | null = null;
   /** The surface that was last reported to the page. */
-  #told: Surface | null = null;
+  #reported: Surface | null = null;
   /** The place of the radar for which the terrain was made. */
   #site = '';
 
@@ -37,20 +37,20 @@ export class SurfaceController extends AttachmentController<SurfaceTarget, Surfa
 
   protected override forget(target: SurfaceTarget): void {
     this.#files.forget();
-    this.#shown = this.#told = null;
+    this.#shown = this.#reported = null;
     target.track(target.leave());
   }
 
   protected override async read(target: SurfaceTarget, signal: AbortSignal): Promise<void> {
     const site = JSON.stringify(target.volume?.radar?.site);
     // Under another radar, or none, the terrain would be in a wrong place.
-    if (this.#shown?.surface.terrain && site !== this.#site) await target.show((this.#shown = this.#told = null));
+    if (this.#shown?.surface.terrain && site !== this.#site) await target.show((this.#shown = this.#reported = null));
     signal.throwIfAborted();
     const wanted = this.host.wanted(target.volume);
     if (!wanted) {
       target.cleared();
       target.reportFiles([]);
-      return target.show((this.#shown = this.#told = null));
+      return target.show((this.#shown = this.#reported = null));
     }
     const { request, look } = wanted;
     if (!request) return; // The volume reports itself when it is there.
@@ -65,8 +65,8 @@ export class SurfaceController extends AttachmentController<SurfaceTarget, Surfa
     signal.throwIfAborted();
     target.cleared();
     target.reportFiles([[request.surface === 'mesh' ? request.url : '', surface.notes]]);
-    if (this.#told === surface) return;
-    this.#told = surface;
+    if (this.#reported === surface) return;
+    this.#reported = surface;
     const note = target.volume && !surface.terrain && noteOnPlace(surface, target.volume.grid);
     if (note) this.#warn(note);
     this.host.came(surface);

@@ -3,7 +3,7 @@ import { loadPart } from '../../core/load-part.ts';
 import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { ToldFile } from '../model/file-notices.ts';
+import type { ReportedFile } from '../model/file-notices.ts';
 import type { AttachmentTarget } from '../model/label-target.ts';
 import type { Scene } from '../model/scene.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
@@ -116,7 +116,7 @@ export class SurfaceTarget implements AttachmentTarget, ViewPart {
     else this.view.errors.report('surfaces', other);
   }
 
-  reportFiles(files: readonly ToldFile[]): void {
+  reportFiles(files: readonly ReportedFile[]): void {
     this.view.reportFiles(this.element, files);
   }
 

@@ -1,4 +1,4 @@
-import type { StandardViewName } from '../../messages/terms.ts';
+import type { StandardViewName } from '../../messages/messages.ts';
 import type { VolumeInfo } from '../model/volume-info.ts';
 
 /** A direction of the camera, radians: around the vertical axis, with 0 at the front, and from straight above. */

@@ -35,8 +35,8 @@ const untold = new ErrorState({ file: '', changed: () => {}, failed: () => {} })
  * All cuts that an author requests. What can't be read is reported, and left out.
  * @param model - the volume that sets the camera
  */
-export function readCuts({ host, errors: told, settings }: Reader, volume: Volume, model: ScanModel, none: Cuts): Cuts {
-  const errors = volume.coarse ? untold : told;
+export function readCuts({ host, errors: reported, settings }: Reader, volume: Volume, model: ScanModel, none: Cuts): Cuts {
+  const errors = volume.coarse ? untold : reported;
   const { region, rings, look } = settings();
   const { error, ...slices } = readSlices(host, volume, look.value?.window ?? null);
   const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { ...none, ...slices };

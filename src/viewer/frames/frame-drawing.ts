@@ -23,7 +23,7 @@ export class FrameDrawing {
     readonly host: Element,
     readonly quality: QualityControl,
     readonly pictures: PictureDrawing,
-    readonly told: (stats: RenderStats) => void,
+    readonly notify: (stats: RenderStats) => void,
   ) {}
 
   /** Draw the next frame. @returns whether another must follow, because this one is not final */
@@ -52,10 +52,10 @@ export class FrameDrawing {
     const atRest = !inMotion && !loop.dirty && controller.scene === scene;
     // Report the picture at once if its error is known; else when the error has been measured.
     const isKnown = quick || this.quality.error !== null;
-    if (isKnown) this.#tell(stats);
+    if (isKnown) this.#notify(stats);
     const goesOn = (): boolean => !loop.dirty && !loop.host.moving && controller.scene === scene;
     const again = atRest && (await this.quality.probe(scene, shown.grid, { plan, size, goesOn }));
-    if (!isKnown || (quick && atRest && !again)) this.#tell(stats);
+    if (!isKnown || (quick && atRest && !again)) this.#notify(stats);
     return again || inMotion;
   }
 
@@ -63,13 +63,13 @@ export class FrameDrawing {
   async #drawStandIn(time: number, again: boolean): Promise<boolean> {
     const { scene } = this.pictures.parts.controller;
     this.quality.warmUp();
-    if (scene) this.#tell(await this.#draw(scene, time, standInFrame, false));
+    if (scene) this.#notify(await this.#draw(scene, time, standInFrame, false));
     return again;
   }
 
   /** Draw the present picture at rest at once. */
   async drawNow(scene: Scene): Promise<RenderStats> {
-    return this.#tell(await this.#draw(scene, performance.now(), this.planAtRest));
+    return this.#notify(await this.#draw(scene, performance.now(), this.planAtRest));
   }
 
   get planAtRest(): FramePlan {
@@ -100,12 +100,12 @@ export class FrameDrawing {
   }
 
   /** Report the picture that was drawn, together with its measured error. */
-  #tell(drawn: RenderStats): RenderStats {
+  #notify(drawn: RenderStats): RenderStats {
     const converged = this.#isFinal(drawn);
     const error = converged ? this.quality.error : null;
     // A picture that shows nothing keeps no error target.
     const stats = { ...drawn, converged, error, keepsMaxError: error && this.quality.isKept && error.rays > 0 };
-    this.told(stats);
+    this.notify(stats);
     return stats;
   }
 

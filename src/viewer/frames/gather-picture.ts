@@ -56,15 +56,15 @@ function countPixels({ over, width }: Pass, rows: number): number {
  * @param told - called after each piece with the share of the picture that is drawn, 0..1
  * @returns ms that all pieces took; null where the picture was given up
  */
-export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: () => boolean, told: (share: number) => void = () => {}): Promise<number | null> {
+export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: () => boolean, reported: (share: number) => void = () => {}): Promise<number | null> {
   const { stepLength, width, height, rows, pieceMs } = picture;
   const began = performance.now();
   let freeSince = began;
   /** Time that the GPU took for the last piece, ms. */
   const timeLast = async (): Promise<number> => {
-    const told = performance.now();
+    const reported = performance.now();
     await scene.finished();
-    const took = performance.now() - Math.max(told, freeSince);
+    const took = performance.now() - Math.max(reported, freeSince);
     freeSince = performance.now();
     return took;
   };
@@ -90,7 +90,7 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
       if (!scene.device.webgl2) await rest();
       const took = await before;
       if (!goesOn()) return null;
-      told(done / pixels);
+      reported(done / pixels);
       if (took !== null) next = Math.min(limit, next * Math.min(maxChange, Math.max(1 / maxChange, pieceMs / atOnce / Math.max(0.1, took))));
       before = last;
     }

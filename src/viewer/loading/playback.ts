@@ -23,7 +23,7 @@ export class Playback {
   #isHeld = false;
 
   /** @param told - called when playing starts or ends */
-  constructor(readonly told: (event: 'play' | 'pause') => void) {}
+  constructor(readonly notify: (event: 'play' | 'pause') => void) {}
 
   get paused(): boolean {
     return !this.#isOn;
@@ -41,7 +41,7 @@ export class Playback {
     if (this.#isOn) return;
     this.#isOn = true;
     this.#apply();
-    this.told('play');
+    this.notify('play');
   }
 
   /** The same, but only because of `autoplay`: not while a person wants less motion. */
@@ -78,7 +78,7 @@ export class Playback {
     if (!this.#isOn) return;
     this.#isOn = false;
     this.#apply();
-    this.told('pause');
+    this.notify('pause');
   }
 
   /** A source with several scans is open. @param autoplay - whether it may start without a call */

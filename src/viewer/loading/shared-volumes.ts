@@ -64,8 +64,8 @@ export class SharedVolumes {
     const onCoarse = new Set(options.onCoarse ? [options.onCoarse] : []);
     const loading = this.load(request, {
       signal: options.signal,
-      onProgress: (progress) => onProgress.forEach((tell) => tell(progress)),
-      onCoarse: (coarse) => onCoarse.forEach((tell) => tell(coarse)),
+      onProgress: (progress) => onProgress.forEach((notify) => notify(progress)),
+      onCoarse: (coarse) => onCoarse.forEach((notify) => notify(coarse)),
       onScans: (times) => {
         this.#unshared.add(key);
         options.onScans?.(times);

@@ -19,16 +19,16 @@ interface NoticePlace {
 const nameless = /^(data|blob):/i;
 
 /** A file, and which parts of it are not in the picture; an empty list where all are. */
-export type ToldFile = readonly [url: string, notices: readonly string[]];
+export type ReportedFile = readonly [url: string, notices: readonly string[]];
 
 /**
  * Notify the people who see a picture which parts of attached files are not in it, or are changed in it.
  * @param owner - the object that shows the files: this call replaces its earlier report
  */
-export function reportFileNotices({ fileNotices, user }: NoticePlace, owner: object, files: readonly ToldFile[]): void {
-  const told = files.filter(([, notices]) => notices.length > 0).map(([url, notices]): FileNotices => ({ name: nameOf(url), notices }));
-  if (told.length === 0 && !fileNotices.has(owner)) return;
-  if (told.length > 0) fileNotices.set(owner, told);
+export function reportFileNotices({ fileNotices, user }: NoticePlace, owner: object, files: readonly ReportedFile[]): void {
+  const reported = files.filter(([, notices]) => notices.length > 0).map(([url, notices]): FileNotices => ({ name: nameOf(url), notices }));
+  if (reported.length === 0 && !fileNotices.has(owner)) return;
+  if (reported.length > 0) fileNotices.set(owner, reported);
   else fileNotices.delete(owner);
   user.changed();
 }

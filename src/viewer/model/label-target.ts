@@ -1,6 +1,6 @@
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { ToldFile } from './file-notices.ts';
+import type { ReportedFile } from './file-notices.ts';
 import type { ViewLabels } from './view-labels.ts';
 
 /** The target of something that is attached to a volume. */
@@ -14,7 +14,7 @@ export interface AttachmentTarget {
   failed(error: unknown): void;
   cleared(): void;
   /** Report to the people who see the picture which parts of its files are not in it; empty where all are. */
-  reportFiles(files: readonly ToldFile[]): void;
+  reportFiles(files: readonly ReportedFile[]): void;
 }
 
 /** The target of labels. */

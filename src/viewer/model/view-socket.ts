@@ -5,7 +5,7 @@ import type { GridFrame } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { WorldCut } from '../../volume/world-cut.ts';
-import type { ToldFile } from './file-notices.ts';
+import type { ReportedFile } from './file-notices.ts';
 import type { ClipShape } from './clip-source.ts';
 import type { ErrorState } from './error-state.ts';
 import type { LabelTarget } from './label-target.ts';
@@ -91,7 +91,7 @@ export interface SocketView {
   /** Add work that scripts wait for when they wait for the picture. It does not reject. */
   track(work: Promise<unknown>): void;
   /** Report which parts of files are not in the picture; empty where all are. @param owner - the object that shows the files */
-  reportFiles(owner: object, files: readonly ToldFile[]): void;
+  reportFiles(owner: object, files: readonly ReportedFile[]): void;
   /** Read again which cuts the volume has. */
   cutAgain(): void;
   /** Show another volume in place of the last one, and notify the page. @throws {VolumeViewError} */

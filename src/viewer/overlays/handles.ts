@@ -55,7 +55,7 @@ interface Grip {
 export class Handles implements ViewPart {
   readonly key = 'handles';
   readonly #layer: HTMLElement;
-  readonly #told: HTMLElement;
+  readonly #status: HTMLElement;
   readonly #abort = new AbortController();
   #handles: readonly Handle[] = [];
   #buttons: HTMLButtonElement[] = [];
@@ -68,10 +68,10 @@ export class Handles implements ViewPart {
     const { ownerDocument: document } = view;
     this.#layer = document.createElement('div');
     this.#layer.className = 'handles';
-    this.#told = document.createElement('div');
-    this.#told.setAttribute('role', 'status');
-    this.#told.className = 'status'; // The class of the view's own messages to screen readers.
-    this.#layer.append(this.#told);
+    this.#status = document.createElement('div');
+    this.#status.setAttribute('role', 'status');
+    this.#status.className = 'status'; // The class of the view's own messages to screen readers.
+    this.#layer.append(this.#status);
     // In the order of the Tab key, handles come in the order in which their owners were created.
     ([...picture.parentNode!.querySelectorAll('.handles')].at(-1) ?? picture).after(this.#layer);
     view.addEventListener('load', () => this.place(), { signal: this.#abort.signal });
@@ -128,7 +128,7 @@ export class Handles implements ViewPart {
     button.addEventListener('keydown', (event) => this.#press(index, event), { signal });
     button.addEventListener('focus', () => (this.#focused = index), { signal });
     button.addEventListener('blur', () => (this.#focused = -1), { signal });
-    this.#layer.insertBefore(button, this.#told);
+    this.#layer.insertBefore(button, this.#status);
     return button;
   }
 
@@ -205,7 +205,7 @@ export class Handles implements ViewPart {
     if (!to.every(Number.isFinite)) return;
     this.owner.moved(index, to, end);
     clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(() => (this.#told.textContent = this.#handles[this.#focused]?.place ?? ''), restMs);
+    this.#timer = window.setTimeout(() => (this.#status.textContent = this.#handles[this.#focused]?.place ?? ''), restMs);
   }
 }
 

@@ -47,30 +47,30 @@ export class Visibility {
   /** Watch an element as long as the watcher works. */
   watch(element: HTMLElement, watcher: PageWatcher): void {
     this.#near = this.#isPlaced = this.#inSight = this.#hovered = this.#focused = false;
-    watcher.watchSight(element, nearMargin, (near) => this.#tell(() => {
+    watcher.watchSight(element, nearMargin, (near) => this.#notify(() => {
       this.#near = near;
       this.#isPlaced = true;
     }));
-    watcher.watchSight(element, '0px', (inSight) => this.#tell(() => (this.#inSight = inSight)));
+    watcher.watchSight(element, '0px', (inSight) => this.#notify(() => (this.#inSight = inSight)));
     watcher.listen(element, {
-      pointerenter: () => this.#tell(() => (this.#hovered = true)),
-      pointerleave: () => this.#tell(() => (this.#hovered = false)),
-      focusin: () => this.#tell(() => (this.#focused = true)),
-      focusout: () => this.#tell(() => (this.#focused = false)),
+      pointerenter: () => this.#notify(() => (this.#hovered = true)),
+      pointerleave: () => this.#notify(() => (this.#hovered = false)),
+      focusin: () => this.#notify(() => (this.#focused = true)),
+      focusout: () => this.#notify(() => (this.#focused = false)),
     });
   }
 
   /** Do some work that needs the element's picture, wherever the element is. */
   async ask<T>(work: () => Promise<T>): Promise<T> {
-    this.#tell(() => this.#asks++);
+    this.#notify(() => this.#asks++);
     try {
       return await work();
     } finally {
-      this.#tell(() => this.#asks--);
+      this.#notify(() => this.#asks--);
     }
   }
 
-  #tell(change: () => void): void {
+  #notify(change: () => void): void {
     change();
     this.changed();
   }

@@ -21,7 +21,7 @@ export class MeasureModel {
   /** While a person places points: the points before that. */
   #before: readonly Vector3[] | null = null;
   #result: MeasureResult | null = null;
-  #hasTold = false;
+  #hasNotified = false;
   #run = 0;
 
   constructor(readonly host: MeasureHost) {}
@@ -119,7 +119,7 @@ export class MeasureModel {
       this.host.changed();
     }
     // While points are placed, there is no result yet. The end of a result is reported only if there was one.
-    if (this.#result || (this.#hasTold && !this.placing)) this.host.measured(this.#result);
-    this.#hasTold = this.#result !== null || (this.#hasTold && this.placing);
+    if (this.#result || (this.#hasNotified && !this.placing)) this.host.measured(this.#result);
+    this.#hasNotified = this.#result !== null || (this.#hasNotified && this.placing);
   }
 }

@@ -12,7 +12,7 @@ export class ViewLines implements ViewPart {
   #lines: Lines = [];
   #color: LineColor = [1, 1, 1];
   /** Scenes that have, or had, lines. */
-  readonly #told = new WeakSet<Scene>();
+  readonly #appliedTo = new WeakSet<Scene>();
 
   constructor(readonly socket: ViewSocket) {
     void socket.join(this);
@@ -33,8 +33,8 @@ export class ViewLines implements ViewPart {
 
   apply(scene: Scene): void {
     // The code that draws lines is loaded with the first lines.
-    if (this.#lines.length === 0 && !this.#told.has(scene)) return;
-    this.#told.add(scene);
+    if (this.#lines.length === 0 && !this.#appliedTo.has(scene)) return;
+    this.#appliedTo.add(scene);
     void scene.loadLines().then((lines) => lines?.show(this.#lines, this, this.#color));
   }
 

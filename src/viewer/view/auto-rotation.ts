@@ -42,7 +42,7 @@ export class AutoRotation {
   readonly #fingers = new Set<number>();
   readonly #reduced = matchMedia('(prefers-reduced-motion: reduce)');
   /** The viewer that has the last speed, and that speed: radians a millisecond. */
-  #told: { readonly viewer: Viewer; readonly spin: number } | null = null;
+  #reported: { readonly viewer: Viewer; readonly spin: number } | null = null;
 
   constructor(readonly view: RotatingView, readonly presenter: VolumePresenter) {
     view.addEventListener('pointerdown', ({ pointerId }) => {
@@ -107,8 +107,8 @@ export class AutoRotation {
     if (!viewer) return;
     const goes = autoRotate && this.#inSight && !this.stopped && this.#timer === undefined && this.#fingers.size === 0;
     const spin = goes ? -this.#speed / 1000 : 0; // The volume turns to the right as a person sees it, so the camera goes to the left.
-    if (this.#told?.viewer === viewer && this.#told.spin === spin) return;
-    this.#told = { viewer, spin };
+    if (this.#reported?.viewer === viewer && this.#reported.spin === spin) return;
+    this.#reported = { viewer, spin };
     viewer.rig.spin = spin;
     viewer.invalidate();
   }

@@ -1,7 +1,7 @@
 // A text over a picture at rest that shows nothing: loaded with the first picture that may show nothing.
 import type { Pixels } from '../../optics/rays/between-pixels.ts';
 import { english } from '../../messages/english-blank.ts';
-import { Words } from '../../messages/words.ts';
+import { LocaleController } from '../../messages/locale-controller.ts';
 import { findBlankCause } from '../frames/blank-cause.ts';
 import type { BlankCause } from '../frames/blank-cause.ts';
 import type * as ViewQuality from '../frames/view-quality.ts';
@@ -92,7 +92,7 @@ function largestAlpha({ data }: Pixels): number {
 }
 
 class BlankNote {
-  readonly #words: Words<typeof english>;
+  readonly #locale: LocaleController<typeof english>;
   #element: HTMLElement | null = null;
   #cause: BlankCause | null = null;
   /** The last frame that was checked. */
@@ -100,7 +100,7 @@ class BlankNote {
   #pending: RenderStats | null = null;
 
   constructor(readonly view: NotedView, readonly presenter: VolumePresenter, readonly quality: typeof ViewQuality) {
-    this.#words = new Words(view as unknown as ConstructorParameters<typeof Words>[0], english);
+    this.#locale = new LocaleController(view as unknown as ConstructorParameters<typeof LocaleController>[0], english);
   }
 
   follow(): void {
@@ -177,8 +177,8 @@ class BlankNote {
   }
 
   #describe(cause: BlankCause): string {
-    const { blankPicture, blankCauses } = this.#words.terms;
-    const write = (value: number): string => this.#words.number(value, { maximumSignificantDigits: 4 });
+    const { blankPicture, blankCauses } = this.#locale.messages;
+    const write = (value: number): string => this.#locale.number(value, { maximumSignificantDigits: 4 });
     const unit = this.presenter.volume?.unit;
     const withUnit = (value: number): string => (unit ? `${write(value)} ${unit}` : write(value));
     if (cause.cause === 'noEchoes') return blankCauses.noEchoes;

@@ -2,7 +2,7 @@ import type { CoarseVolume } from '../../formats/base/load-request.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { hasNotices, reportFileNotices } from '../model/file-notices.ts';
-import type { FileNotices, ToldFile } from '../model/file-notices.ts';
+import type { FileNotices, ReportedFile } from '../model/file-notices.ts';
 import { CutReader } from '../cuts/cuts.ts';
 import type { Cuts } from '../cuts/cuts.ts';
 import type { ErrorState } from '../model/error-state.ts';
@@ -65,7 +65,7 @@ export class VolumePresenter implements LookHost, SocketView {
     return hasNotices(this.#info, this.fileNotices);
   }
 
-  reportFiles(owner: object, files: readonly ToldFile[]): void {
+  reportFiles(owner: object, files: readonly ReportedFile[]): void {
     reportFileNotices(this, owner, files);
   }
 
@@ -100,7 +100,7 @@ export class VolumePresenter implements LookHost, SocketView {
     this.#volume = null;
     this.#info = null;
     this.look.interrupt();
-    this.look.tell(null);
+    this.look.notify(null);
   }
 
   /**
@@ -134,7 +134,7 @@ export class VolumePresenter implements LookHost, SocketView {
   /** Notify the page of the new volume. */
   announce(optics: VolumeOptics): void {
     this.user.emit('load', this.#info);
-    this.look.tell(optics);
+    this.look.notify(optics);
   }
 
   /**

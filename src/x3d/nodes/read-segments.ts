@@ -54,7 +54,7 @@ export function leadOf(segments: readonly Segment[], enabled: readonly boolean[]
 }
 
 /** Says in words which styles can't be drawn as they are set; null if all can. @param ids - of the segments in the data */
-export function tellStyles(segments: readonly Segment[], enabled: readonly boolean[], ids: readonly number[]): VolumeViewError | null {
+export function reportStyles(segments: readonly Segment[], enabled: readonly boolean[], ids: readonly number[]): VolumeViewError | null {
   const lead = leadOf(segments, enabled);
   const other = lead < 0 ? undefined : ids.find((id) => isDrawn(enabled, id) && (segments[id]?.key ?? '') !== segments[lead].key);
   if (other === undefined) return null;

@@ -12,7 +12,7 @@ export const legend = '<volume-legend for="field" label="Strength"></volume-lege
 export const handles = (page: Page): Locator => page.getByRole('slider', { name: /^Stop/ });
 export const handle = (page: Page, number: number): Locator => page.getByRole('slider', { name: new RegExp(`^Stop ${number} of`) });
 
-interface Told {
+interface Reported {
   type: string;
   transferFunction: string;
   bubbles: boolean;
@@ -22,10 +22,10 @@ interface Told {
 export async function openEditor(page: Page, body = view + editor): Promise<void> {
   await open(page, body);
   await page.evaluate(() => {
-    const told: Told[] = ((window as unknown as { told: Told[] }).told = []);
+    const reported: Reported[] = ((window as unknown as { reported: Reported[] }).reported = []);
     const keep = (event: Event): void => {
       const { type, detail, bubbles } = event as CustomEvent<{ transferFunction: string }>;
-      if ((event.target as Element).localName === 'volume-transfer-function') told.push({ type, transferFunction: detail?.transferFunction, bubbles });
+      if ((event.target as Element).localName === 'volume-transfer-function') reported.push({ type, transferFunction: detail?.transferFunction, bubbles });
     };
     for (const type of ['input', 'change']) document.addEventListener(type, keep, true);
   });
@@ -33,7 +33,7 @@ export async function openEditor(page: Page, body = view + editor): Promise<void
   await settle(page);
 }
 
-export const told = (page: Page): Promise<Told[]> => page.evaluate(() => (window as unknown as { told: Told[] }).told);
+export const reported = (page: Page): Promise<Reported[]> => page.evaluate(() => (window as unknown as { reported: Reported[] }).reported);
 
 /** The stops that the volume has. */
 export async function readStops(page: Page): Promise<{ value: number; opacity: number; color: readonly number[] }[]> {

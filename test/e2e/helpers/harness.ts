@@ -188,9 +188,9 @@ export async function withElement<R, A = undefined>(
     const found = document.querySelectorAll(selector);
     return found.length === 1 ? { answer: await (${String(act)})(found[0], argument) } : ${JSON.stringify(notOne)};
   }` };
-  const told = await page.evaluate(Object.assign(() => notOne, ask) as never, [selector, argument] as never) as { answer: R } | typeof notOne;
+  const reported = await page.evaluate(Object.assign(() => notOne, ask) as never, [selector, argument] as never) as { answer: R } | typeof notOne;
   // Playwright's own types for what it sends to the page are deeper than the compiler wants to go.
-  return told === notOne ? page.locator(selector).evaluate(act as never, argument as never) : told.answer;
+  return reported === notOne ? page.locator(selector).evaluate(act as never, argument as never) : reported.answer;
 }
 
 /** Wait until the picture is final. */

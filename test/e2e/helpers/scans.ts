@@ -46,15 +46,15 @@ export async function serve(page: Page, { missing = [], manifest = {}, height = 
 
 export const listed = (count: number): object => ({ scans: Array.from({ length: count }, (_, i) => ({ image: `${i}.nii`, time: timeOf(i) })) });
 
-interface Told {
+interface Reported {
   readonly index: number;
   readonly time: string | null;
   readonly count: number;
 }
 
 /** Changes of time that the page was told. */
-export async function told(page: Page): Promise<Told[]> {
-  return (await seenEvents(page)).filter(({ type }) => type === 'time-change').map(({ detail }) => detail as Told);
+export async function reported(page: Page): Promise<Reported[]> {
+  return (await seenEvents(page)).filter(({ type }) => type === 'time-change').map(({ detail }) => detail as Reported);
 }
 
 export const shown = (page: Page): Promise<number | undefined> => withElement(page, (element) => element.scan?.index);

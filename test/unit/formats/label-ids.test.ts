@@ -143,8 +143,8 @@ describe('whole numbers that become float32', () => {
   it('are shifted only where that rounds fewer of them', () => {
     // 5,000 to 10,000 in steps of 1, beside -2e9: less an offset of about 7,500 the latter would be told as -1,999,999,992 or so.
     const soft = Int32Array.from({ length: 4000 }, (_, i) => (i < 100 ? -2e9 : 5000 + ((i * 7) % 5000)));
-    const told = store(soft);
-    expect(Array.from(told.samples, (sample) => sample * told.scale + told.offset)).to.deep.equal([...soft]);
+    const reported = store(soft);
+    expect(Array.from(reported.samples, (sample) => sample * reported.scale + reported.offset)).to.deep.equal([...soft]);
     const far = Int32Array.from({ length: 4000 }, (_, i) => 1e9 + (i % 5));
     far[0] = 0;
     const shifted = store(far);

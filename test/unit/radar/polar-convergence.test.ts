@@ -57,7 +57,7 @@ function rms(a: readonly number[], b: readonly number[]): number {
   return Math.sqrt(a.reduce((sum, x, i) => sum + (x - b[i]) ** 2, 0) / a.length);
 }
 
-function tell(what: string, counts: readonly number[], errors: readonly number[]): number {
+function logOrder(what: string, counts: readonly number[], errors: readonly number[]): number {
   const order = fitOrder(counts, errors);
   console.log(`polar, ${what}: order ${order.toFixed(2)}; ${counts.map((n, i) => `${n}: ${(errors[i] * 255).toPrecision(3)}`).join(', ')}`);
   return order;
@@ -70,9 +70,9 @@ describe('the picture of a polar grid converges', () => {
     const counts = [40, 60, 90, 135, 200];
     const errors = counts.map((steps) => rms(draw(volume, steps, 1), limit));
     expect(errors[0] * 255).to.be.above(0.05);
-    expect(tell('step length', counts, errors)).to.be.at.least(1.9);
+    expect(logOrder('step length', counts, errors)).to.be.at.least(1.9);
     const inSubsteps = counts.map((steps) => rms(draw(volume, steps), limit));
-    tell('step length, with substeps', counts, inSubsteps);
+    logOrder('step length, with substeps', counts, inSubsteps);
     expect(inSubsteps[0]).to.be.below(errors[0] / 4);
   });
 
@@ -84,6 +84,6 @@ describe('the picture of a polar grid converges', () => {
       return rms(draw(volume, 500), limit);
     });
     expect(errors[0] * 255).to.be.above(0.5);
-    expect(tell('grid spacing', counts, errors)).to.be.at.least(1.9);
+    expect(logOrder('grid spacing', counts, errors)).to.be.at.least(1.9);
   });
 });

@@ -35,13 +35,13 @@ export function styledText(options: LitOptions): RayText {
   return { name: 'styled', stage: 'shade', defines: { ...defines, STYLE_MAX: String(maxOpacity) }, chunks: [...chunks, styled], samplers };
 }
 
-let told = false;
+let reported = false;
 
 /** Whether a sampler is left for the table: in WebGL 1 other modules may use all of them. Then styles are left out, with one console warning. */
 export function hasRoom(others: readonly RayText[], { webgl2 }: { readonly webgl2: boolean }): boolean {
   const fits = listSamplers({ adaptive: false, modules: others }).length < maxSamplers(webgl2);
-  if (!fits && !told) console.warn('<volume-view>: this device has no room for rendering styles beside shapes, a transfer function of steep stops, and labels, a layer or a radar. They are left out.');
-  told ||= !fits;
+  if (!fits && !reported) console.warn('<volume-view>: this device has no room for rendering styles beside shapes, a transfer function of steep stops, and labels, a layer or a radar. They are left out.');
+  reported ||= !fits;
   return fits;
 }
 

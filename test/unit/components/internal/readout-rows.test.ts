@@ -13,7 +13,7 @@ import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const info = (more: Partial<VolumeInfo> = {}): VolumeInfo => ({ ...describeVolume(syntheticVolume({ dimensions: [4, 4, 4] })), format: 'NIfTI-1', anatomical: true, ...more });
 const pick: VolumePick = { value: 12345.5, interpolated: 12000, unit: 'HU', voxel: [10, 20, 30], world: [-23.14, -4, 55.25], opacity: 0.5, color: '#ff0000', radar: null };
-const style = (code = 'en', coordinates: string | null = null) => ({ language: new Language(code, companions), terms: english, coordinates });
+const style = (code = 'en', coordinates: string | null = null) => ({ language: new Language(code, companions), messages: english, coordinates });
 const write = (...args: Parameters<typeof listRows>): string => listRows(...args).map(({ name, text }) => `${name}: ${text}`).join(' | ');
 
 const place: RadarPlace = {

@@ -147,13 +147,13 @@ describe('files of surfaces', () => {
   });
 
   it('of XML are read without entities of their own', () => {
-    const told: string[] = [];
+    const reported: string[] = [];
     readXml('<?xml version="1.0"?><!DOCTYPE a [<!ENTITY e "ha">]><a b="1 &lt; 2" c=\'&#65;&#x42;\'><!-- <no> -->x &amp; &e;<d/><![CDATA[<&amp;]]></a>', {
-      open: (name, attributes) => told.push(`<${name} ${[...attributes].join(' ')}`),
-      close: (name) => told.push(`/${name}`),
-      text: (text) => told.push(text),
+      open: (name, attributes) => reported.push(`<${name} ${[...attributes].join(' ')}`),
+      close: (name) => reported.push(`/${name}`),
+      text: (text) => reported.push(text),
     });
-    expect(told).to.deep.equal(['<a b,1 < 2 c,AB', 'x & &e;', '<d ', '/d', '<&amp;', '/a']);
+    expect(reported).to.deep.equal(['<a b,1 < 2 c,AB', 'x & &e;', '<d ', '/d', '<&amp;', '/a']);
     for (const bad of ['<a', '<a><b></a>', '<a>', '<a b=c></a>', '<a><![CDATA[', '<'.repeat(9), '<a>'.repeat(200)]) {
       expect(() => readXml(bad, { open: () => {}, close: () => {}, text: () => {} }), bad.slice(0, 20)).to.throw(SyntaxError);
     }

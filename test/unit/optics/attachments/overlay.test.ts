@@ -154,11 +154,11 @@ describe('the values that a layer has in each macrocell', () => {
       const [i, j, k] = place.map((x, axis) => Math.floor((x * volume.grid.dimensions[axis]) / 8));
       if (field.sampleAt(place).value > 1) found.add(i + nx * (j + ny * k));
     }
-    const told = [...cells.high].flatMap((high, cell) => (high > 1 ? [cell] : []));
+    const reported = [...cells.high].flatMap((high, cell) => (high > 1 ? [cell] : []));
     expect(found.size, 'cells in which it is met').to.be.above(0);
-    for (const cell of found) expect(told).to.include(cell);
+    for (const cell of found) expect(reported).to.include(cell);
     // All cells that meet at a corner may touch its voxels.
-    expect(told.length).to.be.at.most(8);
+    expect(reported.length).to.be.at.most(8);
   });
 
   it('are those of the volume\'s own macrocells for one on the same grid, also where there are too many voxels to read them again', () => {

@@ -125,37 +125,37 @@ describe('settings', () => {
 });
 
 describe('the board of errors', () => {
-  function openErrorState(): { errorState: ErrorState; told: [Aspect, string][]; shown: (string | null)[] } {
-    const told: [Aspect, string][] = [];
+  function openErrorState(): { errorState: ErrorState; reported: [Aspect, string][]; shown: (string | null)[] } {
+    const reported: [Aspect, string][] = [];
     const shown: (string | null)[] = [];
     const errorState: ErrorState = new ErrorState({
       file: 'head.nii.gz',
       changed: () => shown.push(errorState.first?.code ?? null),
-      failed: (aspect, { code }) => told.push([aspect, code]),
+      failed: (aspect, { code }) => reported.push([aspect, code]),
     });
-    return { errorState, told, shown };
+    return { errorState, reported, shown };
   }
   const wrong = (): never => {
     throw new VolumeViewError('attribute/invalid', 'steps got "x"');
   };
 
   it('shows the first of several, tells each, and is clear when all are mended', () => {
-    const { errorState, told, shown } = openErrorState();
+    const { errorState, reported, shown } = openErrorState();
     errorState.attempt('steps', wrong);
     errorState.report('source', new VolumeViewError('source/not-found', 'no'));
     errorState.clear('source');
     errorState.attempt('steps', () => {});
-    expect(told).to.deep.equal([['steps', 'attribute/invalid'], ['source', 'source/not-found']]);
+    expect(reported).to.deep.equal([['steps', 'attribute/invalid'], ['source', 'source/not-found']]);
     expect(shown).to.deep.equal(['attribute/invalid', 'source/not-found', 'attribute/invalid', null]);
   });
 
   it('calls an exception that nobody expects internal, with the attributes and the file', () => {
-    const { errorState, told } = openErrorState();
+    const { errorState, reported } = openErrorState();
     const mistake = new TypeError('x is undefined');
     errorState.attempt('optics', () => {
       throw mistake;
     });
-    expect(told).to.deep.equal([['optics', 'internal']]);
+    expect(reported).to.deep.equal([['optics', 'internal']]);
     expect(errorState.first!.message).to.match(/transfer-function.*window.*head\.nii\.gz.*x is undefined/);
     expect(errorState.first!.cause).to.equal(mistake);
     errorState.report('scene', mistake);
@@ -164,16 +164,16 @@ describe('the board of errors', () => {
   });
 
   it('uses what could be read, and reports what could not', () => {
-    const { errorState, told } = openErrorState();
+    const { errorState, reported } = openErrorState();
     const used: unknown[] = [];
     errorState.take('steps', read({ steps: 'many' }).quality, (quality) => used.push(quality));
     errorState.take('play', read({ playSpeed: '3' }).playSpeed, (speed) => used.push(speed));
     expect(used).to.deep.equal([3]);
-    expect(told).to.deep.equal([['steps', 'attribute/invalid']]);
+    expect(reported).to.deep.equal([['steps', 'attribute/invalid']]);
   });
 
   it('says nothing of work that was given up', async () => {
-    const { errorState, told } = openErrorState();
+    const { errorState, reported } = openErrorState();
     const controller = new AbortController();
     const given = errorState.run('source', controller.signal, async () => {
       await Promise.resolve();
@@ -183,6 +183,6 @@ describe('the board of errors', () => {
     expect(await given).to.equal(false);
     expect(await errorState.run('source', null, async () => wrong())).to.equal(false);
     expect(await errorState.run('source', null, async () => {})).to.equal(true);
-    expect([told.length, errorState.first]).to.deep.equal([1, null]);
+    expect([reported.length, errorState.first]).to.deep.equal([1, null]);
   });
 });

@@ -13,34 +13,34 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
   socket.view = { viewer: null } as unknown as SocketView;
   const target = new PresenterTarget(socket);
   await target.show(first);
-  const told: unknown[] = [];
+  const reported: unknown[] = [];
   const scene = {
     prepare: async () => {},
     setStyle: async () => {},
-    setLabels: async (labels: unknown) => void told.push(labels),
+    setLabels: async (labels: unknown) => void reported.push(labels),
     bringVolume: async () => {
       await target.show(second);
       return true;
     },
-    dispose: () => told.push('disposed'),
+    dispose: () => reported.push('disposed'),
   } as unknown as Scene;
   const contents = { volume: {}, optics: { projection: null }, socket, givenUp: false } as unknown as SceneContents;
   let put: unknown = null;
   const build = (one: Scene): Promise<void> => buildScene(async () => one, contents, async () => true, (built) => (put = built));
   await build(scene);
   expect(put).to.equal(scene);
-  expect(told).to.deep.equal([first.shown, second.shown]);
+  expect(reported).to.deep.equal([first.shown, second.shown]);
   const gone = { ...scene, bringVolume: async () => (await target.show(null), true) };
   await build(gone);
-  expect(told.slice(2), 'nor does it keep those that are gone by then').to.deep.equal([second.shown, null]);
+  expect(reported.slice(2), 'nor does it keep those that are gone by then').to.deep.equal([second.shown, null]);
   await build(gone);
-  expect(told.slice(4), 'and where there are none nothing of them is loaded').to.deep.equal([]);
+  expect(reported.slice(4), 'and where there are none nothing of them is loaded').to.deep.equal([]);
 });
 
 it('labels that come after a new scene has looked for them, and before it is in place, are told to it', async () => {
-  const told: unknown[] = [];
-  const scene = { setLabels: async (labels: unknown) => void told.push(labels) };
-  const viewer = { scene: null as unknown, invalidate: () => told.push('drawn anew') };
+  const reported: unknown[] = [];
+  const scene = { setLabels: async (labels: unknown) => void reported.push(labels) };
+  const viewer = { scene: null as unknown, invalidate: () => reported.push('drawn anew') };
   const socket = new ViewSocket();
   socket.view = { viewer } as unknown as SocketView;
   const labels = { shown: { map: 'one' }, nameOf: () => null } as unknown as ViewLabels;
@@ -48,5 +48,5 @@ it('labels that come after a new scene has looked for them, and before it is in 
   await Promise.resolve();
   viewer.scene = scene;
   await applied;
-  expect(told).to.deep.equal([labels.shown, 'drawn anew']);
+  expect(reported).to.deep.equal([labels.shown, 'drawn anew']);
 });

@@ -1,5 +1,5 @@
 /** The messages of <volume-measure>. Numbers are passed as text, already formatted for the language. */
-export interface MeasureTerms {
+export interface MeasureMessages {
   /** Names of the types of measures. */
   readonly measure: Readonly<Record<'distance' | 'angle' | 'box' | 'sphere', string>>;
   /** The button that starts to place points. */

@@ -1,5 +1,5 @@
 /** The messages of handles over a picture. */
-export interface HandleTerms {
+export interface HandleMessages {
   /** Help: how keys move a handle that moves freely. */
   readonly handleKeys: string;
   /** Help: how keys move a handle that moves along one direction. */

@@ -1,5 +1,5 @@
 /** The messages of <volume-label-list>. Numbers are passed as text, already formatted for the language. */
-export interface LabelTerms {
+export interface LabelMessages {
   /** Name of the whole list. */
   readonly labelList: string;
   /** Placeholder of the search field. */

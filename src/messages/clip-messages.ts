@@ -1,5 +1,5 @@
 /** The messages of <volume-clip>. */
-export interface ClipTerms {
+export interface ClipMessages {
   /** The handle of a plane. */
   readonly clipPlane: string;
   /** The handle that moves the whole box. */

@@ -1,5 +1,5 @@
 import { LocalizeController, registerTranslation as register, update } from '@shoelace-style/localize';
-import type { Terms } from './terms.ts';
+import type { Messages } from './messages.ts';
 
 type ReactiveHost = ConstructorParameters<typeof LocalizeController>[0];
 
@@ -12,21 +12,21 @@ interface Entry {
 }
 
 /** The languages of the package that have been requested, by code; null until the messages are loaded, and where the package has none. */
-const shipped = new Map<string, Partial<Terms> | null>();
+const shipped = new Map<string, Partial<Messages> | null>();
 
 /**
  * Add a language for the elements of this page; they use it where the nearest `lang` attribute names it.
  * @param code - BCP 47, like `de` or `pt-BR`
  * @param terms - missing messages stay English; a second call for the same language replaces the first
  */
-export function registerTranslation(code: string, terms: Partial<Terms>): void {
+export function registerTranslation(code: string, messages: Partial<Messages>): void {
   // The direction of writing comes from the page, through CSS; but the registry needs a value.
-  const entry = { $code: code, $name: code, $dir: 'ltr' as const, volumeView: terms };
+  const entry = { $code: code, $name: code, $dir: 'ltr' as const, volumeView: messages };
   register(entry);
 }
 
 /** The messages of one element, in the language of the page around it. When the language changes, the element is rendered again. */
-export class Words<Own extends Partial<Terms>> extends LocalizeController<Entry> {
+export class LocaleController<Own extends Partial<Messages>> extends LocalizeController<Entry> {
   /** @param english - used where no translation has the message */
   constructor(
     host: ReactiveHost,
@@ -46,7 +46,7 @@ export class Words<Own extends Partial<Terms>> extends LocalizeController<Entry>
   }
 
   /** Messages that the page has registered override those of the package; English ones fill the gaps. */
-  get terms(): Own {
+  get messages(): Own {
     const own = findShipped(this.lang());
     // The registry returns an entry that is no function unchanged; here it is an object.
     const registered = this.exists('volumeView', {}) ? (this.term('volumeView') as unknown as Partial<Own>) : null;
@@ -57,13 +57,13 @@ export class Words<Own extends Partial<Terms>> extends LocalizeController<Entry>
 /**
  * The package's messages of a language. The file is fetched when an element first needs it, and elements are updated when it has loaded.
  */
-function findShipped(code: string): Partial<Terms> | null {
+function findShipped(code: string): Partial<Messages> | null {
   if (/^en\b/i.test(code)) return null;
   if (!shipped.has(code)) {
     shipped.set(code, null);
-    void import('./load-language.ts').then(({ loadLanguage }) => loadLanguage(code)).then((terms) => {
-      shipped.set(code, terms);
-      if (terms) update();
+    void import('./load-language.ts').then(({ loadLanguage }) => loadLanguage(code)).then((messages) => {
+      shipped.set(code, messages);
+      if (messages) update();
     }).catch(() => {
       // If a language can't be loaded, the messages stay English; the next page tries again.
     });

@@ -1,5 +1,5 @@
 /** The messages over a picture in which nothing is visible. */
-export interface BlankTerms {
+export interface BlankMessages {
   /** Goes before the cause; not used where a radar has no echoes, as that picture is correct. */
   readonly blankPicture: string;
   /** The cause, and what an author can do. */

@@ -1,5 +1,5 @@
 /** The messages of the sign for parts of a file that are not in the picture. The notices themselves are in English. */
-export interface NoticeTerms {
+export interface NoticeMessages {
   /** Name of the sign. @param count - number of notices */
   readonly notices: (count: string) => string;
   /** The headline above the notices. */

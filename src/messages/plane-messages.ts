@@ -1,5 +1,5 @@
 /** The messages of the editor of values and gradients. */
-export interface PlaneTerms {
+export interface PlaneMessages {
   /** Name of the chart. */
   readonly valuesAndGradients: string;
   /** For a volume of labels, which has no gradients. */

@@ -1,12 +1,12 @@
 import type { ErrorCode } from '../core/errors.ts';
-import type { BlankTerms } from './blank-terms.ts';
-import type { ClipTerms } from './clip-terms.ts';
-import type { HandleTerms } from './handle-terms.ts';
-import type { LabelTerms } from './label-terms.ts';
-import type { MeasureTerms } from './measure-terms.ts';
-import type { NoticeTerms } from './notice-terms.ts';
-import type { PlaneTerms } from './plane-terms.ts';
-import type { ReadoutTerms } from './readout-terms.ts';
+import type { BlankMessages } from './blank-messages.ts';
+import type { ClipMessages } from './clip-messages.ts';
+import type { HandleMessages } from './handle-messages.ts';
+import type { LabelMessages } from './label-messages.ts';
+import type { MeasureMessages } from './measure-messages.ts';
+import type { NoticeMessages } from './notice-messages.ts';
+import type { PlaneMessages } from './plane-messages.ts';
+import type { ReadoutMessages } from './readout-messages.ts';
 
 /** Names of hues, and of colours without a hue. */
 export type ColorName =
@@ -19,10 +19,10 @@ type ErrorTopic = ErrorCode extends infer Code ? (Code extends `${infer Topic}/$
  * All messages of the elements, for readers and for screen readers. Numbers and times are passed as text, already formatted for the
  * language. The English messages are built in; a translation may leave out any message.
  */
-export type Terms = ViewTerms & CompanionTerms & ControlTerms & SliceTerms & ReadoutTerms & HandleTerms & ClipTerms & LabelTerms & MeasureTerms & NoticeTerms & PlaneTerms & BlankTerms;
+export type Messages = ViewMessages & CompanionMessages & ControlMessages & SliceMessages & ReadoutMessages & HandleMessages & ClipMessages & LabelMessages & MeasureMessages & NoticeMessages & PlaneMessages & BlankMessages;
 
 /** The messages of <volume-view>. */
-export interface ViewTerms {
+export interface ViewMessages {
   /** Name of a picture where the page gives none. */
   readonly volumePicture: string;
   /** Help: how keys move the picture. */
@@ -49,7 +49,7 @@ export interface ViewTerms {
 export type StandardViewName = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'south' | 'north' | 'west' | 'east' | 'above';
 
 /** The messages of the controls of <volume-view>. */
-export interface ControlTerms {
+export interface ControlMessages {
   /** Name of all the controls together. */
   readonly controls: string;
   readonly playScans: string;
@@ -94,7 +94,7 @@ export interface ControlTerms {
 }
 
 /** The messages of panes with slices. */
-export interface SliceTerms {
+export interface SliceMessages {
   readonly slice: Readonly<Record<'axial' | 'coronal' | 'sagittal' | 'oblique', string>>;
   /** A slice and its position. */
   readonly sliceAt: (slice: string, place: string) => string;
@@ -113,7 +113,7 @@ export interface SliceTerms {
 }
 
 /** The messages of the companions of <volume-view>. */
-export interface CompanionTerms {
+export interface CompanionMessages {
   /** The hint of a companion; the id is null where the page names none. */
   readonly noView: (id: string | null) => string;
   readonly noVolume: string;

@@ -15,8 +15,8 @@ import { english as readout } from '../../../src/messages/english-readout.ts';
 import { Language } from '../../../src/messages/language.ts';
 import { radarVolume } from '../../helpers/synthetic-radar.ts';
 
-const terms = { ...companions, ...readout, ...handles, ...english };
-const locale = { language: new Language('en', terms), terms };
+const messages = { ...companions, ...readout, ...handles, ...english };
+const locale = { language: new Language('en', messages), messages };
 
 const plain: MeasureResult = { type: 'distance', points: [], lengthUnit: 'mm', value: 123.456, uncertainty: 0.789, lengths: [], statistics: null, unit: '' };
 const written = (known: Partial<MeasureResult>): string => writeMeasure({ ...plain, ...known }, locale);

@@ -1,5 +1,5 @@
 /** The messages of <volume-readout>. Numbers are passed as text, already formatted for the language. */
-export interface ReadoutTerms {
+export interface ReadoutMessages {
   /** Name of the whole readout. */
   readonly readout: string;
   readonly value: string;
