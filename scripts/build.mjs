@@ -28,7 +28,9 @@ const served = join(projectRoot, 'dist');
 const dist = join(projectRoot, `dist-next-${process.pid}`);
 const main = join(projectRoot, 'src/index.ts');
 /** Every element is a folder of components with a file that defines the element. */
-const companions = [...readdirSync(join(projectRoot, 'components'))].sort().filter((name) => !['internal', 'volume-view'].includes(name) && existsSync(join(projectRoot, 'components', name, 'define.ts')));
+const folders = readdirSync(join(projectRoot, 'components'));
+folders.sort();
+const companions = folders.filter((name) => !['internal', 'volume-view'].includes(name) && existsSync(join(projectRoot, 'components', name, 'define.ts')));
 const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/${name}/define.ts`));
 const worker = join(projectRoot, 'src/worker/decode-worker.ts');
 

@@ -110,9 +110,10 @@ function describeErrors() {
 }
 
 /** Source texts of the interfaces in the reference. */
-const sources = ['components', 'src/viewer', 'src/quality', 'src/optics', 'src/volume', 'src/editor']
-  .flatMap((folder) => [...readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' })].sort().filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)))
-  .map((file) => readFileSync(file, 'utf8'));
+const sourceFiles = ['components', 'src/viewer', 'src/quality', 'src/optics', 'src/volume', 'src/editor']
+  .flatMap((folder) => readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)));
+sourceFiles.sort();
+const sources = sourceFiles.map((file) => readFileSync(file, 'utf8'));
 
 const details = ['VolumeInfo', 'VolumePick', 'PickedSurface', 'RadarPlace', 'RadarGate', 'Histogram', 'VolumeOptics', 'Stop', 'TransferFunctionDetail', 'RenderStats', 'PictureError', 'PictureCheck', 'CameraState', 'Camera', 'CameraChangeDetail', 'Orbit', 'MeasureResult', 'SliceCursorDetail', 'LayerLook', 'VolumeSurfaceInfo', 'VolumeTerrainInfo', 'TimeChangeDetail', 'ProgressDetail', 'ErrorDetail'];
 
@@ -122,8 +123,8 @@ const { modules } = JSON.parse(readFileSync(join(projectRoot, 'custom-elements.j
 /** @type {Entry[]} */
 const all = modules.flatMap((/** @type {Entry} */ module) => module.declarations).filter((/** @type {Entry} */ one) => one.tagName);
 // <volume-view> first, then its companions by their names.
-const byName = [...all].sort((one, other) => one.tagName.localeCompare(other.tagName));
-const elements = [...byName.filter((one) => one.tagName === 'volume-view'), ...byName.filter((one) => one.tagName !== 'volume-view')];
+all.sort((one, other) => one.tagName.localeCompare(other.tagName));
+const elements = [...all.filter((one) => one.tagName === 'volume-view'), ...all.filter((one) => one.tagName !== 'volume-view')];
 
 /** The pages that explain how to use each element. @type {Record<string, readonly [title: string, page: string][]>} */
 const guides = {
