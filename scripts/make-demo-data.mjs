@@ -110,14 +110,14 @@ async function makeRadarScans() {
   for (const [i, time] of scanTimes.entries()) {
     const scan = scanStorm(i, geometry);
     const clock = time.slice(11, 16);
-    for (const { moment, suffix, words, look } of parts) {
+    for (const { moment, suffix, words, look: appearance } of parts) {
       if (moment === 'VRADDH' && i > 0) continue; // One scan is enough, as only one demo shows it.
       const { image, manifest } = writePolarMosaic(scan, moment);
       const name = `storm-radar-${clock.replace(':', '')}${suffix}`;
       const png = encodePng(image);
       writeFileSync(join(target, `${name}.png`), png);
       const title = `Thunderstorms (synthetic), ${words}, ${clock} UTC`;
-      const whole = { image: `${name}.png`, ...manifest, ...look, title, credit: 'Made by scripts/demo-radar.mjs of volume-view; MIT' };
+      const whole = { image: `${name}.png`, ...manifest, ...appearance, title, credit: 'Made by scripts/demo-radar.mjs of volume-view; MIT' };
       await writeManifest(`${name}.json`, whole);
       (manifests[suffix] ??= []).push(whole);
       console.log(`${name}.png: ${image.width} x ${image.height}, ${png.length} bytes`);

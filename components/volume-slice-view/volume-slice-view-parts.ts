@@ -71,12 +71,12 @@ export function describeWindow(pane: SlicePane, { language, messages }: SliceLoc
 
 export function renderTexts(pane: SlicePane, locale: SliceLocale): unknown {
   const { language, messages } = locale;
-  const look = pane.look!;
+  const appearance = pane.look!;
   const [low, high] = pane.window;
   const length = (value: number): string => writeLength(value, pane.sliced!.volume, locale);
   return html`
-    <div class="text top left" part="place">${describePlace(pane, locale)}${look.thickness > 0 ? html`<br />${messages.slab[look.projection](length(look.thickness))}` : nothing}</div>
-    ${look.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, locale)}>${messages.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
+    <div class="text top left" part="place">${describePlace(pane, locale)}${appearance.thickness > 0 ? html`<br />${messages.slab[appearance.projection](length(appearance.thickness))}` : nothing}</div>
+    ${appearance.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, locale)}>${messages.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
     <div class="text bottom left" part="scale">${renderBar(pane, length)}</div>
     <div class="text bottom right" part="value"><span class="told">${describeValue(pane, locale)}</span></div>
   `;

@@ -234,22 +234,22 @@ export class VolumeSliceView extends ReflectingElement {
   protected override render(): unknown {
     const { pane } = this.#presenter;
     const error = this.#presenter.error ?? this.#labelTarget.error;
-    const { sliced, look } = pane;
+    const { sliced, look: appearance } = pane;
     const { language } = this.#locale;
     const locale: SliceLocale = { language, messages: this.#messages.messages };
     const { slice, sliceAt, sliceKeys, loading } = locale.messages;
-    const label = this.alt ?? (sliced && look ? sliceAt(slice[look.type], describePlace(pane, locale)) : slice.axial);
+    const label = this.alt ?? (sliced && appearance ? sliceAt(slice[appearance.type], describePlace(pane, locale)) : slice.axial);
     return html`
       <div class="picture" part="picture" role="img" tabindex="0" aria-label=${label} aria-describedby="window keys">
         <canvas aria-hidden="true"></canvas>
-        ${sliced && look ? html`${renderCrosshair(pane)}${isPatient(sliced.volume) ? renderSides(pane) : nothing}${renderTexts(pane, locale)}` : nothing}
+        ${sliced && appearance ? html`${renderCrosshair(pane)}${isPatient(sliced.volume) ? renderSides(pane) : nothing}${renderTexts(pane, locale)}` : nothing}
       </div>
-      ${sliced && look ? this.#renderSlider(sliced, slice[look.type], describePlace(pane, locale)) : nothing}
+      ${sliced && appearance ? this.#renderSlider(sliced, slice[appearance.type], describePlace(pane, locale)) : nothing}
       ${sliced ? this.#notices.render() : nothing}
       ${this._progress ? html`<div class="loading">${loading}<progress aria-label=${loading} max="1" value=${shareOf(this._progress) ?? nothing}></progress></div>` : nothing}
       ${sliced || this._progress || error || this.src ? nothing : html`<p class="hint" part="hint">${this.#link.describeLack(language.messages)}</p>`}
       ${error ? html`<p class="problem" part="error" role="alert" tabindex="0">${error.message}</p>` : nothing}
-      <div class="spoken" id="window">${sliced && look && !look.colors ? describeWindow(pane, locale) : nothing}</div>
+      <div class="spoken" id="window">${sliced && appearance && !appearance.colors ? describeWindow(pane, locale) : nothing}</div>
       <div class="spoken" id="keys">${sliceKeys}</div>
       <div class="spoken" role="status">${this._said}</div>
     `;

@@ -11,7 +11,7 @@ import type { PlaneMessages } from '../../src/messages/plane-messages.ts';
 export interface PatchFieldsListener {
   /** @param which - index of the number, as in `numbersOf` */
   number(which: number, number: number): void;
-  look(look: { readonly color?: string; readonly opacity?: number }): void;
+  look(appearance: { readonly color?: string; readonly opacity?: number }): void;
   done(): void;
   add(kind: Patch['kind']): void;
   remove(): void;
@@ -28,7 +28,7 @@ interface PatchFields {
 export function renderPatchFields({ patch, hasRoom, messages, language }: PatchFields, listener: PatchFieldsListener): unknown {
   return html`<div class="fields" part="fields">
     ${patch ? renderNumbers(patch, messages, listener) : nothing}
-    ${patch ? renderLook(patch, messages, language, listener) : nothing}
+    ${patch ? renderAppearance(patch, messages, language, listener) : nothing}
     <div class="buttons">
       <button type="button" ?disabled=${!hasRoom} @click=${() => listener.add('box')}>${messages.addBox}</button>
       <button type="button" ?disabled=${!hasRoom} @click=${() => listener.add('gaussian')}>${messages.addGaussian}</button>
@@ -62,11 +62,11 @@ function renderNumber(label: string, shown: number, enter: (number: number) => v
   return html`<label>${label} <input type="number" step="any" .style=${`--digits: ${text.length}`} .value=${text} @change=${onChange} /></label>`;
 }
 
-function renderLook(patch: Patch, messages: PlaneMessages, { messages: common }: Language, { look, done }: PatchFieldsListener): unknown {
+function renderAppearance(patch: Patch, messages: PlaneMessages, { messages: common }: Language, { look: appearance, done }: PatchFieldsListener): unknown {
   return html`${renderNumber(common.opacityPercent, Number((patch.opacity * 100).toPrecision(4)), (percent) => {
-    look({ opacity: percent / 100 });
+    appearance({ opacity: percent / 100 });
     done();
   })}
   <label class="color">${common.color} <input type="color" aria-label=${messages.colorOfPatch} .value=${live(writeColor(patch.color))}
-    @input=${({ target }: Event) => look({ color: (target as HTMLInputElement).value })} @change=${done} /></label>`;
+    @input=${({ target }: Event) => appearance({ color: (target as HTMLInputElement).value })} @change=${done} /></label>`;
 }

@@ -76,7 +76,7 @@ export class Plane {
       ${patches[index] ? nothing : html`<p>${messages.drawBox}</p>`}
       ${renderPatchFields({ patch: patches[index], hasRoom: hasRoom(patches), messages, language }, {
         number: (which, number) => editor.changeNumber(index, which, number),
-        look: (look) => editor.changeLook(index, look),
+        look: (appearance) => editor.changeAppearance(index, appearance),
         done: () => editor.session.commit(),
         add: (kind) => editor.add(kind),
         remove: () => editor.remove(index),

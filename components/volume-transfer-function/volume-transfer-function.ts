@@ -113,10 +113,10 @@ export class VolumeTransferFunction extends ReflectingElement {
   protected override render(): unknown {
     const { language } = this.#locale;
     const { messages } = language;
-    const { look } = this.#editor.session;
+    const { look: appearance } = this.#editor.session;
     const volume = this.#link.view?.volume;
-    if (!look || !volume) return html`<p class="hint" part="hint">${this.#link.describeLack(messages)}</p>`;
-    const chart = { histogram: volume.histogram, domain: this.#editor.domain, stops: look.stops, unit: volume.unit, language };
+    if (!appearance || !volume) return html`<p class="hint" part="hint">${this.#link.describeLack(messages)}</p>`;
+    const chart = { histogram: volume.histogram, domain: this.#editor.domain, stops: appearance.stops, unit: volume.unit, language };
     return html`<div class="editor" @input=${stop} @change=${stop} @focusin=${this.#onPlaneFocus} @keydown=${this.#onKeyDown} @keyup=${this.#onKeyUp}>
       ${this.#attemptMode(chart)}
       <div class="factors" part="factors">

@@ -3,7 +3,7 @@ import { meanOfPatch } from '../optics/transfer/patches.ts';
 import type { Patch, ValueAndGradient } from '../optics/transfer/patches.ts';
 import { chooseSteepest } from './joint-histogram.ts';
 import type { PlaneSamples } from './joint-histogram.ts';
-import { boxBetween, hasRoom, moveGrip, newLook, newPatch, placeOfGrip, withNumber } from './patch-edits.ts';
+import { boxBetween, hasRoom, moveGrip, newAppearance, newPatch, placeOfGrip, withNumber } from './patch-edits.ts';
 import type { Grip, PlaneRange } from './patch-edits.ts';
 import { moveByKey, PatchInput } from './patch-input.ts';
 import type { Taken } from './patch-input.ts';
@@ -64,7 +64,7 @@ export class PatchEditor {
   }
 
   /** Changes a patch's appearance, without a step of the history; the colour is a CSS colour. */
-  changeLook(index: number, { color, opacity }: { color?: string; opacity?: number }): void {
+  changeAppearance(index: number, { color, opacity }: { color?: string; opacity?: number }): void {
     this.#change(index, (patch) => ({ ...patch, ...(color !== undefined && { color: parseCssColor(color)!.color }), ...(opacity !== undefined && { opacity: Math.min(1, Math.max(0, opacity)) }) }));
   }
 
@@ -105,8 +105,8 @@ export class PatchEditor {
   #draw([from, to]: readonly [ValueAndGradient, ValueAndGradient], isNew: boolean): void {
     if (isNew) this.#drawing = hasRoom(this.patches) ? this.patches.length : -1;
     if (this.#drawing < 0) return;
-    const look = this.patches[this.#drawing] ?? newLook(this.#drawing);
-    const box = boxBetween(from, to, look, this.#range);
+    const appearance = this.patches[this.#drawing] ?? newAppearance(this.#drawing);
+    const box = boxBetween(from, to, appearance, this.#range);
     this.#setAll([...this.patches.slice(0, this.#drawing), box]);
     if (isNew) this.#choose({ index: this.#drawing, grip: 'size' });
   }

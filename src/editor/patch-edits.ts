@@ -1,5 +1,5 @@
 // Edits of boxes and Gaussians in the plane of values and gradients.
-import type { BoxPatch, GaussianPatch, Patch, PatchLook, ValueAndGradient } from '../optics/transfer/patches.ts';
+import type { BoxPatch, GaussianPatch, Patch, PatchAppearance, ValueAndGradient } from '../optics/transfer/patches.ts';
 import { maxPatches } from '../optics/transfer/patches.ts';
 import { largestValue } from '../optics/transfer/transfer-function.ts';
 import { numbersOf } from '../optics/transfer/write-patches.ts';
@@ -24,7 +24,7 @@ export const gripReach = 2;
 const thinnest = 0.004;
 
 /** Colours of new patches, one after the other. */
-const newColors: readonly PatchLook['color'][] = [[1, 0.6, 0.2], [0.35, 0.7, 1], [0.5, 0.9, 0.45], [1, 0.9, 0.6], [0.95, 0.4, 0.55], [0.75, 0.6, 1], [0.4, 0.9, 0.85], [1, 1, 1]];
+const newColors: readonly PatchAppearance['color'][] = [[1, 0.6, 0.2], [0.35, 0.7, 1], [0.5, 0.9, 0.45], [1, 0.9, 0.6], [0.95, 0.4, 0.55], [0.75, 0.6, 1], [0.4, 0.9, 0.85], [1, 1, 1]];
 
 const newOpacity = 0.3;
 
@@ -56,12 +56,12 @@ function resize(patch: Patch, [value, gradient]: ValueAndGradient, { domain, ste
 }
 
 /** A box between two points. */
-export function boxBetween(a: ValueAndGradient, b: ValueAndGradient, look: PatchLook, range: PlaneRange): BoxPatch {
+export function boxBetween(a: ValueAndGradient, b: ValueAndGradient, appearance: PatchAppearance, range: PlaneRange): BoxPatch {
   const [from, to] = [a, b].map((place) => roundPlace(clampPlace(place, range), range));
   const { domain, steepest } = range;
   const [low, bottom] = [Math.min(from[0], to[0]), Math.min(from[1], to[1])];
   return {
-    kind: 'box', color: look.color, opacity: look.opacity,
+    kind: 'box', color: appearance.color, opacity: appearance.opacity,
     values: [low, Math.max(from[0], to[0], low + thinnest * (domain[1] - domain[0]))],
     gradients: [bottom, Math.max(from[1], to[1], bottom + thinnest * steepest)],
   };
@@ -70,16 +70,16 @@ export function boxBetween(a: ValueAndGradient, b: ValueAndGradient, look: Patch
 /** A new patch in the middle of the chart. */
 export function newPatch(kind: Patch['kind'], count: number, range: PlaneRange): Patch {
   const { domain: [low, high], steepest } = range;
-  const look = newLook(count);
+  const appearance = newAppearance(count);
   const at = (share: number, up: number): ValueAndGradient => roundPlace([low + share * (high - low), up * steepest], range);
-  if (kind === 'box') return boxBetween(at(0.4, 0.3), at(0.6, 0.6), look, range);
+  if (kind === 'box') return boxBetween(at(0.4, 0.3), at(0.6, 0.6), appearance, range);
   const [value, gradient] = at(0.5, 0.4);
   const widths: GaussianPatch['widths'] = [roundTo(0.06 * (high - low), dragStep([low, high])), roundTo(0.1 * steepest, dragStep([0, steepest]))];
-  return { kind, value, gradient, widths, ...look };
+  return { kind, value, gradient, widths, ...appearance };
 }
 
 /** The appearance of the next patch. */
-export function newLook(count: number): PatchLook {
+export function newAppearance(count: number): PatchAppearance {
   return { color: newColors[count % newColors.length], opacity: newOpacity };
 }
 

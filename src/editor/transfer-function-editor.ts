@@ -126,9 +126,9 @@ export class TransferFunctionEditor {
   }
 
   #readDomain(): void {
-    const { look } = this.session;
+    const { look: appearance } = this.session;
     const { volume, optics } = this.#view ?? {};
-    if (volume && optics && look) this.domain = chooseDomain(volume.histogram, { ...optics, transferFunction: look.stops });
+    if (volume && optics && appearance) this.domain = chooseDomain(volume.histogram, { ...optics, transferFunction: appearance.stops });
   }
 }
 

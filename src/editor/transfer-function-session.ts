@@ -177,9 +177,9 @@ export class EditSession {
     if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#write('input'));
   }
 
-  #go(look: Look): void {
-    if (look === this.#look) return;
-    this.#look = look;
+  #go(appearance: Look): void {
+    if (appearance === this.#look) return;
+    this.#look = appearance;
     this.#write('change');
   }
 

@@ -9,7 +9,7 @@ import { reduceLabels } from '../volume/reduce-labels.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { DecodedCartesianVolume } from './base/decoded-volume.ts';
 import type { CoarseVolume } from './base/load-request.ts';
-import type { SuggestedLook } from './appearance/suggested-look.ts';
+import type { SuggestedAppearance } from './appearance/suggested-appearance.ts';
 
 interface Labels {
   readonly decoded: DecodedCartesianVolume;
@@ -46,7 +46,7 @@ export async function finishLabels({ decoded, outline, fit }: Labels): Promise<V
  * they are.
  */
 async function finishOthers(outline: CoarseVolume['of'], { grid, samples: all }: DecodedCartesianVolume, fit: Labels['fit']): Promise<Volume> {
-  const plain: SuggestedLook = { window: outline.range, transferFunction: undefined, isDiscrete: undefined };
+  const plain: SuggestedAppearance = { window: outline.range, transferFunction: undefined, isDiscrete: undefined };
   const { samples, dimensions } = await fit({ ...grid, samples: all });
   const notes = [...(outline.left ?? []), 'it says that its values are labels, but they are not whole numbers, at most 65,536 different ones up to 9,007,199,254,740,991: they are shown as measured values'];
   return { ...outline, ...plain, left: notes, samples, macrocells: buildMacrocells(samples, dimensions) };

@@ -10,7 +10,7 @@ import type { DecodedCartesianVolume, DecodedPolarVolume, DecodedVolume } from '
 import { loadReader } from './base/load-reader.ts';
 import type { Cleaning } from './base/clean-volume.ts';
 import type { CoarseVolume } from './base/load-request.ts';
-import { suggestLook } from './appearance/suggest-look.ts';
+import { suggestAppearance } from './appearance/suggest-appearance.ts';
 
 /** Volumes of more bytes than this get a coarse one that stands in for them. */
 export const minForCoarse = 2 ** 22;
@@ -56,21 +56,21 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
   const isReduced = samples !== block.samples;
   const { samples: _all, isLabels: _said, intent: _code, ...rest } = decoded;
   let summary = summarize(samples, decoded.slope, decoded.intercept);
-  const look = await suggestLook(decoded, summary.histogram);
+  const appearance = await suggestAppearance(decoded, summary.histogram);
   // Of what is left there may be fewer values; the look stays that of the whole.
-  const hidden = clean === undefined ? null : await (await loadCleaning()).cleanVolume(clean, { ...decoded, ...summary, ...look }, { samples, dimensions });
+  const hidden = clean === undefined ? null : await (await loadCleaning()).cleanVolume(clean, { ...decoded, ...summary, ...appearance }, { samples, dimensions });
   if (hidden) summary = summarize(samples, decoded.slope, decoded.intercept);
   const outline: CoarseVolume['of'] = {
     ...rest,
     grid: cartesianGrid(dimensions, indexToWorld),
     ...summary,
     ...(decoded.indexed && { range: [decoded.indexed.ids[0], decoded.indexed.ids[decoded.indexed.ids.length - 1]] as const }),
-    ...look,
+    ...appearance,
     left: decoded.rounded || hidden ? [...(decoded.left ?? []), ...(decoded.rounded ? [(await loadReader(() => import('./base/whole-numbers.ts'))).reportRounded(decoded.rounded)] : []), ...(hidden ? [hidden] : [])] : decoded.left,
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
   await checkRange(outline);
-  if (look.isDiscrete && (isReduced || decoded.indexed || !look.transferFunction)) {
+  if (appearance.isDiscrete && (isReduced || decoded.indexed || !appearance.transferFunction)) {
     const { finishLabels } = await loadReader(() => import('./finish-labels.ts'));
     return finishLabels({ decoded, outline, fit: (whole) => fitBlock(whole, limits) });
   }

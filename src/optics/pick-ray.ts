@@ -17,7 +17,7 @@ export type PickAt = 'jump' | 'surface' | 'max';
 export const pickPlaces: readonly PickAt[] = ['jump', 'surface', 'max'];
 
 /** How values along a ray are shown. */
-export interface PickedLook {
+export interface PickedAppearance {
   /** Already brightened. */
   readonly transferFunction: TransferFunction;
   /** Already brightened: the functions of groups of labels, from 1. */
@@ -68,13 +68,13 @@ const [parts, rounds] = [16, 2];
  * With a projection, it is the place of the value that the ray shows. For an average, it is the place of the largest value.
  * @returns null if nothing is visible
  */
-export function pickRay(stages: RayStages, ray: Ray, { at, look }: { readonly at: PickAt; readonly look: PickedLook }): RayPick | null {
+export function pickRay(stages: RayStages, ray: Ray, { at, look: appearance }: { readonly at: PickAt; readonly look: PickedAppearance }): RayPick | null {
   let crossed: Interval | null = null;
   let found: Found | null = null;
   const color = castRay({
     ...stages,
     intervals: [...stages.intervals, (_, interval) => (crossed = interval)],
-    gather: (seen) => record(seen, stages.gather, (walked) => (found = findPlace(walked, { at, look }, crossed!))),
+    gather: (seen) => record(seen, stages.gather, (walked) => (found = findPlace(walked, { at, look: appearance }, crossed!))),
   }, ray);
   const { entry, exit, behind } = crossed!;
   if (!(color[3] >= invisible) || (found === null && !behind)) return null;
@@ -148,12 +148,12 @@ function record(seen: Seen, gather: GatherStage, report: (walked: Walked) => voi
 }
 
 /** @returns the distance along the path; null if there is no such place */
-function findPlace(walked: Walked, { at, look }: { readonly at: PickAt; readonly look: PickedLook }, { behind }: Interval): Found | null {
+function findPlace(walked: Walked, { at, look: appearance }: { readonly at: PickAt; readonly look: PickedAppearance }, { behind }: Interval): Found | null {
   const { path, color } = walked;
   // An object at the end of the ray, if there is one, hides everything behind it.
   const end = behind ? { height: (1 - color[3]) * behind[3], at: path.total } : null;
-  if (look.projection) return end && end.height > color[3] ? end : findExtreme(walked, look, Infinity);
-  if (at === 'max') return (look.isClear ? findHighest(walked) : findExtreme(walked, look, hiddenFrom(walked))) ?? end;
+  if (appearance.projection) return end && end.height > color[3] ? end : findExtreme(walked, appearance, Infinity);
+  if (at === 'max') return (appearance.isClear ? findHighest(walked) : findExtreme(walked, appearance, hiddenFrom(walked))) ?? end;
   const jump = at === 'surface' ? { first: 0, last: walked.rises.length - 1, height: 2 * surfaceOpacity } : findJump(walked.rises);
   if (end && (at === 'surface' ? color[3] < surfaceOpacity : end.height > (jump?.height ?? 0))) return end;
   return jump && reach(walked, jump.first, jump.height / 2);
@@ -169,7 +169,7 @@ function hiddenFrom({ rises, path }: Walked): number {
   return path.total;
 }
 
-function findExtreme({ segments, path, seen }: Walked, { transferFunction, functions = [], projection, intensityThreshold }: PickedLook, last: number): Found | null {
+function findExtreme({ segments, path, seen }: Walked, { transferFunction, functions = [], projection, intensityThreshold }: PickedAppearance, last: number): Found | null {
   const all = [transferFunction, ...functions];
   const shows = (sample: Sample): boolean => projection !== null || evaluate(all[groupOf(sample)], sample.value)[3] > 0;
   const counts = (sample: Sample, at: number): boolean => sample.valid && at <= last && shows(sample) && !isHidden(sample);

@@ -134,7 +134,7 @@ function linearPiece(block: SampledBlock, kind: ProjectionKind): Pieces {
   let [x, y, z, dx, dy, dz] = [0, 0, 0, 0, 0, 0];
 
   /** Samples a piece if a voxel of its cell has no data. */
-  const look = (at: number, to: number): void => {
+  const appearance = (at: number, to: number): void => {
     for (let i = 0; i < looks; i++) {
       const share = at + (i * (to - at)) / (looks - 1);
       found.take(sampleAt(x + share * dx, y + share * dy, z + share * dz), i === 0 || i === looks - 1 ? (to - at) / 2 : to - at);
@@ -165,7 +165,7 @@ function linearPiece(block: SampledBlock, kind: ProjectionKind): Pieces {
       const f = samples[corner + back + right];
       const g = samples[corner + back + up];
       const h = samples[corner + back + up + right];
-      if (block.hasNoData && !Number.isFinite(a + b + c + d + e + f + g + h)) return look(at, to);
+      if (block.hasNoData && !Number.isFinite(a + b + c + d + e + f + g + h)) return appearance(at, to);
       if (!found.isOfUse(Math.min(a, b, c, d, e, f, g, h), Math.max(a, b, c, d, e, f, g, h))) return;
       // Along the piece, with s from 0 to 1, each coordinate between two voxels is p + q s. If there is only one voxel,
       // the value is constant.

@@ -13,7 +13,7 @@ import { planeOf, toPlane, toWorld } from './slice-plane.ts';
 import type { SlicePlane, SliceType } from './slice-plane.ts';
 
 /** The appearance of a slice. */
-export interface SliceLook {
+export interface SliceAppearance {
   readonly type: SliceType;
   /** World; only for an oblique slice. */
   readonly normal: Vector3;
@@ -41,7 +41,7 @@ export class SlicePane {
   /** Labels of the volume; null for none. */
   labels: PaneLabels | null = null;
   #sliced: SlicedVolume | null = null;
-  #look: SliceLook | null = null;
+  #look: SliceAppearance | null = null;
   #plane: SlicePlane = planeOf('axial');
   #size: PaneSize = { width: 0, height: 0 };
   #pixelRatio = 1;
@@ -57,7 +57,7 @@ export class SlicePane {
     return this.#sliced;
   }
 
-  get look(): SliceLook | null {
+  get look(): SliceAppearance | null {
     return this.#look;
   }
 
@@ -102,11 +102,11 @@ export class SlicePane {
     if (!keep) this.#frame = null;
   }
 
-  setLook(look: SliceLook): void {
-    const isTurned = look.type !== this.#look?.type || String(look.normal) !== String(this.#look.normal);
-    this.#look = look;
+  setLook(appearance: SliceAppearance): void {
+    const isTurned = appearance.type !== this.#look?.type || String(appearance.normal) !== String(this.#look.normal);
+    this.#look = appearance;
     if (!isTurned) return;
-    this.#plane = planeOf(look.type, look.normal);
+    this.#plane = planeOf(appearance.type, appearance.normal);
     this.#frame = null;
   }
 
@@ -118,22 +118,22 @@ export class SlicePane {
   /** Draws the present state. */
   draw(): void {
     const { frame } = this;
-    const [sliced, look, plane, size] = [this.#sliced, this.#look, this.#plane, this.#size];
-    if (!sliced || !look || !frame || size.width < 1 || size.height < 1) return this.painter.stop();
+    const [sliced, appearance, plane, size] = [this.#sliced, this.#look, this.#plane, this.#size];
+    if (!sliced || !appearance || !frame || size.width < 1 || size.height < 1) return this.painter.stop();
     const ratio = Math.min(this.#pixelRatio, maxPixels / Math.max(size.width, size.height));
     const { d } = toPlane(plane, this.place);
-    const { projection } = look;
-    const thickness = sliced.thicknessAt(d, { ...look, normal: plane.normal });
+    const { projection } = appearance;
+    const thickness = sliced.thicknessAt(d, { ...appearance, normal: plane.normal });
     const { volume } = sliced;
     this.painter.paint({
       columns: Math.max(1, Math.round(size.width * ratio)),
       rows: Math.max(1, Math.round(size.height * ratio)),
       pixelsOf: (columns, rows) => pixelsOf(plane, frame, size, { d, columns, rows }),
-      field: sliced.field(look.isNearest),
+      field: sliced.field(appearance.isNearest),
       slab: { normal: plane.normal, thickness, projection },
       samples: sliced.planesIn(plane.normal, thickness),
       labels: this.labels,
-      painter: look.colors ? colorPainter(look.colors, volume, volume.isDiscrete === true) : grayPainter({ window: this.window, windowFunction: look.windowFunction }, volume),
+      painter: appearance.colors ? colorPainter(appearance.colors, volume, volume.isDiscrete === true) : grayPainter({ window: this.window, windowFunction: appearance.windowFunction }, volume),
     });
   }
 

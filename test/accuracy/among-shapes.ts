@@ -18,9 +18,9 @@ export const shapeColor: Vector3 = [0, 0, 1];
 
 /** The same as X3D. */
 export function writeShape({ kind, center, size, turn, opacity }: LoneShape): string {
-  const look = `<material diffuseColor="0 0 0" specularColor="0 0 0" emissiveColor="${shapeColor.join(' ')}" transparency="${1 - opacity}"></material>`;
+  const appearance = `<material diffuseColor="0 0 0" specularColor="0 0 0" emissiveColor="${shapeColor.join(' ')}" transparency="${1 - opacity}"></material>`;
   const geometry = kind === 'ball' ? `<sphere radius="${size[0]}" subdivision="96 96"></sphere>` : `<box size="${size.join(' ')}"></box>`;
-  return `<transform translation="${center.join(' ')}" rotation="0 0 1 ${turn}"><shape><appearance>${look}</appearance>${geometry}</shape></transform>`;
+  return `<transform translation="${center.join(' ')}" rotation="0 0 1 ${turn}"><shape><appearance>${appearance}</appearance>${geometry}</shape></transform>`;
 }
 
 /** How far along a ray it meets a shape, as a multiple of the direction; Infinity where it misses. */

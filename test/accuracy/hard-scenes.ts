@@ -15,7 +15,7 @@ import { cutRegion } from '../../src/volume/region.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { RestScene } from '../helpers/at-rest.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
-import { labelMap, plainLook } from '../helpers/labels.ts';
+import { labelMap, plainAppearance } from '../helpers/labels.ts';
 import { askew, overlayOf } from '../helpers/overlays.ts';
 import { ball, byIndex, farGates, holes, masked, noise, scatter, sheared, withVoxels } from './hard-volumes.ts';
 
@@ -64,8 +64,8 @@ function aim({ grid }: Volume, { theta = 0.7, phi = 1.1, far, at = [0.5, 0.5, 0.
 }
 
 /** A volume as it is, in one of the looks. */
-function plain(volume: Volume, look: keyof typeof looks, aimed: Aim, more: Partial<MadeScene> = {}): MadeScene {
-  return { volume, style: null, transferFunction: parseTransferFunction(looks[look], [0, 1]), camera: aim(volume, aimed), size: wide, ...more };
+function plain(volume: Volume, appearance: keyof typeof looks, aimed: Aim, more: Partial<MadeScene> = {}): MadeScene {
+  return { volume, style: null, transferFunction: parseTransferFunction(looks[appearance], [0, 1]), camera: aim(volume, aimed), size: wide, ...more };
 }
 
 /** Two things as far from each other as can be. */
@@ -185,7 +185,7 @@ const kinds: Record<string, Record<string, () => MadeScene>> = {
       const volume = byIndex(block, () => 0.6);
       const [i, j, k] = [22, 19, 23];
       const map = labelMap(block, (...at) => Number(at[0] === i && at[1] === j && at[2] === k), 2);
-      return plain(volume, 'bright', { far: 110 }, { size: { width: 400, height: 400 }, set: (gpu) => gpu.setLabels({ map, styles: [{ ...plainLook, opacityFactor: 0 }, plainLook] }) });
+      return plain(volume, 'bright', { far: 110 }, { size: { width: 400, height: 400 }, set: (gpu) => gpu.setLabels({ map, styles: [{ ...plainAppearance, opacityFactor: 0 }, plainAppearance] }) });
     },
   },
   'styles, light, second fields': {

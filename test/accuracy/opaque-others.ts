@@ -5,7 +5,7 @@ import type { TransferFunction } from '../../src/optics/transfer/transfer-functi
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { RestScene } from '../helpers/at-rest.ts';
-import { blocks, plainLook } from '../helpers/labels.ts';
+import { blocks, plainAppearance } from '../helpers/labels.ts';
 import { cloudCamera, cloudVolume } from '../helpers/polar-cloud.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 import { byIndex } from './hard-volumes.ts';
@@ -23,15 +23,15 @@ function clouds(): Volume {
 
 const parse = (text: string): TransferFunction => parseTransferFunction(text, [0, 1]);
 
-function plain(volume: Volume, look: string, more: Partial<RestScene> = {}): RestScene {
+function plain(volume: Volume, appearance: string, more: Partial<RestScene> = {}): RestScene {
   const { center, radius } = boundingSphere(volume.grid);
-  return { volume, style: null, transferFunction: parse(look), camera: orbitCamera({ theta: 0.8, phi: 1.1, radius: 2.6 * radius }, center, 0.7), size, optics: { referenceLength: radius / 60 }, ...more };
+  return { volume, style: null, transferFunction: parse(appearance), camera: orbitCamera({ theta: 0.8, phi: 1.1, radius: 2.6 * radius }, center, 0.7), size, optics: { referenceLength: radius / 60 }, ...more };
 }
 
-function labelled(look: string, own: string): RestScene {
+function labelled(appearance: string, own: string): RestScene {
   const map = blocks([edge, edge, edge], 3, 7);
   const functions = [parse(own)];
-  return plain(clouds(), look, { set: (gpu) => gpu.setLabels({ map, styles: [plainLook, { ...plainLook, group: 1 }, plainLook], functions }) });
+  return plain(clouds(), appearance, { set: (gpu) => gpu.setLabels({ map, styles: [plainAppearance, { ...plainAppearance, group: 1 }, plainAppearance], functions }) });
 }
 
 /** Volumes of labels have no values between labels. */

@@ -110,15 +110,15 @@ function* listScenes(kind: 'made' | 'real', called: string, { volume, at }: { re
   const [low, high] = volume.range;
   const { center, radius } = boundingSphere(volume.grid);
   for (const [n, threshold] of at.entries()) {
-    const look = names[(number + 2 * n + (n > 1 ? 1 : 0)) % names.length];
+    const appearance = names[(number + 2 * n + (n > 1 ? 1 : 0)) % names.length];
     // Those of the picture's sizes are in turns: all of a small picture's pixels are probed, and few of a large one's.
     const side = [120, 200, 260, 160][(number + n) % 4];
     const distance = [2.6, 1.7, 3.4, 2.1][(number + 2 * n) % 4] + 0.3 * random();
     const camera = orbitCamera({ theta: 6.28 * random(), phi: 0.3 + 2.5 * random(), radius: radius * distance }, center, 0.7);
-    const stops = looks[look](threshold).replace(/(^|, )([\d.]+)/g, (_, begin: string, share: string) => `${begin}${(low + Number(share) * (high - low)).toPrecision(7)}`);
+    const stops = looks[appearance](threshold).replace(/(^|, )([\d.]+)/g, (_, begin: string, share: string) => `${begin}${(low + Number(share) * (high - low)).toPrecision(7)}`);
     yield {
       kind,
-      name: `${called}, ${look} at ${threshold}, ${side} × ${side}`,
+      name: `${called}, ${appearance} at ${threshold}, ${side} × ${side}`,
       scene: { volume, style: null, transferFunction: parseTransferFunction(stops, [low, high]), camera, size: { width: side, height: side }, optics: { referenceLength: radius / 60 } },
     };
   }

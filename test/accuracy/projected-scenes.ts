@@ -62,13 +62,13 @@ const size = { width: 150, height: 130 } as const;
 
 /** Each volume in each projection, from four sides: far, near, and with the eye inside; looks take turns. */
 export const projectedScenes: readonly ProjectedScene[] = Object.entries(volumes).flatMap(([name, make], n) => projectionKinds.flatMap((kind, k) => [2.4, 1.7, 3.5, 0.6].map((far, i) => {
-  const look = looks[(n + k + i) % looks.length];
-  return { kind, name: `${name}, ${look}, ${i}`, make: () => sceneOf(make(), { kind, look, far, seed: 100 * n + 10 * k + i }) };
+  const appearance = looks[(n + k + i) % looks.length];
+  return { kind, name: `${name}, ${appearance}, ${i}`, make: () => sceneOf(make(), { kind, look: appearance, far, seed: 100 * n + 10 * k + i }) };
 })));
 
-function sceneOf(volume: Volume, { kind, look, far, seed }: { readonly kind: ProjectionKind; readonly look: string; readonly far: number; readonly seed: number }): RestScene {
+function sceneOf(volume: Volume, { kind, look: appearance, far, seed }: { readonly kind: ProjectionKind; readonly look: string; readonly far: number; readonly seed: number }): RestScene {
   const random = randomNumbers(seed);
   const { center, radius } = boundingSphere(volume.grid);
   const camera = orbitCamera({ theta: 6.2 * random(), phi: 0.3 + 2.5 * random(), radius: far * radius }, center, 0.7);
-  return { volume, style: { projection: kind }, transferFunction: parseTransferFunction(look, volume.range[0] < 0 || volume.range[1] > 1 ? volume.range : [0, 1]), camera, size, optics };
+  return { volume, style: { projection: kind }, transferFunction: parseTransferFunction(appearance, volume.range[0] < 0 || volume.range[1] > 1 ? volume.range : [0, 1]), camera, size, optics };
 }

@@ -43,14 +43,14 @@ export interface ChoicesRow {
 /** @param size - pixels along each side @param steps - one a voxel where 0 */
 export async function compareChoices(size: number, turns: number, steps: number): Promise<ChoicesRow[]> {
   const rows: ChoicesRow[] = [];
-  for (const { name, url, look } of scenes) {
+  for (const { name, url, look: appearance } of scenes) {
     const volume = await loadVolume({ url: new URL(url, location.href).href, limits }, { signal: new AbortController().signal, onProgress: () => {} });
     const container = document.createElement('div');
     container.style.cssText = `width: ${size}px; height: ${size}px`;
     document.body.append(container);
     const scene = await VolumeScene.create(document.createElement('div'), container, () => {}, fieldProviders);
     const { center, radius } = boundingSphere(volume.grid);
-    const optics = { transferFunction: await resolveTransferFunction(look, volume.window ?? windowFromHistogram(volume.histogram)), opacityFactor: 1, lightFactor: 1, referenceLength: volume.referenceLength ?? radius / 100 };
+    const optics = { transferFunction: await resolveTransferFunction(appearance, volume.window ?? windowFromHistogram(volume.histogram)), opacityFactor: 1, lightFactor: 1, referenceLength: volume.referenceLength ?? radius / 100 };
     await scene.prepare(volume, optics);
     scene.setVolume(volume);
     await scene.setOptics(optics);

@@ -49,11 +49,11 @@ export async function compareEdges(size: number, turns: number, chosen: readonly
   return rows;
 }
 
-async function compareScene({ name, url, surfaces, look }: EdgeScene, size: number, turns: number): Promise<EdgeRow> {
+async function compareScene({ name, url, surfaces, look: appearance }: EdgeScene, size: number, turns: number): Promise<EdgeRow> {
   const volume = await loadScan(url);
-  const transferFunction = await resolveTransferFunction(look ?? 'gray', volume.range);
+  const transferFunction = await resolveTransferFunction(appearance ?? 'gray', volume.range);
   const { scene, dispose } = await openTurnScene({ volume, transferFunction, referenceLength: 0.01, size });
-  await scene.setStyle(look ? { surfaces } : { surfaces, clear: true });
+  await scene.setStyle(appearance ? { surfaces } : { surfaces, clear: true });
   const steps = autoSteps(volume.grid);
   scene.setSubsteps(cutSteps({ steps, substeps: 1 }, steps, 1));
   const time = async (max: number): Promise<{ work: number; clock: number }> => {

@@ -64,9 +64,9 @@ export async function listVariants({ surface, layer, atlases }: LitScene, volume
   ];
 }
 
-async function listLayers(over: Volume, { url, look }: { readonly url: string; readonly look: string }): Promise<LitVariant[]> {
+async function listLayers(over: Volume, { url, look: appearance }: { readonly url: string; readonly look: string }): Promise<LitVariant[]> {
   const volume = await loadScan(url);
-  const transferFunction = await resolveTransferFunction(look, volume.window ?? volume.range);
+  const transferFunction = await resolveTransferFunction(appearance, volume.window ?? volume.range);
   const shown: ShownOverlay = { volume, over, transferFunction, blend: 'mix', opacityFactor: 1, missing: null };
   if (volume.grid.kind === 'polar') {
     const colors = transferFunction.map((stop) => ({ ...stop, opacity: 1 }));

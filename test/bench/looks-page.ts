@@ -93,13 +93,13 @@ export async function drawLooks({ size, scenes, modules }: LooksOptions, notify:
   return sheets;
 }
 
-const lookOf = ({ subject, volume }: Seen): Promise<Awaited<ReturnType<typeof resolveTransferFunction>>> => resolveTransferFunction(subject.look, volume.window ?? windowFromHistogram(volume.histogram));
+const appearanceOf = ({ subject, volume }: Seen): Promise<Awaited<ReturnType<typeof resolveTransferFunction>>> => resolveTransferFunction(subject.look, volume.window ?? windowFromHistogram(volume.histogram));
 
 async function drawOurs(seen: Seen, size: number): Promise<Cell[]> {
   const { volume, subject, camera } = seen;
   const host = document.body.appendChild(document.createElement('div'));
   const scene = await VolumeScene.create(host, host, () => {});
-  const optics = { transferFunction: await lookOf(seen), referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
+  const optics = { transferFunction: await appearanceOf(seen), referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
   await scene.prepare(volume, optics);
   scene.setVolume(volume);
   await scene.setOptics(optics);
@@ -128,7 +128,7 @@ async function drawOurs(seen: Seen, size: number): Promise<Cell[]> {
 async function drawPeer(name: string, module: string, { size, light, ...seen }: Seen & { size: number; light?: PeerLight }): Promise<Cell> {
   const host = document.body.appendChild(document.createElement('div'));
   const { start } = await import(/* @vite-ignore */ module);
-  const peer = await start(host, { ...describeScene(seen.volume, await lookOf(seen), seen.camera), ...(light && { light }) });
+  const peer = await start(host, { ...describeScene(seen.volume, await appearanceOf(seen), seen.camera), ...(light && { light }) });
   peer.setSize(size);
   peer.draw(stepLengthOf(seen.volume.grid, 2 * autoSteps(seen.volume.grid)));
   const picture = await createImageBitmap(peer.gl.canvas);

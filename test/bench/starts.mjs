@@ -8,7 +8,7 @@ import { median, printTable } from './table.mjs';
 const url = '/demos/data/mni152-t1.nii.gz';
 
 /** The element's own for an MRI. */
-const look = process.env.LOOK ?? 'mri';
+const appearance = process.env.LOOK ?? 'mri';
 
 const peers = process.env.PEERS?.split(',') ?? peerNames;
 
@@ -20,7 +20,7 @@ export async function run() {
     return page.evaluate(async ({ from, what }) => {
       const { sendScene } = /** @type {typeof import('./starts-page.ts')} */ (await import(from));
       return sendScene(what.url, what.look);
-    }, { from: '/test/bench/starts-page.ts', what: { url, look } });
+    }, { from: '/test/bench/starts-page.ts', what: { url, look: appearance } });
   });
   await measurePackage(async ({ url: at, machine, openPage }) => {
     /** @type {Record<string, { first: number, finished: number }[]>} */
@@ -29,7 +29,7 @@ export async function run() {
       for (const [name, list] of Object.entries(loads)) {
         const page = await openPage(`${at}test/bench/empty.html`);
         const load = name === 'ours' ? startOurs : startPeer;
-        list.push(await page.evaluate(load, { sent, pixels, look, module: `/test/bench/peers/dist/${name}.js` }));
+        list.push(await page.evaluate(load, { sent, pixels, look: appearance, module: `/test/bench/peers/dist/${name}.js` }));
         await page.close();
       }
     }

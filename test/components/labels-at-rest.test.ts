@@ -16,7 +16,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
 import { findPixel } from '../accuracy/full-rays.ts';
 import { settle } from '../helpers/at-rest.ts';
-import { blocks, labelMap, mixedGroups, mixedLooks, plainLook } from '../helpers/labels.ts';
+import { blocks, labelMap, mixedGroups, mixedAppearances, plainAppearance } from '../helpers/labels.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 import { probe } from '../helpers/probe.ts';
@@ -45,11 +45,11 @@ interface LabelScene {
 const random = randomNumbers(12);
 
 /** Cubes of a label at random places of a smooth volume. */
-function scatter(name: string, edge: number, look: Omit<LabelScene, 'name' | 'labels' | 'places'> & Pick<ShownLabels, 'styles' | 'functions'>): LabelScene {
-  const { dimensions } = look.volume.grid;
+function scatter(name: string, edge: number, appearance: Omit<LabelScene, 'name' | 'labels' | 'places'> & Pick<ShownLabels, 'styles' | 'functions'>): LabelScene {
+  const { dimensions } = appearance.volume.grid;
   const corners = Array.from({ length: 40 }, () => dimensions.map((n) => 3 + Math.floor(random() * (n - 8))));
   const map = labelMap(dimensions, (...at) => Number(corners.some((corner) => corner.every((low, axis) => at[axis] >= low && at[axis] < low + edge))), 2);
-  return { ...look, name, labels: { map, styles: look.styles, functions: look.functions }, places: corners.map((corner) => corner.map((low) => low + (edge - 1) / 2) as unknown as Vector3) };
+  return { ...appearance, name, labels: { map, styles: appearance.styles, functions: appearance.functions }, places: corners.map((corner) => corner.map((low) => low + (edge - 1) / 2) as unknown as Vector3) };
 }
 
 // Flat ones, of which specks are seen from above: what is less deep takes less long, and as many things are looked at.
@@ -62,13 +62,13 @@ const dense = parseTransferFunction('0 #246 0, 0.2 #246 0, 0.3 #fa6 60%, 1 #fff 
 const halves = labelMap([40, 14, 32], (i, j) => Number(i + 0.3 * j > 22), 2);
 
 const scenes: readonly LabelScene[] = [
-  scatter('specks of 1 voxel, dense in a veil', 1, { volume: veil, transferFunction: faint, styles: [plainLook, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1.6, phi: 0.7 }),
-  scatter('specks of 2 voxels, dense in a veil', 2, { volume: veil, transferFunction: faint, styles: [plainLook, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1, phi: 0.7 }),
-  scatter('specks of 1 voxel, of which alone something shows', 1, { volume: veil, transferFunction: parseTransferFunction('0 #fff 60%, 1 #fff 60%', [0, 1]), styles: [{ ...plainLook, opacityFactor: 0 }, plainLook], pixelsPerVoxel: 1.6, phi: 0.7 }),
-  scatter('specks of 1 voxel in a group of their own', 1, { volume: veil, transferFunction: faint, styles: [plainLook, { ...plainLook, group: 1 }], functions: [parseTransferFunction('0 #fb6 60%, 1 #fb6 60%', [0, 1])], pixelsPerVoxel: 1.6, phi: 0.7 }),
+  scatter('specks of 1 voxel, dense in a veil', 1, { volume: veil, transferFunction: faint, styles: [plainAppearance, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1.6, phi: 0.7 }),
+  scatter('specks of 2 voxels, dense in a veil', 2, { volume: veil, transferFunction: faint, styles: [plainAppearance, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1, phi: 0.7 }),
+  scatter('specks of 1 voxel, of which alone something shows', 1, { volume: veil, transferFunction: parseTransferFunction('0 #fff 60%, 1 #fff 60%', [0, 1]), styles: [{ ...plainAppearance, opacityFactor: 0 }, plainAppearance], pixelsPerVoxel: 1.6, phi: 0.7 }),
+  scatter('specks of 1 voxel in a group of their own', 1, { volume: veil, transferFunction: faint, styles: [plainAppearance, { ...plainAppearance, group: 1 }], functions: [parseTransferFunction('0 #fb6 60%, 1 #fb6 60%', [0, 1])], pixelsPerVoxel: 1.6, phi: 0.7 }),
   { name: 'an atlas of blocks in five groups', volume: smooth, transferFunction: fog, labels: mixedGroups(blocks([40, 14, 32], 20, 6)), places: [], ...attached },
-  { name: 'an atlas of blocks in fog', volume: smooth, transferFunction: fog, labels: mixedLooks(blocks([40, 14, 32], 20, 6)), places: [], ...attached },
-  { name: 'half of what is dense is hidden', volume: smooth, transferFunction: dense, labels: { map: halves, styles: [plainLook, { ...plainLook, opacityFactor: 0 }] }, places: [], ...attached },
+  { name: 'an atlas of blocks in fog', volume: smooth, transferFunction: fog, labels: mixedAppearances(blocks([40, 14, 32], 20, 6)), places: [], ...attached },
+  { name: 'half of what is dense is hidden', volume: smooth, transferFunction: dense, labels: { map: halves, styles: [plainAppearance, { ...plainAppearance, opacityFactor: 0 }] }, places: [], ...attached },
 ];
 
 const percent = (shares: readonly number[]): string => `${(100 * Math.min(...shares)).toFixed(0)} %`;

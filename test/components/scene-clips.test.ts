@@ -17,7 +17,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
 import { isEdge, listOff } from '../helpers/edges.ts';
-import { blocks, mixedLooks } from '../helpers/labels.ts';
+import { blocks, mixedAppearances } from '../helpers/labels.ts';
 import { bothWalks, comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
 import type { Clips, View } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
@@ -147,7 +147,7 @@ for (const webgl1 of [false, true]) {
     }
 
     it('of a volume with labels: the same as in float64', async () => {
-      const labels = mixedLooks(blocks(volume.grid.dimensions, 9));
+      const labels = mixedAppearances(blocks(volume.grid.dimensions, 9));
       await scene().setLabels(labels);
       for (const view of bothWalks({ ...viewOf(cases[1]), labels })) {
         const picture = drawPicture(scene(), view);

@@ -13,7 +13,7 @@ import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { ShownLabels } from '../../src/volume/labels.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
-import { blocks, mixedLooks } from '../helpers/labels.ts';
+import { blocks, mixedAppearances } from '../helpers/labels.ts';
 import { litStages } from '../helpers/lit.ts';
 import { bothWalks, comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
@@ -65,7 +65,7 @@ const cases: Case[] = [
     { kind: 'tone', cool: [0.1, 0.2, 0.8], warm: [1, 0.8, 0.3] }, { kind: 'shaded', material: { ambient: 0.3, diffuse: [1, 0.9, 0.8], specular: [0.4, 0.4, 0.4], emissive: [0, 0, 0], shininess: 20 } },
     { kind: 'edge', color: [0.1, 0, 0.2], threshold: 1.2 }, { kind: 'silhouette', retained: 0.4, boundary: 1, sharpness: 2 },
   ] } },
-  { name: 'labelled', style: { ...three, clear: true }, view: () => cartesian({}), labels: ({ volume }) => mixedLooks(blocks(volume.grid.dimensions, 6)) },
+  { name: 'labelled', style: { ...three, clear: true }, view: () => cartesian({}), labels: ({ volume }) => mixedAppearances(blocks(volume.grid.dimensions, 6)) },
   { name: 'polar', style: { clear: true, surfaces: [{ value: 0.3, color: [0.3, 0.8, 1], opacity: 0.4 }, { value: 0.6, color: [1, 0.6, 0.2], opacity: 1 }] }, view: () => {
     const volume = cloudVolume(1);
     return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 100, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };

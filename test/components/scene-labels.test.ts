@@ -12,7 +12,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeViewError } from '../../src/core/errors.ts';
 import { LabelLayer } from '../../src/renderer/layers/label-layer.ts';
 import { compareWithTwin } from '../helpers/compare-with-twin.ts';
-import { blocks, labelMap, mixedGroups, mixedLooks, plainLook } from '../helpers/labels.ts';
+import { blocks, labelMap, mixedGroups, mixedAppearances, plainAppearance } from '../helpers/labels.ts';
 import { comparePictures, drawPicture, plainOptics, shareScene, shells } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import { viewFromAbove } from '../helpers/views.ts';
@@ -43,7 +43,7 @@ for (const version of [2, 1] as const) {
       it(`${name}: the picture is the twin's, and another one than without`, async () => {
         await scene().setLabels(null);
         const before = drawPicture(scene(), view);
-        const labels = mixedLooks(blocks(dimensions, count));
+        const labels = mixedAppearances(blocks(dimensions, count));
         await scene().setLabels(labels);
         const got = compareWithTwin(scene(), { ...view, labels }, `WebGL ${version} ${name}`);
         expect(comparePictures(got, before).worst).to.be.above(20);
@@ -56,14 +56,14 @@ for (const version of [2, 1] as const) {
     }
 
     it('beside places without data: the picture is the twin\'s', async () => {
-      const labels = mixedLooks(blocks(dimensions, 9));
+      const labels = mixedAppearances(blocks(dimensions, 9));
       await scene().setLabels(labels);
       compareWithTwin(scene(), { ...viewFromAbove(holed()), labels }, `WebGL ${version} no data`);
     });
 
     it('in groups with transfer functions of their own: the picture is the twin\'s', async () => {
       const labels = mixedGroups(blocks(dimensions, 9));
-      const alone = mixedLooks(labels.map);
+      const alone = mixedAppearances(labels.map);
       await scene().setLabels(alone);
       const plain = drawPicture(scene(), view);
       await scene().setLabels(labels);
@@ -79,7 +79,7 @@ for (const version of [2, 1] as const) {
     });
 
     it('hide what is projected', async () => {
-      const labels = mixedLooks(blocks(dimensions, 9));
+      const labels = mixedAppearances(blocks(dimensions, 9));
       for (const projection of ['max', 'average'] as ProjectionKind[]) {
         await scene().setLabels(null);
         await scene().setStyle({ projection });
@@ -130,7 +130,7 @@ describe('labels that do not come to be shown', () => {
       WebGL2RenderingContext.prototype.deleteTexture.call(gl, texture);
     };
     try {
-      const labels = mixedLooks(blocks(dimensions, 9));
+      const labels = mixedAppearances(blocks(dimensions, 9));
       const tooLarge = await new LabelLayer(gl, { ...device, max3dTextureSize: 8 }).show(labels).catch((error: VolumeViewError) => error.code);
       expect(tooLarge).to.equal('format/too-large');
       expect(there.size, 'too large').to.equal(0);
@@ -153,7 +153,7 @@ describe('what is hidden', () => {
     const shown = viewFromAbove(volume);
     // Half of it, and a ball; the rest has blocks of its own.
     const map = labelMap([48, 40, 40], (i, j, k) => (i < 20 ? 1 : Math.hypot(i - 34, j - 20, k - 20) < 12 ? 2 : 3 + ((j >> 3) & 1)), 5);
-    const looks = (hidden: readonly number[]): ShownLabels => ({ map, styles: map.ids.map((_, i) => ({ ...plainLook, opacityFactor: hidden.includes(i) ? 0 : 1 + i })) });
+    const looks = (hidden: readonly number[]): ShownLabels => ({ map, styles: map.ids.map((_, i) => ({ ...plainAppearance, opacityFactor: hidden.includes(i) ? 0 : 1 + i })) });
     // Skipping by value as well: only what is bright shows.
     const optics = { ...plainOptics, transferFunction: [{ value: 0.5, color: [0, 0, 0], opacity: 0 }, { value: 0.9, color: [1, 0.8, 0.5], opacity: 0.3 }] } as const;
     const pictures = [[], [1], [1, 2], [3, 4], [1, 2, 3, 4]].map((hidden) => [hidden, looks(hidden)] as const);
@@ -178,7 +178,7 @@ describe('what is hidden', () => {
     const clear = [{ value: 0.5, color: [1, 1, 1], opacity: 0 }, { value: 0.9, color: [1, 0.8, 0.5], opacity: 0.3 }] as const;
     const dark = [{ value: 0.1, color: [0, 0.5, 1], opacity: 0.2 }, { value: 0.3, color: [0, 0.5, 1], opacity: 0 }] as const;
     const opaque = [{ value: 0.4, color: [1, 1, 1], opacity: 0 }, { value: 0.4, color: [0, 1, 0], opacity: 1 }] as const;
-    const styles = (hidden: number): ShownLabels['styles'] => [0, 1, 2, 1].map((group, i) => ({ ...plainLook, group, opacityFactor: i === hidden ? 0 : 1 }));
+    const styles = (hidden: number): ShownLabels['styles'] => [0, 1, 2, 1].map((group, i) => ({ ...plainAppearance, group, opacityFactor: i === hidden ? 0 : 1 }));
     for (const [stepLength, hidden] of [[shown.stepLength, 9], [4 * shown.stepLength, 2]]) {
       await scene().setLabels({ map, styles: styles(hidden), functions: [dark, opaque] });
       const draw = (skipping: boolean): Uint8ClampedArray => {
@@ -199,7 +199,7 @@ describe('what is hidden', () => {
     const volume = syntheticVolume({ dimensions: [48, 16, 16], field: (x) => (48 * x < 25 ? 0.1 : 0.9) });
     const shown = { ...viewFromAbove(volume), camera: orbitCamera({ theta: 1.4, phi: 1.5, radius: 90 }, boundingSphere(volume.grid).center, 0.6), stepLength: 5 };
     const optics = { ...plainOptics, transferFunction: [{ value: 0.4, color: [1, 1, 1], opacity: 0 }, { value: 0.9, color: [1, 1, 1], opacity: 0.3 }] } as const;
-    await scene().setLabels({ map: labelMap([48, 16, 16], (i) => Number(i >= 23), 2), styles: [plainLook, { ...plainLook, opacityFactor: 0 }] });
+    await scene().setLabels({ map: labelMap([48, 16, 16], (i) => Number(i >= 23), 2), styles: [plainAppearance, { ...plainAppearance, opacityFactor: 0 }] });
     scene().setSubsteps({ ...allSubsteps, max: 1 });
     scene().layers[0].skipping = false;
     const without = drawPicture(scene(), { ...shown, optics });
@@ -214,7 +214,7 @@ describe('what is hidden', () => {
     const map = labelMap([32, 8, 8], (i) => Number(i < 18), 2);
     scene().setVolume(volume);
     const seen = async (factor: number): Promise<number[]> => {
-      await scene().setLabels({ map, styles: [plainLook, { ...plainLook, opacityFactor: factor }] });
+      await scene().setLabels({ map, styles: [plainAppearance, { ...plainAppearance, opacityFactor: factor }] });
       return [...scene().whatIsSeen()!.cells];
     };
     // Voxel 18 is in the third cell, and no voxel beside the second.

@@ -61,7 +61,7 @@ const views: Record<string, View> = {
 
 type Look = (typeof looks)[string];
 
-function looksOf(name: string): Record<string, Look> {
+function appearancesOf(name: string): Record<string, Look> {
   if (name === 'polar') return { cloud: { patches: ofCloud } };
   return name === 'cartesian' ? looks : { eight: looks.eight };
 }
@@ -82,8 +82,8 @@ function render(view: View, { patches, more = {} }: Look): Float64Array {
   return renderReference({ ...staged, ...attached, moreFields: staged.moreFields }, raysOf(view), width, height).map((x) => x * 255);
 }
 
-const expectationsOf = remember((name: string) => Object.entries(looksOf(name)).flatMap(([look, shown]) =>
-  bothWalks(viewOf(name, shown)).map((view) => ({ look, shown, view, expected: render(view, shown) }))));
+const expectationsOf = remember((name: string) => Object.entries(appearancesOf(name)).flatMap(([appearance, shown]) =>
+  bothWalks(viewOf(name, shown)).map((view) => ({ look: appearance, shown, view, expected: render(view, shown) }))));
 
 for (const version of [2, 1] as const) {
   describe(`transfer functions of value and gradient in WebGL ${version}`, () => {
@@ -93,7 +93,7 @@ for (const version of [2, 1] as const) {
         this.timeout(240_000);
         const layer = scene().layers[0];
         const keys = new Set<string>();
-        for (const { look, shown: { patches, more }, view, expected } of expectationsOf(name)) {
+        for (const { look: appearance, shown: { patches, more }, view, expected } of expectationsOf(name)) {
           await scene().prepare(view.volume);
           await scene().setStyle(null);
           const plain = drawPicture(scene(), view);
@@ -102,12 +102,12 @@ for (const version of [2, 1] as const) {
           if (!more) keys.add(programKey(layer.program(false)));
           const { worst, rmse } = comparePictures(got, expected);
           const other = comparePictures(got, plain);
-          console.log(`WebGL ${version} ${name}: ${look}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the picture by value alone ${other.worst}`);
-          expect(worst, `${look}: worst pixel`).to.be.at.most(2);
-          expect(rmse, `${look}: RMSE`).to.be.at.most(0.5);
-          expect(other.worst, `${look}: another picture than by value alone`).to.be.above(20);
+          console.log(`WebGL ${version} ${name}: ${appearance}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the picture by value alone ${other.worst}`);
+          expect(worst, `${appearance}: worst pixel`).to.be.at.most(2);
+          expect(rmse, `${appearance}: RMSE`).to.be.at.most(0.5);
+          expect(other.worst, `${appearance}: another picture than by value alone`).to.be.above(20);
           layer.skipping = false;
-          expect(comparePictures(got, drawPicture(scene(), view)).worst, `${look}: skipping`).to.equal(0);
+          expect(comparePictures(got, drawPicture(scene(), view)).worst, `${appearance}: skipping`).to.equal(0);
           layer.skipping = true;
         }
         expect(keys.size, 'programs, one for each walk').to.equal(2);

@@ -60,8 +60,8 @@ const views: Record<string, () => View> = {
 };
 
 const viewsOf = remember((name: string) => bothWalks(views[name]()));
-const expectationOf = remember((view: View) => remember((look: string) =>
-  renderReference({ ...referenceOf(view), ...styledStages(view, looks[look], sun) }, raysOf(view), width, height).map((x) => x * 255)));
+const expectationOf = remember((view: View) => remember((appearance: string) =>
+  renderReference({ ...referenceOf(view), ...styledStages(view, looks[appearance], sun) }, raysOf(view), width, height).map((x) => x * 255)));
 
 for (const version of [2, 1] as const) {
   describe(`rendering styles in WebGL ${version}`, () => {
@@ -75,20 +75,20 @@ for (const version of [2, 1] as const) {
         for (const view of viewsOf(name)) {
           await scene().prepare(view.volume);
           const keys = new Set<string>();
-          for (const look of shown) {
+          for (const appearance of shown) {
             await scene().setStyle(null);
             const plain = drawPicture(scene(), view);
-            await scene().setStyle({ styles: looks[look] });
+            await scene().setStyle({ styles: looks[appearance] });
             const got = drawPicture(scene(), view);
             keys.add(programKey(layer.program(false)));
-            const { worst, rmse } = comparePictures(got, expectationOf(view)(look));
+            const { worst, rmse } = comparePictures(got, expectationOf(view)(appearance));
             const other = comparePictures(got, plain);
-            console.log(`WebGL ${version} ${name} ${look}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the picture without ${other.worst}`);
-            expect(worst, `${look}: worst pixel`).to.be.at.most(2);
-            expect(rmse, `${look}: RMSE`).to.be.at.most(0.5);
-            expect(other.worst, `${look}: another picture than without`).to.be.above(20);
+            console.log(`WebGL ${version} ${name} ${appearance}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the picture without ${other.worst}`);
+            expect(worst, `${appearance}: worst pixel`).to.be.at.most(2);
+            expect(rmse, `${appearance}: RMSE`).to.be.at.most(0.5);
+            expect(other.worst, `${appearance}: another picture than without`).to.be.above(20);
             layer.skipping = false;
-            expect(comparePictures(got, drawPicture(scene(), view)).worst, `${look}: skipping`).to.equal(0);
+            expect(comparePictures(got, drawPicture(scene(), view)).worst, `${appearance}: skipping`).to.equal(0);
             layer.skipping = true;
           }
           expect(keys.size, 'programs').to.equal(1);

@@ -20,7 +20,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { isEdge, listOff } from '../helpers/edges.ts';
-import { blocks, mixedGroups, mixedLooks } from '../helpers/labels.ts';
+import { blocks, mixedGroups, mixedAppearances } from '../helpers/labels.ts';
 import { askew, overlayOf, waves } from '../helpers/overlays.ts';
 import { bothWalks, comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
@@ -68,7 +68,7 @@ interface Case {
 
 const cases: Record<string, Case> = {
   'surfaces in styled fog, and a layer where there is no data': { view: () => viewOf(holed, { overlay: overHole }), style: { ...three, ...styles }, webgl1: true },
-  'surfaces in lit fog, labels, and a layer where there is no data': { view: () => viewOf(holed, { overlay: overHole, labels: mixedLooks(blocks(dimensions, 6)) }), style: { ...three, lit: true } },
+  'surfaces in lit fog, labels, and a layer where there is no data': { view: () => viewOf(holed, { overlay: overHole, labels: mixedAppearances(blocks(dimensions, 6)) }), style: { ...three, lit: true } },
   'styles, groups of labels, and a layer that colours, all of it cut': { view: () => viewOf(whole, {
     overlay: mixed, labels: mixedGroups(blocks(dimensions, 12)), region: cutRegion(whole.grid, [-9, -9, -7, 12, 10, 6]),
     clips: { kept: [keep(whole.grid, [1, -0.4, 0.3], -8)], cutout: cutBox(whole.grid, [2, -4, -3], [9, 4, 20]) },

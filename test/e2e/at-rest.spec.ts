@@ -74,13 +74,13 @@ const readFile = (page: Page): Promise<number[]> => withElement(page, async (ele
 });
 
 // Just large enough that software GL draws them in pieces; those of surfaces take longer and are smaller.
-for (const [what, look, size, ...more] of [
+for (const [what, appearance, size, ...more] of [
   ['fog', '', [200, 160]],
   ['surfaces, whose edges are smooth', 'surface-values="35% #d8a48f 30%, 72% #fff4e0"', [80, 64]],
   ['a radar with a slice', 'vertical-exaggeration="4" rings="none"', [120, 96], '/demos/data/storm-radar-1510.json', '<volume-slice type="ppi"></volume-slice>'],
 ] as const) {
   test(`the same view has the same picture, first or later, in a file and on the screen: ${what}`, async ({ page }) => {
-    await open(page, tag(`camera-orbit="40deg 70deg auto" ${look}`, [...size], ...more));
+    await open(page, tag(`camera-orbit="40deg 70deg auto" ${appearance}`, [...size], ...more));
     await settle(page);
     const first = await takeScreenshot(page);
     expect(await readFile(page), 'no difference').toEqual([0, 0]);
@@ -93,8 +93,8 @@ for (const [what, look, size, ...more] of [
 }
 
 test('edges of surfaces are smooth at rest, in pieces, at once and while a file is written, and stay as they are with a large max-error', async ({ page }) => {
-  const look = (more: string): string => `<volume-view src="/demos/data/mni152-t1.nii.gz" surface-values="72% #fff4e0" ${more} style="width: 120px; height: 90px" alt="A brain"></volume-view>`;
-  await open(page, look('camera-orbit="40deg 70deg auto"'));
+  const appearance = (more: string): string => `<volume-view src="/demos/data/mni152-t1.nii.gz" surface-values="72% #fff4e0" ${more} style="width: 120px; height: 90px" alt="A brain"></volume-view>`;
+  await open(page, appearance('camera-orbit="40deg 70deg auto"'));
   await settle(page);
   const smooth = await takeScreenshot(page);
   await turnTo(page, '80deg 60deg auto');

@@ -144,14 +144,14 @@ test.describe('an atlas', () => {
     const tints = tintOf(await takePicture(page));
     expect(Math.abs(tints[0]), 'a label with a transfer function of its own has the colours of that').toBeLessThan(25);
     expect(tints[1]).toBeLessThan(-1000);
-    const pickLook = (): Promise<[string, number] | null> => withElement(page, async (one) => {
+    const pickAppearance = (): Promise<[string, number] | null> => withElement(page, async (one) => {
       const pick = await one.pick(0.4 * one.clientWidth, one.clientHeight / 2);
       return pick && [pick.color, pick.opacity];
     });
-    const [color, opacity] = (await pickLook())!;
+    const [color, opacity] = (await pickAppearance())!;
     expect(color).toBe('#00ff00');
     await withElement(page, (one) => one.setAttribute('value-window', '0 12000'));
-    await expect.poll(async () => (await pickLook())?.[1], 'which spans the window').toBeLessThan(0.5 * opacity);
+    await expect.poll(async () => (await pickAppearance())?.[1], 'which spans the window').toBeLessThan(0.5 * opacity);
     await withElement(page, (one) => one.setAttribute('value-window', '0 255'));
     await withLabels(page, (element) => (element.hidden = true));
     await expect(page.locator('volume-label-list')).toContainText('This volume has no labels.');

@@ -48,7 +48,7 @@ import { fitOrder } from '../accuracy/orders.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
 import { castPixels } from '../helpers/pixel-rays.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
-import { blocks, mixedGroups, mixedLooks } from '../helpers/labels.ts';
+import { blocks, mixedGroups, mixedAppearances } from '../helpers/labels.ts';
 import { overlayOf } from '../helpers/overlays.ts';
 import { listLevels } from '../helpers/ray-modules.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
@@ -88,7 +88,7 @@ const plain = { referenceLength: 1, opacityFactor: 1, lightFactor: 1, maxSubstep
 const exact = { transferFunction: oneColor, field: known(ramp) };
 const colored = { ...plain, transferFunction: cloudColors };
 
-const things = mixedLooks(blocks(head.grid.dimensions, 6));
+const things = mixedAppearances(blocks(head.grid.dimensions, 6));
 /** The same as a volume of its own. */
 const named: Volume = { ...head, samples: things.map.numbers.map((number) => 51 * number), slope: 1 / 255, isDiscrete: true, macrocells: buildMacrocells(things.map.numbers.map((number) => 51 * number), head.grid.dimensions) };
 
@@ -124,9 +124,9 @@ const looks: Record<string, Look> = {
   discrete: { ...colored, field: cartesianField({ ...named, dimensions: head.grid.dimensions }) },
   polar: { ...colored, field: polarField(storm), referenceLength: 3000 },
   labels: { ...exact, moreFields: [labelField(things, true)], gather: projectionGather('average') },
-  labelLooks: { ...exact, moreFields: [labelField(things)], shades: [labelShade] },
+  labelAppearances: { ...exact, moreFields: [labelField(things)], shades: [labelShade] },
   overlay: { ...exact, ...overlaid(cartesianOverlay(over)) },
-  overlayLook: { ...exact, ...overlaid(known(bump)) },
+  overlayAppearance: { ...exact, ...overlaid(known(bump)) },
   transferFunction: { ...colored, field: known(ramp) },
   columns: { ...colored, field: known(ramp) },
   columnMeans: { ...colored, field: known(ramp) },
@@ -179,14 +179,14 @@ async function listModules(): Promise<Map<string, RayModule>> {
 }
 
 /** A small picture, with the twins that the modules name. */
-function draw([volume, camera]: View, look: Look, steps: number): number[] {
+function draw([volume, camera]: View, appearance: Look, steps: number): number[] {
   const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
-  const scene: ReferenceScene = { ...plain, ...volume, ...look, stepLength: longestDiagonal(volume.grid) / steps };
+  const scene: ReferenceScene = { ...plain, ...volume, ...appearance, stepLength: longestDiagonal(volume.grid) / steps };
   const stages = {
     ...stagesOf(scene, rays),
     intervals: [boxInterval(rays), ...(scene.ends ?? [])],
-    classify: (look.classifyBy ?? ((usual) => usual))(transferFunctionClassify(opticsOf(scene), look.field, rays.diameter / scene.referenceLength)),
-    gather: look.gather ?? compositeGather,
+    classify: (appearance.classifyBy ?? ((usual) => usual))(transferFunctionClassify(opticsOf(scene), appearance.field, rays.diameter / scene.referenceLength)),
+    gather: appearance.gather ?? compositeGather,
   };
   return castPixels(rays, [width, height], (ray) => castRay(stages, ray));
 }
@@ -209,14 +209,14 @@ describe('the order of convergence that a module states', () => {
     expect([...modules.values()].filter(({ twin }) => twin === null).map(({ name }) => name)).to.have.members(['columns']);
   });
 
-  for (const [name, look] of Object.entries(looks)) {
+  for (const [name, appearance] of Object.entries(looks)) {
     it(`${name}: is what its twin has`, () => {
       const { order } = modules.get(name)!;
       const view = name === 'polar' || name === 'slices' ? stormView : headView;
-      const limit = draw(view, look, limitSteps);
+      const limit = draw(view, appearance, limitSteps);
       expect(Math.max(...limit), 'the picture shows something').to.be.above(0.1);
-      if (look.ends) expect(rms(limit, draw(view, { ...look, ends: [] }, limitSteps)), 'rays end').to.be.above(0.01);
-      const errors = counts.map((steps) => rms(draw(view, look, steps), limit));
+      if (appearance.ends) expect(rms(limit, draw(view, { ...appearance, ends: [] }, limitSteps)), 'rays end').to.be.above(0.01);
+      const errors = counts.map((steps) => rms(draw(view, appearance, steps), limit));
       const measured = Math.max(...errors) < rounding ? Infinity : fitOrder(counts, errors);
       console.log(`${name}: states ${order}, measured ${measured.toFixed(2)}; ${errors.map((error) => error.toExponential(1)).join(' ')}`);
       if (order === Infinity) expect(measured).to.equal(Infinity);

@@ -53,11 +53,11 @@ for (const version of [1, 2] as const) {
       for (const level of levels.filter((one) => one !== null)) {
         it(`compile with ${nameLevel(level)} and little else`, async () => {
           const polar = listLevels(webgl2).field.find((field) => field?.name === 'polar')!;
-          const { columns, classify, labels, overlay, points, shade, overlayLook, light, gather } = listLevels(webgl2);
+          const { columns, classify, labels, overlay, points, shade, overlayAppearance, light, gather } = listLevels(webgl2);
           const companions: Record<string, Row<Level>> = {
             slices: { field: polar }, columns: { classify: classify[1] }, columnMeans: { columns: columns[1] },
-            labels: level.defines.LABELS_HIDE ? { gather: gather[1] } : { shade: shade[1] }, labelLooks: { labels: labels[1] },
-            overlay: { overlayLook: overlayLook[1], ...('SECOND_MOMENT' in level.defines && { field: polar }) }, overlayLook: { overlay: overlay[1] },
+            labels: level.defines.LABELS_HIDE ? { gather: gather[1] } : { shade: shade[1] }, labelAppearances: { labels: labels[1] },
+            overlay: { overlayAppearance: overlayAppearance[1], ...('SECOND_MOMENT' in level.defines && { field: polar }) }, overlayAppearance: { overlay: overlay[1] },
             points: { light: light[1] }, ...Object.fromEntries(['lit', 'styled', 'surfaces', 'jumps'].map((name) => [name, { points: points[1], ...(level.chunks.includes(polarTapsOf.chunk) && { field: polar }) }])),
           };
           const more = companions[level.name] ?? {};

@@ -8,7 +8,7 @@ import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { SocketView } from '../../src/viewer/model/view-socket.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 
-export const plainLook: VolumeOptics = { transferFunction: [], window: [0, 200], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
+export const plainAppearance: VolumeOptics = { transferFunction: [], window: [0, 200], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
 
 export function viewOf(html: string): HTMLElement {
   const host = document.createElement('volume-view');
@@ -40,16 +40,16 @@ export function fakeView(html: string): FakeView {
   const scene = { setLabels: async () => {}, setOverlay: async () => {} };
   const socket = socketOf(host);
   socket.view = {
-    host, awake: true, settings: { src: 'ct.png' }, errors, look: { current: plainLook, replacement: null },
+    host, awake: true, settings: { src: 'ct.png' }, errors, look: { current: plainAppearance, replacement: null },
     volume: { grid, samples: new Uint8Array(4), slope: 1, intercept: 0, format: 'png mosaic', range: [0, 200] },
     viewer: { scene, invalidate: () => {} },
     track: (one: Promise<unknown>) => work.push(one),
     reportFiles: () => {},
   } as unknown as SocketView;
   const read = async (): Promise<VolumeOptics> => {
-    const look = await withVolumeNodes({ user: { host } }, plainLook, { grid });
+    const appearance = await withVolumeNodes({ user: { host } }, plainAppearance, { grid });
     while (work.length > 0) await work.shift();
-    return look;
+    return appearance;
   };
   return { host, errors, shown: { get labels() { return socket.last('labels'); }, get overlay() { return socket.last('overlay'); } }, read };
 }

@@ -11,13 +11,13 @@ export function labelMap(dimensions: Vector3, numberOf: (i: number, j: number, k
   return { dimensions, numbers, ids: Array.from({ length: count }, (_, i) => 7 * i) };
 }
 
-export const plainLook: LabelStyle = { color: [1, 1, 1], opacityFactor: 1 };
+export const plainAppearance: LabelStyle = { color: [1, 1, 1], opacityFactor: 1 };
 
 /** Label styles of all kinds, the same in every run: some hidden, some denser than the volume, some unchanged. */
-export function mixedLooks(map: LabelMap): ShownLabels {
+export function mixedAppearances(map: LabelMap): ShownLabels {
   const random = randomNumbers(5);
   const factors = [1, 0, 0.3, 2.5];
-  return { map, styles: map.ids.map((_, i) => (i === 0 ? plainLook : { color: [random(), random(), random()], opacityFactor: factors[i % 4] })) };
+  return { map, styles: map.ids.map((_, i) => (i === 0 ? plainAppearance : { color: [random(), random(), random()], opacityFactor: factors[i % 4] })) };
 }
 
 /**
@@ -25,7 +25,7 @@ export function mixedLooks(map: LabelMap): ShownLabels {
  * little, and one that is mostly outside of the volume's own domain.
  */
 export function mixedGroups(map: LabelMap): ShownLabels {
-  const { styles } = mixedLooks(map);
+  const { styles } = mixedAppearances(map);
   const functions = ['0 #08f 30%, 0.4 #08f 0', '0.2 #fff 0, 0.5 #fff 0, 0.5 #0f8 97%, 0.9 #f0f 20%', '0 #ff0 1%, 1 #f80 2%', '-2 #f00 0, 3 #0ff 60%'];
   return { map, styles: styles.map((style, i) => ({ ...style, group: i % 5 })), functions: functions.map((text) => parseTransferFunction(text, [0, 1])) };
 }

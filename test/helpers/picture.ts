@@ -31,7 +31,7 @@ import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
 import type { VolumeLayer } from '../../src/renderer/layers/volume-layer.ts';
 import { composeTwins } from '../../src/renderer/ray/compose-twins.ts';
 import { groupsTwin } from '../../src/renderer/ray/modules/label-functions.ts';
-import { groupLooks, labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
+import { groupAppearances, labelAppearances } from '../../src/renderer/ray/modules/label-appearances.ts';
 import { labelsTwin } from '../../src/renderer/ray/modules/labels.ts';
 import { shadingTwins } from '../../src/renderer/ray/modules/lit.ts';
 import { overlayTwins } from '../../src/renderer/ray/modules/overlay.ts';
@@ -236,7 +236,7 @@ function attachedModules({ labels, overlay, projection, intensityThreshold, modu
   const own: (RayModule | null | false | undefined)[] = [
     labels && moduleOf('labels', 'field', labelsTwin(labels, Boolean(projection))),
     functions && moduleOf('labelFunctions', 'classify', groupsTwin(functions)),
-    labels && !projection && (functions ? groupLooks : labelLooks),
+    labels && !projection && (functions ? groupAppearances : labelAppearances),
     layer && moduleOf('overlay', 'field', layer.field),
     layer && moduleOf('overlayLook', 'shade', layer.look),
     projection && moduleOf(projection, 'gather', projectionTwin({ kind: projection, threshold: intensityThreshold })),

@@ -10,10 +10,10 @@ import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
 import { clipText } from '../../src/renderer/ray/modules/clip.ts';
 import { cutoutText } from '../../src/renderer/ray/modules/cutout.ts';
 import { groupColumnsText, labelFunctionsText } from '../../src/renderer/ray/modules/label-functions.ts';
-import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
+import { labelAppearances } from '../../src/renderer/ray/modules/label-appearances.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { cartesianTapsOf, litText, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
-import { overlayLookText, overlayText, secondMomentText } from '../../src/renderer/ray/modules/overlay.ts';
+import { overlayAppearanceText, overlayText, secondMomentText } from '../../src/renderer/ray/modules/overlay.ts';
 import { patchesText } from '../../src/renderer/ray/modules/patches.ts';
 import { styledText, stylingText } from '../../src/renderer/ray/modules/styled.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
@@ -63,8 +63,8 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     overlay: [null, ...bits.map((holes) => overlayText({ texture3d: webgl2, twoBytes: false, filter: true, holes })), overlayText({ texture3d: webgl2, twoBytes: true, filter: false, holes: false }), ...secondMoments],
     classify: [transferFunctionText, classifyText(columnMeansText)],
     points: [null, pointsModule],
-    shade: [null, labelLooks],
-    overlayLook: [null, ...bits.map((one) => overlayLookText({ color: one, tableFilter: !one, folds: false })), overlayLookText({ color: true, tableFilter: true, folds: true })],
+    shade: [null, labelAppearances],
+    overlayAppearance: [null, ...bits.map((one) => overlayAppearanceText({ color: one, tableFilter: !one, folds: false })), overlayAppearanceText({ color: true, tableFilter: true, folds: true })],
     light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all }))), styledText({ taps: cartesianTapsOf, lights: true, cuts: true }), styledText({ taps: polarTapsOf, lights: false, cuts: false })],
     gather: [compositeText, ...projectionKinds.flatMap((kind) => bits.map((isExact) => projectionText(kind, { isExact }))), ...surfaceTexts, ...bits.map(jumpsText)],
   };
@@ -101,10 +101,10 @@ export function listRays(webgl2: boolean): Row<Level>[] {
  * level here.
  */
 function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
-  const { overlay, overlayLook, field, labels, light } = listLevels(webgl2);
+  const { overlay, overlayAppearance, field, labels, light } = listLevels(webgl2);
   const fields = [field[0], field[4], field.at(-1)!];
-  const some = { ...Object.fromEntries(Object.entries(plainRay(webgl2)).map(([name, level]) => [name, [level]])), depth: [null, sceneDepthText], field: fields, overlay: overlay.slice(1), overlayLook: overlayLook.slice(1), labels: [null, labels[1]], shade: [null, labelLooks], points: [null, pointsModule], light: [null, light[1], light.at(-1)!] };
-  return listRows<Level>(some, (row) => (row.overlay?.defines.SECOND_MOMENT === 1) === (row.field?.name === 'polar') && (row.overlay?.defines.OVERLAY_FOLDS ?? 0) === row.overlayLook?.defines.OVERLAY_FOLDS && (row.labels !== null) === (row.shade !== null) && !(row.labels && row.field?.name === 'polar') &&
+  const some = { ...Object.fromEntries(Object.entries(plainRay(webgl2)).map(([name, level]) => [name, [level]])), depth: [null, sceneDepthText], field: fields, overlay: overlay.slice(1), overlayAppearance: overlayAppearance.slice(1), labels: [null, labels[1]], shade: [null, labelAppearances], points: [null, pointsModule], light: [null, light[1], light.at(-1)!] };
+  return listRows<Level>(some, (row) => (row.overlay?.defines.SECOND_MOMENT === 1) === (row.field?.name === 'polar') && (row.overlay?.defines.OVERLAY_FOLDS ?? 0) === row.overlayAppearance?.defines.OVERLAY_FOLDS && (row.labels !== null) === (row.shade !== null) && !(row.labels && row.field?.name === 'polar') &&
     (row.points !== null) === (row.light !== null) && (!row.light || row.light.chunks.includes(polarTapsOf.chunk) === (row.field?.name === 'polar')) &&
     listSamplers({ adaptive: false, modules: Object.values(row).filter((level) => level !== null) }).length <= maxSamplers(webgl2));
 }
@@ -114,7 +114,7 @@ function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
  * from projections. Light needs `points`, and lights neither projections nor volumes of labels.
  */
 function listRaysWithout(webgl2: boolean): Row<Level>[] {
-  return listRows<Level>({ ...listLevels(webgl2), overlay: [null], overlayLook: [null] }, ({ depth, slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
+  return listRows<Level>({ ...listLevels(webgl2), overlay: [null], overlayAppearance: [null] }, ({ depth, slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
     (!slices || field?.name === 'polar') && (!(planes || labels) || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans') &&
     (!labels || (labels.defines.LABELS_HIDE === 0) === shows(gather)) && (shade !== null) === (labels?.defines.LABELS_HIDE === 0) &&
     (webgl2 || light?.name !== 'styled' || !depth || !columns || (!labels && field?.name !== 'polar')) &&
@@ -132,7 +132,7 @@ export function programOf(webgl2: boolean, row: Row<Level>, substeps = false): R
 const device = (webgl2: boolean): Row<Level> => ({
   box: boxModule, depth: null, clip: null, cutout: null, slices: null, planes: null,
   field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: false, filterInShader: false }),
-  labels: null, columns: null, overlay: null, points: null, classify: transferFunctionText, shade: null, overlayLook: null, light: null, gather: compositeText,
+  labels: null, columns: null, overlay: null, points: null, classify: transferFunctionText, shade: null, overlayAppearance: null, light: null, gather: compositeText,
 });
 
 /** The simplest ray. */
@@ -141,7 +141,7 @@ export const plainRay = device;
 /** Labels in groups: only some rays, because a pair of these with every other module would give too many programs. */
 function listGroupRays(webgl2: boolean): Row<Level>[] {
   const groups = (bins: boolean): Row<Level> => ({
-    ...plainRay(webgl2), labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false, groups: true }), columns: groupColumnsText(bins), classify: labelFunctionsText, shade: labelLooks,
+    ...plainRay(webgl2), labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false, groups: true }), columns: groupColumnsText(bins), classify: labelFunctionsText, shade: labelAppearances,
   });
   const field = cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true });
   return [
@@ -171,11 +171,11 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false, folds: false, crowds: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
   const lamps = { taps: cartesianTapsOf, lights: true, cuts: false };
-  return [...listGroupRays(webgl2), ...listPatchRays(webgl2), plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
+  return [...listGroupRays(webgl2), ...listPatchRays(webgl2), plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelAppearances }, radar, { ...radar, slices: slicesText },
     { ...deep, points: pointsModule, gather: surfacesText({ isOne: true, fog: false, kinks: true, light: { taps: cartesianTapsOf, lights: false, cuts: false } }) },
     { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
     { ...plain, points: pointsModule, light: styledText(lamps) }, { ...plain, points: pointsModule, gather: surfacesText({ isOne: true, fog: false, kinks: true, light: lamps, styling: stylingText(lamps) }) },
     ...bits.map((isExact) => ({ ...plain, gather: projectionText('max', { isLocal: true, isExact }) })),
-    { ...plain, overlay: overlayText({ texture3d: webgl2, twoBytes: false, filter: true, holes: false }), overlayLook: overlayLookText({ color: false, tableFilter: true, folds: false }) },
-    { ...radar, overlay: secondMoments[1], overlayLook: overlayLookText({ color: true, tableFilter: true, folds: true }) }];
+    { ...plain, overlay: overlayText({ texture3d: webgl2, twoBytes: false, filter: true, holes: false }), overlayAppearance: overlayAppearanceText({ color: false, tableFilter: true, folds: false }) },
+    { ...radar, overlay: secondMoments[1], overlayAppearance: overlayAppearanceText({ color: true, tableFilter: true, folds: true }) }];
 }

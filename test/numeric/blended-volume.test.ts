@@ -5,7 +5,7 @@ import { extinction } from '../../src/optics/transfer/opacity.ts';
 import { cartesianOverlay, isOver, overlayStages } from '../../src/optics/attachments/overlay.ts';
 import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
 import { readVoxelTexture } from '../../src/x3d/nodes/volume-textures.ts';
-import { atlasOf, fakeView, plainLook, viewOf } from '../helpers/fake-view.ts';
+import { atlasOf, fakeView, plainAppearance, viewOf } from '../helpers/fake-view.ts';
 
 const voxels = atlasOf('voxels', [0, 0, 0, 0, 255, 255]);
 const half = '<OpacityMapVolumeStyle><PixelTexture image="2 1 4 0xFF000080 0xFF000080"></PixelTexture></OpacityMapVolumeStyle>';
@@ -14,14 +14,14 @@ const blend = (attributes: string, inside: string): string => `<BlendedVolumeSty
 describe('a second volume in BlendedVolumeStyle', () => {
   it('fills the box of the first, on a grid of its own, and extinctions add by their weights', async () => {
     const view = fakeView(blend('weightConstant1="0.4" weightConstant2="0.9"', voxels + half));
-    const look = await view.read();
+    const appearance = await view.read();
     expect(view.errors.first).to.equal(null);
-    expect(look.transferFunction, 'the texture is the second one\'s').to.equal(plainLook.transferFunction);
+    expect(appearance.transferFunction, 'the texture is the second one\'s').to.equal(plainAppearance.transferFunction);
     const { shown, valueAt } = view.shown.overlay!;
     expect([shown.blend, shown.volume.grid.dimensions, isOver(shown, shown.over)]).to.deep.equal(['mix', [3, 1, 2], true]);
     // Its slices, one behind the other: 0 in the first, 255 in two of three pixels of the second.
     expect([[0.5, 0.5, 0.25], [0.1, 0.5, 0.75], [0.9, 0.5, 0.75]].map((place) => valueAt(place as [number, number, number]))).to.deep.equal([0, 0, 255]);
-    const { shades: [shade] } = overlayStages(shown, cartesianOverlay(shown), { optics: { ...look, referenceLength: 1 }, diameter: 3 });
+    const { shades: [shade] } = overlayStages(shown, cartesianOverlay(shown), { optics: { ...appearance, referenceLength: 1 }, diameter: 3 });
     const sample = { value: 1, valid: true, overlay: 100 } as OverlaidSample;
     const first = 0.4 * 0.7 * 3 * 0.2; // The first volume's depth, of 0.7 a unit.
     const opacity = -Math.expm1(-first);
@@ -29,7 +29,7 @@ describe('a second volume in BlendedVolumeStyle', () => {
     const depth = first + 0.9 * extinction(128 / 255) * 3 * 0.2;
     expect(both[3]).to.be.closeTo(-Math.expm1(-depth), 1e-6);
     expect(both[2] / both[3], 'light of both, by what each is of the depth').to.be.closeTo(first / depth, 1e-6);
-    expect(look.opacityFactor).to.equal(0.4);
+    expect(appearance.opacityFactor).to.equal(0.4);
 
     view.host.replaceChildren();
     expect((await view.read()).opacityFactor).to.equal(1);
@@ -47,8 +47,8 @@ describe('a second volume in BlendedVolumeStyle', () => {
 
   it('may be composed with what is before it', async () => {
     const view = fakeView(`<ComposedVolumeStyle><OpacityMapVolumeStyle></OpacityMapVolumeStyle>${blend('weightConstant1="0.4"', voxels + half)}</ComposedVolumeStyle>`);
-    const look = await view.read();
-    expect([view.errors.first, look.opacityFactor, look.transferFunction === plainLook.transferFunction]).to.deep.equal([null, 0.4, true]);
+    const appearance = await view.read();
+    expect([view.errors.first, appearance.opacityFactor, appearance.transferFunction === plainAppearance.transferFunction]).to.deep.equal([null, 0.4, true]);
     expect(view.shown.overlay!.shown.volume.grid.dimensions).to.deep.equal([3, 1, 2]);
   });
 
@@ -80,7 +80,7 @@ describe('a second volume in BlendedVolumeStyle', () => {
     ['a style after it', `${blend('', voxels)}<CartoonVolumeStyle></CartoonVolumeStyle>`, /expected that to be the last/],
   ] as const) {
     it(`refuses ${what} in words`, () => {
-      expect(() => readVolumeNodes(viewOf(html), plainLook)).to.throw(message).with.property('code', 'attribute/invalid');
+      expect(() => readVolumeNodes(viewOf(html), plainAppearance)).to.throw(message).with.property('code', 'attribute/invalid');
     });
   }
 });

@@ -73,7 +73,7 @@ describe('a volume that is cleaned', () => {
     const setup = setUpRays(whole.grid, view, [0.05, 0, 0, 0, 0, 0.05, 0, 0, 0, 0, -0.001, 0, 0, 0, 0, 1])!;
     const stagesFor = (volume: Volume) => stagesOf({ ...volume, grid: whole.grid, transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1, stepLength: 0.5 }, setup);
     const [before, after] = [stagesFor(whole), stagesFor(cleaned)];
-    const look = { transferFunction, projection: null };
+    const appearance = { transferFunction, projection: null };
     let hidden = 0;
     for (let x = -0.975; x < 1; x += 0.05) {
       for (let y = -0.975; y < 1; y += 0.1) {
@@ -81,7 +81,7 @@ describe('a volume that is cleaned', () => {
         const [color, cleanColor] = [castRay(before, ray), castRay(after, ray)];
         const i = 20 * (1 - x) - 0.5; // The patient's left is at the right.
         if (i > 3 && i < 31) expect(cleanColor, `${x} ${y}`).to.deep.equal(color);
-        else expect([...cleanColor, pickRay(after, ray, { at: 'jump', look })], `${x} ${y}`).to.deep.equal([0, 0, 0, 0, null]);
+        else expect([...cleanColor, pickRay(after, ray, { at: 'jump', look: appearance })], `${x} ${y}`).to.deep.equal([0, 0, 0, 0, null]);
         if (i > 31 && color[3] > 0.1) hidden++;
       }
     }

@@ -6,8 +6,8 @@ import { readRareHeader } from '../../src/formats/nifti/nifti-rare-headers.ts';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
-import { plainLook } from '../../src/viewer/model/settings.ts';
-import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';
+import { plainAppearance } from '../../src/viewer/model/settings.ts';
+import { resolveAppearance } from '../../src/viewer/appearance/resolve-appearance.ts';
 import { axialIndexToWorld, cartesianGrid, edgeLengths } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Samples, Volume } from '../../src/volume/volume.ts';
@@ -67,8 +67,8 @@ describe('the first look', () => {
     expect((await finish(sampled(headCt), { unit: 'mm' })).transferFunction).to.equal(undefined);
     const volume = await finish(sampled(headCt), { window: [-100, 300] });
     expect(volume.window).to.deep.equal([-100, 300]);
-    const look = await resolveLook({ ...plainLook, transferFunction: 'gray', window: [0, 80] }, volume);
-    expect(look.transferFunction).to.deep.equal(await resolveTransferFunction('gray', [0, 80]));
+    const appearance = await resolveAppearance({ ...plainAppearance, transferFunction: 'gray', window: [0, 80] }, volume);
+    expect(appearance.transferFunction).to.deep.equal(await resolveTransferFunction('gray', [0, 80]));
   });
 
   it('shows nothing at 0 of what its file calls a statistic, whichever signs and window it has', async () => {
@@ -265,10 +265,10 @@ describe('the first look of a radar', () => {
   it('is denser where echoes are thin and weak, and never thinner than the common one', async () => {
     const thin = scan(0.4, 8, -10);
     const thick = scan(1, 55, 55);
-    const lengths = await Promise.all([thin, thick].map(async (volume) => (await resolveLook(plainLook, volume)).referenceLength));
+    const lengths = await Promise.all([thin, thick].map(async (volume) => (await resolveAppearance(plainAppearance, volume)).referenceLength));
     const common = Math.max(...edgeLengths(thin.grid)) / 100;
     expect(lengths[0]).to.be.below(0.5 * lengths[1]);
     for (const length of lengths) expect(length).to.be.within(common / 61, common * 1.01);
-    expect((await resolveLook({ ...plainLook, referenceLength: 77 }, thin)).referenceLength).to.equal(77);
+    expect((await resolveAppearance({ ...plainAppearance, referenceLength: 77 }, thin)).referenceLength).to.equal(77);
   });
 });

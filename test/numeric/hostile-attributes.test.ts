@@ -27,8 +27,8 @@ const given: GivenAttributes = {
 /** All that is read of one attribute. @returns what was wrong with it, if anything */
 function read(name: keyof GivenAttributes, text: string): VolumeViewError | null {
   const settings = readSettings({ ...given, [name]: text });
-  const { look, camera, quality, region, rings, time, playSpeed } = settings;
-  const wrong = [look, camera, quality, region, rings, time, playSpeed].find(({ error }) => error)?.error ?? null;
+  const { look: appearance, camera, quality, region, rings, time, playSpeed } = settings;
+  const wrong = [appearance, camera, quality, region, rings, time, playSpeed].find(({ error }) => error)?.error ?? null;
   if (wrong || !settings.source) return wrong as VolumeViewError | null;
   try {
     readSource(settings.source);

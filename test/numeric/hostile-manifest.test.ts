@@ -5,8 +5,8 @@ import type { Schema } from '@cfworker/json-schema';
 import { VolumeViewError } from '../../src/core/errors.ts';
 import { readManifest } from '../../src/formats/manifest/manifest.ts';
 import { ScanSequence } from '../../src/viewer/loading/scan-sequence.ts';
-import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';
-import { plainLook } from '../../src/viewer/model/settings.ts';
+import { resolveAppearance } from '../../src/viewer/appearance/resolve-appearance.ts';
+import { plainAppearance } from '../../src/viewer/model/settings.ts';
 import { VolumeTimeline } from '../../components/volume-timeline/volume-timeline.ts';
 import { decodeBytes, expectError, fetchFile } from '../helpers/decode.ts';
 import { errorOf } from '../helpers/error-of.ts';
@@ -95,8 +95,8 @@ describe('a manifest of a stranger', () => {
 describe('a unit of a stranger', () => {
   it('is a name, whatever objects have under it', async () => {
     for (const unit of ['constructor', '__proto__', 'toString', 'hasOwnProperty']) {
-      const look = await resolveLook(plainLook, { ...syntheticVolume({ dimensions: [4, 4, 4] }), unit });
-      expect(look.transferFunction.length, unit).to.be.greaterThan(1);
+      const appearance = await resolveAppearance(plainAppearance, { ...syntheticVolume({ dimensions: [4, 4, 4] }), unit });
+      expect(appearance.transferFunction.length, unit).to.be.greaterThan(1);
     }
   });
 });

@@ -58,8 +58,8 @@ const rays = 700;
 describe('rays that graze what is opaque at once', () => {
   let before = 0;
   for (const [name, volume] of [['clouds', clouds()], ['noise', noise([20, 20, 20])]] as const) {
-    for (const [look, text] of Object.entries(looks)) {
-      it(`show it, and no other do: ${name}, ${look}`, function () {
+    for (const [appearance, text] of Object.entries(looks)) {
+      it(`show it, and no other do: ${name}, ${appearance}`, function () {
         this.timeout(60_000);
         const transferFunction = parse(text);
         const setup = setUpRays(volume.grid, viewMatrix(orbitCamera({ theta: 0.6, phi: 1.2, radius: 90 }, [0, 0, 0], 0.5)), projectionMatrix(0.4, 1, 1, 2))!;
@@ -75,10 +75,10 @@ describe('rays that graze what is opaque at once', () => {
           wrong.looked += isOff(castSceneRay(scene, setup, ray, known));
           wrong.before += isOff(castSceneRay({ ...scene, gather: compositeGather }, setup, ray, known));
         }
-        console.log(`${name}, ${look}: ${wrong.looked} of ${rays} rays are off, ${wrong.before} without looking for jumps`);
+        console.log(`${name}, ${appearance}: ${wrong.looked} of ${rays} rays are off, ${wrong.before} without looking for jumps`);
         expect(wrong.looked).to.equal(0);
         before += wrong.before;
-        if (look === 'narrow ramp') expect(before, 'of all looks, without').to.be.above(name === 'noise' ? 20 : 2);
+        if (appearance === 'narrow ramp') expect(before, 'of all looks, without').to.be.above(name === 'noise' ? 20 : 2);
       });
     }
   }

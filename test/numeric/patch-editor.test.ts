@@ -83,7 +83,7 @@ describe('a session of edits by value and gradient', () => {
     const { view, session, editor, focused } = open(writePatches([box]));
     editor.add('gaussian');
     expect(focused).to.deep.equal([{ index: 1, grip: 'middle' }]);
-    editor.changeLook(1, { color: '#00ff00', opacity: 7 });
+    editor.changeAppearance(1, { color: '#00ff00', opacity: 7 });
     session.commit();
     expect(editor.patches[1]).to.deep.include({ color: [0, 1, 0], opacity: 1 });
     expect(session.writeAttributes()).to.equal(`transfer-function-2d="${writePatches(editor.patches)}"`);

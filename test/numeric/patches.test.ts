@@ -16,8 +16,8 @@ import { stagesOf } from '../../src/optics/reference.ts';
 import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
 import { isUsual } from '../../src/optics/transfer/usual-columns.ts';
 import { cartesianSlopes } from '../../src/optics/shading-twins.ts';
-import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';
-import { plainLook } from '../../src/viewer/model/settings.ts';
+import { resolveAppearance } from '../../src/viewer/appearance/resolve-appearance.ts';
+import { plainAppearance } from '../../src/viewer/model/settings.ts';
 import { styleOf } from '../../src/viewer/model/volume-info.ts';
 import { plainOptics } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
@@ -149,14 +149,14 @@ describe('patches of value and gradient', () => {
 
   it('stand in for the transfer function, but not in projections; beside surfaces there is fog then', async () => {
     const volume = syntheticVolume({ dimensions: [8, 8, 8], kind: 'float32' });
-    const look = { ...plainLook, window: [0, 100] as const, referenceLength: 2, transferFunction2d: 'box 10% 20% 0 10% red 1' };
-    const optics = await resolveLook(look, volume);
+    const appearance = { ...plainAppearance, window: [0, 100] as const, referenceLength: 2, transferFunction2d: 'box 10% 20% 0 10% red 1' };
+    const optics = await resolveAppearance(appearance, volume);
     expect(optics.patches).to.deep.equal([{ kind: 'box', values: [10, 20], gradients: [0, 5], color: [1, 0, 0], opacity: 1 }]);
     expect(optics.transferFunction).to.deep.equal(outlinePatches(optics.patches!));
-    const constant = await resolveLook({ ...look, window: null }, { ...volume, window: undefined, range: [7, 7] });
+    const constant = await resolveAppearance({ ...appearance, window: null }, { ...volume, window: undefined, range: [7, 7] });
     expect(constant.patches, 'percentages of no window').to.deep.equal([{ ...optics.patches![0], values: [6.6, 6.7], gradients: [0, 0.05] }]);
     expect(styleOf(optics)).to.deep.equal({ lit: undefined, styles: undefined, patches: optics.patches });
-    expect(await resolveLook({ ...look, projection: 'max' }, volume)).to.not.have.property('patches');
-    expect((await resolveLook({ ...look, surfaces: '50 red', shading: 'unlit' }, volume)).surfaces).to.deep.equal({ surfaces: [{ value: 50, color: [1, 0, 0], opacity: 1 }], plain: true });
+    expect(await resolveAppearance({ ...appearance, projection: 'max' }, volume)).to.not.have.property('patches');
+    expect((await resolveAppearance({ ...appearance, surfaces: '50 red', shading: 'unlit' }, volume)).surfaces).to.deep.equal({ surfaces: [{ value: 50, color: [1, 0, 0], opacity: 1 }], plain: true });
   });
 });

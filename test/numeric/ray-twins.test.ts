@@ -12,7 +12,7 @@ import { sliceInterval, sliceMeeter } from '../../src/radar/slices.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import type { VolumeLayer } from '../../src/renderer/layers/volume-layer.ts';
 import { composeTwins, loadTwins } from '../../src/renderer/ray/compose-twins.ts';
-import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
+import { labelAppearances } from '../../src/renderer/ray/modules/label-appearances.ts';
 import type { Optics, RayModule, TwinFrame } from '../../src/renderer/ray/ray-module.ts';
 import { later, twinOf } from '../../src/renderer/ray/ray-twin.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
@@ -64,14 +64,14 @@ describe('the modules of a layer, in float64', () => {
     const volume = radarVolume({ sweeps }, { verticalExaggeration: 4 });
     const { rays, picked } = setUp(volume);
     const stepLength = longestDiagonal(volume.grid) / 60;
-    const look = { ...plainOptics, transferFunction: [{ value: -30, color: [0.2, 0.3, 0.4], opacity: 0.1 }, { value: 90, color: [0.5, 0, 0.1], opacity: 0.2 }] as const, referenceLength: 1e5, lightFactor: 1.5 };
+    const appearance = { ...plainOptics, transferFunction: [{ value: -30, color: [0.2, 0.3, 0.4], opacity: 0.1 }, { value: 90, color: [0.5, 0, 0.1], opacity: 0.2 }] as const, referenceLength: 1e5, lightFactor: 1.5 };
     const level: Slice = { kind: 'level', height: 2000 };
-    const layer = await layerOf(volume, look);
+    const layer = await layerOf(volume, appearance);
     const bare = await stagesOfLayer(layer, rays, { stepLength });
     layer.slices = [level];
     const cut = await stagesOfLayer(layer, rays, { stepLength });
-    const scene = { ...volume, ...look, stepLength, field: polarField(volume) };
-    const ends = [sliceInterval(sliceMeeter(volume, [level], look))];
+    const scene = { ...volume, ...appearance, stepLength, field: polarField(volume) };
+    const ends = [sliceInterval(sliceMeeter(volume, [level], appearance))];
     const cast = (ray: Ray, withSlice: boolean) => castSceneRay({ ...scene, ...(withSlice && { ends }) }, rays, ray);
     let opaque = 0;
     for (const ray of picked) {
@@ -87,7 +87,7 @@ describe('the modules of a layer, in float64', () => {
     const volume = syntheticVolume({ dimensions: [14, 12, 10], kind: 'uint16' });
     const { rays, picked } = setUp(volume);
     const layer = await layerOf(volume, plainOptics);
-    const shade = (name: string, act: ShadeStage): RayModule => ({ ...labelLooks, name, twin: twinOf(later(() => Promise.resolve({})), () => ({ shades: [act] })) });
+    const shade = (name: string, act: ShadeStage): RayModule => ({ ...labelAppearances, name, twin: twinOf(later(() => Promise.resolve({})), () => ({ shades: [act] })) });
     const [double, add] = [shade('double', (_, [r, g, b, a]) => [2 * r, g, b, a]), shade('add', (_, [r, g, b, a]) => [r + a, g, b, a])];
     const redOf = async (modules: readonly RayModule[]): Promise<number> => {
       layer.setModules(modules);

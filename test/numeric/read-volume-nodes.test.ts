@@ -11,12 +11,12 @@ import { readVolumeNodes, withVolumeNodes } from '../../src/viewer/attachments/r
 
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 
-const plainLook: VolumeOptics = { transferFunction: [], window: [0, 1], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
+const plainAppearance: VolumeOptics = { transferFunction: [], window: [0, 1], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
 
-function read(html: string, look: Partial<VolumeOptics> = {}): VolumeOptics {
+function read(html: string, appearance: Partial<VolumeOptics> = {}): VolumeOptics {
   const host = document.createElement('volume-view');
   host.innerHTML = html;
-  return readVolumeNodes(host, { ...plainLook, ...look });
+  return readVolumeNodes(host, { ...plainAppearance, ...appearance });
 }
 
 const kinds = (html: string): string[] => read(html).styles!.flatMap(({ styles }) => styles.map(({ kind }) => kind));
@@ -27,7 +27,7 @@ const grid = cartesianGrid([100, 50, 1], axialIndexToWorld([100, 50, 1], [1, 1, 
 
 describe('X3D\'s volume nodes', () => {
   it('have the standard\'s defaults, and say nothing where there are none', () => {
-    expect(read('<box></box>')).to.deep.equal(plainLook);
+    expect(read('<box></box>')).to.deep.equal(plainAppearance);
     expect(first('<BoundaryEnhancementVolumeStyle></BoundaryEnhancementVolumeStyle>')).to.deep.equal({ kind: 'boundary', retained: 0.2, boundary: 0.9, power: 2 });
     expect(first('<SilhouetteEnhancementVolumeStyle></SilhouetteEnhancementVolumeStyle>')).to.deep.equal({ kind: 'silhouette', retained: 1, boundary: 0, sharpness: 0.5 });
     expect(first('<EdgeEnhancementVolumeStyle></EdgeEnhancementVolumeStyle>')).to.deep.equal({ kind: 'edge', color: [0, 0, 0], threshold: 0.4 });
@@ -44,8 +44,8 @@ describe('X3D\'s volume nodes', () => {
   it('have their fields', () => {
     expect(first('<EdgeEnhancementVolumeStyle edgeColor="1 0.5 0 1" gradientThreshold="1.2"></EdgeEnhancementVolumeStyle>')).to.deep.equal({ kind: 'edge', color: [1, 0.5, 0], threshold: 1.2 });
     expect(first('<CartoonVolumeStyle colorSteps="8" parallelColor="0 0 1"></CartoonVolumeStyle>')).to.deep.equal({ kind: 'cartoon', parallel: [0, 0, 1], orthogonal: [1, 1, 1], steps: 8 });
-    expect(read('<ProjectionVolumeStyle type="average" intensityThreshold="0.5"></ProjectionVolumeStyle>'), 'a mean has no threshold').to.deep.equal({ ...plainLook, projection: 'average' });
-    expect(read('<ProjectionVolumeStyle type="max" intensityThreshold="0.5"></ProjectionVolumeStyle>')).to.deep.equal({ ...plainLook, projection: 'max', intensityThreshold: 0.5 });
+    expect(read('<ProjectionVolumeStyle type="average" intensityThreshold="0.5"></ProjectionVolumeStyle>'), 'a mean has no threshold').to.deep.equal({ ...plainAppearance, projection: 'average' });
+    expect(read('<ProjectionVolumeStyle type="max" intensityThreshold="0.5"></ProjectionVolumeStyle>')).to.deep.equal({ ...plainAppearance, projection: 'max', intensityThreshold: 0.5 });
     expect(first('<ShadedVolumeStyle lighting="TRUE" shadows="TRUE"></ShadedVolumeStyle>'), 'shadows are left out').to.deep.equal({ kind: 'shaded', material: null });
     expect(read('<ProjectionVolumeStyle type="AVERAGE"></ProjectionVolumeStyle>', { projection: 'min' }).projection, 'the attribute goes first').to.equal('min');
     expect(read('<CartoonVolumeStyle enabled="false"></CartoonVolumeStyle>').styles).to.equal(undefined);
@@ -86,9 +86,9 @@ describe('X3D\'s volume nodes', () => {
   it('that project an atlas show its values as they are: 128 of 255 as 128, opaque', async () => {
     const host = document.createElement('volume-view');
     void socketOf(host).join({ key: 'atlas', attribute: () => 'atlas.png' });
-    const seen = async (html: string, look: Partial<VolumeOptics> = {}): Promise<readonly number[]> => {
+    const seen = async (html: string, appearance: Partial<VolumeOptics> = {}): Promise<readonly number[]> => {
       host.innerHTML = html;
-      const { transferFunction } = await withVolumeNodes({ user: { host } }, { ...plainLook, ...look }, { grid });
+      const { transferFunction } = await withVolumeNodes({ user: { host } }, { ...plainAppearance, ...appearance }, { grid });
       return evaluate(transferFunction, 128).map((x) => Math.round((255 * x) / largestOpacity(transferFunction)));
     };
     for (const type of ['MAX', 'MIN', 'AVERAGE']) expect(await seen(`<ProjectionVolumeStyle type="${type}"></ProjectionVolumeStyle>`), type).to.deep.equal([128, 128, 128, 255]);
@@ -147,27 +147,27 @@ describe('X3D\'s volume nodes', () => {
     const host = document.createElement('volume-view');
     host.innerHTML = '<OpacityMapVolumeStyle><PixelTexture image="2 1 1 0 255"></PixelTexture></OpacityMapVolumeStyle>';
     const patches: VolumeOptics['patches'] = [{ kind: 'box', values: [0, 1], gradients: [0, 1], color: [1, 0, 0], opacity: 0.5 }];
-    const ofTexture = await withVolumeNodes({ user: { host } }, plainLook, { grid });
+    const ofTexture = await withVolumeNodes({ user: { host } }, plainAppearance, { grid });
     expect(ofTexture.transferFunction).to.have.length(2);
-    expect((await withVolumeNodes({ user: { host } }, { ...plainLook, patches }, { grid })).transferFunction).to.equal(plainLook.transferFunction);
+    expect((await withVolumeNodes({ user: { host } }, { ...plainAppearance, patches }, { grid })).transferFunction).to.equal(plainAppearance.transferFunction);
   });
 
   it('of X3DOM\'s factor hold over 1 % of the longest edge of a thin volume, too', async () => {
     const host = document.createElement('volume-view');
     host.innerHTML = '<OpacityMapVolumeStyle opacityFactor="6"></OpacityMapVolumeStyle>';
-    const look = { ...plainLook, referenceLength: defaultReferenceLength(grid) };
-    expect(look.referenceLength).to.equal(0.05);
-    expect((await withVolumeNodes({ user: { host } }, look, { grid })).referenceLength).to.equal(1);
-    expect((await withVolumeNodes({ user: { host } }, { ...look, referenceLength: 3 }, { grid })).referenceLength).to.equal(3);
+    const appearance = { ...plainAppearance, referenceLength: defaultReferenceLength(grid) };
+    expect(appearance.referenceLength).to.equal(0.05);
+    expect((await withVolumeNodes({ user: { host } }, appearance, { grid })).referenceLength).to.equal(1);
+    expect((await withVolumeNodes({ user: { host } }, { ...appearance, referenceLength: 3 }, { grid })).referenceLength).to.equal(3);
     host.setAttribute('reference-length', '0.05');
-    expect((await withVolumeNodes({ user: { host } }, look, { grid })).referenceLength).to.equal(0.05);
+    expect((await withVolumeNodes({ user: { host } }, appearance, { grid })).referenceLength).to.equal(0.05);
   });
 
   it('have opacities by X3DOM\'s factor where it is written', async () => {
     const opacitiesOf = async (fields: string, texture: string): Promise<number[]> => {
       const host = document.createElement('volume-view');
       host.innerHTML = `<OpacityMapVolumeStyle ${fields}>${texture}</OpacityMapVolumeStyle>`;
-      return (await withVolumeNodes({ user: { host } }, plainLook, { grid })).transferFunction.map(({ opacity }) => opacity);
+      return (await withVolumeNodes({ user: { host } }, plainAppearance, { grid })).transferFunction.map(({ opacity }) => opacity);
     };
     const texture = '<PixelTexture image="2 1 1 0 255"></PixelTexture>';
     expect(await opacitiesOf('', texture)).to.deep.equal([0, 1]);

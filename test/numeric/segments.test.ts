@@ -5,7 +5,7 @@ import { VolumeViewError } from '../../src/core/errors.ts';
 import { leadOf, readEnabled, readIdentifiers, reportStyles } from '../../src/x3d/nodes/read-segments.ts';
 import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
 import { segmentOf } from '../../src/viewer/attachments/segment-controller.ts';
-import { atlasOf, fakeView, plainLook, viewOf } from '../helpers/fake-view.ts';
+import { atlasOf, fakeView, plainAppearance, viewOf } from '../helpers/fake-view.ts';
 
 const nodeOf = (attributes: string): Element => viewOf(`<SegmentedVolumeData ${attributes}></SegmentedVolumeData>`).firstElementChild!;
 
@@ -60,7 +60,7 @@ describe('X3D\'s segments', () => {
 
   it('have one style, that of the first that is drawn, and others are told', async () => {
     const html = `<SegmentedVolumeData segmentEnabled="false">${identifiers([0, 1, 2, 2])}${edge}${cartoon}${cartoon}</SegmentedVolumeData>`;
-    expect(readVolumeNodes(viewOf(html), plainLook).styles!.flatMap(({ styles }) => styles.map(({ kind }) => kind))).to.deep.equal(['cartoon']);
+    expect(readVolumeNodes(viewOf(html), plainAppearance).styles!.flatMap(({ styles }) => styles.map(({ kind }) => kind))).to.deep.equal(['cartoon']);
     const same = fakeView(html);
     await same.read();
     expect(same.errors.first).to.equal(null);

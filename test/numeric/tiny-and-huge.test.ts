@@ -7,8 +7,8 @@ import { toShare } from '../../src/editor/transfer-function-axes.ts';
 import { colorPainter, grayPainter } from '../../src/panes/paint-slice.ts';
 import type { Painter } from '../../src/panes/paint-slice.ts';
 import { suitingWindow } from '../../src/panes/suiting-window.ts';
-import { resolveLook } from '../../src/viewer/appearance/resolve-look.ts';
-import { plainLook } from '../../src/viewer/model/settings.ts';
+import { resolveAppearance } from '../../src/viewer/appearance/resolve-appearance.ts';
+import { plainAppearance } from '../../src/viewer/model/settings.ts';
 import { english } from '../../src/messages/english-companions.ts';
 import { Language } from '../../src/messages/language.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
@@ -68,7 +68,7 @@ for (const [size, error] of sizes) {
     it('have a look whose stops rise', async () => {
       const volume = { ...syntheticVolume({ dimensions: [4, 4, 4] }), histogram: histogramOf(size), range: [0, size] as const };
       for (const range of [volume.range, [size / 2, size], [-size, -size / 2]] as const) {
-        const { window, transferFunction } = await resolveLook(plainLook, { ...volume, window: range });
+        const { window, transferFunction } = await resolveAppearance(plainAppearance, { ...volume, window: range });
         expect(window[0]).to.be.below(window[1]);
         transferFunction.slice(1).forEach(({ value }, i) => expect(value).to.be.at.least(transferFunction[i].value));
       }

@@ -6,7 +6,7 @@ import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
 import { paneLabels } from '../../src/panes/pane-labels.ts';
 import { readLabelChildren } from '../../src/viewer/attachments/label-children.ts';
 import { LabelFunctions } from '../../src/viewer/attachments/label-functions.ts';
-import { ownLabelsLook } from '../../src/viewer/appearance/own-labels-look.ts';
+import { ownLabelsAppearance } from '../../src/viewer/appearance/own-labels-appearance.ts';
 import { describeLabels, styleLabels } from '../../src/viewer/model/view-labels.ts';
 import type { LabelEntry, LabelSources } from '../../src/viewer/model/view-labels.ts';
 import { invertAffine, transformPoint } from '../../src/volume/matrix.ts';
@@ -102,7 +102,7 @@ describe('transfer functions of labels', () => {
 
 it('a volume that is labels itself has a stop for each: its colour, none of the hidden ones and of what has no label', () => {
   const entries = describeLabels([0, 5, 2, 9], { ...nothing, table, chosen: new Map([[5, true]]) });
-  const stops = ownLabelsLook(entries)!;
+  const stops = ownLabelsAppearance(entries)!;
   const at = (value: number): number[] => evaluate(stops, value).map((x) => Math.round(x * 1000) / 1000);
   expect(at(0)[3]).to.equal(0);
   expect(at(2)).to.deep.equal([0.11, 0, 0, 0.11]);
@@ -115,8 +115,8 @@ it('what is hidden can be a ghost: grey, of which little is left, beside a volum
   const entries = describeLabels([0, 2, 5, 9], { ...nothing, table, chosen, ghosts: true });
   expect(styleLabels(entries, new Map([['gray', 1]])).map(({ opacityFactor, group }) => [opacityFactor, group])).to.deep.equal([[0.05, undefined], [0.05, undefined], [0.05, undefined], [1, undefined]]);
   expect(styleLabels(entries)[1].color).to.deep.equal([0.75, 0.75, 0.75]);
-  expect(evaluate(ownLabelsLook(entries)!, 5)[3]).to.be.closeTo(0.0055, 1e-9);
-  expect(evaluate(ownLabelsLook(entries)!, 0)[3], 'nothing stays nothing').to.equal(0);
+  expect(evaluate(ownLabelsAppearance(entries)!, 5)[3]).to.be.closeTo(0.0055, 1e-9);
+  expect(evaluate(ownLabelsAppearance(entries)!, 0)[3], 'nothing stays nothing').to.equal(0);
   expect(styleLabels(describeLabels([0, 2, 5, 9], { ...nothing, table, chosen }))[1].opacityFactor).to.equal(0);
 });
 

@@ -4,8 +4,8 @@ import { emptyMacrocells } from '../../volume/macrocells.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { DecodedPolarVolume } from '../base/decoded-volume.ts';
 import type { CoarseVolume } from '../base/load-request.ts';
-import { suggestRadarLook } from './suggest-radar-look.ts';
-import type { PolarOutline } from './suggest-radar-look.ts';
+import { suggestRadarAppearance } from './suggest-radar-appearance.ts';
+import type { PolarOutline } from './suggest-radar-appearance.ts';
 
 /** Larger radar volumes, bytes, are not reported before their macrocells are made: the report would need a second copy. */
 const maxPreviewBytes = 2 ** 24;
@@ -15,7 +15,7 @@ export function outlinePolar({ makeMacrocells: _later, ...decoded }: DecodedPola
   const { samples, slope, intercept } = decoded;
   const minValid = samples instanceof Float32Array ? -Infinity : 1;
   const outline = { ...decoded, ...summarize(samples, slope, intercept, minValid), hasNoData: true };
-  return { ...outline, ...suggestRadarLook(outline) };
+  return { ...outline, ...suggestRadarAppearance(outline) };
 }
 
 /** A copy with empty macrocells, so that the renderer can prepare for this volume; null for a large one. */

@@ -111,7 +111,7 @@ export function overlayShade(
   overlay: ShownOverlay, field: Pick<FieldStage, 'isFolded'>, { lightFactor, opticalScale }: { readonly lightFactor: number; readonly opticalScale: number },
 ): ShadeStage {
   const means = exactMeans(overlayColors(overlay, lightFactor));
-  const look = (segment: Segment): { readonly mean: Premultiplied; readonly known: number } => {
+  const appearance = (segment: Segment): { readonly mean: Premultiplied; readonly known: number } => {
     const [front, back] = [segment.front, segment.back].map((end) => (end as OverlaidSample).overlay);
     const known = (Number.isNaN(front) ? 0 : 0.5) + (Number.isNaN(back) ? 0 : 0.5);
     if (known === 0) return { mean: [0, 0, 0, 0], known };
@@ -122,11 +122,11 @@ export function overlayShade(
   };
   return overlay.blend === 'mix'
     ? (segment, seen) => {
-      const { mean, known } = look(segment);
+      const { mean, known } = appearance(segment);
       return mix(seen, mean, known * segment.span * opticalScale);
     }
     : (segment, seen) => {
-      const { mean, known } = look(segment);
+      const { mean, known } = appearance(segment);
       return tint(seen, mean, { known, missing: overlay.missing });
     };
 }

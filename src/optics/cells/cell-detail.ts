@@ -90,13 +90,13 @@ export function* seekDetail(seen: SeenVolume, lost: number): Waiting<Uint8Array<
     if (cell % cellsAtOnce === cellsAtOnce - 1) yield;
     if (!seen.cells[cell]) continue;
     const code = detailCodes.findIndex((samples) => missable(cell, samples, true) <= lost || missable(cell, samples) <= lost);
-    codes[cell] = Math.min(code < 0 ? detailCodes.length - 1 : code, found(cell) ? codeToLook : detailCodes.length - 1);
+    codes[cell] = Math.min(code < 0 ? detailCodes.length - 1 : code, found(cell) ? codeToAppearance : detailCodes.length - 1);
   }
   return codes;
 }
 
 /** The code of a cell in which rays search for opaque values: two samples per voxel. */
-const codeToLook = 1;
+const codeToAppearance = 1;
 
 function findsIn({ volume: { macrocells: { low, high }, slope, intercept }, found = [] }: SeenVolume): (cell: number) => boolean {
   const stored = found.map((value) => (value - intercept) / slope);

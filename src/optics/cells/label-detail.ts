@@ -6,7 +6,7 @@ import { emission } from '../transfer/emission.ts';
 import { rangeEmission } from '../transfer/emission-range.ts';
 
 /** The appearance of the labels in each macrocell. */
-export interface CellLooks {
+export interface CellAppearances {
   /** The largest factor of the extinction; 0 if all labels are hidden. */
   readonly max: Float32Array;
   /** The largest difference between the factors of extinction, or between the factors of extinction times a colour. */
@@ -16,7 +16,7 @@ export interface CellLooks {
 }
 
 /** @param styles - by label number */
-export function lookOfCells({ starts, numbers }: LabelCells, styles: readonly LabelStyle[]): CellLooks {
+export function appearanceOfCells({ starts, numbers }: LabelCells, styles: readonly LabelStyle[]): CellAppearances {
   const factors = styles.map(({ color, opacityFactor }) => [opacityFactor, ...color.map((channel) => channel * opacityFactor)]);
   const max = new Float32Array(starts.length - 1);
   const spread = new Float32Array(starts.length - 1);
@@ -44,7 +44,7 @@ export function lookOfCells({ starts, numbers }: LabelCells, styles: readonly La
 const unknown = { among: 1, offLine: 0.5 } as const;
 
 /** The optical depth that could be missed in a cell when labels are included: see `SeenVolume`. */
-export function labelledDetail({ max, spread, groups }: CellLooks, { volume, transferFunction, functions = [], opticalScale }: Omit<SeenVolume, 'cells' | 'more'>): NonNullable<SeenVolume['more']> {
+export function labelledDetail({ max, spread, groups }: CellAppearances, { volume, transferFunction, functions = [], opticalScale }: Omit<SeenVolume, 'cells' | 'more'>): NonNullable<SeenVolume['more']> {
   const { macrocells: { low, high }, slope, intercept, grid } = volume;
   const all = [transferFunction, ...functions];
   const ranges = all.map((one) => rangeEmission(one));

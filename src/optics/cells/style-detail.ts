@@ -21,7 +21,7 @@ export interface StyleChange {
 export type StyleRange = (low: number, high: number) => StyleChange;
 
 /** A volume and its style. */
-export interface StyledLook {
+export interface StyledAppearance {
   readonly volume: Pick<Volume, 'range'> & { readonly grid: GridFrame & { readonly kind?: string } };
   readonly transferFunction: TransferFunction;
   readonly referenceLength: number;
@@ -31,20 +31,20 @@ export interface StyledLook {
 const steepest = Math.sqrt(3) / 2;
 
 /** The largest change of values from voxel to voxel. A radar's gates may have any size, so theirs has no limit. */
-function changeAmong({ grid }: StyledLook['volume']): (low: number, high: number) => number {
+function changeAmong({ grid }: StyledAppearance['volume']): (low: number, high: number) => number {
   return (low, high) => (grid.kind === 'polar' && high > low ? Infinity : steepest * (high - low));
 }
 
 /** For light on fog: where the field is not flat, the light that is seen may be anything up to the opacity. */
-export function rangeLight({ volume, transferFunction }: StyledLook): StyleRange {
+export function rangeLight({ volume, transferFunction }: StyledAppearance): StyleRange {
   const flat = fogFlat * flatChange(domainOf(transferFunction), volume.range);
   const change = changeAmong(volume);
   return (low, high) => ({ max: 1, apart: weighUpTo(change(low, high), flat) });
 }
 
 /** For styles, from their own table. */
-export function rangeStyles(chains: readonly StyleChain[], look: StyledLook): StyleRange {
-  const { volume, transferFunction, referenceLength } = look;
+export function rangeStyles(chains: readonly StyleChain[], appearance: StyledAppearance): StyleRange {
+  const { volume, transferFunction, referenceLength } = appearance;
   const flat = flatChange(domainOf(transferFunction), volume.range);
   const change = changeAmong(volume);
   const toChange = perReferenceLength(volume.grid, referenceLength) / flat;

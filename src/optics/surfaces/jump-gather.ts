@@ -55,14 +55,14 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
     const lookCloser = (segment: Segment, turns: readonly number[], sampleAt: Path['sampleAt']): void => {
       const { begin, span } = segment;
       let [at, known, length] = [0, segment.front, span];
-      for (let look = 0; at < span; look++) {
+      for (let appearance = 0; at < span; appearance++) {
         const mark = turns.reduce((next, turn) => (turn > at && turn < next ? turn : next), span);
         // After the last sample, the rest is taken in one piece.
-        const end = look >= maxLooks ? span : Math.min(mark, at + length);
+        const end = appearance >= maxLooks ? span : Math.min(mark, at + length);
         const piece = { front: known, back: end === span ? segment.back : sampleAt(begin + end), begin: begin + at, span: end - at };
         const color = seeSegment(piece);
         const visible = 1 - gathered[3];
-        const isHalved = look < maxLooks && visible > nothing && end - at > span / 2 ** maxHalvings && (visible * color[3] > limit || passes(piece));
+        const isHalved = appearance < maxLooks && visible > nothing && end - at > span / 2 ** maxHalvings && (visible * color[3] > limit || passes(piece));
         if (isHalved) {
           length = (end - at) / 2;
           continue;

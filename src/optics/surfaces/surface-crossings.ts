@@ -41,11 +41,11 @@ export interface Looking {
  * crossing counts once, whatever the steps.
  * Source: regula falsi with the weights of Dowell and Jarratt 1971 ("Illinois"). Twin: shaders/chunks/gather/surface-crossings.glsl
  */
-export function crossSurfaces(values: readonly number[], leg: Leg, look: Looking, refinements = surfaceRefinements): Crossing[] {
+export function crossSurfaces(values: readonly number[], leg: Leg, appearance: Looking, refinements = surfaceRefinements): Crossing[] {
   const crossings: Crossing[] = [];
   let [share, value] = [0, leg.front.value];
   for (const surface of listCrossed(values, leg)) {
-    const found = refine(leg, { share, value, wanted: values[surface] }, look, refinements);
+    const found = refine(leg, { share, value, wanted: values[surface] }, appearance, refinements);
     share = found.share;
     value = values[surface];
     crossings.push({ surface, ...found });

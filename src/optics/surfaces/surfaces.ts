@@ -73,7 +73,7 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
         if (leg.isNew) gather(piece, isClear ? clear : seen.seeSegment(piece));
         [share, front] = [to, back];
       };
-      for (const { surface, share: at, hit } of crossSurfaces(values, leg, lookOf(seen), scene.refinements ?? surfaceRefinements)) {
+      for (const { surface, share: at, hit } of crossSurfaces(values, leg, appearanceOf(seen), scene.refinements ?? surfaceRefinements)) {
         gatherTo(at, hit);
         gather({ front: hit, back: hit, begin: leg.begin + at * leg.span, span: 0 }, seeSurface(scene, surface, hit, seen.ray));
       }
@@ -102,7 +102,7 @@ function runs({ field }: Seen, a: Sample, b: Sample): boolean {
   return a.valid && b.valid && !field.isFolded(a.value, b.value);
 }
 
-function lookOf({ sampleAt, field: { kinksBetween } }: Seen): Looking {
+function appearanceOf({ sampleAt, field: { kinksBetween } }: Seen): Looking {
   return { sampleAt, kinksBetween };
 }
 
@@ -140,7 +140,7 @@ function listLegs(values: readonly number[], segment: Segment, before: Segment |
   const isNext = before !== null && before.span > 0 && before.begin + before.span > begin - 1e-6 * span;
   const sample = isNext ? before.front : seen.sampleAt(between(front, back, -1));
   const spanBefore = isNext ? before.span : span;
-  const turn: Turn | null = runs(seen, sample, front) ? findTurn(values, segment, { sample, span: spanBefore, isShown: isNext }, lookOf(seen)) : null;
+  const turn: Turn | null = runs(seen, sample, front) ? findTurn(values, segment, { sample, span: spanBefore, isShown: isNext }, appearanceOf(seen)) : null;
   if (!turn) return [whole];
   const { at, top } = turn;
   if (at > 0) return [{ ...whole, back: top, span: at }, { front: top, back, begin: begin + at, span: span - at, from: top.value, isNew: true }];

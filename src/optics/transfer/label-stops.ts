@@ -11,7 +11,7 @@ export const labelOpacity = 0.22;
 const hasHalves = 2 ** 51;
 
 /** The appearance of one label. */
-export interface LabelLook {
+export interface LabelAppearance {
   readonly id: number;
   readonly color: Color;
   readonly opacity: number;
@@ -28,7 +28,7 @@ export function paletteColor(number: number): Color {
  * label begins. No sample has a value between two labels.
  * @param looks - ascending
  */
-export function labelStops(looks: readonly LabelLook[]): TransferFunction {
+export function labelStops(looks: readonly LabelAppearance[]): TransferFunction {
   const beginOf = (id: number): number => (Math.abs(id) < hasHalves ? id - 0.5 : id);
   const stops: Stop[] = [];
   looks.forEach(({ id, color, opacity }, i) => {
@@ -58,11 +58,11 @@ export function stopsByPlace(stops: TransferFunction, ids: readonly number[]): T
   ids.forEach((id, place) => {
     const [red, green, blue, opacity] = evaluate(stops, id);
     const color: Color = opacity > 0 ? [red / opacity, green / opacity, blue / opacity] : [0, 0, 0];
-    const look = [opacity, ...color].join();
-    if (place > 0 && look === last) byPlace.pop();
+    const appearance = [opacity, ...color].join();
+    if (place > 0 && appearance === last) byPlace.pop();
     else byPlace.push({ value: place - 0.5, color, opacity });
     byPlace.push({ value: place + 0.5, color, opacity });
-    last = look;
+    last = appearance;
   });
   made.set(stops, [ids, byPlace]);
   return byPlace;

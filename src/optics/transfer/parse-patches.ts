@@ -2,7 +2,7 @@ import { VolumeViewError } from '../../core/errors.ts';
 import { parseCssColor } from './css-color.ts';
 import { maxWord, parseOpacity, parseValue, splitOutsideBrackets } from './parse-transfer-function.ts';
 import { maxPatches } from './patches.ts';
-import type { Patch, PatchLook } from './patches.ts';
+import type { Patch, PatchAppearance } from './patches.ts';
 
 /** Longest text: the largest number of patches, each with words of the largest length. */
 const maxLength = 8 * maxPatches * maxWord;
@@ -41,8 +41,8 @@ function parsePatch(part: string, number: number, units: PatchUnits): Patch {
   }
   if (words.length < 7) throw syntax(`${where} got ${words.length - 1} part${words.length === 2 ? '' : 's'} after "${kind}"; expected ${expected[kind]}, a colour and an opacity`);
   const numbers = words.slice(1, 5);
-  const look = parseLook(words.slice(5), where);
-  return kind === 'box' ? parseBox(numbers, look, { where, units }) : parseGaussian(numbers, look, { where, units });
+  const appearance = parseLook(words.slice(5), where);
+  return kind === 'box' ? parseBox(numbers, appearance, { where, units }) : parseGaussian(numbers, appearance, { where, units });
 }
 
 const expected = { box: 'the lowest and the highest value, the lowest and the highest gradient', gaussian: 'a value, a gradient, the width in values and the width in gradients' } as const;
@@ -53,23 +53,23 @@ interface Place {
   readonly units: PatchUnits;
 }
 
-function parseBox(words: readonly string[], look: PatchLook, { where, units: { window, steepest } }: Place): Patch {
+function parseBox(words: readonly string[], appearance: PatchAppearance, { where, units: { window, steepest } }: Place): Patch {
   const [low, high] = words.slice(0, 2).map((word) => readNumber(word, 'value', where, window));
   const [min, max] = words.slice(2).map((word) => readNumber(word, 'gradient', where, [0, steepest]));
   if (!(low < high)) throw syntax(`${where} got values from ${words[0]} to ${words[1]}; expected the lower one first`);
   if (!(min < max)) throw syntax(`${where} got gradients from ${words[2]} to ${words[3]}; expected the lower one first`);
   if (min < 0) throw syntax(`${where} got the gradient ${words[2]}; expected 0 or more`);
-  return { kind: 'box', values: [low, high], gradients: [min, max], ...look };
+  return { kind: 'box', values: [low, high], gradients: [min, max], ...appearance };
 }
 
-function parseGaussian(words: readonly string[], look: PatchLook, { where, units: { window, steepest } }: Place): Patch {
+function parseGaussian(words: readonly string[], appearance: PatchAppearance, { where, units: { window, steepest } }: Place): Patch {
   const value = readNumber(words[0], 'value', where, window);
   const gradient = readNumber(words[1], 'gradient', where, [0, steepest]);
   const widths = [readNumber(words[2], 'width', where, [0, window[1] - window[0]]), readNumber(words[3], 'width', where, [0, steepest])] as const;
   if (gradient < 0) throw syntax(`${where} got the gradient ${words[1]}; expected 0 or more`);
   const narrow = widths.findIndex((width) => !(width > 0));
   if (narrow >= 0) throw syntax(`${where} got the width ${words[2 + narrow]}; expected more than 0`);
-  return { kind: 'gaussian', value, gradient, widths, ...look };
+  return { kind: 'gaussian', value, gradient, widths, ...appearance };
 }
 
 function readNumber(word: string, name: string, where: string, percents: readonly [number, number]): number {
@@ -78,7 +78,7 @@ function readNumber(word: string, name: string, where: string, percents: readonl
   return number;
 }
 
-function parseLook(words: readonly string[], where: string): PatchLook {
+function parseLook(words: readonly string[], where: string): PatchAppearance {
   const opacity = parseOpacity(words[words.length - 1]);
   const colorText = words.slice(0, -1).join(' ');
   const parsed = colorText.length > maxWord ? null : parseCssColor(colorText);

@@ -8,21 +8,21 @@ import { maxOpacity } from './usual-columns.ts';
 export type Patch = BoxPatch | GaussianPatch;
 
 /** The appearance of a patch. */
-export interface PatchLook {
+export interface PatchAppearance {
   readonly color: Color;
   /** 0..1 per reference length; for a Gaussian, in its middle. */
   readonly opacity: number;
 }
 
 /** Everything between two values, and between two gradients. */
-export interface BoxPatch extends PatchLook {
+export interface BoxPatch extends PatchAppearance {
   readonly kind: 'box';
   readonly values: readonly [low: number, high: number];
   readonly gradients: readonly [low: number, high: number];
 }
 
 /** A Gaussian around a value and a gradient. */
-export interface GaussianPatch extends PatchLook {
+export interface GaussianPatch extends PatchAppearance {
   readonly kind: 'gaussian';
   readonly value: number;
   readonly gradient: number;
@@ -87,7 +87,7 @@ export function meanOverWay(patches: readonly Patch[], from: ValueAndGradient, t
 }
 
 /** Extinction per reference length where a patch is 1. */
-export function densityOf({ opacity }: PatchLook): number {
+export function densityOf({ opacity }: PatchAppearance): number {
   return Math.min(opaqueExtinction, extinction(Math.min(opacity, 1)));
 }
 

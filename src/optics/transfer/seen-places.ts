@@ -22,7 +22,7 @@ const haze = { opacity: 0.005, share: 0.03 };
  * @param shown - a box along the world's axes, or the volume's own grid
  * @returns world coordinates; an empty list if nothing is visible
  */
-export function findSeenPlaces(volume: Volume, look: TransferFunction, shown: GridFrame): Vector3[] {
+export function findSeenPlaces(volume: Volume, appearance: TransferFunction, shown: GridFrame): Vector3[] {
   const { grid, samples, macrocells, slope, intercept, range: [min, max] } = volume;
   const cells = grid.kind === 'polar' ? { ...macrocells, size: cellSize } : { dimensions: grid.dimensions, low: samples, high: samples, size: 1 };
   const [nx, ny, nz] = cells.dimensions;
@@ -31,8 +31,8 @@ export function findSeenPlaces(volume: Volume, look: TransferFunction, shown: Gr
   const limits = [0, 1, 2].map((axis) => [Math.min, Math.max].map((end) => end(...ends.map((corner) => corner[axis]))));
 
   const width = (max - min) / shades || 1;
-  const visible = Math.min(haze.opacity, haze.share * largestOpacity(look));
-  const isSeen = Uint8Array.from({ length: shades + 1 }, (_, i) => Number(evaluate(look, min + i * width)[3] >= visible));
+  const visible = Math.min(haze.opacity, haze.share * largestOpacity(appearance));
+  const isSeen = Uint8Array.from({ length: shades + 1 }, (_, i) => Number(evaluate(appearance, min + i * width)[3] >= visible));
   const shadeOf = (stored: number): number => Math.round((slope * stored + intercept - min) / width);
   const [scale, zero] = [slope / width, (intercept - min) / width];
   const showsVoxel = (at: number): boolean => isSeen[Math.round(scale * samples[at] + zero)] === 1; // NaN gives undefined.

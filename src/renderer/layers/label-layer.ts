@@ -3,8 +3,8 @@ import { loadPart } from '../../core/load-part.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
-import { labelledDetail, lookOfCells } from '../../optics/cells/label-detail.ts';
-import type { CellLooks } from '../../optics/cells/label-detail.ts';
+import { labelledDetail, appearanceOfCells } from '../../optics/cells/label-detail.ts';
+import type { CellAppearances } from '../../optics/cells/label-detail.ts';
 import { listLabels } from '../../volume/label-cells.ts';
 import type { LabelCells } from '../../volume/label-cells.ts';
 import type { ShownLabels } from '../../volume/labels.ts';
@@ -20,7 +20,7 @@ import { createLabelTable } from './label-table.ts';
 import type { LabelTable } from './label-table.ts';
 import { uploadBlock } from '../ray/modules/cartesian-field.ts';
 import type { BlockTexture } from '../ray/modules/cartesian-field.ts';
-import { groupLooks, labelLooks } from '../ray/modules/label-looks.ts';
+import { groupAppearances, labelAppearances } from '../ray/modules/label-appearances.ts';
 import { labelsText, labelsTwin } from '../ray/modules/labels.ts';
 import type { LabelFunctions } from '../ray/modules/label-functions.ts';
 import type { FieldModule, Optics, RayModule } from '../ray/ray-module.ts';
@@ -52,7 +52,7 @@ export class LabelLayer {
   #brought: Brought | null = null;
   /** The styles that are in the table now. */
   #applied: ShownLabels['styles'] | null = null;
-  readonly #looks = new Kept<CellLooks>();
+  readonly #looks = new Kept<CellAppearances>();
   readonly #contribution = new Kept<Contribution>();
   readonly #detail = new Kept<Pick<SeenVolume, 'more' | 'functions'>>();
   #functions: LabelFunctions | null = null;
@@ -106,14 +106,14 @@ export class LabelLayer {
     if (!labels) return [];
     const functions = cutsSteps && optics ? labels.functions : undefined;
     const text = labelsText({ texture3d: this.device.webgl2, twoBytes: labels.map.numbers instanceof Uint16Array, hides: !cutsSteps, groups: functions !== undefined });
-    const contribution = this.#contribution.get([this.#looksOf(labels)], () => {
-      const { max } = this.#looksOf(labels);
+    const contribution = this.#contribution.get([this.#appearancesOf(labels)], () => {
+      const { max } = this.#appearancesOf(labels);
       return (_low, _high, cell) => max[cell] > 0;
     });
     const field: RayModule<'field'> = { ...text, stage: 'field', sparesRays: true, order: 1, contributes: () => contribution, inputs: () => this.#inputs(labels), twin: labelsTwin(labels, !cutsSteps) };
     if (!cutsSteps) return [field];
     const frame = { volume: volume!, field: voxels!, optics: optics! };
-    return [field, ...(functions ? this.#functions!.modules({ functions, looks: this.#looksOf(labels) }, frame) : []), functions ? groupLooks : labelLooks];
+    return [field, ...(functions ? this.#functions!.modules({ functions, looks: this.#appearancesOf(labels) }, frame) : []), functions ? groupAppearances : labelAppearances];
   }
 
   /** How labels change the detail that rays could miss: see `SeenVolume`. */
@@ -121,7 +121,7 @@ export class LabelLayer {
     const labels = this.#labelsOf(volume);
     if (!labels) return undefined;
     const { functions: own = [] } = labels;
-    const looks = this.#looksOf(labels);
+    const looks = this.#appearancesOf(labels);
     return this.#detail.get([looks, volume, seen.transferFunction, seen.opticalScale, lightFactor, ...own], () => {
       const functions = own.map((one) => brighten(one, lightFactor));
       return { functions, more: labelledDetail(looks, { ...seen, functions }) };
@@ -134,9 +134,9 @@ export class LabelLayer {
     return labels && !isPolar(volume) && labels.map.dimensions.every((n, axis) => n === volume.grid.dimensions[axis]) ? labels : null;
   }
 
-  #looksOf({ styles }: ShownLabels): CellLooks {
+  #appearancesOf({ styles }: ShownLabels): CellAppearances {
     const { cells } = this.#brought!;
-    return this.#looks.get([cells, styles], () => lookOfCells(cells, styles));
+    return this.#looks.get([cells, styles], () => appearanceOfCells(cells, styles));
   }
 
   #inputs({ styles }: ShownLabels): ProgramInputs {

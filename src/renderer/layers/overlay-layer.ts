@@ -21,7 +21,7 @@ import type { ProgramInputs } from '../device/inputs.ts';
 import { Kept } from '../device/kept.ts';
 import { askTwoByteFilter } from '../probes/probe-device.ts';
 import { isFiltered, prepareCartesian, uploadBlock } from '../ray/modules/cartesian-field.ts';
-import { overlayLookText, overlayText, overlayTwins } from '../ray/modules/overlay.ts';
+import { overlayAppearanceText, overlayText, overlayTwins } from '../ray/modules/overlay.ts';
 import type { Optics, RayFrame, RayModule, SecondField } from '../ray/ray-module.ts';
 import { uploadTable } from '../textures/table-textures.ts';
 import { uploadGradually } from '../textures/upload-gradually.ts';
@@ -105,7 +105,7 @@ export class OverlayLayer {
     return [
       { ...field.text, ...shared, stage: 'field', twin: twins.field, inputs: (frame) => joinInputs(field.inputs(frame.volume), { uniforms: { uOverlayDomain: [scale, from] }, units: [] }) },
       {
-        ...overlayLookText({ color, tableFilter: this.device.floatLinear, folds }), ...shared, stage: 'shade', twin: twins.look,
+        ...overlayAppearanceText({ color, tableFilter: this.device.floatLinear, folds }), ...shared, stage: 'shade', twin: twins.look,
         inputs: (frame) => joinInputs(this.#tableOf(overlay, frame), {
           uniforms: {
             uOverlayFold: Math.min(largestFactor, foldFrom / (domain[1] - domain[0])),

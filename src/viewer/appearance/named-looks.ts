@@ -3,10 +3,10 @@ import { invalidAttribute } from '../../core/errors.ts';
 import { otsuBin } from '../../optics/transfer/window.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { ScanModel } from '../model/scan-model.ts';
-import type { LookSettings } from '../model/settings.ts';
+import type { AppearanceSettings } from '../model/settings.ts';
 
 /** The settings behind a name. Stops and factor belong together: where an author writes stops, the factor is not used. */
-type NamedLook = Partial<Pick<LookSettings, 'transferFunction' | 'window' | 'opacityFactor' | 'projection' | 'shading'>>;
+type NamedLook = Partial<Pick<AppearanceSettings, 'transferFunction' | 'window' | 'opacityFactor' | 'projection' | 'shading'>>;
 
 /**
  * What the values mean, as far as an appearance depends on it. `intensity`: values without a known scale, as in MRI. `scale`: each
@@ -32,8 +32,8 @@ type Word = (typeof words)['ct'][number];
 /** Opaque enough that light shows how a surface is inclined, and that nothing behind it shines through. */
 const looks: Readonly<Record<'ct' | 'intensity', Partial<Record<Word, (volume: ScanModel) => NamedLook>>>> = {
   ct: {
-    textbook: () => boneLook,
-    bone: () => boneLook,
+    textbook: () => boneAppearance,
+    bone: () => boneAppearance,
     skin: () => ({ transferFunction: '-400 #c98f73 0, -250 #d9a489 60%, 200 #f0c8a8 90%', shading: 'lit' }),
     vessels: () => ({ transferFunction: 'ct-angio', opacityFactor: 3, shading: 'lit' }),
     mip: (volume) => ({ transferFunction: 'gray', window: windowOfMaxima(volume, -100), projection: 'max' }),
@@ -45,19 +45,19 @@ const looks: Readonly<Record<'ct' | 'intensity', Partial<Record<Word, (volume: S
   },
 };
 
-const boneLook: NamedLook = { transferFunction: 'ct-bone', opacityFactor: 3, shading: 'lit' };
+const boneAppearance: NamedLook = { transferFunction: 'ct-bone', opacityFactor: 3, shading: 'lit' };
 
 /**
  * The author's settings, completed by those of the named appearance.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export function applyNamedLook(settings: LookSettings, volume: ScanModel): LookSettings {
+export function applyNamedLook(settings: AppearanceSettings, volume: ScanModel): AppearanceSettings {
   const text = settings.named!;
   const kind = kindOf(volume);
   const word = text.trim().toLowerCase();
   const known: readonly string[] = words[kind];
   if (!known.includes(word)) throw invalidAttribute('look', text, `${known.join(', ')}${explain(word)}`);
-  const said = lookOf(word as Word, kind, volume);
+  const said = appearanceOf(word as Word, kind, volume);
   const hasStops = settings.transferFunction !== null;
   return {
     ...settings,
@@ -69,7 +69,7 @@ export function applyNamedLook(settings: LookSettings, volume: ScanModel): LookS
   };
 }
 
-function lookOf(word: Word, kind: Kind, volume: ScanModel): NamedLook {
+function appearanceOf(word: Word, kind: Kind, volume: ScanModel): NamedLook {
   if (word === 'flat') return {};
   if (word === 'xray') return { transferFunction: 'gray', window: windowOfMeans(volume), projection: 'average' };
   if (kind === 'ct' || kind === 'intensity') return looks[kind][word]!(volume);

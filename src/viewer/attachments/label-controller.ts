@@ -12,7 +12,7 @@ import type { LabelChildren } from './label-children.ts';
 import { labelsIn, loadLabelFile, loadLabelTable } from '../loading/label-files.ts';
 import type { LabelFile } from '../loading/label-files.ts';
 import { LabelFunctions } from './label-functions.ts';
-import { ownLabelsLook } from '../appearance/own-labels-look.ts';
+import { ownLabelsAppearance } from '../appearance/own-labels-appearance.ts';
 import type { LabelTarget } from './label-target.ts';
 import { LastWork } from '../model/last-work.ts';
 import { placeLabels, refuseRadar } from './place-labels.ts';
@@ -158,7 +158,7 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     this.#showsGhosts = target?.showsGhosts === true;
     const names = new Map(this.#entries.map(({ id, name }) => [id, name]));
     this.#nameOf = (id) => names.get(id) || null;
-    target?.replaceTransferFunction(applied?.isOwn ? ownLabelsLook(this.#entries) : null);
+    target?.replaceTransferFunction(applied?.isOwn ? ownLabelsAppearance(this.#entries) : null);
     this.host.changed();
     const reading = target?.window && applied ? this.#functions.read(this.#entries, target.window) : null;
     this.#window = reading ? String(target!.window) : '';

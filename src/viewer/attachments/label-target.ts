@@ -42,10 +42,10 @@ export class PresenterTarget extends PresenterPlace<ViewLabels> implements Label
   }
 
   replaceTransferFunction(transferFunction: TransferFunction | null): void {
-    const { look } = this.view;
-    if (isSame(look.replacement?.transferFunction ?? null, transferFunction)) return;
-    look.replacement = transferFunction === null ? null : { transferFunction };
-    look.readAgain();
+    const { look: appearance } = this.view;
+    if (isSame(appearance.replacement?.transferFunction ?? null, transferFunction)) return;
+    appearance.replacement = transferFunction === null ? null : { transferFunction };
+    appearance.readAgain();
   }
 
   takeAsLabels(volume: Volume): Promise<void> {

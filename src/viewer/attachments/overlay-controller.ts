@@ -12,8 +12,8 @@ import type { AttachmentHost } from './attachment-controller.ts';
 import { LastWork } from '../model/last-work.ts';
 import { loadAttachment } from '../loading/load-attachment.ts';
 import { makeOverlay } from './make-overlay.ts';
-import { resolveOverlayLook } from '../appearance/overlay-look.ts';
-import type { OverlayLook, OverlayAttributes } from '../appearance/overlay-look.ts';
+import { resolveOverlayAppearance } from '../appearance/overlay-appearance.ts';
+import type { OverlayAppearance, OverlayAttributes } from '../appearance/overlay-appearance.ts';
 import type { OverlayTarget } from './overlay-target.ts';
 import { placeOverlay } from './place-overlay.ts';
 import { sharedVolumes } from '../loading/shared-volumes.ts';
@@ -37,7 +37,7 @@ export interface OverlayControllerHost extends AttachmentHost<OverlayTarget> {
 export class OverlayController extends AttachmentController<OverlayTarget, OverlayControllerHost> {
   readonly #files = new LastWork<Volume>();
   #volume: Volume | null = null;
-  #look: OverlayLook | null = null;
+  #look: OverlayAppearance | null = null;
   /** The volume below the layer. */
   #over: Volume | null = null;
 
@@ -46,7 +46,7 @@ export class OverlayController extends AttachmentController<OverlayTarget, Overl
     return this.#volume;
   }
 
-  get look(): OverlayLook | null {
+  get look(): OverlayAppearance | null {
     return this.#look;
   }
 
@@ -84,14 +84,14 @@ export class OverlayController extends AttachmentController<OverlayTarget, Overl
     const { volume: over } = target;
     if (!over) return; // The target reports the volume when it is there.
     const volume = placeOverlay(withoutIds(loaded), over, url);
-    const look = await resolveOverlayLook(words, volume);
+    const appearance = await resolveOverlayAppearance(words, volume);
     const name = label ?? volume.title ?? volume.radar?.moment ?? '';
-    const shown = { volume, over, missing: null, ...look };
+    const shown = { volume, over, missing: null, ...appearance };
     const overlay = isPolar(volume) ? await this.#overRadar(shown, name, words.transferFunction === null) : makeOverlay(shown, name);
     signal.throwIfAborted();
     await target.show(overlay);
     signal.throwIfAborted();
-    [this.#volume, this.#look, this.#over] = [volume, look, over];
+    [this.#volume, this.#look, this.#over] = [volume, appearance, over];
     target.cleared();
     target.reportFiles([[url, noticesOf(loaded)]]);
     this.host.changed();

@@ -48,12 +48,12 @@ export { follow } from '../../x3d/nodes/read-atlas.ts';
  * An appearance, completed by X3D's volume nodes among an element's children: attributes of the element have priority.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export async function withVolumeNodes(presenter: { readonly user: { readonly host: Element } }, look: VolumeOptics, { grid }: Pick<ScanModel, 'grid'>): Promise<VolumeOptics> {
+export async function withVolumeNodes(presenter: { readonly user: { readonly host: Element } }, appearance: VolumeOptics, { grid }: Pick<ScanModel, 'grid'>): Promise<VolumeOptics> {
   const { host } = presenter.user;
   const reading = {};
   readings.set(host, reading);
   const isLast = (): boolean => readings.get(host) === reading;
-  const { second, ...styled } = readAll(host, await withNodeColors(host, look, { isScene: isOfAtlas(host), grid }));
+  const { second, ...styled } = readAll(host, await withNodeColors(host, appearance, { isScene: isOfAtlas(host), grid }));
   if (!isLast()) return styled; // A later reading has already read the present nodes.
   const segmented = findNode(host, 'segmentedvolumedata');
   const segments = segmented ? readSegmented(host, segmented) : null;
@@ -112,12 +112,12 @@ function isPlain({ chains, projection }: Said): boolean {
 }
 
 /** The same without textures. @throws {VolumeViewError} `attribute/invalid` */
-export function readVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics {
-  const { second: _, ...styled } = readAll(host, look);
+export function readVolumeNodes(host: Element, appearance: VolumeOptics): VolumeOptics {
+  const { second: _, ...styled } = readAll(host, appearance);
   return styled;
 }
 
-function readAll(host: Element, look: VolumeOptics): VolumeOptics & Pick<Said, 'second'> {
+function readAll(host: Element, appearance: VolumeOptics): VolumeOptics & Pick<Said, 'second'> {
   refuseOthers(host);
   const said = nothingSaid();
   const styles = listStyles(meantChildren(host), host);
@@ -126,7 +126,7 @@ function readAll(host: Element, look: VolumeOptics): VolumeOptics & Pick<Said, '
   if (surfaces) {
     const enabled = styles.filter(isEnabled);
     const surfaceStyles = readSurfaceStyles(enabled);
-    return { ...look, surfaces: look.surfaces ?? { ...readIsoSurfaces(surfaces, surfaceStyles ? [] : enabled, look, unit), ...(surfaceStyles && { surfaceStyles }) } };
+    return { ...appearance, surfaces: appearance.surfaces ?? { ...readIsoSurfaces(surfaces, surfaceStyles ? [] : enabled, appearance, unit), ...(surfaceStyles && { surfaceStyles }) } };
   }
   for (const style of findNode(host, 'segmentedvolumedata') ? leadStyle(host, styles) : styles) readStyle(style, said);
   const { second } = said;
@@ -135,8 +135,8 @@ function readAll(host: Element, look: VolumeOptics): VolumeOptics & Pick<Said, '
   }
   const hasStyles = said.chains.length > 1 || said.chains[0].styles.length > 0;
   // The styles from attributes.
-  const given = look.styles?.[0].styles ?? [];
-  return { ...look, projection: look.projection ?? said.projection, ...(said.projection && said.threshold > 0 && { intensityThreshold: said.threshold * unit }), ...(second && { second, opacityFactor: look.opacityFactor * second.weight }), ...(hasStyles && { styles: said.chains.map(({ weight, styles }) => ({ weight, styles: [...styles, ...given] })) }) };
+  const given = appearance.styles?.[0].styles ?? [];
+  return { ...appearance, projection: appearance.projection ?? said.projection, ...(said.projection && said.threshold > 0 && { intensityThreshold: said.threshold * unit }), ...(second && { second, opacityFactor: appearance.opacityFactor * second.weight }), ...(hasStyles && { styles: said.chains.map(({ weight, styles }) => ({ weight, styles: [...styles, ...given] })) }) };
 }
 
 /** The styles for all surfaces together; null where each has a shaded style of its own, or none. */

@@ -9,8 +9,8 @@ import { SlicePane } from '../../panes/slice-pane.ts';
 import type { CartesianGrid } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { readSliceAttributes, refuseNoSlices, resolveSliceLook } from './slice-look.ts';
-import type { SharedLook, SliceAttributes } from './slice-look.ts';
+import { readSliceAttributes, refuseNoSlices, resolveSliceAppearance } from './slice-appearance.ts';
+import type { SharedAppearance, SliceAttributes } from './slice-appearance.ts';
 import { ViewJoiner } from './view-joiner.ts';
 
 /** What a pane must show. */
@@ -20,7 +20,7 @@ export interface Shown {
   readonly owner: object;
   readonly group: string | null;
   /** The appearance of the <volume-view> to which the pane belongs. */
-  readonly shared: SharedLook | null;
+  readonly shared: SharedAppearance | null;
   /** The labels of its volume, with the opacity of the pane; undefined for none. */
   readonly labels?: (opacity: number) => PaneLabels | null;
   /** The transfer function of a volume that is itself labels, if it is not the one from the file. */
@@ -127,14 +127,14 @@ export class SlicePresenter {
     const { volume, owner, group, shared, labels, look: own } = this.host.shown();
     const attributes = readSliceAttributes(this.host.text);
     if (volume) refuseNoSlices(volume);
-    const look = volume && (await resolveSliceLook(attributes, volume, shared, own));
+    const appearance = volume && (await resolveSliceAppearance(attributes, volume, shared, own));
     if (run !== this.#run) return;
     const { pane } = this;
     this.#attributes = attributes;
     this.#join(owner, group);
     const isOther = volume !== (pane.sliced?.volume ?? null);
     if (isOther) pane.setVolume(volume && new SlicedVolume(volume, volume.grid as CartesianGrid), isSameGrid(volume, pane.sliced?.volume));
-    if (look) pane.setLook(look);
+    if (appearance) pane.setLook(appearance);
     pane.labels = labels?.(attributes.labelOpacity) ?? null;
     if (volume) this.#place(attributes, (name) => isOther || changed(name));
     this.#inView.join(shared && owner, pane.crosshair);

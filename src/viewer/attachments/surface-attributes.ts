@@ -32,7 +32,7 @@ export function readSurface(read: ReadText): WantedSurface {
   const [url, ...more] = urlsOf(read('src'), 'volume-surface', 'src="brain.surf.gii"');
   if (more.length > 0) throw new VolumeViewError('attribute/invalid', 'src of <volume-surface> names several files; expected one. Use an element for each');
   const request: MeshRequest = { surface: 'mesh', url, space: space ? parseWord<MeshSpace>('space of a volume-surface', space, ['ras', 'lps']) : null };
-  return { request, look: readLook(read, 'volume-surface') };
+  return { request, look: readAppearance(read, 'volume-surface') };
 }
 
 /**
@@ -45,8 +45,8 @@ export function readTerrain(read: ReadText, volume: Volume | null): WantedSurfac
   const corner = text ? (parseNumbers('corner of a volume-terrain', text, 2) as unknown as readonly [number, number]) : null;
   if (files.length > maxTiles) throw new VolumeViewError('attribute/invalid', `src of <volume-terrain> names ${files.length} files; expected at most ${maxTiles}`);
   if (corner && (files.length > 1 || !isOnEarth(corner) || !corner.every(Number.isInteger))) throw invalid('corner of a volume-terrain', text!, 'whole degrees north and east of the south-west corner of a single file, like "46 7"');
-  const look = readLook(read, 'volume-terrain');
-  return { request: volume && { surface: 'terrain', url: files[0], files, corner, radar: radarOf(volume) }, look };
+  const appearance = readAppearance(read, 'volume-terrain');
+  return { request: volume && { surface: 'terrain', url: files[0], files, corner, radar: radarOf(volume) }, look: appearance };
 }
 
 function radarOf(volume: Volume): TerrainRequest['radar'] {
@@ -64,7 +64,7 @@ function urlsOf(text: string | null, tag: string, example: string): string[] {
   return words.map(resolveUrl);
 }
 
-function readLook(read: ReadText, tag: string): WantedSurface['look'] {
+function readAppearance(read: ReadText, tag: string): WantedSurface['look'] {
   const isCut = read('cut-with-volume') !== null;
   const [colored, faint] = ['color', 'opacity'].map((name) => read(name)?.trim());
   const color = colored ? parseCssColor(colored) : null;

@@ -52,14 +52,14 @@ export class SurfaceController extends AttachmentController<SurfaceTarget, Surfa
       target.reportFiles([]);
       return target.show((this.#shown = this.#reported = null));
     }
-    const { request, look } = wanted;
+    const { request, look: appearance } = wanted;
     if (!request) return; // The volume reports itself when it is there.
     const surface = await this.#files.get(JSON.stringify(request), signal, (stop) => this.#load(request, stop));
-    if (look.isCut) await target.prepareCuts();
+    if (appearance.isCut) await target.prepareCuts();
     signal.throwIfAborted();
     const before = this.#shown;
-    const isSame = before?.surface === surface && before.isCut === look.isCut && before.usesOwnColors === look.usesOwnColors && String(before.color) === String(look.color);
-    if (!isSame) this.#shown = { surface, ...look, places: placesOf(surface) };
+    const isSame = before?.surface === surface && before.isCut === appearance.isCut && before.usesOwnColors === appearance.usesOwnColors && String(before.color) === String(appearance.color);
+    if (!isSame) this.#shown = { surface, ...appearance, places: placesOf(surface) };
     this.#site = site;
     await target.show(this.#shown);
     signal.throwIfAborted();

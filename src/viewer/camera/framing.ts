@@ -11,8 +11,8 @@ import type { Framing } from './camera-rig.ts';
  * Frames the visible part of a volume, and the parts that the element has at the time of the next picture: later parts do not move
  * the camera. This code is loaded where the author gives no distance for the camera.
  */
-export function createFraming(volume: Volume, look: TransferFunction, shown: GridFrame, host?: Element): Framing {
-  const places = findSeenPlaces(volume, look, shown);
+export function createFraming(volume: Volume, appearance: TransferFunction, shown: GridFrame, host?: Element): Framing {
+  const places = findSeenPlaces(volume, appearance, shown);
   const findMore = (): Vector3[] => (host ? socketOf(host).parts : []).flatMap((part) => part.bounds?.() ?? []);
   let more: Vector3[] | null = null;
   host?.addEventListener('render', () => (more = findMore()), { once: true });

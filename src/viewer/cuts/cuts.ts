@@ -22,12 +22,12 @@ const holdsCut = (node: Node): boolean => isCut(node) || (node instanceof Elemen
  * X3D, also call it with true, after each change.
  */
 export function watchSlices(host: Element, changed: (isLook?: boolean) => void): { disconnect(): void } {
-  const look = (): unknown => [...host.getElementsByTagName('*')].some((one) => /volume(style|data)$/i.test(one.localName)) && changed(true);
+  const appearance = (): unknown => [...host.getElementsByTagName('*')].some((one) => /volume(style|data)$/i.test(one.localName)) && changed(true);
   const observer = new MutationObserver((records) => {
     if (records.some(({ target, attributeName, addedNodes, removedNodes }) => attributeName === 'cutout' || isCut(target) || [...addedNodes, ...removedNodes].some(holdsCut))) changed();
-    look();
+    appearance();
   });
-  look();
+  appearance();
   observer.observe(host, { childList: true, subtree: true, attributes: true });
   return observer;
 }

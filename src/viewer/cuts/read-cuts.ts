@@ -37,8 +37,8 @@ const untold = new ErrorState({ file: '', changed: () => {}, failed: () => {} })
  */
 export function readCuts({ host, errors: reported, settings }: Reader, volume: Volume, model: ScanModel, none: Cuts): Cuts {
   const errors = volume.coarse ? untold : reported;
-  const { region, rings, look } = settings();
-  const { error, ...slices } = readSlices(host, volume, look.value?.window ?? null);
+  const { region, rings, look: appearance } = settings();
+  const { error, ...slices } = readSlices(host, volume, appearance.value?.window ?? null);
   const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { ...none, ...slices };
   errors.take('region', region, (box) => {
     cuts.region = readRegion(box, volume);

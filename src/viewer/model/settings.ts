@@ -25,7 +25,7 @@ type AttributeName =
 export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: Error; readonly value?: undefined };
 
 /** The appearance of the values. The viewer derives from the volume what is null. */
-export interface LookSettings {
+export interface AppearanceSettings {
   /** Name of a ready-made appearance, for all that the other attributes leave open; null for none. */
   readonly named: string | null;
   /** A preset's name, or stops, as the author writes them. */
@@ -59,7 +59,7 @@ export interface Settings {
   readonly autoplay: boolean;
   /** Scans a second. */
   readonly playSpeed: Reading<number>;
-  readonly look: Reading<LookSettings>;
+  readonly look: Reading<AppearanceSettings>;
   readonly camera: Reading<CameraAttributes>;
   readonly limits: Reading<CameraLimits>;
   readonly quality: Reading<QualityTargets>;
@@ -76,7 +76,7 @@ export interface Settings {
 /** Scans a second. */
 export const defaultPlaySpeed = 2;
 
-export const plainLook: LookSettings = { named: null, transferFunction: null, window: null, referenceLength: null, opacityFactor: null, lightFactor: 1, projection: null, shading: null, surfaces: null, gradientOpacity: null, transferFunction2d: null };
+export const plainAppearance: AppearanceSettings = { named: null, transferFunction: null, window: null, referenceLength: null, opacityFactor: null, lightFactor: 1, projection: null, shading: null, surfaces: null, gradientOpacity: null, transferFunction2d: null };
 
 /** Read all attributes. If one can't be read, its error is in its own place, and the others are still read. */
 export function readSettings(given: GivenAttributes): Settings {
@@ -87,7 +87,7 @@ export function readSettings(given: GivenAttributes): Settings {
     time: read(() => readTime(given.time)),
     autoplay: given.autoplay !== null,
     playSpeed: read(() => (given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed))),
-    look: read(() => readLook(given)),
+    look: read(() => readAppearance(given)),
     camera: read(() => readCamera(given)),
     limits: read(() => readLimits(given)),
     quality: read(() => readQuality(given)),
@@ -120,9 +120,9 @@ function readTime(time: string | null): ScanTarget {
   return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
 }
 
-function readLook({ look, transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection, shading, surfaceValues, gradientOpacity, transferFunction2d }: GivenAttributes): LookSettings {
+function readAppearance({ look: appearance, transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection, shading, surfaceValues, gradientOpacity, transferFunction2d }: GivenAttributes): AppearanceSettings {
   return {
-    named: look?.trim() ? look : null,
+    named: appearance?.trim() ? appearance : null,
     transferFunction,
     window: valueWindow === null ? null : parse.parseWindow(valueWindow),
     referenceLength: referenceLength === null ? null : parse.parseLength('reference-length', referenceLength),

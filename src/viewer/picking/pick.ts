@@ -43,8 +43,8 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const stages = rays.stages({ stepLength: Math.max(finestSpacing(volume.grid), longestDiagonal(shown.grid) / maxSteps), maxSubsteps });
   const ray = rayThrough(setup, 2 * across - 1, 1 - 2 * down);
   const end = surfaces?.endAtSurface(host!, ray, unitToWorld(volume.grid), setup.eyeT);
-  const look = { ...rays, projection: optics.projection, intensityThreshold: optics.intensityThreshold, isClear: rays.hasSurfaces && optics.surfaces?.clear === true };
-  const found = pickRay({ ...stages, intervals: [...stages.intervals, ...(end ? [end.stage] : [])] }, ray, { at, look });
+  const appearance = { ...rays, projection: optics.projection, intensityThreshold: optics.intensityThreshold, isClear: rays.hasSurfaces && optics.surfaces?.clear === true };
+  const found = pickRay({ ...stages, intervals: [...stages.intervals, ...(end ? [end.stage] : [])] }, ray, { at, look: appearance });
   if (!found) return null;
   if (end?.isPicked(ray, found.place)) return surfaces!.describeSurface(volume, end.hit, stages.field, polar?.describePlace);
   const there = stages.moreFields.reduce((known, stage) => stage(found.place, known), stages.field.sampleAt(found.place));

@@ -126,7 +126,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     if (before && before.eager !== settings.eager) this.#followVisibility();
     const [source, sourceBefore] = [settings, before].map((one) => JSON.stringify([one?.src, one?.stack, one?.source]));
     if (source !== sourceBefore) this.loader.load();
-    else if (changed('look')) this.#readLook();
+    else if (changed('look')) this.#readAppearance();
     if (settings.autoplay && before?.autoplay === false && this.loader.scans) this.playback.startByItself();
     if (changed('playSpeed')) this.#readSpeed();
     if (!this.#connection) return;
@@ -209,10 +209,10 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     this.viewer?.followVisibility();
   }
 
-  #readLook(): void {
-    const { look } = this.presenter;
-    if (this.loader.isLoading) look.readLater();
-    else look.readAgain();
+  #readAppearance(): void {
+    const { look: appearance } = this.presenter;
+    if (this.loader.isLoading) appearance.readLater();
+    else appearance.readAgain();
   }
 
   /** Without a picture there is nothing to turn: the code for interaction is loaded with the first picture. */
@@ -282,7 +282,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   }
 
   slicesChanged(isLook?: boolean): void {
-    if (isLook) this.presenter.followNodes(() => loadPart(import('../attachments/read-volume-nodes.ts'), 'reads styles'), () => this.#readLook()); else this.presenter.cutAgain();
+    if (isLook) this.presenter.followNodes(() => loadPart(import('../attachments/read-volume-nodes.ts'), 'reads styles'), () => this.#readAppearance()); else this.presenter.cutAgain();
   }
 
   changed(): void {

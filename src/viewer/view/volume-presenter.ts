@@ -6,8 +6,8 @@ import type { FileNotices, ReportedFile } from '../model/file-notices.ts';
 import { CutReader } from '../cuts/cuts.ts';
 import type { Cuts } from '../cuts/cuts.ts';
 import type { ErrorState } from '../model/error-state.ts';
-import { LookReader } from '../appearance/look-reader.ts';
-import type { LookHost, VolumeNodeReader } from '../appearance/look-reader.ts';
+import { AppearanceReader } from '../appearance/appearance-reader.ts';
+import type { AppearanceHost, VolumeNodeReader } from '../appearance/appearance-reader.ts';
 import { followModel } from '../model/scan-model.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import type { Settings } from '../model/settings.ts';
@@ -33,10 +33,10 @@ export interface PresenterHost {
 }
 
 /** Shows volumes in the picture, each with the appearance and the cuts of the settings. It keeps them while there is no viewer. */
-export class VolumePresenter implements LookHost, SocketView {
+export class VolumePresenter implements AppearanceHost, SocketView {
   /** null while the element is in no page. */
   viewer: Viewer | null = null;
-  readonly look: LookReader;
+  readonly look: AppearanceReader;
   readonly #cuts: CutReader;
   #volume: Volume | null = null;
   /** What stays the same from one scan to the next. */
@@ -46,7 +46,7 @@ export class VolumePresenter implements LookHost, SocketView {
   readonly fileNotices = new Map<object, readonly FileNotices[]>();
 
   constructor(readonly user: PresenterHost, readonly errors: ErrorState) {
-    this.look = new LookReader(this, errors);
+    this.look = new AppearanceReader(this, errors);
     this.#cuts = new CutReader(user.host, errors, () => user.settings);
     socketOf(user.host).view = this;
   }
@@ -173,13 +173,13 @@ export class VolumePresenter implements LookHost, SocketView {
   }
 
   /** There are volume nodes of X3D. @param load - loads the code that reads them, @param readLook - reads the appearance again */
-  followNodes(load: () => Promise<VolumeNodeReader>, readLook: () => void): void {
-    const { look } = this;
+  followNodes(load: () => Promise<VolumeNodeReader>, readAppearance: () => void): void {
+    const { look: appearance } = this;
     // The loaded code then follows them itself.
-    if (!look.nodes) this.track((look.nodes = load()).then((nodes) => nodes.follow(this, readLook), readLook));
+    if (!appearance.nodes) this.track((appearance.nodes = load()).then((nodes) => nodes.follow(this, readAppearance), readAppearance));
   }
 
-  lookChanged(optics: VolumeOptics | null): void {
+  appearanceChanged(optics: VolumeOptics | null): void {
     this.user.emit('optics-change', optics);
   }
 

@@ -34,10 +34,10 @@ const hasVolumeNode = (node: Node): boolean => isVolumeNode(node) || /^volume-(l
  * Follows X3D's volume nodes among an element's children, and their content, as long as the element lives.
  * @param readLook - reads the styles again
  */
-export async function follow({ user: { host }, look }: Presented, readLook: () => void): Promise<void> {
+export async function follow({ user: { host }, look: appearance }: Presented, readAppearance: () => void): Promise<void> {
   const readAll = (): Promise<void> => findAtlas(host).then(() => {
-    if (look.current) readLook();
-    else refuseFiles(host, look.errors);
+    if (appearance.current) readAppearance();
+    else refuseFiles(host, appearance.errors);
   });
   new MutationObserver((records) => {
     if (records.some(({ target, addedNodes, removedNodes }) => [target, meantParent(target as Element)].some(isVolumeNode) || [...addedNodes, ...removedNodes].some(hasVolumeNode))) void readAll();

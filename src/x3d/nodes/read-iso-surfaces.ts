@@ -25,13 +25,13 @@ interface Shown {
 export function readIsoSurfaces(node: Element, styles: readonly Element[], { transferFunction, window }: Shown, unit: number): SurfaceStyle {
   const fields = new X3dFields(node, 'IsoSurfaceVolumeData');
   const values = listValues(fields, window.map((x) => x / unit) as unknown as readonly [number, number]).map((value) => value * unit);
-  const looks = styles.map(readLook);
+  const looks = styles.map(readAppearance);
   const surfaces = values.map((value, i): IsoSurface => {
-    const look = looks[Math.min(i, looks.length - 1)] ?? null;
-    return { value, color: look?.color ?? colorAt(transferFunction, value), opacity: look?.opacity ?? 1 };
+    const appearance = looks[Math.min(i, looks.length - 1)] ?? null;
+    return { value, color: appearance?.color ?? colorAt(transferFunction, value), opacity: appearance?.opacity ?? 1 };
   });
   surfaces.sort((a, b) => a.value - b.value);
-  return { surfaces, clear: true, ...(looks.some((look) => look?.isPlain) && { plain: true }) };
+  return { surfaces, clear: true, ...(looks.some((appearance) => appearance?.isPlain) && { plain: true }) };
 }
 
 function listValues(fields: X3dFields, [low, high]: readonly [number, number]): number[] {
@@ -49,7 +49,7 @@ function listValues(fields: X3dFields, [low, high]: readonly [number, number]): 
 }
 
 /** The appearance that a style gives its surface; null if it changes nothing. */
-function readLook(style: Element): { readonly color: Color | null; readonly opacity: number; readonly isPlain: boolean } | null {
+function readAppearance(style: Element): { readonly color: Color | null; readonly opacity: number; readonly isPlain: boolean } | null {
   if (!/^shaded/i.test(style.localName)) return null;
   const fields = new X3dFields(style, 'ShadedVolumeStyle');
   const element = meantChildren(style).find(({ localName }) => /^material$/i.test(localName));

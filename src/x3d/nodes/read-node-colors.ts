@@ -48,17 +48,17 @@ export function readOpacityFactor(host: Element, isScene: boolean): number | nul
  * atlas. Colours of attributes override them.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export async function withNodeColors(host: Element, look: VolumeOptics, { isScene, grid }: { readonly isScene: boolean; readonly grid: Grid }): Promise<VolumeOptics> {
-  if (host.hasAttribute('transfer-function') || look.patches) return look;
+export async function withNodeColors(host: Element, appearance: VolumeOptics, { isScene, grid }: { readonly isScene: boolean; readonly grid: Grid }): Promise<VolumeOptics> {
+  if (host.hasAttribute('transfer-function') || appearance.patches) return appearance;
   const isSegmented = host.querySelector('segmentedvolumedata') !== null;
   const texture = (!isSegmented && textureIn(stylesOfFirst(host))) || null;
   const factor = readOpacityFactor(host, isScene);
-  if (!texture && factor === null) return look;
-  const isProjected = look.projection !== null || stylesOfFirst(host).some((one) => nameOf(one) === 'projectionvolumestyle' && isEnabled(one));
-  const window = isScene && !host.hasAttribute('value-window') ? ([0, atlasUnit] as const) : look.window;
+  if (!texture && factor === null) return appearance;
+  const isProjected = appearance.projection !== null || stylesOfFirst(host).some((one) => nameOf(one) === 'projectionvolumestyle' && isEnabled(one));
+  const window = isScene && !host.hasAttribute('value-window') ? ([0, atlasUnit] as const) : appearance.window;
   // X3DOM has no rule for thin volumes.
-  const isMeasured = factor !== null && look.referenceLength === defaultReferenceLength(grid) && !host.hasAttribute('reference-length');
-  return { ...look, window, ...(isMeasured && { referenceLength: longestEdgeShare(grid) }), transferFunction: await resolveTransferFunction(!texture && isProjected ? intensities : await readOpacityMap(texture, factor), window) };
+  const isMeasured = factor !== null && appearance.referenceLength === defaultReferenceLength(grid) && !host.hasAttribute('reference-length');
+  return { ...appearance, window, ...(isMeasured && { referenceLength: longestEdgeShare(grid) }), transferFunction: await resolveTransferFunction(!texture && isProjected ? intensities : await readOpacityMap(texture, factor), window) };
 }
 
 /** All styles except those of a second volume. */

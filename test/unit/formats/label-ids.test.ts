@@ -15,8 +15,8 @@ import { colorPainter } from '../../../src/panes/paint-slice.ts';
 import { SlicedVolume } from '../../../src/panes/slice-field.ts';
 import { labelsIn } from '../../../src/viewer/loading/label-files.ts';
 import { nearestVoxel } from '../../../src/viewer/picking/pick-voxel.ts';
-import { plainLook } from '../../../src/viewer/model/settings.ts';
-import { resolveLook } from '../../../src/viewer/appearance/resolve-look.ts';
+import { plainAppearance } from '../../../src/viewer/model/settings.ts';
+import { resolveAppearance } from '../../../src/viewer/appearance/resolve-appearance.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../../src/volume/grid.ts';
 import type { CartesianGrid } from '../../../src/volume/grid.ts';
 import { valueOf } from '../../../src/volume/index-numbers.ts';
@@ -56,12 +56,12 @@ describe('ids of an atlas that float32 does not tell apart', () => {
       expect(counted(valuesOf(volume))).to.deep.equal(atlas);
       expect(volume.range).to.deep.equal([0, 614454277]);
       expect(volume.left).to.equal(undefined);
-      const { transferFunction } = await resolveLook(plainLook, volume);
+      const { transferFunction } = await resolveAppearance(plainAppearance, volume);
       const looks = atlas.map(([id]) => evaluate(transferFunction, id));
       expect(looks[0][3]).to.equal(0);
       expect(new Set(looks.slice(1).map(String)).size).to.equal(7);
       // As what draws it has it.
-      expect(atlas.map((_, place) => evaluate(stopsByPlace(transferFunction, volume.ids!), place).map((x) => x.toFixed(9)))).to.deep.equal(looks.map((look) => look.map((x) => x.toFixed(9))));
+      expect(atlas.map((_, place) => evaluate(stopsByPlace(transferFunction, volume.ids!), place).map((x) => x.toFixed(9)))).to.deep.equal(looks.map((appearance) => appearance.map((x) => x.toFixed(9))));
       const { found } = labelsIn(volume, name);
       expect(found.ids).to.deep.equal(atlas.map(([id]) => id));
     });
@@ -78,7 +78,7 @@ describe('ids of an atlas that float32 does not tell apart', () => {
       expect(sliced.valueAt(place)).to.equal(id);
       expect(nearestVoxel(volume, index.map((i, axis) => (i + 0.5) / grid.dimensions[axis]) as unknown as Vector3)?.value).to.equal(id);
     }
-    const { transferFunction } = await resolveLook(plainLook, volume);
+    const { transferFunction } = await resolveAppearance(plainAppearance, volume);
     const pixels = new Uint8ClampedArray(4 * 8);
     colorPainter(transferFunction, volume, true)(Float64Array.from({ length: 8 }, (_, i) => i), pixels, [0, 8]);
     expect(new Set(Array.from({ length: 8 }, (_, i) => String(pixels.subarray(4 * i, 4 * i + 4)))).size).to.equal(8);
@@ -97,7 +97,7 @@ describe('ids of an atlas that float32 does not tell apart', () => {
     for (const numbers of [BigInt64Array.from({ length }, (_, at) => BigInt(bands(ids)(_, at))), BigUint64Array.from({ length }, (_, at) => BigInt(bands(ids)(_, at))), Float64Array.from({ length }, bands(ids))]) {
       const volume = await finish(numbers, size);
       expect(volume.ids, numbers.constructor.name).to.deep.equal(ids);
-      const { transferFunction } = await resolveLook(plainLook, volume);
+      const { transferFunction } = await resolveAppearance(plainAppearance, volume);
       expect(new Set(ids.map((id) => evaluate(transferFunction, id).join())).size).to.equal(4);
     }
     for (const far of [[0n, 5n, 2n ** 60n, 2n ** 60n + 1n], [2n ** 60n, 2n ** 60n + 1n, 2n ** 60n + 3n]]) {
@@ -112,7 +112,7 @@ describe('ids of an atlas that float32 does not tell apart', () => {
   it('negative ones leave what has no label clear', async () => {
     const volume = await finish(Int32Array.from({ length }, bands([-7, 0, 3, 2 ** 30 + 1])), size, { isLabels: true });
     expect(volume.ids).to.deep.equal([-7, 0, 3, 2 ** 30 + 1]);
-    const { transferFunction } = await resolveLook(plainLook, volume);
+    const { transferFunction } = await resolveAppearance(plainAppearance, volume);
     expect(volume.ids!.map((id) => evaluate(transferFunction, id)[3])).to.deep.equal([0.22, 0, 0.22, 0.22]);
   });
 
@@ -173,7 +173,7 @@ describe('files with many labels', () => {
     for (const count of [512, 1449, 65_535]) {
       const volume = await finish(Uint16Array.from({ length: 65_536 }, (_, i) => i % (count + 1)), [64, 32, 32], { isLabels: true });
       expect(volume.ids?.length, String(count)).to.equal(count + 1);
-      const { transferFunction } = await resolveLook(plainLook, volume);
+      const { transferFunction } = await resolveAppearance(plainAppearance, volume);
       const byPlace = stopsByPlace(transferFunction, volume.ids!);
       expect(findColumns(byPlace)).to.equal(null);
       const values = { slope: 1, intercept: 0, storedScale: 65_535, range: [0, count] as const, whole: true };
@@ -215,7 +215,7 @@ describe('segmentations of 3D Slicer', () => {
     // pynrrd 1.1.3: Segment0_Name, Segment0_Color, Segment0_LabelValue and so on.
     expect(volume.named).to.deep.equal([{ id: 1, name: 'Liver', color: [0.86, 0.2, 0.1] }, { id: 2, name: 'Left kidney', color: [0.1, 0.5, 0.9] }]);
     expect(counted(valuesOf(volume)).slice(1)).to.deep.equal([[1, 960], [2, 864]]);
-    const [red, green, blue, opacity] = evaluate((await resolveLook(plainLook, volume)).transferFunction, 2);
+    const [red, green, blue, opacity] = evaluate((await resolveAppearance(plainAppearance, volume)).transferFunction, 2);
     expect([red, green, blue].map((channel) => Number((channel / opacity).toFixed(6)))).to.deep.equal([0.1, 0.5, 0.9]);
     expect([volume.isDiscrete, volume.left, volume.format]).to.deep.equal([true, undefined, 'NRRD']);
   });

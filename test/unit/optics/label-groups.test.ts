@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { castRay } from '../../../src/optics/rays/cast-ray.ts';
 import { rangeEmission } from '../../../src/optics/transfer/emission-range.ts';
-import { labelledDetail, lookOfCells } from '../../../src/optics/cells/label-detail.ts';
+import { labelledDetail, appearanceOfCells } from '../../../src/optics/cells/label-detail.ts';
 import { groupedStagesOf, groupOptics } from '../../../src/optics/label-groups.ts';
 import { labelStages } from '../../../src/optics/attachments/labels.ts';
 import { parseTransferFunction } from '../../../src/optics/transfer/parse-transfer-function.ts';
@@ -14,7 +14,7 @@ import { storedField } from '../../../src/optics/rays/ray-field.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../../src/volume/grid.ts';
 import type { LabelCells } from '../../../src/volume/label-cells.ts';
 import type { ShownLabels } from '../../../src/volume/labels.ts';
-import { labelMap, plainLook } from '../../helpers/labels.ts';
+import { labelMap, plainAppearance } from '../../helpers/labels.ts';
 import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 const edge = 32;
@@ -30,7 +30,7 @@ const extinction = (opacity: number): number => -Math.log1p(-opacity);
 /** A slab from the 8th to the 24th voxel has a group of its own; values rise from 0 to 1 along the ray. */
 function stagesAlong(functions: ShownLabels['functions'], { own = air, step = 0.5, factor = 1, value = (x: number) => x } = {}): RayStages {
   const map = labelMap([edge, edge, edge], (i) => Number(i >= 8 && i < 24), 2);
-  const labels = { map, styles: [plainLook, { color: [1, 1, 1], opacityFactor: factor, group: 1 }], functions } as const;
+  const labels = { map, styles: [plainAppearance, { color: [1, 1, 1], opacityFactor: factor, group: 1 }], functions } as const;
   const scene = {
     grid, samples: new Uint8Array(0), slope: 1, intercept: 0, transferFunction: own,
     referenceLength: 1, opacityFactor: 1, lightFactor: 1, stepLength: step, maxSubsteps: 1, field: storedField(([x]) => value(x), { slope: 1, intercept: 0 }), ...labelStages(labels, false),
@@ -63,7 +63,7 @@ describe('transfer functions of groups of labels', () => {
     // In front of the face, which is at 8, nothing shows, and behind it what is above 0.25.
     const rises = read('0.25 #fff 0, 0.25 #fff 50%, 1 #fff 50%');
     const piece = stagesAlong([rises], { step: 32, value: (x) => x });
-    const [near, far] = [6, 10].map((x) => ({ value: x / 32, valid: true, style: x < 8 ? plainLook : { ...plainLook, group: 1 } }));
+    const [near, far] = [6, 10].map((x) => ({ value: x / 32, valid: true, style: x < 8 ? plainAppearance : { ...plainAppearance, group: 1 } }));
     const seen = piece.shades[0]({ front: near, back: far, begin: 0, span: 4 }, [0, 0, 0, 0], ray);
     // Half of the piece, 2 voxels long in units of the cube's edge, from 8/32 to 10/32: all of it is above 0.25.
     expect(seen[3]).to.be.closeTo(1 - 0.5 ** (2 * 32), 1e-9);
@@ -74,7 +74,7 @@ describe('transfer functions of groups of labels', () => {
 
   it('cut steps by what either end shows', () => {
     const { classify } = stagesAlong([read('0 #fff 90%, 1 #fff 90%')]);
-    const [plain, own] = [{ value: 0.5, valid: true, style: plainLook }, { value: 0.5, valid: true, style: { ...plainLook, group: 1 } }];
+    const [plain, own] = [{ value: 0.5, valid: true, style: plainAppearance }, { value: 0.5, valid: true, style: { ...plainAppearance, group: 1 } }];
     const count = (front: typeof plain, back: typeof plain): number => classify.countSubsteps([0.5, 0.5], 1, [front, back]);
     expect(count(plain, plain)).to.equal(1);
     expect(count(plain, own)).to.equal(count(own, own));
@@ -94,7 +94,7 @@ describe('transfer functions of groups of labels', () => {
   it('are what could be missed in the cells that have them', () => {
     // Four cells: without groups, one group, both, and one whose label is hidden.
     const cells: LabelCells = { starts: Uint32Array.of(0, 1, 2, 4, 5), numbers: Uint16Array.of(0, 1, 0, 1, 2) };
-    const looks = lookOfCells(cells, [plainLook, { ...plainLook, group: 1 }, { ...plainLook, opacityFactor: 0, group: 1 }]);
+    const looks = appearanceOfCells(cells, [plainAppearance, { ...plainAppearance, group: 1 }, { ...plainAppearance, opacityFactor: 0, group: 1 }]);
     expect([...looks.groups]).to.deep.equal([1, 2, 3, 0]);
     const volume = syntheticVolume({ dimensions: [32, 8, 8] });
     const functions = [read('0 #fff 1%, 1 #fff 50%')];

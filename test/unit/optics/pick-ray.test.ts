@@ -82,19 +82,19 @@ describe('a pick', () => {
     // Of a uniform fog, L deep, half of its opacity is gathered at a depth of -log((1 + e^-L t) / 2) / t.
     const fog = byDepth(() => 1);
     for (const opacity of [0.01, 0.1, 0.5]) {
-      const look = labels(opacity, 0);
+      const appearance = labels(opacity, 0);
       const t = -Math.log(1 - opacity);
       const half = -Math.log((1 + Math.exp(-100 * t)) / 2) / t;
-      for (const stepLength of [0.3, 1, 2]) expect(pick(stages(fog, look, { stepLength }), 'jump', look), `${opacity}, ${stepLength}`).to.be.closeTo(half, 1e-4 * half);
+      for (const stepLength of [0.3, 1, 2]) expect(pick(stages(fog, appearance, { stepLength }), 'jump', appearance), `${opacity}, ${stepLength}`).to.be.closeTo(half, 1e-4 * half);
     }
   });
 
   it('at the surface is where the opacity passes a half, and nowhere if it never does', () => {
     const fog = byDepth(() => 1);
     for (const opacity of [0.01, 0.1, 0.5]) {
-      const look = labels(opacity, 0);
+      const appearance = labels(opacity, 0);
       const depth = Math.log(0.5) / Math.log(1 - opacity);
-      expect(pick(stages(fog, look), 'surface', look), `${opacity}`).to.be.closeTo(depth, 1e-4 * depth);
+      expect(pick(stages(fog, appearance), 'surface', appearance), `${opacity}`).to.be.closeTo(depth, 1e-4 * depth);
     }
     const thin = labels(0.004, 0); // 33 % in all.
     expect(pick(stages(fog, thin), 'surface', thin)).to.equal(null);
@@ -123,38 +123,38 @@ describe('a pick', () => {
   });
 
   it('shows what the picture shows, and is null where that is nothing', () => {
-    const look = labels(0.2, 0.4);
-    const scene = stages(shells, look);
+    const appearance = labels(0.2, 0.4);
+    const scene = stages(shells, appearance);
     const ray = rayThrough(rays, 0, 0);
-    expect(pickRay(scene, ray, { at: 'jump', look: { transferFunction: look, projection: null } })!.color).to.deep.equal(castRay(scene, ray));
+    expect(pickRay(scene, ray, { at: 'jump', look: { transferFunction: appearance, projection: null } })!.color).to.deep.equal(castRay(scene, ray));
     const clear = labels(0, 0);
     for (const at of ['jump', 'surface', 'max'] as const) {
       expect(pick(stages(shells, clear), at, clear), at).to.equal(null);
-      expect(pickRay(scene, rayThrough(rays, 3, 0), { at, look: { transferFunction: look, projection: null } }), `${at}, beside the volume`).to.equal(null);
-      expect(pickRay(scene, rayThrough(rays, NaN, 0), { at, look: { transferFunction: look, projection: null } }), `${at}, no place`).to.equal(null);
+      expect(pickRay(scene, rayThrough(rays, 3, 0), { at, look: { transferFunction: appearance, projection: null } }), `${at}, beside the volume`).to.equal(null);
+      expect(pickRay(scene, rayThrough(rays, NaN, 0), { at, look: { transferFunction: appearance, projection: null } }), `${at}, no place`).to.equal(null);
     }
   });
 
   it('stops where something ends the ray, and finds what stands there', () => {
-    const look = labels(0.05, 0.9);
+    const appearance = labels(0.05, 0.9);
     const shape = shapeInterval(() => 0); // In the middle of the box, before the second shell.
-    expect(pick(stages(shells, look), 'jump', look)).to.be.within(60, 63);
-    expect(pick(stages(shells, look, { ends: [shape] }), 'jump', look)).to.be.within(30, 33);
+    expect(pick(stages(shells, appearance), 'jump', appearance)).to.be.within(60, 63);
+    expect(pick(stages(shells, appearance, { ends: [shape] }), 'jump', appearance)).to.be.within(30, 33);
     // A painted surface is as opaque as what it hides.
-    const painted = (alpha: number) => stages(shells, look, { ends: [(_, interval) => ({ ...interval, exit: 0, behind: [1, 1, 1, alpha] })] });
-    expect(pick(painted(1), 'jump', look)).to.be.closeTo(50, 1e-9);
-    expect(pick(painted(1), 'surface', look)).to.be.closeTo(50, 1e-9);
-    expect(pick(painted(0.01), 'jump', look)).to.be.within(30, 33);
+    const painted = (alpha: number) => stages(shells, appearance, { ends: [(_, interval) => ({ ...interval, exit: 0, behind: [1, 1, 1, alpha] })] });
+    expect(pick(painted(1), 'jump', appearance)).to.be.closeTo(50, 1e-9);
+    expect(pick(painted(1), 'surface', appearance)).to.be.closeTo(50, 1e-9);
+    expect(pick(painted(0.01), 'jump', appearance)).to.be.within(30, 33);
   });
 
   it('finds a slice that lies on a cut face, from both sides of it', () => {
     const fog = byDepth(() => 1);
-    const look = labels(0.001, 0);
+    const appearance = labels(0.001, 0);
     const at = 0.613;
-    const slice = planeInterval([{ kind: 'plane', slab: null, window: [0, 2], normal: [0, 0, 1], offset: at }], fog, look);
+    const slice = planeInterval([{ kind: 'plane', slab: null, window: [0, 2], normal: [0, 0, 1], offset: at }], fog, appearance);
     for (const side of [1, -1]) {
       const ends = [clipInterval([{ kind: 'half-space', normal: [0, 0, side], offset: side * at }]), slice];
-      for (const kind of [null, 'max'] as const) expect(pick(stages(fog, look, { ends, ...(kind && { gather: projectionGather(kind) }) }), 'jump', look, kind), `${side} ${kind}`).to.be.closeTo(side < 0 || !kind ? 38.7 : 0, 1e-3);
+      for (const kind of [null, 'max'] as const) expect(pick(stages(fog, appearance, { ends, ...(kind && { gather: projectionGather(kind) }) }), 'jump', appearance, kind), `${side} ${kind}`).to.be.closeTo(side < 0 || !kind ? 38.7 : 0, 1e-3);
     }
   });
 

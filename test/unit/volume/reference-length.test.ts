@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { defaultPreset } from '../../../src/optics/transfer/default-preset.ts';
 import { resolveTransferFunction } from '../../../src/optics/transfer/resolve-transfer-function.ts';
-import { resolveLook } from '../../../src/viewer/appearance/resolve-look.ts';
-import { plainLook } from '../../../src/viewer/model/settings.ts';
+import { resolveAppearance } from '../../../src/viewer/appearance/resolve-appearance.ts';
+import { plainAppearance } from '../../../src/viewer/model/settings.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../../src/volume/grid.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
 import { defaultReferenceLength } from '../../../src/volume/reference-length.ts';
@@ -36,8 +36,8 @@ describe('the reference length', () => {
   });
 
   it('is that of the author where there is one', async () => {
-    const volume = { grid: gridOf([200, 200, 1], [1, 1, 1]), range: [0, 1] } as unknown as Parameters<typeof resolveLook>[1];
-    expect((await resolveLook({ ...plainLook, referenceLength: 3 }, volume)).referenceLength).to.equal(3);
-    expect((await resolveLook(plainLook, volume)).referenceLength).to.equal(0.05);
+    const volume = { grid: gridOf([200, 200, 1], [1, 1, 1]), range: [0, 1] } as unknown as Parameters<typeof resolveAppearance>[1];
+    expect((await resolveAppearance({ ...plainAppearance, referenceLength: 3 }, volume)).referenceLength).to.equal(3);
+    expect((await resolveAppearance(plainAppearance, volume)).referenceLength).to.equal(0.05);
   });
 });

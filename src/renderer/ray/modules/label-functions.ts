@@ -5,7 +5,7 @@ import { brighten } from '../../../optics/transfer/brighten.ts';
 import { domainOf } from '../../../optics/transfer/emission.ts';
 import { contributionOf } from '../../../optics/cells/empty-space-distance.ts';
 import type { Contribution } from '../../../optics/cells/empty-space-distance.ts';
-import type { CellLooks } from '../../../optics/cells/label-detail.ts';
+import type { CellAppearances } from '../../../optics/cells/label-detail.ts';
 import { integrateForTable } from '../../../optics/transfer/preintegration-table.ts';
 import { substepTableSize } from '../../../optics/transfer/substep-limits.ts';
 import { buildSubstepTable } from '../../../optics/transfer/substep-table.ts';
@@ -43,7 +43,7 @@ export const labelFunctionsText = classifyText({ name: 'labelFunctions', defines
 interface Groups {
   readonly functions: readonly TransferFunction[];
   /** Which groups are in which cells. */
-  readonly looks: CellLooks;
+  readonly looks: CellAppearances;
 }
 
 /** The data that columns depend on. */
@@ -85,7 +85,7 @@ export class LabelFunctions {
   }
 
   /** The same for cells without a group: they are empty if the volume's own function shows nothing there. */
-  #showsOwn({ transferFunction }: Optics, { groups }: CellLooks): Contribution {
+  #showsOwn({ transferFunction }: Optics, { groups }: CellAppearances): Contribution {
     return this.#own.get([transferFunction, groups], () => {
       const shows = contributionOf(transferFunction);
       return (low, high, cell) => groups[cell] > 1 || shows(low, high);

@@ -63,7 +63,7 @@ export interface OverlayLookOptions {
   readonly folds: boolean;
 }
 
-export function overlayLookText({ color, tableFilter, folds }: OverlayLookOptions): RayText {
+export function overlayAppearanceText({ color, tableFilter, folds }: OverlayLookOptions): RayText {
   return {
     name: 'overlayLook',
     stage: 'shade',

@@ -2,7 +2,7 @@ import type { SeenVolume } from '../../../optics/cells/cell-detail.ts';
 import type { Contribution } from '../../../optics/cells/empty-space-distance.ts';
 import type { SceneLights } from '../../../optics/transfer/lights.ts';
 import type { Substeps } from '../../../optics/cells/substeps.ts';
-import type { StyledLook } from '../../../optics/cells/style-detail.ts';
+import type { StyledAppearance } from '../../../optics/cells/style-detail.ts';
 import type { Volume } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import type { FieldTaps } from '../modules/lit.ts';
@@ -20,7 +20,7 @@ export interface StyleModules {
   /** Which values show where, given the contributions of the other modules. */
   contributions?(all: readonly RayModule[], optics: Optics): readonly Contribution[];
   /** What is seen in addition to what the transfer function shows. @param more - what labels add */
-  seen?(more: MoreSeen | undefined, look: StyledLook): MoreSeen | undefined;
+  seen?(more: MoreSeen | undefined, appearance: StyledAppearance): MoreSeen | undefined;
   dispose(): void;
 }
 

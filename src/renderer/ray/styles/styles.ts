@@ -37,7 +37,7 @@ function join(parts: readonly StyleModules[]): StyleModules {
     projects: false,
     modules: (others) => [...new Set(parts.flatMap((part) => part.modules(others)))],
     contributions: last?.contributions,
-    seen: (more, look) => parts.reduce((known, part) => part.seen?.(known, look) ?? known, more),
+    seen: (more, appearance) => parts.reduce((known, part) => part.seen?.(known, appearance) ?? known, more),
     dispose: () => parts.forEach((part) => part.dispose()),
   };
 }
@@ -52,7 +52,7 @@ async function createLight(layer: StyledLayer): Promise<StyleModules> {
       const light = lightOf();
       return light ? [pointsModule, createLit(light.options, light.surroundings)] : [];
     },
-    seen: (more, look) => ({ ...more, style: rangeLight(look) }),
+    seen: (more, appearance) => ({ ...more, style: rangeLight(appearance) }),
     dispose: () => {},
   };
 }
@@ -70,7 +70,7 @@ async function createStyled(chains: readonly StyleChain[], { lit }: RayStyle, la
       const light = lightOf();
       return light && hasRoom(others, layer.device) ? [pointsModule, rays.module(light.options, light.surroundings)] : [];
     },
-    seen: (more, look) => ({ ...more, style: rangeStyles(all, look) }),
+    seen: (more, appearance) => ({ ...more, style: rangeStyles(all, appearance) }),
     dispose: () => rays.dispose(),
   };
 }

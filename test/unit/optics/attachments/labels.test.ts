@@ -1,7 +1,7 @@
 // Labels in float64: the vote of eight corners, looks, cells and reduction, against closed forms.
 import { expect } from '@esm-bundle/chai';
 import { castRay } from '../../../../src/optics/rays/cast-ray.ts';
-import { lookOfCells } from '../../../../src/optics/cells/label-detail.ts';
+import { appearanceOfCells } from '../../../../src/optics/cells/label-detail.ts';
 import { labelField, labelShade, labelStages } from '../../../../src/optics/attachments/labels.ts';
 import { pickRay } from '../../../../src/optics/pick-ray.ts';
 import type { PickAt } from '../../../../src/optics/pick-ray.ts';
@@ -19,7 +19,7 @@ import type { LabelCells } from '../../../../src/volume/label-cells.ts';
 import type { LabelMap, ShownLabels } from '../../../../src/volume/labels.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
 import { reduceLabels } from '../../../../src/volume/reduce-labels.ts';
-import { labelMap, mixedLooks, plainLook } from '../../../helpers/labels.ts';
+import { labelMap, mixedAppearances, plainAppearance } from '../../../helpers/labels.ts';
 import { randomNumbers } from '../../../helpers/synthetic.ts';
 
 const random = randomNumbers(3);
@@ -104,7 +104,7 @@ function castAlong(labels: ShownLabels, stepLength: number): readonly number[] {
 }
 
 const boxed = labelMap([edge, edge, edge], (...at) => Number(at.every((x) => x >= 6 && x < 18)), 2);
-const orange = (opacityFactor: number): ShownLabels => ({ map: boxed, styles: [plainLook, { color: [1, 0.5, 0], opacityFactor }] });
+const orange = (opacityFactor: number): ShownLabels => ({ map: boxed, styles: [plainAppearance, { color: [1, 0.5, 0], opacityFactor }] });
 
 describe('looks of labels', () => {
   it('give a box of labels its exact opacity and colour where its faces lie midway between samples, at any step', () => {
@@ -139,7 +139,7 @@ describe('looks of labels', () => {
     // The whole box is hidden, and all else: what is left is one slab.
     const slab = labelMap([edge, edge, edge], (i) => Number(i >= 20 && i < 28), 2);
     for (const at of ['jump', 'surface', 'max'] as const) {
-      const place = pickAt({ map: slab, styles: [{ ...plainLook, opacityFactor: 0 }, { ...plainLook, opacityFactor: 10 }] }, at);
+      const place = pickAt({ map: slab, styles: [{ ...plainAppearance, opacityFactor: 0 }, { ...plainAppearance, opacityFactor: 10 }] }, at);
       expect(place, at).to.be.within(20, 28);
     }
   });
@@ -189,12 +189,12 @@ describe('cells and their labels', () => {
 
   it('know the densest of them, and how much they differ', () => {
     const map = labelMap([8, 8, 16], (_i, _j, k) => (k < 9 ? 1 : 2), 3);
-    const styles = [plainLook, { color: [1, 0.5, 0], opacityFactor: 0.5 }, { color: [1, 0, 0], opacityFactor: 0.25 }] as const;
+    const styles = [plainAppearance, { color: [1, 0.5, 0], opacityFactor: 0.5 }, { color: [1, 0, 0], opacityFactor: 0.25 }] as const;
     // The face is at 9: the first cell of 8 has a voxel beyond it, the second both.
-    const { max, spread } = lookOfCells(cellsOf(map), styles);
+    const { max, spread } = appearanceOfCells(cellsOf(map), styles);
     expect([...max]).to.deep.equal([0.5, 0.5]);
     expect([...spread]).to.deep.equal([0, 0.25]);
-    expect([...lookOfCells(cellsOf(map), mixedLooks(map).styles.map((style) => ({ ...style, opacityFactor: 0 }))).max]).to.deep.equal([0, 0]);
+    expect([...appearanceOfCells(cellsOf(map), mixedAppearances(map).styles.map((style) => ({ ...style, opacityFactor: 0 }))).max]).to.deep.equal([0, 0]);
   });
 });
 

@@ -9,7 +9,7 @@ import { attenuate } from '../../../../src/optics/rays/segment.ts';
 import type { Premultiplied } from '../../../../src/optics/transfer/transfer-function.ts';
 import { joinPaneLabels } from '../../../../src/panes/join-pane-labels.ts';
 import { paneOverlay } from '../../../../src/panes/pane-overlay.ts';
-import { resolveOverlayLook } from '../../../../src/viewer/appearance/overlay-look.ts';
+import { resolveOverlayAppearance } from '../../../../src/viewer/appearance/overlay-appearance.ts';
 import { placeOverlay } from '../../../../src/viewer/attachments/place-overlay.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
 import type { Volume } from '../../../../src/volume/volume.ts';
@@ -93,22 +93,22 @@ describe('a layer\'s look', () => {
   const words = { transferFunction: null, valueWindow: null, blend: null, opacityFactor: null };
 
   it('follows its values: both signs around a clear zero, and a glow for one sign', async () => {
-    const both = await resolveOverlayLook(words, { ...signed(), window: [-5, 5], transferFunction: 'diverging' });
+    const both = await resolveOverlayAppearance(words, { ...signed(), window: [-5, 5], transferFunction: 'diverging' });
     for (const value of [-1, 0, 1]) expect(emission(both.transferFunction, value)[3], String(value)).to.equal(0);
     const [cold, , , coldDepth] = emission(both.transferFunction, -4);
     const [warm, , blue, warmDepth] = emission(both.transferFunction, 4);
     expect(coldDepth).to.be.closeTo(warmDepth, 1e-9);
     expect(cold).to.be.below(warm);
     expect(blue).to.be.below(warm);
-    const glow = await resolveOverlayLook(words, { ...volume, window: [0, 10] });
+    const glow = await resolveOverlayAppearance(words, { ...volume, window: [0, 10] });
     expect([glow.blend, glow.opacityFactor, emission(glow.transferFunction, 1)[3]]).to.deep.equal(['mix', 1, 0]);
   });
 
   it('refuses labels, and words that it does not know', async () => {
-    const failed = async (look: Promise<unknown>): Promise<string> => look.then(() => '', (error: VolumeViewError) => `${error.code} ${error.message}`);
-    expect(await failed(resolveOverlayLook(words, { ...volume, isDiscrete: true }))).to.match(/^format\/unsupported <volume-layer> got labels.*Use <volume-labels>/);
-    expect(await failed(resolveOverlayLook({ ...words, blend: 'add' }, volume))).to.match(/^attribute\/invalid blend.*mix/);
-    expect(await failed(resolveOverlayLook({ ...words, opacityFactor: '-1' }, volume))).to.match(/^attribute\/invalid opacity-factor/);
+    const failed = async (appearance: Promise<unknown>): Promise<string> => appearance.then(() => '', (error: VolumeViewError) => `${error.code} ${error.message}`);
+    expect(await failed(resolveOverlayAppearance(words, { ...volume, isDiscrete: true }))).to.match(/^format\/unsupported <volume-layer> got labels.*Use <volume-labels>/);
+    expect(await failed(resolveOverlayAppearance({ ...words, blend: 'add' }, volume))).to.match(/^attribute\/invalid blend.*mix/);
+    expect(await failed(resolveOverlayAppearance({ ...words, opacityFactor: '-1' }, volume))).to.match(/^attribute\/invalid opacity-factor/);
   });
 });
 

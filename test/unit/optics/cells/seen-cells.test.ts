@@ -70,33 +70,33 @@ describe('the cells in which something can be seen', () => {
       return { volume, cells: findSeenCells(volume.macrocells, [contributionOf(transferFunction)], volume) };
     };
     /** From a place of the world, in voxels around the middle, along the second axis of the grid, which runs to -y, or against it. */
-    const look = (eye: Vector3, along: 1 | -1): { view: Matrix4; projection: Matrix4 } => ({
+    const appearance = (eye: Vector3, along: 1 | -1): { view: Matrix4; projection: Matrix4 } => ({
       view: viewMatrix({ eye, target: [eye[0], eye[1] - along, eye[2]], up: [0, 0, 1], fieldOfView: 0.6 }), projection: projectionMatrix(0.6, 1, 0.1, 1000),
     });
 
     it('leave out those behind the eye', () => {
       const { volume, cells } = cubes([43, 75, 43], [44, 4, 40]);
-      const ahead = boundSeenCells(volume, cells, look([0, 0, 0], 1))!;
+      const ahead = boundSeenCells(volume, cells, appearance([0, 0, 0], 1))!;
       const alone = cubes([43, 75, 43]);
-      expect(ahead).to.deep.equal(boundSeenCells(alone.volume, alone.cells, look([0, 0, 0], 1)));
+      expect(ahead).to.deep.equal(boundSeenCells(alone.volume, alone.cells, appearance([0, 0, 0], 1)));
       expect((ahead[2] - ahead[0]) * (ahead[3] - ahead[1])).to.be.within(0.1, 3.9);
-      expect(boundSeenCells(alone.volume, alone.cells, look([0, 0, 0], -1)), 'all of them behind').to.equal(null);
-      expect(boundSeenCells(alone.volume, alone.cells, look([0, -90, 0], 1)), 'the volume behind').to.equal(null);
+      expect(boundSeenCells(alone.volume, alone.cells, appearance([0, 0, 0], -1)), 'all of them behind').to.equal(null);
+      expect(boundSeenCells(alone.volume, alone.cells, appearance([0, -90, 0], 1)), 'the volume behind').to.equal(null);
     });
 
     it('leave out those beside the picture, also where it is between them', () => {
       const { volume, cells } = cubes([2, 60, 40], [76, 60, 40]);
-      expect(boundSeenCells(volume, cells, look([0, 0, 0], 1)), 'on both sides').to.equal(null);
-      const far = boundSeenCells(volume, cells, look([0, 200, 0], 1))!;
+      expect(boundSeenCells(volume, cells, appearance([0, 0, 0], 1)), 'on both sides').to.equal(null);
+      const far = boundSeenCells(volume, cells, appearance([0, 200, 0], 1))!;
       expect(far[0]).to.be.within(-0.7, -0.5);
       expect(far[2]).to.be.within(0.5, 0.7);
     });
 
     it('reach to the edge of the picture where the eye is beside them', () => {
       const { volume, cells } = cubes([40, 36, 40], [40, 40, 40]);
-      expect(boundSeenCells(volume, cells, look([0, 0, 0], 1))).to.deep.equal([-1, -1, 1, 1]);
-      expect(boundSeenCells(volume, cells, look([20, 0, 0], 1)), 'from their side').to.deep.equal(null);
-      const attached = boundSeenCells(volume, cells, look([9, 14, 0], 1))!;
+      expect(boundSeenCells(volume, cells, appearance([0, 0, 0], 1))).to.deep.equal([-1, -1, 1, 1]);
+      expect(boundSeenCells(volume, cells, appearance([20, 0, 0], 1)), 'from their side').to.deep.equal(null);
+      const attached = boundSeenCells(volume, cells, appearance([9, 14, 0], 1))!;
       expect(attached[0]).to.be.above(0.1);
       expect(attached[2]).to.equal(1);
     });

@@ -12,7 +12,7 @@ import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const speck = (x: number, y: number, z: number): number => (Math.max(Math.abs(x - 0.48), Math.abs(y - 0.48), Math.abs(z - 0.48)) < 0.02 ? 1 : 0.1);
 
-function see(field: (x: number, y: number, z: number) => number, text: string, replacement: (look: Parameters<typeof rangeLight>[0]) => SeenVolume['style']): SeenVolume {
+function see(field: (x: number, y: number, z: number) => number, text: string, replacement: (appearance: Parameters<typeof rangeLight>[0]) => SeenVolume['style']): SeenVolume {
   const volume = syntheticVolume({ dimensions: [24, 24, 24], field });
   const transferFunction = parseTransferFunction(text, [0, 1]);
   const style = replacement({ volume, transferFunction, referenceLength: 1 });
@@ -26,7 +26,7 @@ const oneColor = '0 #fff 60%, 1 #fff 60%';
 const tent = 1 - 0.4 ** 2;
 
 describe('the bound of what styles alone may show', () => {
-  const boundOf = (chains: readonly StyleChain[], field = speck, text = oneColor, samples = 1): number => boundMissed(see(field, text, (look) => rangeStyles(chains, look)), samples);
+  const boundOf = (chains: readonly StyleChain[], field = speck, text = oneColor, samples = 1): number => boundMissed(see(field, text, (appearance) => rangeStyles(chains, appearance)), samples);
 
   it('is what shows where `gradient-opacity` makes it show, among gradients that there may be', () => {
     expect(boundMissed(see(speck, oneColor, () => undefined), 1), 'without a style').to.equal(0);

@@ -112,11 +112,11 @@ describe('a volume that a box is cut out of', () => {
     // A bump that is all inside of the box: nothing of it may be found, however near to its sides a ray is refined.
     const bump: Field = (x, y, z) => Math.exp(-6 * ((x - 0.55) ** 2 + (y - 0.7) ** 2 + (z - 0.5) ** 2));
     const gray: TransferFunction = [{ value: 0, color: [0, 0, 0], opacity: 1 }, { value: 2, color: [1, 1, 1], opacity: 1 }];
-    const look = { field: bump, colors: gray } as const;
+    const appearance = { field: bump, colors: gray } as const;
     const hole = cutoutInterval(cutBox(grid, [-6, -8, -5], [4, 1, 5]));
     const outside = Math.max(...[-6, 4].map((x) => bump(0.5 - x / 20, 0.7, 0.5)), ...[-8, 1].map((y) => bump(0.55, 0.5 - y / 18, 0.5)), ...[-5, 5].map((z) => bump(0.55, 0.7, 0.5 + z / 16)));
     for (const steps of [6, 30]) {
-      const [max, inAll] = [[hole], []].map((ends) => 2 * Math.max(...channel(draw({ ...look, steps, ends, projection: 'max' }), 0)));
+      const [max, inAll] = [[hole], []].map((ends) => 2 * Math.max(...channel(draw({ ...appearance, steps, ends, projection: 'max' }), 0)));
       expect(max, `${steps} steps`).to.be.within(outside - 0.1, outside + 1e-9);
       expect(inAll).to.be.above(outside + 0.1);
     }
@@ -139,9 +139,9 @@ describe('a volume that a box is cut out of', () => {
     const sideways = orbitCamera({ theta: -Math.PI / 2, phi: Math.PI / 2, radius: 2 * diagonal }, [0, 0, 0], 0.2);
     const setup = setUpRays(grid, viewMatrix(sideways), projectionMatrix(0.2, 4 / 3, 1, 1e3))!;
     for (const ends of looks) {
-      const look = { field: (x) => x, colors: rainbow, ends, setup } satisfies Partial<Look>;
+      const appearance = { field: (x) => x, colors: rainbow, ends, setup } satisfies Partial<Look>;
       // The smallest value of a ray is that of the face, to the last bit but rounding, at any step; what is opaque shows the mean of its first substep.
-      for (const [seen, slack] of [[draw({ ...look, steps: 3, projection: 'min' }), 1e-12], ...[10, 300].map((steps) => [draw({ ...look, steps, opacityFactor: 1e6 }), diagonal / steps / 16 / 20] as const)] as const) {
+      for (const [seen, slack] of [[draw({ ...appearance, steps: 3, projection: 'min' }), 1e-12], ...[10, 300].map((steps) => [draw({ ...appearance, steps, opacityFactor: 1e6 }), diagonal / steps / 16 / 20] as const)] as const) {
         const lit = seen.filter((_, i) => i % 4 === 0 && seen[i + 3] > 0.899);
         expect(lit.length).to.be.above(30);
         for (const red of lit) expect(red).to.be.closeTo(value, slack);

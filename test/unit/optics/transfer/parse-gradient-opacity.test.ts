@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../../../src/core/errors.ts';
 import { parseGradientOpacity } from '../../../../src/optics/transfer/parse-gradient-opacity.ts';
-import { resolveLook } from '../../../../src/viewer/appearance/resolve-look.ts';
-import { plainLook } from '../../../../src/viewer/model/settings.ts';
+import { resolveAppearance } from '../../../../src/viewer/appearance/resolve-appearance.ts';
+import { plainAppearance } from '../../../../src/viewer/model/settings.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 describe('gradient-opacity', () => {
@@ -13,9 +13,9 @@ describe('gradient-opacity', () => {
 
   it('is of the window and the reference length that the look has', async () => {
     const volume = syntheticVolume({ dimensions: [8, 8, 8], kind: 'float32' });
-    const look = { ...plainLook, transferFunction: '0 red 0, 1 red 1', window: [10, 30] as const, referenceLength: 4, gradientOpacity: '50% 0.5' };
-    expect((await resolveLook(look, volume)).styles).to.deep.equal([{ weight: 1, styles: [{ kind: 'gradient', stops: [[2.5, 0.5]] }] }]);
-    expect(await resolveLook({ ...look, gradientOpacity: null }, volume)).to.not.have.property('styles');
+    const appearance = { ...plainAppearance, transferFunction: '0 red 0, 1 red 1', window: [10, 30] as const, referenceLength: 4, gradientOpacity: '50% 0.5' };
+    expect((await resolveAppearance(appearance, volume)).styles).to.deep.equal([{ weight: 1, styles: [{ kind: 'gradient', stops: [[2.5, 0.5]] }] }]);
+    expect(await resolveAppearance({ ...appearance, gradientOpacity: null }, volume)).to.not.have.property('styles');
   });
 
   for (const [text, words] of [

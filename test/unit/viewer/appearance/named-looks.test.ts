@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { resolveLook } from '../../../../src/viewer/appearance/resolve-look.ts';
+import { resolveAppearance } from '../../../../src/viewer/appearance/resolve-appearance.ts';
 import type { ScanModel } from '../../../../src/viewer/model/scan-model.ts';
-import { plainLook } from '../../../../src/viewer/model/settings.ts';
-import type { LookSettings } from '../../../../src/viewer/model/settings.ts';
+import { plainAppearance } from '../../../../src/viewer/model/settings.ts';
+import type { AppearanceSettings } from '../../../../src/viewer/model/settings.ts';
 import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
 import { evenAzimuths, radarVolume } from '../../../helpers/synthetic-radar.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';
@@ -20,7 +20,7 @@ const labels = ball([0, 5], { transferFunction: '0.5 red 0, 0.5 red 20%', isDisc
 const mask = syntheticVolume({ dimensions: [8, 8, 8], kind: 'uint8', field: (x) => (x > 0.5 ? 1 : 0) });
 const radar = radarVolume({ sweeps: [{ elevation: 1, azimuths: evenAzimuths(36), gates: 20, gateLength: 1000 }] });
 
-const read = (named: string, volume: ScanModel, more: Partial<LookSettings> = {}): Promise<VolumeOptics> => resolveLook({ ...plainLook, ...more, named }, volume);
+const read = (named: string, volume: ScanModel, more: Partial<AppearanceSettings> = {}): Promise<VolumeOptics> => resolveAppearance({ ...plainAppearance, ...more, named }, volume);
 
 async function failure(reading: Promise<unknown>): Promise<string> {
   return reading.then(() => 'was read', (error: Error) => error.message);
@@ -34,17 +34,17 @@ describe('a look by one word', () => {
     expect(await lit({ ...mask, transferFunction: '40% #3d2418 0, 100% #fdebd3 18%' })).to.equal('lit');
     for (const flat of [statistics, labels, radar]) expect(await lit(flat)).to.equal('unlit');
     // A picture of theirs is that of the bare tag.
-    for (const flat of [statistics, labels, radar]) expect(await read('textbook', flat)).to.deep.equal(await resolveLook(plainLook, flat));
+    for (const flat of [statistics, labels, radar]) expect(await read('textbook', flat)).to.deep.equal(await resolveAppearance(plainAppearance, flat));
   });
 
   it('is flat where that is asked for', async () => {
-    for (const volume of [mri, ct, statistics, labels, radar]) expect(await read(' Flat ', volume)).to.deep.equal(await resolveLook({ ...plainLook, shading: 'unlit' }, volume));
+    for (const volume of [mri, ct, statistics, labels, radar]) expect(await read(' Flat ', volume)).to.deep.equal(await resolveAppearance({ ...plainAppearance, shading: 'unlit' }, volume));
   });
 
   it('gives way to what the page says', async () => {
     const stops = '0 black 0, 100 white 5%';
     const own = await read('textbook', ct, { transferFunction: stops });
-    expect(own.transferFunction).to.deep.equal((await resolveLook({ ...plainLook, transferFunction: stops }, ct)).transferFunction);
+    expect(own.transferFunction).to.deep.equal((await resolveAppearance({ ...plainAppearance, transferFunction: stops }, ct)).transferFunction);
     // The factor goes with the preset.
     expect([own.opacityFactor, own.shading]).to.deep.equal([1, 'lit']);
     expect((await read('textbook', ct)).opacityFactor).to.equal(3);

@@ -65,10 +65,10 @@ function pickAbove(volume: PolarVolume, sweep: number, [x, y, z]: Vector3) {
   const camera = orbitCamera({ theta: 0.3, phi: 0, radius: 2 * longestDiagonal(grid) }, [x + 3000, y - 2000, 0], 0.5);
   const rays = setUpRays(grid, viewMatrix(camera), projectionMatrix(0.5, size.width / size.height, 1, 1e7))!;
   const at = projectPlace(camera, world, size)!;
-  const look = { transferFunction: faint(volume.range), projection: null };
-  const optics = { ...look, lightFactor: 1, opacityFactor: 1, referenceLength: 1e6 };
+  const appearance = { transferFunction: faint(volume.range), projection: null };
+  const optics = { ...appearance, lightFactor: 1, opacityFactor: 1, referenceLength: 1e6 };
   const scene = { ...volume, ...optics, stepLength: longestDiagonal(grid) / 100, field: polarField(volume), ends: [sliceInterval(sliceMeeter(volume, [{ kind: 'cone', sweep }], optics))] };
-  const found = pickRay(stagesOf(scene, rays), rayThrough(rays, (2 * at[0]) / size.width - 1, 1 - (2 * at[1]) / size.height), { at: 'jump', look });
+  const found = pickRay(stagesOf(scene, rays), rayThrough(rays, (2 * at[0]) / size.width - 1, 1 - (2 * at[1]) / size.height), { at: 'jump', look: appearance });
   return found && describeRadar(volume, found.place);
 }
 

@@ -7,7 +7,7 @@ import type { LabelEntry } from '../model/view-labels.ts';
  * The transfer function of a volume that is itself labels: a colour for each value, and nothing for places without a label. Null
  * where there is no label.
  */
-export function ownLabelsLook(entries: readonly LabelEntry[]): TransferFunction | null {
+export function ownLabelsAppearance(entries: readonly LabelEntry[]): TransferFunction | null {
   const rising = entries.slice(1);
   if (rising.length === 0) return null;
   rising.sort((a, b) => a.id - b.id);

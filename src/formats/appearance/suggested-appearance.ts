@@ -1,7 +1,7 @@
 import type { Volume } from '../../volume/volume.ts';
 
 /** The appearance of a volume whose file gives none. */
-export type SuggestedLook = Pick<Volume, 'window' | 'transferFunction' | 'isDiscrete'>;
+export type SuggestedAppearance = Pick<Volume, 'window' | 'transferFunction' | 'isDiscrete'>;
 
 /** The colour preset of units that have a well-known scale. */
 export function presetOfUnit(unit: string): string | undefined {

@@ -3,13 +3,13 @@ import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { dragKinds } from '../../panes/pane-input.ts';
 import type { DragKind } from '../../panes/pane-input.ts';
-import type { SliceLook } from '../../panes/slice-pane.ts';
+import type { SliceAppearance } from '../../panes/slice-pane.ts';
 import { suitingWindow, suitsColors } from '../../panes/suiting-window.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { parseFactor } from '../model/parse-attributes.ts';
-import { suggestedOf } from '../appearance/resolve-look.ts';
+import { suggestedOf } from '../appearance/resolve-appearance.ts';
 import { parsePlace, SliceReader } from '../cuts/slice-attributes.ts';
 import type { PlaneAttributes } from '../cuts/slice-attributes.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
@@ -18,7 +18,7 @@ import type { VolumeOptics } from '../model/volume-info.ts';
 const usualLabelOpacity = 0.5;
 
 /** What the attributes of a pane say, independent of the volume. The volume determines what is null. */
-export interface SliceAttributes extends PlaneAttributes, Pick<SliceLook, 'isNearest'> {
+export interface SliceAttributes extends PlaneAttributes, Pick<SliceAppearance, 'isNearest'> {
   readonly drag: DragKind;
   readonly cursor: Vector3 | null;
   /** Opacity of labels over the grey values, 0..1. */
@@ -38,7 +38,7 @@ export function readSliceAttributes(text: (name: string) => string | null): Slic
 }
 
 /** The view whose colours and window a pane may use. */
-export interface SharedLook {
+export interface SharedAppearance {
   readonly optics: VolumeOptics | null;
   /** The window that the page gives the <volume-view>. */
   readonly window: readonly [number, number] | null;
@@ -49,7 +49,7 @@ export interface SharedLook {
  * @param own - colours of a volume that is itself labels
  * @throws {VolumeViewError}
  */
-export async function resolveSliceLook({ window, colors, ...attributes }: SliceAttributes, volume: Volume, shared: SharedLook | null, own?: TransferFunction | null): Promise<SliceLook> {
+export async function resolveSliceAppearance({ window, colors, ...attributes }: SliceAttributes, volume: Volume, shared: SharedAppearance | null, own?: TransferFunction | null): Promise<SliceAppearance> {
   const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
   return { ...attributes, window: window ?? shared?.window ?? suitingWindow(volume), colors: isColored ? (shared?.optics?.transferFunction ?? own ?? (await resolveTransferFunction(await suggestedOf(volume), volume.window ?? volume.range))) : null };
 }

@@ -1,13 +1,13 @@
 import type { ErrorState } from '../model/error-state.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
-import { resolveLook } from './resolve-look.ts';
+import { resolveAppearance } from './resolve-appearance.ts';
 import type { ScanModel } from '../model/scan-model.ts';
-import { plainLook } from '../model/settings.ts';
+import { plainAppearance } from '../model/settings.ts';
 import type { Settings } from '../model/settings.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
 /** What the reader needs of its view. */
-export interface LookHost {
+export interface AppearanceHost {
   readonly settings: Settings;
   /** The element whose children may be X3D's volume nodes. */
   readonly user: { readonly host: Element };
@@ -16,21 +16,21 @@ export interface LookHost {
   /** Show the volume with another appearance. @param signal - aborted where a newer one is being read */
   apply(optics: VolumeOptics, signal: AbortSignal): Promise<void>;
   /** The appearance has changed; null where there is no longer a volume. */
-  lookChanged(optics: VolumeOptics | null): void;
+  appearanceChanged(optics: VolumeOptics | null): void;
   track(work: Promise<unknown>): void;
 }
 
 /** Reads X3D's volume nodes: read-volume-nodes.ts. */
 export interface VolumeNodeReader {
-  follow(host: LookHost & { readonly look: LookReader }, readLook: () => void): void;
-  withVolumeNodes(host: LookHost, look: VolumeOptics, model: ScanModel): Promise<VolumeOptics>;
+  follow(host: AppearanceHost & { readonly look: AppearanceReader }, readAppearance: () => void): void;
+  withVolumeNodes(host: AppearanceHost, appearance: VolumeOptics, model: ScanModel): Promise<VolumeOptics>;
 }
 
 /**
  * Reads the appearance of volumes from settings and volume; of several readings one after another the last one counts, however
  * long each takes.
  */
-export class LookReader {
+export class AppearanceReader {
   #current: VolumeOptics | null = null;
   /** Stops the reading in progress. */
   #reading: AbortController | null = null;
@@ -40,7 +40,7 @@ export class LookReader {
   /** The transfer function of a volume that is itself labels, where its page gives none. */
   replacement: { readonly transferFunction: TransferFunction } | null = null;
 
-  constructor(readonly host: LookHost, readonly errors: ErrorState) {}
+  constructor(readonly host: AppearanceHost, readonly errors: ErrorState) {}
 
   /** The appearance of the volume; null before there is one. */
   get current(): VolumeOptics | null {
@@ -86,9 +86,9 @@ export class LookReader {
 
   /** @throws {VolumeViewError} `attribute/invalid` or `transfer-function/syntax` */
   async read(model: ScanModel): Promise<VolumeOptics> {
-    const { look } = this.host.settings;
-    if (look.error) throw look.error;
-    const optics = await resolveLook(look.value, { ...model, ...this.replacement });
+    const { look: appearance } = this.host.settings;
+    if (appearance.error) throw appearance.error;
+    const optics = await resolveAppearance(appearance.value, { ...model, ...this.replacement });
     return (await this.nodes)?.withVolumeNodes(this.host, optics, model) ?? optics;
   }
 
@@ -101,7 +101,7 @@ export class LookReader {
       return optics;
     } catch (error) {
       this.errors.report('optics', error);
-      return resolveLook(plainLook, model);
+      return resolveAppearance(plainAppearance, model);
     }
   }
 
@@ -109,6 +109,6 @@ export class LookReader {
   notify(optics: VolumeOptics | null): void {
     if (optics === this.#current) return;
     this.#current = optics;
-    this.host.lookChanged(optics);
+    this.host.appearanceChanged(optics);
   }
 }

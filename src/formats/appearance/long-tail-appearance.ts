@@ -1,7 +1,7 @@
 import type { Histogram } from '../../volume/histogram.ts';
 import { otsuBin } from '../../optics/transfer/window.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
-import type { SuggestedLook } from './suggested-look.ts';
+import type { SuggestedAppearance } from './suggested-appearance.ts';
 
 /** The number of bins, and the bins for each doubling of the value. The bins are logarithmic. */
 const [logBins, perDoubling] = [96, 8];
@@ -25,7 +25,7 @@ const hotIron = '0% #160b39 0, 4% #2a115c 0.4%, 12% #5f187f 1.2%, 30% #b1325a 4%
  * The appearance of values with a long tail, such as the uptake of a tracer in PET: a few places glow many times as
  * bright as the body. A window around these alone would show nothing else. Null for any other values.
  */
-export function longTailLook({ samples, slope, intercept }: DecodedCartesianVolume, { low, high, counts }: Histogram): SuggestedLook | null {
+export function longTailAppearance({ samples, slope, intercept }: DecodedCartesianVolume, { low, high, counts }: Histogram): SuggestedAppearance | null {
   const firstBin = otsuBin(counts);
   if (!(high > low) || low < -0.02 * high || sum(counts.subarray(firstBin)) > glowing.share * samples.length) return null;
   const glowFrom = low + (firstBin / counts.length) * (high - low);

@@ -3,8 +3,8 @@ import type { Samples } from '../../volume/samples.ts';
 import type { Histogram } from '../../volume/histogram.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { loadReader } from '../base/load-reader.ts';
-import { presetOfUnit } from './suggested-look.ts';
-import type { SuggestedLook } from './suggested-look.ts';
+import { presetOfUnit } from './suggested-appearance.ts';
+import type { SuggestedAppearance } from './suggested-appearance.ts';
 
 /** In a volume of labels most values between the smallest and the largest one are missing. */
 const fewBins = 128;
@@ -34,12 +34,12 @@ function hasRuns(samples: Samples): boolean {
  * The appearance that the values suggest, for files and manifests that give none. The code for everything except plain
  * pictures is loaded only when it may be needed.
  */
-export async function suggestLook(decoded: DecodedCartesianVolume, histogram: Histogram): Promise<SuggestedLook> {
+export async function suggestAppearance(decoded: DecodedCartesianVolume, histogram: Histogram): Promise<SuggestedAppearance> {
   const { window, transferFunction, unit } = decoded;
   const { low, counts } = histogram;
   const high = counts.subarray(counts.length / 8).reduce((sum, count) => sum + count);
   const isUnusual = unit === '' && (decoded.isLabels || decoded.intent || decoded.indexed || low < 0 || hasRuns(decoded.samples) || counts.filter(Boolean).length < fewBins || high < fewHigh * decoded.samples.length);
-  const found = isUnusual ? (await loadReader(() => import('./unusual-look.ts'))).findUnusualLook(decoded, histogram) : null;
+  const found = isUnusual ? (await loadReader(() => import('./unusual-appearance.ts'))).findUnusualAppearance(decoded, histogram) : null;
   return {
     ...found,
     window: (decoded.intent && found?.transferFunction === 'diverging' ? null : window) ?? found?.window ?? windowFromHistogram(histogram),

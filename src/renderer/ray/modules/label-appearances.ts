@@ -4,7 +4,7 @@ import type { RayModule } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
 
 /** Labels colour a segment, and multiply its extinction. The label module provides the inputs. */
-export const labelLooks: RayModule<'shade'> = {
+export const labelAppearances: RayModule<'shade'> = {
   name: 'labelLooks',
   stage: 'shade',
   defines: {},
@@ -18,7 +18,7 @@ export const labelLooks: RayModule<'shade'> = {
 };
 
 /** The same if groups of labels have their own transfer functions, which the classify module applies. */
-export const groupLooks: RayModule<'shade'> = {
-  ...labelLooks,
+export const groupAppearances: RayModule<'shade'> = {
+  ...labelAppearances,
   twin: twinOf(usualTwins, ({ groupShade }, _, { classify, field }) => ({ shades: [groupShade(classify, field)] })),
 };

@@ -1,19 +1,19 @@
 import type { Histogram } from '../../volume/histogram.ts';
 import { maxLabels } from '../../volume/index-numbers.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
-import { labelLook } from './label-look.ts';
-import { longTailLook } from './long-tail-look.ts';
-import { presetOfUnit } from './suggested-look.ts';
-import type { SuggestedLook } from './suggested-look.ts';
+import { labelAppearance } from './label-appearance.ts';
+import { longTailAppearance } from './long-tail-appearance.ts';
+import { presetOfUnit } from './suggested-appearance.ts';
+import type { SuggestedAppearance } from './suggested-appearance.ts';
 
 /**
  * The appearance of Hounsfield units, of labels, of a mask, of values on both sides of 0, and of a few values far above
  * all others; null for anything else.
  */
-export function findUnusualLook(decoded: DecodedCartesianVolume, histogram: Histogram): SuggestedLook | null {
+export function findUnusualAppearance(decoded: DecodedCartesianVolume, histogram: Histogram): SuggestedAppearance | null {
   if (isCt(histogram)) return { transferFunction: presetOfUnit('HU') };
-  if (statistics.includes(decoded.intent ?? 0)) return statisticLook(decoded, histogram);
-  return decoded.isLabels || areLabels(decoded) ? labelLook(decoded) : signedLook(histogram) ?? longTailLook(decoded, histogram);
+  if (statistics.includes(decoded.intent ?? 0)) return statisticAppearance(decoded, histogram);
+  return decoded.isLabels || areLabels(decoded) ? labelAppearance(decoded) : signedAppearance(histogram) ?? longTailAppearance(decoded, histogram);
 }
 
 /**
@@ -26,7 +26,7 @@ const statistics: readonly number[] = [2, 3, 4, 5, 6, 23, 24];
  * The appearance of a map that its file calls a statistic: 0 is transparent, whichever signs occur, and both ends are
  * equally far from 0. The file's window, which mostly starts at a threshold, gives that distance.
  */
-function statisticLook({ window }: DecodedCartesianVolume, { low, high }: Histogram): SuggestedLook {
+function statisticAppearance({ window }: DecodedCartesianVolume, { low, high }: Histogram): SuggestedAppearance {
   const farthest = Math.max(...(window ?? [low, high]).map(Math.abs)) || 1;
   return { window: [-farthest, farthest], transferFunction: 'diverging' };
 }
@@ -118,7 +118,7 @@ function areLabels({ samples: all, slope, intercept, indexed, grid: { dimensions
  * The appearance of a map of both signs, such as a t statistic: 0 has no colour, and both ends are equally far from it.
  * The file's window, which mostly starts at a threshold, gives that distance.
  */
-function signedLook({ low, high, counts }: Histogram): SuggestedLook | null {
+function signedAppearance({ low, high, counts }: Histogram): SuggestedAppearance | null {
   const smaller = Math.min(-low, high);
   const farthest = Math.max(-low, high);
   if (!(smaller > 0.1 * farthest)) return null;

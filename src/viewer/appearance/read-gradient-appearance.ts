@@ -3,7 +3,7 @@ import { parseGradientOpacity } from '../../optics/transfer/parse-gradient-opaci
 import { parsePatches } from '../../optics/transfer/parse-patches.ts';
 import { outlinePatches } from '../../optics/transfer/patches.ts';
 import { spanAround } from '../../optics/transfer/span-around.ts';
-import type { LookSettings } from '../model/settings.ts';
+import type { AppearanceSettings } from '../model/settings.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
 /**
@@ -11,7 +11,7 @@ import type { VolumeOptics } from '../model/volume-info.ts';
  * @param range - of the data
  * @throws {VolumeViewError} `attribute/invalid`, `transfer-function/syntax`
  */
-export function withGradients({ gradientOpacity, transferFunction2d }: LookSettings, optics: VolumeOptics, range: readonly [number, number]): VolumeOptics {
+export function withGradients({ gradientOpacity, transferFunction2d }: AppearanceSettings, optics: VolumeOptics, range: readonly [number, number]): VolumeOptics {
   const { referenceLength, projection, surfaces } = optics;
   // If all data have the same value, percentages still need a range.
   const window = optics.window[1] > optics.window[0] ? optics.window : spanAround(optics.window[0]);

@@ -7,7 +7,7 @@ import type { TransferFunction } from '../../optics/transfer/transfer-function.t
 import { defaultReferenceLength } from '../../volume/reference-length.ts';
 import { loadLabelStops } from '../model/optics-by-place.ts';
 import type { ScanModel } from '../model/scan-model.ts';
-import type { LookSettings } from '../model/settings.ts';
+import type { AppearanceSettings } from '../model/settings.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
 /** Data may be as large as numbers can be, for instance where 1.8e308 stands for "no data": a window may not. */
@@ -23,23 +23,23 @@ export async function suggestedOf({ transferFunction, ids, named }: Pick<ScanMod
  * The appearance of a volume: what the author says, else what its file says or its values suggest.
  * @throws {VolumeViewError} `transfer-function/syntax`, `attribute/invalid`
  */
-export async function resolveLook(said: LookSettings, volume: ScanModel): Promise<VolumeOptics> {
-  const look = said.named === null ? said : (await loadPart(import('./named-looks.ts'), 'reads looks')).applyNamedLook(said, volume);
-  const [low, high] = look.window ?? volume.window ?? volume.range;
+export async function resolveAppearance(said: AppearanceSettings, volume: ScanModel): Promise<VolumeOptics> {
+  const appearance = said.named === null ? said : (await loadPart(import('./named-looks.ts'), 'reads looks')).applyNamedLook(said, volume);
+  const [low, high] = appearance.window ?? volume.window ?? volume.range;
   const ends = [low, high].map((end) => Math.min(widest, Math.max(-widest, end)));
   const window = ends[0] < ends[1] ? ([ends[0], ends[1]] as const) : spanAround(ends[0]);
-  const text = look.transferFunction ?? (await suggestedOf(volume));
+  const text = appearance.transferFunction ?? (await suggestedOf(volume));
   const optics: VolumeOptics = {
     transferFunction: await resolveTransferFunction(text, window),
     window,
-    referenceLength: look.referenceLength ?? volume.referenceLength ?? defaultReferenceLength(volume.grid),
-    opacityFactor: look.opacityFactor ?? 1,
-    lightFactor: look.lightFactor,
-    projection: look.projection,
-    shading: look.shading ?? 'unlit',
-    surfaces: look.surfaces
-      ? (await loadPart(import('../../optics/surfaces/parse-surfaces.ts'), 'reads surfaces')).readSurfaces(look.surfaces, window, look)
+    referenceLength: appearance.referenceLength ?? volume.referenceLength ?? defaultReferenceLength(volume.grid),
+    opacityFactor: appearance.opacityFactor ?? 1,
+    lightFactor: appearance.lightFactor,
+    projection: appearance.projection,
+    shading: appearance.shading ?? 'unlit',
+    surfaces: appearance.surfaces
+      ? (await loadPart(import('../../optics/surfaces/parse-surfaces.ts'), 'reads surfaces')).readSurfaces(appearance.surfaces, window, appearance)
       : null,
   };
-  return look.gradientOpacity || look.transferFunction2d ? (await loadPart(import('./read-gradient-look.ts'), 'reads gradients')).withGradients(look, optics, volume.range) : optics;
+  return appearance.gradientOpacity || appearance.transferFunction2d ? (await loadPart(import('./read-gradient-appearance.ts'), 'reads gradients')).withGradients(appearance, optics, volume.range) : optics;
 }

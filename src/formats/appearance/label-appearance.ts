@@ -2,7 +2,7 @@ import { labelColors as colors } from '../../volume/label-colors.ts';
 import { maxLabels } from '../../volume/index-numbers.ts';
 import type { Samples } from '../../volume/samples.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
-import type { SuggestedLook } from './suggested-look.ts';
+import type { SuggestedAppearance } from './suggested-appearance.ts';
 
 /** Opacity of a label. */
 const opacity = '22%';
@@ -26,13 +26,13 @@ const maxOpacity = 0.18;
  * The appearance of whole numbers that stand for things: each label has its colour, and 0 has none. Two values are a
  * mask.
  */
-export function labelLook(decoded: DecodedCartesianVolume): SuggestedLook {
+export function labelAppearance(decoded: DecodedCartesianVolume): SuggestedAppearance {
   const { samples, slope, intercept, indexed, named } = decoded;
   const labels = indexed ? [...indexed.ids] : valuesOf(samples, slope, intercept);
   labels.sort((a, b) => a - b);
   const [lowest, highest] = [labels[0], labels[labels.length - 1]];
   if (named) return { window: [lowest, Math.max(highest, lowest + 1)], isDiscrete: true };
-  if (labels.length < 3) return { window: [lowest, Math.max(highest, lowest + 1)], transferFunction: maskLook(decoded) };
+  if (labels.length < 3) return { window: [lowest, Math.max(highest, lowest + 1)], transferFunction: maskAppearance(decoded) };
   const things = labels.filter((label) => label !== 0);
   if (indexed || lowest < 0 || things.length > maxColored || !Number.isSafeInteger(highest)) return { window: [lowest, highest], isDiscrete: true };
   const stops = things.map((label, i) => {
@@ -58,7 +58,7 @@ function valuesOf(samples: Samples, slope: number, intercept: number): number[] 
  * A skin that gets lighter inwards, with a density that suits its thickness. A mask has no values between its two: the
  * edge is half way.
  */
-function maskLook({ samples, grid: { dimensions, spacing } }: DecodedCartesianVolume): string {
+function maskAppearance({ samples, grid: { dimensions, spacing } }: DecodedCartesianVolume): string {
   let inside = 0;
   for (const value of samples) if (value > inside) inside = value;
   let [voxels, runs] = [0, 0];

@@ -9,7 +9,7 @@ import type { PolarVolume } from '../../volume/volume.ts';
 export type PolarOutline = Omit<PolarVolume, 'macrocells'>;
 
 /** How a scan is shown if neither its author nor a manifest says it. */
-type RadarLook = Pick<PolarVolume, 'window' | 'transferFunction' | 'referenceLength'>;
+type RadarAppearance = Pick<PolarVolume, 'window' | 'transferFunction' | 'referenceLength'>;
 
 /** A preset, and approximately its opacity per reference length, for a share of the window or for a value. */
 interface Scale {
@@ -18,7 +18,7 @@ interface Scale {
   opacityOf(value: number): number;
 }
 
-export function suggestRadarLook(volume: PolarOutline): RadarLook {
+export function suggestRadarAppearance(volume: PolarOutline): RadarAppearance {
   const scale = chooseScale(volume);
   const isOwn = volume.transferFunction !== undefined || volume.window !== undefined;
   return {
