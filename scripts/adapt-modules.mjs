@@ -102,7 +102,7 @@ export function adaptModules({ workerTexts }) {
 }
 
 /** The modules that a worker for usual NIfTI files loads on demand. */
-const USUAL_PARTS = /\/(nifti|nifti-rare-headers|unusual-look|check-geometry|explain-failure|foreign-formats|fetch-again|reduce)\.ts$/;
+const USUAL_PARTS = /\/(nifti|nifti-rare-headers|unusual-appearance|check-geometry|explain-failure|foreign-formats|fetch-again|reduce)\.ts$/;
 
 /**
  * A worker for usual NIfTI files: it leaves out the modules of all other formats, and importing them fails.
