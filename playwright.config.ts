@@ -7,8 +7,36 @@ import { findBrowser, listTestArgs } from './scripts/find-browser.mjs';
  * page of its own. Left out are those that ask for permissions, or look at what a page leaves behind: memory, contexts, workers.
  */
 const onePage = [
-  ...['accessibility', 'attributes', 'author-scene', 'box', 'camera', 'companions', 'demos', 'editor', 'editor-text', 'errors', 'events', 'gradient-opacity', 'interaction'],
-  ...['labels', 'layers', 'legend', 'light', 'live-regions', 'measure', 'plane-editor', 'pointing', 'projection', 'radar', 'readout', 'rtl', 'scans'],
+  ...[
+    'accessibility',
+    'attributes',
+    'author-scene',
+    'box',
+    'camera',
+    'companions',
+    'demos',
+    'editor',
+    'editor-text',
+    'errors',
+    'events',
+    'gradient-opacity',
+    'interaction',
+  ],
+  ...[
+    'labels',
+    'layers',
+    'legend',
+    'light',
+    'live-regions',
+    'measure',
+    'plane-editor',
+    'pointing',
+    'projection',
+    'radar',
+    'readout',
+    'rtl',
+    'scans',
+  ],
   ...['slice-view', 'slices', 'source', 'styles', 'surfaces', 'timeline', 'x3dom-scenes'],
 ].map((name) => `**/${name}.spec.ts`);
 

@@ -4,7 +4,9 @@ import { defineConfig, type Plugin } from 'vite';
 import { findSharedData, sharedDataPrefix } from './scripts/shared-data.mjs';
 
 const hasDisplay =
-  process.platform === 'darwin' || process.platform === 'win32' || Boolean(process.env.DISPLAY || process.env.WAYLAND_DISPLAY);
+  process.platform === 'darwin' ||
+  process.platform === 'win32' ||
+  Boolean(process.env.DISPLAY || process.env.WAYLAND_DISPLAY);
 
 /** `/` is the gallery, and `/shared-data/` the larger data beside the checkout, where there are any. */
 const routes: Plugin = {

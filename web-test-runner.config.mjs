@@ -35,7 +35,9 @@ const fixtures = '/test/fixtures/';
  * @type {import('koa').Middleware}
  */
 async function serveFixtures(context, next) {
-  const file = context.path.startsWith(fixtures) ? findFile(join(projectRoot, 'test/fixtures'), context.path.slice(fixtures.length)) : null;
+  const file = context.path.startsWith(fixtures)
+    ? findFile(join(projectRoot, 'test/fixtures'), context.path.slice(fixtures.length))
+    : null;
   if (!file) return next();
   context.type = 'application/octet-stream';
   context.body = createReadStream(file);
@@ -49,7 +51,8 @@ export default {
   testsStartTimeout: 120_000,
   testsFinishTimeout: 600_000,
   /** @param {string} framework */
-  testRunnerHtml: (framework) => `<!doctype html><html><body><script type="module" src="/test/helpers/provide-substeps.ts"></script><script type="module" src="${framework}"></script></body></html>`,
+  testRunnerHtml: (framework) =>
+    `<!doctype html><html><body><script type="module" src="/test/helpers/provide-substeps.ts"></script><script type="module" src="${framework}"></script></body></html>`,
   testFramework: { config: { timeout: 60_000 } },
   browsers: [
     playwrightLauncher({

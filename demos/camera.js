@@ -19,7 +19,9 @@ const viewpoint = document.querySelector('viewpoint');
 const markup = document.querySelector('#viewpoint-markup');
 
 function show() {
-  const attributes = ['position', 'orientation', 'fieldofview'].map((name) => `${name}="${viewpoint.getAttribute(name)}"`);
+  const attributes = ['position', 'orientation', 'fieldofview'].map(
+    (name) => `${name}="${viewpoint.getAttribute(name)}"`,
+  );
   markup.textContent = `<viewpoint ${attributes.join('\n           ')}></viewpoint>`;
 }
 

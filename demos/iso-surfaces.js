@@ -6,7 +6,11 @@ const looks = {
   tissue: { ...torso, 'surface-values': '250 #f3e6cc', 'transfer-function': 'ct-soft-tissue' },
   brain: { ...brain, 'surface-values': '38% #e2b9a6', 'camera-orbit': '65deg 75deg 82%' },
   white: { ...brain, 'surface-values': '35% #d8a48f 30%, 72% #fff4e0', 'camera-orbit': '120deg 65deg 90%' },
-  storm: { src: 'data/storm-synthetic.json', 'surface-values': '20 #3fa7ff 25%, 35 #ffd23f 40%, 50 #ff3b30', 'camera-orbit': '30deg 55deg 85%' },
+  storm: {
+    src: 'data/storm-synthetic.json',
+    'surface-values': '20 #3fa7ff 25%, 35 #ffd23f 40%, 50 #ff3b30',
+    'camera-orbit': '30deg 55deg 85%',
+  },
 };
 
 const view = document.querySelector('#seen');
@@ -17,8 +21,11 @@ function show(name) {
     if (attribute in look) view.setAttribute(attribute, look[attribute]);
     else view.removeAttribute(attribute);
   }
-  const written = ['transfer-function', 'surface-values'].filter((attribute) => attribute in look).map((attribute) => `\n             ${attribute}="${look[attribute]}"`);
-  document.querySelector('#code').textContent = `<volume-view src="${look.src.replace('data/', '')}"${written.join('')}></volume-view>`;
+  const written = ['transfer-function', 'surface-values']
+    .filter((attribute) => attribute in look)
+    .map((attribute) => `\n             ${attribute}="${look[attribute]}"`);
+  document.querySelector('#code').textContent =
+    `<volume-view src="${look.src.replace('data/', '')}"${written.join('')}></volume-view>`;
 }
 
 document.querySelector('fieldset').addEventListener('change', ({ target }) => show(target.value));

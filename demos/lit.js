@@ -1,8 +1,21 @@
 // What is seen, lit and unlit, and one camera for both.
 const looks = {
-  head: { src: 'data/colin27-t1.nii.gz', 'transfer-function': '38 #5a3028 0, 52 #c08068 75%, 80 #e3b8a0 90%, 120 #fff2e6 95%', cutout: '-120 -20 10 0 120 120', 'camera-orbit': '35deg 66deg 92%' },
-  brain: { src: 'data/mni152-t1.nii.gz', 'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%', 'camera-orbit': '65deg 75deg 82%' },
-  bones: { src: 'data/ct-phantom.json', 'transfer-function': '150 #d9b88a 0, 250 #e6cfa5 50%, 700 #fff6e5 90%', 'camera-orbit': '25deg 80deg 105%' },
+  head: {
+    src: 'data/colin27-t1.nii.gz',
+    'transfer-function': '38 #5a3028 0, 52 #c08068 75%, 80 #e3b8a0 90%, 120 #fff2e6 95%',
+    cutout: '-120 -20 10 0 120 120',
+    'camera-orbit': '35deg 66deg 92%',
+  },
+  brain: {
+    src: 'data/mni152-t1.nii.gz',
+    'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%',
+    'camera-orbit': '65deg 75deg 82%',
+  },
+  bones: {
+    src: 'data/ct-phantom.json',
+    'transfer-function': '150 #d9b88a 0, 250 #e6cfa5 50%, 700 #fff6e5 90%',
+    'camera-orbit': '25deg 80deg 105%',
+  },
   vessels: { src: 'data/ct-phantom.json', 'transfer-function': 'ct-angio', 'camera-orbit': '25deg 80deg 95%' },
 };
 

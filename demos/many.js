@@ -9,5 +9,7 @@ button.addEventListener('click', () => {
   if (isIn) home.replaceChildren();
   else home.append(...views);
   button.textContent = isIn ? 'Put them back' : 'Remove them';
-  message.textContent = isIn ? 'The eight elements are not in the page now and hold no WebGL context.' : 'The eight elements are back.';
+  message.textContent = isIn
+    ? 'The eight elements are not in the page now and hold no WebGL context.'
+    : 'The eight elements are back.';
 });

@@ -9,7 +9,12 @@ const looks = {
     words: 'The densest of each ray: bones, in front and behind. So radiologists look at vessels with contrast medium.',
   },
   min: {
-    attributes: { projection: 'min', 'transfer-function': 'gray', 'value-window': '-1000 100', region: '-174 -15 -174 174 25 174' },
+    attributes: {
+      projection: 'min',
+      'transfer-function': 'gray',
+      'value-window': '-1000 100',
+      region: '-174 -15 -174 174 25 174',
+    },
     words: 'The thinnest of each ray, in a slab of 4 cm: lungs, windpipe, and where it forks.',
   },
   average: {
@@ -27,7 +32,9 @@ function show({ attributes, words }) {
     else view.setAttribute(name, attributes[name]);
   }
   document.querySelector('#words').textContent = words;
-  document.querySelector('#markup').textContent = Object.entries(attributes).map(([name, value]) => `${name}="${value}"`).join('\n');
+  document.querySelector('#markup').textContent = Object.entries(attributes)
+    .map(([name, value]) => `${name}="${value}"`)
+    .join('\n');
 }
 
 document.querySelector('fieldset').addEventListener('change', ({ target }) => show(looks[target.value]));

@@ -3,7 +3,10 @@ const find = (selector) => document.querySelector(selector);
 const view = find('volume-view');
 const legend = find('volume-legend');
 const moments = find('#moments .buttons');
-const storm = { src: { DBZH: 'data/storm-radar.json', VRADH: 'data/storm-radar-velocity.json' }, words: { DBZH: 'Reflectivity', VRADH: 'Radial velocity' } };
+const storm = {
+  src: { DBZH: 'data/storm-radar.json', VRADH: 'data/storm-radar-velocity.json' },
+  words: { DBZH: 'Reflectivity', VRADH: 'Radial velocity' },
+};
 
 /** The region of the supercell on its way: metres east, north and above the antenna. */
 const supercell = '-60000 -100000 0 25000 -25000 16000';
@@ -36,13 +39,17 @@ function showMoment(moment) {
 function listMoments(list, chosen) {
   const known = [...moments.querySelectorAll('input')].map(({ value }) => value);
   if (known.join() !== list.join()) {
-    moments.replaceChildren(...list.map((moment) => {
-      const label = Object.assign(document.createElement('label'), { className: 'choice' });
-      const input = Object.assign(document.createElement('input'), { type: 'radio', name: 'moment', value: moment });
-      const words = Object.assign(document.createElement('span'), { textContent: opened.length > 0 ? moment : storm.words[moment] });
-      label.append(input, words);
-      return label;
-    }));
+    moments.replaceChildren(
+      ...list.map((moment) => {
+        const label = Object.assign(document.createElement('label'), { className: 'choice' });
+        const input = Object.assign(document.createElement('input'), { type: 'radio', name: 'moment', value: moment });
+        const words = Object.assign(document.createElement('span'), {
+          textContent: opened.length > 0 ? moment : storm.words[moment],
+        });
+        label.append(input, words);
+        return label;
+      }),
+    );
   }
   for (const input of moments.querySelectorAll('input')) input.checked = input.value === chosen;
 }
@@ -64,7 +71,15 @@ function openFiles(files) {
   find('#region').checked = false;
   find('#zoomed').hidden = true;
   view.pause();
-  Object.assign(view, { ...wholeView, region: null, rings: find('#rings').checked ? '' : 'none', time: null, moment: null, src: opened.join(' '), alt: `Radar scan, ${sorted[0].name}` });
+  Object.assign(view, {
+    ...wholeView,
+    region: null,
+    rings: find('#rings').checked ? '' : 'none',
+    time: null,
+    moment: null,
+    src: opened.join(' '),
+    alt: `Radar scan, ${sorted[0].name}`,
+  });
   legend.label = null;
   find('#back').hidden = false;
   find('#what').textContent = sorted.map(({ name }) => name).join(', ');
@@ -77,7 +92,13 @@ function closeFiles() {
   find('#zoomed').hidden = false;
   find('#what').textContent = '';
   view.pause();
-  Object.assign(view, { ...stormView, moment: null, time: null, rings: find('#rings').checked ? '50' : 'none', alt: 'Thunderstorms on radar, synthetic' });
+  Object.assign(view, {
+    ...stormView,
+    moment: null,
+    time: null,
+    rings: find('#rings').checked ? '50' : 'none',
+    alt: 'Thunderstorms on radar, synthetic',
+  });
   listMoments(['DBZH', 'VRADH'], 'DBZH');
   showMoment('DBZH');
 }
@@ -87,7 +108,9 @@ view.addEventListener('load', ({ detail }) => {
   if (detail.moments) listMoments([...detail.moments], detail.moment);
   legend.label = detail.moment ?? null;
   const place = [detail.site?.name, detail.time?.replace('T', ' ').replace('Z', ' UTC')].filter(Boolean).join(', ');
-  find('#what').textContent = [`${detail.format}${place ? `: ${place}` : ''}.`, detail.partial].filter(Boolean).join(' ');
+  find('#what').textContent = [`${detail.format}${place ? `: ${place}` : ''}.`, detail.partial]
+    .filter(Boolean)
+    .join(' ');
 });
 
 moments.addEventListener('change', ({ target }) => {
@@ -97,9 +120,15 @@ moments.addEventListener('change', ({ target }) => {
 find('#file').addEventListener('change', ({ target }) => openFiles([...target.files]));
 find('#back').addEventListener('click', closeFiles);
 find('#volume').addEventListener('change', showVolume);
-find('#rings').addEventListener('change', ({ target }) => (view.rings = target.checked ? (opened.length > 0 ? '' : '50') : 'none'));
+find('#rings').addEventListener(
+  'change',
+  ({ target }) => (view.rings = target.checked ? (opened.length > 0 ? '' : '50') : 'none'),
+);
 find('#region').addEventListener('change', ({ target: { checked } }) => {
-  Object.assign(view, { region: checked ? supercell : null, ...(checked ? { ...wholeView, cameraOrbit: '200deg 62deg 105%' } : stormView) });
+  Object.assign(view, {
+    region: checked ? supercell : null,
+    ...(checked ? { ...wholeView, cameraOrbit: '200deg 62deg 105%' } : stormView),
+  });
 });
 
 const exaggeration = find('#exaggeration');
@@ -108,7 +137,11 @@ exaggeration.addEventListener('input', sayTimes);
 exaggeration.addEventListener('change', () => (view.verticalExaggeration = exaggeration.value));
 sayTimes();
 
-const units = { elevation: (value) => `${value.toFixed(1)}°`, height: (value) => `${(value / 1000).toFixed(2)} km`, azimuth: (value) => `${value}°` };
+const units = {
+  elevation: (value) => `${value.toFixed(1)}°`,
+  height: (value) => `${(value / 1000).toFixed(2)} km`,
+  azimuth: (value) => `${value}°`,
+};
 for (const input of document.querySelectorAll('[data-of]')) {
   const slice = find(`volume-slice[type=${input.dataset.of}]`);
   const box = find(`[data-slice=${input.dataset.of}]`);
@@ -135,14 +168,21 @@ const sectionBox = find('[data-slice=section]');
 const points = [...document.querySelectorAll('[data-end]')];
 const showSection = () => {
   for (const end of ['from', 'to']) {
-    section.setAttribute(end, points.filter(({ dataset }) => dataset.end === end).map(({ valueAsNumber }) => valueAsNumber * 1000).join(' '));
+    section.setAttribute(
+      end,
+      points
+        .filter(({ dataset }) => dataset.end === end)
+        .map(({ valueAsNumber }) => valueAsNumber * 1000)
+        .join(' '),
+    );
   }
 };
 const enableSection = () => {
   section.hidden = !sectionBox.checked;
   for (const input of points) input.disabled = !sectionBox.checked;
 };
-for (const input of points) input.addEventListener('change', () => input.checkValidity() && input.value !== '' && showSection());
+for (const input of points)
+  input.addEventListener('change', () => input.checkValidity() && input.value !== '' && showSection());
 sectionBox.addEventListener('change', enableSection);
 enableSection();
 

@@ -7,7 +7,8 @@ const markup = document.querySelector('#markup');
 
 function update() {
   const { x, y, z, size, opacity } = inputs;
-  for (const input of Object.values(inputs)) input.parentElement.querySelector('output').value = `${input.value} ${input.dataset.unit}`;
+  for (const input of Object.values(inputs))
+    input.parentElement.querySelector('output').value = `${input.value} ${input.dataset.unit}`;
   const translation = `${x.value} ${y.value} ${z.value}`;
   probe.setAttribute('translation', translation);
   tip.setAttribute('radius', size.value);

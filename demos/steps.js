@@ -42,7 +42,11 @@ async function measure(button) {
       for (let i = 0; i < 5; i++) frames.push(await view.redraw());
       const times = frames.map((frame) => frame.frameMs).toSorted((a, b) => a - b);
       const row = document.createElement('tr');
-      for (const text of [`${frames[0].steps}${dataset.steps === 'auto' ? ' (auto)' : ''}`, `${number.format(times[2])} ms`, number.format(1000 / times[2])]) {
+      for (const text of [
+        `${frames[0].steps}${dataset.steps === 'auto' ? ' (auto)' : ''}`,
+        `${number.format(times[2])} ms`,
+        number.format(1000 / times[2]),
+      ]) {
         row.append(Object.assign(document.createElement('td'), { textContent: text }));
       }
       rows.append(row);
@@ -60,7 +64,9 @@ async function check(button) {
   button.disabled = true;
   try {
     const result = await view.checkPicture();
-    document.querySelector('#checked').textContent = result ? tell(result) : 'This device can not draw what is needed to check it.';
+    document.querySelector('#checked').textContent = result
+      ? tell(result)
+      : 'This device can not draw what is needed to check it.';
   } finally {
     button.disabled = false;
   }

@@ -1,6 +1,14 @@
 // What the element gets for each style, and what is to be seen then: the markup that is shown is what is between the tags.
-const brain = { src: 'data/mni152-t1.nii.gz', 'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%', 'camera-orbit': '65deg 75deg 82%' };
-const torso = { src: 'data/ct-phantom.json', 'transfer-function': 'ct-soft-tissue', 'camera-orbit': '25deg 80deg 100%' };
+const brain = {
+  src: 'data/mni152-t1.nii.gz',
+  'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%',
+  'camera-orbit': '65deg 75deg 82%',
+};
+const torso = {
+  src: 'data/ct-phantom.json',
+  'transfer-function': 'ct-soft-tissue',
+  'camera-orbit': '25deg 80deg 100%',
+};
 const lamp = `<NavigationInfo headlight="false">
 </NavigationInfo>
 <DirectionalLight direction="-0.3 -0.9 -0.5">

@@ -31,11 +31,16 @@ function choose() {
 
 for (const button of document.querySelectorAll('[data-for]')) {
   button.addEventListener('click', () => {
-    field.value = button.dataset.stops.split(/,(?![^(]*\))/).map((stop) => stop.trim()).join(',\n');
+    field.value = button.dataset.stops
+      .split(/,(?![^(]*\))/)
+      .map((stop) => stop.trim())
+      .join(',\n');
     void apply();
   });
 }
-document.querySelector('#boundaries').addEventListener('change', ({ target }) => (view.gradientOpacity = target.checked ? target.value : null));
+document
+  .querySelector('#boundaries')
+  .addEventListener('change', ({ target }) => (view.gradientOpacity = target.checked ? target.value : null));
 field.addEventListener('input', () => void apply());
 volumes.addEventListener('change', choose);
 choose();

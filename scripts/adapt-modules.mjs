@@ -39,13 +39,15 @@ export const injectOwnText = (url, inject) => injectText(text, url, inject);`,
     [at('worker/worker-source.ts')]: `
 export const listWorkerTexts = () => [async () => (await import('./worker-as-text.ts')).text];
 export const isTextSurer = (url) => !url || url.endsWith('/decode-worker.js');`,
-    [at('x3d/x3dom-source.ts')]: `export const injectOwnText = async (url, inject) => (await import('./x3dom-as-text.ts')).injectOwnText(url, inject);`,
+    [at('x3d/x3dom-source.ts')]:
+      `export const injectOwnText = async (url, inject) => (await import('./x3dom-as-text.ts')).injectOwnText(url, inject);`,
     [at('optics/transfer/css-color.ts')]: cssColor,
   };
   return {
     name: 'volume-view-adapt-for-bundlers',
     enforce: 'pre',
-    resolveId: (id, importer) => Object.keys(modules).find((path) => importer && path === join(importer, '..', id)) ?? null,
+    resolveId: (id, importer) =>
+      Object.keys(modules).find((path) => importer && path === join(importer, '..', id)) ?? null,
     load: (id) => modules[id] ?? null,
   };
 }
@@ -83,7 +85,8 @@ export function adaptModules({ workerTexts }) {
       }
       if (id === `\0${SCRIPT_URL_MODULE}`) return SCRIPT_URL_CODE;
       if (isClassic && id.endsWith('/src/worker/worker-source.ts')) return CLASSIC_WORKER_SOURCE;
-      if (isClassic && id === `\0${WORKER_TEXTS.usual}`) return `export const text = ${JSON.stringify(workerTexts.usual)};`;
+      if (isClassic && id === `\0${WORKER_TEXTS.usual}`)
+        return `export const text = ${JSON.stringify(workerTexts.usual)};`;
       if (isClassic && id === `\0${WORKER_TEXTS.all}`) return `export const text = ${JSON.stringify(workerTexts.all)};`;
       return null;
     },
@@ -93,8 +96,13 @@ export function adaptModules({ workerTexts }) {
     transform(code, id) {
       if (id.endsWith('-styles.ts')) return { code: stripCss(code), map: null };
       // It runs before any part that is loaded later.
-      if (id === main && isClassic) return { code: `export { scriptUrl } from '${SCRIPT_URL_MODULE}';\nexport { injectScript } from './page/inject-script.ts';\n${code}`, map: null };
-      if (id.endsWith('/src/worker/create-worker.ts')) return replaceUrl(code, WORKER_EXPRESSION, WORKER_MARK, 'decode-worker.js');
+      if (id === main && isClassic)
+        return {
+          code: `export { scriptUrl } from '${SCRIPT_URL_MODULE}';\nexport { injectScript } from './page/inject-script.ts';\n${code}`,
+          map: null,
+        };
+      if (id.endsWith('/src/worker/create-worker.ts'))
+        return replaceUrl(code, WORKER_EXPRESSION, WORKER_MARK, 'decode-worker.js');
       if (id.endsWith('/src/x3d/x3dom-url.ts')) return replaceUrl(code, X3DOM_EXPRESSION, X3DOM_MARK, 'x3dom.js');
       return null;
     },
@@ -102,7 +110,8 @@ export function adaptModules({ workerTexts }) {
 }
 
 /** The modules that a worker for usual NIfTI files loads on demand. */
-const USUAL_PARTS = /\/(nifti|nifti-rare-headers|unusual-appearance|check-geometry|explain-failure|foreign-formats|fetch-again|reduce)\.ts$/;
+const USUAL_PARTS =
+  /\/(nifti|nifti-rare-headers|unusual-appearance|check-geometry|explain-failure|foreign-formats|fetch-again|reduce)\.ts$/;
 
 /**
  * A worker for usual NIfTI files: it leaves out the modules of all other formats, and importing them fails.

@@ -9,7 +9,16 @@
 //   dist/volume-view.css     the box of the element before its script has loaded
 // It also writes the types, the decode worker, x3dom as a classic script, and the licences of the bundled packages.
 import { spawnSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { join, posix } from 'node:path';
 import { build } from 'vite';
 import { buildPrepare } from '../packages/prepare/build.mjs';
@@ -30,7 +39,10 @@ const main = join(projectRoot, 'src/index.ts');
 /** Every element is a folder of components with a file that defines the element. */
 const folders = readdirSync(join(projectRoot, 'components'));
 folders.sort();
-const companions = folders.filter((name) => !['internal', 'volume-view'].includes(name) && existsSync(join(projectRoot, 'components', name, 'define.ts')));
+const companions = folders.filter(
+  (name) =>
+    !['internal', 'volume-view'].includes(name) && existsSync(join(projectRoot, 'components', name, 'define.ts')),
+);
 const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/${name}/define.ts`));
 const worker = join(projectRoot, 'src/worker/decode-worker.ts');
 
@@ -93,11 +105,18 @@ async function buildText(entry, format, plugins) {
 /** @param {string} workerSource - the worker's text as one classic script */
 async function buildUnbundled(workerSource) {
   // Bare imports stay, except for the compiler's own helper for decorators, which users of the package do not have.
-  const isBare = (/** @type {string} */ id) => !/^([./\0]|@oxc-project\/runtime)/.test(id) && !id.startsWith(projectRoot);
+  const isBare = (/** @type {string} */ id) =>
+    !/^([./\0]|@oxc-project\/runtime)/.test(id) && !id.startsWith(projectRoot);
   await bundle({
     entry: [main, ...definitions, withoutUrl],
     format: 'es',
-    plugins: [adaptForBundlers({ worker: workerSource, x3dom: readX3dom(), cssColor: await buildText(join(projectRoot, 'src/optics/transfer/css-color.ts'), 'es') })],
+    plugins: [
+      adaptForBundlers({
+        worker: workerSource,
+        x3dom: readX3dom(),
+        cssColor: await buildText(join(projectRoot, 'src/optics/transfer/css-color.ts'), 'es'),
+      }),
+    ],
     extra: {
       minify: false,
       rolldownOptions: {
@@ -105,7 +124,8 @@ async function buildUnbundled(workerSource) {
         output: {
           preserveModules: true,
           preserveModulesRoot: projectRoot,
-          entryFileNames: ({ name }) => (attachedParts.includes(posix.basename(name)) ? `${posix.basename(name)}.js` : 'esm/[name].js'),
+          entryFileNames: ({ name }) =>
+            attachedParts.includes(posix.basename(name)) ? `${posix.basename(name)}.js` : 'esm/[name].js',
         },
       },
     },
@@ -115,7 +135,9 @@ async function buildUnbundled(workerSource) {
 /** @param {string} folder @param {RegExp} pattern @returns {string[]} absolute paths */
 function listFiles(folder, pattern) {
   const entries = readdirSync(folder, { recursive: true, withFileTypes: true });
-  return entries.filter((entry) => entry.isFile() && pattern.test(entry.name)).map((entry) => join(entry.parentPath, entry.name));
+  return entries
+    .filter((entry) => entry.isFile() && pattern.test(entry.name))
+    .map((entry) => join(entry.parentPath, entry.name));
 }
 
 /** Replace the marks by the real addresses. */
@@ -125,24 +147,34 @@ function replaceMarks() {
     const code = readFileSync(file, 'utf8');
     if (!code.includes(WORKER_MARK) && !code.includes(X3DOM_MARK)) continue;
     if (code.includes(WORKER_MARK)) workers += 1;
-    if (join(file, '..') !== dist) throw new Error(`${file} starts a worker or x3dom; expected only files in dist itself to do so`);
+    if (join(file, '..') !== dist)
+      throw new Error(`${file} starts a worker or x3dom; expected only files in dist itself to do so`);
     const done = code
       .replaceAll(WORKER_MARK, `new URL('./decode-worker.js', import.meta.url)`)
       .replaceAll(X3DOM_MARK, `new URL('./x3dom.js', import.meta.url)`);
     writeFileSync(file, done);
   }
-  if (workers < 2) throw new Error(`the decode worker is started by ${workers} files in dist; expected 2 (esm and volume-view.js)`);
+  if (workers < 2)
+    throw new Error(`the decode worker is started by ${workers} files in dist; expected 2 (esm and volume-view.js)`);
 }
 
 /** Run a program of a development dependency. @param {string} script - below node_modules @param {string[]} args */
 function runTool(script, args) {
   const tool = join(projectRoot, 'node_modules', script);
-  const { status } = spawnSync(process.execPath, [tool, ...args], { cwd: projectRoot, stdio: ['ignore', 'inherit', 'inherit'] });
+  const { status } = spawnSync(process.execPath, [tool, ...args], {
+    cwd: projectRoot,
+    stdio: ['ignore', 'inherit', 'inherit'],
+  });
   if (status !== 0) throw new Error(`${script} ${args.join(' ')} ended with ${status}`);
 }
 
 function buildManifest() {
-  runTool('@custom-elements-manifest/analyzer/cem.js', ['analyze', '--config', 'custom-elements-manifest.config.mjs', '--quiet']);
+  runTool('@custom-elements-manifest/analyzer/cem.js', [
+    'analyze',
+    '--config',
+    'custom-elements-manifest.config.mjs',
+    '--quiet',
+  ]);
 }
 
 function buildTypes() {
@@ -176,14 +208,24 @@ function writeLicences() {
 }
 
 function readX3dom() {
-  const note = '/*! X3DOM, (C) 2009 Fraunhofer IGD, Darmstadt, Germany; dual licensed under MIT and GPL; unchanged below. */\n';
+  const note =
+    '/*! X3DOM, (C) 2009 Fraunhofer IGD, Darmstadt, Germany; dual licensed under MIT and GPL; unchanged below. */\n';
   const text = readFileSync(join(projectRoot, 'node_modules/x3dom/x3dom.js'), 'utf8');
   return note + escapeToAscii(text);
 }
 
 /** Copy the page for iframes, the page that makes pages for the disk, and the style sheet for pages whose script is late. */
 function copyPages() {
-  for (const name of ['embed.html', 'embed.css', 'embed.js', 'from-disk.html', 'from-disk.css', 'from-disk.js', 'volume-view.css']) copyFileSync(join(projectRoot, 'scripts/zip', name), join(dist, name));
+  for (const name of [
+    'embed.html',
+    'embed.css',
+    'embed.js',
+    'from-disk.html',
+    'from-disk.css',
+    'from-disk.js',
+    'volume-view.css',
+  ])
+    copyFileSync(join(projectRoot, 'scripts/zip', name), join(dist, name));
 }
 
 /** Put the new build in the place of the old one, with two renames: files are missing only for a moment between them. */
@@ -210,11 +252,18 @@ for (const name of companions) {
   await bundle({ entry, format: 'es', output: { entryFileNames: `${name}.js`, chunkFileNames: nameChunk } });
 }
 // The modules that every reader of a grid needs are one file, too.
-const gridSamples = { name: 'grid-samples', test: /src.(formats.base.(number-types|count-sample-bytes|list-left|piece-reader|place-volume|respace|store-samples)|volume.detail-offset)\.ts$/ };
+const gridSamples = {
+  name: 'grid-samples',
+  test: /src.(formats.base.(number-types|count-sample-bytes|list-left|piece-reader|place-volume|respace|store-samples)|volume.detail-offset)\.ts$/,
+};
 await bundle({
   entry: worker,
   format: 'es',
-  output: { entryFileNames: 'decode-worker.js', chunkFileNames: 'chunks/worker-[name]-[hash].js', codeSplitting: { groups: [atOnce, gridSamples] } },
+  output: {
+    entryFileNames: 'decode-worker.js',
+    chunkFileNames: 'chunks/worker-[name]-[hash].js',
+    codeSplitting: { groups: [atOnce, gridSamples] },
+  },
 });
 replaceMarks();
 const classic = await bundle({
@@ -224,7 +273,10 @@ const classic = await bundle({
   extra: { write: false },
   workerTexts: { usual: await buildText(worker, 'iife', [withoutRareParts]), all: workerSource },
 });
-writeClassic(/** @type {import('vite').Rolldown.RolldownOutput[]} */ (classic)[0].output.filter((one) => one.type === 'chunk'), dist);
+writeClassic(
+  /** @type {import('vite').Rolldown.RolldownOutput[]} */ (classic)[0].output.filter((one) => one.type === 'chunk'),
+  dist,
+);
 buildTypes();
 buildManifest();
 writeTagData(dist);

@@ -23,7 +23,9 @@ const aorta = {
  */
 export function listSubjects(folder) {
   if (!existsSync(folder)) return [];
-  const files = readdirSync(folder, { recursive: true }).map((path) => String(path).replaceAll('\\', '/')).filter((path) => readable.test(path));
+  const files = readdirSync(folder, { recursive: true })
+    .map((path) => String(path).replaceAll('\\', '/'))
+    .filter((path) => readable.test(path));
   const single = files.filter((path) => !/odim_behel_series\/\d{8}13(0[5-9]|[1-3])/.test(path));
   single.sort();
   return single.map((src) => ({

@@ -13,7 +13,13 @@ import { paintSheet } from './paint-sheet.mjs';
 import { findBrowser, listLaunchArgs } from './find-browser.mjs';
 import { projectRoot, sharedDataFolder } from './shared-data.mjs';
 
-const { values: options } = parseArgs({ options: { size: { type: 'string', default: '320x240' }, only: { type: 'string', default: '' }, keep: { type: 'string' } } });
+const { values: options } = parseArgs({
+  options: {
+    size: { type: 'string', default: '320x240' },
+    only: { type: 'string', default: '' },
+    keep: { type: 'string' },
+  },
+});
 const [width, height] = options.size.split('x').map(Number);
 const sheetFile = 'docs/images/contact-sheet.webp';
 const columns = 5;
@@ -21,7 +27,8 @@ const columns = 5;
 /** @typedef {import('./contact-sheet-files.mjs').Subject} Subject */
 
 /** @param {Subject} subject */
-const tagOf = ({ src, attributes = '' }) => `<volume-view src="/shared-data/${src}" ${attributes} style="width: ${width}px; height: ${height}px"></volume-view>`;
+const tagOf = ({ src, attributes = '' }) =>
+  `<volume-view src="/shared-data/${src}" ${attributes} style="width: ${width}px; height: ${height}px"></volume-view>`;
 
 /** A page with one element, as a reader sees it. @param {import('@playwright/test').Page} page @param {Subject} subject */
 async function photograph(page, subject) {
@@ -57,17 +64,28 @@ const bytesOf = (url) => Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
 async function main() {
   const subjects = listSubjects(sharedDataFolder).filter(({ src }) => src.includes(options.only));
   if (subjects.length === 0) {
-    console.log(`no file was drawn: ${existsSync(sharedDataFolder) ? `nothing in ${sharedDataFolder} matches` : `there is no ${sharedDataFolder}; set VOLUME_VIEW_DATA to the folder with the real data`}`);
+    console.log(
+      `no file was drawn: ${existsSync(sharedDataFolder) ? `nothing in ${sharedDataFolder} matches` : `there is no ${sharedDataFolder}; set VOLUME_VIEW_DATA to the folder with the real data`}`,
+    );
     return;
   }
-  const server = await createServer({ root: projectRoot, logLevel: 'error', server: { port: 0, open: false, hmr: false, watch: null } });
+  const server = await createServer({
+    root: projectRoot,
+    logLevel: 'error',
+    server: { port: 0, open: false, hmr: false, watch: null },
+  });
   await server.listen();
   const browser = await chromium.launch({ executablePath: await findBrowser(), args: listLaunchArgs() });
   try {
     const page = await browser.newPage({ viewport: { width: Math.max(400, width), height: Math.max(300, height) } });
-    page.on('console', (line) => /^\[?volume-view|^volume-view/.test(line.text()) && console.log(`  console: ${line.text()}`));
+    page.on(
+      'console',
+      (line) => /^\[?volume-view|^volume-view/.test(line.text()) && console.log(`  console: ${line.text()}`),
+    );
     await page.goto(`${server.resolvedUrls?.local[0]}demos/index.html`);
-    await page.setContent('<!doctype html><title>Contact sheet</title><style>body { margin: 0 }</style><script type="module" src="/src/index.ts"></script>');
+    await page.setContent(
+      '<!doctype html><title>Contact sheet</title><style>body { margin: 0 }</style><script type="module" src="/src/index.ts"></script>',
+    );
     await page.evaluate(() => customElements.whenDefined('volume-view').then(() => undefined));
     const drawn = [];
     console.log(`| file | width % | height % | share of the side it fits % |\n| --- | --- | --- | --- |`);
@@ -79,11 +97,17 @@ async function main() {
       }
       const share = measureShare(Buffer.from(alpha, 'base64'), [width, height]);
       const percent = (/** @type {number} */ x) => String(Math.round(100 * x));
-      console.log(`| ${subject.src} | ${error || (share ? `${percent(share.width)} | ${percent(share.height)} | ${percent(share.fits)}${share.isCut ? ', cut' : ''}` : 'nothing | is | seen')} |`);
+      console.log(
+        `| ${subject.src} | ${error || (share ? `${percent(share.width)} | ${percent(share.height)} | ${percent(share.fits)}${share.isCut ? ', cut' : ''}` : 'nothing | is | seen')} |`,
+      );
       drawn.push({ subject, picture });
     }
-    const cells = drawn.filter(({ subject }) => subject.mayBeShown || options.keep).map(({ subject, picture }) => ({ picture, name: subject.name }));
-    const sheet = bytesOf(await page.evaluate(paintSheet, { cells, columns, cell: /** @type {[number, number]} */ ([width, height]) }));
+    const cells = drawn
+      .filter(({ subject }) => subject.mayBeShown || options.keep)
+      .map(({ subject, picture }) => ({ picture, name: subject.name }));
+    const sheet = bytesOf(
+      await page.evaluate(paintSheet, { cells, columns, cell: /** @type {[number, number]} */ ([width, height]) }),
+    );
     if (options.keep) writeFileSync(join(options.keep, 'sheet.webp'), sheet);
     if (options.keep || options.only !== '') return;
     writeFileSync(join(projectRoot, sheetFile), sheet);

@@ -72,7 +72,8 @@ export function writeDemoLabels(source, target) {
     file.writeFloatLE(from.readFloatLE(80 + 4 * axis) * step, 80 + 4 * axis);
   });
   // The first voxel keeps its place: only the columns of the affine change, not the offset.
-  for (const row of [280, 296, 312]) for (const axis of [0, 1, 2]) file.writeFloatLE(from.readFloatLE(row + 4 * axis) * step, row + 4 * axis);
+  for (const row of [280, 296, 312])
+    for (const axis of [0, 1, 2]) file.writeFloatLE(from.readFloatLE(row + 4 * axis) * step, row + 4 * axis);
   file.write('n+1\0', 344, 'latin1');
   for (let k = 0, at = 352; k < to[2]; k++) {
     for (let j = 0; j < to[1]; j++) {
@@ -82,7 +83,9 @@ export function writeDemoLabels(source, target) {
   const packed = gzipSync(file, { level: 9 });
   packed[9] = 255; // The byte for the operating system is set, so that all systems write the same bytes.
   writeFileSync(join(target, 'brodmann-2mm.nii.gz'), packed);
-  const rows = areas.map(([index, name, abbreviation, color]) => [index, `${name} (area ${index})`, abbreviation || 'n/a', color].join('\t'));
+  const rows = areas.map(([index, name, abbreviation, color]) =>
+    [index, `${name} (area ${index})`, abbreviation || 'n/a', color].join('\t'),
+  );
   writeFileSync(join(target, 'brodmann-dseg.tsv'), ['index\tname\tabbreviation\tcolor', ...rows, ''].join('\n'));
   console.log(`brodmann-2mm.nii.gz: ${to.join(' x ')}, ${packed.length} bytes`);
 }

@@ -51,21 +51,35 @@ export function writeDemoMotor(path, { dimensions: [nx, ny, nz], origin, samples
    * @param {number} bright
    */
   const grey = (bright) => Math.exp(-(((bright / largest - 0.62) / 0.16) ** 2));
-  const waves = Array.from({ length: 24 }, ((random) => () => ({ k: [random(), random(), random()].map((x) => 0.35 * x), phase: 3 * random() }))(randomNumbers(7)));
+  const waves = Array.from(
+    { length: 24 },
+    ((random) => () => ({ k: [random(), random(), random()].map((x) => 0.35 * x), phase: 3 * random() }))(
+      randomNumbers(7),
+    ),
+  );
   const values = new Uint8Array(size[0] * size[1] * size[2]);
-  for (let k = 0, at = 0; k < size[2]; k++) for (let j = 0; j < size[1]; j++) for (let i = 0; i < size[0]; i++, at++) {
-    let [share, inside] = [0, 0];
-    for (let dz = 0; dz < spacing; dz++) for (let dy = 0; dy < spacing; dy++) for (let dx = 0; dx < spacing; dx++) {
-      const bright = samples[i * spacing + dx + nx * (j * spacing + dy + ny * (k * spacing + dz))];
-      share += grey(bright) / spacing ** 3;
-      inside += Number(bright > 0.1 * largest) / spacing ** 3;
-    }
-    const place = [i, j, k].map((n, axis) => origin[axis] + n * spacing + (spacing - 1) / 2);
-    let z = 0;
-    for (const { at: middle, reach, z: max } of places) z += max * Math.exp(-0.5 * middle.reduce((sum, x, axis) => sum + ((place[axis] - x) / reach[axis]) ** 2, 0));
-    for (const { k: wave, phase } of waves) z += (0.9 / Math.sqrt(waves.length)) * Math.cos(phase + wave.reduce((sum, x, axis) => sum + x * place[axis], 0)) * Math.SQRT2;
-    values[at] = Math.round(128 + (inside > 0.5 ? z * (0.25 + 0.75 * Math.min(1, 1.3 * share)) : 0) / slope);
-  }
+  for (let k = 0, at = 0; k < size[2]; k++)
+    for (let j = 0; j < size[1]; j++)
+      for (let i = 0; i < size[0]; i++, at++) {
+        let [share, inside] = [0, 0];
+        for (let dz = 0; dz < spacing; dz++)
+          for (let dy = 0; dy < spacing; dy++)
+            for (let dx = 0; dx < spacing; dx++) {
+              const bright = samples[i * spacing + dx + nx * (j * spacing + dy + ny * (k * spacing + dz))];
+              share += grey(bright) / spacing ** 3;
+              inside += Number(bright > 0.1 * largest) / spacing ** 3;
+            }
+        const place = [i, j, k].map((n, axis) => origin[axis] + n * spacing + (spacing - 1) / 2);
+        let z = 0;
+        for (const { at: middle, reach, z: max } of places)
+          z += max * Math.exp(-0.5 * middle.reduce((sum, x, axis) => sum + ((place[axis] - x) / reach[axis]) ** 2, 0));
+        for (const { k: wave, phase } of waves)
+          z +=
+            (0.9 / Math.sqrt(waves.length)) *
+            Math.cos(phase + wave.reduce((sum, x, axis) => sum + x * place[axis], 0)) *
+            Math.SQRT2;
+        values[at] = Math.round(128 + (inside > 0.5 ? z * (0.25 + 0.75 * Math.min(1, 1.3 * share)) : 0) / slope);
+      }
   const file = Buffer.alloc(352 + values.length);
   file.writeInt32LE(348, 0);
   [3, ...size, 1, 1, 1, 1].forEach((n, i) => file.writeInt16LE(n, 40 + 2 * i));

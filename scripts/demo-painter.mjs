@@ -58,7 +58,9 @@ export class Painter {
     const range = [0, 1, 2].map((axis) => {
       const at = (/** @type {number} */ world) => (world - this.origin[axis]) / this.spacing[axis];
       const last = this.dimensions[axis] - 1;
-      return box ? [Math.max(0, Math.floor(at(box[0][axis])) - 1), Math.min(last, Math.ceil(at(box[1][axis])) + 1)] : [0, last];
+      return box
+        ? [Math.max(0, Math.floor(at(box[0][axis])) - 1), Math.min(last, Math.ceil(at(box[1][axis])) + 1)]
+        : [0, last];
     });
     const edge = Math.max(...this.spacing);
     this.each(range, (index, x, y, z) => {
@@ -106,6 +108,9 @@ export class Painter {
 
   /** Visit every voxel. @param {(index: number, x: number, y: number, z: number) => void} visit */
   all(visit) {
-    this.each(this.dimensions.map((n) => [0, n - 1]), visit);
+    this.each(
+      this.dimensions.map((n) => [0, n - 1]),
+      visit,
+    );
   }
 }

@@ -24,7 +24,10 @@ export const scanTimes = ['2011-06-20T15:00:00Z', '2011-06-20T15:10:00Z', '2011-
 const sensitivity = -36;
 
 /** Parts of a beam: degrees above its middle, and share of the echo (Gaussian, 3 dB width, in both directions). */
-const beamParts = [-0.5, -0.25, 0, 0.25, 0.5].map((above) => ({ above, share: 0.5 ** (2 * (2 * above / beamWidth) ** 2) }));
+const beamParts = [-0.5, -0.25, 0, 0.25, 0.5].map((above) => ({
+  above,
+  share: 0.5 ** (2 * ((2 * above) / beamWidth) ** 2),
+}));
 
 /** A pixel step is half a dBZ; the velocities are spread over the other 255 values. */
 const packing = {
@@ -46,7 +49,11 @@ export function scanStorm(scan, geometry) {
     site: { name: 'Nowhere (synthetic)' },
     time: scanTimes[scan],
     beamWidth,
-    moments: [{ name: 'DBZH', unit: 'dBZ', kind: 'reflectivity' }, { name: 'VRADH', unit: 'm/s', kind: 'velocity' }, { name: 'VRADDH', unit: 'm/s', kind: 'velocity' }],
+    moments: [
+      { name: 'DBZH', unit: 'dBZ', kind: 'reflectivity' },
+      { name: 'VRADH', unit: 'm/s', kind: 'velocity' },
+      { name: 'VRADDH', unit: 'm/s', kind: 'velocity' },
+    ],
     sweeps: elevations.map((elevation, i) => {
       const seconds = (start - Date.parse(scanTimes[0])) / 1000 + i * secondsPerSweep;
       const samples = sweep(elevation, weatherAt(seconds), { geometry, random });
@@ -57,7 +64,8 @@ export function scanStorm(scan, geometry) {
         nyquist,
         moments: Object.keys(packing),
         gridOf: (moment) => (isMoment(moment) ? { firstGate, gateLength, gates } : null),
-        read: (moment) => (isMoment(moment) ? { firstGate, gateLength, gates, samples: samples[moment], ...packing[moment] } : null),
+        read: (moment) =>
+          isMoment(moment) ? { firstGate, gateLength, gates, samples: samples[moment], ...packing[moment] } : null,
       };
     }),
   };
@@ -72,7 +80,11 @@ const isMoment = (name) => Object.hasOwn(packing, name);
  * @param {{ geometry: typeof import('../src/radar/polar-geometry.ts'), random: () => number }} tools
  */
 function sweep(elevation, weather, { geometry, random }) {
-  const samples = { DBZH: new Uint8Array(rays * gates), VRADH: new Uint8Array(rays * gates), VRADDH: new Uint8Array(rays * gates) };
+  const samples = {
+    DBZH: new Uint8Array(rays * gates),
+    VRADH: new Uint8Array(rays * gates),
+    VRADDH: new Uint8Array(rays * gates),
+  };
   for (let ray = 0; ray < rays; ray++) {
     for (let gate = 0; gate < gates; gate++) {
       const beam = { range: firstGate + gate * gateLength, azimuth: ray + 0.5, elevation };
@@ -108,7 +120,9 @@ function receive(beam, weather, { beamToLocal, standardEarthRadius }) {
     const [u, v, w] = weather.wind(x, y, z);
     // Due to the curved Earth, the beam climbs more steeply over the ground there than at the radar.
     const slope = (elevation * Math.PI) / 180 + Math.hypot(x, y) / standardEarthRadius;
-    const away = (u * Math.sin(azimuth) + v * Math.cos(azimuth)) * Math.cos(slope) + (w - fallSpeed(z, reflectivity)) * Math.sin(slope);
+    const away =
+      (u * Math.sin(azimuth) + v * Math.cos(azimuth)) * Math.cos(slope) +
+      (w - fallSpeed(z, reflectivity)) * Math.sin(slope);
     momentum += share * reflectivity * away;
   }
   return { reflectivity: echo / shares, velocity: momentum / echo };

@@ -34,7 +34,8 @@ function cell(x, y, z, { x: cx, y: cy, reach, top, peak }) {
   const away = Math.hypot(x - cx - lean, y - cy - 0.35 * lean) / (reach * (1 + 0.35 * smooth(z, 0.6 * top, top)));
   const core = peak - 26 * away ** 1.6;
   const aloft = 34 * smooth(z, 0.45 * top, top * 1.02) ** 1.5;
-  const vault = z < 3000 ? 8 * (1 - z / 3000) * Math.exp(-(((x - cx - 5200) / 3500) ** 2) - ((y - cy + 3000) / 3500) ** 2) : 0;
+  const vault =
+    z < 3000 ? 8 * (1 - z / 3000) * Math.exp(-(((x - cx - 5200) / 3500) ** 2) - ((y - cy + 3000) / 3500) ** 2) : 0;
   return core - aloft - vault - (z > top ? (z - top) / 60 : 0);
 }
 
@@ -65,12 +66,15 @@ export function smooth(value, low, high) {
 export function makeNoise(seed) {
   const random = seededRandom(seed);
   const lattice = Float32Array.from({ length: 4096 }, () => random() * 2 - 1);
-  const at = (/** @type {number} */ i, /** @type {number} */ j, /** @type {number} */ k) => lattice[((k & 15) << 8) | ((j & 15) << 4) | (i & 15)];
-  const mix = (/** @type {number} */ a, /** @type {number} */ b, /** @type {number} */ t) => a + (b - a) * t * t * (3 - 2 * t);
+  const at = (/** @type {number} */ i, /** @type {number} */ j, /** @type {number} */ k) =>
+    lattice[((k & 15) << 8) | ((j & 15) << 4) | (i & 15)];
+  const mix = (/** @type {number} */ a, /** @type {number} */ b, /** @type {number} */ t) =>
+    a + (b - a) * t * t * (3 - 2 * t);
   return (/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ z) => {
     const [i, j, k] = [x, y, z].map(Math.floor);
     const [u, v, w] = [x - i, y - j, z - k];
-    const layer = (/** @type {number} */ n) => mix(mix(at(i, j, n), at(i + 1, j, n), u), mix(at(i, j + 1, n), at(i + 1, j + 1, n), u), v);
+    const layer = (/** @type {number} */ n) =>
+      mix(mix(at(i, j, n), at(i + 1, j, n), u), mix(at(i, j + 1, n), at(i + 1, j + 1, n), u), v);
     return mix(layer(k), layer(k + 1), w);
   };
 }

@@ -27,9 +27,22 @@ const cells = [
   { from: [38_000, -78_000], motion: [12, 7], reach: 9500, top: [7500, 12_500], peak: [46, 57] },
   { from: [66_000, 16_000], motion: [13, 5], reach: 10_500, top: [11_500, 7800], peak: [53, 40] },
   // Showers: some grow, some become weaker.
-  ...[[95_000, -40_000], [18_000, -112_000], [110_000, 60_000], [-98_000, -66_000], [74_000, -104_000]].map((from, i) => /** @type {Cell} */ ({
-    from, motion: [12, 5], reach: 5500 + 700 * i, top: [6500 + 500 * i, 9000 - 600 * i], peak: [36 + 2 * i, 46 - 3 * i],
-  })),
+  ...[
+    [95_000, -40_000],
+    [18_000, -112_000],
+    [110_000, 60_000],
+    [-98_000, -66_000],
+    [74_000, -104_000],
+  ].map(
+    (from, i) =>
+      /** @type {Cell} */ ({
+        from,
+        motion: [12, 5],
+        reach: 5500 + 700 * i,
+        top: [6500 + 500 * i, 9000 - 600 * i],
+        peak: [36 + 2 * i, 46 - 3 * i],
+      }),
+  ),
   // A line of thunderstorms.
   ...Array.from({ length: 9 }, (_, i) => lineCell(i)),
 ];
@@ -70,7 +83,8 @@ export function weatherAt(time) {
     reflectivity(x, y, z) {
       if (z > 17_000) return 0;
       const [along, across] = [x - 13 * time, y - 6 * time]; // The turbulence moves with the storms.
-      const turbulence = billows(along / 7000, across / 7000, z / 3000) + 0.5 * eddies(along / 2600, across / 2600, z / 1300);
+      const turbulence =
+        billows(along / 7000, across / 7000, z / 3000) + 0.5 * eddies(along / 2600, across / 2600, z / 1300);
       const [u, v] = [x + 2400 * turbulence, y + 3600 * eddies(across / 6000, along / 6000, z / 2500)];
       let total = hook(u, v, z, big) + anvil(u, v, z, big) + steadyRain(u - rainX, v - rainY, z);
       for (const cell of now) total += convection(u, v, z, cell);
@@ -111,7 +125,12 @@ function convection(x, y, z, { x: cx, y: cy, reach, top, peak }) {
   const hail = peak > 57 ? 5 * Math.exp(-((away / 0.3) ** 2)) * Math.exp(-(((z - 5200) / 3000) ** 2)) : 0;
   const dbz = peak - 20 * away ** 1.8 + hail - 40 * smooth(z, 0.4 * top, 1.1 * top) - (z > top ? (z - top) / 80 : 0);
   // The updraft of the strongest cell is so fast that drops have no time to grow in it: there is a vault below the core.
-  const vault = peak > 57 ? 24 * Math.exp(-(((dx - 0.55 * reach) / 3000) ** 2) - ((dy + 0.35 * reach) / 3000) ** 2) * (1 - smooth(z, 3500, 7000)) : 0;
+  const vault =
+    peak > 57
+      ? 24 *
+        Math.exp(-(((dx - 0.55 * reach) / 3000) ** 2) - ((dy + 0.35 * reach) / 3000) ** 2) *
+        (1 - smooth(z, 3500, 7000))
+      : 0;
   return 10 ** ((dbz - vault) / 10);
 }
 
@@ -149,7 +168,12 @@ function anvil(x, y, z, { x: cx, y: cy }) {
   const middle = 11_700 + 0.008 * along;
   const thick = 1700 * (1 - 0.5 * smooth(along, 0, 100_000));
   const width = 13_000 + 0.3 * Math.max(0, along);
-  const dbz = 29 - 17 * smooth(along, 0, 105_000) - 40 * smooth(-along, 8000, 25_000) - 16 * (across / width) ** 2 - 10 * ((z - middle) / thick) ** 2;
+  const dbz =
+    29 -
+    17 * smooth(along, 0, 105_000) -
+    40 * smooth(-along, 8000, 25_000) -
+    16 * (across / width) ** 2 -
+    10 * ((z - middle) / thick) ** 2;
   return 10 ** (dbz / 10);
 }
 
@@ -164,22 +188,38 @@ function steadyRain(x, y, z) {
 }
 
 /** Heights and winds, metres and m/s: with height the wind turns to the right and becomes stronger, as supercells need. */
-const profile = [[0, 1, 7], [1000, 6, 11], [3000, 13, 11], [6000, 20, 9], [10_000, 30, 11], [14_000, 33, 12], [20_000, 25, 8]];
+const profile = [
+  [0, 1, 7],
+  [1000, 6, 11],
+  [3000, 13, 11],
+  [6000, 20, 9],
+  [10_000, 30, 11],
+  [14_000, 33, 12],
+  [20_000, 25, 8],
+];
 
 /** @param {number} x @param {number} y @param {number} z @param {CellNow} big @returns {[number, number, number]} */
 function wind(x, y, z, big) {
-  const above = Math.max(1, profile.findIndex(([height]) => height >= z));
+  const above = Math.max(
+    1,
+    profile.findIndex(([height]) => height >= z),
+  );
   const [[low, u0, v0], [high, u1, v1]] = [profile[above - 1], profile[above]];
   const share = Math.min(1, Math.max(0, (z - low) / (high - low)));
   const [vx, vy] = vortexCentre(z, big);
   const [dx, dy] = [x - vx, y - vy];
   const away = Math.max(1, Math.hypot(dx, dy));
   // A Rankine vortex of 3 km and 24 m/s, cyclonic, in the lower half of the storm; outflow at its top.
-  const rotation = (24 * Math.min(away / 3000, 3000 / away) * smooth(z, -2000, 1500) * (1 - smooth(z, 6000, 9500))) / away;
+  const rotation =
+    (24 * Math.min(away / 3000, 3000 / away) * smooth(z, -2000, 1500) * (1 - smooth(z, 6000, 9500))) / away;
   const outflow = (20 * Math.min(away / 7000, 7000 / away) * Math.exp(-(((z - 13_500) / 1600) ** 2))) / away;
   const updraft = 34 * Math.exp(-((away / 3800) ** 2)) * Math.sin(Math.PI * Math.min(1, z / big.top));
   const gusts = 1.5 * eddies(x / 3500, y / 3500, z / 1500);
-  return [u0 + share * (u1 - u0) - rotation * dy + outflow * dx + gusts, v0 + share * (v1 - v0) + rotation * dx + outflow * dy + gusts, updraft];
+  return [
+    u0 + share * (u1 - u0) - rotation * dy + outflow * dx + gusts,
+    v0 + share * (v1 - v0) + rotation * dx + outflow * dy + gusts,
+    updraft,
+  ];
 }
 
 /**

@@ -13,8 +13,15 @@ const note = 'Written by `npm run docs` from the comments in the source; edit th
 
 /** @param {unknown} value */
 const cell = (value) => (typeof value === 'string' ? value : '').replace(/\s+/g, ' ').replaceAll('|', '\\|').trim();
-/** @param {unknown} value */
-const code = (value) => (cell(value) ? `\`${cell(value)}\`` : '');
+/** Code in one line, also where the formatter wrapped it. @param {unknown} value */
+function code(value) {
+  const text = cell(value)
+    .replace(/^\\\| /, '')
+    .replaceAll('; }', ' }')
+    .replaceAll(', ]', ']')
+    .replaceAll('[ ', '[');
+  return text ? `\`${text}\`` : '';
+}
 
 /** A type as code, with a link to its fields if the page of types has them. @param {unknown} type */
 function linkType(type) {
@@ -50,22 +57,44 @@ function describeMethod(method) {
 function describeElement(element) {
   const open = (/** @type {Entry} */ member) => !member.privacy || member.privacy === 'public';
   /** @type {Entry[]} */
-  const members = (element.members ?? []).filter((/** @type {Entry} */ one) => open(one) && !one.static && isOwn(one) && one.description);
-  const named = (/** @type {Entry[] | undefined} */ list) => (list ?? []).map((one) => [code(one.name) || '(default)', cell(one.description)]);
+  const members = (element.members ?? []).filter(
+    (/** @type {Entry} */ one) => open(one) && !one.static && isOwn(one) && one.description,
+  );
+  const named = (/** @type {Entry[] | undefined} */ list) =>
+    (list ?? []).map((one) => [code(one.name) || '(default)', cell(one.description)]);
   return [
     `# \`<${element.tagName}>\`\n\n${(element.description ?? '').trim()}\n\n`,
     `Guide: ${linkGuides(element, '../')}. [All elements](../reference.md).\n\n`,
-    writeTable('Attributes', ['attribute', 'property', 'type', 'default', 'meaning'],
+    writeTable(
+      'Attributes',
+      ['attribute', 'property', 'type', 'default', 'meaning'],
       (element.attributes ?? []).map((/** @type {Entry} */ one) => {
         const initial = element.members?.find((/** @type {Entry} */ member) => member.name === one.fieldName)?.default;
         return [code(one.name), code(one.fieldName), code(one.type?.text), code(initial), cell(one.description)];
-      })),
+      }),
+    ),
     element.attributes ? howAttributesHold : '',
-    writeTable('Read-only properties', ['property', 'type', 'meaning'],
-      members.filter((one) => one.kind === 'field' && !one.attribute).map((one) => [code(one.name), linkType(one.type?.text), cell(one.description)])),
-    writeTable('Methods', ['method', 'returns', 'meaning'], members.filter((one) => one.kind === 'method').map(describeMethod)),
-    writeTable('Events', ['event', 'type', 'meaning'],
-      (element.events ?? []).map((/** @type {Entry} */ one) => [code(one.name), linkType(one.type?.text), cell(one.description)])),
+    writeTable(
+      'Read-only properties',
+      ['property', 'type', 'meaning'],
+      members
+        .filter((one) => one.kind === 'field' && !one.attribute)
+        .map((one) => [code(one.name), linkType(one.type?.text), cell(one.description)]),
+    ),
+    writeTable(
+      'Methods',
+      ['method', 'returns', 'meaning'],
+      members.filter((one) => one.kind === 'method').map(describeMethod),
+    ),
+    writeTable(
+      'Events',
+      ['event', 'type', 'meaning'],
+      (element.events ?? []).map((/** @type {Entry} */ one) => [
+        code(one.name),
+        linkType(one.type?.text),
+        cell(one.description),
+      ]),
+    ),
     element.events ? 'These events do not bubble.\n\n' : '',
     writeTable('Slots', ['slot', 'content'], named(element.slots)),
     writeTable('CSS parts', ['part', 'meaning'], named(element.cssParts)),
@@ -90,14 +119,28 @@ const plain = (comment) => cell((comment ?? '').replace(/^\s*\* ?/gm, ''));
  * @param {string} name
  */
 function describeInterface(name) {
-  const pattern = new RegExp(`(?:/\\*\\*((?:(?!\\*/)[\\s\\S])*)\\*/\\s*)?export interface ${name}(?: extends (\\w+))? \\{\\n([\\s\\S]*?)\\n\\}`);
+  const pattern = new RegExp(
+    `(?:/\\*\\*((?:(?!\\*/)[\\s\\S])*)\\*/\\s*)?export interface ${name}(?: extends (\\w+))? \\{\\n([\\s\\S]*?)\\n\\}`,
+  );
   for (const text of sources) {
     const found = pattern.exec(text);
     if (!found) continue;
-    const fields = [...found[3].matchAll(/(?:\/\*\*([\s\S]*?)\*\/\s*)?^ {2}readonly (\w+)(\??): (.+);$/gm)];
-    const rows = fields.map(([, comment, field, optional, type]) => [code(field + optional), type.includes(name) ? code(type) : linkType(type), plain(comment)]);
+    // A field ends where the next line has the indentation of a field, or where the interface ends.
+    const fields = [
+      ...found[3].matchAll(
+        /(?:\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\s*)?^ {2}readonly (\w+)(\??):\s([\s\S]+?);(?=\n {2}(?:\/|readonly )|\n\n|$(?![\s\S]))/gm,
+      ),
+    ];
+    const rows = fields.map(([, comment, field, optional, type]) => [
+      code(field + optional),
+      type.includes(name) ? code(type) : linkType(type),
+      plain(comment),
+    ]);
     const more = found[2] ? `All fields of ${linkType(found[2])}, and:` : '';
-    return writeTable(name, ['field', 'type', 'meaning'], rows).replace('\n\n', `\n\n${[plain(found[1]), more].filter(Boolean).join(' ')}\n\n`);
+    return writeTable(name, ['field', 'type', 'meaning'], rows).replace(
+      '\n\n',
+      `\n\n${[plain(found[1]), more].filter(Boolean).join(' ')}\n\n`,
+    );
   }
   throw new Error(`docs: no interface ${name}`);
 }
@@ -105,30 +148,74 @@ function describeInterface(name) {
 /** The codes of errors with their comments. */
 function describeErrors() {
   const text = readFileSync(join(projectRoot, 'src/core/errors.ts'), 'utf8');
-  return writeTable('Codes', ['code', 'meaning'],
-    [...text.matchAll(/\/\*\*([^/]*?)\*\/\s*\| '([^']+)'/g)].map(([, comment, name]) => [code(name), plain(comment)]));
+  return writeTable(
+    'Codes',
+    ['code', 'meaning'],
+    [...text.matchAll(/\/\*\*([^/]*?)\*\/\s*\| '([^']+)'/g)].map(([, comment, name]) => [code(name), plain(comment)]),
+  );
 }
 
 /** Source texts of the interfaces in the reference. */
-const sourceFiles = ['components', 'src/viewer', 'src/quality', 'src/optics', 'src/volume', 'src/editor']
-  .flatMap((folder) => readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)));
+const sourceFiles = ['components', 'src/viewer', 'src/quality', 'src/optics', 'src/volume', 'src/editor'].flatMap(
+  (folder) =>
+    readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' })
+      .filter((name) => name.endsWith('.ts'))
+      .map((name) => join(projectRoot, folder, name)),
+);
 sourceFiles.sort();
 const sources = sourceFiles.map((file) => readFileSync(file, 'utf8'));
 
-const details = ['VolumeInfo', 'VolumePick', 'PickedSurface', 'RadarPlace', 'RadarGate', 'Histogram', 'VolumeOptics', 'Stop', 'TransferFunctionDetail', 'RenderStats', 'PictureError', 'PictureCheck', 'CameraState', 'Camera', 'CameraChangeDetail', 'Orbit', 'MeasureResult', 'SliceCursorDetail', 'LayerLook', 'VolumeSurfaceInfo', 'VolumeTerrainInfo', 'TimeChangeDetail', 'ProgressDetail', 'ErrorDetail'];
+const details = [
+  'VolumeInfo',
+  'VolumePick',
+  'PickedSurface',
+  'RadarPlace',
+  'RadarGate',
+  'Histogram',
+  'VolumeOptics',
+  'Stop',
+  'TransferFunctionDetail',
+  'RenderStats',
+  'PictureError',
+  'PictureCheck',
+  'CameraState',
+  'Camera',
+  'CameraChangeDetail',
+  'Orbit',
+  'MeasureResult',
+  'SliceCursorDetail',
+  'LayerLook',
+  'VolumeSurfaceInfo',
+  'VolumeTerrainInfo',
+  'TimeChangeDetail',
+  'ProgressDetail',
+  'ErrorDetail',
+];
 
 const cem = join(projectRoot, 'node_modules/@custom-elements-manifest/analyzer/cem.js');
-spawnSync(process.execPath, [cem, 'analyze', '--config', 'custom-elements-manifest.config.mjs', '--quiet'], { cwd: projectRoot });
+spawnSync(process.execPath, [cem, 'analyze', '--config', 'custom-elements-manifest.config.mjs', '--quiet'], {
+  cwd: projectRoot,
+});
 const { modules } = JSON.parse(readFileSync(join(projectRoot, 'custom-elements.json'), 'utf8'));
 /** @type {Entry[]} */
-const all = modules.flatMap((/** @type {Entry} */ module) => module.declarations).filter((/** @type {Entry} */ one) => one.tagName);
+const all = modules
+  .flatMap((/** @type {Entry} */ module) => module.declarations)
+  .filter((/** @type {Entry} */ one) => one.tagName);
 // <volume-view> first, then its companions by their names.
 all.sort((one, other) => one.tagName.localeCompare(other.tagName));
-const elements = [...all.filter((one) => one.tagName === 'volume-view'), ...all.filter((one) => one.tagName !== 'volume-view')];
+const elements = [
+  ...all.filter((one) => one.tagName === 'volume-view'),
+  ...all.filter((one) => one.tagName !== 'volume-view'),
+];
 
 /** The pages that explain how to use each element. @type {Record<string, readonly [title: string, page: string][]>} */
 const guides = {
-  'volume-view': [['Data', 'data.md'], ['Looks and presets', 'looks.md'], ['Transfer functions', 'transfer-functions.md'], ['Camera', 'camera.md']],
+  'volume-view': [
+    ['Data', 'data.md'],
+    ['Looks and presets', 'looks.md'],
+    ['Transfer functions', 'transfer-functions.md'],
+    ['Camera', 'camera.md'],
+  ],
   'volume-clip': [['Cutting', 'cutting.md']],
   'volume-label': [['Labels', 'labels.md']],
   'volume-label-list': [['Labels', 'labels.md']],
@@ -157,15 +244,31 @@ const summarise = ({ description }) => /^.*?\.(?= |$)/.exec(cell(description))?.
 
 /** Pages by their paths in docs. @type {Map<string, string>} */
 const pages = new Map([
-  ['reference.md', [
-    `# Reference\n\n${note}\n\n`,
-    writeTable('Elements', ['element', 'what it is', 'guide'],
-      elements.map((element) => [`[\`<${element.tagName}>\`](reference/${element.tagName}.md)`, summarise(element), linkGuides(element, '')])),
-    '## Further pages\n\n- [Types](reference/types.md): the fields of what events and properties carry\n- [Error codes](reference/error-codes.md)\n',
-  ].join('')],
+  [
+    'reference.md',
+    [
+      `# Reference\n\n${note}\n\n`,
+      writeTable(
+        'Elements',
+        ['element', 'what it is', 'guide'],
+        elements.map((element) => [
+          `[\`<${element.tagName}>\`](reference/${element.tagName}.md)`,
+          summarise(element),
+          linkGuides(element, ''),
+        ]),
+      ),
+      '## Further pages\n\n- [Types](reference/types.md): the fields of what events and properties carry\n- [Error codes](reference/error-codes.md)\n',
+    ].join(''),
+  ],
   ...elements.map((element) => /** @type {const} */ ([`reference/${element.tagName}.md`, describeElement(element)])),
-  ['reference/types.md', `# Types of events and properties\n\n[All elements](../reference.md).\n\n${details.map(describeInterface).join('')}`],
-  ['reference/error-codes.md', `# Error codes\n\nThey stay the same from version to version. How errors are shown: [Errors](../errors.md). [All elements](../reference.md).\n\n${describeErrors()}`],
+  [
+    'reference/types.md',
+    `# Types of events and properties\n\n[All elements](../reference.md).\n\n${details.map(describeInterface).join('')}`,
+  ],
+  [
+    'reference/error-codes.md',
+    `# Error codes\n\nThey stay the same from version to version. How errors are shown: [Errors](../errors.md). [All elements](../reference.md).\n\n${describeErrors()}`,
+  ],
 ]);
 const notes = (/** @type {string} */ text) => (text.includes(note) ? text : `${text.trimEnd()}\n\n*${note}*\n`);
 const wanted = new Map([...pages].map(([path, text]) => [path, `${notes(text).trimEnd()}\n`]));
@@ -182,7 +285,9 @@ if (!process.argv.includes('--check')) {
   for (const [path, text] of wanted) writeFileSync(join(folder, path), text);
   for (const path of leftOver) rmSync(join(folder, path));
 } else {
-  const stale = [...wanted].filter(([path, text]) => !present.includes(path) || readFileSync(join(folder, path), 'utf8') !== text).map(([path]) => path);
+  const stale = [...wanted]
+    .filter(([path, text]) => !present.includes(path) || readFileSync(join(folder, path), 'utf8') !== text)
+    .map(([path]) => path);
   for (const path of [...stale, ...leftOver]) console.log(`docs/${path} is not what the code says. Run: npm run docs`);
   process.exitCode = stale.length + leftOver.length > 0 ? 1 : 0;
 }

@@ -4,7 +4,11 @@ import { projectRoot } from './shared-data.mjs';
 
 /** The anchor that a heading gets. @param {string} heading */
 function anchorOf(heading) {
-  return heading.toLowerCase().replaceAll(/[^\p{L}\p{N}\s_-]/gu, '').trim().replaceAll(/\s/g, '-');
+  return heading
+    .toLowerCase()
+    .replaceAll(/[^\p{L}\p{N}\s_-]/gu, '')
+    .trim()
+    .replaceAll(/\s/g, '-');
 }
 
 /** A page without its blocks of code. @param {string} file */

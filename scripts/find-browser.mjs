@@ -88,7 +88,9 @@ export function installPackages(packages) {
  * @throws with the one command to run
  */
 export async function findBrowser() {
-  const found = process.env.CHROME_PATH ? findSystemBrowser() : ((await findPlaywrightChromium()) ?? findSystemBrowser());
+  const found = process.env.CHROME_PATH
+    ? findSystemBrowser()
+    : ((await findPlaywrightChromium()) ?? findSystemBrowser());
   if (found) return found;
   // Ubuntu's `chromium` package is a stub that needs snap, so search again: success of apt is not enough.
   const installed = canInstallPackages() && installPackages(['chromium']) ? findSystemBrowser() : null;
@@ -102,8 +104,19 @@ export async function findBrowser() {
  */
 const disabledFeatures = [
   ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'],
-  ...['AvoidUnnecessaryBeforeUnloadCheckSync', 'DestroyProfileOnBrowserClose', 'PaintHolding', 'ThirdPartyStoragePartitioning'],
-  ...['HttpsUpgrades', 'HttpsFirstBalancedModeAutoEnable', 'AvoidCorsURLLoaderRestartOnRedirect', 'TcpPortRandomizationWin', 'PreconnectToSearch'],
+  ...[
+    'AvoidUnnecessaryBeforeUnloadCheckSync',
+    'DestroyProfileOnBrowserClose',
+    'PaintHolding',
+    'ThirdPartyStoragePartitioning',
+  ],
+  ...[
+    'HttpsUpgrades',
+    'HttpsFirstBalancedModeAutoEnable',
+    'AvoidCorsURLLoaderRestartOnRedirect',
+    'TcpPortRandomizationWin',
+    'PreconnectToSearch',
+  ],
   ...['LensOverlay', 'MediaRouter', 'OptimizationHints', 'NetworkTimeServiceQuerying', 'AimEnabled'],
 ];
 

@@ -5,9 +5,11 @@
  */
 export function joinScans(manifests) {
   const [{ sweeps: _, ...first }] = manifests;
-  const isShared = (/** @type {string} */ name) => manifests.every((one) => JSON.stringify(one[name]) === JSON.stringify(first[name]));
+  const isShared = (/** @type {string} */ name) =>
+    manifests.every((one) => JSON.stringify(one[name]) === JSON.stringify(first[name]));
   const shared = Object.keys(first).filter(isShared);
   const own = Object.keys(first).filter((name) => !isShared(name));
-  const pick = (/** @type {Record<string, unknown>} */ from, /** @type {string[]} */ names) => Object.fromEntries(names.map((name) => [name, from[name]]));
+  const pick = (/** @type {Record<string, unknown>} */ from, /** @type {string[]} */ names) =>
+    Object.fromEntries(names.map((name) => [name, from[name]]));
   return { ...pick(first, shared), scans: manifests.map((one) => pick(one, own)) };
 }

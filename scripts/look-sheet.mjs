@@ -11,7 +11,13 @@ import { findBrowser, listLaunchArgs } from './find-browser.mjs';
 import { paintSheet } from './paint-sheet.mjs';
 import { projectRoot, sharedDataFolder } from './shared-data.mjs';
 
-const { values: options } = parseArgs({ options: { size: { type: 'string', default: '240x200' }, only: { type: 'string', default: '' }, keep: { type: 'string' } } });
+const { values: options } = parseArgs({
+  options: {
+    size: { type: 'string', default: '240x200' },
+    only: { type: 'string', default: '' },
+    keep: { type: 'string' },
+  },
+});
 const [width, height] = options.size.split('x').map(Number);
 const sheetFile = 'docs/images/looks.webp';
 
@@ -23,23 +29,43 @@ const others = ['', 'textbook', 'flat', 'mip'];
 /** @type {readonly { src: string, name: string, words: readonly string[], attributes?: string, isPrivate?: true }[]} - `isPrivate`: pictures stay out of the docs */
 const subjects = [
   { src: '/shared-data/medical/ch2_mricron/ch2.nii.gz', name: 'MRI, head', words: scans },
-  { src: '/shared-data/medical/mni152_nilearn/mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz', name: 'MRI, brain', words: scans },
+  {
+    src: '/shared-data/medical/mni152_nilearn/mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz',
+    name: 'MRI, brain',
+    words: scans,
+  },
   { src: '/demos/data/ct-phantom.nii.gz', name: 'CT, synthetic', words: ct },
-  { src: '/shared-data/medical/cranium_ct/cranium_ct.nii.gz', name: 'CT, head', words: [...ct, 'vessels'], isPrivate: true },
+  {
+    src: '/shared-data/medical/cranium_ct/cranium_ct.nii.gz',
+    name: 'CT, head',
+    words: [...ct, 'vessels'],
+    isPrivate: true,
+  },
   { src: '/demos/data/motor-synthetic.nii.gz', name: 'Statistics', words: others },
   { src: '/demos/data/storm-radar-1510.json', name: 'Radar, synthetic', words: others, attributes: 'rings="none"' },
 ];
 
 async function main() {
-  const drawn = subjects.filter(({ src, name, isPrivate }) => name.includes(options.only) && (options.keep || !isPrivate) && (!src.startsWith('/shared-data/') || existsSync(sharedDataFolder)));
+  const drawn = subjects.filter(
+    ({ src, name, isPrivate }) =>
+      name.includes(options.only) &&
+      (options.keep || !isPrivate) &&
+      (!src.startsWith('/shared-data/') || existsSync(sharedDataFolder)),
+  );
   if (drawn.length < subjects.filter(({ isPrivate }) => !isPrivate).length) console.log('some volumes are left out');
-  const server = await createServer({ root: projectRoot, logLevel: 'error', server: { port: 0, open: false, hmr: false, watch: null } });
+  const server = await createServer({
+    root: projectRoot,
+    logLevel: 'error',
+    server: { port: 0, open: false, hmr: false, watch: null },
+  });
   await server.listen();
   const browser = await chromium.launch({ executablePath: await findBrowser(), args: listLaunchArgs() });
   try {
     const page = await browser.newPage({ viewport: { width: Math.max(400, width), height: Math.max(300, height) } });
     await page.goto(`${server.resolvedUrls?.local[0]}demos/index.html`);
-    await page.setContent('<!doctype html><title>Looks</title><style>body { margin: 0 }</style><script type="module" src="/src/index.ts"></script>');
+    await page.setContent(
+      '<!doctype html><title>Looks</title><style>body { margin: 0 }</style><script type="module" src="/src/index.ts"></script>',
+    );
     await page.evaluate(() => customElements.whenDefined('volume-view').then(() => undefined));
     for (const { src, name, words, attributes = '' } of drawn) {
       const cells = [];
@@ -48,7 +74,9 @@ async function main() {
         await page.evaluate((html) => {
           document.body.innerHTML = html;
         }, tag);
-        await page.evaluate(() => /** @type {any} */ (document.querySelector('volume-view')).whenRendered().catch(() => {}));
+        await page.evaluate(() =>
+          /** @type {any} */ (document.querySelector('volume-view')).whenRendered().catch(() => {}),
+        );
         const picture = await page.locator('volume-view').screenshot();
         cells.push({ picture: picture.toString('base64'), name: `${name}: ${word || 'no look'}` });
         console.log(`${name}: ${word || 'no look'}`);
@@ -70,7 +98,11 @@ const rows = [];
 
 /** @param {import('@playwright/test').Page} page @param {string} file @param {readonly { picture: string, name: string }[]} cells */
 async function write(page, file, cells) {
-  const url = await page.evaluate(paintSheet, { cells, columns, cell: /** @type {[number, number]} */ ([width, height]) });
+  const url = await page.evaluate(paintSheet, {
+    cells,
+    columns,
+    cell: /** @type {[number, number]} */ ([width, height]),
+  });
   mkdirSync(join(file, '..'), { recursive: true });
   writeFileSync(file, Buffer.from(url.slice(url.indexOf(',') + 1), 'base64'));
 }

@@ -30,7 +30,9 @@ const text = `// Written by scripts/make-color-tables.mjs from d3-scale-chromati
 
 /** Colours at even distances over a window, six hexadecimal digits each, sRGB. */
 export const colorTableValues = {
-${Object.entries(tables).map(([name, interpolate]) => `  ${name}:\n    '${listColors(interpolate)}',`).join('\n')}
+${Object.entries(tables)
+  .map(([name, interpolate]) => `  ${name}:\n    '${listColors(interpolate)}',`)
+  .join('\n')}
 } as const;
 `;
 
@@ -38,6 +40,8 @@ const file = join(projectRoot, 'src/optics/transfer/color-table-values.ts');
 if (!process.argv.includes('--check')) {
   writeFileSync(file, text);
 } else if (readFileSync(file, 'utf8') !== text) {
-  console.error('src/optics/transfer/color-table-values.ts is not what d3-scale-chromatic gives; run: npm run color-tables');
+  console.error(
+    'src/optics/transfer/color-table-values.ts is not what d3-scale-chromatic gives; run: npm run color-tables',
+  );
   process.exitCode = 1;
 }

@@ -18,11 +18,16 @@ import { projectRoot, sharedDataFolder } from './shared-data.mjs';
 const target = join(projectRoot, 'demos/data');
 const shared = process.argv[2] ? resolve(process.argv[2]) : sharedDataFolder;
 const head = join(shared, 'medical/mni152_nilearn/mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz');
-const headCredit = 'MNI152 ICBM 2009a nonlinear symmetric T1 template, (C) 1993-2009 Louis Collins, McConnell Brain Imaging Centre, Montreal Neurological Institute, McGill University; from nilearn 0.14.1';
+const headCredit =
+  'MNI152 ICBM 2009a nonlinear symmetric T1 template, (C) 1993-2009 Louis Collins, McConnell Brain Imaging Centre, Montreal Neurological Institute, McGill University; from nilearn 0.14.1';
 
 /** Import a module of the package, which Node can't read without this. @param {string} path */
 async function importSource(path) {
-  const { module } = await runnerImport(join(projectRoot, path), { configFile: false, logLevel: 'error', root: projectRoot });
+  const { module } = await runnerImport(join(projectRoot, path), {
+    configFile: false,
+    logLevel: 'error',
+    root: projectRoot,
+  });
   return module;
 }
 
@@ -40,24 +45,43 @@ async function makeHead() {
   const { Budget } = await importSource('src/formats/base/budget.ts');
   const { gunzip, maxDeflateRatio } = await importSource('src/formats/codecs/gunzip.ts');
   const bytes = new Uint8Array(file);
-  const volume = await readNifti({ pieces: gunzip(bytes), atMost: bytes.length * maxDeflateRatio, onProgress: () => undefined, budget: new Budget() });
+  const volume = await readNifti({
+    pieces: gunzip(bytes),
+    atMost: bytes.length * maxDeflateRatio,
+    onProgress: () => undefined,
+    budget: new Budget(),
+  });
   const { dimensions, indexToWorld } = volume.grid;
-  writeDemoMotor(join(target, 'motor-synthetic.nii.gz'), { dimensions, origin: [indexToWorld[3], indexToWorld[7], indexToWorld[11]], samples: volume.samples });
+  writeDemoMotor(join(target, 'motor-synthetic.nii.gz'), {
+    dimensions,
+    origin: [indexToWorld[3], indexToWorld[7], indexToWorld[11]],
+    samples: volume.samples,
+  });
   const [nx, ny, nz] = dimensions;
   const [columns, rows] = [16, 12];
   const data = new Uint8Array(columns * nx * rows * ny);
   for (let k = 0; k < nz; k++) {
     const start = Math.floor(k / columns) * ny * columns * nx + (k % columns) * nx;
     for (let j = 0; j < ny; j++) {
-      for (let i = 0; i < nx; i++) data[start + j * columns * nx + i] = volume.samples[(k * ny + ny - 1 - j) * nx + nx - 1 - i];
+      for (let i = 0; i < nx; i++)
+        data[start + j * columns * nx + i] = volume.samples[(k * ny + ny - 1 - j) * nx + nx - 1 - i];
     }
   }
-  writeFileSync(join(target, 'mni152-t1.png'), encode({ width: columns * nx, height: rows * ny, data, channels: 1, depth: 8 }, { zlib: { level: 9 } }));
+  writeFileSync(
+    join(target, 'mni152-t1.png'),
+    encode({ width: columns * nx, height: rows * ny, data, channels: 1, depth: 8 }, { zlib: { level: 9 } }),
+  );
   // The axes of the file are x, y, z, 1 mm apart. In the mosaic x and y are reversed, so its first voxel is at the other end of x and y.
   const [x, y, z] = [indexToWorld[3] + nx - 1, indexToWorld[7] + ny - 1, indexToWorld[11]];
   await writeManifest('mni152-t1.json', {
-    image: 'mni152-t1.png', mosaic: `${columns}x${rows}`, slices: nz, indexToWorld: [-1, 0, 0, x, 0, -1, 0, y, 0, 0, 1, z],
-    slope: volume.slope, intercept: volume.intercept, title: 'Average of 152 heads, T1 MRI', credit: headCredit,
+    image: 'mni152-t1.png',
+    mosaic: `${columns}x${rows}`,
+    slices: nz,
+    indexToWorld: [-1, 0, 0, x, 0, -1, 0, y, 0, 0, 1, z],
+    slope: volume.slope,
+    intercept: volume.intercept,
+    title: 'Average of 152 heads, T1 MRI',
+    credit: headCredit,
   });
 }
 
@@ -117,7 +141,13 @@ async function makeRadarScans() {
       const png = encodePng(image);
       writeFileSync(join(target, `${name}.png`), png);
       const title = `Thunderstorms (synthetic), ${words}, ${clock} UTC`;
-      const whole = { image: `${name}.png`, ...manifest, ...appearance, title, credit: 'Made by scripts/demo-radar.mjs of volume-view; MIT' };
+      const whole = {
+        image: `${name}.png`,
+        ...manifest,
+        ...appearance,
+        title,
+        credit: 'Made by scripts/demo-radar.mjs of volume-view; MIT',
+      };
       await writeManifest(`${name}.json`, whole);
       (manifests[suffix] ??= []).push(whole);
       console.log(`${name}.png: ${image.width} x ${image.height}, ${png.length} bytes`);
@@ -125,16 +155,42 @@ async function makeRadarScans() {
   }
   // The first scan again, over a fictional island.
   const [first] = manifests[''];
-  await writeManifest('storm-radar-island.json', { ...first, site: { name: 'No island (synthetic)', latitude: 0, longitude: 0, height: 450 }, title: `${String(first.title)}, over an island that does not exist` });
-  for (const { suffix } of parts.slice(0, 2)) await writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
+  await writeManifest('storm-radar-island.json', {
+    ...first,
+    site: { name: 'No island (synthetic)', latitude: 0, longitude: 0, height: 450 },
+    title: `${String(first.title)}, over an island that does not exist`,
+  });
+  for (const { suffix } of parts.slice(0, 2))
+    await writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
 }
 
 mkdirSync(target, { recursive: true });
-writeNifti('ct-phantom.nii.gz', paintTorso(), { slope: 1, intercept: 0, units: 2, description: 'synthetic torso, HU, volume-view' });
-await writeManifest('ct-phantom.json', { image: 'ct-phantom.nii.gz', unit: 'HU', title: 'Torso (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
+writeNifti('ct-phantom.nii.gz', paintTorso(), {
+  slope: 1,
+  intercept: 0,
+  units: 2,
+  description: 'synthetic torso, HU, volume-view',
+});
+await writeManifest('ct-phantom.json', {
+  image: 'ct-phantom.nii.gz',
+  unit: 'HU',
+  title: 'Torso (synthetic)',
+  credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT',
+});
 // Units 0 means unknown. NIfTI's unit metre would be converted to millimetres, but the world of a radar is in metres.
-writeNifti('storm-synthetic.nii.gz', paintStorm(), { slope: 0.5, intercept: noEcho, units: 0, description: 'synthetic storm, dBZ, metres, volume-view' });
-await writeManifest('storm-synthetic.json', { image: 'storm-synthetic.nii.gz', unit: 'dBZ', transferFunction: 'radar-dbz', title: 'Thunderstorm (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
+writeNifti('storm-synthetic.nii.gz', paintStorm(), {
+  slope: 0.5,
+  intercept: noEcho,
+  units: 0,
+  description: 'synthetic storm, dBZ, metres, volume-view',
+});
+await writeManifest('storm-synthetic.json', {
+  image: 'storm-synthetic.nii.gz',
+  unit: 'dBZ',
+  transferFunction: 'radar-dbz',
+  title: 'Thunderstorm (synthetic)',
+  credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT',
+});
 await makeRadarScans();
 await makeHead();
 copyFileSync(join(shared, 'medical/ch2_mricron/ch2.nii.gz'), join(target, 'colin27-t1.nii.gz'));

@@ -12,7 +12,9 @@ const unit = 0.01;
 
 /** @typedef {[x: number, y: number]} Point */
 
-const { arcs, transform, objects } = JSON.parse(readFileSync(join(projectRoot, 'node_modules/world-atlas/countries-50m.json'), 'utf8'));
+const { arcs, transform, objects } = JSON.parse(
+  readFileSync(join(projectRoot, 'node_modules/world-atlas/countries-50m.json'), 'utf8'),
+);
 
 /** Number of countries with an arc in their outline: a border has two. @type {Map<number, number>} */
 const uses = new Map();
@@ -26,7 +28,10 @@ objects.countries.geometries.forEach((/** @type {{ arcs?: unknown }} */ one) => 
 /** Longitude and latitude of an arc, degrees. @param {Point[]} deltas @returns {Point[]} */
 function decode(deltas) {
   let [x, y] = [0, 0];
-  return deltas.map(([dx, dy]) => [(x += dx) * transform.scale[0] + transform.translate[0], (y += dy) * transform.scale[1] + transform.translate[1]]);
+  return deltas.map(([dx, dy]) => [
+    (x += dx) * transform.scale[0] + transform.translate[0],
+    (y += dy) * transform.scale[1] + transform.translate[1],
+  ]);
 }
 
 /** Distance of a point from a straight segment. @param {Point} p @param {Point} a @param {Point} b */
@@ -73,8 +78,10 @@ function encode(line) {
 
 /** @param {boolean} isBorder */
 const listLines = (isBorder) => {
-  const lines = arcs.filter((/** @type {Point[]} */ _, /** @type {number} */ i) => ((uses.get(i) ?? 0) > 1) === isBorder)
-    .map((/** @type {Point[]} */ arc) => encode(simplify(decode(arc)))).filter(Boolean);
+  const lines = arcs
+    .filter((/** @type {Point[]} */ _, /** @type {number} */ i) => (uses.get(i) ?? 0) > 1 === isBorder)
+    .map((/** @type {Point[]} */ arc) => encode(simplify(decode(arc))))
+    .filter(Boolean);
   // Numbers contain no blank.
   return JSON.stringify(lines.join(' '));
 };

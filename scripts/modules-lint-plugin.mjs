@@ -26,10 +26,54 @@ const MAY_IMPORT = {
   x3d: ['core', 'page', 'volume', 'optics', 'radar', 'renderer'],
   panes: ['core', 'page', 'volume', 'optics'],
   editor: ['core', 'page', 'volume', 'optics', 'messages'],
-  viewer: ['core', 'page', 'volume', 'optics', 'radar', 'quality', 'formats', 'sources', 'worker', 'renderer', 'x3d/nodes', 'panes', 'messages'],
-  components: ['core', 'page', 'volume', 'optics', 'radar', 'quality', 'formats', 'worker', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor', 'panes', 'messages'],
+  viewer: [
+    'core',
+    'page',
+    'volume',
+    'optics',
+    'radar',
+    'quality',
+    'formats',
+    'sources',
+    'worker',
+    'renderer',
+    'x3d/nodes',
+    'panes',
+    'messages',
+  ],
+  components: [
+    'core',
+    'page',
+    'volume',
+    'optics',
+    'radar',
+    'quality',
+    'formats',
+    'worker',
+    'renderer',
+    'radar/gpu',
+    'x3d',
+    'viewer',
+    'editor',
+    'panes',
+    'messages',
+  ],
   index: ['core', 'optics', 'quality', 'viewer', 'messages', 'components'],
-  demos: ['core', 'volume', 'optics', 'radar', 'quality', 'formats', 'worker', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'components', 'index'],
+  demos: [
+    'core',
+    'volume',
+    'optics',
+    'radar',
+    'quality',
+    'formats',
+    'worker',
+    'renderer',
+    'radar/gpu',
+    'x3d',
+    'viewer',
+    'components',
+    'index',
+  ],
 };
 
 /**
@@ -39,9 +83,40 @@ const MAY_IMPORT = {
  */
 const FOLDERS = {
   optics: ['transfer', 'rays', 'attachments', 'cells', 'surfaces', '.'],
-  formats: ['base', 'codecs', 'appearance', 'grid-files', 'hdf5', 'netcdf', 'manifest', 'radar', 'images', 'nifti', 'nrrd', 'metaimage', 'meshes', 'terrain', 'label-tables', '.'],
+  formats: [
+    'base',
+    'codecs',
+    'appearance',
+    'grid-files',
+    'hdf5',
+    'netcdf',
+    'manifest',
+    'radar',
+    'images',
+    'nifti',
+    'nrrd',
+    'metaimage',
+    'meshes',
+    'terrain',
+    'label-tables',
+    '.',
+  ],
   renderer: ['device', 'textures', 'probes', 'ray', 'passes', 'ray/modules', 'ray/styles', 'layers', 'pictures', '.'],
-  viewer: ['model', 'camera', 'appearance', 'cuts', 'overlays', 'scenes', 'loading', 'frames', 'view', 'picking', 'attachments', 'tools', 'session'],
+  viewer: [
+    'model',
+    'camera',
+    'appearance',
+    'cuts',
+    'overlays',
+    'scenes',
+    'loading',
+    'frames',
+    'view',
+    'picking',
+    'attachments',
+    'tools',
+    'session',
+  ],
 };
 
 /**
@@ -82,7 +157,8 @@ function findBackArrow(name, from, to, { isType, isDefinition }) {
   if (!order) return null;
   const [here, there] = [from, to].map((folder) => order.indexOf(folder));
   if (here >= 0 && there >= 0 && there < here) return null;
-  if (here < 0 || there < 0) return `${name}/${here < 0 ? from : to} is not among the folders of ${name}: add it to FOLDERS`;
+  if (here < 0 || there < 0)
+    return `${name}/${here < 0 ? from : to} is not among the folders of ${name}: add it to FOLDERS`;
   return `${name}/${from} may not import from ${name}/${to}; it may from: ${order.slice(0, here).join(', ') || 'nowhere'}`;
 }
 
@@ -102,10 +178,19 @@ const oneWay = {
       const name = source.value;
       if (name.startsWith('.')) {
         const target = findPlace(resolve(dirname(file), name.replace(/\?.*$/, '')));
-        if (target.name !== own && !allowed.includes(target.name) && !allowed.includes(`${target.name}/${target.folder}`)) {
-          context.report({ node: source, message: `${own} may not import from ${target.name}; it may from: ${allowed.join(', ') || 'nowhere'}` });
+        if (
+          target.name !== own &&
+          !allowed.includes(target.name) &&
+          !allowed.includes(`${target.name}/${target.folder}`)
+        ) {
+          context.report({
+            node: source,
+            message: `${own} may not import from ${target.name}; it may from: ${allowed.join(', ') || 'nowhere'}`,
+          });
         }
-        const problem = target.name === own && findBackArrow(own, folder, target.folder, { isType, isDefinition: name.endsWith('/define.ts') });
+        const problem =
+          target.name === own &&
+          findBackArrow(own, folder, target.folder, { isType, isDefinition: name.endsWith('/define.ts') });
         if (problem) context.report({ node: source, message: problem });
         return;
       }
@@ -139,12 +224,17 @@ const ownPrivates = {
     /** @param {any} node @param {any} key - of a member */
     const check = (node, key) => {
       if (key?.type === 'Identifier' && PRIVATE.test(key.name)) {
-        context.report({ node, message: `${key.name} is private to its object; a view is joined and asked by socketOf(element), see src/viewer/model/view-socket.ts` });
+        context.report({
+          node,
+          message: `${key.name} is private to its object; a view is joined and asked by socketOf(element), see src/viewer/model/view-socket.ts`,
+        });
       }
     };
     return {
-      MemberExpression: (/** @type {any} */ node) => node.computed || node.object.type === 'ThisExpression' || check(node, node.property),
-      ObjectPattern: (/** @type {any} */ node) => node.properties.forEach((/** @type {any} */ one) => one.computed || check(one, one.key)),
+      MemberExpression: (/** @type {any} */ node) =>
+        node.computed || node.object.type === 'ThisExpression' || check(node, node.property),
+      ObjectPattern: (/** @type {any} */ node) =>
+        node.properties.forEach((/** @type {any} */ one) => one.computed || check(one, one.key)),
       TSPropertySignature: (/** @type {any} */ node) => check(node, node.key),
       TSMethodSignature: (/** @type {any} */ node) => check(node, node.key),
     };
@@ -182,7 +272,8 @@ const noUnfinished = {
 };
 
 /** Attributes whose text people read, or screen readers read aloud. */
-const SPOKEN = /\b(?:aria-(?:label|description|valuetext|roledescription|placeholder)|title|alt|placeholder)="([^"]*)"/g;
+const SPOKEN =
+  /\b(?:aria-(?:label|description|valuetext|roledescription|placeholder)|title|alt|placeholder)="([^"]*)"/g;
 
 /** Texts for people belong in src/messages, where they can be translated; a template contains none. */
 const noLiteralWords = {
@@ -194,12 +285,22 @@ const noLiteralWords = {
       const spoken = [...text.matchAll(SPOKEN)].map(([, value]) => value);
       const shown = text.replace(/<!--[\s\S]*?-->|<\/?[a-z][^>]*>|&\w+;/gi, ' ');
       const word = [...spoken, shown].map((part) => /\p{L}[\p{L} ]*/u.exec(part)?.[0]).find(Boolean);
-      if (word) context.report({ node, message: `a template says "${word.trim()}"; words that a person reads are terms of src/messages` });
+      if (word)
+        context.report({
+          node,
+          message: `a template says "${word.trim()}"; words that a person reads are terms of src/messages`,
+        });
     },
   }),
 };
 
 export default {
   meta: { name: 'modules' },
-  rules: { 'one-way': oneWay, 'reexports-only': reexportsOnly, 'own-privates': ownPrivates, 'no-unfinished': noUnfinished, 'no-literal-words': noLiteralWords },
+  rules: {
+    'one-way': oneWay,
+    'reexports-only': reexportsOnly,
+    'own-privates': ownPrivates,
+    'no-unfinished': noUnfinished,
+    'no-literal-words': noLiteralWords,
+  },
 };

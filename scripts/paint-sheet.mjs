@@ -5,7 +5,10 @@
 export async function paintSheet({ cells, columns, cell: [w, h] }) {
   const caption = 22;
   const rows = Math.ceil(cells.length / columns);
-  const canvas = Object.assign(document.createElement('canvas'), { width: columns * (w + 6) - 6, height: rows * (h + caption) });
+  const canvas = Object.assign(document.createElement('canvas'), {
+    width: columns * (w + 6) - 6,
+    height: rows * (h + caption),
+  });
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
   context.fillStyle = '#fff';
   context.fillRect(0, 0, canvas.width, canvas.height);

@@ -20,11 +20,14 @@ export default class CountsReporter {
     const tests = this.suite?.allTests() ?? [];
     const passed = tests.filter((test) => ['expected', 'flaky'].includes(test.outcome())).length;
     const failed = tests.filter((test) => test.outcome() === 'unexpected');
-    for (const test of tests.filter((one) => one.outcome() === 'flaky')) console.log(`passed at the second try: ${nameOf(test)}: ${firstLine(test.results[0])}`);
+    for (const test of tests.filter((one) => one.outcome() === 'flaky'))
+      console.log(`passed at the second try: ${nameOf(test)}: ${firstLine(test.results[0])}`);
     for (const test of failed) console.log(`not ok: ${nameOf(test)}: ${firstLine(test.results.at(-1))}`);
     const longest = tests.map((test) => ({ test, ms: test.results.reduce((sum, { duration }) => sum + duration, 0) }));
     longest.sort((a, b) => b.ms - a.ms);
-    if (tests.length > 20) for (const { test, ms } of longest.slice(0, 12)) console.log(`${(ms / 1000).toFixed(1).padStart(6)} s ${nameOf(test)}`);
+    if (tests.length > 20)
+      for (const { test, ms } of longest.slice(0, 12))
+        console.log(`${(ms / 1000).toFixed(1).padStart(6)} s ${nameOf(test)}`);
     console.log(`${passed} passed, ${failed.length + (this.errors ?? 0)} failed`);
     return Promise.resolve();
   }

@@ -35,7 +35,10 @@ const EXTRA_HEADERS = {
 
 /** @param {string} path @returns {Record<string, string>} */
 function findExtraHeaders(path) {
-  return Object.assign({}, ...Object.entries(EXTRA_HEADERS).map(([prefix, headers]) => (path.startsWith(prefix) ? headers : {})));
+  return Object.assign(
+    {},
+    ...Object.entries(EXTRA_HEADERS).map(([prefix, headers]) => (path.startsWith(prefix) ? headers : {})),
+  );
 }
 
 /**
@@ -59,7 +62,11 @@ function sendFile(response, path, { root, headers = {} }) {
  * @param {Uint8Array} bytes
  */
 function sendBytes(response, bytes) {
-  const headers = { 'content-type': 'application/octet-stream', 'content-length': bytes.length, 'cache-control': 'no-store' };
+  const headers = {
+    'content-type': 'application/octet-stream',
+    'content-length': bytes.length,
+    'cache-control': 'no-store',
+  };
   response.writeHead(200, headers).end(bytes);
 }
 
@@ -105,7 +112,13 @@ function listen(listener, port) {
  * the server, and browsers may cache the built files, as on a production server
  * @returns {Promise<{ url: string, crossUrl: string, close: () => void }>} no slash at the end of the addresses
  */
-export async function startStaticServer({ port = 0, crossPort = 0, made = {}, root = projectRoot, takesPages = false } = {}) {
+export async function startStaticServer({
+  port = 0,
+  crossPort = 0,
+  made = {},
+  root = projectRoot,
+  takesPages = false,
+} = {}) {
   /** @type {Map<string, string>} */
   const pages = new Map();
   const own = await listen((request, response) => {
@@ -113,12 +126,23 @@ export async function startStaticServer({ port = 0, crossPort = 0, made = {}, ro
     if (path === '/favicon.ico') response.writeHead(204).end(); // Browsers request it by themselves; a 404 would be a console message.
     else if (Object.hasOwn(made, path)) sendBytes(response, made[path]());
     else if (takesPages && request.method === 'PUT') void takePage(request, response, pages);
-    else if (pages.has(request.url ?? '')) response.writeHead(200, { 'content-type': TYPES[extname(path)] ?? TYPES['.html'], 'cache-control': 'no-cache' }).end(pages.get(request.url ?? ''));
-    else sendFile(response, path, { root, headers: { ...(takesPages && path.startsWith('/dist/') && { 'cache-control': 'max-age=3600' }), ...findExtraHeaders(path) } });
+    else if (pages.has(request.url ?? ''))
+      response
+        .writeHead(200, { 'content-type': TYPES[extname(path)] ?? TYPES['.html'], 'cache-control': 'no-cache' })
+        .end(pages.get(request.url ?? ''));
+    else
+      sendFile(response, path, {
+        root,
+        headers: {
+          ...(takesPages && path.startsWith('/dist/') && { 'cache-control': 'max-age=3600' }),
+          ...findExtraHeaders(path),
+        },
+      });
   }, port);
   const cross = await listen((request, response) => {
     const [, kind, rest] = /^\/(cors|no-cors)(\/.*)$/.exec(readPath(request.url)) ?? [];
-    if (kind) sendFile(response, rest, { root, headers: kind === 'cors' ? { 'access-control-allow-origin': '*' } : {} });
+    if (kind)
+      sendFile(response, rest, { root, headers: kind === 'cors' ? { 'access-control-allow-origin': '*' } : {} });
     else response.writeHead(404).end();
   }, crossPort);
   const close = () => {

@@ -7,12 +7,20 @@
  */
 export function stripGlsl(text) {
   const bare = text.replace(/\/\*[\s\S]*?\*\//g, ' ').replace(/\/\/.*$/gm, '');
-  const lines = bare.split('\n').map((line) => line.trim()).filter(Boolean);
+  const lines = bare
+    .split('\n')
+    .map((line) => line.trim())
+    .filter(Boolean);
   // Without the blank, two signs in a row would become another operator.
   const keepsBlanks = (/** @type {string} */ line) => /[-+]\s+[-+]/.test(line);
-  const pack = (/** @type {string} */ line) => (keepsBlanks(line) ? line : line.replace(/\s*([-+*/=<>!&|?:;,(){}[\]])\s*/g, '$1'));
+  const pack = (/** @type {string} */ line) =>
+    keepsBlanks(line) ? line : line.replace(/\s*([-+*/=<>!&|?:;,(){}[\]])\s*/g, '$1');
   const packed = lines.map((line) => (line.startsWith('#') ? `\n${line}\n` : `${pack(line)} `));
-  return `${packed.join('').replace(/([;{},(]) /g, '$1').replace(/ *\n+/g, '\n').trim()}\n`;
+  return `${packed
+    .join('')
+    .replace(/([;{},(]) /g, '$1')
+    .replace(/ *\n+/g, '\n')
+    .trim()}\n`;
 }
 
 /**
@@ -22,7 +30,11 @@ export function stripGlsl(text) {
 export function stripCss(code) {
   return code.replace(/css`([^`]*)`/g, (_, /** @type {string} */ text) => {
     const bare = text.replace(/\/\*[\s\S]*?\*\//g, '').replace(/\s+/g, ' ');
-    return `css\`${bare.replace(/ ?([{};,]) ?/g, '$1').replace(/: /g, ':').replace(/;}/g, '}').trim()}\``;
+    return `css\`${bare
+      .replace(/ ?([{};,]) ?/g, '$1')
+      .replace(/: /g, ':')
+      .replace(/;}/g, '}')
+      .trim()}\``;
   });
 }
 

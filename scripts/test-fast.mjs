@@ -11,7 +11,10 @@ const folder = join(projectRoot, 'test/unit');
 const asked = process.argv.slice(2);
 const files = readdirSync(folder, { recursive: true, encoding: 'utf8' })
   .map((name) => name.replaceAll('\\', '/'))
-  .filter((name) => name.endsWith('.test.ts') && (asked.length === 0 || asked.some((part) => `test/unit/${name}`.includes(part))));
+  .filter(
+    (name) =>
+      name.endsWith('.test.ts') && (asked.length === 0 || asked.some((part) => `test/unit/${name}`.includes(part))),
+  );
 files.sort();
 if (files.length === 0) throw new Error(`no test file of test/unit has ${asked.join(' or ')} in its name`);
 

@@ -25,25 +25,49 @@ const parts = [
   { title: 'One word for one idea, in comments', args: ['test/package/words.mjs'], counts: true },
   { title: 'Engines of packages', args: ['test/package/engines.mjs'], counts: true },
   { title: 'Types', args: [bin('typescript/bin/tsc'), '--noEmit'], counts: false },
-  { title: 'Types: the pure modules know no DOM', args: [bin('typescript/bin/tsc'), '-p', 'tsconfig.pure.json'], counts: false },
+  {
+    title: 'Types: the pure modules know no DOM',
+    args: [bin('typescript/bin/tsc'), '-p', 'tsconfig.pure.json'],
+    counts: false,
+  },
   { title: 'Files that fuzzing found', args: ['test/fuzz/corpus.mjs'], counts: true },
   { title: 'Build', args: ['scripts/build.mjs'], counts: false },
-  { title: 'Docs: the reference is what the code says', args: ['scripts/docs.mjs', '--check'], counts: false, after: 'Build' },
+  {
+    title: 'Docs: the reference is what the code says',
+    args: ['scripts/docs.mjs', '--check'],
+    counts: false,
+    after: 'Build',
+  },
   { title: 'Docs: links', args: ['test/package/doc-links.mjs'], counts: true },
   // The check of the reference writes the manifest of the elements again, and the package contains that file.
-  { title: 'Package', args: ['test/package/run.mjs'], counts: true, after: 'Docs: the reference is what the code says' },
+  {
+    title: 'Package',
+    args: ['test/package/run.mjs'],
+    counts: true,
+    after: 'Docs: the reference is what the code says',
+  },
   { title: 'Package volume-view-prepare', args: ['test/package/prepare.mjs'], counts: true, after: 'Build' },
   { title: 'Build: dist stays whole meanwhile', args: ['test/package/rebuild.mjs'], counts: true, after: 'Package' },
   { title: 'Unit tests in Node', args: ['scripts/test-fast.mjs'], counts: true },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true, browser: true },
-  { title: 'End to end, on the built package', args: [bin('@playwright/test/cli.js'), 'test'], counts: true, browser: true },
+  {
+    title: 'End to end, on the built package',
+    args: [bin('@playwright/test/cli.js'), 'test'],
+    counts: true,
+    browser: true,
+  },
 ];
 if (process.argv.includes('--engines')) {
   parts.push({ title: 'Smoke test in three engines', args: ['test/engines/run.mjs'], counts: true, browser: true });
 }
 
 if (process.argv.includes('--bundlers')) {
-  parts.push({ title: 'Apps of bundlers and frameworks', args: ['test/bundlers/run.mjs'], counts: true, browser: true });
+  parts.push({
+    title: 'Apps of bundlers and frameworks',
+    args: ['test/bundlers/run.mjs'],
+    counts: true,
+    browser: true,
+  });
 }
 
 /**
@@ -101,8 +125,14 @@ async function runParts(waiting, atOnce) {
 }
 
 // Parts without a browser mostly use one thread: run two at a time.
-await runParts(parts.filter(({ browser }) => !browser), 2);
-await runParts(parts.filter(({ browser }) => browser), 1);
+await runParts(
+  parts.filter(({ browser }) => !browser),
+  2,
+);
+await runParts(
+  parts.filter(({ browser }) => browser),
+  1,
+);
 
 let passed = 0;
 let failed = 0;
@@ -119,7 +149,9 @@ for (const part of parts) {
   failed += partFailed;
   const reported = partFailed > 0 ? /^.*(?:not ok|FAILED|second try): .*$/gm : /^.*second try: .*$/gm;
   const named = [...output.matchAll(reported)].map(([line]) => `\n        ${line}`).join('');
-  summary.push(`${partFailed > 0 ? 'FAILED' : 'ok    '}  ${title}: ${partPassed} passed, ${partFailed} failed (${seconds.toFixed(1)} s)${named}`);
+  summary.push(
+    `${partFailed > 0 ? 'FAILED' : 'ok    '}  ${title}: ${partPassed} passed, ${partFailed} failed (${seconds.toFixed(1)} s)${named}`,
+  );
 }
 console.log(`\n=== Summary ===\n${summary.join('\n')}\n`);
 console.log(`${passed} passed, ${failed} failed`);

@@ -13,5 +13,9 @@ const { values } = parseArgs({
 });
 const page = `/test/engines/walk.html?steps=${values.steps}&seed=${values.seed}`;
 console.log(`${values.steps} steps with seed ${values.seed} in ${values.engine}`);
-const { status } = spawnSync(process.execPath, ['test/engines/run.mjs', '--page', page, '--only', values.engine, '--minutes', values.minutes], { cwd: projectRoot, stdio: 'inherit' });
+const { status } = spawnSync(
+  process.execPath,
+  ['test/engines/run.mjs', '--page', page, '--only', values.engine, '--minutes', values.minutes],
+  { cwd: projectRoot, stdio: 'inherit' },
+);
 process.exitCode = status ?? 1;

@@ -15,7 +15,9 @@ const comment = (text) => `/** ${oneLine(text).replaceAll('*/', '* /')} */`;
 function readElements() {
   const { modules } = JSON.parse(readFileSync(join(projectRoot, 'custom-elements.json'), 'utf8'));
   return modules
-    .flatMap((/** @type {Entry} */ module) => module.declarations.map((/** @type {Entry} */ one) => ({ ...one, path: module.path })))
+    .flatMap((/** @type {Entry} */ module) =>
+      module.declarations.map((/** @type {Entry} */ one) => ({ ...one, path: module.path })),
+    )
     .filter((/** @type {Entry} */ one) => one.tagName);
 }
 
@@ -54,7 +56,11 @@ function writeWebTypes(elements, version) {
     })),
     slots: named(element.slots),
     js: {
-      properties: (element.attributes ?? []).map((/** @type {Entry} */ one) => ({ name: one.fieldName, description: oneLine(one.description), type: oneLine(one.type?.text) })),
+      properties: (element.attributes ?? []).map((/** @type {Entry} */ one) => ({
+        name: one.fieldName,
+        description: oneLine(one.description),
+        type: oneLine(one.type?.text),
+      })),
       events: named(element.events),
     },
     css: { parts: named(element.cssParts), properties: named(element.cssProperties) },
@@ -94,28 +100,46 @@ function typeAttributes(element) {
  * @param {string[]} events
  */
 function listOwn(element, events) {
-  const names = (element.attributes ?? []).flatMap((/** @type {Entry} */ one) => [`'${one.fieldName}'`, `'${one.name}'`]);
+  const names = (element.attributes ?? []).flatMap((/** @type {Entry} */ one) => [
+    `'${one.fieldName}'`,
+    `'${one.name}'`,
+  ]);
   return [...new Set([...events, ...names])].join(' | ') || 'never';
 }
 
 /** @param {Entry} element @param {(name: string) => string} nameListener */
 function typeEvents(element, nameListener) {
-  return (element.events ?? []).flatMap((/** @type {Entry} */ one) => [comment(one.description), `${nameListener(one.name)}?: ((event: ${one.type.text}) => void) | undefined;`]);
+  return (element.events ?? []).flatMap((/** @type {Entry} */ one) => [
+    comment(one.description),
+    `${nameListener(one.name)}?: ((event: ${one.type.text}) => void) | undefined;`,
+  ]);
 }
 
 /** The file that exports each type: the path of its declarations, by its name. @returns {Map<string, string>} */
 function findTypes() {
-  const paths = ['components', 'src'].flatMap((folder) => readdirSync(join(projectRoot, folder), { recursive: true }).map((name) => `${folder}/${String(name).replaceAll('\\', '/')}`));
-  return new Map(paths.filter((path) => path.endsWith('.ts')).flatMap((path) => {
-    const text = readFileSync(join(projectRoot, path), 'utf8');
-    return [...text.matchAll(/^export (?:interface|type) (\w+)/gm)].map(([, name]) => /** @type {[string, string]} */ ([name, path.replace(/ts$/, 'js')]));
-  }));
+  const paths = ['components', 'src'].flatMap((folder) =>
+    readdirSync(join(projectRoot, folder), { recursive: true }).map(
+      (name) => `${folder}/${String(name).replaceAll('\\', '/')}`,
+    ),
+  );
+  return new Map(
+    paths
+      .filter((path) => path.endsWith('.ts'))
+      .flatMap((path) => {
+        const text = readFileSync(join(projectRoot, path), 'utf8');
+        return [...text.matchAll(/^export (?:interface|type) (\w+)/gm)].map(
+          ([, name]) => /** @type {[string, string]} */ ([name, path.replace(/ts$/, 'js')]),
+        );
+      }),
+  );
 }
 
 /** The beginning of a file of types: it imports all types that the file may use. @param {Entry[]} elements */
 function importTypes(elements) {
   const types = findTypes();
-  const events = elements.flatMap((element) => element.events ?? []).flatMap((/** @type {Entry} */ one) => one.type.text.match(/\w+/g));
+  const events = elements
+    .flatMap((element) => element.events ?? [])
+    .flatMap((/** @type {Entry} */ one) => one.type.text.match(/\w+/g));
   const named = [...new Set(['Stop', ...events])].filter((name) => types.has(name));
   return [
     '// Written by scripts/write-tag-data.mjs from the custom-elements manifest.',
@@ -129,38 +153,67 @@ function importTypes(elements) {
 const block = (head, lines) => [`${head} {`, ...lines.map((line) => `  ${line}`), '}', ''];
 
 /** Listeners that React itself defines. */
-const reactOnly = ['onLoad', 'onError', 'onProgress', 'onPlay', 'onPause', 'onInput', 'onChange'].map((name) => `'${name}'`);
+const reactOnly = ['onLoad', 'onError', 'onProgress', 'onPlay', 'onPause', 'onInput', 'onChange'].map(
+  (name) => `'${name}'`,
+);
 
 /** JSX as React 19 types it. @param {Entry[]} elements */
 function writeReact(elements) {
   // React listens to `onload` exactly as written; its own `onLoad` and similar listeners never get an event that does not bubble.
   const props = elements.flatMap((element) => [
     '',
-    ...block(`export interface ${element.name}Props extends Omit<HTMLAttributes<${element.name}>, ${listOwn(element, reactOnly)}>, RefAttributes<${element.name}>`,
-      [...typeAttributes(element), ...typeEvents(element, (name) => `'on${name}'`)]),
+    ...block(
+      `export interface ${element.name}Props extends Omit<HTMLAttributes<${element.name}>, ${listOwn(element, reactOnly)}>, RefAttributes<${element.name}>`,
+      [...typeAttributes(element), ...typeEvents(element, (name) => `'on${name}'`)],
+    ),
   ]);
   return [
     ...importTypes(elements),
     `import type { HTMLAttributes, RefAttributes } from 'react';`,
     ...props,
-    ...block(`declare module 'react'`, block('namespace JSX', block('interface IntrinsicElements', elements.map(({ tagName, name }) => `'${tagName}': ${name}Props;`)))),
+    ...block(
+      `declare module 'react'`,
+      block(
+        'namespace JSX',
+        block(
+          'interface IntrinsicElements',
+          elements.map(({ tagName, name }) => `'${tagName}': ${name}Props;`),
+        ),
+      ),
+    ),
   ].join('\n');
 }
 
 /** The name of Vue's listener for an event: `onCameraChange` for `camera-change`. @param {string} name */
-const nameVueListener = (name) => `'on${name.replace(/(?:^|-)(.)/g, (_, /** @type {string} */ letter) => letter.toUpperCase())}'`;
+const nameVueListener = (name) =>
+  `'on${name.replace(/(?:^|-)(.)/g, (_, /** @type {string} */ letter) => letter.toUpperCase())}'`;
 
 /** The components for Vue's language tools, which look them up in templates. @param {Entry[]} elements */
 function writeVue(elements) {
   const props = elements.flatMap((element) => {
-    const own = listOwn(element, (element.events ?? []).map((/** @type {Entry} */ one) => nameVueListener(one.name)));
-    return ['', ...block(`export interface ${element.name}Props extends Omit<HTMLAttributes, ${own}>`, [...typeAttributes(element), ...typeEvents(element, nameVueListener)])];
+    const own = listOwn(
+      element,
+      (element.events ?? []).map((/** @type {Entry} */ one) => nameVueListener(one.name)),
+    );
+    return [
+      '',
+      ...block(`export interface ${element.name}Props extends Omit<HTMLAttributes, ${own}>`, [
+        ...typeAttributes(element),
+        ...typeEvents(element, nameVueListener),
+      ]),
+    ];
   });
   return [
     ...importTypes(elements),
     `import type { HTMLAttributes } from 'vue';`,
     ...props,
-    ...block(`declare module 'vue'`, block('interface GlobalComponents', elements.map(({ tagName, name }) => `'${tagName}': new () => ${name} & { $props: ${name}Props };`))),
+    ...block(
+      `declare module 'vue'`,
+      block(
+        'interface GlobalComponents',
+        elements.map(({ tagName, name }) => `'${tagName}': new () => ${name} & { $props: ${name}Props };`),
+      ),
+    ),
   ].join('\n');
 }
 

@@ -1,5 +1,10 @@
 export { VolumeView } from '../components/volume-view/define.ts';
-export type { CameraChangeDetail, ErrorDetail, ProgressDetail, VolumeViewEventMap } from '../components/internal/volume-view-events.ts';
+export type {
+  CameraChangeDetail,
+  ErrorDetail,
+  ProgressDetail,
+  VolumeViewEventMap,
+} from '../components/internal/volume-view-events.ts';
 export type { RenderStats } from './viewer/model/render-stats.ts';
 export type { PictureError } from './quality/error-estimate.ts';
 export type { VolumeInfo, VolumeOptics } from './viewer/model/volume-info.ts';

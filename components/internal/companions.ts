@@ -34,21 +34,30 @@ let watching: Promise<typeof openRoots | null> | null = null;
 
 /** Load the code that watches shadow roots. This happens with the first element that has a shadow root, or may get one. */
 function watchRoots(): Promise<typeof openRoots | null> {
-  return (watching ??= import('./open-roots.ts').then(({ openRoots: roots }) => {
-    observer.disconnect();
-    roots.listen({ seen: ({ localName }) => startCompanion(localName) });
-    return roots;
-  }).catch((error: unknown) => {
-    watching = null;
-    console.error(error);
-    return null;
-  }));
+  return (watching ??= import('./open-roots.ts')
+    .then(({ openRoots: roots }) => {
+      observer.disconnect();
+      roots.listen({ seen: ({ localName }) => startCompanion(localName) });
+      return roots;
+    })
+    .catch((error: unknown) => {
+      watching = null;
+      console.error(error);
+      return null;
+    }));
 }
 
 /** Load the code of one of our elements. An element of somebody else may have a name like ours, and a view in its shadow root. */
 function startCompanion(localName: string): void {
   if (localName === 'volume-view' || coming.has(localName) || isOurs(localName)) return;
   // If a file could not be loaded, the next element of that name requests it again.
-  coming.set(localName, import('./elements.ts').then(({ elements }): Promise<unknown> => (Object.hasOwn(elements, localName) ? elements[localName]() : watchRoots()))
-    .catch((error: unknown) => console.error(error)).finally(() => coming.delete(localName)));
+  coming.set(
+    localName,
+    import('./elements.ts')
+      .then(({ elements }): Promise<unknown> =>
+        Object.hasOwn(elements, localName) ? elements[localName]() : watchRoots(),
+      )
+      .catch((error: unknown) => console.error(error))
+      .finally(() => coming.delete(localName)),
+  );
 }

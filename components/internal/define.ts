@@ -26,6 +26,8 @@ export function define(name: string, element: CustomElementConstructor): void {
     customElements.define(name, element);
   } else if (first !== element && first[versionKey] !== version && !hasNotified) {
     hasNotified = true;
-    console.warn(`<${name}> of volume-view ${version} was not defined: the page has ${first[versionKey] ?? 'another one'} already. Load one copy of the script.`);
+    console.warn(
+      `<${name}> of volume-view ${version} was not defined: the page has ${first[versionKey] ?? 'another one'} already. Load one copy of the script.`,
+    );
   }
 }

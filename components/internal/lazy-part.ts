@@ -15,7 +15,10 @@ export class LazyPart {
   #part: DrawnPart | null = null;
   #isWanted = false;
 
-  constructor(readonly host: LitElement, readonly load: () => Promise<DrawnPart>) {}
+  constructor(
+    readonly host: LitElement,
+    readonly load: () => Promise<DrawnPart>,
+  ) {}
 
   /** Load the part when it has something to show, and drop it when it has nothing. */
   follow(wanted: boolean): void {
@@ -27,7 +30,10 @@ export class LazyPart {
 
   async #bring(): Promise<void> {
     const part = await this.load().catch(() => null);
-    if (!part) return console.warn('volume-view: the controls could not be loaded; check that all files of the package are on the server');
+    if (!part)
+      return console.warn(
+        'volume-view: the controls could not be loaded; check that all files of the package are on the server',
+      );
     if (!this.#isWanted || this.#part) return part.dispose();
     this.#part = part;
     this.host.requestUpdate();

@@ -20,7 +20,8 @@ export class LookAttributes extends PictureAttributes {
       given = { ...appearance };
     } catch {} // It can't be read, and the element shows an error.
     // Values that are unchanged or not given stay as the page wrote them.
-    for (const name of edited) if (name in given && given[name] !== this[name]) (this as Record<string, unknown>)[name] = given[name];
+    for (const name of edited)
+      if (name in given && given[name] !== this[name]) (this as Record<string, unknown>)[name] = given[name];
   }
 
   /**

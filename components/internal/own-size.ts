@@ -19,7 +19,10 @@ export class OwnSize {
 
 /** An inline element has no width and no height that a picture could take. */
 function warnOfInline(host: Element): void {
-  if (getComputedStyle(host).display === 'inline') console.warn('<volume-view>: the CSS of the page makes it display: inline, a box without a size; write display: block or inline-block.');
+  if (getComputedStyle(host).display === 'inline')
+    console.warn(
+      '<volume-view>: the CSS of the page makes it display: inline, a box without a size; write display: block or inline-block.',
+    );
 }
 
 /** Read a length as images do: ignore what follows the number, except a percent sign. */

@@ -31,10 +31,14 @@ export class PictureAttributes extends ViewAttributes {
    * The only part that is shown, and that the camera frames: two opposite corners of a box, `x0 y0 z0 x1 y1 z1`, in world units; for a
    * radar scan in metres east, north and above the antenna, before the exaggeration of heights.
    */
-  @property({ kind: box }) region!: readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number] | null;
+  @property({ kind: box }) region!:
+    | readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number]
+    | null;
 
   /** A box that is cut out, written as `region`. What lies behind it becomes visible. */
-  @property({ kind: box }) cutout!: readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number] | null;
+  @property({ kind: box }) cutout!:
+    | readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number]
+    | null;
 
   /**
    * Rings around a radar at the height of its antenna, and a line to the north. The value is the distance between rings in kilometres; an

@@ -14,7 +14,8 @@ export interface Kind<T> {
 }
 
 /** The text as JavaScript writes it. */
-const write = (value: string | number | boolean | null | undefined): string | null => (value === null || value === undefined ? null : String(value));
+const write = (value: string | number | boolean | null | undefined): string | null =>
+  value === null || value === undefined ? null : String(value);
 
 const isNumber = (text: string): boolean => text.trim() !== '' && Number.isFinite(Number(text));
 
@@ -39,7 +40,8 @@ export const numberOrText: Kind<number | string | null> = { read: (text) => numb
 
 /** A number; or an empty text, for a number that the element chooses; or `none`. */
 export const numberOrFlag: Kind<number | boolean | 'none'> = {
-  read: (text) => (text?.trim() === '' ? true : text?.trim().toLowerCase() === 'none' ? 'none' : (number.read(text) ?? false)),
+  read: (text) =>
+    text?.trim() === '' ? true : text?.trim().toLowerCase() === 'none' ? 'none' : (number.read(text) ?? false),
   write: (value) => (value === true ? '' : value === false ? null : write(value)),
 };
 

@@ -18,7 +18,10 @@ export class ReflectingElement extends LitElement {
 
   /** The element was moved into another document, where its styles have to be applied again. */
   adoptedCallback(): void {
-    void import('./apply-styles.ts').then(({ applyStyles }) => applyStyles(this), () => {});
+    void import('./apply-styles.ts').then(
+      ({ applyStyles }) => applyStyles(this),
+      () => {},
+    );
   }
 
   /** The text of an attribute; null where it is absent. */
@@ -72,7 +75,11 @@ export function property<T>({ attribute, kind }: PropertyOptions<T> = {}) {
     const { constructor } = prototype as { constructor: unknown };
     const attributeName = attribute ?? name;
     // Two different texts that can't be read both give null, so the old value does not show whether there is a change.
-    (constructor as typeof LitElement).createProperty(name, { attribute: attributeName, noAccessor: true, hasChanged: () => true });
+    (constructor as typeof LitElement).createProperty(name, {
+      attribute: attributeName,
+      noAccessor: true,
+      hasChanged: () => true,
+    });
     if (own) return;
     Object.defineProperty(prototype, name, {
       configurable: true,

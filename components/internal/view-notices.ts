@@ -30,11 +30,22 @@ export class ViewNotices implements DrawnPart {
   /** The reasons why it is open. */
   readonly #open = new Set<'pointed' | 'focused' | 'pressed'>();
 
-  constructor(readonly host: LitElement, readonly source: () => NoticeSource) {
+  constructor(
+    readonly host: LitElement,
+    readonly source: () => NoticeSource,
+  ) {
     this.#locale = new LocaleController(host, english);
-    document.addEventListener('pointerdown', (event) => {
-      if (this.#open.has('pressed') && !event.composedPath().some((part) => part instanceof Element && part.matches('.notice'))) this.#close();
-    }, { signal: this.#abort.signal, capture: true });
+    document.addEventListener(
+      'pointerdown',
+      (event) => {
+        if (
+          this.#open.has('pressed') &&
+          !event.composedPath().some((part) => part instanceof Element && part.matches('.notice'))
+        )
+          this.#close();
+      },
+      { signal: this.#abort.signal, capture: true },
+    );
   }
 
   dispose(): void {
@@ -63,10 +74,16 @@ export class ViewNotices implements DrawnPart {
   #list(): { text: string; lang?: string }[] {
     const { info, fileNotices } = this.source();
     const own = info?.notices ?? [];
-    const attached = [...fileNotices.values()].flat().flatMap(({ name, notices }) => notices.filter((notice) => !own.includes(notice)).map((notice) => (name ? `${name}: ${notice}` : notice)));
+    const attached = [...fileNotices.values()]
+      .flat()
+      .flatMap(({ name, notices }) =>
+        notices.filter((notice) => !own.includes(notice)).map((notice) => (name ? `${name}: ${notice}` : notice)),
+      );
     const reported = new Set([...own, ...attached]);
     const size = (axes: readonly number[]): string => axes.map((n) => this.#locale.number(n)).join(' × ');
-    const smaller = info?.reduced ? [{ text: this.#locale.messages.madeSmaller(size(info.reduced.from), size(info.reduced.to)) }] : [];
+    const smaller = info?.reduced
+      ? [{ text: this.#locale.messages.madeSmaller(size(info.reduced.from), size(info.reduced.to)) }]
+      : [];
     return [...smaller, ...[...reported].map((text) => ({ text, lang: 'en' }))];
   }
 
@@ -76,7 +93,8 @@ export class ViewNotices implements DrawnPart {
 
   readonly #onLeave = (): void => this.#set('pointed', false);
 
-  readonly #onFocus = ({ target }: FocusEvent): void => this.#set('focused', (target as Element).matches(':focus-visible'));
+  readonly #onFocus = ({ target }: FocusEvent): void =>
+    this.#set('focused', (target as Element).matches(':focus-visible'));
 
   readonly #onBlur = ({ relatedTarget, currentTarget }: FocusEvent): void => {
     if (!(currentTarget as Element).contains(relatedTarget as Node | null)) this.#set('focused', false);

@@ -57,6 +57,8 @@ export function withViewWidth(link: VolumeLink): VolumeLink {
 /** Whether a view is narrower than the block that contains it and a companion. */
 function isNarrow(view: HTMLElement, { parentElement }: Element): boolean {
   if (!parentElement || view.parentElement !== parentElement) return false;
-  const stacks = /^(block|flow-root|list-item)$/.test(getComputedStyle(parentElement).display) && getComputedStyle(view).float === 'none';
+  const stacks =
+    /^(block|flow-root|list-item)$/.test(getComputedStyle(parentElement).display) &&
+    getComputedStyle(view).float === 'none';
   return stacks && view.offsetWidth > 0 && view.offsetWidth < parentElement.clientWidth;
 }

@@ -34,19 +34,34 @@ export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: Row
   const { messages, language } = style;
   const none = '–';
   const write = (text: (known: VolumePick) => string): string => (pick ? text(pick) : none);
-  const writeValue = (number: number, unit: string): string => `${language.number(number, valueDigits)}${unit && ` ${unit}`}`;
-  const value: Row = { name: messages.value, text: write(({ value: number, unit }) => (Number.isNaN(number) ? none : writeValue(number, unit))) };
-  const layers: Row[] = typeof style.layer !== 'string' ? [] : [{
-    name: style.layer || messages.layer,
-    text: write(({ layers: [first] = [] }) => (first && first.value !== null ? writeValue(first.value, first.unit) : none)),
-  }];
-  if (isRadar(volume)) return [value, ...layers, ...listRadarRows(pick?.radar ?? pick?.surface?.radar ?? null, volume, style)];
+  const writeValue = (number: number, unit: string): string =>
+    `${language.number(number, valueDigits)}${unit && ` ${unit}`}`;
+  const value: Row = {
+    name: messages.value,
+    text: write(({ value: number, unit }) => (Number.isNaN(number) ? none : writeValue(number, unit))),
+  };
+  const layers: Row[] =
+    typeof style.layer !== 'string'
+      ? []
+      : [
+          {
+            name: style.layer || messages.layer,
+            text: write(({ layers: [first] = [] }) =>
+              first && first.value !== null ? writeValue(first.value, first.unit) : none,
+            ),
+          },
+        ];
+  if (isRadar(volume))
+    return [value, ...layers, ...listRadarRows(pick?.radar ?? pick?.surface?.radar ?? null, volume, style)];
   const label: Row = { name: messages.label, text: pick?.labelName ?? pick?.label ?? none };
   return [
     ...(style.hasLabels ? [label, value] : [pick?.label === undefined ? value : label]),
     ...layers,
     { name: messages.place, text: write(({ world }) => writePlace(world, volume, style)) },
-    { name: messages.voxel, text: write(({ voxel }) => voxel?.map((index) => language.fixed(index, 0)).join(', ') ?? none) },
+    {
+      name: messages.voxel,
+      text: write(({ voxel }) => voxel?.map((index) => language.fixed(index, 0)).join(', ') ?? none),
+    },
   ];
 }
 
@@ -54,17 +69,33 @@ export function isRadar({ moment, site }: VolumeInfo): boolean {
   return moment !== undefined || site !== undefined;
 }
 
-function listRadarRows(place: Omit<RadarPlace, 'gate'> | null, { site }: VolumeInfo, { language, messages }: RowStyle): Row[] {
-  const row = (name: string, write: (known: Omit<RadarPlace, 'gate'>) => string): Row => ({ name, text: place ? write(place) : '–' });
+function listRadarRows(
+  place: Omit<RadarPlace, 'gate'> | null,
+  { site }: VolumeInfo,
+  { language, messages }: RowStyle,
+): Row[] {
+  const row = (name: string, write: (known: Omit<RadarPlace, 'gate'>) => string): Row => ({
+    name,
+    text: place ? write(place) : '–',
+  });
   const degrees = (angle: number, decimals: number): string => `${language.fixed(angle, decimals)}°`;
   return [
     row(messages.beamRange, ({ range }) => messages.kilometres(language.fixed(range / 1000, 2))),
     row(messages.beamAzimuth, ({ azimuth }) => degrees(azimuth, 1)),
     row(messages.beamElevation, ({ elevation }) => degrees(elevation, 2)),
-    ...(site?.height === undefined ? [] : [row(messages.aboveSea, ({ heightAboveSea }) => messages.metres(language.fixed(heightAboveSea!, 0)))]),
+    ...(site?.height === undefined
+      ? []
+      : [row(messages.aboveSea, ({ heightAboveSea }) => messages.metres(language.fixed(heightAboveSea!, 0)))]),
     row(messages.aboveAntenna, ({ heightAboveAntenna }) => messages.metres(language.fixed(heightAboveAntenna, 0))),
-    ...(site?.latitude === undefined || site.longitude === undefined ? [] : [row(messages.latitudeLongitude, ({ latitude, longitude }) =>
-      `${degrees(Math.abs(latitude!), 3)} ${latitude! < 0 ? messages.south : messages.north} ${degrees(Math.abs(longitude!), 3)} ${longitude! < 0 ? messages.west : messages.east}`)]),
+    ...(site?.latitude === undefined || site.longitude === undefined
+      ? []
+      : [
+          row(
+            messages.latitudeLongitude,
+            ({ latitude, longitude }) =>
+              `${degrees(Math.abs(latitude!), 3)} ${latitude! < 0 ? messages.south : messages.north} ${degrees(Math.abs(longitude!), 3)} ${longitude! < 0 ? messages.west : messages.east}`,
+          ),
+        ]),
   ];
 }
 
@@ -74,8 +105,14 @@ export function writePlace(world: Vector3, volume: VolumeInfo, { language, messa
   const asked = coordinates?.trim().toLowerCase();
   if (asked === 'patient' || (asked !== 'xyz' && isPatient(volume))) {
     const { right, left, anterior, posterior, superior, inferior } = messages.patient;
-    const signs = [[left, right], [posterior, anterior], [inferior, superior]];
-    const parts = world.map((length, axis) => `${signs[axis][length < 0 ? 0 : 1]} ${language.fixed(Math.abs(length), decimals)}`);
+    const signs = [
+      [left, right],
+      [posterior, anterior],
+      [inferior, superior],
+    ];
+    const parts = world.map(
+      (length, axis) => `${signs[axis][length < 0 ? 0 : 1]} ${language.fixed(Math.abs(length), decimals)}`,
+    );
     return messages.millimetres(parts.join(' '));
   }
   const plain = world.map((length, axis) => `${'xyz'[axis]} ${language.fixed(length, decimals)}`).join(' ');

@@ -3,7 +3,9 @@
 import { fieldProviders } from './field-providers.ts';
 
 const parts = [
-  import('../../src/optics/transfer/presets.ts').then(({ readTransferFunction }) => readTransferFunction('radar-dbz', [0, 1])),
+  import('../../src/optics/transfer/presets.ts').then(({ readTransferFunction }) =>
+    readTransferFunction('radar-dbz', [0, 1]),
+  ),
   import('../../src/viewer/cuts/read-cuts.ts'),
   import('../../src/viewer/view/precompile.ts'),
   import('../../src/renderer/ray/modules/classifiers.ts'),

@@ -123,7 +123,10 @@ export class VolumeClip extends ReflectingElement {
     if (!grid) return null;
     const stretch = stretchOf(grid);
     const places = corners(grid);
-    const [low, high] = [Math.min, Math.max].map((end) => [1, 1, stretch].map((scale, axis) => end(...places.map((place) => place[axis])) / scale) as unknown as Vector3);
+    const [low, high] = [Math.min, Math.max].map(
+      (end) =>
+        [1, 1, stretch].map((scale, axis) => end(...places.map((place) => place[axis])) / scale) as unknown as Vector3,
+    );
     return { low, high, stretch };
   }
 
@@ -171,8 +174,19 @@ export class VolumeClip extends ReflectingElement {
     const shape = this.#shape!;
     const own: Vector3 = [at[0], at[1], at[2] / stretch];
     const places = shape.kind === 'plane' ? [shape.at!] : side ? [own[side.axis]] : own;
-    const name = shape.kind === 'plane' ? messages.clipPlane : side ? messages.clipSides[side.axis][Number(side.isHigh)] : messages.clipBox;
-    return { at, along, name, place: places.map((place) => language.number(place)).join(' '), keys: along ? messages.handleKeysAlong : messages.handleKeys };
+    const name =
+      shape.kind === 'plane'
+        ? messages.clipPlane
+        : side
+          ? messages.clipSides[side.axis][Number(side.isHigh)]
+          : messages.clipBox;
+    return {
+      at,
+      along,
+      name,
+      place: places.map((place) => language.number(place)).join(' '),
+      keys: along ? messages.handleKeysAlong : messages.handleKeys,
+    };
   }
 
   #move(index: number, to: Vector3): void {

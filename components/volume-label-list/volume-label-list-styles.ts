@@ -1,7 +1,9 @@
 import { css } from 'lit';
 import { spokenStyles } from '../internal/spoken-styles.ts';
 
-export const styles = [spokenStyles, css`
+export const styles = [
+  spokenStyles,
+  css`
   :host {
     display: block;
     position: relative;
@@ -144,4 +146,5 @@ export const styles = [spokenStyles, css`
       forced-color-adjust: none;
     }
   }
-`];
+`,
+];

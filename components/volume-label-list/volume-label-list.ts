@@ -45,7 +45,9 @@ export class VolumeLabelList extends ReflectingElement {
 
   @state() private _search = '';
 
-  readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'labels-change']));
+  readonly #link = withViewWidth(
+    new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'labels-change']),
+  );
   readonly #locale = new LocaleController(this, { ...companions, ...english });
 
   protected override willUpdate(changed: PropertyValues<this>): void {
@@ -60,15 +62,25 @@ export class VolumeLabelList extends ReflectingElement {
     const { messages } = this.#locale;
     const { view } = this.#link;
     const all = this.#labels?.labels ?? [];
-    if (!view?.optics) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(messages)}</span></p>`;
-    if (all.length === 0) return html`<p class="hint" part="hint"><span dir="auto">${this.#labels && !this.#labels.hidden ? messages.labelsComing : messages.noLabels}</span></p>`;
+    if (!view?.optics)
+      return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(messages)}</span></p>`;
+    if (all.length === 0)
+      return html`<p class="hint" part="hint"><span dir="auto">${this.#labels && !this.#labels.hidden ? messages.labelsComing : messages.noLabels}</span></p>`;
     const found = all.filter(finder(this._search, messages.otherParts));
     return html`<div class="list" part="list" role="group" aria-label=${messages.labelList}>
       <div class="tools">
         <input type="search" part="search" aria-label=${messages.findLabel} placeholder=${messages.findLabel} .value=${live(this._search)} @input=${this.#onSearch} />
         <button type="button" part="button" ?disabled=${all.every(({ hidden }) => !hidden)} @click=${() => this.#labels?.showAll()}>${messages.allLabels}</button>
       </div>
-      ${found.length > 0 ? html`<ul>${repeat(found.slice(0, maxRows), ({ id }) => id, (label) => this.#renderRow(label))}</ul>` : nothing}
+      ${
+        found.length > 0
+          ? html`<ul>${repeat(
+              found.slice(0, maxRows),
+              ({ id }) => id,
+              (label) => this.#renderRow(label),
+            )}</ul>`
+          : nothing
+      }
       ${found.length > maxRows ? html`<p class="hint" part="hint"><span dir="auto">${messages.moreLabels(this.#number(found.length - maxRows))}</span></p>` : nothing}
       <p class="count" part="count" role="status"><span dir="auto">${found.length > 0 ? this.#count(all) : messages.noSuchLabel}</span></p>
     </div>`;
@@ -89,12 +101,18 @@ export class VolumeLabelList extends ReflectingElement {
 
   #show(id: number, isShown: boolean): void {
     const { view } = this.#link;
-    if (view) socketOf(view).parts.find(({ element }) => element === this.#labels)?.showLabel?.(id, isShown);
+    if (view)
+      socketOf(view)
+        .parts.find(({ element }) => element === this.#labels)
+        ?.showLabel?.(id, isShown);
   }
 
   #count(all: readonly VolumeLabelInfo[]): string {
     const things = all.filter(({ id }) => id !== 0);
-    return this.#locale.messages.labelsShown(this.#number(things.filter(({ hidden }) => !hidden).length), this.#number(things.length));
+    return this.#locale.messages.labelsShown(
+      this.#number(things.filter(({ hidden }) => !hidden).length),
+      this.#number(things.length),
+    );
   }
 
   #number(count: number): string {
@@ -108,7 +126,9 @@ export class VolumeLabelList extends ReflectingElement {
 
 /** Whether a label matches a search: all words are in its name, ignoring case and accents; or the search is its number. */
 function finder(search: string, otherParts: string): (label: VolumeLabelInfo) => boolean {
-  const words = fold(search).split(/[\s_-]+/).filter(Boolean);
+  const words = fold(search)
+    .split(/[\s_-]+/)
+    .filter(Boolean);
   return ({ id, name }) => {
     const text = fold(name || otherParts);
     return words.every((word) => text.includes(word) || String(id) === word);

@@ -56,7 +56,12 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
   readonly #watcher = new MutationObserver((records) => this.#follow(records));
   protected override readonly controller = new LabelController({
     said: () => readLabelChildren(this),
-    wanted: () => ({ src: this.src, table: this.table, hidden: this.hasAttribute('hidden'), transferFunction: this.transferFunction }),
+    wanted: () => ({
+      src: this.src,
+      table: this.table,
+      hidden: this.hasAttribute('hidden'),
+      transferFunction: this.transferFunction,
+    }),
     target: () => this.target,
     changed: () => this.dispatchEvent(new CustomEvent('labels-change', { detail: null, bubbles: true })),
     failed: (error) => this.reportError(error),
@@ -79,7 +84,13 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
    * loaded.
    */
   get labels(): readonly VolumeLabelInfo[] {
-    return this.controller.entries.map(({ id, name, color, opacity, hidden }) => ({ id, name, color: writeColor(color), opacity, hidden }));
+    return this.controller.entries.map(({ id, name, color, opacity, hidden }) => ({
+      id,
+      name,
+      color: writeColor(color),
+      opacity,
+      hidden,
+    }));
   }
 
   /** The ids of the labels that are not shown. Setting it shows all others. */
@@ -98,7 +109,10 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
    */
   showOnly(ids: readonly number[], rest?: 'ghost'): void {
     const shown = new Set(ids);
-    this.controller.choose(this.controller.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id), rest === 'ghost');
+    this.controller.choose(
+      this.controller.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id),
+      rest === 'ghost',
+    );
   }
 
   /** Show all labels, and voxels without one. */
@@ -108,7 +122,12 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#watcher.observe(this, { childList: true, subtree: true, attributes: true, attributeFilter: ['value', 'name', 'color', 'opacity', 'hidden', 'transfer-function'] });
+    this.#watcher.observe(this, {
+      childList: true,
+      subtree: true,
+      attributes: true,
+      attributeFilter: ['value', 'name', 'color', 'opacity', 'hidden', 'transfer-function'],
+    });
   }
 
   protected override updated(changed: PropertyValues<this>): void {
@@ -140,9 +159,11 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
 
   #follow(records: readonly MutationRecord[]): void {
     for (const { target, attributeName } of records) {
-      if (attributeName === 'hidden' && target !== this) this.controller.forgetChoice(Number((target as Element).getAttribute('value')));
+      if (attributeName === 'hidden' && target !== this)
+        this.controller.forgetChoice(Number((target as Element).getAttribute('value')));
     }
-    if (records.some(({ target, attributeName }) => target === this && attributeName === 'hidden')) this.controller.refresh();
+    if (records.some(({ target, attributeName }) => target === this && attributeName === 'hidden'))
+      this.controller.refresh();
     else if (records.some(({ type, target }) => type === 'childList' || target !== this)) this.controller.restyle();
   }
 }

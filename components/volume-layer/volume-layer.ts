@@ -78,7 +78,10 @@ export class VolumeLayer extends AttachmentElement<OverlayTarget> {
 
   constructor() {
     super();
-    new MutationObserver(() => this.controller.refresh()).observe(this, { attributes: true, attributeFilter: ['hidden'] });
+    new MutationObserver(() => this.controller.refresh()).observe(this, {
+      attributes: true,
+      attributeFilter: ['hidden'],
+    });
   }
 
   /** The loaded layer: dimensions, unit, value range ...; null before it is loaded. */
@@ -93,7 +96,9 @@ export class VolumeLayer extends AttachmentElement<OverlayTarget> {
   }
 
   protected override refuse(around: HTMLElement | null): VolumeViewError | null {
-    return around?.localName === 'volume-view' && childrenOf(around, 'volume-layer')[0] === this ? null : noPlace(around);
+    return around?.localName === 'volume-view' && childrenOf(around, 'volume-layer')[0] === this
+      ? null
+      : noPlace(around);
   }
 
   protected override join(view: HTMLElement): OverlayTarget {

@@ -57,7 +57,9 @@ export class VolumeLegend extends ReflectingElement {
    */
   @property() orientation!: string | null;
 
-  readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'layer-change']));
+  readonly #link = withViewWidth(
+    new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'layer-change']),
+  );
   readonly #locale = new CompanionLocale(this);
 
   protected override willUpdate(changed: PropertyValues<this>): void {

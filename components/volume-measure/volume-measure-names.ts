@@ -6,7 +6,9 @@ import type { MeasureLocale } from './volume-measure-rows.ts';
 
 /** Names of the handles of a measure, with their places as text. */
 export function namePoints(
-  { points, count, name }: { readonly points: readonly Vector3[]; readonly count: number; readonly name: string }, info: VolumeInfo, locale: MeasureLocale,
+  { points, count, name }: { readonly points: readonly Vector3[]; readonly count: number; readonly name: string },
+  info: VolumeInfo,
+  locale: MeasureLocale,
 ): Pick<Handle, 'name' | 'place' | 'keys'>[] {
   const { language, messages } = locale;
   return points.map((point, i) => ({
@@ -18,6 +20,7 @@ export function namePoints(
 
 /** @param place - metres east, north and above the antenna */
 function writeRadarPlace([east, north, up]: Vector3, { language, messages }: MeasureLocale): string {
-  const way = (length: number, [less, more]: readonly [string, string]): string => `${length < 0 ? less : more} ${language.fixed(Math.abs(length) / 1000, 2)}`;
+  const way = (length: number, [less, more]: readonly [string, string]): string =>
+    `${length < 0 ? less : more} ${language.fixed(Math.abs(length) / 1000, 2)}`;
   return `${messages.kilometres(`${way(east, [messages.west, messages.east])} ${way(north, [messages.south, messages.north])}`)}, ${messages.metres(language.fixed(up, 0))}`;
 }

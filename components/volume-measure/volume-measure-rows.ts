@@ -20,7 +20,11 @@ const large = { m: 1000, mm: Infinity, '': Infinity };
 /** The number of a measure with its uncertainty. */
 export function writeMeasure(result: MeasureResult, { language, messages }: MeasureLocale): string {
   const { type, value, uncertainty, lengthUnit } = result;
-  if (type === 'angle') return messages.plusMinus(`${writeRounded(value, uncertainty, language)}°`, `${writeUncertainty(uncertainty, language)}°`);
+  if (type === 'angle')
+    return messages.plusMinus(
+      `${writeRounded(value, uncertainty, language)}°`,
+      `${writeUncertainty(uncertainty, language)}°`,
+    );
   const { factor, unit } = type === 'distance' ? lengthScale(value, lengthUnit) : volumeScale(value, lengthUnit);
   return `${messages.plusMinus(writeRounded(value / factor, uncertainty / factor, language), writeUncertainty(uncertainty / factor, language))}${unit && ` ${unit}`}`;
 }
@@ -40,16 +44,33 @@ export function listMeasure(result: MeasureResult, isRadar: boolean, locale: Mea
   ];
 }
 
-function listStatistics({ statistics, unit }: MeasureResult, isRadar: boolean, { language, messages }: MeasureLocale): Row[] {
+function listStatistics(
+  { statistics, unit }: MeasureResult,
+  isRadar: boolean,
+  { language, messages }: MeasureLocale,
+): Row[] {
   const inside = isRadar ? messages.measureGates : messages.measureVoxels;
   if (!statistics) return [{ name: inside, text: messages.measureSummingUp }];
   const rows: Row[] = [{ name: inside, text: writeCount(statistics, { language, messages }) }];
   const { mean, standardError, deviation, min, largest } = statistics;
   if (mean === null || min === null || largest === null) return rows;
-  const value = (known: number, digits = valueDigits): string => `${language.number(known, digits)}${unit && ` ${unit}`}`;
-  rows.unshift({ name: messages.measureMean, text: standardError === null ? value(mean) : messages.measureWithError(`${writeRounded(mean, standardError, language)}${unit && ` ${unit}`}`, writeUncertainty(standardError, language)) });
+  const value = (known: number, digits = valueDigits): string =>
+    `${language.number(known, digits)}${unit && ` ${unit}`}`;
+  rows.unshift({
+    name: messages.measureMean,
+    text:
+      standardError === null
+        ? value(mean)
+        : messages.measureWithError(
+            `${writeRounded(mean, standardError, language)}${unit && ` ${unit}`}`,
+            writeUncertainty(standardError, language),
+          ),
+  });
   if (deviation !== null) rows.splice(1, 0, { name: messages.measureDeviation, text: value(deviation, 4) });
-  rows.splice(-1, 0, { name: messages.measureRange, text: messages.range(language.number(min, valueDigits), value(largest)) });
+  rows.splice(-1, 0, {
+    name: messages.measureRange,
+    text: messages.range(language.number(min, valueDigits), value(largest)),
+  });
   return rows;
 }
 
@@ -66,7 +87,11 @@ function lengthScale(length: number, unit: MeasureResult['lengthUnit']): { facto
 
 function volumeScale(volume: number, unit: MeasureResult['lengthUnit']): { factor: number; unit: string } {
   if (unit === '') return { factor: 1, unit };
-  return volume >= 1000 && unit === 'mm' ? { factor: 1000, unit: 'cm³' } : unit === 'm' && volume >= 1e8 ? { factor: 1e9, unit: 'km³' } : { factor: 1, unit: `${unit}³` };
+  return volume >= 1000 && unit === 'mm'
+    ? { factor: 1000, unit: 'cm³' }
+    : unit === 'm' && volume >= 1e8
+      ? { factor: 1e9, unit: 'km³' }
+      : { factor: 1, unit: `${unit}³` };
 }
 
 /** The useful number of decimals: two digits of the uncertainty. */

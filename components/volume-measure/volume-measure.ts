@@ -189,7 +189,9 @@ export class VolumeMeasure extends ReflectingElement {
     if (!volume || !info || this.hidden) return this.#stage.show(null);
     const locale = this.#locale;
     this.#stage.show({
-      volume, type, points,
+      volume,
+      type,
+      points,
       color: this.#color,
       text: result ? writeMeasure(result, locale) : '',
       names: namePoints({ points, count: pointCounts[type], name: this.#name }, info, locale),
@@ -199,7 +201,13 @@ export class VolumeMeasure extends ReflectingElement {
   /** Send the result to the screen reader when it no longer changes. */
   #speakLater(): void {
     clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(() => this.#say(this.#model.placing ? this.#prompt : this.#rows.map(({ name, text }) => `${name} ${text}`).join(', ')), restMs);
+    this.#timer = window.setTimeout(
+      () =>
+        this.#say(
+          this.#model.placing ? this.#prompt : this.#rows.map(({ name, text }) => `${name} ${text}`).join(', '),
+        ),
+      restMs,
+    );
   }
 
   #say(text: string): void {
@@ -224,14 +232,20 @@ export class VolumeMeasure extends ReflectingElement {
 
   get #prompt(): string {
     const { language, messages } = this.#controller;
-    return messages.measurePlace(language.number(this.#model.points.length + 1), language.number(pointCounts[this.#model.type]));
+    return messages.measurePlace(
+      language.number(this.#model.points.length + 1),
+      language.number(pointCounts[this.#model.type]),
+    );
   }
 
   protected override render(): unknown {
     const { messages } = this.#controller;
     const info = this.#link.view?.volume;
-    const problem = this.#error ? html`<p class="problem" part="error" role="alert">${this.#error.message}</p>` : nothing;
-    if (!this.#stage || !info) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(messages)}</span></p>${problem}`;
+    const problem = this.#error
+      ? html`<p class="problem" part="error" role="alert">${this.#error.message}</p>`
+      : nothing;
+    if (!this.#stage || !info)
+      return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(messages)}</span></p>${problem}`;
     const { placing: isPlacing, result } = this.#model;
     return html`<div class="measure" part="measure" role="group" aria-label=${this.#name} @keydown=${this.#onKey}>
       <p class="name" part="name"><span class="swatch" .style=${`background: ${this.#color.css}`}></span><bdi>${this.#name}</bdi></p>

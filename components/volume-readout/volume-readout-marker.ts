@@ -19,12 +19,16 @@ export class Marker {
     const element = this.#element;
     element.ariaHidden = 'true';
     element.setAttribute('part', 'marker');
-    element.style.cssText = 'display: none; position: absolute; inline-size: 25px; block-size: 25px; translate: -50% -50%; pointer-events: none; color: var(--volume-view-marker-color, #fff)';
+    element.style.cssText =
+      'display: none; position: absolute; inline-size: 25px; block-size: 25px; translate: -50% -50%; pointer-events: none; color: var(--volume-view-marker-color, #fff)';
     const drawing = element.appendChild(document.createElementNS(svg, 'svg'));
     drawing.setAttribute('viewBox', '0 0 25 25');
     drawing.style.cssText = 'display: block; inline-size: 100%; block-size: 100%';
     // Bright on dark: it is visible on any picture.
-    for (const [color, width] of [['#000', '4'], ['currentColor', '1.5']]) {
+    for (const [color, width] of [
+      ['#000', '4'],
+      ['currentColor', '1.5'],
+    ]) {
       const path = drawing.appendChild(document.createElementNS(svg, 'path'));
       path.setAttribute('d', lines);
       path.setAttribute('stroke', color);
@@ -33,7 +37,8 @@ export class Marker {
     const name = element.appendChild(this.#name);
     name.setAttribute('part', 'marker-name');
     name.dir = 'auto';
-    name.style.cssText = 'position: absolute; inline-size: max-content; box-sizing: border-box; padding: 0.1em 0.5em; border-radius: 4px; background: rgb(0 0 0 / 72%); color: #fff; font: 13px / 1.4 system-ui, sans-serif; overflow-wrap: anywhere';
+    name.style.cssText =
+      'position: absolute; inline-size: max-content; box-sizing: border-box; padding: 0.1em 0.5em; border-radius: 4px; background: rgb(0 0 0 / 72%); color: #fff; font: 13px / 1.4 system-ui, sans-serif; overflow-wrap: anywhere';
     picture.append(element);
   }
 
@@ -47,7 +52,13 @@ export class Marker {
     const [width, height] = [parentElement!.clientWidth, parentElement!.clientHeight];
     const [isRight, isLow] = [place[0] > width / 2, place[1] > height / 2];
     const room = Math.max(0, (isRight ? place[0] : width - place[0]) - besideCross);
-    Object.assign(this.#name.style, { maxInlineSize: `min(14em, ${room}px)`, left: isRight ? 'auto' : '100%', right: isRight ? '100%' : 'auto', top: isLow ? 'auto' : '100%', bottom: isLow ? '100%' : 'auto' });
+    Object.assign(this.#name.style, {
+      maxInlineSize: `min(14em, ${room}px)`,
+      left: isRight ? 'auto' : '100%',
+      right: isRight ? '100%' : 'auto',
+      top: isLow ? 'auto' : '100%',
+      bottom: isLow ? '100%' : 'auto',
+    });
   }
 
   /** @param name - of the part at the place; null for none */

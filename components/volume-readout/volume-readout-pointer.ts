@@ -30,7 +30,11 @@ export class ReadoutPointer {
   #seen = '';
 
   /** @param listener - called with the pick, and with whether anybody points at something */
-  constructor(readonly view: VolumeView, picture: Element, readonly listener: (pick: VolumePick | null, points: boolean) => void) {
+  constructor(
+    readonly view: VolumeView,
+    picture: Element,
+    readonly listener: (pick: VolumePick | null, points: boolean) => void,
+  ) {
     const { signal } = this.#abort;
     this.#marker = new Marker(picture);
     const clicks = clicksOn(view);
@@ -124,7 +128,9 @@ export class ReadoutPointer {
   }
 
   #keptPlace(): Place | null {
-    const { view: { camera, clientWidth: width, clientHeight: height } } = this;
+    const {
+      view: { camera, clientWidth: width, clientHeight: height },
+    } = this;
     const place = this.#kept && camera && projectPlace(camera, this.#kept.world, { width, height });
     return place && place[0] >= 0 && place[1] >= 0 && place[0] <= width && place[1] <= height ? place : null;
   }

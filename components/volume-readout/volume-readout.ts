@@ -17,7 +17,12 @@ const restMs = 500;
 /** CSS pixels by which a key moves the crosshair, without and with Shift. */
 const [keyStep, shiftStep] = [4, 40];
 
-const arrows: Readonly<Record<string, readonly [x: number, y: number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+const arrows: Readonly<Record<string, readonly [x: number, y: number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
 
 /**
  * The values at the place of the picture that a person points at: the value with its unit, and the position. The place follows the
@@ -50,7 +55,9 @@ export class VolumeReadout extends ReflectingElement {
    */
   @property() coordinates!: string | null;
 
-  readonly #link = withViewWidth(new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'labels-change', 'layer-change']));
+  readonly #link = withViewWidth(
+    new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'labels-change', 'layer-change']),
+  );
   readonly #locale = new ReadoutLocale(this);
   #pointer: ReadoutPointer | null = null;
   #pick: VolumePick | null = null;
@@ -77,7 +84,8 @@ export class VolumeReadout extends ReflectingElement {
       this.#pointer = null;
       this.#show(null, false);
     }
-    if (view && picture && view.volume) this.#pointer ??= new ReadoutPointer(view, picture, (pick, points) => this.#show(pick, points));
+    if (view && picture && view.volume)
+      this.#pointer ??= new ReadoutPointer(view, picture, (pick, points) => this.#show(pick, points));
     this.requestUpdate();
   }
 
@@ -86,7 +94,11 @@ export class VolumeReadout extends ReflectingElement {
     this.#points = points;
     clearTimeout(this.#timer);
     this.#timer = window.setTimeout(() => {
-      this.#spoken = this.#points ? (this.#pick ? this.#rows.map(({ name, text }) => `${name} ${text}`).join(', ') : this.#locale.messages.nothingThere) : '';
+      this.#spoken = this.#points
+        ? this.#pick
+          ? this.#rows.map(({ name, text }) => `${name} ${text}`).join(', ')
+          : this.#locale.messages.nothingThere
+        : '';
       this.requestUpdate();
     }, restMs);
     this.requestUpdate();
@@ -96,20 +108,31 @@ export class VolumeReadout extends ReflectingElement {
     const { language, messages } = this.#locale;
     const volume = this.#link.view?.volume;
     const socket = this.#link.view && socketOf(this.#link.view);
-    return volume ? listRows(this.#pick, volume, { language, messages, coordinates: this.coordinates, hasLabels: Boolean(socket?.last('labels')?.shown), layer: socket?.last('overlay')?.name }) : [];
+    return volume
+      ? listRows(this.#pick, volume, {
+          language,
+          messages,
+          coordinates: this.coordinates,
+          hasLabels: Boolean(socket?.last('labels')?.shown),
+          layer: socket?.last('overlay')?.name,
+        })
+      : [];
   }
 
   protected override render(): unknown {
     const { messages } = this.#locale;
-    if (!this.#pointer || !this.#link.view?.volume) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(messages)}</span></p>`;
+    if (!this.#pointer || !this.#link.view?.volume)
+      return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(messages)}</span></p>`;
     const { hasCrosshair } = this.#pointer;
     return html`<div class="readout" part="readout" role="group" aria-label=${messages.readout}>
       <dl>${this.#renderRows()}</dl>
       <div class="tools">
         <button type="button" part="button" aria-pressed=${hasCrosshair ? 'true' : 'false'} @click=${this.#toggle}>${messages.crosshair}</button>
-        ${hasCrosshair
-          ? html`<div class="keys" part="keys" role="application" tabindex="0" aria-label=${`${messages.crosshair}. ${messages.crosshairKeys}`} @keydown=${this.#onKey}>${messages.crosshairKeys}</div>`
-          : html`<p class="hint" part="hint"><span dir="auto">${this.#points && !this.#pick ? messages.nothingThere : messages.pointHint}</span></p>`}
+        ${
+          hasCrosshair
+            ? html`<div class="keys" part="keys" role="application" tabindex="0" aria-label=${`${messages.crosshair}. ${messages.crosshairKeys}`} @keydown=${this.#onKey}>${messages.crosshairKeys}</div>`
+            : html`<p class="hint" part="hint"><span dir="auto">${this.#points && !this.#pick ? messages.nothingThere : messages.pointHint}</span></p>`
+        }
       </div>
       <div class="spoken" role="status">${this.#spoken}</div>
     </div>`;
@@ -118,7 +141,10 @@ export class VolumeReadout extends ReflectingElement {
   /** The swatch has the colour of the value. */
   #renderRows(): unknown {
     const rows = this.#rows;
-    const colored = Math.max(0, rows.findIndex(({ name }) => name === this.#locale.messages.value));
+    const colored = Math.max(
+      0,
+      rows.findIndex(({ name }) => name === this.#locale.messages.value),
+    );
     return rows.map((row, i) => renderRow(row, i === colored ? (this.#pick?.color ?? '') : null));
   }
 

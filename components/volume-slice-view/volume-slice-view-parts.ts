@@ -83,7 +83,10 @@ export function renderTexts(pane: SlicePane, locale: SliceLocale): unknown {
 }
 
 function renderBar(pane: SlicePane, write: (length: number) => string): unknown {
-  const { frame, size: { width } } = pane;
+  const {
+    frame,
+    size: { width },
+  } = pane;
   if (!frame || !(width > 0)) return nothing;
   const length = roundLength(frame.scale * width * longestBar);
   return html`${write(length)}<div class="bar" .style=${`inline-size: ${length / frame.scale}px`}></div>`;
@@ -91,7 +94,12 @@ function renderBar(pane: SlicePane, write: (length: number) => string): unknown 
 
 /** The letters of the patient's sides at the four edges. */
 export function renderSides({ plane: { right, up } }: SlicePane): unknown {
-  const sides = [['l', scale(right, -1)], ['r', right], ['t', up], ['b', scale(up, -1)]] as const;
+  const sides = [
+    ['l', scale(right, -1)],
+    ['r', right],
+    ['t', up],
+    ['b', scale(up, -1)],
+  ] as const;
   return sides.map(([edge, direction]) => html`<div class="side ${edge}" part="side">${sideLetters(direction)}</div>`);
 }
 
@@ -103,7 +111,10 @@ export function renderCrosshair({ point }: SlicePane): unknown {
 /** The colours over the greys of a volume of a view, or of the pane's own volume: its layer, and its labels. @param opacity - of labels */
 export function labelsOf(view: HTMLElement | null, volume: Volume | null, opacity: number): PaneLabels | null {
   const socket = view && socketOf(view);
-  return joinPaneLabels([socket?.last('overlay')?.inPane(volume) ?? null, ...(socket?.parts.map((part) => part.inPane?.(volume, opacity) ?? null) ?? [])]);
+  return joinPaneLabels([
+    socket?.last('overlay')?.inPane(volume) ?? null,
+    ...(socket?.parts.map((part) => part.inPane?.(volume, opacity) ?? null) ?? []),
+  ]);
 }
 
 /** Share of a file that has loaded, 0..1; undefined where it is unknown. */

@@ -24,7 +24,16 @@ import { LazyPart } from '../internal/lazy-part.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 import { emit } from '../internal/volume-view-events.ts';
-import { describePlace, describeValue, describeWindow, labelsOf, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
+import {
+  describePlace,
+  describeValue,
+  describeWindow,
+  labelsOf,
+  renderCrosshair,
+  renderSides,
+  renderTexts,
+  shareOf,
+} from './volume-slice-view-parts.ts';
 import type { SliceCursorDetail, SliceLocale } from './volume-slice-view-parts.ts';
 import { styles } from './volume-slice-view-styles.ts';
 
@@ -146,13 +155,26 @@ export class VolumeSliceView extends ReflectingElement {
 
   readonly #locale = new CompanionLocale(this);
   readonly #messages = new LocaleController(this, english);
-  readonly #link = new VolumeLink(this, () => this.#presenter.refresh(() => false), ['load', 'optics-change', 'time-change', 'labels-change', 'layer-change']);
+  readonly #link = new VolumeLink(this, () => this.#presenter.refresh(() => false), [
+    'load',
+    'optics-change',
+    'time-change',
+    'labels-change',
+    'layer-change',
+  ]);
   readonly #resizing = new ResizeObserver(() => this.#resize());
   /** The volume of `src`, and its description. */
   #own: Volume | null = null;
   #info: VolumeInfo | null = null;
   /** Notices of the file of `src`: for the volume of a view, the view shows them. */
-  readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => ({ info: this.#info, fileNotices: this.#labelTarget.fileNotices })));
+  readonly #notices = new LazyPart(
+    this,
+    async () =>
+      new (await import('../internal/view-notices.ts')).ViewNotices(this, () => ({
+        info: this.#info,
+        fileNotices: this.#labelTarget.fileNotices,
+      })),
+  );
   #saying = 0;
 
   readonly #presenter: SlicePresenter = new SlicePresenter({
@@ -228,7 +250,8 @@ export class VolumeSliceView extends ReflectingElement {
     this.#notices.follow(hasNotices(this.#info, this.#labelTarget.fileNotices));
     if (changed.has('src') && this.isConnected) this.#follow();
     // Names with an underscore are internal state, not attributes.
-    if ([...changed.keys()].some((name) => !String(name).startsWith('_'))) this.#presenter.refresh((name) => changed.has(name));
+    if ([...changed.keys()].some((name) => !String(name).startsWith('_')))
+      this.#presenter.refresh((name) => changed.has(name));
   }
 
   protected override render(): unknown {
@@ -238,7 +261,8 @@ export class VolumeSliceView extends ReflectingElement {
     const { language } = this.#locale;
     const locale: SliceLocale = { language, messages: this.#messages.messages };
     const { slice, sliceAt, sliceKeys, loading } = locale.messages;
-    const label = this.alt ?? (sliced && appearance ? sliceAt(slice[appearance.type], describePlace(pane, locale)) : slice.axial);
+    const label =
+      this.alt ?? (sliced && appearance ? sliceAt(slice[appearance.type], describePlace(pane, locale)) : slice.axial);
     return html`
       <div class="picture" part="picture" role="img" tabindex="0" aria-label=${label} aria-describedby="window keys">
         <canvas aria-hidden="true"></canvas>
@@ -256,7 +280,11 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   #renderSlider(sliced: SlicedVolume, label: string, place: string): unknown {
-    const { plane, ends: [low, high], place: at } = this.#presenter.pane;
+    const {
+      plane,
+      ends: [low, high],
+      place: at,
+    } = this.#presenter.pane;
     return html`<input type="range" part="slider" aria-label=${label} aria-valuetext=${place} min=${low} max=${high} step=${sliced.stepAlong(plane.normal)}
       .value=${live(String(toPlane(plane, at).d))} @input=${this.#onSlide} />`;
   }
@@ -264,9 +292,23 @@ export class VolumeSliceView extends ReflectingElement {
   get #shown(): Shown {
     const { view } = this.#link;
     const { group } = this;
-    if (this.src) return { volume: this.#own, owner: this, group, shared: null, look: this.#labelTarget.look, labels: (opacity) => labelsOf(this, this.#own, opacity) };
+    if (this.src)
+      return {
+        volume: this.#own,
+        owner: this,
+        group,
+        shared: null,
+        look: this.#labelTarget.look,
+        labels: (opacity) => labelsOf(this, this.#own, opacity),
+      };
     const held = this.#link.volume;
-    return { volume: held, owner: view ?? this, group, shared: view && held ? { optics: view.optics, window: view.valueWindow } : null, labels: (opacity) => labelsOf(view, held, opacity) };
+    return {
+      volume: held,
+      owner: view ?? this,
+      group,
+      shared: view && held ? { optics: view.optics, window: view.valueWindow } : null,
+      labels: (opacity) => labelsOf(view, held, opacity),
+    };
   }
 
   #enter(): void {
@@ -307,7 +349,12 @@ export class VolumeSliceView extends ReflectingElement {
   #onMoved(what: 'cursor' | 'window'): void {
     const { sliced, place, window, labels } = this.#presenter.pane;
     if (what === 'window') emit(this, 'window-change', { window });
-    else emit(this, 'cursor-change', { cursor: place, value: sliced?.valueAt(place) ?? null, label: labels?.nameAt(place) ?? null } satisfies SliceCursorDetail);
+    else
+      emit(this, 'cursor-change', {
+        cursor: place,
+        value: sliced?.valueAt(place) ?? null,
+        label: labels?.nameAt(place) ?? null,
+      } satisfies SliceCursorDetail);
     if (this.shadowRoot?.activeElement === this._picture) this.#sayLater(what);
   }
 
@@ -317,11 +364,15 @@ export class VolumeSliceView extends ReflectingElement {
     this.#saying = setTimeout(() => {
       const { pane } = this.#presenter;
       const locale: SliceLocale = { language: this.#locale.language, messages: this.#messages.messages };
-      this._said = what === 'window' ? describeWindow(pane, locale) : `${describePlace(pane, locale)}: ${describeValue(pane, locale)}`;
+      this._said =
+        what === 'window'
+          ? describeWindow(pane, locale)
+          : `${describePlace(pane, locale)}: ${describeValue(pane, locale)}`;
     }, 500) as unknown as number;
   }
 
-  readonly #onSlide = ({ target }: Event): void => this.#presenter.pane.goTo((target as HTMLInputElement).valueAsNumber);
+  readonly #onSlide = ({ target }: Event): void =>
+    this.#presenter.pane.goTo((target as HTMLInputElement).valueAsNumber);
 }
 
 declare global {

@@ -49,7 +49,9 @@ export class VolumeTimeline extends ReflectingElement {
    */
   @property({ attribute: 'time-zone' }) timeZone!: string | null;
 
-  readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']));
+  readonly #link = withViewWidth(
+    new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']),
+  );
   readonly #locale = new CompanionLocale(this);
 
   /** The scan that a person chose with the slider, until that scan is shown. */
@@ -100,10 +102,20 @@ export class VolumeTimeline extends ReflectingElement {
     const asked = this.timeZone?.trim() ?? '';
     if (asked === '') return { language, problem: null };
     try {
-      const { timeZone } = new Intl.DateTimeFormat('en', asked === 'local' ? {} : { timeZone: asked }).resolvedOptions();
+      const { timeZone } = new Intl.DateTimeFormat(
+        'en',
+        asked === 'local' ? {} : { timeZone: asked },
+      ).resolvedOptions();
       return { language: new Language(language.code, language.messages, timeZone), problem: null };
     } catch {
-      return { language, problem: invalidAttribute('time-zone of <volume-timeline>', asked, '"local", or a zone as browsers know them, like "Europe/Brussels"') };
+      return {
+        language,
+        problem: invalidAttribute(
+          'time-zone of <volume-timeline>',
+          asked,
+          '"local", or a zone as browsers know them, like "Europe/Brussels"',
+        ),
+      };
     }
   }
 

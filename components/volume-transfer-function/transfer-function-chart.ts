@@ -54,8 +54,10 @@ export function renderOpacityScale({ language }: Chart): unknown {
 export function renderValueScale({ domain, unit, language }: Pick<Chart, 'domain' | 'unit' | 'language'>): unknown {
   const { ticks, offset } = labelTicks(domain, maxTicks, language);
   return html`<div class="values" aria-hidden="true">
-    ${ticks.map(({ value, text }, i) => html`<span .style=${placeLabel(toShare(value, domain))}
-      >${text}${unit && i === ticks.length - 1 ? html`<small>${unit}</small>` : nothing}</span>`)}
+    ${ticks.map(
+      ({ value, text }, i) => html`<span .style=${placeLabel(toShare(value, domain))}
+      >${text}${unit && i === ticks.length - 1 ? html`<small>${unit}</small>` : nothing}</span>`,
+    )}
   </div>
   ${offset ? html`<div class="offset" aria-hidden="true">${offset}</div>` : nothing}`;
 }

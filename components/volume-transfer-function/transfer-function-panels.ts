@@ -27,7 +27,13 @@ export interface StopFieldsListener {
  * @param step - values are rounded to this step while a stop is dragged; the field shows one more digit
  */
 export function renderStopFields(
-  { stop, unit, step, removable, messages }: { stop: Stop; unit: string; step: number; removable: boolean; messages: CompanionMessages },
+  {
+    stop,
+    unit,
+    step,
+    removable,
+    messages,
+  }: { stop: Stop; unit: string; step: number; removable: boolean; messages: CompanionMessages },
   listener: StopFieldsListener,
 ): unknown {
   // Not live(): the volume may respond to an earlier edit while a person types, and the typed text has to stay.
@@ -45,7 +51,12 @@ export function renderStopFields(
   return html`<div class="fields" part="fields">
     <label>${messages.valueIn(unit)} ${field('value', String(roundTo(stop.value, step / 10)), 1)}</label>
     <label>${messages.opacityPercent} ${field('opacity', String(Number((stop.opacity * 100).toPrecision(4))), 0.01)}</label>
-    <label class="color">${messages.color} ${renderColor(writeColor(stop.color), messages.colorOfStop, (color) => listener.change({ color }), () => listener.done())}</label>
+    <label class="color">${messages.color} ${renderColor(
+      writeColor(stop.color),
+      messages.colorOfStop,
+      (color) => listener.change({ color }),
+      () => listener.done(),
+    )}</label>
     <div class="buttons">
       <button type="button" title=${messages.addTip} @click=${() => listener.add()}>${messages.add}</button>
       <button type="button" title=${messages.removeTip} ?disabled=${!removable} @click=${() => listener.remove()}>${messages.remove}</button>
@@ -65,13 +76,21 @@ export interface BandsListener {
 }
 
 /** A colour and a slider for every band, from the lowest one. */
-export function renderBands({ bands, unit, language }: { bands: readonly Band[]; unit: string; language: Language }, listener: BandsListener): unknown {
+export function renderBands(
+  { bands, unit, language }: { bands: readonly Band[]; unit: string; language: Language },
+  listener: BandsListener,
+): unknown {
   const { messages } = language;
   return html`<ul class="bands" part="bands">
     ${bands.map(({ low, high, color, opacity }, i) => {
       const range = language.range(low, high, unit);
       return html`<li>
-        ${renderColor(writeColor(color), messages.colorOfBand(range), (color) => listener.change(i, { color }), () => listener.done())}
+        ${renderColor(
+          writeColor(color),
+          messages.colorOfBand(range),
+          (color) => listener.change(i, { color }),
+          () => listener.done(),
+        )}
         <span class="range" aria-hidden="true"><bdi dir="ltr">${language.number(low)} – ${language.number(high)}</bdi></span>
         <input type="range" min="0" max="1" step=${fineStep} aria-label=${messages.opacityOfBand(range)} aria-valuetext=${language.opacity(opacity)}
           .value=${live(String(toHeight(opacity)))}
@@ -123,7 +142,9 @@ export function renderToolbar(state: ToolbarState, messages: CompanionMessages):
 
 /** The text for copying by hand, where the page may not write to the clipboard. */
 export function renderCopyText(text: string | null, messages: CompanionMessages): unknown {
-  return text === null ? nothing : html`<label class="by-hand">${messages.copyByHand}
+  return text === null
+    ? nothing
+    : html`<label class="by-hand">${messages.copyByHand}
     <textarea readonly rows="3" .value=${text} @focus=${(event: Event) => (event.target as HTMLTextAreaElement).select()}></textarea>
   </label>`;
 }

@@ -25,7 +25,10 @@ interface PatchFields {
   readonly language: Language;
 }
 
-export function renderPatchFields({ patch, hasRoom, messages, language }: PatchFields, listener: PatchFieldsListener): unknown {
+export function renderPatchFields(
+  { patch, hasRoom, messages, language }: PatchFields,
+  listener: PatchFieldsListener,
+): unknown {
   return html`<div class="fields" part="fields">
     ${patch ? renderNumbers(patch, messages, listener) : nothing}
     ${patch ? renderAppearance(patch, messages, language, listener) : nothing}
@@ -38,13 +41,16 @@ export function renderPatchFields({ patch, hasRoom, messages, language }: PatchF
 }
 
 function renderNumbers(patch: Patch, messages: PlaneMessages, { number, done }: PatchFieldsListener): unknown {
-  const names = patch.kind === 'box'
-    ? [messages.valueFrom, messages.valueTo, messages.gradientFrom, messages.gradientTo]
-    : [messages.middleValue, messages.middleGradient, messages.valueWidth, messages.gradientWidth];
-  return roundedNumbersOf(patch).map((x, i) => renderNumber(names[i], x, (entered) => {
-    number(i, entered);
-    done();
-  }));
+  const names =
+    patch.kind === 'box'
+      ? [messages.valueFrom, messages.valueTo, messages.gradientFrom, messages.gradientTo]
+      : [messages.middleValue, messages.middleGradient, messages.valueWidth, messages.gradientWidth];
+  return roundedNumbersOf(patch).map((x, i) =>
+    renderNumber(names[i], x, (entered) => {
+      number(i, entered);
+      done();
+    }),
+  );
 }
 
 /**
@@ -62,7 +68,12 @@ function renderNumber(label: string, shown: number, enter: (number: number) => v
   return html`<label>${label} <input type="number" step="any" .style=${`--digits: ${text.length}`} .value=${text} @change=${onChange} /></label>`;
 }
 
-function renderAppearance(patch: Patch, messages: PlaneMessages, { messages: common }: Language, { look: appearance, done }: PatchFieldsListener): unknown {
+function renderAppearance(
+  patch: Patch,
+  messages: PlaneMessages,
+  { messages: common }: Language,
+  { look: appearance, done }: PatchFieldsListener,
+): unknown {
   return html`${renderNumber(common.opacityPercent, Number((patch.opacity * 100).toPrecision(4)), (percent) => {
     appearance({ opacity: percent / 100 });
     done();

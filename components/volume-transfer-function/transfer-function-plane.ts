@@ -49,11 +49,19 @@ export class Plane {
   #counted: Counting | null = null;
   #painted: readonly unknown[] = [];
 
-  constructor(readonly host: ReactiveControllerHost & HTMLElement, session: EditSession) {
+  constructor(
+    readonly host: ReactiveControllerHost & HTMLElement,
+    session: EditSession,
+  ) {
     this.#locale = new PlaneLocale(host);
     this.editor = new PatchEditor(session, {
       changed: () => host.requestUpdate(),
-      focus: (taken) => void host.updateComplete.then(() => (this.#gripOf(taken) ?? host.shadowRoot?.querySelector<HTMLElement>('.fields button'))?.focus({ preventScroll: true })),
+      focus: (taken) =>
+        void host.updateComplete.then(() =>
+          (this.#gripOf(taken) ?? host.shadowRoot?.querySelector<HTMLElement>('.fields button'))?.focus({
+            preventScroll: true,
+          }),
+        ),
     });
   }
 
@@ -69,18 +77,28 @@ export class Plane {
         @pointerdown=${input.down} @pointermove=${input.move} @pointerup=${input.up} @pointercancel=${input.up} @mousedown=${input.keepFocus}>
         <canvas part="chart" width=${bins[0]} height=${bins[1]} aria-hidden="true"></canvas>
         <svg class="chart" viewBox="0 0 ${size} ${size}" preserveAspectRatio="none" aria-hidden="true">${patches.map((patch, i) => this.#renderPatch(patch, i === index))}</svg>
-        <div class="opacities" aria-hidden="true"><span class="axis">${messages.middleGradient}</span>${listTicks([0, editor.range.steepest], 4).slice(1).map((tick) => html`<span .style=${`--y: ${tick / editor.range.steepest}`}>${language.number(tick)}</span>`)}</div>
+        <div class="opacities" aria-hidden="true"><span class="axis">${messages.middleGradient}</span>${listTicks(
+          [0, editor.range.steepest],
+          4,
+        )
+          .slice(1)
+          .map(
+            (tick) => html`<span .style=${`--y: ${tick / editor.range.steepest}`}>${language.number(tick)}</span>`,
+          )}</div>
         <div class="handles">${patches.map((patch, i) => this.#renderGrips(patch, i, { unit, language }))}</div>
       </div>
       ${renderValueScale({ domain, unit, language })}</div>
       ${patches[index] ? nothing : html`<p>${messages.drawBox}</p>`}
-      ${renderPatchFields({ patch: patches[index], hasRoom: hasRoom(patches), messages, language }, {
-        number: (which, number) => editor.changeNumber(index, which, number),
-        look: (appearance) => editor.changeAppearance(index, appearance),
-        done: () => editor.session.commit(),
-        add: (kind) => editor.add(kind),
-        remove: () => editor.remove(index),
-      })}
+      ${renderPatchFields(
+        { patch: patches[index], hasRoom: hasRoom(patches), messages, language },
+        {
+          number: (which, number) => editor.changeNumber(index, which, number),
+          look: (appearance) => editor.changeAppearance(index, appearance),
+          done: () => editor.session.commit(),
+          add: (kind) => editor.add(kind),
+          remove: () => editor.remove(index),
+        },
+      )}
       <div id="patch-keys" class="spoken">${messages.patchKeys}</div>`;
   }
 
@@ -100,7 +118,10 @@ export class Plane {
     const picture = context.createImageData(...bins);
     counts.forEach((count, at) => {
       const row = bins[1] - 1 - Math.floor(at / bins[0]);
-      picture.data.set([232, 236, 242, Math.round(200 * (Math.log1p(count) / top) ** 0.7)], 4 * (row * bins[0] + (at % bins[0])));
+      picture.data.set(
+        [232, 236, 242, Math.round(200 * (Math.log1p(count) / top) ** 0.7)],
+        4 * (row * bins[0] + (at % bins[0])),
+      );
     });
     context.putImageData(picture, 0, 0);
   }
@@ -147,21 +168,42 @@ export class Plane {
     };
     const style = `--color: ${writeColor(patch.color)}; --fill: ${(0.12 + 0.6 * toHeight(patch.opacity)).toFixed(3)}`;
     if (patch.kind === 'box') {
-      const [[left, bottom], [right, top]] = [at([patch.values[0], patch.gradients[0]]), at([patch.values[1], patch.gradients[1]])];
+      const [[left, bottom], [right, top]] = [
+        at([patch.values[0], patch.gradients[0]]),
+        at([patch.values[1], patch.gradients[1]]),
+      ];
       return svg`<rect class="patch" ?data-chosen=${isChosen} style=${style} x=${left} y=${top} width=${right - left} height=${bottom - top}></rect>`;
     }
     const [x, y] = at([patch.value, patch.gradient]);
     const [right, top] = at([patch.value + patch.widths[0], patch.gradient + patch.widths[1]]);
-    return [1, gripReach].map((reach) => svg`<ellipse class="patch" ?data-chosen=${isChosen} style=${style} cx=${x} cy=${y} rx=${reach * (right - x)} ry=${reach * (y - top)}></ellipse>`);
+    return [1, gripReach].map(
+      (reach) =>
+        svg`<ellipse class="patch" ?data-chosen=${isChosen} style=${style} cx=${x} cy=${y} rx=${reach * (right - x)} ry=${reach * (y - top)}></ellipse>`,
+    );
   }
 
   #renderGrips(patch: Patch, index: number, { unit, language }: { unit: string; language: Language }): unknown {
     const { messages } = this.#locale;
-    const { patches, range: { domain } } = this.editor;
-    const name = (patch.kind === 'box' ? messages.boxOf : messages.gaussianOf)(language.number(index + 1), language.number(patches.length));
-    const [low, high] = patch.kind === 'box' ? patch.values : [patch.value - patch.widths[0], patch.value + patch.widths[0]];
-    const [min, max] = patch.kind === 'box' ? patch.gradients : [Math.max(0, patch.gradient - patch.widths[1]), patch.gradient + patch.widths[1]];
-    const said = messages.patchState(language.range(low, high, unit), language.range(min, max, ''), language.opacity(patch.opacity), nameColor(patch.color, language.messages));
+    const {
+      patches,
+      range: { domain },
+    } = this.editor;
+    const name = (patch.kind === 'box' ? messages.boxOf : messages.gaussianOf)(
+      language.number(index + 1),
+      language.number(patches.length),
+    );
+    const [low, high] =
+      patch.kind === 'box' ? patch.values : [patch.value - patch.widths[0], patch.value + patch.widths[0]];
+    const [min, max] =
+      patch.kind === 'box'
+        ? patch.gradients
+        : [Math.max(0, patch.gradient - patch.widths[1]), patch.gradient + patch.widths[1]];
+    const said = messages.patchState(
+      language.range(low, high, unit),
+      language.range(min, max, ''),
+      language.opacity(patch.opacity),
+      nameColor(patch.color, language.messages),
+    );
     const render = (grip: Grip): unknown => {
       const place = placeOfGrip(patch, grip);
       const { share, height } = this.editor.placeOf(place);

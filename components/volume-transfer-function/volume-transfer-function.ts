@@ -13,7 +13,13 @@ import { number, numbers } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { renderChart, renderHandles, renderOpacityScale, renderPicture } from './transfer-function-chart.ts';
 import type { Chart } from './transfer-function-chart.ts';
-import { renderBands, renderCopyText, renderFactor, renderStopFields, renderToolbar } from './transfer-function-panels.ts';
+import {
+  renderBands,
+  renderCopyText,
+  renderFactor,
+  renderStopFields,
+  renderToolbar,
+} from './transfer-function-panels.ts';
 import type { Plane } from './transfer-function-plane.ts';
 import { styles } from './transfer-function-styles.ts';
 import { companionGap, withViewWidth } from '../internal/view-width.ts';
@@ -81,7 +87,8 @@ export class VolumeTransferFunction extends ReflectingElement {
 
   @state() private _chosen = 0;
   /** The result of copying, and the text where a person has to copy it. */
-  @state() private _copy: { said: keyof CompanionMessages & ('copied' | 'copyRefused'); byHand: string | null } | null = null;
+  @state() private _copy: { said: keyof CompanionMessages & ('copied' | 'copyRefused'); byHand: string | null } | null =
+    null;
 
   /** The chart of values and gradients, or the error that prevented it. */
   @state() private _plane: Plane | VolumeViewError | null = null;
@@ -116,7 +123,13 @@ export class VolumeTransferFunction extends ReflectingElement {
     const { look: appearance } = this.#editor.session;
     const volume = this.#link.view?.volume;
     if (!appearance || !volume) return html`<p class="hint" part="hint">${this.#link.describeLack(messages)}</p>`;
-    const chart = { histogram: volume.histogram, domain: this.#editor.domain, stops: appearance.stops, unit: volume.unit, language };
+    const chart = {
+      histogram: volume.histogram,
+      domain: this.#editor.domain,
+      stops: appearance.stops,
+      unit: volume.unit,
+      language,
+    };
     return html`<div class="editor" @input=${stop} @change=${stop} @focusin=${this.#onPlaneFocus} @keydown=${this.#onKeyDown} @keyup=${this.#onKeyUp}>
       ${this.#attemptMode(chart)}
       <div class="factors" part="factors">
@@ -144,35 +157,51 @@ export class VolumeTransferFunction extends ReflectingElement {
   }
 
   #renderStops(chart: Chart): unknown {
-    const { stops, unit, language: { messages } } = chart;
+    const {
+      stops,
+      unit,
+      language: { messages },
+    } = chart;
     const editor = this.#editor;
     const index = Math.min(this._chosen, stops.length - 1);
     return html`
-      ${renderChart(chart, html`<div class="plot editable" role="group" aria-label=${messages.transferFunction}
+      ${renderChart(
+        chart,
+        html`<div class="plot editable" role="group" aria-label=${messages.transferFunction}
         @pointerdown=${editor.input.down} @pointermove=${editor.input.move} @pointerup=${editor.input.up} @pointercancel=${editor.input.up}
         @mousedown=${editor.input.keepFocus} @focusin=${this.#onFocus}>
         ${renderPicture(chart)}${renderOpacityScale(chart)}
         <div class="handles">${renderHandles(chart, index)}</div>
-      </div>`)}
-      ${renderStopFields({ stop: stops[index], unit, step: dragStep(chart.domain), removable: stops.length > 1, messages }, {
-        change: (change) => editor.changeStop(index, change),
-        done: () => editor.session.commit(),
-        add: () => editor.addAttached(index),
-        remove: () => editor.remove(index),
-      })}
+      </div>`,
+      )}
+      ${renderStopFields(
+        { stop: stops[index], unit, step: dragStep(chart.domain), removable: stops.length > 1, messages },
+        {
+          change: (change) => editor.changeStop(index, change),
+          done: () => editor.session.commit(),
+          add: () => editor.addAttached(index),
+          remove: () => editor.remove(index),
+        },
+      )}
     `;
   }
 
   #renderBands(chart: Chart): unknown {
     const { unit, language } = chart;
     const { window } = this.#link.view!.optics!;
-    const bands = bandsFromStops(chart.stops, chooseBandEdges({ bands: this.readText('bands'), bandEdges: this.readText('band-edges') }, { unit, window }));
+    const bands = bandsFromStops(
+      chart.stops,
+      chooseBandEdges({ bands: this.readText('bands'), bandEdges: this.readText('band-edges') }, { unit, window }),
+    );
     return html`
       ${renderChart(chart, html`<div class="plot">${renderPicture(chart)}${renderOpacityScale(chart)}</div>`)}
-      ${renderBands({ bands, unit, language }, {
-        change: (index, change) => this.#editor.changeBand(bands, index, change),
-        done: () => this.#editor.session.commit(),
-      })}
+      ${renderBands(
+        { bands, unit, language },
+        {
+          change: (index, change) => this.#editor.changeBand(bands, index, change),
+          done: () => this.#editor.session.commit(),
+        },
+      )}
     `;
   }
 
@@ -190,7 +219,11 @@ export class VolumeTransferFunction extends ReflectingElement {
       const { Plane } = await import('./transfer-function-plane.ts');
       this._plane = new Plane(this, this.#editor.session);
     } catch (cause) {
-      this._plane = new VolumeViewError('format/unsupported', 'the part of volume-view that edits by gradients could not be loaded; check that all files of the package are on the server', { cause });
+      this._plane = new VolumeViewError(
+        'format/unsupported',
+        'the part of volume-view that edits by gradients could not be loaded; check that all files of the package are on the server',
+        { cause },
+      );
     }
   }
 
@@ -202,21 +235,28 @@ export class VolumeTransferFunction extends ReflectingElement {
   #renderFactor(name: 'opacityFactor' | 'lightFactor', label: string, language: Language): unknown {
     const { session } = this.#editor;
     const factor = session.look![name];
-    return renderFactor({ name, label, factor, language }, (changed) => this.#editor.setFactor(name, changed), () => session.commit());
+    return renderFactor(
+      { name, label, factor, language },
+      (changed) => this.#editor.setFactor(name, changed),
+      () => session.commit(),
+    );
   }
 
   #renderToolbar(messages: CompanionMessages): unknown {
     const { session } = this.#editor;
     const { canUndo, canRedo, canReset } = session;
-    return renderToolbar({
-      canUndo,
-      canRedo,
-      canReset,
-      undo: () => session.undo(),
-      redo: () => session.redo(),
-      reset: () => session.reset(),
-      copy: () => void this.#copy(),
-    }, messages);
+    return renderToolbar(
+      {
+        canUndo,
+        canRedo,
+        canReset,
+        undo: () => session.undo(),
+        redo: () => session.redo(),
+        reset: () => session.reset(),
+        copy: () => void this.#copy(),
+      },
+      messages,
+    );
   }
 
   async #choose(index: number, when: 'now' | 'updated'): Promise<void> {
@@ -231,7 +271,12 @@ export class VolumeTransferFunction extends ReflectingElement {
     this.requestUpdate();
     const { stops, opacityFactor, lightFactor, attributes } = this.#editor.session.look!;
     const transferFunction = attributes.transferFunction ?? writeTransferFunction(stops);
-    const detail: TransferFunctionDetail = { transferFunction, transferFunction2d: attributes.transferFunction2d ?? null, opacityFactor, lightFactor };
+    const detail: TransferFunctionDetail = {
+      transferFunction,
+      transferFunction2d: attributes.transferFunction2d ?? null,
+      opacityFactor,
+      lightFactor,
+    };
     const event = new CustomEvent(type, { detail });
     this.dispatchEvent(event);
   }
@@ -244,8 +289,10 @@ export class VolumeTransferFunction extends ReflectingElement {
 
   readonly #onKeyDown = (event: KeyboardEvent): void => {
     const { target } = event;
-    const typing = target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && target.type === 'number');
-    if (!typing && (this.#editor.press(event, stopOf(target)) || this.#openPlane()?.press(event))) event.preventDefault();
+    const typing =
+      target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && target.type === 'number');
+    if (!typing && (this.#editor.press(event, stopOf(target)) || this.#openPlane()?.press(event)))
+      event.preventDefault();
   };
 
   /** All the repeats of a held key are one edit. */

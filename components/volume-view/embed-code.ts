@@ -14,15 +14,28 @@ const gap = 16;
  * @param lang - language of its texts
  * @returns `missing`: the address where the page for iframes was not found
  */
-export async function writeEmbedCode(view: ControlledView, lang: string): Promise<{ readonly code: string } | { readonly missing: string }> {
+export async function writeEmbedCode(
+  view: ControlledView,
+  lang: string,
+): Promise<{ readonly code: string } | { readonly missing: string }> {
   // The page is next to the other files of the package.
   const page = new URL('embed.html', new URL(findX3domUrl(), document.baseURI));
-  const isThere = await fetch(page, { method: 'HEAD' }).then(({ ok }) => ok, () => false);
+  const isThere = await fetch(page, { method: 'HEAD' }).then(
+    ({ ok }) => ok,
+    () => false,
+  );
   if (!isThere) return { missing: page.href };
   const given = new Map<string, string>();
   for (const { name, value } of view.attributes) if (isOwn(view, name)) given.set(name, value);
   for (const [name, value] of Object.entries(view.getView())) given.set(name, value);
-  given.set('src', view.src!.trim().split(/\s+/).map((file) => new URL(file, document.baseURI).href).join(' '));
+  given.set(
+    'src',
+    view
+      .src!.trim()
+      .split(/\s+/)
+      .map((file) => new URL(file, document.baseURI).href)
+      .join(' '),
+  );
   if (!/^en\b/i.test(lang)) given.set('lang', lang);
   let height = view.clientHeight;
   for (const name of ['legend', 'timeline']) {
@@ -31,9 +44,22 @@ export async function writeEmbedCode(view: ControlledView, lang: string): Promis
     given.set(name, '');
     height += companion.offsetHeight + gap;
   }
-  const query = [...given].map(([name, value]) => (value === '' ? name : `${name}=${encodeURIComponent(value)}`)).join('&');
-  const attributes = { src: `${page.href}?${query}`, title: view.getAttribute('alt') ?? '', width: String(view.clientWidth), height: String(height), allow: 'fullscreen', style: 'border: 0' };
-  return { code: `<iframe ${Object.entries(attributes).map(([name, value]) => `${name}="${escape(value)}"`).join(' ')}></iframe>` };
+  const query = [...given]
+    .map(([name, value]) => (value === '' ? name : `${name}=${encodeURIComponent(value)}`))
+    .join('&');
+  const attributes = {
+    src: `${page.href}?${query}`,
+    title: view.getAttribute('alt') ?? '',
+    width: String(view.clientWidth),
+    height: String(height),
+    allow: 'fullscreen',
+    style: 'border: 0',
+  };
+  return {
+    code: `<iframe ${Object.entries(attributes)
+      .map(([name, value]) => `${name}="${escape(value)}"`)
+      .join(' ')}></iframe>`,
+  };
 }
 
 /** Whether an attribute belongs to the view. Attributes of HTML, of styles and of scripts stay in the page. */

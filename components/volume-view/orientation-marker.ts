@@ -15,7 +15,12 @@ const covered = 0.3;
 /**
  * Letters around a point, as their directions are in the picture; each one turns the view to its side. Empty where the sides are unknown.
  */
-export function renderMarker(volume: VolumeInfo, camera: Camera, messages: ControlMessages, turn: (view: StandardView) => void): unknown {
+export function renderMarker(
+  volume: VolumeInfo,
+  camera: Camera,
+  messages: ControlMessages,
+  turn: (view: StandardView) => void,
+): unknown {
   const marks = placeMarks(camera, listSides(volume));
   if (marks.length === 0) return '';
   const button = ({ view, x, y, towards }: OrientationMark): unknown => html`<button

@@ -3,7 +3,18 @@ import type { StandardView } from '../../src/viewer/camera/standard-views.ts';
 import type { ControlMessages } from '../../src/messages/messages.ts';
 
 /** The controls that may be left out. */
-export type ControlName = 'play' | 'rotate' | 'views' | 'zoom' | 'reset' | 'fullscreen' | 'save' | 'copy' | 'embed' | 'help' | 'hint';
+export type ControlName =
+  | 'play'
+  | 'rotate'
+  | 'views'
+  | 'zoom'
+  | 'reset'
+  | 'fullscreen'
+  | 'save'
+  | 'copy'
+  | 'embed'
+  | 'help'
+  | 'hint';
 
 /** Lines in a box of 24 by 24. */
 const icons = {
@@ -33,8 +44,17 @@ export interface BarState {
   has(name: ControlName): boolean;
 }
 
-export function renderBar(messages: ControlMessages, { open, playing, rotating, isFull, has }: BarState, act: Act): unknown {
-  const button = (action: Parameters<Act>[0], icon: keyof typeof icons, label: string, more = ''): unknown => html`<button
+export function renderBar(
+  messages: ControlMessages,
+  { open, playing, rotating, isFull, has }: BarState,
+  act: Act,
+): unknown {
+  const button = (
+    action: Parameters<Act>[0],
+    icon: keyof typeof icons,
+    label: string,
+    more = '',
+  ): unknown => html`<button
     type="button"
     part="control"
     class=${more}
@@ -58,7 +78,11 @@ export function renderBar(messages: ControlMessages, { open, playing, rotating, 
   </div>`;
 }
 
-export function renderViews(messages: ControlMessages, views: readonly StandardView[], choose: (view: StandardView) => void): unknown {
+export function renderViews(
+  messages: ControlMessages,
+  views: readonly StandardView[],
+  choose: (view: StandardView) => void,
+): unknown {
   return html`<div class="panel views" part="controls-panel" role="group" aria-label=${messages.views}>
     ${views.map((view) => html`<button type="button" part="control" @click=${() => choose(view)}>${messages.view[view.name]}</button>`)}
   </div>`;
@@ -66,7 +90,9 @@ export function renderViews(messages: ControlMessages, views: readonly StandardV
 
 export function renderMore(messages: ControlMessages, has: (name: ControlName) => boolean, act: Act): unknown {
   const entry = (name: ControlName, label: string, action = name as Parameters<Act>[0], more = ''): unknown =>
-    (has(name) ? html`<button type="button" part="control" class=${more} @click=${() => act(action)}>${label}</button>` : nothing);
+    has(name)
+      ? html`<button type="button" part="control" class=${more} @click=${() => act(action)}>${label}</button>`
+      : nothing;
   return html`<div class="panel" part="controls-panel" role="group" aria-label=${messages.more}>
     ${entry('zoom', messages.zoomIn, 'zoomin', 'narrow')}${entry('zoom', messages.zoomOut, 'zoomout', 'narrow')}${entry('reset', messages.resetView, 'reset', 'narrow')}
     ${entry('save', messages.savePicture)}${entry('copy', messages.copyView)}${entry('embed', messages.copyEmbed)}${entry('help', messages.help)}

@@ -41,7 +41,10 @@ export class ViewControls {
   #marker: typeof MarkerPart | null = null;
 
   /** @param hand - the viewer whose camera the buttons move; null while there is no picture */
-  constructor(readonly view: ControlledView, readonly hand: () => Pick<Viewer, 'resetCamera' | 'turnTo' | 'invalidate' | 'rig'> | null) {
+  constructor(
+    readonly view: ControlledView,
+    readonly hand: () => Pick<Viewer, 'resetCamera' | 'turnTo' | 'invalidate' | 'rig'> | null,
+  ) {
     this.#locale = new LocaleController(view, english);
     const root = view.renderRoot as ShadowRoot;
     root.adoptedStyleSheets = [...root.adoptedStyleSheets, ...sheets];
@@ -50,9 +53,14 @@ export class ViewControls {
     document.addEventListener('fullscreenchange', () => view.requestUpdate(), { signal });
     void customElements.whenDefined('volume-timeline').then(() => view.requestUpdate()); // The timeline has a play button, too.
     // A press anywhere else closes the panel, as with menus.
-    document.addEventListener('pointerdown', (event) => {
-      if (this.#panel && !event.composedPath().some((part) => part instanceof Element && part.matches('.controls'))) this.#open(null);
-    }, { signal, capture: true });
+    document.addEventListener(
+      'pointerdown',
+      (event) => {
+        if (this.#panel && !event.composedPath().some((part) => part instanceof Element && part.matches('.controls')))
+          this.#open(null);
+      },
+      { signal, capture: true },
+    );
   }
 
   /** Called when the attribute has been removed. */
@@ -100,13 +108,17 @@ export class ViewControls {
       ${this.#renderPanel(messages, has)}
       <div class="row">
         ${hint ? renderHint(messages) : nothing}
-        ${renderBar(messages, {
-          open: this.#panel,
-          playing: isPlayable ? !view.paused : null,
-          rotating: view.autoRotate && has('rotate') ? !socketOf(view).last('rotation')?.stopped : null,
-          isFull: isFullscreen(view),
-          has: (name) => has(name) && (name !== 'fullscreen' || document.fullscreenEnabled),
-        }, this.#act)}
+        ${renderBar(
+          messages,
+          {
+            open: this.#panel,
+            playing: isPlayable ? !view.paused : null,
+            rotating: view.autoRotate && has('rotate') ? !socketOf(view).last('rotation')?.stopped : null,
+            isFull: isFullscreen(view),
+            has: (name) => has(name) && (name !== 'fullscreen' || document.fullscreenEnabled),
+          },
+          this.#act,
+        )}
       </div>
     </div>`;
   }
@@ -201,14 +213,18 @@ export class ViewControls {
   }
 
   async #copy(): Promise<void> {
-    const text = Object.entries(this.view.getView()).map(([name, value]) => `${name}="${value}"`).join(' ');
+    const text = Object.entries(this.view.getView())
+      .map(([name, value]) => `${name}="${value}"`)
+      .join(' ');
     const { copied, copyByHand } = this.#locale.messages;
     await this.#offer(text, copied, copyByHand);
   }
 
   async #embed(): Promise<void> {
     const { copiedEmbed, copyEmbedByHand, embedMissing, embedFailed } = this.#locale.messages;
-    const written = await import('./embed-code.ts').then(({ writeEmbedCode }) => writeEmbedCode(this.view, this.#locale.lang())).catch(() => null);
+    const written = await import('./embed-code.ts')
+      .then(({ writeEmbedCode }) => writeEmbedCode(this.view, this.#locale.lang()))
+      .catch(() => null);
     if (!written) this.#fail(embedFailed);
     else if ('missing' in written) this.#fail(embedMissing(written.missing));
     else await this.#offer(written.code, copiedEmbed, copyEmbedByHand);
@@ -216,7 +232,12 @@ export class ViewControls {
 
   /** Copy a text to the clipboard; if the page may not do so, show a field from which a person copies it. */
   async #offer(text: string, copied: string, byHand: string): Promise<void> {
-    const isCopied = await Promise.resolve().then(() => navigator.clipboard.writeText(text)).then(() => true, () => false);
+    const isCopied = await Promise.resolve()
+      .then(() => navigator.clipboard.writeText(text))
+      .then(
+        () => true,
+        () => false,
+      );
     this.#message = isCopied ? { sentence: copied, text: '' } : { sentence: byHand, text };
     this.#open('copied');
   }
@@ -234,7 +255,13 @@ const sheets = [styles.styleSheet!, markerStyles.styleSheet!];
 
 /** Whether another page can load the source of a view. It can't load files on a person's own computer. */
 function isEmbeddable({ src }: ControlledView): boolean {
-  return location.protocol !== 'file:' && src !== null && src.trim() !== '' && src.length < longestSource && !/(^|\s)(blob|file):/i.test(src);
+  return (
+    location.protocol !== 'file:' &&
+    src !== null &&
+    src.trim() !== '' &&
+    src.length < longestSource &&
+    !/(^|\s)(blob|file):/i.test(src)
+  );
 }
 
 function isFullscreen(view: ControlledView): boolean {
@@ -249,7 +276,15 @@ async function toggleFullscreen(view: ControlledView): Promise<void> {
 
 /** The name of a file without its extension, with characters that all systems allow. */
 function nameOfPicture({ src }: ControlledView): string {
-  const path = (src ?? '').trim().split(/\s+/)[0].replace(/[?#].*$/, '');
+  const path = (src ?? '')
+    .trim()
+    .split(/\s+/)[0]
+    .replace(/[?#].*$/, '');
   const name = path.startsWith('data:') || path.startsWith('blob:') ? '' : path.slice(path.lastIndexOf('/') + 1);
-  return name.replace(/\.[^.]*$/, '').replace(/[^\w.-]+/g, '-').slice(0, 60) || 'volume';
+  return (
+    name
+      .replace(/\.[^.]*$/, '')
+      .replace(/[^\w.-]+/g, '-')
+      .slice(0, 60) || 'volume'
+  );
 }

@@ -30,7 +30,11 @@ const addresses = /\w+:\/\/[^\s"?#/]*(?:\/[^\s"?#/]+)*?\/((?:[^\s"?#/]+\/)?[^\s"
  * The error message: a line for the reader, and what the author of the page can do. It can have the focus, as it may have to be scrolled.
  * @param retry - loads the file once more
  */
-export function renderError({ code, message, topic }: VolumeViewError, { errors, tryAgain }: ViewMessages, retry: () => void): unknown {
+export function renderError(
+  { code, message, topic }: VolumeViewError,
+  { errors, tryAgain }: ViewMessages,
+  retry: () => void,
+): unknown {
   const headline = errors[topic!] ?? errors[code] ?? errors[code.split('/')[0] as keyof typeof errors];
   return html`<div class="error" part="error" role="alert" tabindex="0"><slot name="error">
     <p><strong>${headline}</strong></p>
@@ -40,7 +44,11 @@ export function renderError({ code, message, topic }: VolumeViewError, { errors,
 }
 
 /** The text for screen readers. It contains no errors, as these are read where they are shown. */
-export function describeStatus(progress: LoadProgress | null, hasPicture: boolean, locale: LocaleController<ViewMessages>): string {
+export function describeStatus(
+  progress: LoadProgress | null,
+  hasPicture: boolean,
+  locale: LocaleController<ViewMessages>,
+): string {
   if (progress) return describeProgress(progress, locale);
   return hasPicture ? locale.messages.loaded : '';
 }
@@ -57,5 +65,7 @@ export function describeRing(what: Parameters<RingWriter>[0], locale: LocaleCont
 function describeProgress({ loaded, total, phase }: LoadProgress, locale: LocaleController<ViewMessages>): string {
   const { loading, loadingPercent, decoding } = locale.messages;
   if (phase === 'decode') return decoding;
-  return total > 0 ? loadingPercent(locale.number(Math.floor(Math.min(1, loaded / total) * 10) / 10, { style: 'percent' })) : loading;
+  return total > 0
+    ? loadingPercent(locale.number(Math.floor(Math.min(1, loaded / total) * 10) / 10, { style: 'percent' }))
+    : loading;
 }

@@ -87,8 +87,14 @@ export class VolumeView extends VolumeViewMembers {
   });
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #locale = new LocaleController(this, english);
-  readonly #controls = new LazyPart(this, async () => new (await import('./view-controls.ts')).ViewControls(this, () => this._session.viewer));
-  readonly #notices = new LazyPart(this, async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => this._session.presenter));
+  readonly #controls = new LazyPart(
+    this,
+    async () => new (await import('./view-controls.ts')).ViewControls(this, () => this._session.viewer),
+  );
+  readonly #notices = new LazyPart(
+    this,
+    async () => new (await import('../internal/view-notices.ts')).ViewNotices(this, () => this._session.presenter),
+  );
   readonly #size = new OwnSize();
 
   /** Give the focus to the picture, so that keys turn it. */
@@ -114,7 +120,10 @@ export class VolumeView extends VolumeViewMembers {
   override adoptedCallback(): void {
     super.adoptedCallback();
     this._session.leave();
-    void import('../internal/frame-gone.ts').then(({ onFrameGone }) => onFrameGone(this, () => this._session.leave()), () => {});
+    void import('../internal/frame-gone.ts').then(
+      ({ onFrameGone }) => onFrameGone(this, () => this._session.leave()),
+      () => {},
+    );
   }
 
   override attributeChangedCallback(name: string, before: string | null, value: string | null): void {
@@ -141,13 +150,21 @@ export class VolumeView extends VolumeViewMembers {
     if (changed.size === 0) return; // The update shows a change in the session; no attribute has changed.
     const { given } = this;
     this.#size.set(this.shadowRoot!, given.width, given.height);
-    this._session.apply(readSettings(given), (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)));
+    this._session.apply(
+      readSettings(given),
+      (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)),
+    );
     if (changed.has('time')) loader.showTime();
     if (this.isConnected) this.#enter();
   }
 
   protected override render(): unknown {
-    const { loader, presenter, errors: { first: failure }, hasPicture } = this._session;
+    const {
+      loader,
+      presenter,
+      errors: { first: failure },
+      hasPicture,
+    } = this._session;
     const { messages } = this.#locale;
     const controls = readControls(this.interaction);
     const decorative = this.alt === '' && !controls;
@@ -183,5 +200,7 @@ export interface VolumeView {
 }
 
 declare global {
-  interface HTMLElementTagNameMap { 'volume-view': VolumeView }
+  interface HTMLElementTagNameMap {
+    'volume-view': VolumeView;
+  }
 }

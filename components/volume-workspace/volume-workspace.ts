@@ -13,10 +13,16 @@ const planes = ['axial', 'sagittal', 'coronal'] as const;
 
 /** Companions in their order in the layout, and the volumes that they suit. */
 const companions: Readonly<Record<string, { suits: (view: VolumeView) => boolean; render: () => TemplateResult }>> = {
-  timeline: { suits: ({ times }) => times.length > 1, render: () => html`<volume-timeline part="timeline"></volume-timeline>` },
+  timeline: {
+    suits: ({ times }) => times.length > 1,
+    render: () => html`<volume-timeline part="timeline"></volume-timeline>`,
+  },
   legend: { suits: () => true, render: () => html`<volume-legend part="legend"></volume-legend>` },
   readout: { suits: () => true, render: () => html`<volume-readout part="readout"></volume-readout>` },
-  'label-list': { suits: (view) => view.querySelector('volume-labels') !== null, render: () => html`<volume-label-list part="label-list"></volume-label-list>` },
+  'label-list': {
+    suits: (view) => view.querySelector('volume-labels') !== null,
+    render: () => html`<volume-label-list part="label-list"></volume-label-list>`,
+  },
 };
 
 /** The events of the `<volume-view>` after which other companions may suit it. */
@@ -104,9 +110,16 @@ export class VolumeWorkspace extends ReflectingElement {
   #read(attribute: 'panes' | 'companions', known: readonly string[]): readonly string[] | null {
     const text = this[attribute];
     if (text === null) return null;
-    const words = text.trim().split(/[\s,]+/).filter((word) => word !== '' && word !== 'none');
+    const words = text
+      .trim()
+      .split(/[\s,]+/)
+      .filter((word) => word !== '' && word !== 'none');
     if (words.every((word) => known.includes(word))) return words;
-    this.#problem ??= invalidAttribute(`${attribute} of <volume-workspace>`, text, `none, or some of ${known.join(', ')}`);
+    this.#problem ??= invalidAttribute(
+      `${attribute} of <volume-workspace>`,
+      text,
+      `none, or some of ${known.join(', ')}`,
+    );
     return null;
   }
 
@@ -118,9 +131,14 @@ export class VolumeWorkspace extends ReflectingElement {
 
   protected override render(): unknown {
     const view = this._view?.matches(':defined') ? this._view : null;
-    const panes = this._view && !view?.volume?.sweeps ? planes.filter((plane) => this.#panes?.includes(plane) ?? true) : [];
-    const side = Object.entries(companions).filter(([name, { suits }]) =>
-      view && !this.querySelector(`volume-${name}`) && (this.#companions ? this.#companions.includes(name) : suits(view)));
+    const panes =
+      this._view && !view?.volume?.sweeps ? planes.filter((plane) => this.#panes?.includes(plane) ?? true) : [];
+    const side = Object.entries(companions).filter(
+      ([name, { suits }]) =>
+        view &&
+        !this.querySelector(`volume-${name}`) &&
+        (this.#companions ? this.#companions.includes(name) : suits(view)),
+    );
     const hasSide = side.length > 0 || this.querySelector(':scope > [slot=side]') !== null;
     return html`${this.#problem ? html`<p class="error" part="error" role="alert" lang="en">${this.#problem.message}</p>` : nothing}
       <div class=${hasSide ? 'workspace sided' : 'workspace'}>

@@ -44,7 +44,8 @@ export function showChart(container: HTMLElement, chart: Chart): () => void {
       ticks: { stroke: line, width: 1 },
       splits: (_, __, low, high) => listSplits(low, high), // uPlot's own start at any number.
       filter: (_, splits) => splits,
-      values: (_, splits) => splits.map((value) => (isLabelled(value, narrow) ? String(Number(value.toPrecision(6))) : '')),
+      values: (_, splits) =>
+        splits.map((value) => (isLabelled(value, narrow) ? String(Number(value.toPrecision(6))) : '')),
     });
     return new uPlot(
       {
@@ -99,7 +100,9 @@ function widen(_: uPlot, low: number | null, high: number | null): uPlot.Range.M
 function listSplits(low: number, high: number): number[] {
   const first = Math.floor(Math.log10(low));
   const decades = Array.from({ length: Math.ceil(Math.log10(high)) - first + 1 }, (_, i) => 10 ** (first + i));
-  return decades.flatMap((decade) => [1, 2, 3, 4, 5, 6, 7, 8, 9].map((digit) => digit * decade)).filter((x) => x >= low && x <= high);
+  return decades
+    .flatMap((decade) => [1, 2, 3, 4, 5, 6, 7, 8, 9].map((digit) => digit * decade))
+    .filter((x) => x >= low && x <= high);
 }
 
 /** 1, 2 and 5 of each decade if there is space; all of them would overlap. */

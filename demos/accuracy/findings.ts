@@ -31,7 +31,10 @@ export function listFindings({ scenes }: StudyResults): string {
   const lines = (['smooth', 'peaks'] as const).map((id) => {
     const rows = scenes.map((scene) => ({ name: scene.name, rms: errorAtVoxel(scene, id, 'shipped') }));
     const missed = rows.filter(({ rms }) => rms > aims[id]);
-    const words = missed.length === 0 ? 'in all' : `in ${rows.length - missed.length} of ${rows.length}; missed: ${missed.map(({ name, rms }) => `${name}, ${error(rms)}`).join('; ')}`;
+    const words =
+      missed.length === 0
+        ? 'in all'
+        : `in ${rows.length - missed.length} of ${rows.length}; missed: ${missed.map(({ name, rms }) => `${name}, ${error(rms)}`).join('; ')}`;
     return `- ${id === 'smooth' ? 'Smooth: at most 1/255' : 'Narrow peaks: at most 2/255'}, kept ${words}.`;
   });
   const shares = (['smooth', 'peaks', 'step'] as const).map((id) => {

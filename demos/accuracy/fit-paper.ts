@@ -14,7 +14,12 @@ const min = 1 / 50;
  * the golden section; for each the best L_f is known.
  * @param limit - the limit's picture; it is drawn again, smaller
  */
-export async function fitPaperFactors(gl: StudyGl, limit: StudyPicture, eightBits: Volume, signal: AbortSignal): Promise<PaperFactors> {
+export async function fitPaperFactors(
+  gl: StudyGl,
+  limit: StudyPicture,
+  eightBits: Volume,
+  signal: AbortSignal,
+): Promise<PaperFactors> {
   const { size, steps, coarse, fine } = search;
   const wanted = await gl.draw(limit, size, signal);
   const max = Math.max(...limit.transferFunction.map((stop) => stop.opacity));

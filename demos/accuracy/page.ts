@@ -35,7 +35,12 @@ function find<T extends HTMLElement = HTMLElement>(id: string): T {
 }
 
 /** Radio buttons in the style of the other pages. */
-function offer(id: string, choices: readonly { id: string; name: string }[], chosen: string, choose: (id: string) => void): void {
+function offer(
+  id: string,
+  choices: readonly { id: string; name: string }[],
+  chosen: string,
+  choose: (id: string) => void,
+): void {
   find(id).replaceChildren(
     ...choices.map((choice) => {
       const label = document.createElement('label');
@@ -84,10 +89,14 @@ function showScene(): void {
     state.fn = id;
     showScene();
   });
-  const errors = lines((method) => fn.errors.filter((row) => row.method === method).map(({ steps, rms }) => [steps, Math.max(rms, 1e-3)]));
+  const errors = lines((method) =>
+    fn.errors.filter((row) => row.method === method).map(({ steps, rms }) => [steps, Math.max(rms, 1e-3)]),
+  );
   takeDown.push(
     showChart(find('error-chart'), {
-      xLabel: 'steps', yLabel: 'error, 1/255', lines: errors,
+      xLabel: 'steps',
+      yLabel: 'error, 1/255',
+      lines: errors,
       description: `Error against steps, ${scene.name}, ${fn.name}; the same numbers are in the tables below`,
     }),
   );
@@ -112,16 +121,24 @@ function showTimes(scene: SceneResults, fn: FunctionResults): void {
     scene.times.filter((row) => row.method === method && row.percent === 100).map(({ steps, ms }) => [steps, ms]),
   );
   const trade = lines((method) =>
-    fn.errors
-      .flatMap(({ method: of, steps, rms }): [number, number][] => {
-        const ms = of === method ? timeOf(method, steps) : undefined;
-        return ms === undefined ? [] : [[ms, Math.max(rms, 1e-3)]];
-      })
-      ,
+    fn.errors.flatMap(({ method: of, steps, rms }): [number, number][] => {
+      const ms = of === method ? timeOf(method, steps) : undefined;
+      return ms === undefined ? [] : [[ms, Math.max(rms, 1e-3)]];
+    }),
   );
   takeDown.push(
-    showChart(find('time-chart'), { xLabel: 'steps', yLabel: 'time, ms', lines: times, description: `Time against steps, ${scene.name}` }),
-    showChart(find('trade-chart'), { xLabel: 'time, ms', yLabel: 'error, 1/255', lines: trade, description: `Error against time, ${scene.name}, ${fn.name}` }),
+    showChart(find('time-chart'), {
+      xLabel: 'steps',
+      yLabel: 'time, ms',
+      lines: times,
+      description: `Time against steps, ${scene.name}`,
+    }),
+    showChart(find('trade-chart'), {
+      xLabel: 'time, ms',
+      yLabel: 'error, 1/255',
+      lines: trade,
+      description: `Error against time, ${scene.name}, ${fn.name}`,
+    }),
   );
 }
 
@@ -205,7 +222,11 @@ async function measure(): Promise<void> {
   try {
     const { runStudy } = await import('./study.ts');
     state.results = await runStudy({
-      scenes: ownScenes, timed: ownScenes, ...measureSizes, repeats: 5, signal: own.signal,
+      scenes: ownScenes,
+      timed: ownScenes,
+      ...measureSizes,
+      repeats: 5,
+      signal: own.signal,
       onProgress: (share, what) => {
         progress.value = share;
         message.textContent = what;
@@ -232,10 +253,15 @@ function showSteps(): void {
   find('steps').setAttribute('aria-valuetext', `${text} steps`);
 }
 
-offer('methods', studyMethods.map((id) => ({ id, name: methodNames[id] })), state.method, (id) => {
-  state.method = id as StudyMethod;
-  if (pictures) void drawPictures();
-});
+offer(
+  'methods',
+  studyMethods.map((id) => ({ id, name: methodNames[id] })),
+  state.method,
+  (id) => {
+    state.method = id as StudyMethod;
+    if (pictures) void drawPictures();
+  },
+);
 find('steps').addEventListener('input', () => {
   showSteps();
   if (pictures) void drawPictures();

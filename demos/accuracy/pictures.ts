@@ -36,7 +36,11 @@ export class StudyPictures {
   ): Promise<{ picture: ImageData; limit: ImageData; difference: ImageData; floats: [Float32Array, Float32Array] }> {
     const prepared = await this.#prepare(scene, fn, signal);
     const { setup, limit, paper } = prepared;
-    const picture = await this.#gl.draw(describePicture(setup, prepared.fn, { method, steps, paper }), this.size, signal);
+    const picture = await this.#gl.draw(
+      describePicture(setup, prepared.fn, { method, steps, paper }),
+      this.size,
+      signal,
+    );
     return {
       picture: toImage(this.size, (at) => picture[at] + background[at % 4] * (1 - picture[at - (at % 4) + 3])),
       limit: toImage(this.size, (at) => limit[at] + background[at % 4] * (1 - limit[at - (at % 4) + 3])),

@@ -100,5 +100,7 @@ export function roundResults<T>(value: T): T {
   if (typeof value === 'number') return (Number.isInteger(value) ? value : Number(value.toPrecision(4))) as T;
   if (Array.isArray(value)) return value.map((item: unknown) => roundResults(item)) as T;
   if (value === null || typeof value !== 'object') return value;
-  return Object.fromEntries(Object.entries(value).map(([key, item]: [string, unknown]) => [key, roundResults(item)])) as T;
+  return Object.fromEntries(
+    Object.entries(value).map(([key, item]: [string, unknown]) => [key, roundResults(item)]),
+  ) as T;
 }

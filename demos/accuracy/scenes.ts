@@ -26,7 +26,12 @@ export const studyScenes: readonly StudyScene[] = [
     preset: 'mri',
     mosaic: { mosaic: { columns: 10, rows: 10 }, slices: 96, spacing: [0.8, 0.8, -1.2] },
   },
-  { id: 'cranium', name: 'CT of a skull, 16 bit', url: '/shared-data/medical/cranium_ct/cranium_ct.nii.gz', preset: 'ct-bone' },
+  {
+    id: 'cranium',
+    name: 'CT of a skull, 16 bit',
+    url: '/shared-data/medical/cranium_ct/cranium_ct.nii.gz',
+    preset: 'ct-bone',
+  },
 ];
 
 /** A transfer function of the study. */
@@ -47,7 +52,11 @@ const opaqueStep = '0% #2a4a7a 0, 50% #2a4a7a 4%, 50% #ffe8c0 100%, 100% white 1
 export async function listFunctions(scene: StudyScene, volume: Volume): Promise<StudyFunction[]> {
   const window = volume.window ?? windowFromHistogram(volume.histogram);
   return [
-    { id: 'smooth', name: `Smooth: ${scene.preset}`, transferFunction: await resolveTransferFunction(scene.preset, window) },
+    {
+      id: 'smooth',
+      name: `Smooth: ${scene.preset}`,
+      transferFunction: await resolveTransferFunction(scene.preset, window),
+    },
     { id: 'peaks', name: 'Three peaks of 1 %', transferFunction: parseTransferFunction(peaks, window) },
     { id: 'step', name: 'Opaque step', transferFunction: parseTransferFunction(opaqueStep, window) },
   ];

@@ -7,7 +7,12 @@ const gap = 8;
  * The limit and three methods side by side, and below each method its amplified difference from the limit.
  * @param size - pixels along each side of a picture
  */
-export async function drawSheet(what: { scene: string; fn: string; steps: number; size: number }): Promise<HTMLCanvasElement> {
+export async function drawSheet(what: {
+  scene: string;
+  fn: string;
+  steps: number;
+  size: number;
+}): Promise<HTMLCanvasElement> {
   const { size } = what;
   const canvas = document.createElement('canvas');
   canvas.width = 4 * size + 3 * gap;

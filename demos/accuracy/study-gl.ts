@@ -92,7 +92,8 @@ export class StudyGl {
     const info = gl.getExtension('WEBGL_debug_renderer_info');
     this.renderer = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
     const target = createProbeTarget(gl);
-    if (!target) throw new Error('The study needs pictures in floats (EXT_color_buffer_float), which this device does not draw.');
+    if (!target)
+      throw new Error('The study needs pictures in floats (EXT_color_buffer_float), which this device does not draw.');
     this.channelBits = target.attachments[0].internal === gl.RGBA32F ? 32 : 16;
     this.#target = target;
     this.#adaptive = new AdaptivePicture(gl);
@@ -180,7 +181,8 @@ export class StudyGl {
   #inputs(picture: StudyPicture, layer: VolumeLayer, size: number): ProgramInputs {
     const { method, rays, transferFunction, referenceLength, steps, paper, shown } = picture;
     void layer.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
-    if (layer.optics?.transferFunction !== transferFunction) throw new TypeError('prepare() has to be awaited before a picture is drawn');
+    if (layer.optics?.transferFunction !== transferFunction)
+      throw new TypeError('prepare() has to be awaited before a picture is drawn');
     layer.skipping = picture.skipping ?? true;
     layer.substeps = picture.cut ?? { ...allSubsteps, max: picture.maxSubsteps ?? maxSubsteps };
     const shipped = layer.inputs(rays, null);
@@ -231,7 +233,10 @@ export class StudyGl {
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, size, size, 0, gl.RGBA, gl.FLOAT, shown);
-      this.#shown = { of: shown, unit: textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uShown' }) };
+      this.#shown = {
+        of: shown,
+        unit: textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uShown' }),
+      };
     }
     return this.#shown.unit;
   }
@@ -256,7 +261,10 @@ function uploadColors(gl: WebGL2RenderingContext, transferFunction: TransferFunc
     const value = volume.slope * ((i + 0.5) / 256) * 255 + volume.intercept;
     const [red, green, blue, alpha] = evaluate(visible, value);
     const texel = [red / alpha, green / alpha, blue / alpha, evaluate(transferFunction, value)[3] / max];
-    texels.set(texel.map((channel) => Math.round(channel * 255)), i * 4);
+    texels.set(
+      texel.map((channel) => Math.round(channel * 255)),
+      i * 4,
+    );
   }
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);

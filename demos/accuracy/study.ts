@@ -81,10 +81,12 @@ export async function runStudy(options: StudyOptions): Promise<StudyResults> {
 async function measureScene(gl: StudyGl, setup: SceneSetup, options: StudyOptions): Promise<SceneResults> {
   const { id, name, volume, eightBits, functions, base } = setup;
   const functionResults: FunctionResults[] = [];
-  const reduced = new Map(([50, 25] as const).map((percent) => [
-    percent,
-    { ...setup, volume: reduceTo(volume, percent), eightBits: reduceTo(eightBits, percent) },
-  ]));
+  const reduced = new Map(
+    ([50, 25] as const).map((percent) => [
+      percent,
+      { ...setup, volume: reduceTo(volume, percent), eightBits: reduceTo(eightBits, percent) },
+    ]),
+  );
   for (const [i, fn] of functions.entries()) {
     const onProgress = (share: number, what: string): void =>
       options.onProgress((i + share) / (functions.length + 1), `${fn.name}, ${what}`);
@@ -132,13 +134,20 @@ async function measureFunction(gl: StudyGl, work: FunctionSetup, options: StudyO
   for (const percent of [50, 25] as const) {
     resolution.push(await measureResolution(gl, { ...work, paper, limit, percent }, options));
   }
-  const eightBits = setup.eightBits === setup.volume ? null : {
-    limit: comparePictures(await gl.draw({ ...limitPicture, volume: setup.eightBits }, size, signal), limit),
-    atVoxel: comparePictures(
-      await gl.draw({ ...limitPicture, volume: setup.eightBits, steps: autoSteps(setup.volume.grid), maxSubsteps: undefined }, size, signal),
-      limit,
-    ),
-  };
+  const eightBits =
+    setup.eightBits === setup.volume
+      ? null
+      : {
+          limit: comparePictures(await gl.draw({ ...limitPicture, volume: setup.eightBits }, size, signal), limit),
+          atVoxel: comparePictures(
+            await gl.draw(
+              { ...limitPicture, volume: setup.eightBits, steps: autoSteps(setup.volume.grid), maxSubsteps: undefined },
+              size,
+              signal,
+            ),
+            limit,
+          ),
+        };
   return {
     id: fn.id,
     name: fn.name,
@@ -169,12 +178,22 @@ async function measureErrors(
 
 async function measureResolution(
   gl: StudyGl,
-  { reduced, fn, paper, limit, percent }: FunctionSetup & { paper: PaperFactors; limit: Float32Array; percent: 50 | 25 },
+  {
+    reduced,
+    fn,
+    paper,
+    limit,
+    percent,
+  }: FunctionSetup & { paper: PaperFactors; limit: Float32Array; percent: 50 | 25 },
   { size, signal }: StudyOptions,
 ): Promise<ResolutionResults> {
   const setup = reduced.get(percent)!;
   const limitOfGrid = stepsOfLimit(setup.volume, limitSteps.reduced);
-  const own = await gl.draw(describePicture(setup, fn, { method: 'shipped', steps: limitOfGrid, maxSubsteps: 1 }), size, signal);
+  const own = await gl.draw(
+    describePicture(setup, fn, { method: 'shipped', steps: limitOfGrid, maxSubsteps: 1 }),
+    size,
+    signal,
+  );
   const rows = [];
   for (const method of studyMethods) {
     for (const steps of resolutionSteps) {
@@ -199,13 +218,23 @@ function countSamplesPerStep({ volume, rays, transferFunction, referenceLength }
   const cells = macrocells.dimensions;
   const taken = { samples: 0, steps: 0 };
   const valueAt = (point: Vector3): number => {
-    const [i, j, k] = point.map((p, axis) => Math.min(cells[axis] - 1, Math.max(0, Math.floor((p * dimensions[axis]) / cellSize))));
+    const [i, j, k] = point.map((p, axis) =>
+      Math.min(cells[axis] - 1, Math.max(0, Math.floor((p * dimensions[axis]) / cellSize))),
+    );
     if (rings[i + cells[0] * (j + cells[1] * k)] === 0) taken.samples++;
     return interpolate(samples, dimensions, point);
   };
   const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
   const stepLength = stepLengthOf(volume.grid, autoSteps(volume.grid));
-  const scene = { grid: volume.grid, samples, slope, intercept, ...optics, stepLength, field: storedField(valueAt, volume) };
+  const scene = {
+    grid: volume.grid,
+    samples,
+    slope,
+    intercept,
+    ...optics,
+    stepLength,
+    field: storedField(valueAt, volume),
+  };
   for (let i = 0; i < countedSide ** 2; i++) {
     const [x, y] = [i % countedSide, Math.floor(i / countedSide)].map((n) => ((n + 0.5) / countedSide) * 2 - 1);
     const ray = rayThrough(rays, x, y);
@@ -225,7 +254,15 @@ function checkAgainstReference(
 ): { rays: number; rms: number; worst: number } {
   const { samples, slope, intercept } = volume;
   const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume.grid, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume.grid, steps), maxSubsteps: 1 };
+  const scene = {
+    grid: volume.grid,
+    samples,
+    slope,
+    intercept,
+    ...optics,
+    stepLength: stepLengthOf(volume.grid, steps),
+    maxSubsteps: 1,
+  };
   const differences: PictureDifference[] = [];
   for (let i = 0; i < referenceSide ** 2; i++) {
     const column = Math.floor((((i % referenceSide) + 0.5) / referenceSide) * size);

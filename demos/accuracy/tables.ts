@@ -15,7 +15,14 @@ const methods: readonly StudyMethod[] = ['printed', 'plain', 'shipped'];
 
 /** Every table of the study. */
 export function listTables(results: StudyResults): Table[] {
-  return [listScenes(results), compareAtVoxel(results), listErrors(results), listTimes(results), listResolution(results), listBits(results)];
+  return [
+    listScenes(results),
+    compareAtVoxel(results),
+    listErrors(results),
+    listTimes(results),
+    listResolution(results),
+    listBits(results),
+  ];
 }
 
 function listScenes({ scenes }: StudyResults): Table {
@@ -23,14 +30,35 @@ function listScenes({ scenes }: StudyResults): Table {
     id: 'scenes',
     title: 'Volumes and limits: how far it has converged and how exact it is, 1/255',
     columns: [
-      'volume', 'voxels', 'bits', 'steps, one per voxel', 'pixels hit', 'transfer function', 'steps of the limit',
-      'to half as many: RMSE', 'P99', 'to float64, 16 rays: RMSE', 'worst', 'paper: O_f', 'L_f',
+      'volume',
+      'voxels',
+      'bits',
+      'steps, one per voxel',
+      'pixels hit',
+      'transfer function',
+      'steps of the limit',
+      'to half as many: RMSE',
+      'P99',
+      'to float64, 16 rays: RMSE',
+      'worst',
+      'paper: O_f',
+      'L_f',
     ],
     rows: each(scenes, (scene, { name, limit, paper }) => [
       [
-        scene.name, scene.dimensions.join(' × '), scene.bits, scene.voxelSteps, `${Math.round(scene.covered * 100)} %`, name, limit.steps,
-        error(limit.half.rms), error(limit.half.p99), error(limit.reference.rms), error(limit.reference.worst),
-        digits(paper.opacity), digits(paper.light),
+        scene.name,
+        scene.dimensions.join(' × '),
+        scene.bits,
+        scene.voxelSteps,
+        `${Math.round(scene.covered * 100)} %`,
+        name,
+        limit.steps,
+        error(limit.half.rms),
+        error(limit.half.p99),
+        error(limit.reference.rms),
+        error(limit.reference.worst),
+        digits(paper.opacity),
+        digits(paper.light),
       ],
     ]),
   };
@@ -40,11 +68,21 @@ function compareAtVoxel({ scenes }: StudyResults): Table {
   return {
     id: 'one-step-a-voxel',
     title: 'One sample per voxel: RMSE and 99th percentile, 1/255',
-    columns: ['volume', 'transfer function', 'steps', ...methods.flatMap((m) => [`${methodNames[m]}: RMSE`, 'P99']), 'samples per step'],
+    columns: [
+      'volume',
+      'transfer function',
+      'steps',
+      ...methods.flatMap((m) => [`${methodNames[m]}: RMSE`, 'P99']),
+      'samples per step',
+    ],
     rows: each(scenes, (scene, { name, errors, samplesPerStep }) => [
       [
-        scene.name, name, scene.voxelSteps,
-        ...methods.flatMap((method) => both(errors.find((row) => row.method === method && row.steps === scene.voxelSteps)!)),
+        scene.name,
+        name,
+        scene.voxelSteps,
+        ...methods.flatMap((method) =>
+          both(errors.find((row) => row.method === method && row.steps === scene.voxelSteps)!),
+        ),
         samplesPerStep.toFixed(2),
       ],
     ]),
@@ -60,7 +98,9 @@ function listErrors({ scenes }: StudyResults): Table {
       errors
         .filter(({ method }) => method === 'shipped')
         .map(({ steps }) => [
-          scene.name, name, steps,
+          scene.name,
+          name,
+          steps,
           ...methods.flatMap((method) => both(errors.find((row) => row.method === method && row.steps === steps)!)),
         ]),
     ),
@@ -76,7 +116,9 @@ function listTimes({ scenes, timeSize, repeats }: StudyResults): Table {
       times
         .filter(({ method }) => method === 'shipped')
         .map(({ percent, steps }) => [
-          name, `${percent} %`, steps,
+          name,
+          `${percent} %`,
+          steps,
           ...methods.map((method) => {
             const found = times.find((row) => row.method === method && row.percent === percent && row.steps === steps);
             return found ? milliseconds(found.ms) : '';
@@ -89,21 +131,32 @@ function listTimes({ scenes, timeSize, repeats }: StudyResults): Table {
 function listResolution({ scenes }: StudyResults): Table {
   return {
     id: 'resolution',
-    title: 'Error against resolution (the paper\'s figure 7): RMSE, 1/255; in brackets against the limit of the coarser grid itself',
+    title:
+      "Error against resolution (the paper's figure 7): RMSE, 1/255; in brackets against the limit of the coarser grid itself",
     columns: ['volume', 'transfer function', 'voxels along each axis', 'steps', ...methods.map((m) => methodNames[m])],
     rows: each(scenes, (scene, { name, errors, resolution }) => [
-      ...(resolution[0]?.rows ?? []).filter(({ method }) => method === 'shipped').map(({ steps }) => [
-        scene.name, name, '100 %', steps,
-        ...methods.map((method) => error(errors.find((row) => row.method === method && row.steps === steps)!.rms)),
-      ]),
-      ...resolution.flatMap(({ percent, data, rows }) => [
-        ...rows.filter(({ method }) => method === 'shipped').map(({ steps }) => [
-          scene.name, name, `${percent} %`, steps,
-          ...methods.map((method) => {
-            const row = rows.find((one) => one.method === method && one.steps === steps)!;
-            return `${error(row.full.rms)} (${error(row.own.rms)})`;
-          }),
+      ...(resolution[0]?.rows ?? [])
+        .filter(({ method }) => method === 'shipped')
+        .map(({ steps }) => [
+          scene.name,
+          name,
+          '100 %',
+          steps,
+          ...methods.map((method) => error(errors.find((row) => row.method === method && row.steps === steps)!.rms)),
         ]),
+      ...resolution.flatMap(({ percent, data, rows }) => [
+        ...rows
+          .filter(({ method }) => method === 'shipped')
+          .map(({ steps }) => [
+            scene.name,
+            name,
+            `${percent} %`,
+            steps,
+            ...methods.map((method) => {
+              const row = rows.find((one) => one.method === method && one.steps === steps)!;
+              return `${error(row.full.rms)} (${error(row.own.rms)})`;
+            }),
+          ]),
         [scene.name, name, `${percent} %`, 'limit', '', '', error(data.rms)],
       ]),
     ]),
@@ -114,13 +167,27 @@ function listBits({ scenes }: StudyResults): Table {
   return {
     id: 'bits',
     title: '16-bit data in 8 bits over their full range, against the limit of 16 bits: RMSE and 99th percentile, 1/255',
-    columns: ['volume', 'transfer function', '8 bits, limit: RMSE', 'P99', '8 bits, one sample per voxel: RMSE', 'P99', '16 bits, one sample per voxel: RMSE', 'P99'],
+    columns: [
+      'volume',
+      'transfer function',
+      '8 bits, limit: RMSE',
+      'P99',
+      '8 bits, one sample per voxel: RMSE',
+      'P99',
+      '16 bits, one sample per voxel: RMSE',
+      'P99',
+    ],
     rows: each(scenes, (scene, { name, errors, eightBits }) =>
       eightBits
-        ? [[
-            scene.name, name, ...both(eightBits.limit), ...both(eightBits.atVoxel),
-            ...both(errors.find((row) => row.method === 'shipped' && row.steps === scene.voxelSteps)!),
-          ]]
+        ? [
+            [
+              scene.name,
+              name,
+              ...both(eightBits.limit),
+              ...both(eightBits.atVoxel),
+              ...both(errors.find((row) => row.method === 'shipped' && row.steps === scene.voxelSteps)!),
+            ],
+          ]
         : [],
     ),
   };
@@ -163,6 +230,8 @@ export function toCsv({ columns, rows }: Table): string {
 
 export function toMarkdown({ columns, rows }: Table): string {
   const line = (cells: readonly (string | number)[]): string => `| ${cells.join(' | ')} |`;
-  const rule = line(columns.map((_, i) => (rows.every((row) => row[i] === '' || /^[\d.]/.test(String(row[i]))) ? '--:' : '---')));
+  const rule = line(
+    columns.map((_, i) => (rows.every((row) => row[i] === '' || /^[\d.]/.test(String(row[i]))) ? '--:' : '---')),
+  );
   return [line(columns), rule, ...rows.map(line)].join('\n');
 }

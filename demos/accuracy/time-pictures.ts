@@ -28,14 +28,21 @@ export async function timePictures(
   const steps = listSteps(setup.volume, studySteps);
   const wanted = [
     ...studyMethods.map((method) => ({ percent: 100 as const, setup, method, steps })),
-    ...[...reduced].map(([percent, one]) => ({ percent, setup: one, method: 'shipped' as const, steps: resolutionSteps })),
+    ...[...reduced].map(([percent, one]) => ({
+      percent,
+      setup: one,
+      method: 'shipped' as const,
+      steps: resolutionSteps,
+    })),
   ];
-  const timed: Timed[] = wanted.flatMap(({ method, ...one }) => one.steps.map((count) => {
-    const picture = describePicture(one.setup, setup.functions[0], { method, steps: count, paper: results.paper });
-    const warm = gl.time(picture, timeSize);
-    const repeat = Math.min(maxPictures, Math.max(1, Math.round(shortest / Math.max(warm, 0.01))));
-    return { percent: one.percent, method, steps: count, picture, repeat, times: [] };
-  }));
+  const timed: Timed[] = wanted.flatMap(({ method, ...one }) =>
+    one.steps.map((count) => {
+      const picture = describePicture(one.setup, setup.functions[0], { method, steps: count, paper: results.paper });
+      const warm = gl.time(picture, timeSize);
+      const repeat = Math.min(maxPictures, Math.max(1, Math.round(shortest / Math.max(warm, 0.01))));
+      return { percent: one.percent, method, steps: count, picture, repeat, times: [] };
+    }),
+  );
   for (let i = 0; i < repeats; i++) {
     for (const one of timed) {
       signal.throwIfAborted();
@@ -44,7 +51,12 @@ export async function timePictures(
     }
     onProgress(0.75 + (0.25 * (i + 1)) / repeats, 'times');
   }
-  return timed.map(({ percent, method, steps: count, times }) => ({ percent, method, steps: count, ms: median(times) }));
+  return timed.map(({ percent, method, steps: count, times }) => ({
+    percent,
+    method,
+    steps: count,
+    ms: median(times),
+  }));
 }
 
 function median(values: readonly number[]): number {

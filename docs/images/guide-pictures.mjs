@@ -20,11 +20,16 @@ const skin = 'shading="lit" transfer-function="38 #5a3028 0, 52 #c08068 75%, 80 
 const open = 'transfer-function="20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%"';
 
 /** Pictures with captions. @param {readonly [attributes: string, caption: string, children?: string][]} cells */
-const figures = (cells) => cells
-  .map(([attributes, caption, children = '']) => `<figure><volume-view ${attributes}>${children}</volume-view><figcaption><code>${caption}</code></figcaption></figure>`)
-  .join('');
+const figures = (cells) =>
+  cells
+    .map(
+      ([attributes, caption, children = '']) =>
+        `<figure><volume-view ${attributes}>${children}</volume-view><figcaption><code>${caption}</code></figcaption></figure>`,
+    )
+    .join('');
 /** @param {number} columns @param {number} height - of each picture */
-const grid = (columns, height) => `body { display: grid; grid-template-columns: repeat(${columns}, minmax(0, 1fr)); gap: 10px } figure { margin: 0 } volume-view { inline-size: 100%; block-size: ${height}px; aspect-ratio: auto }`;
+const grid = (columns, height) =>
+  `body { display: grid; grid-template-columns: repeat(${columns}, minmax(0, 1fr)); gap: 10px } figure { margin: 0 } volume-view { inline-size: 100%; block-size: ${height}px; aspect-ratio: auto }`;
 
 /** @type {readonly GuidePicture[]} */
 export const guidePictures = [
@@ -41,10 +46,21 @@ export const guidePictures = [
       [`${brain} camera-orbit="90deg 80deg 88%" transfer-function="mri"`, 'mri'],
       [`${brain} camera-orbit="90deg 80deg 88%" transfer-function="gray"`, 'gray'],
       [`${brain} camera-orbit="90deg 80deg 88%" transfer-function="viridis"`, 'viridis'],
-      [`src="${data}/motor-synthetic.nii.gz" camera-orbit="90deg 80deg 88%" transfer-function="diverging"`, 'diverging'],
-      [`${storm} rings="none" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 66%" transfer-function="radar-dbz"`, 'radar-dbz'],
-      ...['ct-bone', 'ct-soft-tissue', 'ct-angio', 'ct-lung'].map((name) => /** @type {[string, string]} */ ([`${torso} ${upright} transfer-function="${name}"`, name])),
-      [`src="${data}/storm-radar-1510-velocity.json" rings="none" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 66%" transfer-function="radar-velocity"`, 'radar-velocity'],
+      [
+        `src="${data}/motor-synthetic.nii.gz" camera-orbit="90deg 80deg 88%" transfer-function="diverging"`,
+        'diverging',
+      ],
+      [
+        `${storm} rings="none" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 66%" transfer-function="radar-dbz"`,
+        'radar-dbz',
+      ],
+      ...['ct-bone', 'ct-soft-tissue', 'ct-angio', 'ct-lung'].map(
+        (name) => /** @type {[string, string]} */ ([`${torso} ${upright} transfer-function="${name}"`, name]),
+      ),
+      [
+        `src="${data}/storm-radar-1510-velocity.json" rings="none" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 66%" transfer-function="radar-velocity"`,
+        'radar-velocity',
+      ],
     ]),
     css: grid(5, 185),
   },
@@ -54,8 +70,14 @@ export const guidePictures = [
     html: figures([
       [`${torso} ${upright} transfer-function="ct-soft-tissue"`, 'no projection'],
       [`${torso} ${upright} transfer-function="gray" projection="max" value-window="0 700"`, 'projection="max"'],
-      [`${torso} ${upright} transfer-function="gray" projection="min" value-window="-1000 100" region="-174 -15 -174 174 25 174"`, 'projection="min"'],
-      [`${torso} ${upright} transfer-function="gray" projection="average" value-window="-700 -100"`, 'projection="average"'],
+      [
+        `${torso} ${upright} transfer-function="gray" projection="min" value-window="-1000 100" region="-174 -15 -174 174 25 174"`,
+        'projection="min"',
+      ],
+      [
+        `${torso} ${upright} transfer-function="gray" projection="average" value-window="-700 -100"`,
+        'projection="average"',
+      ],
     ]),
     css: grid(2, 300),
   },
@@ -124,7 +146,11 @@ export const guidePictures = [
     act: async (page) => {
       await page.evaluate(async (url) => {
         const { image, ...manifest } = await (await fetch(url)).json();
-        const placed = { ...manifest, image: new URL(image, new URL(url, location.href)).href, site: { name: 'Synthetic', latitude: 55.6, longitude: 11.6, height: 60 } };
+        const placed = {
+          ...manifest,
+          image: new URL(image, new URL(url, location.href)).href,
+          site: { name: 'Synthetic', latitude: 55.6, longitude: 11.6, height: 60 },
+        };
         const file = new Blob([JSON.stringify(placed)], { type: 'application/json' });
         document.querySelector('volume-view')?.setAttribute('src', URL.createObjectURL(file));
       }, `${data}/storm-radar-1510.json`);
@@ -144,11 +170,17 @@ export async function photographGuide(page, { size: [width, height], html, css =
     <style>body { margin: 12px; font: 14px/1.4 system-ui, sans-serif; background: #fff; color: #1c2330 } volume-view { border-radius: 6px }
       figcaption { padding-block: 2px 4px } code { font: 12px ui-monospace, monospace } ${css}</style>${html}`);
   const names = [...new Set(html.match(/(?<=<)volume-[\w-]+/g))];
-  await page.evaluate((all) => Promise.all(all.map((name) => customElements.whenDefined(name))).then(() => undefined), names);
-  const settle = () => page.evaluate(async () => {
-    const elements = /** @type {(Element & { whenRendered(): Promise<unknown> })[]} */ ([...document.querySelectorAll('volume-view, volume-slice-view')]);
-    for (const element of elements) await element.whenRendered();
-  });
+  await page.evaluate(
+    (all) => Promise.all(all.map((name) => customElements.whenDefined(name))).then(() => undefined),
+    names,
+  );
+  const settle = () =>
+    page.evaluate(async () => {
+      const elements = /** @type {(Element & { whenRendered(): Promise<unknown> })[]} */ ([
+        ...document.querySelectorAll('volume-view, volume-slice-view'),
+      ]);
+      for (const element of elements) await element.whenRendered();
+    });
   if (!html.includes('src="placed"')) await settle();
   await act?.(page);
   // What follows a picture: names, measures, the map.

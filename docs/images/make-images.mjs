@@ -13,7 +13,10 @@ import { guidePictures, photographGuide } from './guide-pictures.mjs';
 
 const mri = { src: '/demos/data/mni152-t1.nii.gz' };
 const head = {
-  src: '/demos/data/colin27-t1.nii.gz', shading: 'lit', cutout: '-120 -20 10 0 120 120', 'transfer-function': '38 #5a3028 0, 52 #c08068 75%, 80 #e3b8a0 90%, 120 #fff2e6 95%',
+  src: '/demos/data/colin27-t1.nii.gz',
+  shading: 'lit',
+  cutout: '-120 -20 10 0 120 120',
+  'transfer-function': '38 #5a3028 0, 52 #c08068 75%, 80 #e3b8a0 90%, 120 #fff2e6 95%',
 };
 const torso = { src: '/demos/data/ct-phantom.json' };
 const upright = { ...torso, 'camera-target': '0 0 0', 'camera-orbit': '12deg 86deg 720' };
@@ -36,18 +39,49 @@ const swatch = (name, attributes) => ({
   parts: [{ attributes: { ...attributes, 'transfer-function': name } }],
 });
 
-const brain = { ...mri, 'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%', 'camera-orbit': '65deg 75deg 82%' };
+const brain = {
+  ...mri,
+  'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%',
+  'camera-orbit': '65deg 75deg 82%',
+};
 const body = { ...torso, 'transfer-function': 'ct-soft-tissue', 'camera-orbit': '25deg 80deg 100%' };
-const lamp = '<directionallight direction="-0.3 -0.9 -0.5"></directionallight><navigationinfo headlight="false"></navigationinfo>';
+const lamp =
+  '<directionallight direction="-0.3 -0.9 -0.5"></directionallight><navigationinfo headlight="false"></navigationinfo>';
 const styleTiles = [
   { attributes: body },
-  { attributes: body, children: '<BoundaryEnhancementVolumeStyle retainedOpacity="0" boundaryOpacity="4" opacityFactor="1"></BoundaryEnhancementVolumeStyle>' },
-  { attributes: body, children: '<SilhouetteEnhancementVolumeStyle silhouetteRetainedOpacity="0.02" silhouetteBoundaryOpacity="1" silhouetteSharpness="2"></SilhouetteEnhancementVolumeStyle>' },
-  { attributes: brain, children: '<EdgeEnhancementVolumeStyle gradientThreshold="1.15" edgeColor="0.1 0.05 0.05"></EdgeEnhancementVolumeStyle>' },
-  { attributes: brain, children: `<ToneMappedVolumeStyle coolColor="0.12 0.2 0.55" warmColor="1 0.82 0.55"></ToneMappedVolumeStyle>${lamp}` },
-  { attributes: brain, children: '<CartoonVolumeStyle parallelColor="1 0.87 0.7" orthogonalColor="0.35 0.1 0.2" colorSteps="4"></CartoonVolumeStyle>' },
-  { attributes: brain, children: `<ShadedVolumeStyle lighting="true"><Material diffuseColor="1 0.95 0.9" specularColor="0.25 0.25 0.25" shininess="0.3" ambientIntensity="0.25"></Material></ShadedVolumeStyle>${lamp}` },
-  { attributes: brain, children: '<ShadedVolumeStyle lighting="true"></ShadedVolumeStyle><BlendedVolumeStyle weightConstant1="0.67" weightConstant2="0.33"><CartoonVolumeStyle colorSteps="3" parallelColor="0.4 0.9 1" orthogonalColor="0 0.1 0.4"></CartoonVolumeStyle></BlendedVolumeStyle>' },
+  {
+    attributes: body,
+    children:
+      '<BoundaryEnhancementVolumeStyle retainedOpacity="0" boundaryOpacity="4" opacityFactor="1"></BoundaryEnhancementVolumeStyle>',
+  },
+  {
+    attributes: body,
+    children:
+      '<SilhouetteEnhancementVolumeStyle silhouetteRetainedOpacity="0.02" silhouetteBoundaryOpacity="1" silhouetteSharpness="2"></SilhouetteEnhancementVolumeStyle>',
+  },
+  {
+    attributes: brain,
+    children:
+      '<EdgeEnhancementVolumeStyle gradientThreshold="1.15" edgeColor="0.1 0.05 0.05"></EdgeEnhancementVolumeStyle>',
+  },
+  {
+    attributes: brain,
+    children: `<ToneMappedVolumeStyle coolColor="0.12 0.2 0.55" warmColor="1 0.82 0.55"></ToneMappedVolumeStyle>${lamp}`,
+  },
+  {
+    attributes: brain,
+    children:
+      '<CartoonVolumeStyle parallelColor="1 0.87 0.7" orthogonalColor="0.35 0.1 0.2" colorSteps="4"></CartoonVolumeStyle>',
+  },
+  {
+    attributes: brain,
+    children: `<ShadedVolumeStyle lighting="true"><Material diffuseColor="1 0.95 0.9" specularColor="0.25 0.25 0.25" shininess="0.3" ambientIntensity="0.25"></Material></ShadedVolumeStyle>${lamp}`,
+  },
+  {
+    attributes: brain,
+    children:
+      '<ShadedVolumeStyle lighting="true"></ShadedVolumeStyle><BlendedVolumeStyle weightConstant1="0.67" weightConstant2="0.33"><CartoonVolumeStyle colorSteps="3" parallelColor="0.4 0.9 1" orthogonalColor="0 0.1 0.4"></CartoonVolumeStyle></BlendedVolumeStyle>',
+  },
 ];
 
 /** @type {Picture[]} */
@@ -60,61 +94,200 @@ const pictures = [
     parts: [
       { attributes: { ...head, 'camera-orbit': '35deg 66deg 92%' } },
       { attributes: { ...torso, 'transfer-function': 'ct-soft-tissue', 'camera-orbit': '25deg 80deg 112%' } },
-      { attributes: { ...island, 'vertical-exaggeration': '5', 'camera-orbit': '-30deg 62deg 52%' }, children: terrain },
+      {
+        attributes: { ...island, 'vertical-exaggeration': '5', 'camera-orbit': '-30deg 62deg 52%' },
+        children: terrain,
+      },
     ],
   },
   card('one-tag', [{ attributes: { ...mri, look: 'textbook', 'camera-orbit': '30deg 75deg 78%' } }]),
-  card('mosaic', [{ attributes: { ...mri, 'camera-orbit': '60deg 75deg 88%' } }, { attributes: { src: '/demos/data/mni152-t1.json', 'camera-orbit': '60deg 75deg 88%' } }], 2),
-  card('presets', ['viridis', 'inferno', 'cividis', 'turbo'].map((name) => ({ attributes: { ...mri, 'transfer-function': name, 'camera-orbit': '90deg 80deg 82%' } })), 2),
-  card('transfer-function', [{ attributes: { ...mri, 'camera-orbit': '40deg 75deg 78%', 'transfer-function': '0% hsl(210 60% 60%) 0, 20% hsl(210 60% 60%) 1.5%, 40% hsl(260 50% 70%) 0.4%, 75% gold 0.3%, 90% orange 4%, 100% white 8%' } }]),
-  card('projection', [
-    { attributes: { ...upright, 'transfer-function': 'ct-soft-tissue' } },
-    { attributes: { ...grayUpright, projection: 'max', 'value-window': '0 700' } },
-    { attributes: { ...grayUpright, projection: 'min', 'value-window': '-1000 100', region: '-174 -15 -174 174 25 174' } },
-    { attributes: { ...grayUpright, projection: 'average', 'value-window': '-700 -100' } },
-  ], 2),
-  card('lit', [
-    { attributes: { ...head, 'camera-orbit': '35deg 66deg 92%' } },
-    { attributes: { ...torso, shading: 'lit', 'transfer-function': '150 #d9b88a 0, 250 #e6cfa5 50%, 700 #fff6e5 90%', 'camera-orbit': '25deg 80deg 105%' } },
-  ], 2),
+  card(
+    'mosaic',
+    [
+      { attributes: { ...mri, 'camera-orbit': '60deg 75deg 88%' } },
+      { attributes: { src: '/demos/data/mni152-t1.json', 'camera-orbit': '60deg 75deg 88%' } },
+    ],
+    2,
+  ),
+  card(
+    'presets',
+    ['viridis', 'inferno', 'cividis', 'turbo'].map((name) => ({
+      attributes: { ...mri, 'transfer-function': name, 'camera-orbit': '90deg 80deg 82%' },
+    })),
+    2,
+  ),
+  card('transfer-function', [
+    {
+      attributes: {
+        ...mri,
+        'camera-orbit': '40deg 75deg 78%',
+        'transfer-function':
+          '0% hsl(210 60% 60%) 0, 20% hsl(210 60% 60%) 1.5%, 40% hsl(260 50% 70%) 0.4%, 75% gold 0.3%, 90% orange 4%, 100% white 8%',
+      },
+    },
+  ]),
+  card(
+    'projection',
+    [
+      { attributes: { ...upright, 'transfer-function': 'ct-soft-tissue' } },
+      { attributes: { ...grayUpright, projection: 'max', 'value-window': '0 700' } },
+      {
+        attributes: {
+          ...grayUpright,
+          projection: 'min',
+          'value-window': '-1000 100',
+          region: '-174 -15 -174 174 25 174',
+        },
+      },
+      { attributes: { ...grayUpright, projection: 'average', 'value-window': '-700 -100' } },
+    ],
+    2,
+  ),
+  card(
+    'lit',
+    [
+      { attributes: { ...head, 'camera-orbit': '35deg 66deg 92%' } },
+      {
+        attributes: {
+          ...torso,
+          shading: 'lit',
+          'transfer-function': '150 #d9b88a 0, 250 #e6cfa5 50%, 700 #fff6e5 90%',
+          'camera-orbit': '25deg 80deg 105%',
+        },
+      },
+    ],
+    2,
+  ),
   card('styles', [styleTiles[3], styleTiles[4], styleTiles[5], styleTiles[2]], 2),
-  card('iso-surfaces', [
-    { attributes: { ...torso, 'surface-values': '-300 #d9a98c 25%, 250 #f3e6cc', 'camera-orbit': '25deg 80deg 105%' } },
-    { attributes: { ...mri, 'surface-values': '35% #d8a48f 30%, 72% #fff4e0', 'camera-orbit': '120deg 65deg 80%' } },
-  ], 2),
-  card('cut', [{ attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 0 10 0 110 110', 'camera-orbit': '40deg 55deg 78%' } }]),
-  card('surfaces', [
-    { attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 -120 0 0 110 110', 'camera-orbit': '50deg 62deg 82%' }, children: '<volume-surface src="/demos/data/mni152-white.surf.gii"></volume-surface>' },
-    { attributes: { ...island, 'vertical-exaggeration': '5', 'camera-orbit': '-30deg 62deg 36%' }, children: terrain },
-  ], 2),
-  card('labels', [{
-    attributes: { ...mri, 'camera-orbit': '125deg 70deg 92%' },
-    children: '<volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"><volume-label value="48" hidden></volume-label></volume-labels>',
-  }]),
-  card('layers', [
-    { attributes: { ...mri, 'transfer-function': 'gray', shading: 'lit', 'opacity-factor': '0.6', 'camera-orbit': '235deg 45deg 90%' }, children: '<volume-layer src="/demos/data/motor-synthetic.nii.gz" opacity-factor="2"></volume-layer>' },
-    { attributes: { ...island, 'vertical-exaggeration': '4', 'opacity-factor': '1.5', 'camera-target': '0 0 6000', 'camera-orbit': '150deg 66deg 45%' }, children: `<volume-layer src="/demos/data/storm-radar-1500-unfolded.json" blend="color"></volume-layer>${terrain}` },
-  ], 2),
-  card('radar', [{
-    attributes: { src: '/demos/data/storm-radar-1510.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' },
-    children: '<volume-slice type="ppi"></volume-slice>',
-  }]),
-  card('camera', [
-    ...['0deg 90deg 85%', '90deg 90deg 85%', '0deg 0deg 85%'].map((orbit) => ({ attributes: { ...mri, 'camera-orbit': orbit } })),
-    { attributes: { ...torso, 'transfer-function': 'ct-lung' }, children: '<viewpoint position="90 0 20" orientation="0.6425 0.6425 0.4176 2.3505" fieldofview="0.8"></viewpoint>' },
-  ], 2),
-  card('shapes', [{ attributes: { ...mri, 'transfer-function': 'gray', 'opacity-factor': '0.25', 'camera-orbit': '55deg 70deg 85%' }, children: probe }]),
-  card('steps', [20, 200].map((steps) => ({ attributes: { ...mri, steps: String(steps), 'camera-orbit': '30deg 70deg 70%' } })), 2),
+  card(
+    'iso-surfaces',
+    [
+      {
+        attributes: { ...torso, 'surface-values': '-300 #d9a98c 25%, 250 #f3e6cc', 'camera-orbit': '25deg 80deg 105%' },
+      },
+      { attributes: { ...mri, 'surface-values': '35% #d8a48f 30%, 72% #fff4e0', 'camera-orbit': '120deg 65deg 80%' } },
+    ],
+    2,
+  ),
+  card('cut', [
+    {
+      attributes: {
+        ...mri,
+        'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%',
+        cutout: '-100 0 10 0 110 110',
+        'camera-orbit': '40deg 55deg 78%',
+      },
+    },
+  ]),
+  card(
+    'surfaces',
+    [
+      {
+        attributes: {
+          ...mri,
+          'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%',
+          cutout: '-100 -120 0 0 110 110',
+          'camera-orbit': '50deg 62deg 82%',
+        },
+        children: '<volume-surface src="/demos/data/mni152-white.surf.gii"></volume-surface>',
+      },
+      {
+        attributes: { ...island, 'vertical-exaggeration': '5', 'camera-orbit': '-30deg 62deg 36%' },
+        children: terrain,
+      },
+    ],
+    2,
+  ),
+  card('labels', [
+    {
+      attributes: { ...mri, 'camera-orbit': '125deg 70deg 92%' },
+      children:
+        '<volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"><volume-label value="48" hidden></volume-label></volume-labels>',
+    },
+  ]),
+  card(
+    'layers',
+    [
+      {
+        attributes: {
+          ...mri,
+          'transfer-function': 'gray',
+          shading: 'lit',
+          'opacity-factor': '0.6',
+          'camera-orbit': '235deg 45deg 90%',
+        },
+        children: '<volume-layer src="/demos/data/motor-synthetic.nii.gz" opacity-factor="2"></volume-layer>',
+      },
+      {
+        attributes: {
+          ...island,
+          'vertical-exaggeration': '4',
+          'opacity-factor': '1.5',
+          'camera-target': '0 0 6000',
+          'camera-orbit': '150deg 66deg 45%',
+        },
+        children: `<volume-layer src="/demos/data/storm-radar-1500-unfolded.json" blend="color"></volume-layer>${terrain}`,
+      },
+    ],
+    2,
+  ),
+  card('radar', [
+    {
+      attributes: {
+        src: '/demos/data/storm-radar-1510.json',
+        'vertical-exaggeration': '4',
+        'camera-target': '-5000 0 9000',
+        'camera-orbit': '200deg 60deg 50%',
+        rings: '50',
+      },
+      children: '<volume-slice type="ppi"></volume-slice>',
+    },
+  ]),
+  card(
+    'camera',
+    [
+      ...['0deg 90deg 85%', '90deg 90deg 85%', '0deg 0deg 85%'].map((orbit) => ({
+        attributes: { ...mri, 'camera-orbit': orbit },
+      })),
+      {
+        attributes: { ...torso, 'transfer-function': 'ct-lung' },
+        children:
+          '<viewpoint position="90 0 20" orientation="0.6425 0.6425 0.4176 2.3505" fieldofview="0.8"></viewpoint>',
+      },
+    ],
+    2,
+  ),
+  card('shapes', [
+    {
+      attributes: { ...mri, 'transfer-function': 'gray', 'opacity-factor': '0.25', 'camera-orbit': '55deg 70deg 85%' },
+      children: probe,
+    },
+  ]),
+  card(
+    'steps',
+    [20, 200].map((steps) => ({ attributes: { ...mri, steps: String(steps), 'camera-orbit': '30deg 70deg 70%' } })),
+    2,
+  ),
   card('css', [{ attributes: { ...mri, 'camera-orbit': '-40deg 75deg 80%' }, background: 'white' }]),
-  card('many', [
-    { attributes: { ...torso, 'transfer-function': 'ct-bone', 'camera-orbit': '30deg 80deg 110%' } },
-    { attributes: { ...mri, 'camera-orbit': '0deg 20deg 90%' } },
-    { attributes: { ...storm, 'camera-orbit': '30deg 55deg 85%' } },
-    { attributes: { ...torso, 'transfer-function': 'ct-lung', 'camera-orbit': '0deg 85deg 110%' } },
-  ], 2),
-  card('no-bundler', [{ attributes: { ...torso, 'transfer-function': 'ct-soft-tissue', 'camera-orbit': '25deg 80deg 108%' } }]),
-  ...['mri', 'gray', 'viridis', 'inferno', 'magma', 'plasma', 'cividis', 'turbo'].map((name) => swatch(name, { ...mri, 'camera-orbit': '60deg 78deg 80%' })),
-  ...['ct-bone', 'ct-soft-tissue', 'ct-angio', 'ct-lung'].map((name) => swatch(name, { ...torso, 'camera-orbit': '25deg 80deg 100%' })),
+  card(
+    'many',
+    [
+      { attributes: { ...torso, 'transfer-function': 'ct-bone', 'camera-orbit': '30deg 80deg 110%' } },
+      { attributes: { ...mri, 'camera-orbit': '0deg 20deg 90%' } },
+      { attributes: { ...storm, 'camera-orbit': '30deg 55deg 85%' } },
+      { attributes: { ...torso, 'transfer-function': 'ct-lung', 'camera-orbit': '0deg 85deg 110%' } },
+    ],
+    2,
+  ),
+  card('no-bundler', [
+    { attributes: { ...torso, 'transfer-function': 'ct-soft-tissue', 'camera-orbit': '25deg 80deg 108%' } },
+  ]),
+  ...['mri', 'gray', 'viridis', 'inferno', 'magma', 'plasma', 'cividis', 'turbo'].map((name) =>
+    swatch(name, { ...mri, 'camera-orbit': '60deg 78deg 80%' }),
+  ),
+  ...['ct-bone', 'ct-soft-tissue', 'ct-angio', 'ct-lung'].map((name) =>
+    swatch(name, { ...torso, 'camera-orbit': '25deg 80deg 100%' }),
+  ),
   swatch('radar-dbz', { ...storm, 'camera-orbit': '30deg 55deg 75%' }),
 ];
 
@@ -134,7 +307,14 @@ async function paint({ size: [width, height], columns = 1, parts }) {
     for (const [name, value] of Object.entries(attributes)) view.setAttribute(name, value);
     document.body.append(view);
     const [x, y] = [(i % columns) * w, Math.floor(i / columns) * h];
-    const shade = context.createRadialGradient(x + w / 2, y + h * 0.45, 0, x + w / 2, y + h * 0.45, Math.hypot(w, h) * 0.42);
+    const shade = context.createRadialGradient(
+      x + w / 2,
+      y + h * 0.45,
+      0,
+      x + w / 2,
+      y + h * 0.45,
+      Math.hypot(w, h) * 0.42,
+    );
     shade.addColorStop(0, background ?? '#262d3a');
     shade.addColorStop(1, background ?? '#0d1016');
     context.fillStyle = shade;
@@ -168,7 +348,11 @@ async function photographCompanions(page) {
     <volume-view src="${storm.src}" camera-orbit="30deg 55deg 78%"></volume-view>
     <volume-transfer-function style="--volume-chart-height: 13rem"></volume-transfer-function>
     <volume-legend label="Reflectivity" style="grid-column: 1 / 3"></volume-legend>`);
-  await page.evaluate(() => Promise.all(['volume-view', 'volume-transfer-function', 'volume-legend'].map((name) => customElements.whenDefined(name))).then(() => undefined));
+  await page.evaluate(() =>
+    Promise.all(
+      ['volume-view', 'volume-transfer-function', 'volume-legend'].map((name) => customElements.whenDefined(name)),
+    ).then(() => undefined),
+  );
   await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
   return (await page.screenshot()).toString('base64');
 }
@@ -184,7 +368,11 @@ async function photographPointing(page) {
       color-scheme: dark } volume-view { width: 100%; height: 100%; aspect-ratio: auto } volume-readout { font-size: 17px } ::part(button), ::part(hint) { display: none }</style>
     <volume-view src="${torso.src}" transfer-function="ct-soft-tissue" camera-target="0 0 30" camera-orbit="12deg 86deg 760"></volume-view>
     <volume-readout></volume-readout>`);
-  await page.evaluate(() => Promise.all(['volume-view', 'volume-readout'].map((name) => customElements.whenDefined(name))).then(() => undefined));
+  await page.evaluate(() =>
+    Promise.all(['volume-view', 'volume-readout'].map((name) => customElements.whenDefined(name))).then(
+      () => undefined,
+    ),
+  );
   await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
   await page.mouse.click(178, 235);
   await page.mouse.move(620, 20);
@@ -202,7 +390,11 @@ async function photographMeasure(page) {
     <style>body { margin: 0; background: #0f1217 } volume-view { width: 640px; height: 480px } div { visibility: hidden }</style>
     <volume-view src="${torso.src}" transfer-function="ct-soft-tissue" camera-target="0 0 30" camera-orbit="12deg 76deg 760"></volume-view>
     <div><volume-measure label="Ribs" points="-147 2 47, 138 2 47"></volume-measure><volume-measure type="sphere" label="Liver" color="#ffb02e" points="75 0 -45, 75 0 -5"></volume-measure></div>`);
-  await page.evaluate(() => Promise.all(['volume-view', 'volume-measure'].map((name) => customElements.whenDefined(name))).then(() => undefined));
+  await page.evaluate(() =>
+    Promise.all(['volume-view', 'volume-measure'].map((name) => customElements.whenDefined(name))).then(
+      () => undefined,
+    ),
+  );
   await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
   await page.waitForTimeout(800);
   await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
@@ -223,7 +415,11 @@ async function toWebp({ png, quality }) {
 }
 
 const wanted = process.argv.slice(2);
-const server = await createServer({ root: projectRoot, logLevel: 'error', server: { port: 0, open: false, hmr: false, watch: null } });
+const server = await createServer({
+  root: projectRoot,
+  logLevel: 'error',
+  server: { port: 0, open: false, hmr: false, watch: null },
+});
 await server.listen();
 const browser = await chromium.launch({ executablePath: await findBrowser(), args: listLaunchArgs() });
 const page = await browser.newPage();
@@ -235,7 +431,10 @@ pictures.push(card('paper', []));
 /** Photographs of pages. They come last: each fills the page. */
 /** @typedef {(page: import('@playwright/test').Page) => Promise<string>} Photographer - PNG in base64 */
 /** @type {(guide: import('./guide-pictures.mjs').GuidePicture) => [Picture, Photographer]} */
-const photographFor = (guide) => [{ file: `docs/images/${guide.file}.webp`, size: guide.size, parts: [] }, (one) => photographGuide(one, guide)];
+const photographFor = (guide) => [
+  { file: `docs/images/${guide.file}.webp`, size: guide.size, parts: [] },
+  (one) => photographGuide(one, guide),
+];
 /** @type {Map<Picture, Photographer>} */
 const photographs = new Map([
   [card('companions', []), photographCompanions],
@@ -248,8 +447,13 @@ for (const picture of pictures) {
   if (wanted.length > 0 && !wanted.some((name) => picture.file.includes(name))) continue;
   const photograph = photographs.get(picture);
   const url = photograph
-    ? await page.evaluate(toWebp, { png: await photograph(page), quality: picture.file.includes('/guide-') ? 0.8 : 0.92 })
-    : picture.parts.length > 0 ? await page.evaluate(paint, picture) : await page.evaluate(paintMosaic);
+    ? await page.evaluate(toWebp, {
+        png: await photograph(page),
+        quality: picture.file.includes('/guide-') ? 0.8 : 0.92,
+      })
+    : picture.parts.length > 0
+      ? await page.evaluate(paint, picture)
+      : await page.evaluate(paintMosaic);
   const bytes = Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
   mkdirSync(dirname(join(projectRoot, picture.file)), { recursive: true });
   writeFileSync(join(projectRoot, picture.file), bytes);

@@ -21,7 +21,10 @@ export async function buildPrepare() {
       minify: false,
       target: 'node20',
       rolldownOptions: {
-        input: { index: join(folder, 'src/index.ts'), 'volume-view-prepare': join(folder, 'src/volume-view-prepare.ts') },
+        input: {
+          index: join(folder, 'src/index.ts'),
+          'volume-view-prepare': join(folder, 'src/volume-view-prepare.ts'),
+        },
         external: ['fast-png'],
         output: { entryFileNames: '[name].js', chunkFileNames: 'parts/[name]-[hash].js' },
       },

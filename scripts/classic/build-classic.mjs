@@ -21,12 +21,20 @@ export function writeClassic(found, dist) {
   const others = found.filter(({ isEntry }) => !isEntry);
   const [entry] = found.filter(({ isEntry }) => isEntry);
   const chunks = [entry, ...others];
-  const version = createHash('sha256').update(chunks.map(({ code }) => code).join()).digest('hex').slice(0, 8);
+  const version = createHash('sha256')
+    .update(chunks.map(({ code }) => code).join())
+    .digest('hex')
+    .slice(0, 8);
   const numbers = new Map(chunks.map(({ fileName }, i) => [fileName, i]));
   /** @param {import('vite').Rolldown.OutputChunk} chunk */
-  const writePart = (chunk) => `(globalThis.volumeViewParts??={})["${numbers.get(chunk.fileName)}-${version}"]=${writeFactory(chunk, numbers)};\n`;
-  for (const chunk of others) writeFileSync(join(dist, `classic/${numbers.get(chunk.fileName)}-${version}.js`), writePart(chunk));
-  const loader = readFileSync(join(projectRoot, 'scripts/classic/loader.js'), 'utf8').replace(/^\s*\/\/.*\n|^\s*\/\*\*.*\*\/\n|^\s+/gm, '');
+  const writePart = (chunk) =>
+    `(globalThis.volumeViewParts??={})["${numbers.get(chunk.fileName)}-${version}"]=${writeFactory(chunk, numbers)};\n`;
+  for (const chunk of others)
+    writeFileSync(join(dist, `classic/${numbers.get(chunk.fileName)}-${version}.js`), writePart(chunk));
+  const loader = readFileSync(join(projectRoot, 'scripts/classic/loader.js'), 'utf8').replace(
+    /^\s*\/\/.*\n|^\s*\/\*\*.*\*\/\n|^\s+/gm,
+    '',
+  );
   const text = `var VolumeView=function(){"use strict";
 const VERSION="${version}",PART_NEEDS=${JSON.stringify(listNeeds(chunks, numbers)).replace(/"(\d+)"/g, '$1')};
 ${loader}modules[0]={};
@@ -63,7 +71,8 @@ function listNeeds(chunks, numbers) {
   const needs = {};
   for (const target of new Set(chunks.flatMap(({ dynamicImports }) => dynamicImports))) {
     const all = new Set([target]);
-    for (const name of all) for (const imported of byName.get(name)?.imports ?? []) if (imported !== chunks[0].fileName) all.add(imported);
+    for (const name of all)
+      for (const imported of byName.get(name)?.imports ?? []) if (imported !== chunks[0].fileName) all.add(imported);
     all.delete(target);
     if (all.size > 0) needs[numbers.get(target) ?? NaN] = [...all].map((name) => numbers.get(name) ?? NaN);
   }

@@ -2,10 +2,56 @@
 // in this list, as the address may be written by anybody.
 (() => {
   const attributes = [
-    'src', 'stack', 'mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'color-moment', 'beam-model',
-    'vertical-exaggeration', 'clean', 'time', 'autoplay', 'play-speed', 'look', 'transfer-function', 'projection', 'shading',
-    'surface-values', 'gradient-opacity', 'transfer-function-2d', 'value-window', 'reference-length', 'opacity-factor', 'light-factor', 'steps', 'max-error', 'target-fps', 'region', 'cutout', 'rings',
-    'camera-orbit', 'camera-target', 'field-of-view', 'min-camera-orbit', 'max-camera-orbit', 'interpolation-decay', 'auto-rotate', 'auto-rotate-delay', 'rotation-per-second', 'orientation-marker', 'interaction', 'controls', 'controlslist', 'self-check', 'alt', 'loading',
+    'src',
+    'stack',
+    'mosaic',
+    'slices',
+    'spacing',
+    'coordinates',
+    'elevations',
+    'range',
+    'azimuth',
+    'moment',
+    'color-moment',
+    'beam-model',
+    'vertical-exaggeration',
+    'clean',
+    'time',
+    'autoplay',
+    'play-speed',
+    'look',
+    'transfer-function',
+    'projection',
+    'shading',
+    'surface-values',
+    'gradient-opacity',
+    'transfer-function-2d',
+    'value-window',
+    'reference-length',
+    'opacity-factor',
+    'light-factor',
+    'steps',
+    'max-error',
+    'target-fps',
+    'region',
+    'cutout',
+    'rings',
+    'camera-orbit',
+    'camera-target',
+    'field-of-view',
+    'min-camera-orbit',
+    'max-camera-orbit',
+    'interpolation-decay',
+    'auto-rotate',
+    'auto-rotate-delay',
+    'rotation-per-second',
+    'orientation-marker',
+    'interaction',
+    'controls',
+    'controlslist',
+    'self-check',
+    'alt',
+    'loading',
   ];
   /** Companions below the picture, where their names are in the address. */
   const companions = { legend: 'volume-legend', timeline: 'volume-timeline' };
@@ -27,7 +73,10 @@
     if (detail?.code !== 'source/not-found' || /^(\w+:|\/)/.test(src) || main.querySelector('.hint')) return;
     const hint = add('p');
     hint.className = 'hint';
-    hint.textContent = `Addresses count from the folder of this page, ${new URL('.', location.href).pathname}. If the file is in the folder above it, write src=${src.split(/\s+/).map((one) => `../${one}`).join('%20')}`;
+    hint.textContent = `Addresses count from the folder of this page, ${new URL('.', location.href).pathname}. If the file is in the folder above it, write src=${src
+      .split(/\s+/)
+      .map((one) => `../${one}`)
+      .join('%20')}`;
   });
   document.title = given.get('alt') || document.title;
   if (given.has('lang')) document.documentElement.lang = given.get('lang').slice(0, 35);

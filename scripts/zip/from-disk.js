@@ -2,17 +2,20 @@
 (() => {
   /** Some browsers can't open the pages of larger files. */
   const MAX_BYTES = 64 * 2 ** 20;
-  const [file, alt, save, status, place] = ['file', 'alt', 'save', 'status', 'view'].map((id) => document.getElementById(id));
+  const [file, alt, save, status, place] = ['file', 'alt', 'save', 'status', 'view'].map((id) =>
+    document.getElementById(id),
+  );
   /** @type {{ name: string, url: string } | null} the file as a data: URL */
   let chosen = null;
 
   /** @param {Blob} blob @returns {Promise<string>} a data: URL without a type: the element looks at the bytes */
-  const readAsUrl = (blob) => new Promise((resolve, reject) => {
-    const reader = new FileReader();
-    reader.onload = () => resolve(reader.result);
-    reader.onerror = () => reject(reader.error);
-    reader.readAsDataURL(new Blob([blob], { type: 'application/octet-stream' }));
-  });
+  const readAsUrl = (blob) =>
+    new Promise((resolve, reject) => {
+      const reader = new FileReader();
+      reader.onload = () => resolve(reader.result);
+      reader.onerror = () => reject(reader.error);
+      reader.readAsDataURL(new Blob([blob], { type: 'application/octet-stream' }));
+    });
 
   /** The tag, created in a document of its own or in this one. Attributes are set by methods, so no HTML text is composed. */
   const makeView = (owner) => {

@@ -7,6 +7,10 @@ import { VolumeViewError } from './errors.ts';
  */
 export function loadPart<T>(loading: Promise<T>, what: string): Promise<T> {
   return loading.catch((cause: unknown) => {
-    throw new VolumeViewError('format/unsupported', `the part of volume-view that ${what} could not be loaded; check that all files of the package are on the server`, { cause });
+    throw new VolumeViewError(
+      'format/unsupported',
+      `the part of volume-view that ${what} could not be loaded; check that all files of the package are on the server`,
+      { cause },
+    );
   });
 }

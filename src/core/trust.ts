@@ -16,7 +16,10 @@ let policy: TextPolicy | undefined;
 export function trust(text: string, kind: keyof TextPolicy): string {
   const asItIs = (own: string): string => own;
   try {
-    policy ??= (globalThis as { trustedTypes?: PolicyFactory }).trustedTypes?.createPolicy('volume-view', { createScriptURL: asItIs, createHTML: asItIs });
+    policy ??= (globalThis as { trustedTypes?: PolicyFactory }).trustedTypes?.createPolicy('volume-view', {
+      createScriptURL: asItIs,
+      createHTML: asItIs,
+    });
   } catch {
     // The page does not allow a policy of this name. It may work without one.
   }

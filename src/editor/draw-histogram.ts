@@ -12,8 +12,13 @@ const kernel = [1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16];
 export function drawHistogram({ low, high, counts }: Histogram, domain: readonly [number, number]): string {
   if (!(high > low)) return '';
   const place = (value: number) => Math.min(boxLength, Math.max(0, toShare(value, domain) * boxLength)).toFixed(2);
-  const smooth = Array.from(counts, (_, i) => kernel.reduce((sum, weight, k) => sum + weight * (counts[i + k - 2] ?? 0), 0));
+  const smooth = Array.from(counts, (_, i) =>
+    kernel.reduce((sum, weight, k) => sum + weight * (counts[i + k - 2] ?? 0), 0),
+  );
   const top = Math.log1p(Math.max(...smooth));
-  const bars = smooth.map((count, i) => `V${(boxHeight * (1 - (0.92 * Math.log1p(count)) / top)).toFixed(2)}H${place(low + (high - low) * ((i + 1) / counts.length))}`);
+  const bars = smooth.map(
+    (count, i) =>
+      `V${(boxHeight * (1 - (0.92 * Math.log1p(count)) / top)).toFixed(2)}H${place(low + (high - low) * ((i + 1) / counts.length))}`,
+  );
   return `M${place(low)} ${boxHeight}${bars.join('')}V${boxHeight}Z`;
 }

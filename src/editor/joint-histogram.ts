@@ -23,7 +23,11 @@ export function chooseSteepest({ gradients }: PlaneSamples): number {
  * @param size - bins across, by value, and upwards, by gradient
  * @returns shape [gradients, values], from the lowest gradient
  */
-export function countJointly({ values, gradients }: PlaneSamples, { domain: [low, high], steepest }: { readonly domain: readonly [number, number]; readonly steepest: number }, [columns, rows]: readonly [number, number]): Uint32Array {
+export function countJointly(
+  { values, gradients }: PlaneSamples,
+  { domain: [low, high], steepest }: { readonly domain: readonly [number, number]; readonly steepest: number },
+  [columns, rows]: readonly [number, number],
+): Uint32Array {
   const counts = new Uint32Array(columns * rows);
   for (let i = 0; i < values.length; i++) {
     const column = Math.floor(((values[i] - low) / (high - low)) * columns);

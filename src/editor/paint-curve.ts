@@ -38,7 +38,8 @@ function cutSegment(from: Stop, to: Stop): Stop[] {
 function mixStops(from: Stop, to: Stop, t: number): Stop {
   const mix = (a: number, b: number) => a + (b - a) * t;
   const opacity = mix(from.opacity, to.opacity);
-  const mixColor = (a: number, b: number) => (opacity > 0 ? mix(a * from.opacity, b * to.opacity) / opacity : mix(a, b));
+  const mixColor = (a: number, b: number) =>
+    opacity > 0 ? mix(a * from.opacity, b * to.opacity) / opacity : mix(a, b);
   const [red, green, blue] = from.color.map((channel, i) => mixColor(channel, to.color[i]));
   return { value: mix(from.value, to.value), color: [red, green, blue], opacity };
 }
@@ -55,7 +56,9 @@ export function drawCurve(points: readonly PaintPoint[], upright = false): strin
   const place = ({ share, opacity }: PaintPoint) => {
     const along = share * boxLength;
     const height = toHeight(opacity) * boxHeight;
-    return upright ? `${height.toFixed(2)} ${(boxLength - along).toFixed(2)}` : `${along.toFixed(2)} ${(boxHeight - height).toFixed(2)}`;
+    return upright
+      ? `${height.toFixed(2)} ${(boxLength - along).toFixed(2)}`
+      : `${along.toFixed(2)} ${(boxHeight - height).toFixed(2)}`;
   };
   return `M${points.map(place).join('L')}`;
 }

@@ -30,12 +30,19 @@ export class PatchEditor {
   #samples: PlaneSamples | null = null;
   #drawing = -1;
 
-  constructor(readonly session: EditSession, readonly listener: PatchListener) {
+  constructor(
+    readonly session: EditSession,
+    readonly listener: PatchListener,
+  ) {
     this.input = new PatchInput({
-      grips: () => this.patches.flatMap((patch, index) => (['middle', 'size'] as const).map((grip) => ({ index, grip, ...this.placeOf(placeOfGrip(patch, grip)) }))),
+      grips: () =>
+        this.patches.flatMap((patch, index) =>
+          (['middle', 'size'] as const).map((grip) => ({ index, grip, ...this.placeOf(placeOfGrip(patch, grip)) })),
+        ),
       patchAt: (place) => this.#findAt(place),
       choose: (taken) => this.#choose(taken),
-      drag: ({ index, grip }, to) => this.#change(index, (patch) => moveGrip(patch, grip, this.#valueAt(to), this.#range)),
+      drag: ({ index, grip }, to) =>
+        this.#change(index, (patch) => moveGrip(patch, grip, this.#valueAt(to), this.#range)),
       draw: (from, to, isNew) => this.#draw([this.#valueAt(from), this.#valueAt(to)], isNew),
       drop: () => this.session.commit(),
     });
@@ -56,7 +63,10 @@ export class PatchEditor {
     this.#samples = samples ?? this.#samples;
     const steepestOfData = isNew ? chooseSteepest(samples) : this.#range.steepest;
     const tops = isNew ? this.patches.map((patch) => placeOfGrip(patch, 'size')[1]) : [];
-    this.#range = { domain, steepest: Math.max(steepestOfData, ...tops.map((top) => Math.min(maxRoom * steepestOfData, 1.03 * top))) };
+    this.#range = {
+      domain,
+      steepest: Math.max(steepestOfData, ...tops.map((top) => Math.min(maxRoom * steepestOfData, 1.03 * top))),
+    };
   }
 
   placeOf([value, gradient]: ValueAndGradient): ChartPlace {
@@ -65,7 +75,11 @@ export class PatchEditor {
 
   /** Changes a patch's appearance, without a step of the history; the colour is a CSS colour. */
   changeAppearance(index: number, { color, opacity }: { color?: string; opacity?: number }): void {
-    this.#change(index, (patch) => ({ ...patch, ...(color !== undefined && { color: parseCssColor(color)!.color }), ...(opacity !== undefined && { opacity: Math.min(1, Math.max(0, opacity)) }) }));
+    this.#change(index, (patch) => ({
+      ...patch,
+      ...(color !== undefined && { color: parseCssColor(color)!.color }),
+      ...(opacity !== undefined && { opacity: Math.min(1, Math.max(0, opacity)) }),
+    }));
   }
 
   /** Changes one of the numbers of its position, without a step of the history. */
@@ -74,11 +88,15 @@ export class PatchEditor {
   }
 
   add(kind: Patch['kind']): void {
-    if (hasRoom(this.patches)) this.#put([...this.patches, newPatch(kind, this.patches.length, this.#range)], this.patches.length);
+    if (hasRoom(this.patches))
+      this.#put([...this.patches, newPatch(kind, this.patches.length, this.#range)], this.patches.length);
   }
 
   remove(index: number): void {
-    this.#put(this.patches.filter((_, i) => i !== index), Math.max(0, Math.min(index, this.patches.length - 2)));
+    this.#put(
+      this.patches.filter((_, i) => i !== index),
+      Math.max(0, Math.min(index, this.patches.length - 2)),
+    );
   }
 
   /** Handles a key at a grip. @returns whether the key does anything */
@@ -87,9 +105,14 @@ export class PatchEditor {
     if (!patch || event.ctrlKey || event.metaKey || event.altKey) return false;
     const move = moveByKey(event);
     if (move) {
-      const { domain: [low, high], steepest } = this.#range;
+      const {
+        domain: [low, high],
+        steepest,
+      } = this.#range;
       const [value, gradient] = placeOfGrip(patch, grip);
-      this.#change(index, () => moveGrip(patch, grip, [value + move[0] * (high - low), gradient + move[1] * steepest], this.#range));
+      this.#change(index, () =>
+        moveGrip(patch, grip, [value + move[0] * (high - low), gradient + move[1] * steepest], this.#range),
+      );
     } else if (event.key === 'Delete' || event.key === 'Backspace') this.remove(index);
     else if (event.key === 'Insert' || event.key === '+') this.add(patch.kind);
     else return false;
@@ -119,7 +142,10 @@ export class PatchEditor {
   }
 
   #valueAt({ share, height }: ChartPlace): ValueAndGradient {
-    const { domain: [low, high], steepest } = this.#range;
+    const {
+      domain: [low, high],
+      steepest,
+    } = this.#range;
     return [low + share * (high - low), height * steepest];
   }
 

@@ -24,13 +24,25 @@ export const gripReach = 2;
 const thinnest = 0.004;
 
 /** Colours of new patches, one after the other. */
-const newColors: readonly PatchAppearance['color'][] = [[1, 0.6, 0.2], [0.35, 0.7, 1], [0.5, 0.9, 0.45], [1, 0.9, 0.6], [0.95, 0.4, 0.55], [0.75, 0.6, 1], [0.4, 0.9, 0.85], [1, 1, 1]];
+const newColors: readonly PatchAppearance['color'][] = [
+  [1, 0.6, 0.2],
+  [0.35, 0.7, 1],
+  [0.5, 0.9, 0.45],
+  [1, 0.9, 0.6],
+  [0.95, 0.4, 0.55],
+  [0.75, 0.6, 1],
+  [0.4, 0.9, 0.85],
+  [1, 1, 1],
+];
 
 const newOpacity = 0.3;
 
 /** The position of a patch's grip. */
 export function placeOfGrip(patch: Patch, grip: Grip): ValueAndGradient {
-  if (patch.kind === 'gaussian') return [0, 1].map((i) => [patch.value, patch.gradient][i] + (grip === 'size' ? gripReach * patch.widths[i] : 0)) as unknown as ValueAndGradient;
+  if (patch.kind === 'gaussian')
+    return [0, 1].map(
+      (i) => [patch.value, patch.gradient][i] + (grip === 'size' ? gripReach * patch.widths[i] : 0),
+    ) as unknown as ValueAndGradient;
   const { values, gradients } = patch;
   return grip === 'size' ? [values[1], gradients[1]] : [(values[0] + values[1]) / 2, (gradients[0] + gradients[1]) / 2];
 }
@@ -49,19 +61,39 @@ export function moveGrip(patch: Patch, grip: Grip, to: ValueAndGradient, range: 
 function resize(patch: Patch, [value, gradient]: ValueAndGradient, { domain, steepest }: PlaneRange): Patch {
   const [thinValues, thinGradients] = [thinnest * (domain[1] - domain[0]), thinnest * steepest];
   if (patch.kind === 'gaussian') {
-    return { ...patch, widths: [Math.max(thinValues, (value - patch.value) / gripReach), Math.max(thinGradients, (gradient - patch.gradient) / gripReach)] };
+    return {
+      ...patch,
+      widths: [
+        Math.max(thinValues, (value - patch.value) / gripReach),
+        Math.max(thinGradients, (gradient - patch.gradient) / gripReach),
+      ],
+    };
   }
-  const { values: [low], gradients: [bottom] } = patch;
-  return { ...patch, values: [low, Math.max(low + thinValues, value)], gradients: [bottom, Math.max(bottom + thinGradients, gradient)] };
+  const {
+    values: [low],
+    gradients: [bottom],
+  } = patch;
+  return {
+    ...patch,
+    values: [low, Math.max(low + thinValues, value)],
+    gradients: [bottom, Math.max(bottom + thinGradients, gradient)],
+  };
 }
 
 /** A box between two points. */
-export function boxBetween(a: ValueAndGradient, b: ValueAndGradient, appearance: PatchAppearance, range: PlaneRange): BoxPatch {
+export function boxBetween(
+  a: ValueAndGradient,
+  b: ValueAndGradient,
+  appearance: PatchAppearance,
+  range: PlaneRange,
+): BoxPatch {
   const [from, to] = [a, b].map((place) => roundPlace(clampPlace(place, range), range));
   const { domain, steepest } = range;
   const [low, bottom] = [Math.min(from[0], to[0]), Math.min(from[1], to[1])];
   return {
-    kind: 'box', color: appearance.color, opacity: appearance.opacity,
+    kind: 'box',
+    color: appearance.color,
+    opacity: appearance.opacity,
     values: [low, Math.max(from[0], to[0], low + thinnest * (domain[1] - domain[0]))],
     gradients: [bottom, Math.max(from[1], to[1], bottom + thinnest * steepest)],
   };
@@ -69,12 +101,19 @@ export function boxBetween(a: ValueAndGradient, b: ValueAndGradient, appearance:
 
 /** A new patch in the middle of the chart. */
 export function newPatch(kind: Patch['kind'], count: number, range: PlaneRange): Patch {
-  const { domain: [low, high], steepest } = range;
+  const {
+    domain: [low, high],
+    steepest,
+  } = range;
   const appearance = newAppearance(count);
-  const at = (share: number, up: number): ValueAndGradient => roundPlace([low + share * (high - low), up * steepest], range);
+  const at = (share: number, up: number): ValueAndGradient =>
+    roundPlace([low + share * (high - low), up * steepest], range);
   if (kind === 'box') return boxBetween(at(0.4, 0.3), at(0.6, 0.6), appearance, range);
   const [value, gradient] = at(0.5, 0.4);
-  const widths: GaussianPatch['widths'] = [roundTo(0.06 * (high - low), dragStep([low, high])), roundTo(0.1 * steepest, dragStep([0, steepest]))];
+  const widths: GaussianPatch['widths'] = [
+    roundTo(0.06 * (high - low), dragStep([low, high])),
+    roundTo(0.1 * steepest, dragStep([0, steepest])),
+  ];
   return { kind, value, gradient, widths, ...appearance };
 }
 
@@ -96,7 +135,10 @@ export function withNumber(patch: Patch, index: number, number: number): Patch {
   return b >= 0 && c > 0 && d > 0 ? { ...patch, value: a, gradient: b, widths: [c, d] } : patch;
 }
 
-function clampPlace([value, gradient]: ValueAndGradient, { domain: [low, high], steepest }: PlaneRange): ValueAndGradient {
+function clampPlace(
+  [value, gradient]: ValueAndGradient,
+  { domain: [low, high], steepest }: PlaneRange,
+): ValueAndGradient {
   return [Math.min(high, Math.max(low, value)), Math.min(steepest, Math.max(0, gradient))];
 }
 

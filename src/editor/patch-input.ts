@@ -61,9 +61,15 @@ export class PatchInput {
     const place = shareOfChart(chart, event);
     if (this.#taken) {
       this.#moved = true;
-      this.listener.drag(this.#taken, { share: place.share + this.#offset.share, height: place.height + this.#offset.height });
+      this.listener.drag(this.#taken, {
+        share: place.share + this.#offset.share,
+        height: place.height + this.#offset.height,
+      });
     } else if (this.#from) {
-      const [across, up] = [(place.share - this.#from.share) * chart.clientWidth, (place.height - this.#from.height) * chart.clientHeight];
+      const [across, up] = [
+        (place.share - this.#from.share) * chart.clientWidth,
+        (place.height - this.#from.height) * chart.clientHeight,
+      ];
       if (!this.#moved && Math.hypot(across, up) < minDrawing) return;
       this.listener.draw(this.#from, place, !this.#moved);
       this.#moved = true;
@@ -85,7 +91,10 @@ export class PatchInput {
     let nearest = pointerType === 'mouse' ? reach.mouse : reach.touch;
     let found: Taken | null = null;
     for (const grip of this.listener.grips()) {
-      const distance = Math.hypot((grip.share - place.share) * chart.clientWidth, (grip.height - place.height) * chart.clientHeight);
+      const distance = Math.hypot(
+        (grip.share - place.share) * chart.clientWidth,
+        (grip.height - place.height) * chart.clientHeight,
+      );
       if (distance <= nearest) [nearest, found] = [distance, grip];
     }
     const index = found ? -1 : this.listener.patchAt(place);
@@ -100,10 +109,15 @@ const keyStep = 0.01;
 export function moveByKey({ key, shiftKey }: KeyboardEvent): ValueAndGradient | null {
   const step = keyStep * (shiftKey ? 10 : 1);
   switch (key) {
-    case 'ArrowLeft': return [-step, 0];
-    case 'ArrowRight': return [step, 0];
-    case 'ArrowUp': return [0, step];
-    case 'ArrowDown': return [0, -step];
-    default: return null;
+    case 'ArrowLeft':
+      return [-step, 0];
+    case 'ArrowRight':
+      return [step, 0];
+    case 'ArrowUp':
+      return [0, step];
+    case 'ArrowDown':
+      return [0, -step];
+    default:
+      return null;
   }
 }

@@ -65,7 +65,8 @@ export class StopInput {
 
   #tap({ timeStamp, clientX, clientY }: PointerEvent, { share, height }: ChartPlace): void {
     const { time, x, y } = this.#lastTap;
-    const isSecond = timeStamp - time < doubleTap.milliseconds && Math.hypot(clientX - x, clientY - y) < doubleTap.pixels;
+    const isSecond =
+      timeStamp - time < doubleTap.milliseconds && Math.hypot(clientX - x, clientY - y) < doubleTap.pixels;
     this.#lastTap = isSecond ? { time: -Infinity, x: 0, y: 0 } : { time: timeStamp, x: clientX, y: clientY };
     if (isSecond) this.listener.add(share, height);
   }
@@ -100,12 +101,19 @@ export function moveByKey(
   const across = (by: number) => ({ value: toValue(toShare(value, domain) + by, domain) });
   const upward = (by: number) => ({ opacity: toOpacity(toHeight(opacity) + by) });
   switch (key) {
-    case 'ArrowLeft': return across(-step);
-    case 'ArrowRight': return across(step);
-    case 'ArrowUp': return upward(opacity === 0 ? Math.max(step, lowestHeight) : step);
-    case 'ArrowDown': return upward(-step);
-    case 'Home': return { value: domain[0] };
-    case 'End': return { value: domain[1] };
-    default: return null;
+    case 'ArrowLeft':
+      return across(-step);
+    case 'ArrowRight':
+      return across(step);
+    case 'ArrowUp':
+      return upward(opacity === 0 ? Math.max(step, lowestHeight) : step);
+    case 'ArrowDown':
+      return upward(-step);
+    case 'Home':
+      return { value: domain[0] };
+    case 'End':
+      return { value: domain[1] };
+    default:
+      return null;
   }
 }

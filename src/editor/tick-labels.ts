@@ -30,7 +30,10 @@ export function labelTicks(domain: readonly [number, number], maxCount: number, 
 function write(values: readonly number[], domain: readonly [number, number], language: Language): TickLabels {
   const needed = digitsOfSteps(values);
   if (needed <= digits.max) {
-    return { ticks: values.map((value) => ({ value, text: language.number(value, Math.max(digits.usual, needed)) })), offset: '' };
+    return {
+      ticks: values.map((value) => ({ value, text: language.number(value, Math.max(digits.usual, needed)) })),
+      offset: '',
+    };
   }
   const base = roundestWithin(domain);
   const apart = values.map((value) => value - base);
@@ -45,7 +48,10 @@ function write(values: readonly number[], domain: readonly [number, number], lan
 function digitsOfSteps(values: readonly number[]): number {
   if (values.length < 2) return 1;
   const largest = Math.max(...values.map(Math.abs));
-  return Math.min(maxDigits, 1 + Math.floor(Math.log10(largest)) - Math.floor(Math.log10(Math.abs(values[1] - values[0])) + 1e-9));
+  return Math.min(
+    maxDigits,
+    1 + Math.floor(Math.log10(largest)) - Math.floor(Math.log10(Math.abs(values[1] - values[0])) + 1e-9),
+  );
 }
 
 /** The number between two of the same sign that has the fewest digits. */

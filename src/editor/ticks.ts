@@ -22,7 +22,9 @@ export function listTicks([low, high]: readonly [number, number], maxCount: numb
   const slack = 1e-9 + 2e-16 * Math.max(Math.abs(low / step), Math.abs(high / step));
   const first = Math.ceil(low / step - slack);
   const last = Math.floor(high / step + slack);
-  return Array.from({ length: Math.min(maxCount + 1, last - first + 1) }, (_, i) => Math.min(high, Math.max(low, roundTo((first + i) * step, step))));
+  return Array.from({ length: Math.min(maxCount + 1, last - first + 1) }, (_, i) =>
+    Math.min(high, Math.max(low, roundTo((first + i) * step, step))),
+  );
 }
 
 /** The nearest multiple of a step, without the rounding errors of binary fractions. */

@@ -36,7 +36,13 @@ export function chooseDomain(
   const binWidth = (high - low) / counts.length;
   const first = findShare(counts, total * stray);
   const last = findShare(counts, total * (1 - stray)) + 1;
-  const ends = [low + first * binWidth, low + last * binWidth, ...window, stops[0].value, stops[stops.length - 1].value];
+  const ends = [
+    low + first * binWidth,
+    low + last * binWidth,
+    ...window,
+    stops[0].value,
+    stops[stops.length - 1].value,
+  ];
   const domain: [number, number] = [Math.min(...ends), Math.max(...ends)];
   return domain[1] > domain[0] ? domain : spanAround(domain[0]);
 }

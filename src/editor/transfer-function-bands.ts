@@ -53,7 +53,10 @@ function parseBandCount(text: string): number {
 }
 
 function parseBandEdges(text: string): number[] {
-  const edges = text.trim().split(/[\s,]+/).map(Number);
+  const edges = text
+    .trim()
+    .split(/[\s,]+/)
+    .map(Number);
   const rises = edges.every((edge, i) => Number.isFinite(edge) && (i === 0 || edge > edges[i - 1]));
   if (edges.length < 2 || edges.length > maxBands + 1 || !rises) {
     throw invalidAttribute('band-edges', text, `2 to ${maxBands + 1} rising values, like "0 20 40 60"`);
@@ -77,5 +80,11 @@ export function bandsFromStops(stops: TransferFunction, edges: readonly number[]
 export function stopsFromBands(bands: readonly Band[]): TransferFunction {
   const { low, color } = bands[0];
   const floor: Stop = { value: low, color, opacity: 0 };
-  return [floor, ...bands.flatMap(({ low, high, color, opacity }) => [{ value: low, color, opacity }, { value: high, color, opacity }])];
+  return [
+    floor,
+    ...bands.flatMap(({ low, high, color, opacity }) => [
+      { value: low, color, opacity },
+      { value: high, color, opacity },
+    ]),
+  ];
 }

@@ -42,9 +42,11 @@ export class TransferFunctionEditor {
       listener.wrote(type);
     });
     this.input = new StopInput({
-      handles: () => this.stops.map(({ value, opacity }) => ({ share: toShare(value, this.domain), height: toHeight(opacity) })),
+      handles: () =>
+        this.stops.map(({ value, opacity }) => ({ share: toShare(value, this.domain), height: toHeight(opacity) })),
       choose: (index) => listener.choose(index, 'now'),
-      drag: (index, share, height) => this.changeStop(index, { value: toValue(share, this.domain), opacity: toOpacity(height) }),
+      drag: (index, share, height) =>
+        this.changeStop(index, { value: toValue(share, this.domain), opacity: toOpacity(height) }),
       drop: () => this.session.commit(),
       add: (share, height) => this.#put(addStop(this.stops, toValue(share, this.domain), toOpacity(height))),
     });
@@ -128,7 +130,8 @@ export class TransferFunctionEditor {
   #readDomain(): void {
     const { look: appearance } = this.session;
     const { volume, optics } = this.#view ?? {};
-    if (volume && optics && appearance) this.domain = chooseDomain(volume.histogram, { ...optics, transferFunction: appearance.stops });
+    if (volume && optics && appearance)
+      this.domain = chooseDomain(volume.histogram, { ...optics, transferFunction: appearance.stops });
   }
 }
 

@@ -16,7 +16,8 @@ export function changeStop(stops: TransferFunction, index: number, change: Parti
   const [min, max] = stopBounds(stops, index);
   const changed = { value: clamp(value, min, max), opacity: clamp(opacity, 0, 1), color };
   const old = stops[index];
-  if (changed.value === old.value && changed.opacity === old.opacity && String(color) === String(old.color)) return stops;
+  if (changed.value === old.value && changed.opacity === old.opacity && String(color) === String(old.color))
+    return stops;
   return [...stops.slice(0, index), changed, ...stops.slice(index + 1)];
 }
 
@@ -24,7 +25,11 @@ export function changeStop(stops: TransferFunction, index: number, change: Parti
  * Adds a stop with the present colour at a value.
  * @returns the stops and the index of the new one
  */
-export function addStop(stops: TransferFunction, value: number, opacity: number): { stops: TransferFunction; index: number } {
+export function addStop(
+  stops: TransferFunction,
+  value: number,
+  opacity: number,
+): { stops: TransferFunction; index: number } {
   const above = stops.findIndex((stop) => stop.value > value);
   const index = above < 0 ? stops.length : above;
   const added = { value, opacity: clamp(opacity, 0, 1), color: colorAt(stops, value) };
@@ -32,7 +37,11 @@ export function addStop(stops: TransferFunction, value: number, opacity: number)
 }
 
 /** Adds a stop on the present curve, half way from one stop to the next, or for the last one half way to the one before. */
-export function addStopBeside(stops: TransferFunction, index: number, domain: readonly [number, number]): { stops: TransferFunction; index: number } {
+export function addStopBeside(
+  stops: TransferFunction,
+  index: number,
+  domain: readonly [number, number],
+): { stops: TransferFunction; index: number } {
   const from = stops[index].value;
   const to = stops[index + 1]?.value ?? stops[index - 1]?.value ?? (from < domain[1] ? domain[1] : domain[0]);
   const value = (from + to) / 2;
@@ -97,7 +106,9 @@ function keepBetween(stops: TransferFunction, tolerance: number): Stop[] {
 function distanceToLine({ value, color, opacity }: Stop, ends: TransferFunction): number {
   const onLine = evaluate(ends, value);
   const straight = colorAt(ends, value);
-  const differences = color.map((channel, i) => Math.max(Math.abs(channel * opacity - onLine[i]), Math.abs(channel - straight[i]) / 100));
+  const differences = color.map((channel, i) =>
+    Math.max(Math.abs(channel * opacity - onLine[i]), Math.abs(channel - straight[i]) / 100),
+  );
   return Math.max(Math.abs(opacity - onLine[3]), ...differences);
 }
 

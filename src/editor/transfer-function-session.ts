@@ -83,12 +83,17 @@ export class EditSession {
     const attributes = view.appearance;
     if (view !== this.#view || !this.#look || !isSame(attributes, this.#known!)) {
       this.#begin(view, optics, attributes);
-    } else if (this.#frame === 0 && !optics.patches?.length && attributes.transferFunction !== writeTransferFunction(this.#look.stops)) {
+    } else if (
+      this.#frame === 0 &&
+      !optics.patches?.length &&
+      attributes.transferFunction !== writeTransferFunction(this.#look.stops)
+    ) {
       // Without boxes and Gaussians the attribute defines the stops. For another volume or window the page's text may
       // mean other stops, so they are taken again.
       this.#replaceStops(simplifyStops(optics.transferFunction, maxHandles));
     }
-    if (this.#frame === 0 && (attributes.transferFunction2d ?? null) !== textOf(this.#look!.patches)) this.#replacePatches(optics.patches ?? []);
+    if (this.#frame === 0 && (attributes.transferFunction2d ?? null) !== textOf(this.#look!.patches))
+      this.#replacePatches(optics.patches ?? []);
   }
 
   /** Changes the stops, without a step of the history; commit() makes it a step. */
@@ -136,7 +141,9 @@ export class EditSession {
     const { transferFunction, transferFunction2d = null } = attributes;
     return [
       ...(transferFunction2d === null ? [] : [writeAttribute('transfer-function-2d', transferFunction2d)]),
-      ...(transferFunction2d !== null && transferFunction === null ? [] : [writeAttribute('transfer-function', transferFunction ?? writeTransferFunction(stops))]),
+      ...(transferFunction2d !== null && transferFunction === null
+        ? []
+        : [writeAttribute('transfer-function', transferFunction ?? writeTransferFunction(stops))]),
       ...(opacityFactor === 1 ? [] : [writeAttribute('opacity-factor', String(opacityFactor))]),
       ...(lightFactor === 1 ? [] : [writeAttribute('light-factor', String(lightFactor))]),
     ].join(' ');
@@ -147,7 +154,13 @@ export class EditSession {
     const { transferFunction, patches = [], opacityFactor, lightFactor } = optics;
     this.#view = view;
     this.#known = attributes;
-    this.#look = { stops: simplifyStops(transferFunction, maxHandles), patches, opacityFactor, lightFactor, attributes };
+    this.#look = {
+      stops: simplifyStops(transferFunction, maxHandles),
+      patches,
+      opacityFactor,
+      lightFactor,
+      attributes,
+    };
     this.#history = new EditHistory(this.#look);
   }
 

@@ -9,19 +9,31 @@ import { nameOf } from './base/name-of.ts';
  * @throws {VolumeViewError} `format/unknown`, `format/unsupported`, `format/corrupt`, with a message about what was
  * received
  */
-export function chooseByName({ bytes, url, contentType }: DecodeInput, start: FileStart, formats: readonly Format[]): Format {
+export function chooseByName(
+  { bytes, url, contentType }: DecodeInput,
+  start: FileStart,
+  formats: readonly Format[],
+): Format {
   const name = nameOf(url);
   const { text } = start;
   const foreign = findForeign(start);
-  if (foreign) throw new VolumeViewError('format/unsupported', `${name} is ${foreign.name}, which volume-view does not read; convert it ${foreign.advice}`);
-  if (text.startsWith('<')) throw unknown(`the server answered ${name} with a web page or XML instead of data; check the URL`);
+  if (foreign)
+    throw new VolumeViewError(
+      'format/unsupported',
+      `${name} is ${foreign.name}, which volume-view does not read; convert it ${foreign.advice}`,
+    );
+  if (text.startsWith('<'))
+    throw unknown(`the server answered ${name} with a web page or XML instead of data; check the URL`);
   if (bytes.length === 0) throw unknown(`${name} is empty; check the file`);
   // If the name has one of our endings and the bytes don't match, the file is damaged or cut. Its reader explains that.
   const ending = /\.([^.]+)$/.exec(name)?.[1].toLowerCase() ?? '';
   const named = formats.find(({ endings }) => endings.includes(ending));
   if (named && named.beginning === null) return named;
   if (named) {
-    throw new VolumeViewError('format/corrupt', `${name} does not begin with ${named.beginning}; the file is damaged, cut short or misnamed`);
+    throw new VolumeViewError(
+      'format/corrupt',
+      `${name} does not begin with ${named.beginning}; the file is damaged, cut short or misnamed`,
+    );
   }
   const type = contentType ? ` (sent as ${contentType})` : '';
   throw unknown(`${name}${type} is of no known type; expected ${listWords(formats)}`);

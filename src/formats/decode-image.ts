@@ -36,23 +36,42 @@ interface ImageStack {
  * @throws {VolumeViewError} `mosaic/layout` if a mosaic is set too, `format/unsupported`, `format/corrupt`,
  * `format/too-large`
  */
-export async function readImageStack(stack: ImageStack, settings: DecodeSettings, access: FileAccess & Pick<ReadContext, 'budget'>): Promise<DecodedVolume> {
+export async function readImageStack(
+  stack: ImageStack,
+  settings: DecodeSettings,
+  access: FileAccess & Pick<ReadContext, 'budget'>,
+): Promise<DecodedVolume> {
   if (settings.mosaic) {
-    throw new VolumeViewError('mosaic/layout', 'the stack of images got a mosaic layout too; expected one of them: in a stack each image is one slice');
+    throw new VolumeViewError(
+      'mosaic/layout',
+      'the stack of images got a mosaic layout too; expected one of them: in a stack each image is one slice',
+    );
   }
   const { format, files } = stack;
   const image = await joinSlices(readSlices(stack, settings, access), files.length, access.budget);
-  const volume = await cutImage(image, format.name, { ...settings, mosaic: { columns: 1, rows: files.length } }, access.budget);
+  const volume = await cutImage(
+    image,
+    format.name,
+    { ...settings, mosaic: { columns: 1, rows: files.length } },
+    access.budget,
+  );
   return { ...volume, format: `${format.name} stack` };
 }
 
 /** Reads one image after another, and releases each after it was used. */
-async function* readSlices({ first, files, formats }: ImageStack, settings: DecodeSettings, { budget, fetchFiles }: FileAccess & Pick<ReadContext, 'budget'>): AsyncGenerator<Slice> {
+async function* readSlices(
+  { first, files, formats }: ImageStack,
+  settings: DecodeSettings,
+  { budget, fetchFiles }: FileAccess & Pick<ReadContext, 'budget'>,
+): AsyncGenerator<Slice> {
   const readOne = async (input: DecodeInput): Promise<Slice> => {
     const format = await sniffFile(input, formats);
     const name = nameOf(input.url);
     if (!('loadImage' in format)) {
-      throw new VolumeViewError('format/unsupported', `the stack of images got ${name}, which is none (${format.name}); expected images alone, a slice each`);
+      throw new VolumeViewError(
+        'format/unsupported',
+        `the stack of images got ${name}, which is none (${format.name}); expected images alone, a slice each`,
+      );
     }
     const read = await loadReader(() => format.loadImage());
     return { name, image: await read(input.bytes, { channels: settings.channels, budget }) };
@@ -61,7 +80,12 @@ async function* readSlices({ first, files, formats }: ImageStack, settings: Deco
   for await (const input of fetchFiles(files.slice(1))) yield await readOne(input);
 }
 
-async function cutImage(image: GrayImage, format: string, settings: DecodeSettings, budget: Budget): Promise<DecodedVolume> {
+async function cutImage(
+  image: GrayImage,
+  format: string,
+  settings: DecodeSettings,
+  budget: Budget,
+): Promise<DecodedVolume> {
   if (isRadar(settings)) {
     const { readRadarMosaic } = await loadReader(() => import('./radar/read-radar.ts'));
     return readRadarMosaic(image, format, settings, budget);

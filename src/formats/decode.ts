@@ -30,10 +30,18 @@ export interface DecodeContext extends FileAccess {
  * @throws {VolumeViewError} `format/…`, `mosaic/layout`, `manifest/invalid`, `internal`, and what fetching throws
  * @throws {NeedsMainThread} in a worker that can't do it
  */
-export async function decodeFile(input: DecodeInput, settings: DecodeSettings, context: DecodeContext): Promise<DecodedVolume> {
+export async function decodeFile(
+  input: DecodeInput,
+  settings: DecodeSettings,
+  context: DecodeContext,
+): Promise<DecodedVolume> {
   try {
     const volume = await decodeData(input, settings, { ...context, ...withBudget(input, context), isPart: false });
-    if (volume.grid.kind === 'polar' || !isSoundGrid(volume.grid) || !Number.isFinite(volume.intercept / volume.slope + volume.slope)) {
+    if (
+      volume.grid.kind === 'polar' ||
+      !isSoundGrid(volume.grid) ||
+      !Number.isFinite(volume.intercept / volume.slope + volume.slope)
+    ) {
       (await loadReader(() => import('./base/check-geometry.ts'))).checkGeometry(volume);
     }
     return volume;
@@ -43,7 +51,10 @@ export async function decodeFile(input: DecodeInput, settings: DecodeSettings, c
 }
 
 /** The context with the budget of a load, which grows with each file that is fetched. */
-function withBudget(input: DecodeInput, { budget = new Budget(), fetchFile, fetchFiles }: DecodeContext): FileAccess & { readonly budget: Budget } {
+function withBudget(
+  input: DecodeInput,
+  { budget = new Budget(), fetchFile, fetchFiles }: DecodeContext,
+): FileAccess & { readonly budget: Budget } {
   const count = (file: DecodeInput): DecodeInput => {
     budget.addFile(file.bytes.length);
     return file;

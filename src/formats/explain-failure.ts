@@ -12,7 +12,15 @@ export function explainFailure(cause: unknown, url: string): VolumeViewError {
   const name = nameOf(url);
   if (!(cause instanceof RangeError)) return asVolumeViewError(cause, `the file ${name}`);
   if (lacksMemory.test(cause.message)) {
-    return new VolumeViewError('format/too-large', `${name} needs more memory than the browser gives; use a smaller file`, { cause });
+    return new VolumeViewError(
+      'format/too-large',
+      `${name} needs more memory than the browser gives; use a smaller file`,
+      { cause },
+    );
   }
-  return new VolumeViewError('format/corrupt', `${name} can not be decoded (${cause.message}); the file may be damaged`, { cause });
+  return new VolumeViewError(
+    'format/corrupt',
+    `${name} can not be decoded (${cause.message}); the file may be damaged`,
+    { cause },
+  );
 }

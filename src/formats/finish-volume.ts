@@ -30,9 +30,18 @@ type CoarseListener = (coarse: CoarseVolume) => void;
  * @throws {VolumeViewError} `format/corrupt` where its values are beyond numbers, `attribute/invalid` where it can't be cleaned
  * @throws {NeedsMainThread} in a worker that can not load what makes it smaller
  */
-export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: CoarseListener, clean?: Cleaning): Promise<Volume> {
+export async function finishVolume(
+  decoded: DecodedVolume,
+  limits: DeviceLimits,
+  onCoarse?: CoarseListener,
+  clean?: Cleaning,
+): Promise<Volume> {
   if (!isPolarVolume(decoded)) return finishCartesian(decoded, limits, onCoarse, clean);
-  if (clean !== undefined) throw (await loadCleaning()).refuseCleaning(clean, 'a CT, an MRI or another volume of voxels, and not a radar scan');
+  if (clean !== undefined)
+    throw (await loadCleaning()).refuseCleaning(
+      clean,
+      'a CT, an MRI or another volume of voxels, and not a radar scan',
+    );
   const { outlinePolar, predictPolar } = await loadReader(() => import('./radar/finish-polar.ts'));
   const outline = outlinePolar(decoded);
   await checkRange(outline);
@@ -43,14 +52,20 @@ export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits,
 
 /** Samples of float32 times a slope of float64 may be larger than float64 holds. */
 async function checkRange(volume: Pick<Volume, 'range' | 'format'>): Promise<void> {
-  if (!Number.isFinite(volume.range[1] - volume.range[0])) (await loadReader(() => import('./base/check-geometry.ts'))).refuseRange(volume);
+  if (!Number.isFinite(volume.range[1] - volume.range[0]))
+    (await loadReader(() => import('./base/check-geometry.ts'))).refuseRange(volume);
 }
 
 function isPolarVolume(decoded: DecodedVolume): decoded is DecodedPolarVolume {
   return decoded.grid.kind === 'polar';
 }
 
-async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLimits, onCoarse?: CoarseListener, clean?: Cleaning): Promise<Volume> {
+async function finishCartesian(
+  decoded: DecodedCartesianVolume,
+  limits: DeviceLimits,
+  onCoarse?: CoarseListener,
+  clean?: Cleaning,
+): Promise<Volume> {
   const block = { ...decoded.grid, samples: decoded.samples };
   const { dimensions, samples, indexToWorld } = await fitBlock(block, limits);
   const isReduced = samples !== block.samples;
@@ -58,15 +73,31 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
   let summary = summarize(samples, decoded.slope, decoded.intercept);
   const appearance = await suggestAppearance(decoded, summary.histogram);
   // Of what is left there may be fewer values; the look stays that of the whole.
-  const hidden = clean === undefined ? null : await (await loadCleaning()).cleanVolume(clean, { ...decoded, ...summary, ...appearance }, { samples, dimensions });
+  const hidden =
+    clean === undefined
+      ? null
+      : await (
+          await loadCleaning()
+        ).cleanVolume(clean, { ...decoded, ...summary, ...appearance }, { samples, dimensions });
   if (hidden) summary = summarize(samples, decoded.slope, decoded.intercept);
   const outline: CoarseVolume['of'] = {
     ...rest,
     grid: cartesianGrid(dimensions, indexToWorld),
     ...summary,
-    ...(decoded.indexed && { range: [decoded.indexed.ids[0], decoded.indexed.ids[decoded.indexed.ids.length - 1]] as const }),
+    ...(decoded.indexed && {
+      range: [decoded.indexed.ids[0], decoded.indexed.ids[decoded.indexed.ids.length - 1]] as const,
+    }),
     ...appearance,
-    left: decoded.rounded || hidden ? [...(decoded.left ?? []), ...(decoded.rounded ? [(await loadReader(() => import('./base/whole-numbers.ts'))).reportRounded(decoded.rounded)] : []), ...(hidden ? [hidden] : [])] : decoded.left,
+    left:
+      decoded.rounded || hidden
+        ? [
+            ...(decoded.left ?? []),
+            ...(decoded.rounded
+              ? [(await loadReader(() => import('./base/whole-numbers.ts'))).reportRounded(decoded.rounded)]
+              : []),
+            ...(hidden ? [hidden] : []),
+          ]
+        : decoded.left,
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
   await checkRange(outline);
@@ -74,16 +105,23 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
     const { finishLabels } = await loadReader(() => import('./finish-labels.ts'));
     return finishLabels({ decoded, outline, fit: (whole) => fitBlock(whole, limits) });
   }
-  if (onCoarse && !outline.isDiscrete && samples.byteLength > minForCoarse) onCoarse(await makeCoarse(outline, samples, limits));
+  if (onCoarse && !outline.isDiscrete && samples.byteLength > minForCoarse)
+    onCoarse(await makeCoarse(outline, samples, limits));
   // Of those that are made smaller, or cleaned, voxels are not the file's.
-  return { ...outline, ...((isReduced || hidden) && { indexed: undefined }), samples, macrocells: buildMacrocells(samples, dimensions) };
+  return {
+    ...outline,
+    ...((isReduced || hidden) && { indexed: undefined }),
+    samples,
+    macrocells: buildMacrocells(samples, dimensions),
+  };
 }
 
 const loadCleaning = () => loadReader(() => import('./base/clean-volume.ts'));
 
 /** Few volumes have to be made smaller: what does that is loaded with the first of them. */
 async function fitBlock(block: Block, limits: DeviceLimits): Promise<Block> {
-  const isSmall = Math.max(...block.dimensions) <= limits.maxVoxelsPerAxis && block.samples.byteLength <= limits.maxBytes;
+  const isSmall =
+    Math.max(...block.dimensions) <= limits.maxVoxelsPerAxis && block.samples.byteLength <= limits.maxBytes;
   if (isSmall && limits.maxAtlasSize === null) return block;
   const { fitVolume } = await loadReader(() => import('../volume/reduce.ts'));
   return fitVolume(block, limits);
@@ -96,7 +134,8 @@ async function fitBlock(block: Block, limits: DeviceLimits): Promise<Block> {
  */
 async function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits: DeviceLimits): Promise<CoarseVolume> {
   const block = { ...of.grid, samples: all };
-  const { dimensions, samples, indexToWorld } = all.byteLength > minForMeans ? await fitBlock(block, { ...limits, maxBytes: maxCoarse }) : halve(block);
+  const { dimensions, samples, indexToWorld } =
+    all.byteLength > minForMeans ? await fitBlock(block, { ...limits, maxBytes: maxCoarse }) : halve(block);
   const volume: Volume = {
     ...of,
     grid: cartesianGrid(dimensions, indexToWorld),
@@ -120,5 +159,9 @@ function halve({ dimensions, samples: all, indexToWorld }: Block): Block {
     }
   }
   const scale = dimensions.map((n, axis) => n / to[axis]) as unknown as Vector3;
-  return { dimensions: to, samples, indexToWorld: multiply(indexToWorld, scaleAndTranslate(scale, scale.map((s) => (s - 1) / 2) as unknown as Vector3)) };
+  return {
+    dimensions: to,
+    samples,
+    indexToWorld: multiply(indexToWorld, scaleAndTranslate(scale, scale.map((s) => (s - 1) / 2) as unknown as Vector3)),
+  };
 }

@@ -10,4 +10,16 @@ import { hdf5, netcdf3, nexrad } from './radar/radar-formats.ts';
  * Every format that can be read, in any order. A new format has its own file, which says how to recognize its files and
  * loads its reader when it is needed. format.ts explains the terms.
  */
-export const allFormats: readonly Format[] = [nifti, niftiGzip, nrrd, metaImage, png, jpeg, webp, manifest, hdf5, netcdf3, nexrad];
+export const allFormats: readonly Format[] = [
+  nifti,
+  niftiGzip,
+  nrrd,
+  metaImage,
+  png,
+  jpeg,
+  webp,
+  manifest,
+  hdf5,
+  netcdf3,
+  nexrad,
+];

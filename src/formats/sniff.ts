@@ -17,7 +17,10 @@ export async function sniffFile(input: DecodeInput, formats: readonly Format[]):
 }
 
 /** The format of a file by its bytes alone, or null. */
-export async function findFormat<F extends Format>(bytes: Uint8Array<ArrayBuffer>, formats: readonly F[]): Promise<F | null> {
+export async function findFormat<F extends Format>(
+  bytes: Uint8Array<ArrayBuffer>,
+  formats: readonly F[],
+): Promise<F | null> {
   return findByBytes(await lookAt(bytes), formats);
 }
 

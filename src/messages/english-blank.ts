@@ -5,8 +5,10 @@ export const english: BlankMessages = {
   blankPicture: 'Nothing to see here.',
   blankCauses: {
     noData: 'The file has no values: all of its voxels are marked as having no data.',
-    transparent: 'The transfer function is transparent everywhere: its opacities have to be above 0 (transfer-function).',
-    values: (low, high) => `All values, from ${low} to ${high}, are transparent. Another value-window or transfer-function would show them.`,
+    transparent:
+      'The transfer function is transparent everywhere: its opacities have to be above 0 (transfer-function).',
+    values: (low, high) =>
+      `All values, from ${low} to ${high}, are transparent. Another value-window or transfer-function would show them.`,
     labels: 'All labels are hidden.',
     cut: 'All that would show is cut away (region, slices, clips).',
     sight: 'The volume is out of sight (camera-orbit, camera-target).',

@@ -4,5 +4,9 @@ import type { ClipMessages } from './clip-messages.ts';
 export const english: ClipMessages = {
   clipPlane: 'Cutting plane',
   clipBox: 'Cutting box',
-  clipSides: [['Box, lower x', 'Box, upper x'], ['Box, lower y', 'Box, upper y'], ['Box, lower z', 'Box, upper z']],
+  clipSides: [
+    ['Box, lower x', 'Box, upper x'],
+    ['Box, lower y', 'Box, upper y'],
+    ['Box, lower z', 'Box, upper z'],
+  ],
 };

@@ -6,7 +6,8 @@ export const english: PlaneMessages = {
   boxOf: (number, count) => `Box, ${number} of ${count}`,
   gaussianOf: (number, count) => `Gaussian, ${number} of ${count}`,
   sizeOf: (name) => `Size of ${name}`,
-  patchState: (values, gradients, opacity, color) => `values ${values}, gradients ${gradients}, opacity ${opacity}, ${color}`,
+  patchState: (values, gradients, opacity, color) =>
+    `values ${values}, gradients ${gradients}, opacity ${opacity}, ${color}`,
   patchKeys: 'Arrow keys move it, with Shift ten times as far. Insert adds one, Delete removes this one.',
   drawBox: 'Draw a box in the chart, or add one below.',
   valueFrom: 'Value from',

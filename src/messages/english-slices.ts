@@ -5,10 +5,16 @@ export const english: SliceMessages = {
   slice: { axial: 'Axial slice', coronal: 'Coronal slice', sagittal: 'Sagittal slice', oblique: 'Oblique slice' },
   sliceAt: (slice, place) => `${slice}, ${place}`,
   millimetres: (length) => `${length} mm`,
-  slab: { average: (thickness) => `average of ${thickness}`, max: (thickness) => `maximum of ${thickness}`, min: (thickness) => `minimum of ${thickness}` },
+  slab: {
+    average: (thickness) => `average of ${thickness}`,
+    max: (thickness) => `maximum of ${thickness}`,
+    min: (thickness) => `minimum of ${thickness}`,
+  },
   window: (width, level) => `W ${width}  L ${level}`,
-  windowWords: ({ width, level, black, white }) => `Window ${width}, level ${level}: black up to ${black}, white from ${white}`,
-  sliceKeys: 'Page up and Page down go from slice to slice, arrow keys move the crosshair, plus and minus zoom, 0 shows all.',
+  windowWords: ({ width, level, black, white }) =>
+    `Window ${width}, level ${level}: black up to ${black}, white from ${white}`,
+  sliceKeys:
+    'Page up and Page down go from slice to slice, arrow keys move the crosshair, plus and minus zoom, 0 shows all.',
   noValue: 'no value here',
   loading: 'Loading the volume …',
 };

@@ -36,7 +36,10 @@ export class Language {
 
   /** A number with exactly this number of decimals, zeros too: a number that changes keeps its width. */
   fixed(value: number, decimals: number): string {
-    return this.#write(Number(value.toFixed(decimals)), { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+    return this.#write(Number(value.toFixed(decimals)), {
+      minimumFractionDigits: decimals,
+      maximumFractionDigits: decimals,
+    });
   }
 
   /** A number with its unit, if it has one. */
@@ -53,7 +56,8 @@ export class Language {
   /** The number of significant digits by which two numbers differ: the usual number, or more. */
   digitsToDistinguish(low: number, high: number, usual = 4): number {
     if (low === high) return usual;
-    for (let digits = usual; digits < maxDigits; digits++) if (this.number(low, digits) !== this.number(high, digits)) return digits;
+    for (let digits = usual; digits < maxDigits; digits++)
+      if (this.number(low, digits) !== this.number(high, digits)) return digits;
     return maxDigits;
   }
 
@@ -71,7 +75,9 @@ export class Language {
   /** Name of the zone of a time: `UTC`, `AEDT`, `GMT+1`. */
   zone(time: string): string {
     if (this.timeZone === 'UTC') return this.messages.utc;
-    const parts = new Intl.DateTimeFormat(this.code, { timeZone: this.timeZone, timeZoneName: 'short' }).formatToParts(new Date(time));
+    const parts = new Intl.DateTimeFormat(this.code, { timeZone: this.timeZone, timeZoneName: 'short' }).formatToParts(
+      new Date(time),
+    );
     return parts.find(({ type }) => type === 'timeZoneName')!.value;
   }
 
@@ -82,13 +88,19 @@ export class Language {
 
   /** The clock time of a time in UTC, ISO 8601, converted to the zone of the language, with 24 hours as in weather and radiology. */
   clock(time: string, withSeconds: boolean): string {
-    return this.#date(time, { hour: '2-digit', minute: '2-digit', second: withSeconds ? '2-digit' : undefined, hourCycle: 'h23' });
+    return this.#date(time, {
+      hour: '2-digit',
+      minute: '2-digit',
+      second: withSeconds ? '2-digit' : undefined,
+      hourCycle: 'h23',
+    });
   }
 
   #write(value: number, options: Intl.NumberFormatOptions): string {
     const key = `${this.code} ${Object.entries(options).join(' ')}`;
     let format = numberFormats.get(key);
-    if (!format) numberFormats.set(key, (format = new Intl.NumberFormat(this.code, { useGrouping: false, ...options })));
+    if (!format)
+      numberFormats.set(key, (format = new Intl.NumberFormat(this.code, { useGrouping: false, ...options })));
     const digits = value !== 0 && Math.abs(value) < minNormal ? (String(value) as unknown as number) : value + 0; // Browsers accept decimal texts too; older browsers convert them to numbers.
     return format.format(digits).replaceAll('-', '−'); // + 0: a scale has no minus zero
   }

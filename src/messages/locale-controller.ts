@@ -61,12 +61,15 @@ function findShipped(code: string): Partial<Messages> | null {
   if (/^en\b/i.test(code)) return null;
   if (!shipped.has(code)) {
     shipped.set(code, null);
-    void import('./load-language.ts').then(({ loadLanguage }) => loadLanguage(code)).then((messages) => {
-      shipped.set(code, messages);
-      if (messages) update();
-    }).catch(() => {
-      // If a language can't be loaded, the messages stay English; the next page tries again.
-    });
+    void import('./load-language.ts')
+      .then(({ loadLanguage }) => loadLanguage(code))
+      .then((messages) => {
+        shipped.set(code, messages);
+        if (messages) update();
+      })
+      .catch(() => {
+        // If a language can't be loaded, the messages stay English; the next page tries again.
+      });
   }
   return shipped.get(code)!;
 }

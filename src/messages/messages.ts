@@ -10,7 +10,18 @@ import type { ReadoutMessages } from './readout-messages.ts';
 
 /** Names of hues, and of colours without a hue. */
 export type ColorName =
-  | 'red' | 'orange' | 'yellow' | 'green' | 'turquoise' | 'blue' | 'violet' | 'pink' | 'brown' | 'white' | 'grey' | 'black';
+  | 'red'
+  | 'orange'
+  | 'yellow'
+  | 'green'
+  | 'turquoise'
+  | 'blue'
+  | 'violet'
+  | 'pink'
+  | 'brown'
+  | 'white'
+  | 'grey'
+  | 'black';
 
 /** The topic of an error: the first word of its code, or the whole code where it has a message of its own. */
 type ErrorTopic = ErrorCode extends infer Code ? (Code extends `${infer Topic}/${string}` ? Topic : Code) : never;
@@ -19,7 +30,18 @@ type ErrorTopic = ErrorCode extends infer Code ? (Code extends `${infer Topic}/$
  * All messages of the elements, for readers and for screen readers. Numbers and times are passed as text, already formatted for the
  * language. The English messages are built in; a translation may leave out any message.
  */
-export type Messages = ViewMessages & CompanionMessages & ControlMessages & SliceMessages & ReadoutMessages & HandleMessages & ClipMessages & LabelMessages & MeasureMessages & NoticeMessages & PlaneMessages & BlankMessages;
+export type Messages = ViewMessages &
+  CompanionMessages &
+  ControlMessages &
+  SliceMessages &
+  ReadoutMessages &
+  HandleMessages &
+  ClipMessages &
+  LabelMessages &
+  MeasureMessages &
+  NoticeMessages &
+  PlaneMessages &
+  BlankMessages;
 
 /** The messages of <volume-view>. */
 export interface ViewMessages {
@@ -46,7 +68,18 @@ export interface ViewMessages {
 }
 
 /** Standard views, named by the side of the viewer: of a box or a patient, or of the weather over a map. */
-export type StandardViewName = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'south' | 'north' | 'west' | 'east' | 'above';
+export type StandardViewName =
+  | 'front'
+  | 'back'
+  | 'left'
+  | 'right'
+  | 'top'
+  | 'bottom'
+  | 'south'
+  | 'north'
+  | 'west'
+  | 'east'
+  | 'above';
 
 /** The messages of the controls of <volume-view>. */
 export interface ControlMessages {
@@ -104,7 +137,12 @@ export interface SliceMessages {
   /** Width and level of the window, as radiologists write them. */
   readonly window: (width: string, level: string) => string;
   /** The same in words, for readers who do not know these letters: the values at which black ends and white begins. */
-  readonly windowWords: (window: { readonly width: string; readonly level: string; readonly black: string; readonly white: string }) => string;
+  readonly windowWords: (window: {
+    readonly width: string;
+    readonly level: string;
+    readonly black: string;
+    readonly white: string;
+  }) => string;
   /** Help for the keys. */
   readonly sliceKeys: string;
   /** The crosshair is outside the volume. */

@@ -21,7 +21,8 @@ export function scanLabeller(times: readonly (string | null)[], language: Langua
 export function describeScan(times: readonly (string | null)[], index: number, language: Language): string {
   const { messages } = language;
   const time = times[index];
-  const when = time === null ? [] : [`${scanLabeller(times, language)(index)} ${language.zone(time)}`, language.day(time)];
+  const when =
+    time === null ? [] : [`${scanLabeller(times, language)(index)} ${language.zone(time)}`, language.day(time)];
   const which = times.length > 1 ? [messages.scanOf(language.number(index + 1), language.number(times.length))] : [];
   return [...when, ...which].join(', ');
 }

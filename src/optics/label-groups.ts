@@ -17,10 +17,20 @@ export function groupOptics(functions: readonly TransferFunction[], scene: Refer
 }
 
 /** The stages of a scene's rays when groups of labels have transfer functions of their own. @param groups - by group from 1 */
-export function groupedStagesOf(scene: ReferenceScene, setup: RaySetup, groups: readonly RayOptics[], own?: RayOptics): RayStages {
+export function groupedStagesOf(
+  scene: ReferenceScene,
+  setup: RaySetup,
+  groups: readonly RayOptics[],
+  own?: RayOptics,
+): RayStages {
   const stages = stagesOf(scene, setup, own);
   const opticalScale = (setup.diameter * scene.opacityFactor) / scene.referenceLength;
-  return groups.length > 0 ? groupStages(stages, groups.map((one) => transferFunctionClassify(one, stages.field, opticalScale))) : stages;
+  return groups.length > 0
+    ? groupStages(
+        stages,
+        groups.map((one) => transferFunctionClassify(one, stages.field, opticalScale)),
+      )
+    : stages;
 }
 
 /**
@@ -29,7 +39,11 @@ export function groupedStagesOf(scene: ReferenceScene, setup: RaySetup, groups: 
  */
 export function groupStages(stages: RayStages, others: readonly ClassifyStage[]): RayStages {
   const classify = groupClassify([stages.classify, ...others]);
-  return { ...stages, classify, shades: stages.shades.map((shade) => (shade === labelShade ? groupShade(classify, stages.field) : shade)) };
+  return {
+    ...stages,
+    classify,
+    shades: stages.shades.map((shade) => (shade === labelShade ? groupShade(classify, stages.field) : shade)),
+  };
 }
 
 /**
@@ -42,7 +56,8 @@ export function groupClassify(all: readonly ClassifyStage[]): ClassifyStage {
   return {
     classifySegment: (segment) => all[groupOf(labelledEnds(segment.front, segment.back)[0])].classifySegment(segment),
     classifyValue: all[0].classifyValue,
-    countSubsteps: (ends, visible, samples) => Math.max(...labelledEnds(...samples).map((end) => all[groupOf(end)].countSubsteps(ends, visible, samples))),
+    countSubsteps: (ends, visible, samples) =>
+      Math.max(...labelledEnds(...samples).map((end) => all[groupOf(end)].countSubsteps(ends, visible, samples))),
   };
 }
 

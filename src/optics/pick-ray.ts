@@ -68,14 +68,22 @@ const [parts, rounds] = [16, 2];
  * With a projection, it is the place of the value that the ray shows. For an average, it is the place of the largest value.
  * @returns null if nothing is visible
  */
-export function pickRay(stages: RayStages, ray: Ray, { at, look: appearance }: { readonly at: PickAt; readonly look: PickedAppearance }): RayPick | null {
+export function pickRay(
+  stages: RayStages,
+  ray: Ray,
+  { at, look: appearance }: { readonly at: PickAt; readonly look: PickedAppearance },
+): RayPick | null {
   let crossed: Interval | null = null;
   let found: Found | null = null;
-  const color = castRay({
-    ...stages,
-    intervals: [...stages.intervals, (_, interval) => (crossed = interval)],
-    gather: (seen) => record(seen, stages.gather, (walked) => (found = findPlace(walked, { at, look: appearance }, crossed!))),
-  }, ray);
+  const color = castRay(
+    {
+      ...stages,
+      intervals: [...stages.intervals, (_, interval) => (crossed = interval)],
+      gather: (seen) =>
+        record(seen, stages.gather, (walked) => (found = findPlace(walked, { at, look: appearance }, crossed!))),
+    },
+    ray,
+  );
   const { entry, exit, behind } = crossed!;
   if (!(color[3] >= invisible) || (found === null && !behind)) return null;
   // An object exactly where a ray begins (for example a slice on a cut face) has no path in front of it.
@@ -117,7 +125,8 @@ function record(seen: Seen, gather: GatherStage, report: (walked: Walked) => voi
   };
   const keepGap = (begin: number, back: Sample): void => {
     const end = walkedTo();
-    if (segments.length > 0 && begin > end + gapSlack) keep({ front: segments[segments.length - 1].back, back, begin: end, span: begin - end }, 0);
+    if (segments.length > 0 && begin > end + gapSlack)
+      keep({ front: segments[segments.length - 1].back, back, begin: end, span: begin - end }, 0);
   };
   const keepAll = (): void => {
     for (const [piece, share] of pieces.splice(0)) {
@@ -133,11 +142,13 @@ function record(seen: Seen, gather: GatherStage, report: (walked: Walked) => voi
       if (pieces.length === 0) pieces.push([segment, alpha]);
       keepAll();
     },
-    ...(gathering.addPiece && { addPiece: (piece, path) => {
-      keepGap(piece.from, piece.front);
-      gathering.addPiece!(piece, path);
-      keepAll();
-    } }),
+    ...(gathering.addPiece && {
+      addPiece: (piece, path) => {
+        keepGap(piece.from, piece.front);
+        gathering.addPiece!(piece, path);
+        keepAll();
+      },
+    }),
     chooseSubsteps: (front, back) => gathering.chooseSubsteps(front, back),
     finish: (path) => {
       const color = gathering.finish(path);
@@ -148,13 +159,19 @@ function record(seen: Seen, gather: GatherStage, report: (walked: Walked) => voi
 }
 
 /** @returns the distance along the path; null if there is no such place */
-function findPlace(walked: Walked, { at, look: appearance }: { readonly at: PickAt; readonly look: PickedAppearance }, { behind }: Interval): Found | null {
+function findPlace(
+  walked: Walked,
+  { at, look: appearance }: { readonly at: PickAt; readonly look: PickedAppearance },
+  { behind }: Interval,
+): Found | null {
   const { path, color } = walked;
   // An object at the end of the ray, if there is one, hides everything behind it.
   const end = behind ? { height: (1 - color[3]) * behind[3], at: path.total } : null;
   if (appearance.projection) return end && end.height > color[3] ? end : findExtreme(walked, appearance, Infinity);
-  if (at === 'max') return (appearance.isClear ? findHighest(walked) : findExtreme(walked, appearance, hiddenFrom(walked))) ?? end;
-  const jump = at === 'surface' ? { first: 0, last: walked.rises.length - 1, height: 2 * surfaceOpacity } : findJump(walked.rises);
+  if (at === 'max')
+    return (appearance.isClear ? findHighest(walked) : findExtreme(walked, appearance, hiddenFrom(walked))) ?? end;
+  const jump =
+    at === 'surface' ? { first: 0, last: walked.rises.length - 1, height: 2 * surfaceOpacity } : findJump(walked.rises);
   if (end && (at === 'surface' ? color[3] < surfaceOpacity : end.height > (jump?.height ?? 0))) return end;
   return jump && reach(walked, jump.first, jump.height / 2);
 }
@@ -169,11 +186,19 @@ function hiddenFrom({ rises, path }: Walked): number {
   return path.total;
 }
 
-function findExtreme({ segments, path, seen }: Walked, { transferFunction, functions = [], projection, intensityThreshold }: PickedAppearance, last: number): Found | null {
+function findExtreme(
+  { segments, path, seen }: Walked,
+  { transferFunction, functions = [], projection, intensityThreshold }: PickedAppearance,
+  last: number,
+): Found | null {
   const all = [transferFunction, ...functions];
   const shows = (sample: Sample): boolean => projection !== null || evaluate(all[groupOf(sample)], sample.value)[3] > 0;
-  const counts = (sample: Sample, at: number): boolean => sample.valid && at <= last && shows(sample) && !isHidden(sample);
-  const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, { counts, threshold: projection && projection !== 'average' ? intensityThreshold : undefined });
+  const counts = (sample: Sample, at: number): boolean =>
+    sample.valid && at <= last && shows(sample) && !isHidden(sample);
+  const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, {
+    counts,
+    threshold: projection && projection !== 'average' ? intensityThreshold : undefined,
+  });
   if (path.kinksAlong) for (const piece of path.pieces) walkKinks(path, piece, (cubic) => search.addPiece(cubic, path));
   else segments.forEach(search.add);
   return search.find(path);
@@ -185,7 +210,8 @@ function findHighest(walked: Walked): Found | null {
   let highest: Found | null = null;
   walked.rises.forEach(({ begin, span, height }, i) => {
     const { value } = walked.segments[i].front;
-    if (span === 0 && height > 0 && begin <= last && value > (highest?.surface ?? -Infinity)) highest = { at: begin, surface: value };
+    if (span === 0 && height > 0 && begin <= last && value > (highest?.surface ?? -Infinity))
+      highest = { at: begin, surface: value };
   });
   return highest;
 }
@@ -196,8 +222,10 @@ function reach({ segments, rises, path, seen }: Walked, first: number, height: n
   for (let i = 0; i < first; i++) before += rises[i].height;
   for (let i = first; i < rises.length; i++) {
     const rise = rises[i].height;
-    if (rise > 0 && sum + rise >= height && rises[i].span === 0) return { at: rises[i].begin, surface: segments[i].front.value };
-    if (rise > 0 && sum + rise >= height) return reachWithin({ path, seen, opacity: before + sum }, segments[i], (height - sum) / rise);
+    if (rise > 0 && sum + rise >= height && rises[i].span === 0)
+      return { at: rises[i].begin, surface: segments[i].front.value };
+    if (rise > 0 && sum + rise >= height)
+      return reachWithin({ path, seen, opacity: before + sum }, segments[i], (height - sum) / rise);
     sum += rise;
   }
   return null;
@@ -207,7 +235,11 @@ function reach({ segments, rises, path, seen }: Walked, first: number, height: n
  * The place on a segment where a given share of its opacity has been added.
  * @param opacity - gathered before this segment
  */
-function reachWithin({ path, seen, opacity }: { readonly path: Path; readonly seen: Seen; readonly opacity: number }, { begin, span }: Segment, share: number): Found {
+function reachWithin(
+  { path, seen, opacity }: { readonly path: Path; readonly seen: Seen; readonly opacity: number },
+  { begin, span }: Segment,
+  share: number,
+): Found {
   let [from, length, wanted, gathered] = [begin, span, share, opacity];
   for (let round = 0; round < rounds; round++) {
     const heights: number[] = [];

@@ -11,7 +11,15 @@ import type { RayOptics } from './rays/ray-classify.ts';
 import { cartesianField } from './rays/ray-field.ts';
 import { compositeGather } from './rays/ray-gather.ts';
 import { boxInterval } from './rays/ray-intervals.ts';
-import type { ClassifyStage, FieldStage, GatherStage, IntervalStage, RayStages, SecondFieldStage, ShadeStage } from './rays/ray-stages.ts';
+import type {
+  ClassifyStage,
+  FieldStage,
+  GatherStage,
+  IntervalStage,
+  RayStages,
+  SecondFieldStage,
+  ShadeStage,
+} from './rays/ray-stages.ts';
 import { rayThrough } from './rays/rays.ts';
 import type { Ray, RaySetup } from './rays/rays.ts';
 import { maxSubsteps } from './transfer/substep-limits.ts';
@@ -83,14 +91,18 @@ export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOpti
   const field = scene.field ?? cartesianField({ ...scene, dimensions: grid.dimensions });
   // Only cartesian grids know where values kink. Pictures in motion do not cut their steps, so they do not look for jumps.
   const isCut = (scene.maxSubsteps ?? maxSubsteps) > 1 || scene.minSubsteps !== undefined;
-  const jumps = scene.gather || !field.kinksBetween || !isCut ? [] : findOpaqueJumps(optics.transferFunction, voxelRatioOf(scene));
+  const jumps =
+    scene.gather || !field.kinksBetween || !isCut ? [] : findOpaqueJumps(optics.transferFunction, voxelRatioOf(scene));
   return {
     intervals: [boxInterval(setup), ...(scene.ends ?? [])],
     field,
     moreFields: scene.moreFields ?? [],
-    classify: (scene.classifyBy ?? asItIs)(transferFunctionClassify(optics, field, (setup.diameter * opacityFactor) / referenceLength)),
+    classify: (scene.classifyBy ?? asItIs)(
+      transferFunctionClassify(optics, field, (setup.diameter * opacityFactor) / referenceLength),
+    ),
     shades: scene.shades ?? [],
-    gather: scene.gather ?? (jumps.length > 0 ? jumpGather(jumps, finestSpacing(grid) / setup.diameter) : compositeGather),
+    gather:
+      scene.gather ?? (jumps.length > 0 ? jumpGather(jumps, finestSpacing(grid) / setup.diameter) : compositeGather),
     eyeT: setup.eyeT,
     step: stepLength / setup.diameter,
     maxSubsteps: scene.maxSubsteps ?? maxSubsteps,

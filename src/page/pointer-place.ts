@@ -12,7 +12,12 @@ export interface PagePoint {
 export type ElementPlace = readonly [x: number, y: number];
 
 /** The four corners as shares of width and height, in order around the element. */
-const corners = [[0, 0], [1, 0], [1, 1], [0, 1]] as const;
+const corners = [
+  [0, 0],
+  [1, 0],
+  [1, 1],
+  [0, 1],
+] as const;
 
 /** The box with the markers of the corners, for each element that has been measured. */
 const markers = new WeakMap<HTMLElement, HTMLElement>();
@@ -29,7 +34,10 @@ const markers = new WeakMap<HTMLElement, HTMLElement>();
  */
 export function placeInElement(element: HTMLElement, { clientX, clientY }: PagePoint): ElementPlace {
   const marks = [...cornersOf(element).children].map((mark) => mark.getBoundingClientRect());
-  const [across, down] = shareInQuad(marks.map(({ left, top }) => [left, top] as const), [clientX, clientY]) ?? [0.5, 0.5];
+  const [across, down] = shareInQuad(
+    marks.map(({ left, top }) => [left, top] as const),
+    [clientX, clientY],
+  ) ?? [0.5, 0.5];
   return [across * element.clientWidth, down * element.clientHeight];
 }
 
@@ -48,7 +56,10 @@ export function middleInElement(element: HTMLElement, part: Element): ElementPla
  * @param quad - the images of (0, 0), (1, 0), (1, 1) and (0, 1)
  * @returns shares of the square's sides; null where it has no area
  */
-export function shareInQuad([[x0, y0], [x1, y1], [x2, y2], [x3, y3]]: readonly (readonly [x: number, y: number])[], [x, y]: readonly [x: number, y: number]): readonly [number, number] | null {
+export function shareInQuad(
+  [[x0, y0], [x1, y1], [x2, y2], [x3, y3]]: readonly (readonly [x: number, y: number])[],
+  [x, y]: readonly [x: number, y: number],
+): readonly [number, number] | null {
   const [dx1, dx2, sx] = [x1 - x2, x3 - x2, x0 - x1 + x2 - x3];
   const [dy1, dy2, sy] = [y1 - y2, y3 - y2, y0 - y1 + y2 - y3];
   const area = dx1 * dy2 - dx2 * dy1;

@@ -60,22 +60,31 @@ export interface Slice {
  * @param rows - the first, and the one after the last
  */
 export function fillRows(slice: Slice, values: Float64Array, [first, end]: readonly [number, number]): void {
-  const { field: { sampleAt, readRow = rowOf(sampleAt), worldToIndex }, pixels, slab } = slice;
+  const {
+    field: { sampleAt, readRow = rowOf(sampleAt), worldToIndex },
+    pixels,
+    slab,
+  } = slice;
   const { width } = pixels;
   const across = transformDirection(worldToIndex, pixels.across);
   const way = transformDirection(worldToIndex, scale(slab.normal, slab.thickness));
   const isPlane = !(slab.thickness > 0) || slab.planes === 1;
   const planes = isPlane ? null : slab.planes ? evenPlanes(slab.planes) : alignedPlanes(slice, way);
-  const mergeLine = isPlane || planes ? null : lineMerger(slice.field.voxels!, { way, kind: slab.projection, isNearest: slice.field.voxels!.isNearest });
+  const mergeLine =
+    isPlane || planes
+      ? null
+      : lineMerger(slice.field.voxels!, { way, kind: slab.projection, isNearest: slice.field.voxels!.isNearest });
   const [line, weights] = [new Float64Array(width), new Float64Array(width)];
   for (let row = first; row < end; row++) {
     const middle = transformPoint(worldToIndex, add(pixels.first, scale(pixels.down, row)));
     const merged = values.subarray(row * width, (row + 1) * width);
     if (isPlane) readRow(middle, across, merged);
-    else if (planes) mergePlanes(planes, { way, middle, across, readRow, line, weights, merging: merging[slab.projection] }, merged);
+    else if (planes)
+      mergePlanes(planes, { way, middle, across, readRow, line, weights, merging: merging[slab.projection] }, merged);
     else {
       const [x, y, z] = add(middle, scale(way, -0.5));
-      for (let column = 0; column < width; column++) merged[column] = mergeLine!(x + column * across[0], y + column * across[1], z + column * across[2]);
+      for (let column = 0; column < width; column++)
+        merged[column] = mergeLine!(x + column * across[0], y + column * across[1], z + column * across[2]);
     }
   }
 }
@@ -103,15 +112,21 @@ function alignedPlanes({ field: { voxels, worldToIndex }, pixels }: Slice, way: 
   const { dimensions, isNearest } = voxels!;
   const axis = [0, 1, 2].find((one) => [0, 1, 2].every((other) => other === one || Math.abs(way[other]) < drift));
   if (axis === undefined) return null;
-  const sides: readonly (readonly [Vector3, number])[] = [[pixels.across, pixels.width], [pixels.down, pixels.height]];
-  if (sides.some(([side, count]) => Math.abs(count * transformDirection(worldToIndex, side)[axis]) > drift)) return null;
+  const sides: readonly (readonly [Vector3, number])[] = [
+    [pixels.across, pixels.width],
+    [pixels.down, pixels.height],
+  ];
+  if (sides.some(([side, count]) => Math.abs(count * transformDirection(worldToIndex, side)[axis]) > drift))
+    return null;
   const from = add(transformPoint(worldToIndex, pixels.first), scale(way, -0.5));
   // Pixels outside the volume do not matter, whatever the planes are.
   const inside = from.map((x, other) => (other === axis ? x : 0)) as unknown as Vector3;
   const part = cutToVoxels(inside, way, dimensions);
   if (!part) return [];
   const [begin, end] = part;
-  const between = meetVoxelPlanes(inside, way, dimensions, isNearest ? 0.5 : 0).filter((share) => share > begin && share < end);
+  const between = meetVoxelPlanes(inside, way, dimensions, isNearest ? 0.5 : 0).filter(
+    (share) => share > begin && share < end,
+  );
   const shares = [begin, ...between, end];
   if (isNearest) return shares.slice(1).map((share, i) => [(share + shares[i]) / 2, share - shares[i]]);
   return shares.map((share, i) => [share, ((shares[i + 1] ?? share) - (shares[i - 1] ?? share)) / 2]);
@@ -130,7 +145,11 @@ interface SlabRow {
 }
 
 /** Plane by plane, because neighbours in a row are also near in memory. */
-function mergePlanes(planes: readonly SlabPlane[], { way, middle, across, readRow, line, weights, merging: { none, merge, end } }: SlabRow, merged: Float64Array): void {
+function mergePlanes(
+  planes: readonly SlabPlane[],
+  { way, middle, across, readRow, line, weights, merging: { none, merge, end } }: SlabRow,
+  merged: Float64Array,
+): void {
   merged.fill(none);
   weights.fill(0);
   for (const [share, weight] of planes) {
@@ -145,7 +164,11 @@ interface Merging {
   /** The value of a row before the first plane. */
   readonly none: number;
   /** @param of - the plane's weight, and the sum of the weights before it in each pixel */
-  merge(merged: Float64Array, line: Float64Array, of: { readonly weight: number; readonly weights: Float64Array }): void;
+  merge(
+    merged: Float64Array,
+    line: Float64Array,
+    of: { readonly weight: number; readonly weights: Float64Array },
+  ): void;
   /** Sets NaN where no plane had data. */
   end(merged: Float64Array): void;
 }
@@ -162,7 +185,9 @@ const merging: Readonly<Record<ProjectionKind, Merging>> = {
       for (let i = 0; i < line.length; i++) {
         if (Number.isNaN(line[i])) continue;
         weights[i] += weight;
-        merged[i] = Number.isNaN(merged[i]) ? line[i] : merged[i] + (line[i] - merged[i]) * (weight / (weights[i] || 1));
+        merged[i] = Number.isNaN(merged[i])
+          ? line[i]
+          : merged[i] + (line[i] - merged[i]) * (weight / (weights[i] || 1));
       }
     },
     end: () => {},

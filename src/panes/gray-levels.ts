@@ -15,7 +15,10 @@ export type WindowFunction = (typeof windowFunctions)[number];
  * w + 0.5. LINEAR is (x - (c - 0.5)) / (w - 1) + 0.5, and a threshold where w is 1 or less.
  * Source: DICOM PS3.3 C.11.2.1.2.1 and C.11.2.1.3.2
  */
-export function grayRange({ window: [low, high], windowFunction }: GrayLevels): readonly [black: number, white: number] {
+export function grayRange({
+  window: [low, high],
+  windowFunction,
+}: GrayLevels): readonly [black: number, white: number] {
   if (windowFunction === 'linear-exact') return [low, high];
   const [center, width] = [(low + high) / 2, high - low];
   const half = Math.max(0, width - 1) / 2;

@@ -126,7 +126,10 @@ function nearestPiece(block: SampledBlock, kind: ProjectionKind): Pieces {
 }
 
 function linearPiece(block: SampledBlock, kind: ProjectionKind): Pieces {
-  const { samples, dimensions: [nx, ny, nz] } = block;
+  const {
+    samples,
+    dimensions: [nx, ny, nz],
+  } = block;
   const [lastX, lastY, lastZ] = [nx - 1, ny - 1, nz - 1];
   const slice = nx * ny;
   const sampleAt = linearSampler(block);
@@ -137,7 +140,10 @@ function linearPiece(block: SampledBlock, kind: ProjectionKind): Pieces {
   const appearance = (at: number, to: number): void => {
     for (let i = 0; i < looks; i++) {
       const share = at + (i * (to - at)) / (looks - 1);
-      found.take(sampleAt(x + share * dx, y + share * dy, z + share * dz), i === 0 || i === looks - 1 ? (to - at) / 2 : to - at);
+      found.take(
+        sampleAt(x + share * dx, y + share * dy, z + share * dz),
+        i === 0 || i === looks - 1 ? (to - at) / 2 : to - at,
+      );
     }
   };
 
@@ -203,7 +209,8 @@ function linearPiece(block: SampledBlock, kind: ProjectionKind): Pieces {
       if (!(inner > 0)) return;
       const root = Math.sqrt(inner);
       const larger = square > 0 ? -square - root : root - square;
-      for (const turn of [linear / larger, larger / (3 * cube)]) if (turn > 0 && turn < 1) found.take(start + turn * (linear + turn * (square + turn * cube)), 0);
+      for (const turn of [linear / larger, larger / (3 * cube)])
+        if (turn > 0 && turn < 1) found.take(start + turn * (linear + turn * (square + turn * cube)), 0);
     },
     end: () => found.value,
   };

@@ -46,7 +46,9 @@ export function colorPainter(stops: TransferFunction, scale: StoredScale, isDisc
   const [low, high] = [stops[0].value, stops.at(-1)!.value];
   const colors = new Map<number, readonly number[]>();
   const colorOf = (value: number): readonly number[] => {
-    const step = isDiscrete ? value : Math.round(((Math.min(high, Math.max(low, value)) - low) / (high - low || 1)) * tableSize);
+    const step = isDiscrete
+      ? value
+      : Math.round(((Math.min(high, Math.max(low, value)) - low) / (high - low || 1)) * tableSize);
     let color = colors.get(step);
     if (!color) {
       const [r, g, b, a] = evaluate(stops, isDiscrete ? value : low + (step / tableSize) * (high - low));

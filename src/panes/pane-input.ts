@@ -16,7 +16,10 @@ const wheelUnits: readonly number[] = [1, 16, 400];
 const zoomPerKey = 1.25;
 
 const arrows: Readonly<Record<string, readonly [right: number, up: number]>> = {
-  ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
 };
 
 type Point = readonly [x: number, y: number];
@@ -45,13 +48,20 @@ export class PaneInput {
   /** Where the crosshair was before the last press, and before the first press of a possible double click. */
   #places: { readonly press: Vector3; readonly click: Vector3 } | null = null;
 
-  constructor(readonly target: HTMLElement, readonly pane: SlicePane, readonly interaction: PaneInteraction) {
+  constructor(
+    readonly target: HTMLElement,
+    readonly pane: SlicePane,
+    readonly interaction: PaneInteraction,
+  ) {
     const { signal } = this.#abort;
-    const listen = <Name extends keyof HTMLElementEventMap>(name: Name, act: (event: HTMLElementEventMap[Name]) => void): void =>
-      target.addEventListener(name, act, { signal, passive: false });
+    const listen = <Name extends keyof HTMLElementEventMap>(
+      name: Name,
+      act: (event: HTMLElementEventMap[Name]) => void,
+    ): void => target.addEventListener(name, act, { signal, passive: false });
     listen('pointerdown', (event) => this.#press(event));
     listen('pointermove', (event) => this.#move(event));
-    for (const name of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) listen(name, (event) => this.#release(event));
+    for (const name of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
+      listen(name, (event) => this.#release(event));
     listen('contextmenu', (event) => event.shiftKey || event.preventDefault());
     listen('mousedown', (event) => {
       if (event.detail < 2 && this.#places) this.#places = { ...this.#places, click: this.#places.press };
@@ -118,7 +128,8 @@ export class PaneInput {
 
   #release(event: PointerEvent): void {
     if (!this.#pointers.delete(event.pointerId)) return;
-    if (this.#drag === 'cursor' && event.type === 'pointerup' && event.pointerType === 'touch') this.pane.pointTo(this.#pointOf(event));
+    if (this.#drag === 'cursor' && event.type === 'pointerup' && event.pointerType === 'touch')
+      this.pane.pointTo(this.#pointOf(event));
     if (this.#pointers.size === 0) this.#drag = null;
   }
 
@@ -132,7 +143,8 @@ export class PaneInput {
     const zooms = event.ctrlKey || event.metaKey;
     const pixels = event.deltaY * wheelUnits[event.deltaMode];
     // After the last slice the wheel scrolls the page again.
-    if (!zooms && (!this.#engaged || !event.cancelable || !this.pane.hasSlices(-Math.sign(pixels)))) return void (this.#wheeled = 0);
+    if (!zooms && (!this.#engaged || !event.cancelable || !this.pane.hasSlices(-Math.sign(pixels))))
+      return void (this.#wheeled = 0);
     event.preventDefault();
     if (zooms) {
       const doubling = event.ctrlKey && Math.abs(pixels) < 25 ? wheelPixels.pinchDoubling : wheelPixels.doubling;

@@ -24,8 +24,15 @@ export interface PaneLabelsSetting {
 }
 
 /** Each pixel has the label of the voxel that it is in; in a slab, of the voxel in its middle. */
-export function paneLabels({ map, styles }: ShownLabels, { worldToIndex, nameOf, opacity }: PaneLabelsSetting): PaneLabels {
-  const { dimensions: [nx, ny, nz], numbers, ids } = map;
+export function paneLabels(
+  { map, styles }: ShownLabels,
+  { worldToIndex, nameOf, opacity }: PaneLabelsSetting,
+): PaneLabels {
+  const {
+    dimensions: [nx, ny, nz],
+    numbers,
+    ids,
+  } = map;
   /** 0, which means no label, outside of all voxels. */
   const numberAt = (x: number, y: number, z: number): number => {
     const [i, j, k] = [Math.floor(x + 0.5), Math.floor(y + 0.5), Math.floor(z + 0.5)];
@@ -39,7 +46,8 @@ export function paneLabels({ map, styles }: ShownLabels, { worldToIndex, nameOf,
         const number = numberAt(x, y, z);
         const share = shares[number];
         if (share === 0) return;
-        for (let channel = 0; channel < 3; channel++) picture[at + channel] += share * (colors[number][channel] - picture[at + channel]);
+        for (let channel = 0; channel < 3; channel++)
+          picture[at + channel] += share * (colors[number][channel] - picture[at + channel]);
       });
     },
     nameAt(place) {

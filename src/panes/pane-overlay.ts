@@ -12,7 +12,10 @@ const tableSize = 4096;
  * A second field over greys, in its colours. It covers them with its maximum opacity, as in a legend. Null if its grid
  * is singular.
  */
-export function paneOverlay({ volume, transferFunction }: Pick<ShownOverlay, 'volume' | 'transferFunction'>): PaneLabels | null {
+export function paneOverlay({
+  volume,
+  transferFunction,
+}: Pick<ShownOverlay, 'volume' | 'transferFunction'>): PaneLabels | null {
   const { grid, slope, intercept } = volume;
   const worldToIndex = invertAffine(grid.indexToWorld);
   if (!worldToIndex) return null;
@@ -21,13 +24,23 @@ export function paneOverlay({ volume, transferFunction }: Pick<ShownOverlay, 'vo
   const largest = largestOpacity(transferFunction);
   // Premultiplied, from the middle of each step, so that a jump lies between two steps.
   const colors = Array.from({ length: tableSize + 2 }, (_, step) =>
-    evaluate(transferFunction, step === 0 ? -Infinity : step > tableSize ? Infinity : low + ((step - 0.5) / tableSize) * (high - low)).map((x, c) => (c < 3 ? 255 * x : x) / largest));
+    evaluate(
+      transferFunction,
+      step === 0 ? -Infinity : step > tableSize ? Infinity : low + ((step - 0.5) / tableSize) * (high - low),
+    ).map((x, c) => (c < 3 ? 255 * x : x) / largest),
+  );
   return {
     paint(pixels, picture, rows) {
       visitPixels(pixels, worldToIndex, rows, (at, x, y, z) => {
         const value = slope * sampleAt(x, y, z) + intercept;
         if (Number.isNaN(value) || picture[at + 3] === 0) return;
-        const [red, green, blue, share] = colors[Math.min(tableSize + 1, Math.max(0, value < low ? 0 : 1 + Math.floor(((value - low) / (high - low || 1)) * tableSize)))];
+        const [red, green, blue, share] =
+          colors[
+            Math.min(
+              tableSize + 1,
+              Math.max(0, value < low ? 0 : 1 + Math.floor(((value - low) / (high - low || 1)) * tableSize)),
+            )
+          ];
         if (share === 0) return;
         picture[at] += red - share * picture[at];
         picture[at + 1] += green - share * picture[at + 1];

@@ -64,7 +64,11 @@ export class PanePainter {
     const less = samples / quickSamples;
     const planes = Math.max(1, Math.round(job.samples / Math.min(4, Math.sqrt(less))));
     const shrink = Math.sqrt(Math.max(1, (columns * rows * planes) / quickSamples));
-    const coarse = new PanePicture({ ...job, slab: { ...slab, planes } }, Math.ceil(columns / shrink), Math.ceil(rows / shrink));
+    const coarse = new PanePicture(
+      { ...job, slab: { ...slab, planes } },
+      Math.ceil(columns / shrink),
+      Math.ceil(rows / shrink),
+    );
     coarse.fill(Infinity);
     coarse.put(context);
     this.#done = new Promise((resolve) => (this.#settle = resolve));
@@ -94,7 +98,11 @@ class PanePicture {
   readonly #image: ImageData;
   #row = 0;
 
-  constructor(readonly job: PaneJob, readonly columns: number, readonly rows: number) {
+  constructor(
+    readonly job: PaneJob,
+    readonly columns: number,
+    readonly rows: number,
+  ) {
     this.#values = new Float64Array(columns * rows);
     this.#pixels = job.pixelsOf(columns, rows);
     this.#image = new ImageData(columns, rows);

@@ -10,7 +10,11 @@ import type { SampleAt, SampledBlock } from './sample-at.ts';
 export type ReadRow = (from: Vector3, step: Vector3, line: Float64Array) => void;
 
 /** For each axis the other two. */
-const others = [[1, 2], [0, 2], [0, 1]] as const;
+const others = [
+  [1, 2],
+  [0, 2],
+  [0, 1],
+] as const;
 
 /** A row that deviates by less than this many voxels over its whole length runs along an axis. */
 const drift = 1e-12;
@@ -18,7 +22,8 @@ const drift = 1e-12;
 /** Reads the points one by one. */
 export function rowOf(sampleAt: SampleAt): ReadRow {
   return ([x, y, z], [dx, dy, dz], line) => {
-    for (let column = 0; column < line.length; column++) line[column] = sampleAt(x + column * dx, y + column * dy, z + column * dz);
+    for (let column = 0; column < line.length; column++)
+      line[column] = sampleAt(x + column * dx, y + column * dy, z + column * dz);
   };
 }
 

@@ -58,6 +58,8 @@ export function linearSampler({ samples, dimensions, hasNoData }: SampledBlock):
     const far = high + fy * (d + fx * (samples[above + up + right] - d) - high);
     const value = near + fz * (far - near);
     // A voxel without data makes this sum NaN. If the other voxels have enough weight, only they count.
-    return hasNoData && !Number.isFinite(value) ? interpolate(samples, dimensions, [(cx + 0.5) / nx, (cy + 0.5) / ny, (cz + 0.5) / nz]) : value;
+    return hasNoData && !Number.isFinite(value)
+      ? interpolate(samples, dimensions, [(cx + 0.5) / nx, (cy + 0.5) / ny, (cz + 0.5) / nz])
+      : value;
   };
 }

@@ -21,7 +21,10 @@ export class SlicedVolume {
   readonly #linear: SampleAt;
   readonly #readRow: ReadRow;
 
-  constructor(readonly volume: Volume, readonly grid: CartesianGrid) {
+  constructor(
+    readonly volume: Volume,
+    readonly grid: CartesianGrid,
+  ) {
     const block = { samples: volume.samples, dimensions: grid.dimensions, hasNoData: volume.hasNoData };
     this.#block = block;
     this.worldToIndex = invertAffine(grid.indexToWorld)!; // The inverse exists: it was checked when the volume was loaded.
@@ -33,7 +36,9 @@ export class SlicedVolume {
   field(isNearest: boolean): SliceField {
     const { worldToIndex } = this;
     const voxels = { ...this.#block, isNearest: isNearest || this.volume.isDiscrete === true };
-    return isNearest ? { sampleAt: this.#nearest, worldToIndex, voxels } : { sampleAt: this.#linear, readRow: this.#readRow, worldToIndex, voxels };
+    return isNearest
+      ? { sampleAt: this.#nearest, worldToIndex, voxels }
+      : { sampleAt: this.#linear, readRow: this.#readRow, worldToIndex, voxels };
   }
 
   get center(): Vector3 {
@@ -77,7 +82,10 @@ export class SlicedVolume {
     const at = transformPoint(this.worldToIndex, place);
     const stored = this.#nearest(...at);
     // Values that float32 rounds are returned as they are in the file.
-    const value = indexed && !Number.isNaN(stored) ? indexed.ids[nearestSampler({ samples: indexed.samples, dimensions: this.grid.dimensions })(...at)] : valueOf(volume, stored);
+    const value =
+      indexed && !Number.isNaN(stored)
+        ? indexed.ids[nearestSampler({ samples: indexed.samples, dimensions: this.grid.dimensions })(...at)]
+        : valueOf(volume, stored);
     return Number.isNaN(value) ? null : value;
   }
 }

@@ -133,7 +133,9 @@ export class SlicePane {
       slab: { normal: plane.normal, thickness, projection },
       samples: sliced.planesIn(plane.normal, thickness),
       labels: this.labels,
-      painter: appearance.colors ? colorPainter(appearance.colors, volume, volume.isDiscrete === true) : grayPainter({ window: this.window, windowFunction: appearance.windowFunction }, volume),
+      painter: appearance.colors
+        ? colorPainter(appearance.colors, volume, volume.isDiscrete === true)
+        : grayPainter({ window: this.window, windowFunction: appearance.windowFunction }, volume),
     });
   }
 
@@ -149,7 +151,9 @@ export class SlicePane {
     if (!frame || !box) return;
     const { u, v } = placeAt(frame, this.#size, point);
     const { d } = toPlane(this.#plane, this.place);
-    this.#crosshair.moveTo(toWorld(this.#plane, { u: clamp(u, box.low.u, box.high.u), v: clamp(v, box.low.v, box.high.v), d }));
+    this.#crosshair.moveTo(
+      toWorld(this.#plane, { u: clamp(u, box.low.u, box.high.u), v: clamp(v, box.low.v, box.high.v), d }),
+    );
   }
 
   /** Moves the crosshair by voxels: to the right, up, and along the normal. It stays in the volume's box. */
@@ -157,11 +161,13 @@ export class SlicePane {
     const [sliced, { box }, plane] = [this.#sliced, this, this.#plane];
     if (!sliced || !box) return;
     const { u, v, d } = toPlane(plane, this.place);
-    this.#crosshair.moveTo(toWorld(plane, {
-      u: clamp(u + right * sliced.stepAlong(plane.right), box.low.u, box.high.u),
-      v: clamp(v + up * sliced.stepAlong(plane.up), box.low.v, box.high.v),
-      d: this.#keepInside(d + slices * sliced.stepAlong(plane.normal)),
-    }));
+    this.#crosshair.moveTo(
+      toWorld(plane, {
+        u: clamp(u + right * sliced.stepAlong(plane.right), box.low.u, box.high.u),
+        v: clamp(v + up * sliced.stepAlong(plane.up), box.low.v, box.high.v),
+        d: this.#keepInside(d + slices * sliced.stepAlong(plane.normal)),
+      }),
+    );
   }
 
   /** Goes to the slice at a position along the normal, world units. */

@@ -68,8 +68,14 @@ const minPart = 0.2;
  * Source: DICOM PS3.3 C.7.6.1.1.1, with S and I for its H and F
  */
 export function sideLetters(direction: Vector3): string {
-  const letters = [['R', 'L'], ['A', 'P'], ['S', 'I']];
-  const parts = direction.map((part, axis) => ({ size: Math.abs(part), letter: letters[axis][part > 0 ? 0 : 1] })).filter(({ size }) => size >= minPart);
+  const letters = [
+    ['R', 'L'],
+    ['A', 'P'],
+    ['S', 'I'],
+  ];
+  const parts = direction
+    .map((part, axis) => ({ size: Math.abs(part), letter: letters[axis][part > 0 ? 0 : 1] }))
+    .filter(({ size }) => size >= minPart);
   parts.sort((a, b) => b.size - a.size);
   return parts.map(({ letter }) => letter).join('');
 }

@@ -6,12 +6,20 @@ import { windowAround } from './gray-levels.ts';
 const softTissue = windowAround(40, 400);
 
 /** The default window for slices of a volume: data values of black and white. */
-export function suitingWindow({ unit, transferFunction, window, histogram }: Pick<Volume, 'unit' | 'transferFunction' | 'window' | 'histogram'>): readonly [number, number] {
+export function suitingWindow({
+  unit,
+  transferFunction,
+  window,
+  histogram,
+}: Pick<Volume, 'unit' | 'transferFunction' | 'window' | 'histogram'>): readonly [number, number] {
   const isCt = unit === 'HU' || (unit === '' && transferFunction === 'ct-bone');
   return isCt ? softTissue : (window ?? windowFromHistogram(histogram));
 }
 
 /** Whether slices of a volume use its transfer function's colours by default. */
-export function suitsColors({ isDiscrete, transferFunction }: Pick<Volume, 'isDiscrete' | 'transferFunction'>): boolean {
+export function suitsColors({
+  isDiscrete,
+  transferFunction,
+}: Pick<Volume, 'isDiscrete' | 'transferFunction'>): boolean {
   return isDiscrete === true || transferFunction === 'diverging';
 }

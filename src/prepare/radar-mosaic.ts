@@ -23,15 +23,27 @@ export interface RadarMosaicFiles {
  * @param moment - where undefined, the reflectivity that the largest number of sweeps have
  * @throws {VolumeViewError} as the readers do
  */
-export async function makeRadarMosaic(bytes: Uint8Array<ArrayBuffer>, name: string, moment?: string): Promise<RadarMosaicFiles> {
+export async function makeRadarMosaic(
+  bytes: Uint8Array<ArrayBuffer>,
+  name: string,
+  moment?: string,
+): Promise<RadarMosaicFiles> {
   const format = await findFormat(bytes, [hdf5, netcdf3, nexrad]);
   const kind = format && radarKinds.get(format);
   if (!kind) {
-    throw new VolumeViewError('format/unknown', `${name} is no radar file; expected ODIM_H5, CfRadial or NEXRAD Level II`);
+    throw new VolumeViewError(
+      'format/unknown',
+      `${name} is no radar file; expected ODIM_H5, CfRadial or NEXRAD Level II`,
+    );
   }
   const radar = await openRadar(kind, bytes);
   const { image, manifest, rounding } = writePolarMosaic(radar, moment);
-  return { png: encodePng(image), manifest, rounding, ...(radar.partial === undefined ? {} : { partial: radar.partial }) };
+  return {
+    png: encodePng(image),
+    manifest,
+    rounding,
+    ...(radar.partial === undefined ? {} : { partial: radar.partial }),
+  };
 }
 
 /** A grey image of 8 or 16 bits. */

@@ -72,7 +72,13 @@ function makePixels(sweeps: readonly SweepData[]): Pixels {
   const kept = sweeps.map(({ samples }) => samples).filter((samples) => !(samples instanceof Float32Array));
   const isSame = sweeps.every((data) => data.slope === slope && data.intercept === intercept);
   if (isSame && kept.length === sweeps.length) {
-    return { pixels: kept, slope, intercept, rounding: 0, isWide: kept.some((samples) => samples instanceof Uint16Array) };
+    return {
+      pixels: kept,
+      slope,
+      intercept,
+      rounding: 0,
+      isWide: kept.some((samples) => samples instanceof Uint16Array),
+    };
   }
   return quantise(sweeps);
 }

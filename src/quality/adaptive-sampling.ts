@@ -67,7 +67,11 @@ function weigh(fine: Quads, coarse: Quads): SamplingOutcome[] {
  * The same at several strides.
  * @param among - if there are shapes in the picture: the volume's part of it
  */
-export function* forecastSampling(picture: Pixels, strides: readonly number[], among: AmongShapes | null): Waiting<SamplingOutcome[][]> {
+export function* forecastSampling(
+  picture: Pixels,
+  strides: readonly number[],
+  among: AmongShapes | null,
+): Waiting<SamplingOutcome[][]> {
   function* waitForJumps(stride: number, isCoarse: boolean): Waiting<Pixels | undefined> {
     const read = among?.startJumps(stride, isCoarse);
     yield;
@@ -88,14 +92,19 @@ function lookAtQuads(picture: Pixels, stride: number, jumps?: Pixels): Quads {
   const { data, width, height } = picture;
   const [columns, rows] = [width, height].map((pixels) => Math.floor(pixels / (2 * stride)));
   const every = Math.max(1, Math.sqrt((columns * rows) / looks));
-  const found: Quads = { shares: new Float64Array(largestCurvature + 1), losses: new Float64Array(largestCurvature + 1), visible: 0 };
+  const found: Quads = {
+    shares: new Float64Array(largestCurvature + 1),
+    losses: new Float64Array(largestCurvature + 1),
+    visible: 0,
+  };
   const quad = emptyQuad();
   let seen = 0;
   for (let y = 0; y < rows; y += every) {
     for (let x = 0; x < columns; x += every) {
       const place = [Math.floor(x), Math.floor(y)] as const;
       interpolateQuad(picture, 2 * stride, place, quad);
-      if (jumps && needsRays(jumps.data[4 * (place[1] * jumps.width + place[0])] / 255, quad.brightest / 255)) quad.curvature = largestCurvature;
+      if (jumps && needsRays(jumps.data[4 * (place[1] * jumps.width + place[0])] / 255, quad.brightest / 255))
+        quad.curvature = largestCurvature;
       let [loss, alpha] = [-12 * rounding, 0];
       for (let i = 0; i < 4; i++) {
         const at = 4 * stride * ((2 * place[1] + (i >> 1)) * width + 2 * place[0] + (i & 1));

@@ -24,7 +24,9 @@ function isWorthwhile(next: ErrorEstimate, last: ErrorEstimate): boolean {
 /** The next level with another kind of refinement: more substeps if there are any, else more steps. @returns -1 if there is none */
 function findFinerElsewhere(levels: readonly Level[], i: number): number {
   const cut = levels.findIndex(({ substeps }) => substeps > levels[i].substeps);
-  return cut >= 0 ? cut : levels.findIndex(({ steps, substeps }) => substeps === levels[i].substeps && steps > levels[i].steps);
+  return cut >= 0
+    ? cut
+    : levels.findIndex(({ steps, substeps }) => substeps === levels[i].substeps && steps > levels[i].steps);
 }
 
 /**
@@ -35,10 +37,12 @@ function findFinerElsewhere(levels: readonly Level[], i: number): number {
  * @returns null if the choice was given up
  */
 export async function chooseLevel(
-  levels: readonly Level[], measure: (level: Level) => Promise<ErrorEstimate | null>, maxError: number,
+  levels: readonly Level[],
+  measure: (level: Level) => Promise<ErrorEstimate | null>,
+  maxError: number,
 ): Promise<LevelChoice | null> {
   let best: { level: Level; estimate: ErrorEstimate } | null = null;
-  for (let i = 0; i < levels.length; ) {
+  for (let i = 0; i < levels.length;) {
     const estimate = await measure(levels[i]);
     if (!estimate) return null;
     const error = keptError(estimate);

@@ -70,7 +70,14 @@ const itself: RayVariant = { shift: [0, 0], digits: 0 };
 
 /** The ray moved by a thousandth of a pixel to each side, and eight ways to round values. */
 const variants: readonly RayVariant[] = [
-  ...([[1e-3, 0], [-1e-3, 0], [0, 1e-3], [0, -1e-3]] as const).map((shift) => ({ shift, digits: 0 })),
+  ...(
+    [
+      [1e-3, 0],
+      [-1e-3, 0],
+      [0, 1e-3],
+      [0, -1e-3],
+    ] as const
+  ).map((shift) => ({ shift, digits: 0 })),
   ...Array.from({ length: 8 }, (_, i) => ({ ...itself, digits: i + 1 })),
 ];
 
@@ -89,7 +96,8 @@ export function compareRay(drawn: ArrayLike<number>, cast: (variant: RayVariant)
   const own = cast(itself);
   const apart = 255 * differ(own, drawn);
   // An edge cannot explain that a GPU draws NaN.
-  if (apart <= tolerance || Number.isNaN(apart)) return { apart: Number.isNaN(apart) ? Infinity : apart, isEdge: false };
+  if (apart <= tolerance || Number.isNaN(apart))
+    return { apart: Number.isNaN(apart) ? Infinity : apart, isEdge: false };
   const isEdge = variants.some((variant) => 255 * differ(cast(variant), own) > tolerance / 2);
   return { apart, isEdge };
 }

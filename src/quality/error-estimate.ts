@@ -139,13 +139,17 @@ export function estimateError({ shown, middle, fine, isEven, isRare = false }: P
 
 /** Whether nothing in a picture (0..1) is visible. */
 function isFaint(picture: ArrayLike<number>): boolean {
-  for (let alpha = 3; alpha < picture.length; alpha += 4) if (Math.round(picture[alpha] * 255) > 255 * faint) return false;
+  for (let alpha = 3; alpha < picture.length; alpha += 4)
+    if (Math.round(picture[alpha] * 255) > 255 * faint) return false;
   return true;
 }
 
 /** Pixels that are visible with 8 bits in one of the pictures; if there is none, those that are not empty. */
 function coverOf(pictures: readonly ArrayLike<number>[]): (alpha: number) => boolean {
-  const reaches = (min: number) => (alpha: number): boolean => pictures.some((picture) => picture[alpha] >= min);
+  const reaches =
+    (min: number) =>
+    (alpha: number): boolean =>
+      pictures.some((picture) => picture[alpha] >= min);
   const isSeen = reaches(visible);
   for (let alpha = 3; alpha < pictures[0].length; alpha += 4) if (isSeen(alpha)) return isSeen;
   return reaches(Number.MIN_VALUE);

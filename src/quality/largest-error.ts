@@ -33,7 +33,8 @@ export interface StatedError {
 export function stateError(estimate: ErrorEstimate, bound: number, maxError: number): StatedError {
   const { rms, p99, max: probed, covered, coverage } = estimate;
   const missed = 255 * bound;
-  if (coverage === 0) return { error: { rms: missed, p99: missed, max: missed, probed: 0, rays: 0 }, isKept: missed <= maxError };
+  if (coverage === 0)
+    return { error: { rms: missed, p99: missed, max: missed, probed: 0, rays: 0 }, isKept: missed <= maxError };
   const max = bound >= everything ? null : Math.min(255, Math.max(unseen * probed, missed + 0.5));
   return { error: { rms, p99, max, probed, rays: covered }, isKept: keptError(estimate) <= maxError };
 }
@@ -45,7 +46,8 @@ export function stateError(estimate: ErrorEstimate, bound: number, maxError: num
  */
 export function* seekMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null): Waiting<number> {
   const missable = measureMissable(seen, 'among');
-  const wanted = (cell: number): number => (codes ? Math.min(detailCodes[codes[cell]], maxSubsteps * samplesAVoxel) : 1);
+  const wanted = (cell: number): number =>
+    codes ? Math.min(detailCodes[codes[cell]], maxSubsteps * samplesAVoxel) : 1;
   let max = 0;
   for (let cell = 0; cell < seen.cells.length; cell++) {
     if (cell % cellsAtOnce === cellsAtOnce - 1) yield;
@@ -70,7 +72,11 @@ const rounding = 0.5 / 255;
  * digits of a value decide.
  * @param samplesAVoxel - on a ray
  */
-export function boundProjected({ volume: { macrocells, slope }, transferFunction }: SeenVolume, { isExact, hasValuesBetween }: ProjectedRays, samplesAVoxel: number): number {
+export function boundProjected(
+  { volume: { macrocells, slope }, transferFunction }: SeenVolume,
+  { isExact, hasValuesBetween }: ProjectedRays,
+  samplesAVoxel: number,
+): number {
   if (isExact && !hasValuesBetween) return rounding;
   const apart = isExact ? 0 : Math.abs(slope) * missedBetween(macrocells, samplesAVoxel, hasValuesBetween);
   return Math.max(rounding, changeWithin(transferFunction, apart));
@@ -93,7 +99,10 @@ function changeWithin(transferFunction: TransferFunction, apart: number): number
   const at = (value: number): Premultiplied => evaluate(transferFunction, value);
   // The largest change of a piecewise linear function begins or ends at a stop. A jump counts with its own value and with the value just
   // below it.
-  const stops = transferFunction.map(({ value, color: [red, green, blue], opacity }) => ({ value, seen: [red * opacity, green * opacity, blue * opacity, opacity] as Premultiplied }));
+  const stops = transferFunction.map(({ value, color: [red, green, blue], opacity }) => ({
+    value,
+    seen: [red * opacity, green * opacity, blue * opacity, opacity] as Premultiplied,
+  }));
   let change = 0;
   for (const [i, { value, seen }] of stops.entries()) {
     const others = apart > 0 ? [at(value - apart), at(value + apart)] : [];

@@ -15,7 +15,14 @@ export interface Level {
  * Steps as a multiple of one per voxel, and the largest number of substeps of each. Steps are cut by the samples at their ends only if two
  * and four times as many steps are not enough: more steps take less time and leave smaller errors, see docs/benchmark.md.
  */
-const shares: readonly (readonly [number, number])[] = [[1, 1], [2, 1], [4, 1], [1, maxSubsteps], [2, maxSubsteps], [4, maxSubsteps]];
+const shares: readonly (readonly [number, number])[] = [
+  [1, 1],
+  [2, 1],
+  [4, 1],
+  [1, maxSubsteps],
+  [2, maxSubsteps],
+  [4, maxSubsteps],
+];
 
 /** A volume with few voxels has one more level, as long as it needs no more steps than large volumes have at the level before. */
 const finest = { share: 8, max: 2048 } as const;
@@ -28,8 +35,13 @@ const finest = { share: 8, max: 2048 } as const;
  */
 export function listLevels(oneAVoxel: number, cutsSteps = true): Level[] {
   const all = finest.share * oneAVoxel <= finest.max ? [...shares, [finest.share, maxSubsteps] as const] : shares;
-  const levels = all.map(([share, substeps]) => ({ steps: Math.min(maxAutoSteps, Math.ceil(oneAVoxel * share)), substeps: cutsSteps ? substeps : 1 }));
-  return levels.filter(({ steps, substeps }, i) => levels.findIndex((one) => one.steps === steps && one.substeps === substeps) === i);
+  const levels = all.map(([share, substeps]) => ({
+    steps: Math.min(maxAutoSteps, Math.ceil(oneAVoxel * share)),
+    substeps: cutsSteps ? substeps : 1,
+  }));
+  return levels.filter(
+    ({ steps, substeps }, i) => levels.findIndex((one) => one.steps === steps && one.substeps === substeps) === i,
+  );
 }
 
 /** By the bound, a single thing may lose this many times `max-error`. Real losses are far below the bound: see docs/accuracy.md. */

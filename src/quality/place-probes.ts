@@ -41,7 +41,10 @@ const allOf = 2 ** 14;
 const longer = 3;
 
 /** Where in its first cell each lattice begins, across and up: any two different places. */
-const begins: readonly (readonly [number, number])[] = [[0.31, 0.77], [0.83, 0.19]];
+const begins: readonly (readonly [number, number])[] = [
+  [0.31, 0.77],
+  [0.83, 0.19],
+];
 
 /**
  * The pixels at which a picture is probed, all in a rectangle: two lattices with different distances, or every pixel.
@@ -49,7 +52,11 @@ const begins: readonly (readonly [number, number])[] = [[0.31, 0.77], [0.83, 0.1
  *   error, and a lattice seldom meets it
  * @param times - factor of the usual number, see `moreProbes`
  */
-export function placeProbes({ left, bottom, width, height }: PixelRectangle, isOpaque: boolean, times = 1): PixelLattice[] {
+export function placeProbes(
+  { left, bottom, width, height }: PixelRectangle,
+  isOpaque: boolean,
+  times = 1,
+): PixelLattice[] {
   if (isOpaque && width * height <= allOf) return [{ stride: 1, first: [left, bottom], width, height }];
   const count = times * Math.min(counts[1], Math.max(counts[0], (width * height) / pixelsPerProbe));
   const even = Math.sqrt((begins.length * width * height) / count) - longer / 2;
@@ -90,10 +97,16 @@ export function isWorthSearch(lattices: readonly PixelLattice[], covered: number
  */
 export function placeAround(shown: readonly (readonly [x: number, y: number])[]): PixelLattice[] {
   let boxes: PixelRectangle[] = [];
-  for (let square = minSquare; square === minSquare || boxes.length > maxBoxes; square *= 2) boxes = boxBySquares(shown, square);
+  for (let square = minSquare; square === minSquare || boxes.length > maxBoxes; square *= 2)
+    boxes = boxBySquares(shown, square);
   const area = boxes.reduce((sum, { width, height }) => sum + width * height, 0);
   const stride = Math.ceil(Math.sqrt(area / maxProbes));
-  return boxes.map(({ left, bottom, width, height }) => ({ stride, first: [left, bottom], width: Math.ceil(width / stride), height: Math.ceil(height / stride) }));
+  return boxes.map(({ left, bottom, width, height }) => ({
+    stride,
+    first: [left, bottom],
+    width: Math.ceil(width / stride),
+    height: Math.ceil(height / stride),
+  }));
 }
 
 /** The bounds of the visible pixels in each square of a picture that has some. */
@@ -104,5 +117,10 @@ function boxBySquares(pixels: readonly (readonly [number, number])[], square: nu
     const [left, bottom, right, top] = boxes.get(key) ?? [x, y, x, y];
     boxes.set(key, [Math.min(left, x), Math.min(bottom, y), Math.max(right, x), Math.max(top, y)]);
   }
-  return [...boxes.values()].map(([left, bottom, right, top]) => ({ left, bottom, width: right - left + 1, height: top - bottom + 1 }));
+  return [...boxes.values()].map(([left, bottom, right, top]) => ({
+    left,
+    bottom,
+    width: right - left + 1,
+    height: top - bottom + 1,
+  }));
 }

@@ -72,10 +72,21 @@ export interface Budget {
 export function planFrame(time: TimeModel, error: ErrorModel, full: Full, { budgetMs, last }: Budget): FramePlan {
   const work = affordableWork(time, full, budgetMs);
   const all = scales
-    .flatMap((scale) => outcomesAt(error, scale).map((sampling): FramePlan => ({ scale, sampling, substeps: wholeSteps, steps: maxSteps(work, full, { scale, sampling }) })))
-    .filter(({ scale, sampling }) => scale ** 2 * sampling.share >= minRays || (sampling === allRays && scale ** 2 * full.pixels >= minPixels));
+    .flatMap((scale) =>
+      outcomesAt(error, scale).map((sampling): FramePlan => ({
+        scale,
+        sampling,
+        substeps: wholeSteps,
+        steps: maxSteps(work, full, { scale, sampling }),
+      })),
+    )
+    .filter(
+      ({ scale, sampling }) =>
+        scale ** 2 * sampling.share >= minRays || (sampling === allRays && scale ** 2 * full.pixels >= minPixels),
+    );
   all.sort((one, other) => errorOfPlan(error, one) - errorOfPlan(error, other));
-  const find = (min: number, scale?: number): FramePlan | undefined => all.find((plan) => plan.steps >= Math.min(min, full.steps) && (scale === undefined || plan.scale === scale));
+  const find = (min: number, scale?: number): FramePlan | undefined =>
+    all.find((plan) => plan.steps >= Math.min(min, full.steps) && (scale === undefined || plan.scale === scale));
   const best = find(minSteps) ?? find(fewestSteps)!; // A quarter of the pixels along each axis, or a small scale, always passes.
   const same = last && find(keptSteps, last.scale);
   return same && errorOfPlan(error, best) > worthChanging * errorOfPlan(error, same) ? same : best;

@@ -37,7 +37,9 @@ export class FrameTimer {
 
   get model(): TimeModel | null {
     const recent = new Set(this.#frames.map(sizeOf));
-    const others = [...this.#bySize].filter(([size, { number }]) => !recent.has(size) && this.#number - number <= keptOfOtherSizes);
+    const others = [...this.#bySize].filter(
+      ([size, { number }]) => !recent.has(size) && this.#number - number <= keptOfOtherSizes,
+    );
     return fitTimes([...others.map(([, { frame }]) => frame), ...this.#frames]);
   }
 

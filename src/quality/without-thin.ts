@@ -33,7 +33,10 @@ export function withoutThin(picture: Pixels, jumps: Pixels): Pixels {
       const [sides, step] = reach(across) <= reach(down) && across[0] !== 0 ? [across, 4] : [down, 4 * width];
       const at = 4 * (y * width + x);
       const share = sides[0] < sides[1] ? sides[0] / (sides[0] - sides[1]) : 0;
-      for (let c = at; c < at + 4; c++) data[c] = Math.round((1 - share) * picture.data[c + sides[0] * step] + share * picture.data[c + sides[1] * step]);
+      for (let c = at; c < at + 4; c++)
+        data[c] = Math.round(
+          (1 - share) * picture.data[c + sides[0] * step] + share * picture.data[c + sides[1] * step],
+        );
     }
   }
   return { data, width, height };

@@ -17,7 +17,10 @@ interface Profile {
  * Statistics of the gates whose middles lie inside a solid.
  * @param solid - in local metres: east, north, and above the antenna. The generator yields after each radial.
  */
-export function* sumUpGates({ grid: { sweeps, earthRadius }, samples, slope, intercept }: PolarVolume, solid: Solid): Generator<void, Statistics> {
+export function* sumUpGates(
+  { grid: { sweeps, earthRadius }, samples, slope, intercept }: PolarVolume,
+  solid: Solid,
+): Generator<void, Statistics> {
   const tally = new Tally();
   const noData = samples instanceof Float32Array ? NaN : 0;
   const [low, high] = boundsOf(solid);
@@ -32,7 +35,8 @@ export function* sumUpGates({ grid: { sweeps, earthRadius }, samples, slope, int
       const first = offset + radial * gates;
       for (let gate = 0; gate < gates; gate++) {
         if (heights[gate] < low[2] || heights[gate] > high[2]) continue;
-        if (contains(solid, [arcs[gate] * east, arcs[gate] * north, heights[gate]])) tally.add(samples, first + gate, first + gate + 1, noData);
+        if (contains(solid, [arcs[gate] * east, arcs[gate] * north, heights[gate]]))
+          tally.add(samples, first + gate, first + gate + 1, noData);
       }
       yield;
     }
@@ -43,7 +47,10 @@ export function* sumUpGates({ grid: { sweeps, earthRadius }, samples, slope, int
 function profileOf({ firstGate, gateLength, gates }: Sweep, elevation: number, earthRadius: number): Profile {
   const profile = { arcs: new Float64Array(gates), heights: new Float64Array(gates) };
   for (let gate = 0; gate < gates; gate++) {
-    [, profile.arcs[gate], profile.heights[gate]] = beamToLocal({ range: firstGate + gate * gateLength, azimuth: 0, elevation }, earthRadius);
+    [, profile.arcs[gate], profile.heights[gate]] = beamToLocal(
+      { range: firstGate + gate * gateLength, azimuth: 0, elevation },
+      earthRadius,
+    );
   }
   return profile;
 }
@@ -52,7 +59,10 @@ function profileOf({ firstGate, gateLength, gates }: Sweep, elevation: number, e
  * The three edges of the volume that a radar resolves at a place: a gate along the beam, the distance between radials around, and the beam's
  * width upward. Metres in local coordinates.
  */
-export function edgesOfGate({ grid: { sweeps, beamWidth } }: Pick<PolarVolume, 'grid'>, [x, y, z]: Vector3): readonly Vector3[] {
+export function edgesOfGate(
+  { grid: { sweeps, beamWidth } }: Pick<PolarVolume, 'grid'>,
+  [x, y, z]: Vector3,
+): readonly Vector3[] {
   const arc = Math.hypot(x, y);
   const range = Math.hypot(arc, z);
   const [sin, cos] = arc > 0 ? [x / arc, y / arc] : [0, 1];
@@ -72,7 +82,9 @@ export function edgesOfGate({ grid: { sweeps, beamWidth } }: Pick<PolarVolume, '
  * @param single - the result for a single radial
  */
 function spacingOf(azimuths: Float64Array, single: number): number {
-  const gaps = azimuths.map((azimuth, i) => (i + 1 < azimuths.length ? azimuths[i + 1] : azimuths[0] + 360) - azimuth).filter((gap) => gap <= 180);
+  const gaps = azimuths
+    .map((azimuth, i) => (i + 1 < azimuths.length ? azimuths[i + 1] : azimuths[0] + 360) - azimuth)
+    .filter((gap) => gap <= 180);
   gaps.sort();
   return gaps.length > 0 ? gaps[gaps.length >> 1] : single;
 }

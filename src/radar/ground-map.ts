@@ -55,7 +55,11 @@ function cutLine(line: readonly EarthPoint[], radar: EarthPoint, reach: number):
     const place = placeFromEarth(radar, point);
     const span = before && spanInside(before, place, reach);
     if (before && span) {
-      const [begin, end] = span.map((t): Vector3 => [before![0] + t * (place[0] - before![0]), before![1] + t * (place[1] - before![1]), 0]);
+      const [begin, end] = span.map((t): Vector3 => [
+        before![0] + t * (place[0] - before![0]),
+        before![1] + t * (place[1] - before![1]),
+        0,
+      ]);
       if (!isOpen || span[0] > 0) parts.push([begin]);
       parts.at(-1)!.push(end);
     }
@@ -74,7 +78,11 @@ function comesNear(line: readonly EarthPoint[], { latitude }: EarthPoint, reach:
 }
 
 /** The part of a straight piece that lies within a circle around 0, as shares of the piece; null if it is outside. */
-function spanInside([x, y]: readonly [number, number], [toX, toY]: readonly [number, number], radius: number): [number, number] | null {
+function spanInside(
+  [x, y]: readonly [number, number],
+  [toX, toY]: readonly [number, number],
+  radius: number,
+): [number, number] | null {
   const [dx, dy] = [toX - x, toY - y];
   const a = dx * dx + dy * dy;
   if (a === 0 || Math.max(Math.hypot(x, y), Math.hypot(toX, toY)) > farthest) return null;

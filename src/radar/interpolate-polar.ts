@@ -83,7 +83,8 @@ export function nearestGate(samples: Samples, grid: PolarGrid, beam: BeamPoint):
 
 function cornersAround(samples: Samples, grid: PolarGrid, beam: BeamPoint): Corner[] {
   const corners: Corner[] = [];
-  for (const { sweep, weight } of weighSweeps(grid, beam)) corners.push(...cornersInSweep(samples, sweep, beam, weight));
+  for (const { sweep, weight } of weighSweeps(grid, beam))
+    corners.push(...cornersInSweep(samples, sweep, beam, weight));
   return corners;
 }
 
@@ -110,7 +111,10 @@ function weighSweeps({ sweeps, beamWidth }: PolarGrid, { azimuth, elevation }: B
   const near: Neighbour[] = [below, above].filter((one) => one !== null);
   if (below && above && above.at - below.at <= widestGap(beamWidth)) {
     const share = (elevation - below.at) / (above.at - below.at);
-    return [{ sweep: below.sweep, weight: 1 - share }, { sweep: above.sweep, weight: share }];
+    return [
+      { sweep: below.sweep, weight: 1 - share },
+      { sweep: above.sweep, weight: share },
+    ];
   }
   return near.filter(({ at }) => Math.abs(elevation - at) <= beamWidth / 2).map(({ sweep }) => ({ sweep, weight: 1 }));
 }

@@ -9,7 +9,10 @@ const radians = Math.PI / 180;
  * Source: Snyder, *Map Projections: A Working Manual*, 1987, eq. 22-4, 22-5 and 25-2, azimuthal equidistant; the angle from its sine
  * and cosine, so that it is as exact near the radar
  */
-export function placeFromEarth(radar: EarthPoint, { latitude, longitude }: EarthPoint): readonly [east: number, north: number] {
+export function placeFromEarth(
+  radar: EarthPoint,
+  { latitude, longitude }: EarthPoint,
+): readonly [east: number, north: number] {
   const [sin, cos] = [Math.sin(latitude * radians), Math.cos(latitude * radians)];
   const [sinRadar, cosRadar] = [Math.sin(radar.latitude * radians), Math.cos(radar.latitude * radians)];
   const turn = (longitude - radar.longitude) * radians;

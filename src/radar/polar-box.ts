@@ -55,13 +55,17 @@ export function groundReach(grid: SweepGeometry): number {
 /** The largest span of elevations in which each sweep's gates are shown: down to the sweep below, and halfway up to the one above. */
 function elevationsAround(grid: SweepGeometry): ElevationSpan[] {
   const spans = grid.sweeps.map(spanOfSweep);
-  return reachOfSweeps(grid, spans).map(({ elevations: [low, high], meetsAbove }, sweep) => [low, meetsAbove ? (spans[sweep][1] + high) / 2 : high]);
+  return reachOfSweeps(grid, spans).map(({ elevations: [low, high], meetsAbove }, sweep) => [
+    low,
+    meetsAbove ? (spans[sweep][1] + high) / 2 : high,
+  ]);
 }
 
 /** Smallest and largest distance of a sweep's gates along the ground, metres. */
 function arcsOfSweep(sweep: Sweep, [low, high]: ElevationSpan, earthRadius: number): [number, number] {
   const end = rangeOfEnd(sweep, sweep.gates);
-  const arcAt = (range: number, elevation: number): number => beamToLocal({ range, azimuth: 90, elevation }, earthRadius)[0];
+  const arcAt = (range: number, elevation: number): number =>
+    beamToLocal({ range, azimuth: 90, elevation }, earthRadius)[0];
   // On a round Earth, a beam reaches farthest along the ground if it points a little below the horizon.
   const flattest = Math.min(high, Math.max(low, -Math.asin(Math.min(1, end / earthRadius)) * degrees));
   const begin = Math.max(0, rangeOfEnd(sweep, 0));

@@ -101,7 +101,9 @@ export function unitToLocal({ low, high }: LocalBox, p: Vector3): Vector3 {
  */
 export function boxIndexToWorld({ low, high }: LocalBox, dimensions: Vector3, verticalExaggeration: number): Matrix4 {
   const stretch = [1, 1, verticalExaggeration];
-  const cell = [0, 1, 2].map((axis) => ((high[axis] - low[axis]) / dimensions[axis]) * stretch[axis]) as unknown as Vector3;
+  const cell = [0, 1, 2].map(
+    (axis) => ((high[axis] - low[axis]) / dimensions[axis]) * stretch[axis],
+  ) as unknown as Vector3;
   const first = [0, 1, 2].map((axis) => low[axis] * stretch[axis] + cell[axis] / 2) as unknown as Vector3;
   return scaleAndTranslate(cell, first);
 }
@@ -124,7 +126,10 @@ export interface BeamSpan {
  * @param arcs - smallest and largest ground distance, metres
  * @returns a function of a ring's smallest and largest height above the antenna, metres
  */
-export function spansOfRings(arcs: readonly [number, number], earthRadius: number): (heights: readonly [number, number]) => BeamSpan {
+export function spansOfRings(
+  arcs: readonly [number, number],
+  earthRadius: number,
+): (heights: readonly [number, number]) => BeamSpan {
   const curvature = 1 / earthRadius;
   const clamp = (value: number, [low, high]: readonly [number, number]): number => Math.min(high, Math.max(low, value));
   const rangeOf = ({ up, along }: ReturnType<Climb>): number => Math.sqrt(up * up + along * along); // Math.hypot takes ten times as long.
@@ -137,7 +142,8 @@ export function spansOfRings(arcs: readonly [number, number], earthRadius: numbe
     const [low, high] = [far(heights[0]), far(heights[1])];
     // Elevation grows with the height. Above the antenna, it falls with the arc. Below, it first rises up to the place where
     // the line of sight is level with the ground.
-    const levelArc = heights[1] < 0 && curvature > 0 ? Math.acos(Math.max(-1, 1 + heights[1] * curvature)) / curvature : 0;
+    const levelArc =
+      heights[1] < 0 && curvature > 0 ? Math.acos(Math.max(-1, 1 + heights[1] * curvature)) / curvature : 0;
     const steepest = heights[1] < 0 ? climbAt(clamp(curvature > 0 ? levelArc : Infinity, arcs), curvature) : near;
     return {
       range: [nearest, Math.max(rangeOf(low), rangeOf(high))],

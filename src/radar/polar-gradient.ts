@@ -30,7 +30,10 @@ export function beamTaps({ sweeps, beamWidth }: PolarGrid): BeamTaps {
 
 /** Degrees between neighbouring radials, without the gap of a sector; 0 for a single radial. */
 function spacingOf(azimuths: Float64Array): number {
-  const widest = azimuths.reduce((max, azimuth, i) => Math.max(max, azimuth - azimuths[i - 1] || 0), 360 + azimuths[0] - azimuths[azimuths.length - 1]);
+  const widest = azimuths.reduce(
+    (max, azimuth, i) => Math.max(max, azimuth - azimuths[i - 1] || 0),
+    360 + azimuths[0] - azimuths[azimuths.length - 1],
+  );
   return (360 - widest) / Math.max(1, azimuths.length - 1);
 }
 
@@ -46,8 +49,16 @@ export function polarGradient(field: BeamField, grid: PolarGrid): GradientStage 
     const local = unitToLocal(grid.box, place);
     const beam = localToBeam(local, grid.earthRadius);
     const steps: Vector3 = [Math.max(taps.range, beam.range * taps.angle * radians), taps.angle, taps.angle];
-    const perVoxel = differ(known, (axis, side) => field.sampleBeam(moveBeam(beam, axis, side * steps[axis])), field.isFolded);
-    const [x, y, z] = beamToLocalGradient([perVoxel[0] / steps[0], perVoxel[1] / (steps[1] * radians), perVoxel[2] / (steps[2] * radians)], local, grid.earthRadius);
+    const perVoxel = differ(
+      known,
+      (axis, side) => field.sampleBeam(moveBeam(beam, axis, side * steps[axis])),
+      field.isFolded,
+    );
+    const [x, y, z] = beamToLocalGradient(
+      [perVoxel[0] / steps[0], perVoxel[1] / (steps[1] * radians), perVoxel[2] / (steps[2] * radians)],
+      local,
+      grid.earthRadius,
+    );
     return { perVoxel, world: [x, y, z / stretch] };
   };
 }
@@ -63,7 +74,11 @@ function moveBeam({ range, azimuth, elevation }: BeamPoint, axis: number, by: nu
  * the derivatives of `localToBeam`.
  * @param local - metres east and north along the ground's arc, and above the antenna
  */
-export function beamToLocalGradient([byRange, byAzimuth, byElevation]: Vector3, local: Vector3, earthRadius: number): Vector3 {
+export function beamToLocalGradient(
+  [byRange, byAzimuth, byElevation]: Vector3,
+  local: Vector3,
+  earthRadius: number,
+): Vector3 {
   const k = 1 / earthRadius;
   const { range, azimuth, elevation } = localToBeam(local, earthRadius);
   const [sine, cosine] = [Math.sin(elevation * radians), Math.cos(elevation * radians)];

@@ -45,8 +45,18 @@ export function layOutRadials({ sweeps }: PolarGrid, maxSize: number): PolarLayo
     const radials = azimuths.length + repeatedRadials;
     const radialsPerRow = Math.floor(width / gates);
     const rows = Math.ceil(radials / radialsPerRow);
-    const firstRadial = Math.max(0, azimuths.findIndex((azimuth) => azimuth >= from));
-    const sweep = { radials, firstRadial, radialsPerRow, firstRow, rows, firstNumber: Math.ceil(numbers / radialsPerRow) * radialsPerRow };
+    const firstRadial = Math.max(
+      0,
+      azimuths.findIndex((azimuth) => azimuth >= from),
+    );
+    const sweep = {
+      radials,
+      firstRadial,
+      radialsPerRow,
+      firstRow,
+      rows,
+      firstNumber: Math.ceil(numbers / radialsPerRow) * radialsPerRow,
+    };
     firstRow += rows;
     numbers = sweep.firstNumber + radials;
     return sweep;
@@ -89,7 +99,8 @@ function listWidths(sweeps: readonly Sweep[], maxSize: number): number[] {
 
 function countRows(sweeps: readonly Sweep[], width: number): number {
   let rows = 0;
-  for (const { azimuths, gates } of sweeps) rows += Math.ceil((azimuths.length + repeatedRadials) / Math.floor(width / gates));
+  for (const { azimuths, gates } of sweeps)
+    rows += Math.ceil((azimuths.length + repeatedRadials) / Math.floor(width / gates));
   return rows;
 }
 

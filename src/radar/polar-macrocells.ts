@@ -40,13 +40,23 @@ interface Sector {
  * @param onWork - called with the number of gates before they are read: few radials with many gates, or hundreds of sweeps, are much
  * work for a few bytes
  */
-export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, onWork: (gates: number) => void = () => undefined): Macrocells {
+export function buildPolarMacrocells(
+  samples: Samples,
+  grid: PolarGrid,
+  onWork: (gates: number) => void = () => undefined,
+): Macrocells {
   const { dimensions } = grid;
   const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
   const { low, high, roughness } = emptyMacrocells(samples, cells);
   const columns = grid.sweeps.map((sweep) => new SweepInColumn(sweep, samples));
   const spans = grid.sweeps.map(spanOfSweep);
-  const gates: Gates = { grid, onWork, columns, spans, reaches: reachOfSweeps(grid, spans).map(({ elevations }) => elevations) };
+  const gates: Gates = {
+    grid,
+    onWork,
+    columns,
+    spans,
+    reaches: reachOfSweeps(grid, spans).map(({ elevations }) => elevations),
+  };
   const edges = [0, 1, 2].map((axis) => cutEdge(grid, axis, dimensions[axis], cells[axis]));
   for (let j = 0; j < cells[1]; j++) {
     for (let i = 0; i < cells[0]; i++) {
@@ -100,14 +110,15 @@ function sectorOf(x: Interval, y: Interval): Sector {
     }
   }
   const degrees = 180 / Math.PI;
-  return { from: (((toward + left) * degrees) % 360 + 360) % 360, width: (right - left) * degrees };
+  return { from: ((((toward + left) * degrees) % 360) + 360) % 360, width: (right - left) * degrees };
 }
 
 function rangeOfSpan({ spans, reaches, grid: { sweeps }, columns, onWork }: Gates, span: BeamSpan): [number, number] {
   const range: [number, number] = [Infinity, -Infinity];
   const [first, last] = sweepsAround(sweeps, spans, span.elevation);
   for (let i = first; i <= last; i++) {
-    if (span.elevation[1] >= reaches[i][0] && span.elevation[0] <= reaches[i][1]) columns[i].widen(range, span.range, onWork);
+    if (span.elevation[1] >= reaches[i][0] && span.elevation[0] <= reaches[i][1])
+      columns[i].widen(range, span.range, onWork);
   }
   return range;
 }
@@ -138,7 +149,10 @@ class SweepInColumn {
   readonly #begins: Int32Array;
   readonly #ends: Int32Array;
 
-  constructor(readonly sweep: Sweep, readonly samples: Samples) {
+  constructor(
+    readonly sweep: Sweep,
+    readonly samples: Samples,
+  ) {
     const { azimuths, gates, offset } = sweep;
     this.#low = new Float64Array(gates);
     this.#high = new Float64Array(gates);
@@ -219,7 +233,14 @@ class SweepInColumn {
 
   #look(first: number, last: number, [firstRadial, lastRadial]: readonly [number, number]): void {
     if (first > last) return;
-    const { samples, sweep: { azimuths: { length: radials }, gates, offset } } = this;
+    const {
+      samples,
+      sweep: {
+        azimuths: { length: radials },
+        gates,
+        offset,
+      },
+    } = this;
     const [lows, highs, minValid] = [this.#low, this.#high, this.#minValid];
     lows.fill(Infinity, first, last + 1);
     highs.fill(-Infinity, first, last + 1);

@@ -74,7 +74,11 @@ export function buildPolarTable({ sweeps }: PolarGrid, layout: PolarLayout, maxS
   const azimuthsFrom = radialsFrom + layout.numbers;
   const max = Math.min(maxTableTexels, tableWidth * maxSize);
   if (!(azimuthsFrom + sweeps.length * minBins(layout) <= max)) return null;
-  const turns = sweeps.map((sweep, i) => (place: number): number => turnAt(sweep, layout.sweeps[i], layout.from, place));
+  const turns = sweeps.map(
+    (sweep, i) =>
+      (place: number): number =>
+        turnAt(sweep, layout.sweeps[i], layout.from, place),
+  );
   const azimuthBins = chooseAzimuthBins(layout, turns);
   const crowds = countCrowd(layout, turns, azimuthBins) > 1;
   const azimuthBinsPerDegree = azimuthBins / extentOf(layout);
@@ -85,14 +89,27 @@ export function buildPolarTable({ sweeps }: PolarGrid, layout: PolarLayout, maxS
   else writeElevations(texels, elevations, sweepsFrom, elevationBinsPerDegree);
   sweeps.forEach((sweep, i) => {
     const { firstRow, firstNumber, radialsPerRow, radials } = layout.sweeps[i];
-    texels.set([sweep.firstGate, 1 / sweep.gateLength, sweep.gates, firstRow - firstNumber / radialsPerRow], (sweepsFrom + i) * 4);
+    texels.set(
+      [sweep.firstGate, 1 / sweep.gateLength, sweep.gates, firstRow - firstNumber / radialsPerRow],
+      (sweepsFrom + i) * 4,
+    );
     writeRadials(texels.subarray((radialsFrom + firstNumber) * 4), sweep, layout.sweeps[i], turns[i]);
     for (let bin = 0; bin < azimuthBins; bin++) {
       const [place, ...angles] = describeBin(bin / azimuthBinsPerDegree, radials - 1, turns[i]);
       texels.set([firstNumber + place, ...angles], (azimuthsFrom + i * azimuthBins + bin) * 4);
     }
   });
-  return { texels, height, elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins, sweepsFrom, radialsFrom, azimuthsFrom, crowds };
+  return {
+    texels,
+    height,
+    elevationBinsPerDegree,
+    azimuthBinsPerDegree,
+    azimuthBins,
+    sweepsFrom,
+    radialsFrom,
+    azimuthsFrom,
+    crowds,
+  };
 }
 
 export function hasRadialElevations(sweeps: readonly Sweep[]): boolean {
@@ -118,7 +135,9 @@ function chooseAzimuthBins(layout: PolarLayout, turns: readonly Turn[]): number 
   while (2 * bins * turns.length <= maxTexels && countCrowd(layout, turns, bins) > maxRadialsInBin) bins *= 2;
   if (countCrowd(layout, turns, bins) === 1) return bins;
   const max = (layout.width * layout.height) / gatesPerTexel;
-  return [2 * bins, 4 * bins].find((more) => more * turns.length <= max && countCrowd(layout, turns, more) === 1) ?? bins;
+  return (
+    [2 * bins, 4 * bins].find((more) => more * turns.length <= max && countCrowd(layout, turns, more) === 1) ?? bins
+  );
 }
 
 /** Largest number of radials of a sweep that begin in one of its bins, within the first whole turn. */
@@ -138,7 +157,12 @@ function countCrowd(layout: PolarLayout, turns: readonly Turn[], bins: number): 
   return max;
 }
 
-function writeElevations(texels: Float32Array, elevations: readonly number[], bins: number, binsPerDegree: number): void {
+function writeElevations(
+  texels: Float32Array,
+  elevations: readonly number[],
+  bins: number,
+  binsPerDegree: number,
+): void {
   const last = elevations.length - 1;
   const angleOf = (i: number): number => elevations[i] ?? elevations[last] + 90 * (i - last);
   for (let bin = 0; bin < bins; bin++) {

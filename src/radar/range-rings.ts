@@ -74,7 +74,10 @@ export function ringsFit({ outermost, count }: RingPlan): boolean {
 /** @param plan - must fit, see `ringsFit` */
 export function buildRings({ spacing, first, count, outermost, shown, isCut }: RingPlan): Rings {
   const radii = Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * spacing);
-  const north: Vector3[] = [[0, 0, 0], [0, outermost * 1.04, 0]];
+  const north: Vector3[] = [
+    [0, 0, 0],
+    [0, outermost * 1.04, 0],
+  ];
   return isCut ? ringsInside(radii, north, shown) : wholeRings(radii, north, shown);
 }
 
@@ -82,7 +85,11 @@ export function buildRings({ spacing, first, count, outermost, shown, isCut }: R
 export function buildSpokes({ spacing, first, outermost }: RingPlan): Vector3[][] {
   return Array.from({ length: 11 }, (_, i) => {
     const angle = ((i + 1) * Math.PI) / 6;
-    return [first * spacing, outermost].map((radius): Vector3 => [radius * Math.sin(angle), radius * Math.cos(angle), 0]);
+    return [first * spacing, outermost].map((radius): Vector3 => [
+      radius * Math.sin(angle),
+      radius * Math.cos(angle),
+      0,
+    ]);
   });
 }
 
@@ -124,7 +131,10 @@ function labelDirection([x, y]: Rectangle, reach: number): readonly [number, num
 
 function boundsOf(grid: GridFrame): Rectangle {
   const all = corners(grid);
-  const extent = (axis: number): [number, number] => [Math.min(...all.map((p) => p[axis])), Math.max(...all.map((p) => p[axis]))];
+  const extent = (axis: number): [number, number] => [
+    Math.min(...all.map((p) => p[axis])),
+    Math.max(...all.map((p) => p[axis])),
+  ];
   return [extent(0), extent(1)];
 }
 

@@ -48,7 +48,10 @@ export function isFlat(slice: Slice): slice is LevelSlice | UprightSlice {
 }
 
 /** A flat slice as a plane in the unit cube of a grid's box, with the half-spaces that limit it along the ground. */
-export function planeOfSlice(slice: LevelSlice | UprightSlice, { low, high }: PolarGrid['box']): Plane & { readonly within: readonly HalfSpace[] } {
+export function planeOfSlice(
+  slice: LevelSlice | UprightSlice,
+  { low, high }: PolarGrid['box'],
+): Plane & { readonly within: readonly HalfSpace[] } {
   /** Converts the plane normal . local = offset, for places in metres. */
   const inUnitCube = (normal: Vector3, offset: number): Plane => {
     const turned = normal.map((x, axis) => x * (high[axis] - low[axis])) as unknown as Vector3;
@@ -56,7 +59,11 @@ export function planeOfSlice(slice: LevelSlice | UprightSlice, { low, high }: Po
     return { normal: scale(turned, 1 / size), offset: (offset - dot(normal, low)) / size };
   };
   if (slice.kind === 'level') return { ...inUnitCube([0, 0, 1], slice.height), within: [] };
-  const { from: [x, y], direction: [east, north], length } = slice;
+  const {
+    from: [x, y],
+    direction: [east, north],
+    length,
+  } = slice;
   const begin = inUnitCube([east, north, 0], east * x + north * y);
   const end = Number.isFinite(length) ? [inUnitCube([-east, -north, 0], -(east * x + north * y + length))] : [];
   return { ...inUnitCube([north, -east, 0], north * x - east * y), within: [begin, ...end] };
@@ -99,7 +106,10 @@ export function sliceMeeter(
       for (const t of crossSlice(slice, grid, placeAt, near)) {
         if (nearest && t >= nearest.t) break;
         if (isCutOut(gap, t, slack)) continue;
-        const stored = slice.kind === 'cone' ? valueOnCone(samples, grid, placeAt(t), slice.sweep) : interpolatePolar(samples, grid, placeAt(t));
+        const stored =
+          slice.kind === 'cone'
+            ? valueOnCone(samples, grid, placeAt(t), slice.sweep)
+            : interpolatePolar(samples, grid, placeAt(t));
         const color = straightColor(colors, slope * stored + intercept);
         if (!color) continue;
         nearest = { t, color };
@@ -119,7 +129,13 @@ export function sliceInterval(meet: ReturnType<typeof sliceMeeter>): IntervalSta
   return (ray, interval) => {
     const { entry, exit, gap } = interval;
     const hit = meet(ray, [entry, exit], gap);
-    return hit ? { ...interval, exit: hit.t < entry + slackOf(ray) ? Math.min(entry, exit) : Math.min(exit, hit.t), behind: [...hit.color, 1] } : interval;
+    return hit
+      ? {
+          ...interval,
+          exit: hit.t < entry + slackOf(ray) ? Math.min(entry, exit) : Math.min(exit, hit.t),
+          behind: [...hit.color, 1],
+        }
+      : interval;
   };
 }
 
@@ -139,7 +155,12 @@ function crossSlice(
   placeAt: (t: number) => Vector3,
   span: readonly [number, number],
 ): number[] {
-  if (slice.kind === 'cone') return crossCone((t) => heightOverSweep(placeAt(t), sweeps[slice.sweep], earthRadius), nearestToAxis(placeAt), span);
+  if (slice.kind === 'cone')
+    return crossCone(
+      (t) => heightOverSweep(placeAt(t), sweeps[slice.sweep], earthRadius),
+      nearestToAxis(placeAt),
+      span,
+    );
   const [begin, one] = [placeAt(0), placeAt(1)];
   const over = (place: Vector3): number => (slice.kind === 'level' ? place[2] - slice.height : acrossOf(slice, place));
   const t = over(begin) / (over(begin) - over(one));

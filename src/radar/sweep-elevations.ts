@@ -37,7 +37,11 @@ export function spanOfSweep({ elevation, elevations }: Sweep): ElevationSpan {
  * azimuth; of the sweeps above `to`, the fourth one lies above it.
  * @param spans - of each sweep, see `spanOfSweep`
  */
-export function sweepsAround(sweeps: readonly Sweep[], spans: readonly ElevationSpan[], [from, to]: ElevationSpan): [number, number] {
+export function sweepsAround(
+  sweeps: readonly Sweep[],
+  spans: readonly ElevationSpan[],
+  [from, to]: ElevationSpan,
+): [number, number] {
   let first = Math.max(0, countUpTo(sweeps.length, (i) => sweeps[i].elevation <= from) - 3);
   let last = Math.min(sweeps.length - 1, countUpTo(sweeps.length, (i) => sweeps[i].elevation <= to) + 2);
   let [floor, ceiling] = [-Infinity, Infinity];
@@ -74,7 +78,10 @@ export interface SweepReach {
 }
 
 /** @param spans - of each sweep, see `spanOfSweep` */
-export function reachOfSweeps({ beamWidth }: Pick<SweepGeometry, 'beamWidth'>, spans: readonly ElevationSpan[]): SweepReach[] {
+export function reachOfSweeps(
+  { beamWidth }: Pick<SweepGeometry, 'beamWidth'>,
+  spans: readonly ElevationSpan[],
+): SweepReach[] {
   const [widest, half] = [widestGap(beamWidth), beamWidth / 2];
   const [bottom, top] = reachOfAll(beamWidth, spans);
   return spans.map(([low, high], sweep) => {
@@ -85,7 +92,10 @@ export function reachOfSweeps({ beamWidth }: Pick<SweepGeometry, 'beamWidth'>, s
     const isAbove = above < spans.length && !(above === sweep + 1 && spans[above][0] - high > widest);
     const isBelow = below >= 0 && !(below === sweep - 1 && low - spans[below][1] > widest);
     return {
-      elevations: [isBelow ? spans[below][0] : below < 0 ? bottom : low - half, isAbove ? spans[above][1] : above === spans.length ? top : high + half],
+      elevations: [
+        isBelow ? spans[below][0] : below < 0 ? bottom : low - half,
+        isAbove ? spans[above][1] : above === spans.length ? top : high + half,
+      ],
       meetsAbove: isAbove,
     };
   });

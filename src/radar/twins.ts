@@ -23,6 +23,6 @@ export function secondMoment({ over, volume }: ShownOverlay): FieldStage {
 }
 
 function asPolar(volume: Volume): PolarVolume {
-  if (!isPolar(volume)) throw new TypeError('a radar\'s twin got a cartesian grid; expected a polar one');
+  if (!isPolar(volume)) throw new TypeError("a radar's twin got a cartesian grid; expected a polar one");
   return volume;
 }

@@ -27,7 +27,10 @@ export function composeStudyShader(program: StudyProgram, shipped: RayProgram): 
   if (program === 'shipped') return composeRay(shipped);
   const { webgl2, modules } = shipped;
   // All chunks of the classify stage except the last one, which computes the colour of a segment.
-  const means = modules.filter(({ stage }) => stage === 'classify').at(-1)!.chunks.slice(0, -1);
+  const means = modules
+    .filter(({ stage }) => stage === 'classify')
+    .at(-1)!
+    .chunks.slice(0, -1);
   const sampling = [...fieldChunks(modules), ...means];
   const chunks = {
     printed: [values, decode, volume3d, ray, box, asPrinted],
@@ -35,6 +38,12 @@ export function composeStudyShader(program: StudyProgram, shipped: RayProgram): 
     shown: [...sampling, ray, box, shownSamples],
     fetched: [...sampling, ray, box, fetchedSamples],
   }[program];
-  const defines = Object.assign({ MAX_SAMPLES: maxSteps * maxSubsteps }, ...modules.map((module) => module.defines)) as Defines;
-  return { vertex: composeRays({ webgl2, adaptive: false, modules }), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, chunks) };
+  const defines = Object.assign(
+    { MAX_SAMPLES: maxSteps * maxSubsteps },
+    ...modules.map((module) => module.defines),
+  ) as Defines;
+  return {
+    vertex: composeRays({ webgl2, adaptive: false, modules }),
+    fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, chunks),
+  };
 }

@@ -36,7 +36,10 @@ export class Download {
   /** Received bytes beyond the announced length. */
   #pieces: Uint8Array<ArrayBuffer>[] = [];
 
-  constructor(readonly url: string, readonly options: FetchOptions) {}
+  constructor(
+    readonly url: string,
+    readonly options: FetchOptions,
+  ) {}
 
   async open(headers?: HeadersInit): Promise<Response> {
     const { signal, credentials } = this.options;
@@ -116,7 +119,10 @@ export class Download {
     const { maxBytes = maxFileBytes } = this.options;
     if (bytes <= maxBytes) return;
     const [has, max] = [bytes, maxBytes].map((count) => count.toLocaleString('en'));
-    throw new VolumeViewError('format/too-large', `${this.url.slice(0, 300)} has ${has} bytes or more; expected at most ${max}`);
+    throw new VolumeViewError(
+      'format/too-large',
+      `${this.url.slice(0, 300)} has ${has} bytes or more; expected at most ${max}`,
+    );
   }
 }
 

@@ -7,18 +7,27 @@ export function explainFetch({ url, response, loaded, options }: Download, cause
   const file = shorten(url);
   if (!response) return explainNoAnswer(url, options.pageOrigin, cause);
   if (response.ok) {
-    return new VolumeViewError('source/unavailable', `${file} broke off after ${loaded} bytes, several times; check the network and load it again`, { cause });
+    return new VolumeViewError(
+      'source/unavailable',
+      `${file} broke off after ${loaded} bytes, several times; check the network and load it again`,
+      { cause },
+    );
   }
   const { status } = response;
   const got = `${file} got HTTP status ${`${status} ${response.statusText}`.trimEnd()}`;
   if (status >= 500 || status === 429 || status === 408) {
     const wait = Math.ceil(readRetryAfter(response) / 1000);
     const asked = wait ? ` The server asks to be left alone for ${wait} seconds.` : '';
-    return new VolumeViewError('source/unavailable', `${got}: the server can not send it now; expected the file.${asked} Load it again later, or look into the server's log`, { cause });
+    return new VolumeViewError(
+      'source/unavailable',
+      `${got}: the server can not send it now; expected the file.${asked} Load it again later, or look into the server's log`,
+      { cause },
+    );
   }
-  const what = status === 401 || status === 403
-    ? 'the server gives it only to those who may have it; expected the file. Sign in at that server first, or put the file where all may read it'
-    : 'expected the file; check the URL for typing errors and that the server has it';
+  const what =
+    status === 401 || status === 403
+      ? 'the server gives it only to those who may have it; expected the file. Sign in at that server first, or put the file where all may read it'
+      : 'expected the file; check the URL for typing errors and that the server has it';
   return new VolumeViewError('source/not-found', `${got}; ${what}`, { cause });
 }
 
@@ -34,7 +43,11 @@ function explainNoAnswer(url: string, pageOrigin: string, cause: unknown): Volum
     );
   }
   if (/^https?:$/.test(target.protocol) && target.origin !== pageOrigin) {
-    return new VolumeViewError('source/cross-origin', `${file} can not be read from ${pageOrigin === 'null' ? adviceWithoutOrigin : adviceTo(pageOrigin)}`, { cause });
+    return new VolumeViewError(
+      'source/cross-origin',
+      `${file} can not be read from ${pageOrigin === 'null' ? adviceWithoutOrigin : adviceTo(pageOrigin)}`,
+      { cause },
+    );
   }
   return new VolumeViewError(
     'source/not-found',

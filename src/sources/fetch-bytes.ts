@@ -17,6 +17,8 @@ export async function fetchBytes(url: string, options: FetchOptions): Promise<De
     if (cause instanceof VolumeViewError) throw cause;
     const rare = await import('./fetch-again.ts').catch(() => null);
     if (rare) return rare.fetchAgain(download, cause);
-    throw new VolumeViewError('source/not-found', `${url.slice(0, 300)} can not be fetched; check the network`, { cause });
+    throw new VolumeViewError('source/not-found', `${url.slice(0, 300)} can not be fetched; check the network`, {
+      cause,
+    });
   }
 }

@@ -11,15 +11,21 @@ export type FetchOne = (url: string, onProgress: ProgressListener) => Promise<De
  * @param urls - absolute
  * @param onProgress - for several files it receives the bytes of all together, and no total, which is unknown
  */
-export async function* fetchInOrder(urls: readonly string[], fetchOne: FetchOne, onProgress: ProgressListener): AsyncGenerator<DecodeInput> {
+export async function* fetchInOrder(
+  urls: readonly string[],
+  fetchOne: FetchOne,
+  onProgress: ProgressListener,
+): AsyncGenerator<DecodeInput> {
   const loaded = new Float64Array(urls.length);
   let sum = 0;
-  const listen = (place: number): ProgressListener => (bytes, total) => {
-    sum += bytes - loaded[place];
-    loaded[place] = bytes;
-    if (urls.length > 1) onProgress(sum, 0);
-    else onProgress(bytes, total);
-  };
+  const listen =
+    (place: number): ProgressListener =>
+    (bytes, total) => {
+      sum += bytes - loaded[place];
+      loaded[place] = bytes;
+      if (urls.length > 1) onProgress(sum, 0);
+      else onProgress(bytes, total);
+    };
   const coming: Promise<DecodeInput>[] = [];
   for (let next = 0, given = 0; given < urls.length; given++) {
     for (; next < urls.length && next < given + ahead; next++) {

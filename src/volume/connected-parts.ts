@@ -22,7 +22,11 @@ export interface SmallParts {
  * @param counts - whether a voxel belongs to any part, by its index, i fastest
  * @returns null where there are more than `most` runs
  */
-export function findSmallParts([nx, ny, nz]: Vector3, counts: (voxel: number) => boolean, max = maxRuns): SmallParts | null {
+export function findSmallParts(
+  [nx, ny, nz]: Vector3,
+  counts: (voxel: number) => boolean,
+  max = maxRuns,
+): SmallParts | null {
   const rows = ny * nz;
   const begins = new Int32Array(rows + 1);
   for (let row = 0; row < rows; row++) {
@@ -56,7 +60,12 @@ function countRuns(first: number, length: number, counts: (voxel: number) => boo
   return found;
 }
 
-function fillRuns({ firsts, ends, parents }: Runs, at: number, { first, end }: { readonly first: number; readonly end: number }, counts: (voxel: number) => boolean): void {
+function fillRuns(
+  { firsts, ends, parents }: Runs,
+  at: number,
+  { first, end }: { readonly first: number; readonly end: number },
+  counts: (voxel: number) => boolean,
+): void {
   let run = at - 1;
   for (let voxel = first, was = false; voxel < end; voxel++) {
     const is = counts(voxel);
@@ -71,7 +80,12 @@ function fillRuns({ firsts, ends, parents }: Runs, at: number, { first, end }: {
 }
 
 /** Join the runs of a row with those of one before it that they touch. @param apart - voxels from one row to the other */
-function joinRows({ firsts, ends, parents }: Runs, begins: Int32Array, row: number, { before, apart }: { readonly before: number; readonly apart: number }): void {
+function joinRows(
+  { firsts, ends, parents }: Runs,
+  begins: Int32Array,
+  row: number,
+  { before, apart }: { readonly before: number; readonly apart: number },
+): void {
   let [a, b] = [begins[before], begins[row]];
   while (a < begins[before + 1] && b < begins[row + 1]) {
     if (firsts[a] + apart < ends[b] && firsts[b] < ends[a] + apart) join(parents, a, b);

@@ -37,7 +37,9 @@ export function cutSurface(surface: Surface, cut: WorldCut): Surface | null {
   const cutter = new Cutter(cut);
   const parts = surface.parts.flatMap((part) => cutter.cut(part));
   if (parts.length === surface.parts.length && parts.every((part, i) => part === surface.parts[i])) return surface;
-  return parts.length === 0 ? null : { ...surface, parts, triangles: parts.reduce((sum, { indices }) => sum + indices.length / 3, 0) };
+  return parts.length === 0
+    ? null
+    : { ...surface, parts, triangles: parts.reduce((sum, { indices }) => sum + indices.length / 3, 0) };
 }
 
 class Cutter {
@@ -48,7 +50,9 @@ class Cutter {
   #whole = new Uint16Array(0);
 
   constructor({ kept, removed }: WorldCut) {
-    this.#kept = kept.filter(({ normal, at }) => !Number.isNaN(at) && normal.every(Number.isFinite) && normal.some((x) => x !== 0)).slice(0, maxHalves);
+    this.#kept = kept
+      .filter(({ normal, at }) => !Number.isNaN(at) && normal.every(Number.isFinite) && normal.some((x) => x !== 0))
+      .slice(0, maxHalves);
     this.#sides = removed?.every(([low, high]) => high > low) ? sidesOf([removed]) : [];
   }
 
@@ -75,7 +79,8 @@ class Cutter {
         whole[count + 2] = c;
         count += 3;
       } else {
-        for (const piece of this.#divide([cornerOf(part, a), cornerOf(part, b), cornerOf(part, c)], any)) divided.add(piece);
+        for (const piece of this.#divide([cornerOf(part, a), cornerOf(part, b), cornerOf(part, c)], any))
+          divided.add(piece);
       }
     }
     if (count === indices.length) return [part];
@@ -144,7 +149,10 @@ function divide(polygon: Polygon, { normal: [a, b, c], at }: HalfWorld): [within
     if (here <= 0) beyond.push(corner);
     if (!(here > 0 && there < 0) && !(here < 0 && there > 0)) return;
     // Always computed from the inside, so that both triangles of an edge get the same point, to the last digit.
-    const met = here > 0 ? between(corner, polygon[next], here / (here - there)) : between(polygon[next], corner, there / (there - here));
+    const met =
+      here > 0
+        ? between(corner, polygon[next], here / (here - there))
+        : between(polygon[next], corner, there / (there - here));
     within.push(met);
     beyond.push(met);
   });
@@ -194,7 +202,12 @@ class PartBuilder {
       corners.forEach((corner, i) => numbers.set([corner[from], corner[from + 1], corner[from + 2]], 3 * i));
       return numbers;
     };
-    this.#done.push({ positions: pick(0), normals: pick(3), indices: Uint16Array.from(this.#indices), colors: this.like.colors && pick(6) });
+    this.#done.push({
+      positions: pick(0),
+      normals: pick(3),
+      indices: Uint16Array.from(this.#indices),
+      colors: this.like.colors && pick(6),
+    });
     [this.#corners, this.#indices] = [[], []];
   }
 }

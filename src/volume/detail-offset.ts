@@ -23,5 +23,9 @@ export function chooseOffset(values: ArrayLike<number>): number {
   }
   const sorted = Float64Array.from(detail);
   sorted.sort();
-  return detail.length * 4 > pairs ? (values instanceof Float64Array ? sorted[detail.length >> 1] : Math.fround(sorted[detail.length >> 1])) : 0;
+  return detail.length * 4 > pairs
+    ? values instanceof Float64Array
+      ? sorted[detail.length >> 1]
+      : Math.fround(sorted[detail.length >> 1])
+    : 0;
 }

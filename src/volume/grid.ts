@@ -33,7 +33,9 @@ export function unitToWorld(grid: GridFrame): Matrix4 {
 
 /** World length of one voxel step along i, j and k: the lengths of the affine's columns. */
 export function spacingOf(indexToWorld: Matrix4): Vector3 {
-  return [0, 1, 2].map((c) => length([indexToWorld[c], indexToWorld[4 + c], indexToWorld[8 + c]])) as unknown as Vector3;
+  return [0, 1, 2].map((c) =>
+    length([indexToWorld[c], indexToWorld[4 + c], indexToWorld[8 + c]]),
+  ) as unknown as Vector3;
 }
 
 /**
@@ -43,7 +45,7 @@ export function spacingOf(indexToWorld: Matrix4): Vector3 {
  */
 export function axialIndexToWorld(dimensions: Vector3, spacing: Vector3): Matrix4 {
   const signed: Vector3 = [-spacing[0], -spacing[1], spacing[2]];
-  return scaleAndTranslate(signed, signed.map((s, axis) => -s * (dimensions[axis] - 1) / 2) as unknown as Vector3);
+  return scaleAndTranslate(signed, signed.map((s, axis) => (-s * (dimensions[axis] - 1)) / 2) as unknown as Vector3);
 }
 
 /** The eight corners of the grid in world coordinates. */
@@ -66,7 +68,9 @@ export function finestSpacing(grid: GridFrame): number {
 /** World length of the longest of the grid's four space diagonals: the maximum length of a ray. */
 export function longestDiagonal(grid: GridFrame): number {
   const c = corners(grid);
-  return Math.max(...[0, 1, 2, 3].map((i) => length([c[i][0] - c[7 - i][0], c[i][1] - c[7 - i][1], c[i][2] - c[7 - i][2]])));
+  return Math.max(
+    ...[0, 1, 2, 3].map((i) => length([c[i][0] - c[7 - i][0], c[i][1] - c[7 - i][1], c[i][2] - c[7 - i][2]])),
+  );
 }
 
 /** Centre of the grid, and the radius of the sphere around the grid. */

@@ -21,9 +21,8 @@ export function summarize(
   intercept: number,
   minValid = -Infinity,
 ): { histogram: Histogram; range: [number, number]; hasNoData: boolean } {
-  const { low, high, counts, hasNoData } = samples instanceof Float32Array
-    ? countFloats(samples, minValid)
-    : countIntegers(samples, minValid);
+  const { low, high, counts, hasNoData } =
+    samples instanceof Float32Array ? countFloats(samples, minValid) : countIntegers(samples, minValid);
   const ends = [slope * low + intercept, slope * high + intercept];
   if (slope < 0) {
     ends.reverse();

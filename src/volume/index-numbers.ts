@@ -21,10 +21,13 @@ export const maxLabels = 65_536;
  * @param idOf - the number that a stored value stands for
  * @returns null if one is not a whole number that float64 holds exactly, or there are more than 65,536
  */
-export function indexNumbers<T extends number | bigint>(stored: ArrayLike<T>, idOf: (value: T) => number): IndexedSamples | null {
+export function indexNumbers<T extends number | bigint>(
+  stored: ArrayLike<T>,
+  idOf: (value: T) => number,
+): IndexedSamples | null {
   const found = new Map<T, number>();
   for (let i = 0; i < stored.length; i++) {
-    if (i > 0 && stored[i] === stored[i - 1] || found.has(stored[i])) continue;
+    if ((i > 0 && stored[i] === stored[i - 1]) || found.has(stored[i])) continue;
     const id = idOf(stored[i]);
     if (found.size === maxLabels || !Number.isSafeInteger(id)) return null;
     found.set(stored[i], id || 0);
@@ -34,11 +37,15 @@ export function indexNumbers<T extends number | bigint>(stored: ArrayLike<T>, id
   const places = new Map(ids.map((id, place) => [id, place]));
   for (const [value, id] of found) found.set(value, places.get(id)!);
   const samples = new (ids.length <= 2 ** 8 ? Uint8Array : Uint16Array)(stored.length);
-  for (let i = 0; i < stored.length; i++) samples[i] = i > 0 && stored[i] === stored[i - 1] ? samples[i - 1] : found.get(stored[i])!;
+  for (let i = 0; i < stored.length; i++)
+    samples[i] = i > 0 && stored[i] === stored[i - 1] ? samples[i - 1] : found.get(stored[i])!;
   return { samples, ids };
 }
 
 /** The data value of a stored one. */
-export function valueOf({ slope, intercept, ids }: { readonly slope: number; readonly intercept: number; readonly ids?: readonly number[] }, stored: number): number {
+export function valueOf(
+  { slope, intercept, ids }: { readonly slope: number; readonly intercept: number; readonly ids?: readonly number[] },
+  stored: number,
+): number {
   return ids ? (ids[stored] ?? NaN) : slope * stored + intercept;
 }

@@ -14,7 +14,10 @@ export interface LabelCells {
  * @param edge - voxels along the edge of a cell; those of a macrocell if absent
  * @yields the number of voxels that were examined, after each row of cells
  */
-export function* listLabels({ numbers, dimensions, ids }: LabelMap, edge = cellSize): Generator<number, LabelCells, void> {
+export function* listLabels(
+  { numbers, dimensions, ids }: LabelMap,
+  edge = cellSize,
+): Generator<number, LabelCells, void> {
   const [nx, ny] = dimensions;
   const [cx, cy, cz] = dimensions.map((n) => Math.ceil(n / edge));
   const starts = new Uint32Array(cx * cy * cz + 1);
@@ -60,5 +63,7 @@ function grow(numbers: Uint16Array): Uint16Array<ArrayBuffer> {
 
 /** The label of each cell that has only one; -1 if it has several. */
 export function findUniform({ starts, numbers }: LabelCells): Float32Array<ArrayBuffer> {
-  return Float32Array.from({ length: starts.length - 1 }, (_, cell) => (starts[cell + 1] - starts[cell] === 1 ? numbers[starts[cell]] : -1));
+  return Float32Array.from({ length: starts.length - 1 }, (_, cell) =>
+    starts[cell + 1] - starts[cell] === 1 ? numbers[starts[cell]] : -1,
+  );
 }

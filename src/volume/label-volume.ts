@@ -9,7 +9,17 @@ import { isPolar } from './volume.ts';
 import type { Volume } from './volume.ts';
 
 /** A volume's values as indices into a list of labels; null if they are not labels. */
-export function indexLabels({ samples, slope, intercept, indexed }: { readonly samples: Samples; readonly slope: number; readonly intercept: number; readonly indexed?: IndexedSamples }): IndexedSamples | null {
+export function indexLabels({
+  samples,
+  slope,
+  intercept,
+  indexed,
+}: {
+  readonly samples: Samples;
+  readonly slope: number;
+  readonly intercept: number;
+  readonly indexed?: IndexedSamples;
+}): IndexedSamples | null {
   if (indexed) return indexed;
   return indexNumbers<number>(samples, (stored) => {
     const value = Number.isFinite(stored) ? slope * stored + intercept : noLabel;
@@ -18,10 +28,15 @@ export function indexLabels({ samples, slope, intercept, indexed }: { readonly s
 }
 
 /** Range and histogram of labels, by their ids. */
-export function summarizeLabels(samples: IndexedSamples['samples'], ids: readonly number[]): { histogram: Histogram; range: [number, number]; hasNoData: boolean } {
+export function summarizeLabels(
+  samples: IndexedSamples['samples'],
+  ids: readonly number[],
+): { histogram: Histogram; range: [number, number]; hasNoData: boolean } {
   const [low, high] = [ids[0], ids[ids.length - 1]];
   const counts = new Uint32Array(histogramBins);
-  const bins = ids.map((id) => Math.min(histogramBins - 1, Math.floor(((id - low) / (high - low || 1)) * histogramBins)));
+  const bins = ids.map((id) =>
+    Math.min(histogramBins - 1, Math.floor(((id - low) / (high - low || 1)) * histogramBins)),
+  );
   for (const place of samples) counts[bins[place]]++;
   return { histogram: { low, high, counts }, range: [low, high], hasNoData: false };
 }
@@ -33,8 +48,17 @@ export function asLabels(volume: Volume): Volume {
   const { samples, ids } = found;
   const [low, high] = [ids[0], ids[ids.length - 1]];
   return {
-    ...volume, ids, samples, ...summarizeLabels(samples, ids), slope: 1, intercept: 0, isDiscrete: true, indexed: undefined,
-    window: [low, Math.max(high, low + 1)], transferFunction: undefined, macrocells: buildMacrocells(samples, volume.grid.dimensions),
+    ...volume,
+    ids,
+    samples,
+    ...summarizeLabels(samples, ids),
+    slope: 1,
+    intercept: 0,
+    isDiscrete: true,
+    indexed: undefined,
+    window: [low, Math.max(high, low + 1)],
+    transferFunction: undefined,
+    macrocells: buildMacrocells(samples, volume.grid.dimensions),
   };
 }
 

@@ -29,8 +29,14 @@ const enough = 0.6;
 /** Cells without any value yet. */
 export function emptyMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
   const cells = dimensions[0] * dimensions[1] * dimensions[2];
-  const [min, max] = samples instanceof Float32Array ? [-Infinity, Infinity] : [0, 2 ** (8 * samples.BYTES_PER_ELEMENT) - 1];
-  return { dimensions, low: allocateLike(samples, cells).fill(max), high: allocateLike(samples, cells).fill(min), roughness: new Float32Array(cells) };
+  const [min, max] =
+    samples instanceof Float32Array ? [-Infinity, Infinity] : [0, 2 ** (8 * samples.BYTES_PER_ELEMENT) - 1];
+  return {
+    dimensions,
+    low: allocateLike(samples, cells).fill(max),
+    high: allocateLike(samples, cells).fill(min),
+    roughness: new Float32Array(cells),
+  };
 }
 
 /**
@@ -44,13 +50,15 @@ export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocel
   const [nx, ny, nz] = dimensions;
   const [cx, cy, cz] = dimensions.map((n) => Math.ceil(n / cellSize));
   const cells = emptyMacrocells(samples, [cx, cy, cz]);
-  const found: Measures = samples instanceof Float32Array ? new Float64Array(perCell * cx) : new Int32Array(perCell * cx);
+  const found: Measures =
+    samples instanceof Float32Array ? new Float64Array(perCell * cx) : new Int32Array(perCell * cx);
   const row: Row = { at: 0, end: 0, down: 0, up: 0, back: 0, forth: 0, ofY: 0, ofZ: 0 };
   const [alongK, alongJ] = [splitAxis(nz), splitAxis(ny)];
   for (const { from: k0, to: k1, cell: z, last: lastZ } of alongK) {
     for (const { from: j0, to: j1, cell: y, last: lastY } of alongJ) {
       const places: Place[] = [];
-      for (let c = z; c <= lastZ; c++) for (let b = y; b <= lastY; b++) places.push({ at: cx * (b + cy * c), ofY: b - y, ofZ: c - z });
+      for (let c = z; c <= lastZ; c++)
+        for (let b = y; b <= lastY; b++) places.push({ at: cx * (b + cy * c), ofY: b - y, ofZ: c - z });
       beginWith(found, cells, places);
       for (let k = k0; k < k1; k++) {
         row.back = k > 0 ? -nx * ny : 0;
@@ -86,7 +94,12 @@ function splitAxis(voxels: number): Part[] {
   const parts: Part[] = [];
   for (let cell = 0; cell < cells; cell++) {
     const begin = cell * cellSize;
-    const part = { from: cell > 0 ? begin + 1 : 0, to: cell < cells - 1 ? begin + cellSize - 1 : voxels, cell, last: cell };
+    const part = {
+      from: cell > 0 ? begin + 1 : 0,
+      to: cell < cells - 1 ? begin + cellSize - 1 : voxels,
+      cell,
+      last: cell,
+    };
     if (part.to > part.from) parts.push(part);
     // The part at the border comes after the parts in both cells: it then seldom changes their maximum, which
     // processors predict well.

@@ -41,9 +41,7 @@ export function scaleAndTranslate(scale: Vector3, offset: Vector3): Matrix4 {
 
 /** Determinant of the linear part. */
 export function determinant(m: Matrix4): number {
-  return (
-    m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8])
-  );
+  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
 }
 
 /**
@@ -60,13 +58,7 @@ export function invertAffine(m: Matrix4): Matrix4 | null {
   if (Math.abs(volume) < 1e-12) return null;
   const rows = [cross(b, c), cross(c, a), cross(a, b)].map((row, i) => scale(row, 1 / (volume * lengths[i])));
   const origin: Vector3 = [m[3], m[7], m[11]];
-  return [
-    ...rows.flatMap((row) => [...row, -dot(row, origin)]),
-    0,
-    0,
-    0,
-    1,
-  ];
+  return [...rows.flatMap((row) => [...row, -dot(row, origin)]), 0, 0, 0, 1];
 }
 
 export function add(a: Vector3, b: Vector3): Vector3 {

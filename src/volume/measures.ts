@@ -40,7 +40,10 @@ export function measureAngle([first, corner, last]: readonly Vector3[], edgesAt:
   const [ga, gb] = [scale(cross(ua, n), 1 / length(a)), scale(cross(n, ub), 1 / length(b))];
   const corners = scale([ga[0] + gb[0], ga[1] + gb[1], ga[2] + gb[2]], -1);
   const degrees = 180 / Math.PI;
-  return { value: value * degrees, uncertainty: Math.min(180, spread([first, corner, last], [ga, corners, gb], edgesAt) * degrees) };
+  return {
+    value: value * degrees,
+    uncertainty: Math.min(180, spread([first, corner, last], [ga, corners, gb], edgesAt) * degrees),
+  };
 }
 
 /**
@@ -52,14 +55,20 @@ export function measureBox([from, to]: readonly Vector3[], edgesAt: EdgesAt): Me
   const [x, y, z] = size.map(Math.abs);
   const gradient = [y * z, x * z, x * y].map((area, axis) => area * Math.sign(size[axis])) as unknown as Vector3;
   const known = (along: Vector3): number => spread([from, to], [scale(along, -1), along], edgesAt);
-  return { value: x * y * z, uncertainty: Math.max(known(gradient), known([1, 0, 0]) * known([0, 1, 0]) * known([0, 0, 1])) };
+  return {
+    value: x * y * z,
+    uncertainty: Math.max(known(gradient), known([1, 0, 0]) * known([0, 1, 0]) * known([0, 0, 1])),
+  };
 }
 
 /** World volume of a sphere. The same rule applies to its radius. */
 export function measureSphere(points: readonly Vector3[], edgesAt: EdgesAt): Measured {
   const radius = measureDistance(points, edgesAt);
   const ball = (r: number): number => (4 / 3) * Math.PI * r ** 3;
-  return { value: ball(radius.value), uncertainty: Math.max(4 * Math.PI * radius.value ** 2 * radius.uncertainty, ball(radius.uncertainty)) };
+  return {
+    value: ball(radius.value),
+    uncertainty: Math.max(4 * Math.PI * radius.value ** 2 * radius.uncertainty, ball(radius.uncertainty)),
+  };
 }
 
 function unit(v: Vector3): Vector3 | null {

@@ -47,7 +47,9 @@ export function checkMosaicLayout(
   }
   const used = slices ?? columns * rows;
   if (!isCount(used) || used > columns * rows) {
-    fail(`slices got ${used}; expected a whole number from 1 to ${columns * rows}, the tiles of a ${columns}x${rows} mosaic`);
+    fail(
+      `slices got ${used}; expected a whole number from 1 to ${columns * rows}, the tiles of a ${columns}x${rows} mosaic`,
+    );
   }
   return { columns, rows, slices: used };
 }
@@ -88,7 +90,12 @@ export function cutMosaic(image: GrayImage, layout: MosaicLayout): Samples {
         const from = down.lower[j] * image.width + across.lower[0];
         samples.set(image.data.subarray(from, from + nx), to);
       } else {
-        sampleRow(image, across, { lower: down.lower[j], upper: down.upper[j], weight: down.weight[j] }, samples.subarray(to, to + nx));
+        sampleRow(
+          image,
+          across,
+          { lower: down.lower[j], upper: down.upper[j], weight: down.weight[j] },
+          samples.subarray(to, to + nx),
+        );
       }
     }
   }

@@ -13,11 +13,15 @@ type Numbered = Pick<LabelMap, 'dimensions' | 'numbers'> & { readonly ids: { rea
  */
 export function reduceLabels<M extends Numbered>(map: M, to: Vector3): M {
   const { dimensions: from, ids } = map;
-  const numbers = map.numbers instanceof Uint8Array ? new Uint8Array(to[0] * to[1] * to[2]) : new Uint16Array(to[0] * to[1] * to[2]);
-  const [across, down, deep] = [0, 1, 2].map((axis) => Array.from({ length: to[axis] }, (_, i) => overlap(i, from[axis] / to[axis], from[axis])));
+  const numbers =
+    map.numbers instanceof Uint8Array ? new Uint8Array(to[0] * to[1] * to[2]) : new Uint16Array(to[0] * to[1] * to[2]);
+  const [across, down, deep] = [0, 1, 2].map((axis) =>
+    Array.from({ length: to[axis] }, (_, i) => overlap(i, from[axis] / to[axis], from[axis])),
+  );
   const votes = new Float64Array(ids.length);
   let out = 0;
-  for (const z of deep) for (const y of down) for (const x of across) numbers[out++] = findMajority(map, [x, y, z], votes);
+  for (const z of deep)
+    for (const y of down) for (const x of across) numbers[out++] = findMajority(map, [x, y, z], votes);
   return { ...map, dimensions: to, numbers };
 }
 
@@ -25,7 +29,11 @@ export function reduceLabels<M extends Numbered>(map: M, to: Vector3): M {
 const rounding = 1e-9;
 
 /** @param votes - 0 for each number, before and afterwards */
-function findMajority({ numbers, dimensions: [nx, ny] }: Numbered, [x, y, z]: readonly Overlap[], votes: Float64Array): number {
+function findMajority(
+  { numbers, dimensions: [nx, ny] }: Numbered,
+  [x, y, z]: readonly Overlap[],
+  votes: Float64Array,
+): number {
   const found: number[] = [];
   for (let c = 0; c < z.weights.length; c++) {
     for (let b = 0; b < y.weights.length; b++) {

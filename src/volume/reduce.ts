@@ -64,7 +64,9 @@ export function reduceVolume(block: Block, factors: Vector3): Block {
   const from = block.dimensions;
   const to = reduceDimensions(from, factors);
   const scale: Vector3 = [from[0] / to[0], from[1] / to[1], from[2] / to[2]];
-  const overlaps = [0, 1, 2].map((axis) => Array.from({ length: to[axis] }, (_, i) => overlap(i, scale[axis], from[axis])));
+  const overlaps = [0, 1, 2].map((axis) =>
+    Array.from({ length: to[axis] }, (_, i) => overlap(i, scale[axis], from[axis])),
+  );
   const samples = allocateLike(block.samples, to[0] * to[1] * to[2]);
   const isFloat = samples instanceof Float32Array;
   const row: BoxRow = { overlaps: overlaps[0], sums: new Float64Array(to[0]), totals: new Float64Array(to[0]) };

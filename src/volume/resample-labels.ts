@@ -21,7 +21,9 @@ export const noLabel = 0;
 export const tolerance = 1e-3;
 
 /** Why voxels are not labels. */
-export type LabelProblem = { readonly problem: 'not-whole' | 'too-large'; readonly value: number } | { readonly problem: 'too-many' };
+export type LabelProblem =
+  | { readonly problem: 'not-whole' | 'too-large'; readonly value: number }
+  | { readonly problem: 'too-many' };
 
 /** A file's ids, first that of no label, then the others ascending; and the index of each stored value's id among them. */
 export interface FoundLabels {
@@ -82,12 +84,24 @@ export interface ResampledLabels {
  * Resamples labels to another grid: each voxel's centre gets the label of the file's voxel that contains it (the
  * nearest one); outside the file there is none. It yields after each slice, so that a page can draw meanwhile.
  */
-export function* resampleLabels(voxels: LabelVoxels, { ids, numberOf }: FoundLabels, target: CartesianGrid): Generator<void, ResampledLabels> {
-  const { grid: { dimensions: [mx, my, mz], indexToWorld }, samples } = voxels;
+export function* resampleLabels(
+  voxels: LabelVoxels,
+  { ids, numberOf }: FoundLabels,
+  target: CartesianGrid,
+): Generator<void, ResampledLabels> {
+  const {
+    grid: {
+      dimensions: [mx, my, mz],
+      indexToWorld,
+    },
+    samples,
+  } = voxels;
   const [nx, ny, nz] = target.dimensions;
   const numbers = new (ids.length <= 2 ** 8 ? Uint8Array : Uint16Array)(nx * ny * nz);
   // Entries next to a whole number are rounded: on the same grid, inverted twice, a voxel must stay in its place.
-  const m = multiply(invertAffine(indexToWorld)!, target.indexToWorld).map((entry) => (Math.abs(entry - Math.round(entry)) < 1e-9 ? Math.round(entry) : entry));
+  const m = multiply(invertAffine(indexToWorld)!, target.indexToWorld).map((entry) =>
+    Math.abs(entry - Math.round(entry)) < 1e-9 ? Math.round(entry) : entry,
+  );
   let within = 0;
   let at = 0;
   for (let k = 0; k < nz; k++) {

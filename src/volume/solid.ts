@@ -9,7 +9,9 @@ export type Solid =
 /** The solid that two points set by a person define: opposite corners, or a centre and a point of the surface. */
 export function solidOf(kind: Solid['kind'], [from, to]: readonly Vector3[]): Solid {
   if (kind === 'sphere') return { kind, center: from, radius: length(subtract(to, from)) };
-  const [low, high] = [Math.min, Math.max].map((choose) => from.map((x, axis) => choose(x, to[axis])) as unknown as Vector3);
+  const [low, high] = [Math.min, Math.max].map(
+    (choose) => from.map((x, axis) => choose(x, to[axis])) as unknown as Vector3,
+  );
   return { kind, low, high };
 }
 
@@ -34,7 +36,11 @@ export function cutLine(solid: Solid, from: Vector3, step: Vector3): readonly [f
   return solid.kind === 'box' ? cutBox(solid, from, step) : cutSphere(solid, from, step);
 }
 
-function cutBox({ low, high }: Extract<Solid, { kind: 'box' }>, from: Vector3, step: Vector3): readonly [number, number] | null {
+function cutBox(
+  { low, high }: Extract<Solid, { kind: 'box' }>,
+  from: Vector3,
+  step: Vector3,
+): readonly [number, number] | null {
   let [first, last] = [-Infinity, Infinity];
   for (let axis = 0; axis < 3; axis++) {
     const ends = [low[axis] - from[axis], high[axis] - from[axis]];
@@ -52,7 +58,11 @@ function cutBox({ low, high }: Extract<Solid, { kind: 'box' }>, from: Vector3, s
 /** Tolerance, so that a line that only touches is not lost. */
 const rounding = 1e-6;
 
-function cutSphere({ center, radius }: Extract<Solid, { kind: 'sphere' }>, from: Vector3, step: Vector3): readonly [number, number] | null {
+function cutSphere(
+  { center, radius }: Extract<Solid, { kind: 'sphere' }>,
+  from: Vector3,
+  step: Vector3,
+): readonly [number, number] | null {
   const to = subtract(center, from);
   const [a, b] = [dot(step, step), dot(step, to)];
   const nearest = b / a;

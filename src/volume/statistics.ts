@@ -61,7 +61,8 @@ export class Tally {
   finish({ slope, intercept }: { readonly slope: number; readonly intercept: number }): Statistics {
     const count = this.#count;
     const apart = this.#sum / count;
-    const deviation = count > 1 ? Math.abs(slope) * Math.sqrt(Math.max(0, this.#squares - count * apart * apart) / (count - 1)) : null;
+    const deviation =
+      count > 1 ? Math.abs(slope) * Math.sqrt(Math.max(0, this.#squares - count * apart * apart) / (count - 1)) : null;
     const ends = [this.#min, this.#largest].map((sample) => slope * sample + intercept);
     return {
       count,

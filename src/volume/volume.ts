@@ -97,7 +97,12 @@ export interface RadarInfo {
   /** All moments of the file. */
   readonly moments: readonly string[];
   /** Degrees north, degrees east, metres above sea level of the antenna; what the file does not say is absent. */
-  readonly site: { readonly name?: string; readonly latitude?: number; readonly longitude?: number; readonly height?: number };
+  readonly site: {
+    readonly name?: string;
+    readonly latitude?: number;
+    readonly longitude?: number;
+    readonly height?: number;
+  };
   /** When the scan began, ISO 8601 in UTC. */
   readonly time?: string;
   /** The sweeps that are shown, by ascending elevation. */

@@ -39,11 +39,17 @@ export function sidesOf(boxes: readonly Bounds[]): HalfWorld[] {
     const low = Math.max(...boxes.map((bounds) => bounds[axis][0]));
     const high = Math.min(...boxes.map((bounds) => bounds[axis][1]));
     const normal = [0, 1, 2].map((one) => Number(one === axis)) as unknown as Vector3;
-    return [{ normal, at: low }, { normal: normal.map((x) => -x) as unknown as Vector3, at: -high }];
+    return [
+      { normal, at: low },
+      { normal: normal.map((x) => -x) as unknown as Vector3, at: -high },
+    ];
   });
 }
 
 /** Whether a point remains after a cut. */
 export function isKept({ kept, removed }: WorldCut, place: Vector3): boolean {
-  return kept.every(({ normal, at }) => dot(normal, place) >= at) && !removed?.every(([low, high], axis) => place[axis] > low && place[axis] < high);
+  return (
+    kept.every(({ normal, at }) => dot(normal, place) >= at) &&
+    !removed?.every(([low, high], axis) => place[axis] > low && place[axis] < high)
+  );
 }

@@ -8,7 +8,13 @@ import { fetchBytes } from '../sources/fetch-bytes.ts';
 import type { FetchOne } from '../sources/fetch-files.ts';
 import { finishVolume } from '../formats/finish-volume.ts';
 import { loadReader } from '../formats/base/load-reader.ts';
-import type { CoarseListener, LoadProgress, LoadProgressListener, LoadRequest, ScansListener } from '../formats/base/load-request.ts';
+import type {
+  CoarseListener,
+  LoadProgress,
+  LoadProgressListener,
+  LoadRequest,
+  ScansListener,
+} from '../formats/base/load-request.ts';
 
 export interface RequestEnvironment {
   /** Only on the main thread: a worker is terminated from outside. */
@@ -29,26 +35,43 @@ export interface RequestEnvironment {
  * @throws {VolumeViewError} as fetchBytes and decodeFile say; {NeedsMainThread} in a worker that can't do it
  */
 export async function decodeRequest(request: LoadRequest, environment: RequestEnvironment): Promise<Volume> {
-  const { signal, pageOrigin, budget = new Budget(readDeviceBytes()), breathe, onProgress, onScans, onCoarse } = environment;
+  const {
+    signal,
+    pageOrigin,
+    budget = new Budget(readDeviceBytes()),
+    breathe,
+    onProgress,
+    onScans,
+    onCoarse,
+  } = environment;
   const url = request.files?.[0] ?? request.url;
   let named: RequestCredentials | undefined;
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
     signal?.throwIfAborted(); // Long work on the main thread passes here often.
     onProgress({ loaded, total, phase });
   };
-  const fetchOne: FetchOne = (url, onProgress) => fetchBytes(url, {
-    signal,
-    pageOrigin,
-    credentials: request.files?.includes(url) ? undefined : named,
-    maxBytes: Math.min(maxFileBytes, budget.deviceBytes),
-    onProgress,
-  });
+  const fetchOne: FetchOne = (url, onProgress) =>
+    fetchBytes(url, {
+      signal,
+      pageOrigin,
+      credentials: request.files?.includes(url) ? undefined : named,
+      maxBytes: Math.min(maxFileBytes, budget.deviceBytes),
+      onProgress,
+    });
   const fetchFile = (url: string) => fetchOne(url, report('fetch'));
   const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
     const { fetchInOrder } = await loadReader(() => import('../sources/fetch-files.ts'));
     yield* fetchInOrder(urls, fetchOne, report('fetch'));
   };
-  const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans, onRadar: () => onCoarse?.(null), budget };
+  const context: DecodeContext = {
+    fetchFile,
+    fetchFiles,
+    files: request.files,
+    onProgress: report('decode'),
+    onScans,
+    onRadar: () => onCoarse?.(null),
+    budget,
+  };
   const start = async (): Promise<DecodeInput> => {
     const first = await fetchFile(url);
     // A file from another server chooses what else is fetched: that must not use the reader's cookies and logins.

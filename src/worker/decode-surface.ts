@@ -41,14 +41,22 @@ async function decodeMesh({ url, space }: MeshRequest, environment: Environment)
 
 async function decodeTerrain({ files, corner, radar }: TerrainRequest, environment: Environment): Promise<Surface> {
   const tiles: HgtTile[] = [];
-  for (const [i, { bytes }] of (await fetchAll(files, environment)).entries()) tiles.push(await readHgt(bytes, nameOf(files[i]), corner));
+  for (const [i, { bytes }] of (await fetchAll(files, environment)).entries())
+    tiles.push(await readHgt(bytes, nameOf(files[i]), corner));
   return makeTerrain(joinTiles(tiles, radar.site, radar.reach), radar, terrainTriangles);
 }
 
-async function fetchAll(urls: readonly string[], { signal, pageOrigin, onProgress }: Environment): Promise<{ readonly bytes: Uint8Array<ArrayBuffer> }[]> {
-  const fetchOne: FetchOne = (url, report) => fetchBytes(url, { signal, pageOrigin, maxBytes: maxMeshBytes, onProgress: report });
+async function fetchAll(
+  urls: readonly string[],
+  { signal, pageOrigin, onProgress }: Environment,
+): Promise<{ readonly bytes: Uint8Array<ArrayBuffer> }[]> {
+  const fetchOne: FetchOne = (url, report) =>
+    fetchBytes(url, { signal, pageOrigin, maxBytes: maxMeshBytes, onProgress: report });
   const files: { readonly bytes: Uint8Array<ArrayBuffer> }[] = [];
-  for await (const file of fetchInOrder(urls, fetchOne, (loaded, total) => onProgress({ loaded, total, phase: 'fetch' }))) files.push(file);
+  for await (const file of fetchInOrder(urls, fetchOne, (loaded, total) =>
+    onProgress({ loaded, total, phase: 'fetch' }),
+  ))
+    files.push(file);
   const sum = files.reduce((bytes, file) => bytes + file.bytes.length, 0);
   onProgress({ loaded: 0, total: sum, phase: 'decode' });
   return files;
@@ -56,5 +64,7 @@ async function fetchAll(urls: readonly string[], { signal, pageOrigin, onProgres
 
 /** The buffers that are transferred to the page instead of copied. */
 export function listSurfaceBuffers({ parts }: Surface): ArrayBuffer[] {
-  return parts.flatMap(({ positions, normals, indices, colors }) => [positions, normals, indices, ...(colors ? [colors] : [])].map(({ buffer }) => buffer));
+  return parts.flatMap(({ positions, normals, indices, colors }) =>
+    [positions, normals, indices, ...(colors ? [colors] : [])].map(({ buffer }) => buffer),
+  );
 }

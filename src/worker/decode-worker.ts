@@ -33,12 +33,15 @@ async function runOrder({ request, pageOrigin }: WorkerOrder): Promise<void> {
       const surface = await decodeSurface(request, { pageOrigin, onProgress: throttle() });
       return report({ type: 'done', volume: surface }, listSurfaceBuffers(surface));
     }
-    const volume = await decodeRequest({ ...request, limits }, {
-      pageOrigin,
-      onProgress: throttle(),
-      onScans: (times) => report({ type: 'scans', times }),
-      onCoarse: (coarse) => report({ type: 'coarse', coarse }, coarse ? listBuffers(coarse.volume) : []),
-    });
+    const volume = await decodeRequest(
+      { ...request, limits },
+      {
+        pageOrigin,
+        onProgress: throttle(),
+        onScans: (times) => report({ type: 'scans', times }),
+        onCoarse: (coarse) => report({ type: 'coarse', coarse }, coarse ? listBuffers(coarse.volume) : []),
+      },
+    );
     report({ type: 'done', volume }, [...listBuffers(volume), volume.histogram.counts.buffer as ArrayBuffer]);
   } catch (error) {
     if (error instanceof NeedsMainThread) report({ type: 'needs-main-thread' });

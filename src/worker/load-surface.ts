@@ -21,6 +21,10 @@ async function loadHere(request: SurfaceRequest, { signal, onProgress }: LoadOpt
     return await decodeSurface(request, { signal, pageOrigin: origin, onProgress });
   } catch (error) {
     if (!(error instanceof NeedsMainThread)) throw error;
-    throw new VolumeViewError('format/unsupported', 'the part of volume-view that reads surfaces could not be loaded; check that all files of the package are on the server', { cause: error });
+    throw new VolumeViewError(
+      'format/unsupported',
+      'the part of volume-view that reads surfaces could not be loaded; check that all files of the package are on the server',
+      { cause: error },
+    );
   }
 }

@@ -6,7 +6,13 @@ import { listWorkerStarts } from './worker-client.ts';
 import { watchLoad } from './watch-load.ts';
 import type { WorkerLimits, WorkerOrder, WorkerReport } from './worker-messages.ts';
 
-export type { CoarseVolume, DeviceLimits, LoadProgress, LoadProgressListener, LoadRequest } from '../formats/base/load-request.ts';
+export type {
+  CoarseVolume,
+  DeviceLimits,
+  LoadProgress,
+  LoadProgressListener,
+  LoadRequest,
+} from '../formats/base/load-request.ts';
 
 export interface LoadOptions {
   /** Stops the work at once; the promise is rejected with its reason. */
@@ -30,14 +36,20 @@ export async function loadVolume(request: LoadRequest, options: LoadOptions): Pr
   options.signal.throwIfAborted();
   const { limits, ...rest } = request;
   const absolute = { ...rest, url: resolveUrl(request.url), files: request.files?.map(resolveUrl) };
-  return workOff({ order: { request: absolute, pageOrigin: origin }, limits }, options, (watched) => loadHere({ ...absolute, limits }, watched));
+  return workOff({ order: { request: absolute, pageOrigin: origin }, limits }, options, (watched) =>
+    loadHere({ ...absolute, limits }, watched),
+  );
 }
 
 /**
  * Runs a task in a worker, or on this thread if the page allows none.
  * @param here - runs it on this thread
  */
-export async function workOff<T>(task: WorkerTask, options: LoadOptions, here: (watched: LoadOptions) => Promise<T>): Promise<T> {
+export async function workOff<T>(
+  task: WorkerTask,
+  options: LoadOptions,
+  here: (watched: LoadOptions) => Promise<T>,
+): Promise<T> {
   const { url } = task.order.request;
   const { end, ...watched } = watchLoad(url, options.signal, options.onProgress);
   try {
@@ -68,7 +80,11 @@ interface WorkerTask {
   readonly limits?: LoadRequest['limits'];
 }
 
-function loadInWorker(worker: Worker, { order, limits }: WorkerTask, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<unknown> {
+function loadInWorker(
+  worker: Worker,
+  { order, limits }: WorkerTask,
+  { signal, onProgress, onScans, onCoarse }: LoadOptions,
+): Promise<unknown> {
   return new Promise((resolve, reject) => {
     let isReady = false;
     const end = (settle: () => void): void => {
@@ -96,7 +112,9 @@ function loadInWorker(worker: Worker, { order, limits }: WorkerTask, { signal, o
         case 'done':
           return end(() => resolve(data.volume));
         case 'failed':
-          return end(() => reject(new VolumeViewError(data.code, data.message, data.cause ? { cause: data.cause } : {})));
+          return end(() =>
+            reject(new VolumeViewError(data.code, data.message, data.cause ? { cause: data.cause } : {})),
+          );
         case 'needs-main-thread':
           return end(() => resolve(notHere));
       }
@@ -109,7 +127,11 @@ function loadInWorker(worker: Worker, { order, limits }: WorkerTask, { signal, o
     };
     // Sent at once: the page may be busy when the worker is ready.
     worker.postMessage(order);
-    if (limits) Promise.resolve(limits).then((known) => worker.postMessage({ limits: known } satisfies WorkerLimits), (error) => end(() => reject(error)));
+    if (limits)
+      Promise.resolve(limits).then(
+        (known) => worker.postMessage({ limits: known } satisfies WorkerLimits),
+        (error) => end(() => reject(error)),
+      );
     worker.onmessageerror = () => end(() => reject(outOfMemory('a message could not be read')));
   });
 }

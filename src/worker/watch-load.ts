@@ -32,7 +32,12 @@ export function watchLoad(url: string, signal: AbortSignal, onProgress: LoadProg
     if (silent === polite && isFetching) onProgress({ ...last, isStill: true });
     // A fetch of unknown length may be complete.
     if (silent < (isFetching && (total || !loaded) ? patient : working + loaded / bytesPerSecond)) return;
-    controller.abort(new VolumeViewError('source/stalled', `${url.slice(0, 300)} came no further for ${silent} seconds, after ${loaded} bytes; check the network and the file, and load it again`));
+    controller.abort(
+      new VolumeViewError(
+        'source/stalled',
+        `${url.slice(0, 300)} came no further for ${silent} seconds, after ${loaded} bytes; check the network and the file, and load it again`,
+      ),
+    );
   }, 1000);
   return {
     signal: controller.signal,

@@ -100,9 +100,14 @@ export function isUrlField(name: string): boolean {
  * Sorts the URLs of a field: those that may be loaded, written so that x3dom reads exactly these; and those that may
  * not.
  */
-export function sortUrls(text: string, base: string): { readonly allowed: string; readonly refused: readonly string[] } {
+export function sortUrls(
+  text: string,
+  base: string,
+): { readonly allowed: string; readonly refused: readonly string[] } {
   const trimmed = text.trim();
-  const given = trimmed.startsWith('"') ? [...trimmed.matchAll(/"((?:[^\\"]|\\.)*)"/g)].map(([, url]) => url.replace(/\\(.)/g, '$1')) : [trimmed];
+  const given = trimmed.startsWith('"')
+    ? [...trimmed.matchAll(/"((?:[^\\"]|\\.)*)"/g)].map(([, url]) => url.replace(/\\(.)/g, '$1'))
+    : [trimmed];
   const [allowed, refused]: [string[], string[]] = [[], []];
   for (const url of given.filter((one) => one.trim() !== '')) {
     const found = pictureUrl(url, base);

@@ -32,6 +32,8 @@ export function readAuthorCamera(author: AuthorNodes, element: X3dElement): Auth
     up: [m[4], m[5], m[6]],
     fieldOfView: viewpoint.getFieldOfView(),
   };
-  const centerOfRotation: Vector3 | null = given ? transformPoint(toRowMajor(viewpoint.getCurrentTransform()), [x, y, z]) : null;
+  const centerOfRotation: Vector3 | null = given
+    ? transformPoint(toRowMajor(viewpoint.getCurrentTransform()), [x, y, z])
+    : null;
   return { camera, centerOfRotation, around: (subject) => frameViewpoint(camera, centerOfRotation, subject) };
 }

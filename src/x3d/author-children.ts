@@ -6,10 +6,12 @@ import { meantChildren, meantParent, swallowedBy } from '../page/unclosed.ts';
  * apart from the scene. They may hold other elements, because a page has a whole scene or did not close a tag. Those
  * are treated as if they stood next to them.
  */
-const isOpen = (element: Element): boolean => isWrapper(element) || /volume(style|data)$|^(x3d|scene)$/i.test(element.localName);
+const isOpen = (element: Element): boolean =>
+  isWrapper(element) || /volume(style|data)$|^(x3d|scene)$/i.test(element.localName);
 
 /** What belongs to a volume node itself. */
-const isPart = (element: Element): boolean => /^material$|texture/i.test(element.localName) && /volume/i.test(meantParent(element)?.localName ?? '');
+const isPart = (element: Element): boolean =>
+  /^material$|texture/i.test(element.localName) && /volume/i.test(meantParent(element)?.localName ?? '');
 
 /** The outermost elements that an author has put into a scene. */
 export function authorChildren(host: Element): Element[] {

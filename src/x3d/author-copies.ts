@@ -20,7 +20,13 @@ const costly = /(light|clipplane)$/i;
 
 /** Maximum values of fields that say how much x3dom makes: parts of a surface, pixels of a shadow, pixels of a text. */
 const limits: Readonly<Record<string, number>> = {
-  subdivision: 256, shadowmapsize: 4096, shadowcascades: 6, shadowfiltersize: 16, image: 4096, quality: 10, anisotropicdegree: 16,
+  subdivision: 256,
+  shadowmapsize: 4096,
+  shadowcascades: 6,
+  shadowfiltersize: 16,
+  image: 4096,
+  quality: 10,
+  anisotropicdegree: 16,
 };
 
 /** Maximum number of letters of a text that is drawn. */
@@ -80,7 +86,13 @@ export class AuthorCopies {
       return null;
     }
     const max = limits[field] ?? Infinity;
-    if (field in limits && value.split(/[\s,]+/).slice(0, 2).some((word) => Number(word) > max)) {
+    if (
+      field in limits &&
+      value
+        .split(/[\s,]+/)
+        .slice(0, 2)
+        .some((word) => Number(word) > max)
+    ) {
       this.report(element, name, `it asks for more than ${max}`);
       return null;
     }
@@ -94,7 +106,12 @@ export class AuthorCopies {
 
   #pictures(element: Element, name: string, value: string): string | null {
     const { allowed, refused } = sortUrls(value, element.ownerDocument.baseURI);
-    for (const url of refused) this.report(element, name, `"${url.slice(0, 60)}" is not loaded: a picture's URL begins with https:, http: or data:image/, or is relative`);
+    for (const url of refused)
+      this.report(
+        element,
+        name,
+        `"${url.slice(0, 60)}" is not loaded: a picture's URL begins with https:, http: or data:image/, or is relative`,
+      );
     return allowed === '' ? null : allowed;
   }
 
@@ -112,21 +129,28 @@ export class AuthorCopies {
       return null;
     };
     if (/volume(style|data)$/i.test(element.localName)) return null; // The volume's own nodes are read elsewhere.
-    if (!isAllowedNode(element)) return leaveOut('no X3D node of this name takes part in the scene, see docs/shapes.md');
+    if (!isAllowedNode(element))
+      return leaveOut('no X3D node of this name takes part in the scene, see docs/shapes.md');
     if (depth > maxDepth) return leaveOut(`it is more than ${maxDepth} elements deep`);
     const kind = costly.exec(element.localName)?.[1].toLowerCase();
-    if (kind && [...this.#costly.add(element)].filter(({ localName }) => localName.toLowerCase().endsWith(kind)).length > maxLights) {
+    if (
+      kind &&
+      [...this.#costly.add(element)].filter(({ localName }) => localName.toLowerCase().endsWith(kind)).length >
+        maxLights
+    ) {
       this.#costly.delete(element);
       return leaveOut(`there are more than ${maxLights} ${kind}s`);
     }
     const use = useOf(element);
     const def = nameOf(element);
-    if (use !== null && this.#reaches(use, around)) return leaveOut(`its use of "${use.slice(0, 40)}" is within that element itself, without end`);
+    if (use !== null && this.#reaches(use, around))
+      return leaveOut(`its use of "${use.slice(0, 40)}" is within that element itself, without end`);
     if (use !== null) for (const name of around) this.#uses.set(name, (this.#uses.get(name) ?? new Set()).add(use));
     // Created in this document, whatever document the author's element is from: x3dom knows no elements of other
     // windows.
     const repeated = use === null ? 0 : (this.#sizes.get(use) ?? 0);
-    if (this.#repeated + repeated > maxRepeated) return leaveOut(`more than ${maxRepeated} nodes would be repeated by use`);
+    if (this.#repeated + repeated > maxRepeated)
+      return leaveOut(`more than ${maxRepeated} nodes would be repeated by use`);
     this.#repeated += repeated;
     const copy = document.createElement(element.localName.toLowerCase());
     let size = repeated + 1;
@@ -153,7 +177,10 @@ export class AuthorCopies {
  * length 0 cuts nothing.
  */
 function unitPlane(value: string): string {
-  const numbers = value.trim().split(/[\s,]+/).map(Number);
+  const numbers = value
+    .trim()
+    .split(/[\s,]+/)
+    .map(Number);
   const max = Math.max(...numbers.slice(0, 3).map(Math.abs));
   const length = max * Math.hypot(...numbers.slice(0, 3).map((x) => x / max));
   return max === 0 ? '0 0 0 0' : numbers.map((x) => x / length).join(' ');

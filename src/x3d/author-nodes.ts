@@ -50,7 +50,11 @@ export class AuthorNodes {
   }
 
   get #viewpointElement(): Element | null {
-    this.#viewpoint ??= [[...this.host.querySelectorAll('*')].find((e) => /viewpoint$/i.test(e.localName) && this.#copies.copyOf(e)?._x3domNode) ?? null];
+    this.#viewpoint ??= [
+      [...this.host.querySelectorAll('*')].find(
+        (e) => /viewpoint$/i.test(e.localName) && this.#copies.copyOf(e)?._x3domNode,
+      ) ?? null,
+    ];
     return this.#viewpoint[0];
   }
 
@@ -86,8 +90,13 @@ export class AuthorNodes {
   #follow(records: readonly MutationRecord[]): void {
     for (const { type, target, attributeName, removedNodes, addedNodes } of records) {
       if (type === 'attributes') this.#change(target as Element, attributeName!);
-      for (const node of removedNodes) if (node.nodeType === 1) for (const one of [node as Element, ...withoutFrame(node as Element)]) this.#remove(one, meantParent(node as Element, target as Element)!);
-      for (const node of addedNodes) if (node.nodeType === 1 && node.parentNode === target) for (const one of withoutFrame(node as Element)) this.#add(one);
+      for (const node of removedNodes)
+        if (node.nodeType === 1)
+          for (const one of [node as Element, ...withoutFrame(node as Element)])
+            this.#remove(one, meantParent(node as Element, target as Element)!);
+      for (const node of addedNodes)
+        if (node.nodeType === 1 && node.parentNode === target)
+          for (const one of withoutFrame(node as Element)) this.#add(one);
       this.#retry(target as Element);
     }
   }
@@ -148,7 +157,11 @@ export class AuthorNodes {
   /** Leaves out lights without a direction: their effect in x3dom depends on the device. */
   #leaveOutDark(element: Element): void {
     const node = this.nodeOf(element);
-    if (node && hasNoDirection(node)) this.#leaveOut(element, `direction got "${(element.getAttribute('direction') ?? '').slice(0, 40)}"; expected three numbers, not all of them 0, like "0 -1 0"`);
+    if (node && hasNoDirection(node))
+      this.#leaveOut(
+        element,
+        `direction got "${(element.getAttribute('direction') ?? '').slice(0, 40)}"; expected three numbers, not all of them 0, like "0 -1 0"`,
+      );
   }
 
   #join(copy: X3dOwned, around: X3dOwned, isOutermost: boolean): void {
@@ -184,7 +197,8 @@ export class AuthorNodes {
     const copy = this.#copies.copyOf(element);
     if (!copy?._x3domNode || !element.parentElement) return;
     const value = this.#copies.valueOf(element, name);
-    if (value === null || identity.has(name.toLowerCase()) || copy._x3domNode._xmlNode !== copy) return this.#renew(element);
+    if (value === null || identity.has(name.toLowerCase()) || copy._x3domNode._xmlNode !== copy)
+      return this.#renew(element);
     copy.setAttribute(name, value);
     try {
       copy._x3domNode.updateField(name, value);

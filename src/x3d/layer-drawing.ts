@@ -51,7 +51,10 @@ export class LayerDrawing {
   /** Whether the next picture shows what was gathered. */
   showsGathered = false;
 
-  constructor(readonly layer: VolumeLayer, readonly surroundings: Surroundings) {
+  constructor(
+    readonly layer: VolumeLayer,
+    readonly surroundings: Surroundings,
+  ) {
     this.#gl = layer.gl;
     this.pictures = new VolumePictures(layer.gl, layer);
     layer.lights = () => surroundings.others()?.lights() ?? null;
@@ -87,7 +90,12 @@ export class LayerDrawing {
   }
 
   /** See `VolumeScene.startProbe`. */
-  startProbe(stepLength: number, lattice: PixelLattice, picture: Size, alone: boolean): (() => Float32Array | null) | null {
+  startProbe(
+    stepLength: number,
+    lattice: PixelLattice,
+    picture: Size,
+    alone: boolean,
+  ): (() => Float32Array | null) | null {
     if (!this.#last || this.#gl.isContextLost()) return null;
     const depths = alone ? null : this.#last.depths;
     const read = this.#aside(() => this.pictures.probe(lattice, this.#castAt(picture, stepLength, depths)));
@@ -110,7 +118,9 @@ export class LayerDrawing {
 
   /** See `VolumeScene.readVolume`. */
   readVolume(): VolumePicture | null {
-    return this.#last?.depths ? this.surroundings.others()!.readVolume(this.shownCast!, this.pictures, (work) => this.#aside(work)) : null;
+    return this.#last?.depths
+      ? this.surroundings.others()!.readVolume(this.shownCast!, this.pictures, (work) => this.#aside(work))
+      : null;
   }
 
   get isAdaptive(): boolean {
@@ -120,7 +130,8 @@ export class LayerDrawing {
   /** Smooths edges; null if there are no edges, or they are not smoothed. */
   get #smooth(): SmoothEdges | null {
     const { layer, edgeCurvature } = this;
-    const module = Number.isFinite(edgeCurvature) && layer.volume ? layer.modules(false).find(({ edges }) => edges) : undefined;
+    const module =
+      Number.isFinite(edgeCurvature) && layer.volume ? layer.modules(false).find(({ edges }) => edges) : undefined;
     return module ? { edges: module.edges!(), edgeCurvature, asPoints: this.adaptive } : null;
   }
 
@@ -131,7 +142,16 @@ export class LayerDrawing {
 
   passes(picture: Size): Pass[] {
     const passes = this.pictures.passes(picture, this.isAdaptive, this.#smooth);
-    return this.endsAtShapes ? [...passes, ...this.#aside(() => this.surroundings.others()!.edgePasses(this.layer, this.#castAt(picture, this.stepLength), Number.isFinite(this.edgeCurvature)))] : passes;
+    return this.endsAtShapes
+      ? [
+          ...passes,
+          ...this.#aside(() =>
+            this.surroundings
+              .others()!
+              .edgePasses(this.layer, this.#castAt(picture, this.stepLength), Number.isFinite(this.edgeCurvature)),
+          ),
+        ]
+      : passes;
   }
 
   /** Prepares the pieces of a picture: the depth of shapes in all its pixels. */
@@ -139,7 +159,10 @@ export class LayerDrawing {
     this.stepLength = stepLength;
     if (!this.endsAtShapes) return;
     const { others, camera } = this.surroundings;
-    this.#last = { ...this.#last!, depths: this.#aside(() => others()!.drawDepthsAt(picture, camera, this.#shape!, this)) };
+    this.#last = {
+      ...this.#last!,
+      depths: this.#aside(() => others()!.drawDepthsAt(picture, camera, this.#shape!, this)),
+    };
   }
 
   /** Draws some rows of a pass into a target that is not shown yet. @param stepLength - world length */
@@ -175,7 +198,14 @@ export class LayerDrawing {
   }
 
   #castAt(picture: Size, stepLength: number, depths = this.#last!.depths): Cast {
-    return { program: this.#program(depths), depths, view: this.surroundings.camera.viewAt(picture), picture, stepLength, maxCurvature: this.maxCurvature };
+    return {
+      program: this.#program(depths),
+      depths,
+      view: this.surroundings.camera.viewAt(picture),
+      picture,
+      stepLength,
+      maxCurvature: this.maxCurvature,
+    };
   }
 
   /** Draws outside of x3dom's own drawing. Afterwards it binds the canvas again, with its whole size as viewport. */
@@ -195,7 +225,11 @@ export class LayerDrawing {
     if (!this.layer.field || !this.layer.optics) return;
     try {
       const shapes = this.#knowShapes();
-      const depths = shapes?.drawDepths(this.#shape, this, { view: this.surroundings.camera.view(), draw: (shape) => original(shape, ...rest) }) ?? null;
+      const depths =
+        shapes?.drawDepths(this.#shape, this, {
+          view: this.surroundings.camera.view(),
+          draw: (shape) => original(shape, ...rest),
+        }) ?? null;
       // Gathered pixels are shown as they are, whichever program cast their rays.
       if (!this.showsGathered && !this.#shape.use(this.layer.program(depths !== null))) {
         this.#drawAgain = true;
@@ -217,7 +251,11 @@ export class LayerDrawing {
     const picture = this.#canvas;
     const rays = castableRays(this.layer, this.surroundings.camera.view());
     const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, null));
-    const ray = rayUniforms(raysOfLattice(rays, picture, { stride: 1, first: [0, 0], width: picture.width, height: picture.height }), picture, this.stepLength);
+    const ray = rayUniforms(
+      raysOfLattice(rays, picture, { stride: 1, first: [0, 0], width: picture.width, height: picture.height }),
+      picture,
+      this.stepLength,
+    );
     const read = joinInputs(inputs, { uniforms: ray, units: [] });
     // x3dom sets only the first sampler3D.
     if (this.#last) this.#aside(() => useProgram(this.#gl, this.#last!.program, read));

@@ -70,13 +70,21 @@ function injectScript(url: string): Promise<X3dom> {
 function adaptWhileRunning(script: HTMLScriptElement): () => void {
   const ends = [
     adapt(script, EventTarget.prototype, 'addEventListener', (args) => (args[0] === 'unload' ? null : args)),
-    adapt(script, DOMParser.prototype, 'parseFromString', ([text, type]) => [trust(text as string, 'createHTML'), type]),
+    adapt(script, DOMParser.prototype, 'parseFromString', ([text, type]) => [
+      trust(text as string, 'createHTML'),
+      type,
+    ]),
   ];
   return () => ends.forEach((end) => end());
 }
 
 /** @param change - receives the script's arguments; null means that the call is skipped */
-function adapt<T>(script: HTMLScriptElement, target: T, name: keyof T, change: (args: unknown[]) => unknown[] | null): () => void {
+function adapt<T>(
+  script: HTMLScriptElement,
+  target: T,
+  name: keyof T,
+  change: (args: unknown[]) => unknown[] | null,
+): () => void {
   const native = target[name] as (...args: unknown[]) => unknown;
   const adapted = function (this: unknown, ...args: unknown[]): unknown {
     const changed = readDocument('currentScript') === script ? change(args) : args;

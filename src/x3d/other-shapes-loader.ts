@@ -9,7 +9,11 @@ export class OtherShapesLoader {
   #disposed = false;
   readonly #observer: MutationObserver;
 
-  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly host: Element) {
+  constructor(
+    readonly x3dom: X3dom,
+    readonly started: StartedCanvas,
+    readonly host: Element,
+  ) {
     this.#observer = new MutationObserver(() => this.#look());
     this.#observer.observe(host, { childList: true, subtree: true });
     this.#look();

@@ -45,7 +45,11 @@ export class OtherShapes {
   readonly #render: RenderShape;
 
   /** @param host - the element whose X3D children join the scene */
-  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly host: Element) {
+  constructor(
+    readonly x3dom: X3dom,
+    readonly started: StartedCanvas,
+    readonly host: Element,
+  ) {
     const { canvas, document } = started;
     this.author = new AuthorNodes(x3dom, document, host);
     this.lines = new SceneLines(document, (shown, owner) => this.#showSurface(shown, owner));
@@ -56,7 +60,8 @@ export class OtherShapes {
     context.renderShape = (drawable, ...rest) => {
       this.#rest = rest;
       const render = (one: X3dDrawable): void => renderShape(one, ...rest);
-      if (this.#drawn?.shownCast?.depths && isTranslucent(drawable)) (this.#translucent ??= new TranslucentShapes(context, this.#drawn.layer)).draw(drawable, this.#drawn, render);
+      if (this.#drawn?.shownCast?.depths && isTranslucent(drawable))
+        (this.#translucent ??= new TranslucentShapes(context, this.#drawn.layer)).draw(drawable, this.#drawn, render);
       else render(drawable);
     };
   }
@@ -82,29 +87,57 @@ export class OtherShapes {
    * @param picture - pixels
    * @returns null if there are no other shapes, or the device can't do it
    */
-  drawDepths(volume: VolumeShape, drawing: VolumeDrawing, { view, draw }: Pick<DrawnShapes, 'view' | 'draw'>, picture: Size = this.started.canvas.canvas): ShapeDepths | null {
+  drawDepths(
+    volume: VolumeShape,
+    drawing: VolumeDrawing,
+    { view, draw }: Pick<DrawnShapes, 'view' | 'draw'>,
+    picture: Size = this.started.canvas.canvas,
+  ): ShapeDepths | null {
     const { document } = this.started;
     const collection = document._scene.drawableCollection;
     const all = Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
     const others = all.filter(({ shape }) => !volume.owns(shape));
-    const isNeeded = Boolean(this.started.canvas.gl!.ctx3d.getContextAttributes()?.stencil) && others.some(isTranslucent);
-    const depths = this.#depth.draw(picture, { shapes: others.filter(({ sortType }) => sortType !== 'transparent'), view, draw, isNeeded });
+    const isNeeded =
+      Boolean(this.started.canvas.gl!.ctx3d.getContextAttributes()?.stencil) && others.some(isTranslucent);
+    const depths = this.#depth.draw(picture, {
+      shapes: others.filter(({ sortType }) => sortType !== 'transparent'),
+      view,
+      draw,
+      isNeeded,
+    });
     this.#drawn = depths && isNeeded ? drawing : null;
     return depths;
   }
 
   /** The same for a picture of another size, with the camera of the last one, outside of x3dom's own drawing. */
   drawDepthsAt(picture: Size, camera: SceneCamera, volume: VolumeShape, drawing: VolumeDrawing): ShapeDepths | null {
-    const { canvas, document: { _viewarea } } = this.started;
+    const {
+      canvas,
+      document: { _viewarea },
+    } = this.started;
     const { ctx3d: gl, stateManager } = canvas.gl!;
     return camera.at(picture, () => {
       const [viewArea, lights, count, viewMatrix, , lightMatrix, , ...rest] = this.#rest;
       const projection = _viewarea.getProjectionMatrix();
-      const drawn = [viewArea, lights, count, viewMatrix, _viewarea.getWCtoCCMatrix(), lightMatrix, projection, ...rest];
+      const drawn = [
+        viewArea,
+        lights,
+        count,
+        viewMatrix,
+        _viewarea.getWCtoCCMatrix(),
+        lightMatrix,
+        projection,
+        ...rest,
+      ];
       stateManager.unsetProgram();
       stateManager.enable(gl.DEPTH_TEST);
       try {
-        return this.drawDepths(volume, drawing, { view: camera.view(), draw: (shape) => this.#render(shape, ...drawn) }, picture);
+        return this.drawDepths(
+          volume,
+          drawing,
+          { view: camera.view(), draw: (shape) => this.#render(shape, ...drawn) },
+          picture,
+        );
       } finally {
         stateManager.disable(gl.DEPTH_TEST);
         stateManager.unsetProgram();
@@ -118,7 +151,8 @@ export class OtherShapes {
    */
   edgePasses(layer: CastLayer, cast: Cast, isAtRest: boolean): Pass[] {
     const edges = this.#edgesOf(cast);
-    if (isAtRest && edges && cast.depths!.solidBounds) return edges.passes(cast.picture, cast.depths!, depthOf(layer, cast, true));
+    if (isAtRest && edges && cast.depths!.solidBounds)
+      return edges.passes(cast.picture, cast.depths!, depthOf(layer, cast, true));
     edges?.forget();
     return [];
   }
@@ -134,7 +168,9 @@ export class OtherShapes {
   /** null if no shape is visible, or their edges are not smooth. */
   #edgesOf({ depths }: Cast): ShapeEdges | null {
     const [left, , right] = depths!.bounds;
-    return left < right ? (this.#edges ??= ShapeEdges.create(this.started.canvas.gl!.ctx3d, (gl) => createDepthTarget(gl)!)) : null;
+    return left < right
+      ? (this.#edges ??= ShapeEdges.create(this.started.canvas.gl!.ctx3d, (gl) => createDepthTarget(gl)!))
+      : null;
   }
 
   /** The volume's part of a picture that contains shapes. */
@@ -196,5 +232,8 @@ export class OtherShapes {
 function depthOf(layer: CastLayer, { view, picture, depths }: Cast, isCoarse = false): ProgramInputs {
   const rays = castableRays(layer, view);
   const lattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height, isCoarse } as const;
-  return depthInputs({ depths: depths!, projection: view.projection, picture, lattice }, [rays.planeDepth, rays.diameter]);
+  return depthInputs({ depths: depths!, projection: view.projection, picture, lattice }, [
+    rays.planeDepth,
+    rays.diameter,
+  ]);
 }

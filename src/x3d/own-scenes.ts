@@ -5,7 +5,9 @@
 export function keepFromX3dom(host: ParentNode): void {
   for (const frame of host.querySelectorAll<Element & { hasRuntime?: boolean }>('x3d')) {
     // A page's own x3dom ran first. The properties that it set in place of attributes are not what the author wrote.
-    if (frame.hasRuntime) for (const one of frame.querySelectorAll('*')) for (const name of ['getAttribute', 'setAttribute', 'hasAttribute']) Reflect.deleteProperty(one, name);
+    if (frame.hasRuntime)
+      for (const one of frame.querySelectorAll('*'))
+        for (const name of ['getAttribute', 'setAttribute', 'hasAttribute']) Reflect.deleteProperty(one, name);
     frame.hasRuntime ??= false;
   }
 }
@@ -13,5 +15,6 @@ export function keepFromX3dom(host: ParentNode): void {
 /** Now, and again before a page's own x3dom looks for its scenes: the element's content may come after its tag. */
 export function keepScenesFromX3dom(host: ParentNode): void {
   keepFromX3dom(host);
-  if (document.readyState !== 'complete') addEventListener('load', () => keepFromX3dom(host), { capture: true, once: true });
+  if (document.readyState !== 'complete')
+    addEventListener('load', () => keepFromX3dom(host), { capture: true, once: true });
 }

@@ -5,7 +5,11 @@ import type { AuthorNodes } from './author-nodes.ts';
 import { toRowMajor } from './scene-camera.ts';
 import type { X3dLight } from './x3dom-types.ts';
 
-const kinds: Readonly<Record<string, SceneLight['kind']>> = { directionallight: 'directional', pointlight: 'point', spotlight: 'spot' };
+const kinds: Readonly<Record<string, SceneLight['kind']>> = {
+  directionallight: 'directional',
+  pointlight: 'point',
+  spotlight: 'spot',
+};
 
 /**
  * The lights of an author's X3D that shine on a volume: lights that are on, and the light at the eye unless it is
@@ -25,7 +29,8 @@ export function readLights(author: AuthorNodes): SceneLights {
 
 /** null for a light without a position or direction. */
 function readLight(element: Element, node: X3dLight): SceneLight | null {
-  const { color, intensity, ambientIntensity, direction, location, attenuation, radius, beamWidth, cutOffAngle } = node._vf;
+  const { color, intensity, ambientIntensity, direction, location, attenuation, radius, beamWidth, cutOffAngle } =
+    node._vf;
   const m = toRowMajor(node.getCurrentTransform());
   const kind = kinds[element.localName];
   const read = (vector: X3dLight['_vf']['location']): Vector3 => (vector ? [vector.x, vector.y, vector.z] : [0, 0, 0]);
@@ -44,6 +49,15 @@ function readLight(element: Element, node: X3dLight): SceneLight | null {
     beamWidth: beamWidth ?? 0,
     cutOffAngle: cutOffAngle ?? 0,
   };
-  const numbers = [...light.color, intensity, ambientIntensity, ...light.direction, ...light.location, ...light.attenuation, light.beamWidth, light.cutOffAngle];
+  const numbers = [
+    ...light.color,
+    intensity,
+    ambientIntensity,
+    ...light.direction,
+    ...light.location,
+    ...light.attenuation,
+    light.beamWidth,
+    light.cutOffAngle,
+  ];
   return numbers.every(Number.isFinite) && (kind === 'point' || long > 0) ? light : null;
 }

@@ -21,17 +21,28 @@ export interface VolumePicture {
  * @param pictures - what has drawn it
  * @param aside - runs code outside of x3dom's own drawing
  */
-export function readVolume({ view, picture, depths, stepLength }: Cast, { gl, layer, gathered }: VolumePictures, aside: <T>(work: () => T) => T): VolumePicture {
+export function readVolume(
+  { view, picture, depths, stepLength }: Cast,
+  { gl, layer, gathered }: VolumePictures,
+  aside: <T>(work: () => T) => T,
+): VolumePicture {
   return {
     picture: aside(() => {
       gl.bindFramebuffer(gl.FRAMEBUFFER, gathered!.framebuffer);
       return readPicture(gl, gathered!);
     }),
-    startJumps: (stride, isCoarse) => aside(() => {
-      const [width, height] = [picture.width, picture.height].map((pixels) => Math.ceil(pixels / stride));
-      const lattice: SurfaceLattice = { stride, first: [0, 0], width, height, half: true, isCoarse };
-      layer.inputs(castableRays(layer, view), { depths: depths!, projection: view.projection, picture, lattice, stepLength });
-      return () => aside(() => layer.surfacesModule!.readJumps());
-    }),
+    startJumps: (stride, isCoarse) =>
+      aside(() => {
+        const [width, height] = [picture.width, picture.height].map((pixels) => Math.ceil(pixels / stride));
+        const lattice: SurfaceLattice = { stride, first: [0, 0], width, height, half: true, isCoarse };
+        layer.inputs(castableRays(layer, view), {
+          depths: depths!,
+          projection: view.projection,
+          picture,
+          lattice,
+          stepLength,
+        });
+        return () => aside(() => layer.surfacesModule!.readJumps());
+      }),
   };
 }

@@ -11,7 +11,11 @@ export class SceneCamera {
   readonly #own: X3dViewpoint;
 
   /** @param author - returns the author's viewpoint, null if there is none */
-  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly author: () => X3dViewpoint | null) {
+  constructor(
+    readonly x3dom: X3dom,
+    readonly started: StartedCanvas,
+    readonly author: () => X3dViewpoint | null,
+  ) {
     this.#own = started.document._scene.getViewpoint();
   }
 
@@ -73,9 +77,21 @@ export class SceneCamera {
 
 export function toRowMajor(m: X3dMatrix): Matrix4 {
   return [
-    m._00, m._01, m._02, m._03,
-    m._10, m._11, m._12, m._13,
-    m._20, m._21, m._22, m._23,
-    m._30, m._31, m._32, m._33,
+    m._00,
+    m._01,
+    m._02,
+    m._03,
+    m._10,
+    m._11,
+    m._12,
+    m._13,
+    m._20,
+    m._21,
+    m._22,
+    m._23,
+    m._30,
+    m._31,
+    m._32,
+    m._33,
   ];
 }

@@ -17,7 +17,13 @@ import type { X3dContext, X3dDrawable } from './x3dom-types.ts';
 export function createDepthTarget(gl: Gl): DrawTarget | null {
   if (!isWebGl2(gl) && !gl.getExtension('WEBGL_depth_texture')) return null;
   const internal = isWebGl2(gl) ? gl.DEPTH_COMPONENT24 : gl.DEPTH_COMPONENT;
-  const depth = { point: gl.DEPTH_ATTACHMENT, internal, format: gl.DEPTH_COMPONENT, type: gl.UNSIGNED_INT, samplerName: 'uSceneDepth' };
+  const depth = {
+    point: gl.DEPTH_ATTACHMENT,
+    internal,
+    format: gl.DEPTH_COMPONENT,
+    type: gl.UNSIGNED_INT,
+    samplerName: 'uSceneDepth',
+  };
   return new DrawTarget(gl, [depth, bytesAttachment(gl, 'uSceneColor')]);
 }
 
@@ -60,7 +66,12 @@ export class SceneDepth {
     }
     stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
     stateManager.viewport(0, 0, picture.width, picture.height);
-    return { all, solid, bounds: boundShapes(shapes, view, picture) ?? nowhere, solidBounds: boundShapes(solids, view, picture) };
+    return {
+      all,
+      solid,
+      bounds: boundShapes(shapes, view, picture) ?? nowhere,
+      solidBounds: boundShapes(solids, view, picture),
+    };
   }
 
   #fill(target: DrawTarget, { width, height }: Size, draw: () => void): void {

@@ -30,7 +30,10 @@ export class SceneLines {
   readonly #shown = new Map<object, Shown>();
 
   /** @param showSurface - see `OtherShapes` */
-  constructor(readonly document: X3dDocument, readonly showSurface: (shown: ShownSurface | null, owner: object) => Promise<void> = async () => {}) {}
+  constructor(
+    readonly document: X3dDocument,
+    readonly showSurface: (shown: ShownSurface | null, owner: object) => Promise<void> = async () => {},
+  ) {}
 
   /** Shows rings, and the map below them. */
   showGround(rings: Lines, map?: GroundMap): void {
@@ -70,7 +73,12 @@ export class SceneLines {
 
 function buildLines(lines: Lines, color: LineColor): X3dOwned {
   let next = 0;
-  const indices = lines.map((line) => line.map(() => next++).concat(-1).join(' '));
+  const indices = lines.map((line) =>
+    line
+      .map(() => next++)
+      .concat(-1)
+      .join(' '),
+  );
   const shape = document.createElement('shape');
   shape.setAttribute('isPickable', 'false');
   shape.innerHTML = `<appearance><material diffuseColor="0 0 0" emissiveColor="${color.join(' ')}"></material></appearance>

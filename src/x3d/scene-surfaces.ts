@@ -24,7 +24,10 @@ const lights = new WeakMap<Float32Array, Float32Array>();
 export class SceneSurfaces {
   readonly #shown = new Map<object, { readonly shown: ShownSurface; readonly root: X3dOwned }>();
 
-  constructor(readonly x3dom: X3dom, readonly document: X3dDocument) {}
+  constructor(
+    readonly x3dom: X3dom,
+    readonly document: X3dDocument,
+  ) {}
 
   /** Show a surface in place of the one that its owner had before; null for none. */
   show(shown: ShownSurface | null, owner: object): void {
@@ -71,15 +74,34 @@ function buildShape(shown: ShownSurface): X3dOwned {
     element.append(...children);
     return element;
   };
-  return build('shape', { isPickable: 'false' },
-    build('appearance', { sortType: 'opaque' }, build('material', { diffuseColor: scaled(light, 1 - around), emissiveColor: scaled(light, ownColors(shown) ? 0 : around), ...matter })),
-    build('indexedtriangleset', { solid: 'false', useGeoCache: 'false', index: '0 0 0' }, build('coordinate', { point: '0 0 0' }), build('normal', { vector: '0 0 1' })));
+  return build(
+    'shape',
+    { isPickable: 'false' },
+    build(
+      'appearance',
+      { sortType: 'opaque' },
+      build('material', {
+        diffuseColor: scaled(light, 1 - around),
+        emissiveColor: scaled(light, ownColors(shown) ? 0 : around),
+        ...matter,
+      }),
+    ),
+    build(
+      'indexedtriangleset',
+      { solid: 'false', useGeoCache: 'false', index: '0 0 0' },
+      build('coordinate', { point: '0 0 0' }),
+      build('normal', { vector: '0 0 1' }),
+    ),
+  );
 }
 
 /** Typed arrays are uploaded as they are: as text, or as x3dom's own vectors, millions of numbers would take long. */
 function fill(x3dom: X3dom, geometry: X3dGeometry, shown: ShownSurface): void {
   const mesh = geometry._mesh;
-  const { surface, surface: { parts } } = shown;
+  const {
+    surface,
+    surface: { parts },
+  } = shown;
   const hasColors = ownColors(shown);
   mesh._positions = parts.map((part) => part.positions);
   mesh._normals = parts.map((part) => part.normals);

@@ -54,7 +54,12 @@ export class VolumeScene extends LayerScene {
    * @param needsFrame - called when something in the scene changed and `draw` should be called soon
    * @param fieldProviders - how to draw volumes that are not on cartesian grids; none if absent
    */
-  static async create(host: Element, container: Element, needsFrame: () => void, fieldProviders: FieldProviders = {}): Promise<VolumeScene> {
+  static async create(
+    host: Element,
+    container: Element,
+    needsFrame: () => void,
+    fieldProviders: FieldProviders = {},
+  ): Promise<VolumeScene> {
     const x3dom = await loadX3dom();
     const scene = new VolumeScene(x3dom, { host, container, needsFrame, fieldProviders });
     await scene.othersReady();
@@ -73,7 +78,10 @@ export class VolumeScene extends LayerScene {
     this.device = describe(this.#gl);
     this.layers = [new VolumeLayer(this.#gl, this.device, fieldProviders)];
     // The first frames run without it.
-    import('../renderer/device/gpu-timer.ts').then((part) => (this.#timer = part.GpuTimer.create(this.#gl)), () => {});
+    import('../renderer/device/gpu-timer.ts').then(
+      (part) => (this.#timer = part.GpuTimer.create(this.#gl)),
+      () => {},
+    );
     this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author.viewpoint ?? null);
     this.#others = new OtherShapesLoader(x3dom, this.#started, host);
     const surroundings = { started: this.#started, camera: this.#camera, others: () => this.#others.shapes };
@@ -130,7 +138,8 @@ export class VolumeScene extends LayerScene {
   }
 
   /** Loads what shows lines of other parts; null if that part of the package is not there. */
-  readonly loadLines = (): Promise<SceneLines | null> => this.#others.load().then(() => this.#others.shapes?.lines ?? null);
+  readonly loadLines = (): Promise<SceneLines | null> =>
+    this.#others.load().then(() => this.#others.shapes?.lines ?? null);
 
   /** See `Scene`. */
   setMaxCurvature(maxCurvature: number, edgeCurvature = Infinity): void {
@@ -183,11 +192,12 @@ export class VolumeScene extends LayerScene {
   #drawScene(time: number): void {
     const { canvas, document } = this.#started;
     const { shapes } = this.#others;
-    const draw = (): void => this.#drawing.drawWith(() => {
-      this.#camera.forgetProjection();
-      document.needRender = true;
-      canvas.tick(time);
-    });
+    const draw = (): void =>
+      this.#drawing.drawWith(() => {
+        this.#camera.forgetProjection();
+        document.needRender = true;
+        canvas.tick(time);
+      });
     this.#isDrawing = true;
     try {
       if (shapes) shapes.draw(draw);
@@ -203,7 +213,12 @@ export class VolumeScene extends LayerScene {
    * @returns a function that reads the result, before another is drawn: RGBA, premultiplied, 0..1, bottom row first; it
    * waits for the GPU unless that has `finished`. null if the device can't do it
    */
-  startProbe(stepLength: number, lattice: PixelLattice, picture: Size, alone = false): (() => Float32Array | null) | null {
+  startProbe(
+    stepLength: number,
+    lattice: PixelLattice,
+    picture: Size,
+    alone = false,
+  ): (() => Float32Array | null) | null {
     return this.#drawing.startProbe(stepLength, lattice, picture, alone);
   }
 

@@ -23,7 +23,11 @@ export function isThin({ shape }: X3dDrawable): boolean {
 }
 
 /** The part of a picture that may contain shapes; null if there are none. */
-export function boundShapes(shapes: readonly X3dDrawable[], { view, projection }: View, { width, height }: Size): DeviceRectangle | null {
+export function boundShapes(
+  shapes: readonly X3dDrawable[],
+  { view, projection }: View,
+  { width, height }: Size,
+): DeviceRectangle | null {
   if (shapes.length === 0) return null;
   const corners = shapes.map((drawable) => cornersOf(drawable));
   if (corners.includes(null)) return wholePicture;
@@ -42,11 +46,14 @@ export function boundShapes(shapes: readonly X3dDrawable[], { view, projection }
  */
 function cornersOf({ shape, transform }: X3dDrawable): number[][] | null {
   const box = shape.getVolume();
-  const isMoved = shape._webgl?.primType === WebGLRenderingContext.POINTS || Boolean(shape._cf.appearance?.node?._shader);
+  const isMoved =
+    shape._webgl?.primType === WebGLRenderingContext.POINTS || Boolean(shape._cf.appearance?.node?._shader);
   if (isMoved || !box.isValid()) return null;
   const toWorld = toRowMajor(transform);
   const ends = [box.min, box.max];
-  return Array.from({ length: 8 }, (_, i) => applyTo(toWorld, [ends[i & 1].x, ends[(i >> 1) & 1].y, ends[i >> 2].z, 1]));
+  return Array.from({ length: 8 }, (_, i) =>
+    applyTo(toWorld, [ends[i & 1].x, ends[(i >> 1) & 1].y, ends[i >> 2].z, 1]),
+  );
 }
 
 function applyTo(m: readonly number[], p: readonly number[]): number[] {

@@ -28,7 +28,9 @@ export function startCanvas(
   element.append(options.buildScene());
   container.append(element);
   element.hasRuntime = false;
-  const canvas = withPremultipliedContext(x3dom, () => withoutSpareContext(x3dom, () => new x3dom.X3DCanvas(element, count++)));
+  const canvas = withPremultipliedContext(x3dom, () =>
+    withoutSpareContext(x3dom, () => new x3dom.X3DCanvas(element, count++)),
+  );
   if (!canvas.gl) {
     element.remove();
     throw new VolumeViewError(
@@ -77,14 +79,25 @@ const defaultProperties = {
 function withPremultipliedContext<T>(x3dom: X3dom, make: () => T): T {
   const prototype = x3dom.X3DCanvas.prototype;
   const original = prototype._createHTMLCanvas;
-  return withOther(prototype, '_createHTMLCanvas', function (this: unknown, element: Element) {
-    const canvas = original.call(this, element);
-    const getContext = canvas.getContext.bind(canvas) as (type: string, attributes?: object) => RenderingContext | null;
-    canvas.getContext = ((type: string, attributes?: object) =>
-      getContext(type, { ...attributes, premultipliedAlpha: true, failIfMajorPerformanceCaveat: false })
-    ) as HTMLCanvasElement['getContext'];
-    return canvas;
-  }, make);
+  return withOther(
+    prototype,
+    '_createHTMLCanvas',
+    function (this: unknown, element: Element) {
+      const canvas = original.call(this, element);
+      const getContext = canvas.getContext.bind(canvas) as (
+        type: string,
+        attributes?: object,
+      ) => RenderingContext | null;
+      canvas.getContext = ((type: string, attributes?: object) =>
+        getContext(type, {
+          ...attributes,
+          premultipliedAlpha: true,
+          failIfMajorPerformanceCaveat: false,
+        })) as HTMLCanvasElement['getContext'];
+      return canvas;
+    },
+    make,
+  );
 }
 
 /**

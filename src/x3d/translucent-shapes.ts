@@ -26,7 +26,10 @@ export class TranslucentShapes {
   #bounds: DeviceRectangle = [-1, -1, 1, 1];
 
   /** The device must have depth textures. */
-  constructor(readonly context: X3dContext, layer: CastLayer) {
+  constructor(
+    readonly context: X3dContext,
+    layer: CastLayer,
+  ) {
     const { ctx3d: gl } = context;
     this.#mixing = new TranslucentMixing(gl);
     this.#shape = createDepthTarget(gl)!;
@@ -48,7 +51,8 @@ export class TranslucentShapes {
     this.#bounds = widen(bounds, [margin / picture.width, margin / picture.height]);
     this.#drawShape(drawable, picture, render);
     const ends = { all: this.#shape, solid: this.#shape, bounds, solidBounds: bounds };
-    for (const pass of this.#before.passes(picture, isAdaptive && !isThin(drawable))) this.#before.draw(pass, { ...shownCast!, depths: ends });
+    for (const pass of this.#before.passes(picture, isAdaptive && !isThin(drawable)))
+      this.#before.draw(pass, { ...shownCast!, depths: ends });
     stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
     stateManager.viewport(0, 0, picture.width, picture.height);
     this.#markShape(drawable, render);
@@ -105,7 +109,9 @@ export class TranslucentShapes {
 /** Whether x3dom would blend a shape with its background in the usual way; an author may set other ways. */
 export function isTranslucent({ shape, sortType }: X3dDrawable): boolean {
   const modes = shape._cf.appearance?.node?._cf;
-  return sortType === 'transparent' && !modes?.blendMode?.node && !modes?.depthMode?.node && !modes?.colorMaskMode?.node;
+  return (
+    sortType === 'transparent' && !modes?.blendMode?.node && !modes?.depthMode?.node && !modes?.colorMaskMode?.node
+  );
 }
 
 function meet(a: DeviceRectangle, b: DeviceRectangle): DeviceRectangle {

@@ -4,10 +4,22 @@ import type { TextureUnit } from '../renderer/device/texture-unit.ts';
 
 /** Row-major, `_rc` for row r and column c, in float64. */
 export interface X3dMatrix {
-  _00: number; _01: number; _02: number; _03: number;
-  _10: number; _11: number; _12: number; _13: number;
-  _20: number; _21: number; _22: number; _23: number;
-  _30: number; _31: number; _32: number; _33: number;
+  _00: number;
+  _01: number;
+  _02: number;
+  _03: number;
+  _10: number;
+  _11: number;
+  _12: number;
+  _13: number;
+  _20: number;
+  _21: number;
+  _22: number;
+  _23: number;
+  _30: number;
+  _31: number;
+  _32: number;
+  _33: number;
 }
 
 export interface X3dVector {
@@ -118,7 +130,15 @@ export interface X3dContext {
 
 export interface X3dDocument {
   _scene: X3dScene & { drawableCollection: { length: number; get(index: number): X3dDrawable } | null };
-  _viewarea: { _width: number; _height: number; getProjectionMatrix(): X3dMatrix; getWCtoCCMatrix(): X3dMatrix; _mixer: { reset(): void }; animateTo: () => void; resetNavHelpers(): void };
+  _viewarea: {
+    _width: number;
+    _height: number;
+    getProjectionMatrix(): X3dMatrix;
+    getWCtoCCMatrix(): X3dMatrix;
+    _mixer: { reset(): void };
+    animateTo: () => void;
+    resetNavHelpers(): void;
+  };
   needRender: boolean | number;
   mutationObserver: MutationObserver;
   X3DMutationObserver: MutationObserver;

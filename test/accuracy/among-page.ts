@@ -68,15 +68,29 @@ interface Looked {
 }
 
 /** @param name - of a scene */
-export async function measureAmong(name: string, { angles, doubts = false, attributes, notify }: HowMeasured): Promise<AmongResult> {
+export async function measureAmong(
+  name: string,
+  { angles, doubts = false, attributes, notify }: HowMeasured,
+): Promise<AmongResult> {
   const scene = amongScenes.find((one) => one.name === name)!;
   const { view, reach, minContrast, fewest, kind, whole } = scene;
   const made = scene.make();
   const volume = made.block.toVolume();
   const places = made.places.map((place): Vector3 => transformPoint(volume.grid.indexToWorld, place));
-  await Promise.all(['volume-clip', 'volume-slice'].filter((tag) => scene.children.includes(`<${tag}`)).map((tag) => import(`../../components/${tag}/define.ts`)));
+  await Promise.all(
+    ['volume-clip', 'volume-slice']
+      .filter((tag) => scene.children.includes(`<${tag}`))
+      .map((tag) => import(`../../components/${tag}/define.ts`)),
+  );
   const [full, bare] = [volume, made.bare.toVolume()].map((one) =>
-    placeElement({ src: serveVolume(one), sight: sightOf(volume, view, 0), attributes: { ...scene.attributes, ...attributes, 'transfer-function': scene.transferFunction! }, children: scene.children, ...view }));
+    placeElement({
+      src: serveVolume(one),
+      sight: sightOf(volume, view, 0),
+      attributes: { ...scene.attributes, ...attributes, 'transfer-function': scene.transferFunction! },
+      children: scene.children,
+      ...view,
+    }),
+  );
   const pictures: SeenThings[] = [];
   let uncertain: number | null = null;
   for (let angle = 0; angle < angles; angle++) {
@@ -87,13 +101,29 @@ export async function measureAmong(name: string, { angles, doubts = false, attri
     const looked = { around, reach: Math.max(1, reach * view.pixelsPerVoxel), size: view.pixels };
     const compared = await comparePair({ full, bare }, scene, looked);
     const things = around.map((at) => measureThing(compared, at, looked.reach));
-    const isAtEdge = around.map((at) => listPixels({ ...looked, around: [at] }).some((pixel) => compared.edges.has(pixel)));
-    pictures.push({ things: things.map((thing, n) => (isAtEdge[n] ? null : thing)), atEdges: things.map((thing, n) => (isAtEdge[n] ? thing : null)) });
+    const isAtEdge = around.map((at) =>
+      listPixels({ ...looked, around: [at] }).some((pixel) => compared.edges.has(pixel)),
+    );
+    pictures.push({
+      things: things.map((thing, n) => (isAtEdge[n] ? null : thing)),
+      atEdges: things.map((thing, n) => (isAtEdge[n] ? thing : null)),
+    });
     if (angle === 0 && doubts) uncertain = await doubtRays(full, scene, { ...looked, compared });
   }
   const webgl = webglOf(full);
   for (const element of [full, bare]) element.remove();
-  return { name, kind, webgl, pixelsPerVoxel: view.pixelsPerVoxel, ratio: view.ratio, minContrast, fewest, whole, pictures, uncertain };
+  return {
+    name,
+    kind,
+    webgl,
+    pixelsPerVoxel: view.pixelsPerVoxel,
+    ratio: view.ratio,
+    minContrast,
+    fewest,
+    whole,
+    pictures,
+    uncertain,
+  };
 }
 
 /** All pixels that are looked at, each once. */
@@ -101,7 +131,8 @@ function listPixels({ around, reach, size }: Looked): number[] {
   const pixels = new Set<number>();
   for (const [x, y] of around) {
     for (let row = Math.max(0, Math.floor(y - reach)); row <= Math.min(size - 1, y + reach); row++) {
-      for (let column = Math.max(0, Math.floor(x - reach)); column <= Math.min(size - 1, x + reach); column++) pixels.add(row * size + column);
+      for (let column = Math.max(0, Math.floor(x - reach)); column <= Math.min(size - 1, x + reach); column++)
+        pixels.add(row * size + column);
     }
   }
   return [...pixels];
@@ -111,7 +142,11 @@ function listPixels({ around, reach, size }: Looked): number[] {
  * The pictures at rest, and the same pixels in float64 where things are looked for; nothing elsewhere. Through some pixels the edge of a shape runs. Of
  * these the screen has some samples on the shape, other ones than the reference: so there only that counts by which the two pictures differ.
  */
-async function comparePair({ full, bare }: Pair, scene: AmongScene, looked: Looked): Promise<ComparedPictures & { readonly edges: ReadonlySet<number> }> {
+async function comparePair(
+  { full, bare }: Pair,
+  scene: AmongScene,
+  looked: Looked,
+): Promise<ComparedPictures & { readonly edges: ReadonlySet<number> }> {
   const { size } = looked;
   const pictures = [await takeAtRest(full, size), await takeAtRest(bare, size)].map(({ data }) => data);
   const [fullView, bareView] = [await viewOf(full, scene, stepsPerVoxel), await viewOf(bare, scene, stepsPerVoxel)];
@@ -130,20 +165,31 @@ async function comparePair({ full, bare }: Pair, scene: AmongScene, looked: Look
 }
 
 /** @throws Error where what is to be among the things is not there */
-async function viewOf(element: VolumeView, { name, kind, shape, view, attributes }: AmongScene, steps: number): Promise<ExactView> {
+async function viewOf(
+  element: VolumeView,
+  { name, kind, shape, view, attributes }: AmongScene,
+  steps: number,
+): Promise<ExactView> {
   const exact = await exactView(element, { shape, size: view.pixels, stepsPerVoxel: steps });
-  if (kind !== 'shape' && exact.ends === 0 && !attributes.region) throw new Error(`${name}: nothing ends its rays; expected cuts or slices`);
+  if (kind !== 'shape' && exact.ends === 0 && !attributes.region)
+    throw new Error(`${name}: nothing ends its rays; expected cuts or slices`);
   return exact;
 }
 
-async function doubtRays(element: VolumeView, scene: AmongScene, { compared: { full, size }, ...looked }: Looked & { readonly compared: ComparedPictures }): Promise<number> {
+async function doubtRays(
+  element: VolumeView,
+  scene: AmongScene,
+  { compared: { full, size }, ...looked }: Looked & { readonly compared: ComparedPictures },
+): Promise<number> {
   const finer = await viewOf(element, scene, 2 * stepsPerVoxel);
   const pixels = listPixels({ ...looked, size });
   const every = Math.ceil(pixels.length / doubted);
-  const off = pixels.filter((_, i) => i % every === 0).map((pixel) => {
-    const exact = finer.cast(pixel % size, Math.floor(pixel / size));
-    return Math.max(...exact.map((x, c) => 255 * Math.abs(x - full[4 * pixel + c])));
-  });
+  const off = pixels
+    .filter((_, i) => i % every === 0)
+    .map((pixel) => {
+      const exact = finer.cast(pixel % size, Math.floor(pixel / size));
+      return Math.max(...exact.map((x, c) => 255 * Math.abs(x - full[4 * pixel + c])));
+    });
   return Math.max(...off);
 }
 

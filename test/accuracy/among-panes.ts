@@ -32,7 +32,15 @@ export async function measurePane(zoom: number, angles: number): Promise<AmongRe
   const css = Math.round(zoom * block.edge);
   Object.defineProperty(window, 'devicePixelRatio', { configurable: true, value: 1 });
   pane.style.cssText = `display: block; inline-size: ${css}px; block-size: ${css}px; min-block-size: 0; aspect-ratio: auto`;
-  for (const [name, value] of Object.entries({ src: serveVolume(volume), type: 'oblique', at: String(at), 'value-window': '0 255', 'window-function': 'linear-exact', colors: 'gray' })) pane.setAttribute(name, value);
+  for (const [name, value] of Object.entries({
+    src: serveVolume(volume),
+    type: 'oblique',
+    at: String(at),
+    'value-window': '0 255',
+    'window-function': 'linear-exact',
+    colors: 'gray',
+  }))
+    pane.setAttribute(name, value);
   document.body.append(pane);
   const pictures: SeenThings[] = [];
   for (let angle = 0; angle < angles; angle++) {
@@ -44,10 +52,24 @@ export async function measurePane(zoom: number, angles: number): Promise<AmongRe
     const [full, without] = [volume, bare.toVolume()].map((one) => slicePicture(one, planeOf('oblique', normal), css));
     const point = pointOf(volume, planeOf('oblique', normal), css);
     const compared = { shown: data, full, bare: without, size: css };
-    pictures.push({ things: world.map((place) => measureThing(compared, point(place), Math.max(1, zoom))), atEdges: [] });
+    pictures.push({
+      things: world.map((place) => measureThing(compared, point(place), Math.max(1, zoom))),
+      atEdges: [],
+    });
   }
   pane.remove();
-  return { name: 'Specks on a slice in a pane', kind: 'pane', webgl: null, pixelsPerVoxel: zoom, ratio: 1, minContrast: 8, fewest: 40, whole: speckValue, pictures, uncertain: null };
+  return {
+    name: 'Specks on a slice in a pane',
+    kind: 'pane',
+    webgl: null,
+    pixelsPerVoxel: zoom,
+    ratio: 1,
+    minContrast: 8,
+    fewest: 40,
+    whole: speckValue,
+    pictures,
+    uncertain: null,
+  };
 }
 
 function readPane(pane: HTMLElement): ImageData {
@@ -62,7 +84,10 @@ function slicePicture(volume: Volume, plane: SlicePlane, size: number): Float32A
   const toUnit = invertAffine(unitToWorld(grid))!;
   const picture = new Float32Array(4 * size * size).fill(1);
   for (let pixel = 0; pixel < size * size; pixel++) {
-    const { u, v } = placeAt(frame, { width: size, height: size }, [(pixel % size) + 0.5, Math.floor(pixel / size) + 0.5]);
+    const { u, v } = placeAt(frame, { width: size, height: size }, [
+      (pixel % size) + 0.5,
+      Math.floor(pixel / size) + 0.5,
+    ]);
     const value = interpolate(samples, grid.dimensions, transformPoint(toUnit, toWorld(plane, { u, v, d: at })));
     picture.fill(value / 255, 4 * pixel, 4 * pixel + 3);
   }

@@ -45,13 +45,17 @@ export async function exactView(element: VolumeView, { shape, size, stepsPerVoxe
   };
   /** A ray that ends at the shape, and what of it is seen where that is translucent. */
   const endAt = (ray: Ray, t: number): Premultiplied => {
-    const before: Premultiplied = [...castRay({ ...stages, intervals: [...stages.intervals, shapeInterval(() => t)] }, ray)];
+    const before: Premultiplied = [
+      ...castRay({ ...stages, intervals: [...stages.intervals, shapeInterval(() => t)] }, ray),
+    ];
     composite(before, [...shapeColor, 1]);
     return shape!.opacity === 1 ? before : mix(castRay(stages, ray), before, shape!.opacity);
   };
   /** Where some rays of a pixel meet the shape, and for which share of it. */
   const meet = (column: number, row: number): { readonly t: number; readonly share: number } => {
-    const all = Array.from({ length: shape ? fine ** 2 : 0 }, (_, i) => surfaceT(rayAt(column + ((i % fine) + 0.5) / fine, row + (Math.floor(i / fine) + 0.5) / fine)));
+    const all = Array.from({ length: shape ? fine ** 2 : 0 }, (_, i) =>
+      surfaceT(rayAt(column + ((i % fine) + 0.5) / fine, row + (Math.floor(i / fine) + 0.5) / fine)),
+    );
     const met = all.filter((t) => t < Infinity);
     return { t: met.reduce((sum, t) => sum + t, 0) / met.length, share: met.length / Math.max(1, all.length) };
   };

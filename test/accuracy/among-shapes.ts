@@ -19,7 +19,10 @@ export const shapeColor: Vector3 = [0, 0, 1];
 /** The same as X3D. */
 export function writeShape({ kind, center, size, turn, opacity }: LoneShape): string {
   const appearance = `<material diffuseColor="0 0 0" specularColor="0 0 0" emissiveColor="${shapeColor.join(' ')}" transparency="${1 - opacity}"></material>`;
-  const geometry = kind === 'ball' ? `<sphere radius="${size[0]}" subdivision="96 96"></sphere>` : `<box size="${size.join(' ')}"></box>`;
+  const geometry =
+    kind === 'ball'
+      ? `<sphere radius="${size[0]}" subdivision="96 96"></sphere>`
+      : `<box size="${size.join(' ')}"></box>`;
   return `<transform translation="${center.join(' ')}" rotation="0 0 1 ${turn}"><shape><appearance>${appearance}</appearance>${geometry}</shape></transform>`;
 }
 
@@ -62,10 +65,12 @@ export function ontoPlane(normal: Vector3, at: number): Snap {
 /** A shape's surface: a ball's, or the larger two faces of a box. */
 export function ontoShape({ kind, center, size, turn }: LoneShape): Snap[] {
   if (kind === 'ball') {
-    return [(place) => {
-      const way = subtract(place, center);
-      return add(center, way.map((x) => (x * size[0]) / Math.hypot(...way)) as unknown as Vector3);
-    }];
+    return [
+      (place) => {
+        const way = subtract(place, center);
+        return add(center, way.map((x) => (x * size[0]) / Math.hypot(...way)) as unknown as Vector3);
+      },
+    ];
   }
   const axis = size.indexOf(Math.min(...size));
   const normal = turnBack([0, 1, 2].map((n) => Number(n === axis)) as unknown as Vector3, -turn);
@@ -78,7 +83,9 @@ export function alongEdges({ center, size, turn }: LoneShape): Snap[] {
     const along = edge % 3;
     const local = turnBack(subtract(place, center), turn).map((x, axis) => {
       const half = size[axis] / 2;
-      return axis === along ? Math.min(half, Math.max(-half, x)) : half * ((Math.floor(edge / 3) >> Number(axis === (along + 1) % 3)) & 1 ? 1 : -1);
+      return axis === along
+        ? Math.min(half, Math.max(-half, x))
+        : half * ((Math.floor(edge / 3) >> Number(axis === (along + 1) % 3)) & 1 ? 1 : -1);
     }) as unknown as Vector3;
     return add(center, turnBack(local, -turn));
   });

@@ -16,25 +16,32 @@ const fewestPlain = 8;
 const askForWebGl1 = () => void Object.defineProperty(navigator, 'platform', { value: 'MacIntel' });
 
 /** @param {{ quick: boolean }} options */
-export const run = ({ quick }) => measureTables({ quick }, async ({ page, openPage, machine }) => {
-  const angles = Number(process.env.ANGLES ?? (quick ? usualAngles.quick : usualAngles.full));
-  const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
-  const old = await openPage({ before: askForWebGl1 });
-  const [inTwo, inOne] = [await measureIn(page, { angles, words }), await measureIn(old, { angles, words })];
-  const plain = await measurePlain(old, { angles, words });
-  const panes = words.some((word) => 'specks on a slice in a pane'.includes(word)) ? await measurePanes(page, angles) : [];
-  if (inTwo.some(({ webgl }) => webgl !== 2) || [...inOne, ...plain].some(({ webgl }) => webgl !== 1)) throw new Error('a picture was drawn with another WebGL than was asked for');
-  for (const result of [...inTwo, ...inOne, ...panes]) refuseFew(result);
-  for (const result of plain) refuseFew({ ...result, fewest: fewestPlain });
-  for (const result of [...inTwo, ...inOne].filter(({ name }) => name.includes('edges'))) refuseFew({ ...result, pictures: result.pictures.map(({ atEdges }) => ({ atEdges })) });
-  return {
-    'among-where': `${angles} angles of each scene; ${machine.browser}, ${machine.renderer}.`,
-    'among-things': formatTable(joinAlike([...inTwo, ...inOne, ...panes].map(describe))),
-    'among-edges': formatTable(joinAlike([...inTwo, ...inOne].map(describeEdges).filter(({ shown }) => shown > 0))),
-    'among-slices': formatTable(joinAlike([...inTwo, ...inOne, ...panes].filter(({ whole }) => whole !== null).map(describeWhole))),
-    'among-plain': formatTable(plain.map(sumUpThings)),
-  };
-});
+export const run = ({ quick }) =>
+  measureTables({ quick }, async ({ page, openPage, machine }) => {
+    const angles = Number(process.env.ANGLES ?? (quick ? usualAngles.quick : usualAngles.full));
+    const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
+    const old = await openPage({ before: askForWebGl1 });
+    const [inTwo, inOne] = [await measureIn(page, { angles, words }), await measureIn(old, { angles, words })];
+    const plain = await measurePlain(old, { angles, words });
+    const panes = words.some((word) => 'specks on a slice in a pane'.includes(word))
+      ? await measurePanes(page, angles)
+      : [];
+    if (inTwo.some(({ webgl }) => webgl !== 2) || [...inOne, ...plain].some(({ webgl }) => webgl !== 1))
+      throw new Error('a picture was drawn with another WebGL than was asked for');
+    for (const result of [...inTwo, ...inOne, ...panes]) refuseFew(result);
+    for (const result of plain) refuseFew({ ...result, fewest: fewestPlain });
+    for (const result of [...inTwo, ...inOne].filter(({ name }) => name.includes('edges')))
+      refuseFew({ ...result, pictures: result.pictures.map(({ atEdges }) => ({ atEdges })) });
+    return {
+      'among-where': `${angles} angles of each scene; ${machine.browser}, ${machine.renderer}.`,
+      'among-things': formatTable(joinAlike([...inTwo, ...inOne, ...panes].map(describe))),
+      'among-edges': formatTable(joinAlike([...inTwo, ...inOne].map(describeEdges).filter(({ shown }) => shown > 0))),
+      'among-slices': formatTable(
+        joinAlike([...inTwo, ...inOne, ...panes].filter(({ whole }) => whole !== null).map(describeWhole)),
+      ),
+      'among-plain': formatTable(plain.map(sumUpThings)),
+    };
+  });
 
 /**
  * @param {import('@playwright/test').Page} page
@@ -47,10 +54,19 @@ async function measureIn(page, { angles, words }) {
   const results = [];
   for (const name of names) {
     if (!words.some((word) => name.toLowerCase().includes(word))) continue;
-    results.push(await page.evaluate(async ({ from, scene, count }) => {
-      const { measureAmong } = /** @type {typeof import('./among-page.ts')} */ (await import(from));
-      return measureAmong(scene, { angles: count, doubts: true, notify: (what) => /** @type {any} */ (window).sayProgress(what) });
-    }, { from: module, scene: name, count: angles }));
+    results.push(
+      await page.evaluate(
+        async ({ from, scene, count }) => {
+          const { measureAmong } = /** @type {typeof import('./among-page.ts')} */ (await import(from));
+          return measureAmong(scene, {
+            angles: count,
+            doubts: true,
+            notify: (what) => /** @type {any} */ (window).sayProgress(what),
+          });
+        },
+        { from: module, scene: name, count: angles },
+      ),
+    );
   }
   return results;
 }
@@ -67,10 +83,19 @@ async function measurePlain(page, { angles, words }) {
   const results = [];
   for (const { name, hasThings } of scenes) {
     if (!hasThings || !words.some((word) => name.toLowerCase().includes(word))) continue;
-    results.push(await page.evaluate(async ({ from, scene, count }) => {
-      const { measureScene } = /** @type {typeof import('./small-page.ts')} */ (await import(from));
-      return measureScene(scene, { angles: count, doubts: false, notify: (what) => /** @type {any} */ (window).sayProgress(`WebGL 1: ${what}`) });
-    }, { from: module, scene: name, count: angles }));
+    results.push(
+      await page.evaluate(
+        async ({ from, scene, count }) => {
+          const { measureScene } = /** @type {typeof import('./small-page.ts')} */ (await import(from));
+          return measureScene(scene, {
+            angles: count,
+            doubts: false,
+            notify: (what) => /** @type {any} */ (window).sayProgress(`WebGL 1: ${what}`),
+          });
+        },
+        { from: module, scene: name, count: angles },
+      ),
+    );
   }
   return results;
 }
@@ -80,12 +105,15 @@ async function measurePlain(page, { angles, words }) {
  * @param {number} angles
  */
 async function measurePanes(page, angles) {
-  return page.evaluate(async ({ from, count }) => {
-    const { measurePane, paneZooms } = /** @type {typeof import('./among-panes.ts')} */ (await import(from));
-    const results = [];
-    for (const zoom of paneZooms) results.push(await measurePane(zoom, count));
-    return results;
-  }, { from: '/test/accuracy/among-panes.ts', count: angles });
+  return page.evaluate(
+    async ({ from, count }) => {
+      const { measurePane, paneZooms } = /** @type {typeof import('./among-panes.ts')} */ (await import(from));
+      const results = [];
+      for (const zoom of paneZooms) results.push(await measurePane(zoom, count));
+      return results;
+    },
+    { from: '/test/accuracy/among-panes.ts', count: angles },
+  );
 }
 
 /**
@@ -95,25 +123,36 @@ async function measurePanes(page, angles) {
 function refuseFew({ name, webgl, fewest, minContrast, pictures }) {
   for (const { things = [], atEdges = [] } of pictures) {
     const { shown } = countThings([[...things, ...atEdges]], minContrast);
-    if (shown < fewest) throw new Error(`${name}, WebGL ${webgl}: ${shown} things count at an angle; expected ${fewest} or more`);
+    if (shown < fewest)
+      throw new Error(`${name}, WebGL ${webgl}: ${shown} things count at an angle; expected ${fewest} or more`);
   }
 }
 
 /** @param {AmongResult} result */
 function describe(result) {
   const { scene, 'device pixel ratio': _, ...counts } = sumUpThings(result);
-  return { scene, WebGL: String(result.webgl ?? 'none'), ...counts, 'rays, to twice the steps': result.uncertain === null ? '' : result.uncertain.toFixed(2) };
+  return {
+    scene,
+    WebGL: String(result.webgl ?? 'none'),
+    ...counts,
+    'rays, to twice the steps': result.uncertain === null ? '' : result.uncertain.toFixed(2),
+  };
 }
 
 /** Beside the edges of shapes. @param {AmongResult} result */
 function describeEdges(result) {
-  const { 'rays, to twice the steps': _, ...counts } = describe({ ...result, pictures: result.pictures.map(({ atEdges }) => ({ things: atEdges, atEdges })) });
+  const { 'rays, to twice the steps': _, ...counts } = describe({
+    ...result,
+    pictures: result.pictures.map(({ atEdges }) => ({ things: atEdges, atEdges })),
+  });
   return counts;
 }
 
 /** How much of a speck's own brightness its brightest pixel has, at all angles at which its middle is on the slice. @param {AmongResult} result */
 function describeWhole({ name, webgl, pixelsPerVoxel, pictures, whole, minContrast, kind }) {
-  const things = (kind === 'pane' ? pictures.slice(0, 1) : pictures).flatMap((one) => one.things).filter((thing) => thing !== null);
+  const things = (kind === 'pane' ? pictures.slice(0, 1) : pictures)
+    .flatMap((one) => one.things)
+    .filter((thing) => thing !== null);
   const seen = things.map(({ contrast, kept }) => (contrast * kept) / (whole ?? 1));
   return {
     scene: name,

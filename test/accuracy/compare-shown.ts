@@ -7,7 +7,10 @@ import type { CoveredError } from '../helpers/covered-error.ts';
  * is opaque, the nearer ones count.
  * @param shown - bytes @param fulls - floats of the same pixels, 0..1: full rays, and such with other steps
  */
-export function measureTrueError(shown: Uint8Array, ...fulls: readonly [Float32Array, ...Float32Array[]]): CoveredError {
+export function measureTrueError(
+  shown: Uint8Array,
+  ...fulls: readonly [Float32Array, ...Float32Array[]]
+): CoveredError {
   const sum = new ErrorSum(4);
   for (let i = 0; i < shown.length; i += 4) {
     if (shown[i + 3] === 0 && Math.round(fulls[0][i + 3] * 255) === 0) continue;
@@ -55,7 +58,11 @@ const strong = 0.75;
  * @param around - where it is expected, pixels from the left and from the bottom
  * @param reach - pixels
  */
-export function measureThing({ shown, full, bare, size }: ComparedPictures, around: readonly [number, number], reach: number): KeptThing | null {
+export function measureThing(
+  { shown, full, bare, size }: ComparedPictures,
+  around: readonly [number, number],
+  reach: number,
+): KeptThing | null {
   const [x, y] = around;
   if (x < reach || y < reach || x > size - reach || y > size - reach) return null;
   const contrasts: { at: number; contrast: number }[] = [];

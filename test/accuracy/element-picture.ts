@@ -71,7 +71,15 @@ export function cameraOf({ theta, phi, radius, target }: Sight): Camera {
 }
 
 /** Distance from which a voxel at the target has so many pixels. @param voxel - world length */
-export function distanceFor({ pixels, pixelsPerVoxel, voxel }: { pixels: number; pixelsPerVoxel: number; voxel: number }): number {
+export function distanceFor({
+  pixels,
+  pixelsPerVoxel,
+  voxel,
+}: {
+  pixels: number;
+  pixelsPerVoxel: number;
+  voxel: number;
+}): number {
   return (pixels * voxel) / pixelsPerVoxel / (2 * Math.tan(radians(fieldOfView) / 2));
 }
 
@@ -85,7 +93,8 @@ export async function takeAtRest(element: VolumeView, pixels: number): Promise<S
   }
   const stats = element.renderStats;
   const canvas = canvasOf(element);
-  if (canvas.width !== pixels || canvas.height !== pixels) throw new Error(`the picture has ${canvas.width} x ${canvas.height} pixels; expected ${pixels}`);
+  if (canvas.width !== pixels || canvas.height !== pixels)
+    throw new Error(`the picture has ${canvas.width} x ${canvas.height} pixels; expected ${pixels}`);
   return { data: readCanvas(canvas), size: pixels, stats };
 }
 

@@ -46,12 +46,19 @@ export class ExactCells {
     const { transferFunction: stops } = scene;
     const [first, last] = [stops[0], stops[stops.length - 1]];
     this.#cuts = [...new Set(stops.map(({ value }) => value))];
-    this.#pieces = [{ from: first, to: first }, ...this.#cuts.slice(1).map((value, i) => ({ from: stops.filter((stop) => stop.value === this.#cuts[i]).at(-1)!, to: stops.find((stop) => stop.value === value)! })), { from: last, to: last }];
+    this.#pieces = [
+      { from: first, to: first },
+      ...this.#cuts.slice(1).map((value, i) => ({
+        from: stops.filter((stop) => stop.value === this.#cuts[i]).at(-1)!,
+        to: stops.find((stop) => stop.value === value)!,
+      })),
+      { from: last, to: last },
+    ];
     const seen = this.#pieces.map(({ from, to }) => from.opacity > 0 || to.opacity > 0);
     const begin = seen.indexOf(true);
     const end = seen.lastIndexOf(true);
     this.#firstSeen = begin <= 0 ? (begin < 0 ? Infinity : -Infinity) : this.#cuts[begin - 1];
-    this.#lastSeen = end === this.#pieces.length - 1 ? Infinity : this.#cuts[end] ?? -Infinity;
+    this.#lastSeen = end === this.#pieces.length - 1 ? Infinity : (this.#cuts[end] ?? -Infinity);
   }
 
   /** All pixels of a view. @returns RGBA, premultiplied, 0..1, bottom row first; null where the grid is singular */
@@ -61,7 +68,10 @@ export class ExactCells {
     const picture = new Float32Array(4 * width * height);
     for (let row = 0; row < height; row++) {
       for (let column = 0; column < width; column++) {
-        picture.set(this.cast(setup, rayThrough(setup, (2 * (column + 0.5)) / width - 1, (2 * (row + 0.5)) / height - 1)), 4 * (row * width + column));
+        picture.set(
+          this.cast(setup, rayThrough(setup, (2 * (column + 0.5)) / width - 1, (2 * (row + 0.5)) / height - 1)),
+          4 * (row * width + column),
+        );
       }
     }
     return picture;
@@ -72,7 +82,15 @@ export class ExactCells {
     const entry = Math.max(from, setup.eyeT);
     const color: [number, number, number, number] = [0, 0, 0, 0];
     if (!(exit > entry)) return color;
-    const { volume: { grid: { dimensions }, samples, slope, intercept }, referenceLength } = this.scene;
+    const {
+      volume: {
+        grid: { dimensions },
+        samples,
+        slope,
+        intercept,
+      },
+      referenceLength,
+    } = this.scene;
     const [nx, ny, nz] = dimensions;
     const depthPerT = (ray.lengthPerT * setup.diameter) / referenceLength;
     // In voxels from the first one's centre.
@@ -81,7 +99,7 @@ export class ExactCells {
     const next = [0, 1, 2].map((axis) => nextPlane(origin[axis], forward[axis], entry, dimensions[axis]));
     const corners = new Float64Array(8);
     const clamp = (i: number, n: number): number => (i < 0 ? 0 : i > n - 1 ? n - 1 : i);
-    for (let t = entry; t < exit; ) {
+    for (let t = entry; t < exit;) {
       const end = Math.min(exit, next[0].t, next[1].t, next[2].t);
       const middle = (t + end) / 2;
       const i = Math.floor(origin[0] + middle * forward[0]);
@@ -89,7 +107,8 @@ export class ExactCells {
       const k = Math.floor(origin[2] + middle * forward[2]);
       let [min, max] = [Infinity, -Infinity];
       for (let corner = 0; corner < 8; corner++) {
-        const at = clamp(i + (corner & 1), nx) + nx * (clamp(j + ((corner >> 1) & 1), ny) + ny * clamp(k + (corner >> 2), nz));
+        const at =
+          clamp(i + (corner & 1), nx) + nx * (clamp(j + ((corner >> 1) & 1), ny) + ny * clamp(k + (corner >> 2), nz));
         const value = slope * samples[at] + intercept;
         corners[corner] = value;
         if (value < min) min = value;
@@ -98,12 +117,22 @@ export class ExactCells {
       if (max >= this.#firstSeen && min <= this.#lastSeen) {
         const valueAt = (share: number): number => {
           const at = t + share * (end - t);
-          return interpolateCorners(corners, origin[0] + at * forward[0] - i, origin[1] + at * forward[1] - j, origin[2] + at * forward[2] - k);
+          return interpolateCorners(
+            corners,
+            origin[0] + at * forward[0] - i,
+            origin[1] + at * forward[1] - j,
+            origin[2] + at * forward[2] - k,
+          );
         };
-        this.#addCell(color, cubicThrough(valueAt(0), valueAt(1 / 3), valueAt(2 / 3), valueAt(1)), (end - t) * depthPerT);
+        this.#addCell(
+          color,
+          cubicThrough(valueAt(0), valueAt(1 / 3), valueAt(2 / 3), valueAt(1)),
+          (end - t) * depthPerT,
+        );
         if (1 - color[3] < nothing) return color;
       }
-      for (let axis = 0; axis < 3; axis++) if (next[axis].t <= end) next[axis] = nextPlane(origin[axis], forward[axis], end, dimensions[axis]);
+      for (let axis = 0; axis < 3; axis++)
+        if (next[axis].t <= end) next[axis] = nextPlane(origin[axis], forward[axis], end, dimensions[axis]);
       t = end;
     }
     return color;
@@ -129,19 +158,34 @@ export class ExactCells {
     if (low.opacity === 0 && high.opacity === 0) return;
     const range = high.value - low.value;
     const opacityAt = (share: number): number => {
-      const t = range > 0 ? Math.min(1, Math.max(0, (evaluateCubic(cubic, from + share * (to - from)) - low.value) / range)) : 0;
+      const t =
+        range > 0
+          ? Math.min(1, Math.max(0, (evaluateCubic(cubic, from + share * (to - from)) - low.value) / range))
+          : 0;
       return low.opacity + t * (high.opacity - low.opacity);
     };
     const thickest = Math.max(opacityAt(0), opacityAt(0.5), opacityAt(1));
     const isOneOpacity = low.opacity === high.opacity && low.color.every((x, c) => x === high.color[c]);
-    const count = isOneOpacity ? 1 : Math.min(parts[1], Math.max(parts[0], Math.ceil((Math.min(opaqueExtinction, extinction(thickest)) * span) / finest)));
+    const count = isOneOpacity
+      ? 1
+      : Math.min(
+          parts[1],
+          Math.max(parts[0], Math.ceil((Math.min(opaqueExtinction, extinction(thickest)) * span) / finest)),
+        );
     for (let n = 0; n < count; n++) {
-      const t = range > 0 ? Math.min(1, Math.max(0, (evaluateCubic(cubic, from + ((n + 0.5) / count) * (to - from)) - low.value) / range)) : 0;
+      const t =
+        range > 0
+          ? Math.min(
+              1,
+              Math.max(0, (evaluateCubic(cubic, from + ((n + 0.5) / count) * (to - from)) - low.value) / range),
+            )
+          : 0;
       const alpha = low.opacity + t * (high.opacity - low.opacity);
       if (!(alpha > 0)) continue;
       const seen = -Math.expm1((-Math.min(opaqueExtinction, extinction(alpha)) * span) / count);
       const visible = (1 - color[3]) * seen;
-      for (let c = 0; c < 3; c++) color[c] += (visible * (low.color[c] * low.opacity * (1 - t) + high.color[c] * high.opacity * t)) / alpha;
+      for (let c = 0; c < 3; c++)
+        color[c] += (visible * (low.color[c] * low.opacity * (1 - t) + high.color[c] * high.opacity * t)) / alpha;
       color[3] += visible;
       if (1 - color[3] < nothing) return;
     }
@@ -163,7 +207,12 @@ function evaluateCubic([a, b, c, d]: Cubic, t: number): number {
 
 /** By its values at 0, 1/3, 2/3 and 1. */
 function cubicThrough(p: number, q: number, r: number, s: number): Cubic {
-  return [(9 * (3 * q - 3 * r - p + s)) / 2, (9 * (2 * p - 5 * q + 4 * r - s)) / 2, (-11 * p + 18 * q - 9 * r + 2 * s) / 2, p];
+  return [
+    (9 * (3 * q - 3 * r - p + s)) / 2,
+    (9 * (2 * p - 5 * q + 4 * r - s)) / 2,
+    (-11 * p + 18 * q - 9 * r + 2 * s) / 2,
+    p,
+  ];
 }
 
 /** Where it turns, between 0 and 1, in order. */

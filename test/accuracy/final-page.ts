@@ -22,7 +22,8 @@ const histories: Readonly<Record<string, History>> = {
   'once more': (setup) => Promise.resolve(placeElement(setup)),
   'after other views': async (setup) => {
     const element = placeElement(setup);
-    for (const turn of elsewhere) await viewFrom(element, { ...setup.sight, theta: setup.sight.theta + turn, phi: 70 }, setup.pixels);
+    for (const turn of elsewhere)
+      await viewFrom(element, { ...setup.sight, theta: setup.sight.theta + turn, phi: 70 }, setup.pixels);
     setSight(element, setup.sight);
     return element;
   },
@@ -55,7 +56,8 @@ const histories: Readonly<Record<string, History>> = {
 
 /** The size of the picture has to have followed that of the element. */
 async function takeSettled(element: VolumeView, pixels: number): Promise<Uint8Array> {
-  for (let tries = 0; canvasOf(element)?.width !== pixels && tries < 500; tries++) await new Promise((resolve) => setTimeout(resolve, 20));
+  for (let tries = 0; canvasOf(element)?.width !== pixels && tries < 500; tries++)
+    await new Promise((resolve) => setTimeout(resolve, 20));
   return (await takeAtRest(element, pixels)).data;
 }
 
@@ -81,19 +83,30 @@ async function compareFile(element: VolumeView): Promise<number> {
 }
 
 /** Scenes whose views are taken. */
-const names = ['Specks of 1 voxel in a veil, large', 'Wires of 1 voxel', 'Threshold on a smooth map, zoomed in', 'CT phantom'];
+const names = [
+  'Specks of 1 voxel in a veil, large',
+  'Wires of 1 voxel',
+  'Threshold on a smooth map, zoomed in',
+  'CT phantom',
+];
 
 /**
  * Largest differences of bytes from the first picture of each view.
  * @param count - of scenes @param tell - what is being done
  */
-export async function compareFinals(count: number, notify: (what: string) => void): Promise<Record<string, string | number>[]> {
+export async function compareFinals(
+  count: number,
+  notify: (what: string) => void,
+): Promise<Record<string, string | number>[]> {
   const rows: Record<string, string | number>[] = [];
   for (const name of names.slice(0, count)) {
     const scene = smallScenes.find((one) => one.name === name);
-    const { view, transferFunction, url } = scene ? { ...scene, url: null } : realScenes.find((one) => one.name === name)!;
+    const { view, transferFunction, url } = scene
+      ? { ...scene, url: null }
+      : realScenes.find((one) => one.name === name)!;
     const volume = scene ? scene.make().block.toVolume() : await loadHere(url!);
-    const attributes: Record<string, string> = transferFunction === null ? {} : { 'transfer-function': transferFunction };
+    const attributes: Record<string, string> =
+      transferFunction === null ? {} : { 'transfer-function': transferFunction };
     const setup = { src: url ?? serveVolume(volume), sight: sightOf(volume, view, 0), attributes, ...view };
     const first = placeElement(setup);
     const picture = await takeSettled(first, view.pixels);

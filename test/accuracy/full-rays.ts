@@ -23,16 +23,27 @@ export interface FullRays {
  * A ray for every pixel, with so many steps a voxel, in floats.
  * @returns RGBA, premultiplied, 0..1, bottom row first
  */
-export function castFullRays(gl: StudyGl, { volume, camera, optics, size, stepsPerVoxel, substeps }: FullRays): Promise<Float32Array> {
+export function castFullRays(
+  gl: StudyGl,
+  { volume, camera, optics, size, stepsPerVoxel, substeps }: FullRays,
+): Promise<Float32Array> {
   const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, 1, 1, 2));
   if (!rays) throw new Error('the volume is flat');
   const steps = Math.ceil((stepsPerVoxel * longestDiagonal(volume.grid)) / finestSpacing(volume.grid));
   const { transferFunction, referenceLength } = optics;
-  return gl.draw({ volume, rays, transferFunction, referenceLength, method: 'shipped', steps, maxSubsteps: substeps }, size, new AbortController().signal);
+  return gl.draw(
+    { volume, rays, transferFunction, referenceLength, method: 'shipped', steps, maxSubsteps: substeps },
+    size,
+    new AbortController().signal,
+  );
 }
 
 /** Where a place in the world is in such a picture: pixels from the left and from the bottom. */
-export function findPixel(camera: Camera, [x, y, z]: readonly [number, number, number], size: number): readonly [number, number] {
+export function findPixel(
+  camera: Camera,
+  [x, y, z]: readonly [number, number, number],
+  size: number,
+): readonly [number, number] {
   const m = viewMatrix(camera);
   const [right, up, back] = [0, 4, 8].map((row) => m[row] * x + m[row + 1] * y + m[row + 2] * z + m[row + 3]);
   const scale = 1 / Math.tan(camera.fieldOfView / 2) / -back;

@@ -32,8 +32,22 @@ export async function measureHard(wanted: string): Promise<HardResult> {
   // Each has a scene of its own: nothing of the one before is left.
   const gpu = await VolumeScene.create(host, host, () => {}, fieldProviders);
   const scene = make();
-  const { stated, isKept, error, samplesAVoxel, level: { substeps } } = await measureAtRest(gpu, scene, true);
+  const {
+    stated,
+    isKept,
+    error,
+    samplesAVoxel,
+    level: { substeps },
+  } = await measureAtRest(gpu, scene, true);
   gpu.dispose();
   host.remove();
-  return { kind, name, maxError: scene.maxError ?? 1, isOutOfSight: scene.isOutOfSight ?? false, stats: { error: stated, keepsMaxError: isKept }, error, level: { samplesAVoxel, substeps } };
+  return {
+    kind,
+    name,
+    maxError: scene.maxError ?? 1,
+    isOutOfSight: scene.isOutOfSight ?? false,
+    stats: { error: stated, keepsMaxError: isKept },
+    error,
+    level: { samplesAVoxel, substeps },
+  };
 }

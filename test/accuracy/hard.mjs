@@ -13,37 +13,54 @@ const few = 5;
 const reported = 0.5;
 
 /** @param {{ quick: boolean }} options */
-export const run = ({ quick }) => measureTables({ quick }, async ({ page }) => {
-  const from = '/test/accuracy/hard-page.ts';
-  const all = await page.evaluate(async (name) => /** @type {string[]} */ ((await import(name)).listHard()), from);
-  const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
-  const wanted = all.filter((name, i) => words.some((word) => name.toLowerCase().includes(word)) && (!quick || i % few === 0));
-  /** @type {HardResult[]} */
-  const results = [];
-  for (const [i, name] of wanted.entries()) {
-    results.push(await page.evaluate(async ({ module, scene, progress }) => {
-      const { measureHard } = /** @type {typeof import('./hard-page.ts')} */ (await import(module));
-      /** @type {any} */ (window).sayProgress(progress);
-      return measureHard(scene);
-    }, { module: from, scene: name, progress: `scene ${i + 1} of ${wanted.length}: ${name}` }));
-    if (process.env.ROWS === '1') console.log(Object.values(describeResult(results[i])).join(' | '));
-  }
-  const broken = results.filter((one) => listFaults(one).length > 0 || !isKept(one));
-  return {
-    'stated-hard': formatTable(groupByKind(results).map(([name, group]) => ({ scenes: name, ...describeGroup(group) }))),
-    'missed-hard': broken.length > 0 ? formatTable(broken.map(describeResult)) : 'None.',
-  };
-});
+export const run = ({ quick }) =>
+  measureTables({ quick }, async ({ page }) => {
+    const from = '/test/accuracy/hard-page.ts';
+    const all = await page.evaluate(async (name) => /** @type {string[]} */ ((await import(name)).listHard()), from);
+    const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
+    const wanted = all.filter(
+      (name, i) => words.some((word) => name.toLowerCase().includes(word)) && (!quick || i % few === 0),
+    );
+    /** @type {HardResult[]} */
+    const results = [];
+    for (const [i, name] of wanted.entries()) {
+      results.push(
+        await page.evaluate(
+          async ({ module, scene, progress }) => {
+            const { measureHard } = /** @type {typeof import('./hard-page.ts')} */ (await import(module));
+            /** @type {any} */ (window).sayProgress(progress);
+            return measureHard(scene);
+          },
+          { module: from, scene: name, progress: `scene ${i + 1} of ${wanted.length}: ${name}` },
+        ),
+      );
+      if (process.env.ROWS === '1') console.log(Object.values(describeResult(results[i])).join(' | '));
+    }
+    const broken = results.filter((one) => listFaults(one).length > 0 || !isKept(one));
+    return {
+      'stated-hard': formatTable(
+        groupByKind(results).map(([name, group]) => ({ scenes: name, ...describeGroup(group) })),
+      ),
+      'missed-hard': broken.length > 0 ? formatTable(broken.map(describeResult)) : 'None.',
+    };
+  });
 
 /** @param {HardResult[]} group */
 function describeGroup(group) {
   const { 'said to be kept, is not': kept, 'understated by more than 3': _, ...rest } = sumUp(group);
-  return { ...rest, 'said to be kept, is not': kept, 'a statement does not hold': group.filter((one) => listFaults(one).length > 0).length };
+  return {
+    ...rest,
+    'said to be kept, is not': kept,
+    'a statement does not hold': group.filter((one) => listFaults(one).length > 0).length,
+  };
 }
 
 /** What is said of a scene and does not hold. @param {HardResult} result */
 export function listFaults(result) {
-  const { error, stats: { error: stated, keepsMaxError } } = result;
+  const {
+    error,
+    stats: { error: stated, keepsMaxError },
+  } = result;
   const faults = [];
   if (![stated.rms, stated.p99, stated.max ?? 0, stated.probed].every(Number.isFinite)) faults.push('is no number');
   if (keepsMaxError && !isKept(result)) faults.push('said to be kept, is not');

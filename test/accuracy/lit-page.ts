@@ -62,18 +62,29 @@ async function measureScene(scene: VolumeScene, one: LitErrorScene): Promise<Lit
   const finest = Math.max(full.coarse * steps, full.aVoxel * autoSteps(volume.grid));
   scene.setSubsteps(allSubsteps);
   const lattice = { stride: 1, first: [0, 0], ...size } as const;
-  const [coarse, half, limit] = probe(scene, [steps, finest / 2, finest].map((n) => stepLengthOf(volume.grid, n)), lattice, size) ?? [];
+  const [coarse, half, limit] =
+    probe(
+      scene,
+      [steps, finest / 2, finest].map((n) => stepLengthOf(volume.grid, n)),
+      lattice,
+      size,
+    ) ?? [];
   if (!stated || !limit) throw new Error('this device can not probe rays');
   const rest = await drawAtRest(scene, one);
   return {
-    kind, name, ...rest,
+    kind,
+    name,
+    ...rest,
     coarse: { stated: stateError(stated, 1, 1).error, error: measureTrueError(toBytes(coarse), limit, half) },
     error: measureTrueError(rest.shown, limit, half),
     uncertain: 255 * Math.sqrt(limit.reduce((sum, x, i) => sum + (x - half[i]) ** 2, 0) / limit.length),
   };
 }
 
-async function show(scene: VolumeScene, { volume, style, overlay, transferFunction, referenceLength, camera }: LitErrorScene): Promise<void> {
+async function show(
+  scene: VolumeScene,
+  { volume, style, overlay, transferFunction, referenceLength, camera }: LitErrorScene,
+): Promise<void> {
   const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
   await scene.setOverlay(null);
   await scene.prepare(volume, optics);
@@ -89,7 +100,10 @@ function toBytes(picture: Float32Array): Uint8Array {
   return Uint8Array.from(picture, (x) => Math.round(x * 255));
 }
 
-async function drawAtRest(scene: VolumeScene, { volume }: LitErrorScene): Promise<Pick<LitResult, 'maxError' | 'stats' | 'level'> & { readonly shown: Uint8Array }> {
+async function drawAtRest(
+  scene: VolumeScene,
+  { volume }: LitErrorScene,
+): Promise<Pick<LitResult, 'maxError' | 'stats' | 'level'> & { readonly shown: Uint8Array }> {
   const control = new QualityControl();
   const { steps, substeps } = await settle(control, scene, { volume, size });
   const level = { steps, substeps, samplesAVoxel: steps / autoSteps(volume.grid) };

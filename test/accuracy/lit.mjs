@@ -7,18 +7,24 @@ import { groupByKind, isKept, nameLargest, spread, sumUp, withinTwo } from './su
 /** @typedef {import('./lit-page.ts').LitResult} LitResult */
 
 /** @param {{ quick: boolean }} options */
-export const run = ({ quick }) => measureTables({ quick }, async ({ page }) => {
-  const results = await page.evaluate(async ({ from, isShort }) => {
-    const { measureLit } = /** @type {typeof import('./lit-page.ts')} */ (await import(from));
-    return measureLit(isShort, (what) => /** @type {any} */ (window).sayProgress(what));
-  }, { from: '/test/accuracy/lit-page.ts', isShort: quick });
-  if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
-  const missed = results.filter((one) => !isKept(one) || !one.stats.keepsMaxError);
-  return {
-    'stated-lit': formatTable(groupByKind(results).map(([name, group]) => ({ scenes: name, ...describeGroup(group) }))),
-    'missed-lit': missed.length > 0 ? formatTable(missed.map(describeMissed)) : 'None.',
-  };
-});
+export const run = ({ quick }) =>
+  measureTables({ quick }, async ({ page }) => {
+    const results = await page.evaluate(
+      async ({ from, isShort }) => {
+        const { measureLit } = /** @type {typeof import('./lit-page.ts')} */ (await import(from));
+        return measureLit(isShort, (what) => /** @type {any} */ (window).sayProgress(what));
+      },
+      { from: '/test/accuracy/lit-page.ts', isShort: quick },
+    );
+    if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
+    const missed = results.filter((one) => !isKept(one) || !one.stats.keepsMaxError);
+    return {
+      'stated-lit': formatTable(
+        groupByKind(results).map(([name, group]) => ({ scenes: name, ...describeGroup(group) })),
+      ),
+      'missed-lit': missed.length > 0 ? formatTable(missed.map(describeMissed)) : 'None.',
+    };
+  });
 
 /** @param {LitResult[]} group */
 function describeGroup(group) {

@@ -15,7 +15,8 @@ import { fillMarks } from './fill-marks.mjs';
 export async function measureTables({ quick }, measure) {
   await measureSource(async ({ machine, openPage }) => {
     const began = performance.now();
-    const openHere = (/** @type {import('../helpers/measure-in-browser.mjs').PageOptions} */ options = {}) => openPage('test/accuracy/page.html', options);
+    const openHere = (/** @type {import('../helpers/measure-in-browser.mjs').PageOptions} */ options = {}) =>
+      openPage('test/accuracy/page.html', options);
     const tables = await measure({ machine, openPage: openHere, page: await openHere() });
     console.log(`\n${nameMachine(machine)}\n`);
     for (const [name, table] of Object.entries(tables)) console.log(`${name}\n\n${table}\n`);

@@ -37,12 +37,21 @@ const shares = [1, 1 / 2, 1 / 4, 1 / 16, 1 / 64] as const;
 const stepsPerVoxel = 4;
 
 /** @param name - of a scene with things @param angles - their number, a degree apart */
-export async function measureMotion(name: string, angles: number, notify: (what: string) => void): Promise<MovingResult> {
+export async function measureMotion(
+  name: string,
+  angles: number,
+  notify: (what: string) => void,
+): Promise<MovingResult> {
   const { view, transferFunction, minContrast } = smallScenes.find((one) => one.name === name)!;
   const { volume, bare, src, places, reach } = await show(name);
   const gl = new StudyGl();
   const size = view.pixels;
-  const element = placeElement({ src, sight: sightOf(volume, view, 0), attributes: transferFunction === null ? {} : { 'transfer-function': transferFunction }, ...view });
+  const element = placeElement({
+    src,
+    sight: sightOf(volume, view, 0),
+    attributes: transferFunction === null ? {} : { 'transfer-function': transferFunction },
+    ...view,
+  });
   const kept = shares.map((): (KeptThing | null)[][] => []);
   const plans: FramePlan[][] = shares.map(() => []);
   for (let angle = 0; angle < angles; angle++) {
@@ -55,24 +64,53 @@ export async function measureMotion(name: string, angles: number, notify: (what:
     const full = await castFullRays(gl, asked);
     const without = await castFullRays(gl, { ...asked, volume: bare! });
     const viewer = element._session.viewer!;
-    const { controller, shown: { grid } } = viewer;
+    const {
+      controller,
+      shown: { grid },
+    } = viewer;
     const scene = controller.scene!;
     const atRest = viewer.frames.planAtRest;
-    const errors = { ...unknownErrors, ...(await learnFrom({ scene, grid, size: { width: size, height: size }, goesOn: () => true }, false)) };
+    const errors = {
+      ...unknownErrors,
+      ...(await learnFrom({ scene, grid, size: { width: size, height: size }, goesOn: () => true }, false)),
+    };
     for (const [n, share] of shares.entries()) {
-      const plan = share === 1 ? atRest : planFrame({ a: 0, b: 1 }, errors, { pixels: size ** 2, steps: atRest.steps }, { budgetMs: share * workOfPlan(atRest, size ** 2), last: plans[n].at(-1) });
+      const plan =
+        share === 1
+          ? atRest
+          : planFrame(
+              { a: 0, b: 1 },
+              errors,
+              { pixels: size ** 2, steps: atRest.steps },
+              { budgetMs: share * workOfPlan(atRest, size ** 2), last: plans[n].at(-1) },
+            );
       if (share < 1) await viewer.pictures.draw(scene, performance.now(), plan, { width: size, height: size });
       const { width, height } = scene.canvas;
       const picture = share === 1 ? Float32Array.from(data) : blowUp(scene.readPicture().data, { width, height }, size);
       plans[n].push(plan);
-      kept[n].push(places.map((place) => measureThing({ shown: picture, full, bare: without, size }, findPixel(camera, place, size), Math.max(1, reach * view.pixelsPerVoxel))));
+      kept[n].push(
+        places.map((place) =>
+          measureThing(
+            { shown: picture, full, bare: without, size },
+            findPixel(camera, place, size),
+            Math.max(1, reach * view.pixelsPerVoxel),
+          ),
+        ),
+      );
     }
   }
   element.remove();
   gl.forget(volume);
   gl.dispose();
   return {
-    name, pixels: size, minContrast,
-    budgets: shares.map((share, n) => ({ share, scale: plans[n][0].scale, steps: plans[n][0].steps, counts: countThings(kept[n], minContrast) })),
+    name,
+    pixels: size,
+    minContrast,
+    budgets: shares.map((share, n) => ({
+      share,
+      scale: plans[n][0].scale,
+      steps: plans[n][0].steps,
+      counts: countThings(kept[n], minContrast),
+    })),
   };
 }

@@ -25,13 +25,24 @@ const parse = (text: string): TransferFunction => parseTransferFunction(text, [0
 
 function plain(volume: Volume, appearance: string, more: Partial<RestScene> = {}): RestScene {
   const { center, radius } = boundingSphere(volume.grid);
-  return { volume, style: null, transferFunction: parse(appearance), camera: orbitCamera({ theta: 0.8, phi: 1.1, radius: 2.6 * radius }, center, 0.7), size, optics: { referenceLength: radius / 60 }, ...more };
+  return {
+    volume,
+    style: null,
+    transferFunction: parse(appearance),
+    camera: orbitCamera({ theta: 0.8, phi: 1.1, radius: 2.6 * radius }, center, 0.7),
+    size,
+    optics: { referenceLength: radius / 60 },
+    ...more,
+  };
 }
 
 function labelled(appearance: string, own: string): RestScene {
   const map = blocks([edge, edge, edge], 3, 7);
   const functions = [parse(own)];
-  return plain(clouds(), appearance, { set: (gpu) => gpu.setLabels({ map, styles: [plainAppearance, { ...plainAppearance, group: 1 }, plainAppearance], functions }) });
+  return plain(clouds(), appearance, {
+    set: (gpu) =>
+      gpu.setLabels({ map, styles: [plainAppearance, { ...plainAppearance, group: 1 }, plainAppearance], functions }),
+  });
 }
 
 /** Volumes of labels have no values between labels. */
@@ -44,9 +55,9 @@ const surface = { value: 0.5, color: [0.8, 0.9, 1], opacity: 0.4 } as const;
 
 /** Scenes by name; what is true of them is told by rays with many steps. */
 export const opaqueOthers: Readonly<Record<string, () => RestScene>> = {
-  'labels\' own function, a step': () => labelled('0 #246 0, 1 #8ac 10%', step),
-  'labels\' own function, a shell': () => labelled('0 #246 0, 1 #8ac 10%', shell),
-  'labels, and a step of the volume\'s own': () => labelled(step, '0 #246 0, 1 #8ac 10%'),
+  "labels' own function, a step": () => labelled('0 #246 0, 1 #8ac 10%', step),
+  "labels' own function, a shell": () => labelled('0 #246 0, 1 #8ac 10%', shell),
+  "labels, and a step of the volume's own": () => labelled(step, '0 #246 0, 1 #8ac 10%'),
   'a surface in fog with a step': () => plain(clouds(), step, { style: { surfaces: [surface] } }),
   'a surface in fog with a shell': () => plain(clouds(), shell, { style: { surfaces: [surface] } }),
   'a volume of labels, a step': () => plain(named(), '0.5 #ffe8c0 0, 0.5 #ffe8c0 100%, 1 #c04020 100%'),
@@ -54,6 +65,13 @@ export const opaqueOthers: Readonly<Record<string, () => RestScene>> = {
     const volume = cloudVolume(1);
     const [low, high] = volume.range;
     const at = low + 0.6 * (high - low);
-    return { volume, style: null, transferFunction: parseTransferFunction(`${at} #ffe8c0 0, ${at} #ffe8c0 100%, ${high} #c04020 100%`, [low, high]), camera: cloudCamera, size, optics: { referenceLength: 3000 } };
+    return {
+      volume,
+      style: null,
+      transferFunction: parseTransferFunction(`${at} #ffe8c0 0, ${at} #ffe8c0 100%, ${high} #c04020 100%`, [low, high]),
+      camera: cloudCamera,
+      size,
+      optics: { referenceLength: 3000 },
+    };
   },
 };

@@ -45,16 +45,32 @@ export async function measureOpaque(called: string, notify: (what: string) => vo
     const { volume, transferFunction, size, maxError = 1, optics } = scene;
     if (kind === 'others') {
       const { stated, isKept, level, samplesAVoxel, error } = await measureAtRest(gpu, scene, true);
-      results.push({ kind, name, maxError, error, stats: { error: stated, keepsMaxError: isKept }, off: null, level: { samplesAVoxel, substeps: level.substeps }, finest: null, webgl: gpu.device.webgl2 ? 2 : 1 });
+      results.push({
+        kind,
+        name,
+        maxError,
+        error,
+        stats: { error: stated, keepsMaxError: isKept },
+        off: null,
+        level: { samplesAVoxel, substeps: level.substeps },
+        finest: null,
+        webgl: gpu.device.webgl2 ? 2 : 1,
+      });
       gpu.dispose();
       host.remove();
       continue;
     }
     const { stated, isKept, level, shown, samplesAVoxel } = await drawAtRest(gpu, scene);
-    const exact = new ExactCells({ volume, transferFunction, referenceLength: optics!.referenceLength! }).draw(gpu.viewAt(size), size)!;
+    const exact = new ExactCells({ volume, transferFunction, referenceLength: optics!.referenceLength! }).draw(
+      gpu.viewAt(size),
+      size,
+    )!;
     const error = measureTrueError(shown, exact);
     results.push({
-      kind, name, maxError, error,
+      kind,
+      name,
+      maxError,
+      error,
       stats: { error: stated, keepsMaxError: isKept },
       off: countOff(shown, exact),
       level: { samplesAVoxel, substeps: level.substeps },
@@ -69,13 +85,25 @@ export async function measureOpaque(called: string, notify: (what: string) => vo
 
 function countOff(shown: Uint8Array, exact: Float32Array): number {
   let off = 0;
-  for (let i = 0; i < shown.length; i += 4) off += Number([0, 1, 2, 3].some((c) => Math.abs(shown[i + c] - 255 * exact[i + c]) > 8));
+  for (let i = 0; i < shown.length; i += 4)
+    off += Number([0, 1, 2, 3].some((c) => Math.abs(shown[i + c] - 255 * exact[i + c]) > 8));
   return off;
 }
 
-function measureFinest(gpu: VolumeScene, { volume: { grid }, size }: { readonly volume: Parameters<VolumeScene['setVolume']>[0]; readonly size: { width: number; height: number } }, exact: Float32Array): number {
+function measureFinest(
+  gpu: VolumeScene,
+  {
+    volume: { grid },
+    size,
+  }: { readonly volume: Parameters<VolumeScene['setVolume']>[0]; readonly size: { width: number; height: number } },
+  exact: Float32Array,
+): number {
   gpu.setSubsteps(allSubsteps);
   const steps = Math.min(affordable, 8 * autoSteps(grid));
   const [finest] = probe(gpu, [stepLengthOf(grid, steps)], { stride: 1, first: [0, 0], ...size }, size)!;
-  return compareCovered(finest.map((x) => Math.round(255 * x) / 255), exact, 255).e;
+  return compareCovered(
+    finest.map((x) => Math.round(255 * x) / 255),
+    exact,
+    255,
+  ).e;
 }

@@ -20,47 +20,68 @@ const nearlyKept = 1.1;
 const reported = 0.5;
 
 /** @param {{ quick: boolean }} options */
-export const run = ({ quick }) => measureTables({ quick }, async ({ openPage, page }) => {
-  const all = await page.evaluate(async (name) => /** @type {string[]} */ ((await import(name)).opaqueVolumes), '/test/accuracy/opaque-scenes.ts');
-  const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
-  const wanted = all.filter((name, i) => words.some((word) => name.toLowerCase().includes(word)) && (!quick || i % few === 0));
-  const onlyOld = process.env.WEBGL === '1';
-  /** @type {OpaqueResult[]} */
-  const results = [];
-  /** @param {import('@playwright/test').Page} where @param {string} name */
-  const measure = async (where, name) => {
-    const found = await where.evaluate(async ({ module, volume }) => {
-      const { measureOpaque } = /** @type {typeof import('./opaque-page.ts')} */ (await import(module));
-      return measureOpaque(volume, (what) => /** @type {any} */ (window).sayProgress(what));
-    }, { module: '/test/accuracy/opaque-page.ts', volume: name });
-    if (!found) console.log(`left out: ${name} (needs ../shared/data)`);
-    for (const one of found ?? []) {
-      results.push(one);
-      if (process.env.ROWS === '1') console.log(Object.values(describeResult(one)).join(' | '));
-    }
-  };
-  if (!onlyOld) for (const name of wanted) await measure(page, name);
-  const old = await openPage({ before: withoutWebGl2 });
-  for (const [i, name] of wanted.entries()) if (onlyOld || (i % oldEvery === 2 && i < 16)) await measure(old, name);
-  const broken = results.filter((one) => listFaults(one).length > 0 || !isKept(one));
-  return {
-    'stated-opaque': formatTable(groupByKind(results.map((one) => ({ ...one, kind: one.webgl === 1 ? 'WebGL 1' : one.kind }))).map(([name, group]) => ({ scenes: name, ...describeGroup(group) }))),
-    'missed-opaque': broken.length > 0 ? formatTable(broken.map(describeResult)) : 'None.',
-  };
-});
+export const run = ({ quick }) =>
+  measureTables({ quick }, async ({ openPage, page }) => {
+    const all = await page.evaluate(
+      async (name) => /** @type {string[]} */ ((await import(name)).opaqueVolumes),
+      '/test/accuracy/opaque-scenes.ts',
+    );
+    const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
+    const wanted = all.filter(
+      (name, i) => words.some((word) => name.toLowerCase().includes(word)) && (!quick || i % few === 0),
+    );
+    const onlyOld = process.env.WEBGL === '1';
+    /** @type {OpaqueResult[]} */
+    const results = [];
+    /** @param {import('@playwright/test').Page} where @param {string} name */
+    const measure = async (where, name) => {
+      const found = await where.evaluate(
+        async ({ module, volume }) => {
+          const { measureOpaque } = /** @type {typeof import('./opaque-page.ts')} */ (await import(module));
+          return measureOpaque(volume, (what) => /** @type {any} */ (window).sayProgress(what));
+        },
+        { module: '/test/accuracy/opaque-page.ts', volume: name },
+      );
+      if (!found) console.log(`left out: ${name} (needs ../shared/data)`);
+      for (const one of found ?? []) {
+        results.push(one);
+        if (process.env.ROWS === '1') console.log(Object.values(describeResult(one)).join(' | '));
+      }
+    };
+    if (!onlyOld) for (const name of wanted) await measure(page, name);
+    const old = await openPage({ before: withoutWebGl2 });
+    for (const [i, name] of wanted.entries()) if (onlyOld || (i % oldEvery === 2 && i < 16)) await measure(old, name);
+    const broken = results.filter((one) => listFaults(one).length > 0 || !isKept(one));
+    return {
+      'stated-opaque': formatTable(
+        groupByKind(results.map((one) => ({ ...one, kind: one.webgl === 1 ? 'WebGL 1' : one.kind }))).map(
+          ([name, group]) => ({ scenes: name, ...describeGroup(group) }),
+        ),
+      ),
+      'missed-opaque': broken.length > 0 ? formatTable(broken.map(describeResult)) : 'None.',
+    };
+  });
 
 /** Runs in a page: there is no WebGL 2. */
 function withoutWebGl2() {
   const getContext = /** @type {(kind: string, options?: unknown) => any} */ (HTMLCanvasElement.prototype.getContext);
-  HTMLCanvasElement.prototype.getContext = /** @type {any} */ (/** @type {(this: HTMLCanvasElement, kind: string, options?: unknown) => unknown} */ (function (kind, options) {
-    return kind.endsWith('webgl2') ? null : getContext.call(this, kind, options);
-  }));
+  HTMLCanvasElement.prototype.getContext = /** @type {any} */ (
+    /** @type {(this: HTMLCanvasElement, kind: string, options?: unknown) => unknown} */ (
+      function (kind, options) {
+        return kind.endsWith('webgl2') ? null : getContext.call(this, kind, options);
+      }
+    )
+  );
 }
 
 /** @param {OpaqueResult[]} group */
 function describeGroup(group) {
   const { 'said to be kept, is not': _kept, 'understated by more than 3': _more, ...rest } = sumUp(group);
-  return { ...rest, 'said to be kept, is not': group.filter((one) => listFaults(one).includes('said to be kept, is not')).length, 'a statement does not hold': group.filter((one) => listFaults(one).length > 0).length };
+  return {
+    ...rest,
+    'said to be kept, is not': group.filter((one) => listFaults(one).includes('said to be kept, is not')).length,
+    'a statement does not hold': group.filter((one) => listFaults(one).length > 0).length,
+  };
 }
 
 /** What is said of a scene and does not hold. @param {OpaqueResult} result */

@@ -63,7 +63,11 @@ function field(x: number, y: number, z: number): number {
 const hump: TransferFunction = Array.from({ length: 129 }, (_, i) => {
   const value = i / 128;
   const t = value * value * (3 - 2 * value);
-  return { value, color: [t, 0.3 + 0.4 * t, 1 - 0.8 * t], opacity: 0.003 + 0.08 * Math.exp(-(((value - 0.6) / 0.22) ** 2)) };
+  return {
+    value,
+    color: [t, 0.3 + 0.4 * t, 1 - 0.8 * t],
+    opacity: 0.003 + 0.08 * Math.exp(-(((value - 0.6) / 0.22) ** 2)),
+  };
 });
 
 const transferFunctions: Record<OrderRow['transferFunction'], TransferFunction> = {
@@ -100,7 +104,10 @@ const refined: Record<Study, readonly number[]> = {
 
 /** The orders of all studies, with smooth transfer functions and with jumps. */
 export function measureOrders(draw: DrawPicture = drawReference, by = 'reference'): OrderRow[] {
-  const studies: Record<Study, (draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[]) => number[]> = {
+  const studies: Record<
+    Study,
+    (draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[]) => number[]
+  > = {
     'step length': (...study) => measureSteps(...study, 1),
     'step length, with substeps': measureSteps,
     'grid spacing': measureGrid,
@@ -141,21 +148,46 @@ export function fitOrder(counts: readonly number[], errors: readonly number[]): 
 
 function pictureOf(transferFunction: TransferFunction, options: Partial<StudyPicture> = {}): StudyPicture {
   const volume = options.volume ?? volumeOf(fine.voxels);
-  return { volume, transferFunction, referenceLength, camera, stepLength: diagonal / fine.steps, maxSubsteps, width, height, ...options };
+  return {
+    volume,
+    transferFunction,
+    referenceLength,
+    camera,
+    stepLength: diagonal / fine.steps,
+    maxSubsteps,
+    width,
+    height,
+    ...options,
+  };
 }
 
 const volumeOf = remember((voxels: number): Volume =>
-  syntheticVolume({ dimensions: [voxels, voxels, voxels], spacing: [1 / voxels, 1 / voxels, 1 / voxels], kind: 'float32', field }));
+  syntheticVolume({
+    dimensions: [voxels, voxels, voxels],
+    spacing: [1 / voxels, 1 / voxels, 1 / voxels],
+    kind: 'float32',
+    field,
+  }),
+);
 
 /** Against the integral over the interpolated voxels. */
-function measureSteps(draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[], max = maxSubsteps): number[] {
+function measureSteps(
+  draw: DrawPicture,
+  transferFunction: TransferFunction,
+  counts: readonly number[],
+  max = maxSubsteps,
+): number[] {
   const picture = pictureOf(transferFunction, { maxSubsteps: max });
-  return counts.map((steps) => rmsOf(draw({ ...picture, stepLength: diagonal / steps }), integrateVoxels(transferFunction)));
+  return counts.map((steps) =>
+    rmsOf(draw({ ...picture, stepLength: diagonal / steps }), integrateVoxels(transferFunction)),
+  );
 }
 
 /** Against the integral over the field itself. */
 function measureGrid(draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[]): number[] {
-  return counts.map((voxels) => rmsOf(draw(pictureOf(transferFunction, { volume: volumeOf(voxels) })), integrateField(transferFunction)));
+  return counts.map((voxels) =>
+    rmsOf(draw(pictureOf(transferFunction, { volume: volumeOf(voxels) })), integrateField(transferFunction)),
+  );
 }
 
 /** Pictures interpolated between the centres of their pixels, against rays cast right there. */
@@ -163,7 +195,10 @@ function measurePixels(draw: DrawPicture, transferFunction: TransferFunction, co
   return counts.map((across) => {
     const picture = { ...smoothPicture(transferFunction), width: across, height: (across * 3) / 4 };
     const drawn = draw(picture);
-    return rmsOf(innerPlaces.flatMap(([x, y]) => interpolatePicture(drawn, picture, x, y)), castInside(transferFunction));
+    return rmsOf(
+      innerPlaces.flatMap(([x, y]) => interpolatePicture(drawn, picture, x, y)),
+      castInside(transferFunction),
+    );
   });
 }
 
@@ -178,11 +213,18 @@ const smoothPicture = (transferFunction: TransferFunction): StudyPicture =>
 const innerPlaces = pixelsOf({ width: 61, height: 47 }).map(([x, y]) => [x * 0.8, y * 0.8] as const);
 
 // What is drawn is held against these, whoever drew it.
-const castInside = remember((transferFunction: TransferFunction) => castPixels(smoothPicture(transferFunction), innerPlaces));
-const integrateField = remember((transferFunction: TransferFunction) => integratePicture(pictureOf(transferFunction), (p) => field(...p)));
+const castInside = remember((transferFunction: TransferFunction) =>
+  castPixels(smoothPicture(transferFunction), innerPlaces),
+);
+const integrateField = remember((transferFunction: TransferFunction) =>
+  integratePicture(pictureOf(transferFunction), (p) => field(...p)),
+);
 const integrateVoxels = remember((transferFunction: TransferFunction) => {
   const picture = pictureOf(transferFunction);
-  const { samples, grid: { dimensions } } = picture.volume;
+  const {
+    samples,
+    grid: { dimensions },
+  } = picture.volume;
   return integratePicture(picture, (p) => interpolate(samples, dimensions, p));
 });
 
@@ -200,7 +242,12 @@ function pixelsOf({ width: across, height: down }: { width: number; height: numb
   ]);
 }
 
-function interpolatePicture(drawn: ArrayLike<number>, { width: across, height: down }: StudyPicture, x: number, y: number): number[] {
+function interpolatePicture(
+  drawn: ArrayLike<number>,
+  { width: across, height: down }: StudyPicture,
+  x: number,
+  y: number,
+): number[] {
   const column = ((x + 1) / 2) * across - 0.5;
   const row = ((1 - y) / 2) * down - 0.5;
   const [left, top] = [Math.floor(column), Math.floor(row)];

@@ -36,7 +36,10 @@ export async function measureProjected(wanted: string): Promise<HardResult> {
 }
 
 /** What an element would state of a projection at rest, and what is true of it. */
-export async function compareProjected(gpu: VolumeScene, scene: RestScene): Promise<Pick<HardResult, 'stats' | 'error' | 'level'>> {
+export async function compareProjected(
+  gpu: VolumeScene,
+  scene: RestScene,
+): Promise<Pick<HardResult, 'stats' | 'error' | 'level'>> {
   const { volume, style, transferFunction, camera, size } = scene;
   const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1, ...scene.optics };
   gpu.resize(size.width, size.height);
@@ -49,8 +52,17 @@ export async function compareProjected(gpu: VolumeScene, scene: RestScene): Prom
   control.set(defaultTargets);
   const { steps, substeps } = await settle(control, gpu, { volume, size });
   const shown = gpu.readPicture().data;
-  const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, size.width / size.height, 1, 2))!;
-  const exact = renderReference({ ...volume, ...optics, stepLength: finestSpacing(volume.grid) / 16, gather: projectionGather(style!.projection!) }, rays, size.width, size.height);
+  const rays = setUpRays(
+    volume.grid,
+    viewMatrix(camera),
+    projectionMatrix(camera.fieldOfView, size.width / size.height, 1, 2),
+  )!;
+  const exact = renderReference(
+    { ...volume, ...optics, stepLength: finestSpacing(volume.grid) / 16, gather: projectionGather(style!.projection!) },
+    rays,
+    size.width,
+    size.height,
+  );
   return {
     stats: { error: control.error!, keepsMaxError: control.isKept },
     error: measureTrueError(shown, bottomUp(exact, size.width)),
@@ -61,5 +73,8 @@ export async function compareProjected(gpu: VolumeScene, scene: RestScene): Prom
 /** Rows from the bottom. */
 function bottomUp(picture: Float64Array, width: number): Float32Array {
   const rows = picture.length / (4 * width);
-  return Float32Array.from(picture, (_, i) => picture[(rows - 1 - Math.floor(i / (4 * width))) * 4 * width + (i % (4 * width))]);
+  return Float32Array.from(
+    picture,
+    (_, i) => picture[(rows - 1 - Math.floor(i / (4 * width))) * 4 * width + (i % (4 * width))],
+  );
 }

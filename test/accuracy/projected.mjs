@@ -11,30 +11,54 @@ import { groupByKind, isKept, nameLargest, sumUp } from './sum-up-stated.mjs';
 const few = 7;
 
 /** @param {{ quick: boolean }} options */
-export const run = ({ quick }) => measureTables({ quick }, async ({ page }) => {
-  const from = '/test/accuracy/projected-page.ts';
-  const all = await page.evaluate(async (name) => /** @type {string[]} */ ((await import(name)).listProjected()), from);
-  const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
-  const wanted = all.filter((name, i) => words.some((word) => name.toLowerCase().includes(word)) && (!quick || i % few === 0));
-  /** @type {HardResult[]} */
-  const results = [];
-  for (const [i, name] of wanted.entries()) {
-    results.push(await page.evaluate(async ({ module, scene, progress }) => {
-      const { measureProjected } = /** @type {typeof import('./projected-page.ts')} */ (await import(module));
-      /** @type {any} */ (window).sayProgress(progress);
-      return measureProjected(scene);
-    }, { module: from, scene: name, progress: `scene ${i + 1} of ${wanted.length}: ${name}` }));
-    if (process.env.ROWS === '1') console.log(Object.values(describeResult(results[i])).join(' | '));
-  }
-  const broken = results.filter((one) => listFaults(one).length > 0 || !isKept(one));
-  return {
-    'stated-projected': formatTable(groupByKind(results).map(([name, group]) => {
-      const { 'said to be kept, is not': kept, 'understated by more than 3': _, 'RMSE stated within a factor of two': __, ...rest } = sumUp(group);
-      return { projections: name, ...rest, 'largest true error': Math.max(...group.map(({ error }) => error.max)).toFixed(2), 'said to be kept, is not': kept, 'a statement does not hold': group.filter((one) => listFaults(one).length > 0).length };
-    })),
-    'missed-projected': broken.length > 0 ? formatTable(broken.map(describeResult)) : 'None.',
-  };
-});
+export const run = ({ quick }) =>
+  measureTables({ quick }, async ({ page }) => {
+    const from = '/test/accuracy/projected-page.ts';
+    const all = await page.evaluate(
+      async (name) => /** @type {string[]} */ ((await import(name)).listProjected()),
+      from,
+    );
+    const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
+    const wanted = all.filter(
+      (name, i) => words.some((word) => name.toLowerCase().includes(word)) && (!quick || i % few === 0),
+    );
+    /** @type {HardResult[]} */
+    const results = [];
+    for (const [i, name] of wanted.entries()) {
+      results.push(
+        await page.evaluate(
+          async ({ module, scene, progress }) => {
+            const { measureProjected } = /** @type {typeof import('./projected-page.ts')} */ (await import(module));
+            /** @type {any} */ (window).sayProgress(progress);
+            return measureProjected(scene);
+          },
+          { module: from, scene: name, progress: `scene ${i + 1} of ${wanted.length}: ${name}` },
+        ),
+      );
+      if (process.env.ROWS === '1') console.log(Object.values(describeResult(results[i])).join(' | '));
+    }
+    const broken = results.filter((one) => listFaults(one).length > 0 || !isKept(one));
+    return {
+      'stated-projected': formatTable(
+        groupByKind(results).map(([name, group]) => {
+          const {
+            'said to be kept, is not': kept,
+            'understated by more than 3': _,
+            'RMSE stated within a factor of two': __,
+            ...rest
+          } = sumUp(group);
+          return {
+            projections: name,
+            ...rest,
+            'largest true error': Math.max(...group.map(({ error }) => error.max)).toFixed(2),
+            'said to be kept, is not': kept,
+            'a statement does not hold': group.filter((one) => listFaults(one).length > 0).length,
+          };
+        }),
+      ),
+      'missed-projected': broken.length > 0 ? formatTable(broken.map(describeResult)) : 'None.',
+    };
+  });
 
 /** @param {HardResult} result */
 function describeResult(result) {

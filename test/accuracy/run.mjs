@@ -8,7 +8,9 @@ const flags = process.argv.slice(2);
 const quick = flags.includes('--quick');
 const [name = 'study', ...more] = flags.filter((flag) => flag !== '--quick');
 if (!programs.includes(name) || more.length > 0 || (quick && name === 'study')) {
-  throw new Error(`accuracy got ${flags.join(' ')}; expected nothing, or small, moving, among, stated, lit, hard, projected or opaque, --quick after it for a short run`);
+  throw new Error(
+    `accuracy got ${flags.join(' ')}; expected nothing, or small, moving, among, stated, lit, hard, projected or opaque, --quick after it for a short run`,
+  );
 }
 const { run } = /** @type {{ run: (options: { quick: boolean }) => Promise<void> }} */ (await import(`./${name}.mjs`));
 await run({ quick });

@@ -42,7 +42,14 @@ export interface LevelResult {
 }
 
 /** Steps a voxel, and the most substeps of each. */
-const levels = [[1, 1], [2, 1], [4, 1], [1, 8], [2, 8], [4, 8]] as const;
+const levels = [
+  [1, 1],
+  [2, 1],
+  [4, 1],
+  [1, 8],
+  [2, 8],
+  [4, 8],
+] as const;
 
 /** A scene from several angles. */
 export interface SmallResult {
@@ -77,7 +84,12 @@ export function serveVolume(volume: Volume): string {
 /** Where the camera stands at an angle of a scene. */
 export function sightOf(volume: Volume, { pixels, pixelsPerVoxel, theta, phi }: SceneView, turns: number): Sight {
   const radius = distanceFor({ pixels, pixelsPerVoxel, voxel: finestSpacing(volume.grid) });
-  return { theta: theta + turns * turn, phi: phi + 0.3 * turns * turn, radius, target: boundingSphere(volume.grid).center };
+  return {
+    theta: theta + turns * turn,
+    phi: phi + 0.3 * turns * turn,
+    radius,
+    target: boundingSphere(volume.grid).center,
+  };
 }
 
 /** What is shown, and where its small things are. */
@@ -145,7 +157,10 @@ interface MeasuredView {
 }
 
 async function measureView(
-  gl: StudyGl, element: VolumeView, { volume, bare, places, reach }: Shown, { sight, view }: { sight: Sight; view: SceneView },
+  gl: StudyGl,
+  element: VolumeView,
+  { volume, bare, places, reach }: Shown,
+  { sight, view }: { sight: Sight; view: SceneView },
 ): Promise<MeasuredView> {
   const size = view.pixels;
   const { data, stats } = await takeAtRest(element, size);
@@ -153,9 +168,16 @@ async function measureView(
   const asked = { volume, camera, optics: element.optics!, size, stepsPerVoxel };
   const full = await castFullRays(gl, asked);
   const without = bare && (await castFullRays(gl, { ...asked, volume: bare }));
-  const measureThings = (shown: Uint8Array): SmallPicture['things'] => (without
-    ? places.map((place) => measureThing({ shown, full, bare: without, size }, findPixel(camera, place, size), Math.max(1, reach * view.pixelsPerVoxel)))
-    : []);
+  const measureThings = (shown: Uint8Array): SmallPicture['things'] =>
+    without
+      ? places.map((place) =>
+          measureThing(
+            { shown, full, bare: without, size },
+            findPixel(camera, place, size),
+            Math.max(1, reach * view.pixelsPerVoxel),
+          ),
+        )
+      : [];
   const error = measureTrueError(data, full);
   const picture = { stats, error, coverage: error.covered / size ** 2, things: measureThings(data) };
   return {
@@ -170,7 +192,12 @@ async function measureView(
       for (const [share, substeps] of levels) {
         const floats = await castFullRays(gl, { ...asked, stepsPerVoxel: share, substeps });
         const bytes = Uint8Array.from(floats, (x) => Math.round(255 * x));
-        results.push({ stepsPerVoxel: share, substeps, e: measureTrueError(bytes, full).e, things: measureThings(bytes) });
+        results.push({
+          stepsPerVoxel: share,
+          substeps,
+          e: measureTrueError(bytes, full).e,
+          things: measureThings(bytes),
+        });
       }
       return results;
     },
@@ -179,5 +206,8 @@ async function measureView(
 
 /** All scenes in their order, and whether small things are known in them. */
 export function listScenes(): { name: string; hasThings: boolean }[] {
-  return [...smallScenes.map(({ name }) => ({ name, hasThings: true })), ...realScenes.map(({ name }) => ({ name, hasThings: false }))];
+  return [
+    ...smallScenes.map(({ name }) => ({ name, hasThings: true })),
+    ...realScenes.map(({ name }) => ({ name, hasThings: false })),
+  ];
 }

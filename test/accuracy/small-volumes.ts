@@ -55,12 +55,16 @@ export function makeLesions(): SmallVolume {
   const edge = 64;
   const random = randomNumbers(7);
   const tissue = smoothNoise(edge, 16, random);
-  const bare = new VoxelBlock(edge, (i, j, k) => (Math.hypot(i - 31.5, j - 31.5, k - 31.5) < 28 ? 80 + 40 * tissue(i, j, k) : 0));
+  const bare = new VoxelBlock(edge, (i, j, k) =>
+    Math.hypot(i - 31.5, j - 31.5, k - 31.5) < 28 ? 80 + 40 * tissue(i, j, k) : 0,
+  );
   const block = bare.copy();
   const places = Array.from({ length: 30 }, (): Vector3 => {
     const [theta, z, r] = [random() * 2 * Math.PI, 2 * random() - 1, 12 + 12 * random()];
     const across = Math.sqrt(1 - z * z);
-    return [32 + r * across * Math.cos(theta), 32 + r * across * Math.sin(theta), 32 + r * z].map(Math.round) as unknown as Vector3;
+    return [32 + r * across * Math.cos(theta), 32 + r * across * Math.sin(theta), 32 + r * z].map(
+      Math.round,
+    ) as unknown as Vector3;
   });
   for (const place of places) paintBall(block, place, 2, () => block.get(place) + 30);
   return { block, bare, places };
@@ -90,14 +94,20 @@ export function makePlate(edge: number, thick: number, every: number): SmallVolu
   const low = edge / 2;
   const block = new VoxelBlock(edge, (_i, _j, k) => (k >= low && k < low + thick ? brightValue : 0));
   const places: Vector3[] = [];
-  for (let j = every; j < edge - 2; j += every) for (let i = every; i < edge - 2; i += every) places.push([i, j, low + (thick - 1) / 2]);
+  for (let j = every; j < edge - 2; j += every)
+    for (let i = every; i < edge - 2; i += every) places.push([i, j, low + (thick - 1) / 2]);
   return { block, bare: new VoxelBlock(edge), places };
 }
 
 /** A pattern on a plate of two voxels; without it the plate has the value in the middle. */
-function makePattern(edge: number, value: (i: number, j: number) => number, places: readonly (readonly [number, number])[]): SmallVolume {
+function makePattern(
+  edge: number,
+  value: (i: number, j: number) => number,
+  places: readonly (readonly [number, number])[],
+): SmallVolume {
   const low = edge / 2 - 1;
-  const plate = (paint: (i: number, j: number) => number): VoxelBlock => new VoxelBlock(edge, (i, j, k) => (k === low || k === low + 1 ? paint(i, j) : 0));
+  const plate = (paint: (i: number, j: number) => number): VoxelBlock =>
+    new VoxelBlock(edge, (i, j, k) => (k === low || k === low + 1 ? paint(i, j) : 0));
   return { block: plate(value), bare: plate(() => 130), places: places.map(([i, j]) => [i, j, low + 0.5]) };
 }
 
@@ -106,13 +116,24 @@ export function makeWaves(edge: number): SmallVolume {
   const lengths = [2, 3, 4, 8];
   const bandOf = (j: number): number => Math.min(3, Math.floor((4 * j) / edge));
   const places = lengths.flatMap((length, band) =>
-    [0.25, 0.5, 0.75].map((share): [number, number] => [Math.round((share * edge) / length) * length, Math.round(((band + 0.5) * edge) / 4)]));
+    [0.25, 0.5, 0.75].map((share): [number, number] => [
+      Math.round((share * edge) / length) * length,
+      Math.round(((band + 0.5) * edge) / 4),
+    ]),
+  );
   return makePattern(edge, (i, j) => 130 + 100 * Math.cos((2 * Math.PI * i) / lengths[bandOf(j)]), places);
 }
 
 export function makeChecker(edge: number): SmallVolume {
-  const places = Array.from({ length: 36 }, (_, n): [number, number] => [6.5 + 10 * (n % 6), 6.5 + 10 * Math.floor(n / 6)]);
-  return makePattern(edge, (i, j) => ((i >> 1) + (j >> 1)) % 2 ? 220 : 40, places.filter(([i, j]) => i < edge - 4 && j < edge - 4));
+  const places = Array.from({ length: 36 }, (_, n): [number, number] => [
+    6.5 + 10 * (n % 6),
+    6.5 + 10 * Math.floor(n / 6),
+  ]);
+  return makePattern(
+    edge,
+    (i, j) => (((i >> 1) + (j >> 1)) % 2 ? 220 : 40),
+    places.filter(([i, j]) => i < edge - 4 && j < edge - 4),
+  );
 }
 
 /** Blobs of a smooth map that rise above a threshold; without them it stays below. */
@@ -122,11 +143,21 @@ export function makeMap(edge: number): SmallVolume {
   const bare = block.copy();
   bare.paint((i, j, k) => Math.min(149, block.get([i, j, k])));
   const places: Vector3[] = [];
-  for (let k = 1; k < edge - 1; k++) for (let j = 1; j < edge - 1; j++) for (let i = 1; i < edge - 1; i++) {
-    const value = block.get([i, j, k]);
-    const around = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]];
-    if (value > 152 && around.every(([a, b, c]) => block.get([i + a, j + b, k + c]) < value)) places.push([i, j, k]);
-  }
+  for (let k = 1; k < edge - 1; k++)
+    for (let j = 1; j < edge - 1; j++)
+      for (let i = 1; i < edge - 1; i++) {
+        const value = block.get([i, j, k]);
+        const around = [
+          [1, 0, 0],
+          [-1, 0, 0],
+          [0, 1, 0],
+          [0, -1, 0],
+          [0, 0, 1],
+          [0, 0, -1],
+        ];
+        if (value > 152 && around.every(([a, b, c]) => block.get([i + a, j + b, k + c]) < value))
+          places.push([i, j, k]);
+      }
   const fromMiddle = (place: Vector3): number => Math.hypot(...place.map((n) => n - edge / 2));
   places.sort((a, b) => fromMiddle(a) - fromMiddle(b));
   return { block, bare, places: places.slice(0, 60) };
@@ -141,11 +172,17 @@ export function makeShells(edge: number): SmallVolume {
     return 220 * Math.max(...radii.map((radius) => Math.exp(-(((r - radius) * 1.5) ** 2))));
   });
   const random = randomNumbers(3);
-  const places = radii.flatMap((radius) => Array.from({ length: 16 }, (): Vector3 => {
-    const [angle, z] = [random() * 2 * Math.PI, 2 * random() - 1];
-    const across = Math.sqrt(1 - z * z);
-    return [middle + radius * across * Math.cos(angle), middle + radius * across * Math.sin(angle), middle + radius * z];
-  }));
+  const places = radii.flatMap((radius) =>
+    Array.from({ length: 16 }, (): Vector3 => {
+      const [angle, z] = [random() * 2 * Math.PI, 2 * random() - 1];
+      const across = Math.sqrt(1 - z * z);
+      return [
+        middle + radius * across * Math.cos(angle),
+        middle + radius * across * Math.sin(angle),
+        middle + radius * z,
+      ];
+    }),
+  );
   return { block, bare: new VoxelBlock(edge), places };
 }
 
@@ -161,6 +198,7 @@ export function makeText(edge: number): SmallVolume {
 export function makeMesh(edge: number): SmallVolume {
   const block = new VoxelBlock(edge, (i, j, k) => (k === edge / 2 && (i % 6 === 3 || j % 6 === 3) ? brightValue : 0));
   const places: Vector3[] = [];
-  for (let j = 3; j < edge - 6; j += 12) for (let i = 3; i < edge - 6; i += 12) places.push([i + 3, j, edge / 2], [i, j + 3, edge / 2]);
+  for (let j = 3; j < edge - 6; j += 12)
+    for (let i = 3; i < edge - 6; i += 12) places.push([i + 3, j, edge / 2], [i, j + 3, edge / 2]);
   return { block, bare: new VoxelBlock(edge), places };
 }

@@ -12,29 +12,41 @@ const usualAngles = { full: 20, quick: 2 };
 const realAngles = 5;
 
 /** @param {{ quick: boolean }} options */
-export const run = ({ quick }) => measureTables({ quick }, async ({ page, machine }) => {
-  const angles = Number(process.env.ANGLES ?? (quick ? usualAngles.quick : usualAngles.full));
-  const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
-  const module = '/test/accuracy/small-page.ts';
-  const scenes = await page.evaluate(async (name) => (await import(name)).listScenes(), module);
-  /** @type {import('./small-page.ts').SmallResult[]} */
-  const results = [];
-  for (const { name, hasThings } of scenes) {
-    if (!words.some((word) => name.toLowerCase().includes(word))) continue;
-    results.push(await page.evaluate(async ({ from, scene, count }) => {
-      const { measureScene } = /** @type {typeof import('./small-page.ts')} */ (await import(from));
-      return measureScene(scene, { angles: count, notify: (what) => /** @type {any} */ (window).sayProgress(what) });
-    }, { from: module, scene: name, count: hasThings ? angles : Math.min(angles, realAngles) }));
-  }
-  const finals = await page.evaluate(async ({ from, count }) => {
-    const { compareFinals } = /** @type {typeof import('./final-page.ts')} */ (await import(from));
-    return compareFinals(count, (what) => /** @type {any} */ (window).sayProgress(what));
-  }, { from: '/test/accuracy/final-page.ts', count: quick ? 1 : 4 });
-  return {
-    'small-where': `${angles} angles of each scene, real volumes ${Math.min(angles, realAngles)}; ${machine.browser}, ${machine.renderer}.`,
-    'small-things': formatTable(results.filter(({ minContrast }) => minContrast > 0).map(sumUpThings)),
-    'stated-errors': formatTable(results.map(sumUpErrors)),
-    'small-levels': formatTable(results.map(sumUpLevels)),
-    'one-picture': formatTable(finals),
-  };
-});
+export const run = ({ quick }) =>
+  measureTables({ quick }, async ({ page, machine }) => {
+    const angles = Number(process.env.ANGLES ?? (quick ? usualAngles.quick : usualAngles.full));
+    const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
+    const module = '/test/accuracy/small-page.ts';
+    const scenes = await page.evaluate(async (name) => (await import(name)).listScenes(), module);
+    /** @type {import('./small-page.ts').SmallResult[]} */
+    const results = [];
+    for (const { name, hasThings } of scenes) {
+      if (!words.some((word) => name.toLowerCase().includes(word))) continue;
+      results.push(
+        await page.evaluate(
+          async ({ from, scene, count }) => {
+            const { measureScene } = /** @type {typeof import('./small-page.ts')} */ (await import(from));
+            return measureScene(scene, {
+              angles: count,
+              notify: (what) => /** @type {any} */ (window).sayProgress(what),
+            });
+          },
+          { from: module, scene: name, count: hasThings ? angles : Math.min(angles, realAngles) },
+        ),
+      );
+    }
+    const finals = await page.evaluate(
+      async ({ from, count }) => {
+        const { compareFinals } = /** @type {typeof import('./final-page.ts')} */ (await import(from));
+        return compareFinals(count, (what) => /** @type {any} */ (window).sayProgress(what));
+      },
+      { from: '/test/accuracy/final-page.ts', count: quick ? 1 : 4 },
+    );
+    return {
+      'small-where': `${angles} angles of each scene, real volumes ${Math.min(angles, realAngles)}; ${machine.browser}, ${machine.renderer}.`,
+      'small-things': formatTable(results.filter(({ minContrast }) => minContrast > 0).map(sumUpThings)),
+      'stated-errors': formatTable(results.map(sumUpErrors)),
+      'small-levels': formatTable(results.map(sumUpLevels)),
+      'one-picture': formatTable(finals),
+    };
+  });

@@ -30,7 +30,11 @@ export async function measureStated(count: number, notify: (what: string) => voi
     notify(`scene ${results.length + 1} of ${count}: ${name}, max-error ${maxError}`);
     const src = sources.get(volume) ?? serveVolume(volume);
     sources.set(volume, src);
-    const attributes = { 'transfer-function': transferFunction, 'value-window': volume.range.join(' '), 'max-error': String(maxError) };
+    const attributes = {
+      'transfer-function': transferFunction,
+      'value-window': volume.range.join(' '),
+      'max-error': String(maxError),
+    };
     const element = placeElement({ src, sight, pixels, ratio: 1, attributes });
     const { data, stats } = await takeAtRest(element, pixels);
     const asked = { volume, camera: cameraOf(sight), optics: element.optics!, size: pixels };

@@ -10,18 +10,34 @@ const usual = { full: 100, quick: 20 };
 /** @typedef {import('./stated-page.ts').StatedResult} StatedResult */
 
 /** @param {{ quick: boolean }} options */
-export const run = ({ quick }) => measureTables({ quick }, async ({ page }) => {
-  const results = await page.evaluate(async ({ from, scenes }) => {
-    const { measureStated } = /** @type {typeof import('./stated-page.ts')} */ (await import(from));
-    return measureStated(scenes, (what) => /** @type {any} */ (window).sayProgress(what));
-  }, { from: '/test/accuracy/stated-page.ts', scenes: Number(process.env.COUNT ?? (quick ? usual.quick : usual.full)) });
-  if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
-  return { 'stated-random': formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...sumUp(group) }))) };
-});
+export const run = ({ quick }) =>
+  measureTables({ quick }, async ({ page }) => {
+    const results = await page.evaluate(
+      async ({ from, scenes }) => {
+        const { measureStated } = /** @type {typeof import('./stated-page.ts')} */ (await import(from));
+        return measureStated(scenes, (what) => /** @type {any} */ (window).sayProgress(what));
+      },
+      {
+        from: '/test/accuracy/stated-page.ts',
+        scenes: Number(process.env.COUNT ?? (quick ? usual.quick : usual.full)),
+      },
+    );
+    if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
+    return {
+      'stated-random': formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...sumUp(group) }))),
+    };
+  });
 
 /** @param {StatedResult} result */
 function describeResult(result) {
-  const { name, maxError, stats: { steps, substeps, error: stated, keepsMaxError }, error, coverage, uncertain } = result;
+  const {
+    name,
+    maxError,
+    stats: { steps, substeps, error: stated, keepsMaxError },
+    error,
+    coverage,
+    uncertain,
+  } = result;
   return {
     scene: name,
     'max-error': maxError,
@@ -43,8 +59,10 @@ function describeResult(result) {
 
 /** All, and by what they have in common. @param {StatedResult[]} results @returns {[string, StatedResult[]][]} */
 function groupsOf(results) {
-  const values = (/** @type {(one: StatedResult) => string} */ of) => [...new Set(results.map(of))].map(
-    (value) => /** @type {[string, StatedResult[]]} */ ([value, results.filter((one) => of(one) === value)]));
+  const values = (/** @type {(one: StatedResult) => string} */ of) =>
+    [...new Set(results.map(of))].map(
+      (value) => /** @type {[string, StatedResult[]]} */ ([value, results.filter((one) => of(one) === value)]),
+    );
   return [
     ['all', results],
     ...values(({ name }) => name.split(', ')[0]),

@@ -25,12 +25,17 @@ export const isKept = ({ error, maxError }) => error.e <= maxError;
  */
 export function groupByKind(results) {
   const kinds = [...new Set(results.map(({ kind }) => kind))];
-  return [['all', results], ...kinds.map((kind) => /** @type {[string, Result[]]} */ ([kind, results.filter((one) => one.kind === kind)]))];
+  return [
+    ['all', results],
+    ...kinds.map((kind) => /** @type {[string, Result[]]} */ ([kind, results.filter((one) => one.kind === kind)])),
+  ];
 }
 
 /** @param {readonly Stated[]} group */
 export function sumUp(group) {
-  const reported = group.flatMap(({ stats: { error: stated }, error }) => (stated && error.rms > 0 ? [{ stated, error, ratio: stated.rms / error.rms }] : []));
+  const reported = group.flatMap(({ stats: { error: stated }, error }) =>
+    stated && error.rms > 0 ? [{ stated, error, ratio: stated.rms / error.rms }] : [],
+  );
   const bounded = reported.flatMap(({ stated: { max }, error }) => (max === null ? [] : [{ max, error }]));
   const ratios = reported.map(({ ratio }) => ratio);
   return {
@@ -41,7 +46,8 @@ export function sumUp(group) {
     'understated by more than 3': ratios.filter((ratio) => ratio < 1 / misleading).length,
     'stated / true': spread(ratios),
     'stated maximum exceeded': `${bounded.filter(({ max, error }) => error.max > max).length} of ${bounded.length}`,
-    'stated / true maximum, median': bounded.length > 0 ? median(bounded.map(({ max, error }) => max / error.max)).toFixed(2) : '',
+    'stated / true maximum, median':
+      bounded.length > 0 ? median(bounded.map(({ max, error }) => max / error.max)).toFixed(2) : '',
   };
 }
 
@@ -50,10 +56,15 @@ export const nameLargest = (max) => max?.toFixed(1) ?? 'no bound';
 
 /** @param {readonly number[]} ratios - of what is stated to what is true */
 export function withinTwo(ratios) {
-  return share(ratios.filter((ratio) => ratio >= 0.5 && ratio <= 2), ratios);
+  return share(
+    ratios.filter((ratio) => ratio >= 0.5 && ratio <= 2),
+    ratios,
+  );
 }
 
 /** @param {readonly number[]} ratios */
 export function spread(ratios) {
-  return ratios.length > 0 ? `${Math.min(...ratios).toFixed(2)} … ${median([...ratios]).toFixed(2)} … ${Math.max(...ratios).toFixed(2)}` : '';
+  return ratios.length > 0
+    ? `${Math.min(...ratios).toFixed(2)} … ${median([...ratios]).toFixed(2)} … ${Math.max(...ratios).toFixed(2)}`
+    : '';
 }

@@ -8,7 +8,10 @@ import type { Volume } from '../../src/volume/volume.ts';
 export class VoxelBlock {
   readonly samples: Uint8Array<ArrayBuffer>;
 
-  constructor(readonly edge: number, value: number | ((i: number, j: number, k: number) => number) = 0) {
+  constructor(
+    readonly edge: number,
+    value: number | ((i: number, j: number, k: number) => number) = 0,
+  ) {
     this.samples = new Uint8Array(edge ** 3);
     if (typeof value === 'number') this.samples.fill(value);
     else this.paint(value);
@@ -56,12 +59,21 @@ export class VoxelBlock {
 }
 
 /** Smooth noise of 0..1: cubic B-splines through random numbers, so many voxels apart. */
-export function smoothNoise(edge: number, apart: number, random: () => number): (i: number, j: number, k: number) => number {
+export function smoothNoise(
+  edge: number,
+  apart: number,
+  random: () => number,
+): (i: number, j: number, k: number) => number {
   const nodes = Math.ceil(edge / apart) + 4;
   const values = Float64Array.from({ length: nodes ** 3 }, () => random());
   const weights = Array.from({ length: edge }, (_, i) => {
     const t = (i / apart) % 1;
-    return [(1 - t) ** 3 / 6, (3 * t ** 3 - 6 * t ** 2 + 4) / 6, (-3 * t ** 3 + 3 * t ** 2 + 3 * t + 1) / 6, t ** 3 / 6];
+    return [
+      (1 - t) ** 3 / 6,
+      (3 * t ** 3 - 6 * t ** 2 + 4) / 6,
+      (-3 * t ** 3 + 3 * t ** 2 + 3 * t + 1) / 6,
+      t ** 3 / 6,
+    ];
   });
   return (i, j, k) => {
     const [ni, nj, nk] = [i, j, k].map((n) => Math.floor(n / apart));

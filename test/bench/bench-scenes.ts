@@ -37,16 +37,29 @@ function shell(x: number, y: number, z: number): number {
   return Math.exp(-(((Math.hypot(x - 0.5, y - 0.5, z - 0.5) - 0.35) * 60) ** 2));
 }
 
-const made: Readonly<Record<string, { name: string; edge: number; field: (x: number, y: number, z: number) => number }>> = {
+const made: Readonly<
+  Record<string, { name: string; edge: number; field: (x: number, y: number, z: number) => number }>
+> = {
   shell: { name: 'Thin shell, synthetic, mostly empty', edge: 256, field: shell },
   'marschner-lobb': { name: 'Marschner-Lobb, synthetic', edge: 128, field: marschnerLobb },
 };
 
 /** One-voxel specks in a veil, and one-voxel wires in empty space. */
-const small: Readonly<Record<string, { name: string; make: () => SmallVolume; functionName: string; stops: string }>> = {
-  specks: { name: 'Specks of 1 voxel, synthetic', make: () => scatter(128, veilValue, 300, 0), functionName: 'Specks in a veil', stops: smallFunctions.veil },
-  wires: { name: 'Wires of 1 voxel, synthetic', make: () => makeWires(128, 40), functionName: 'Solid wires', stops: smallFunctions.solid },
-};
+const small: Readonly<Record<string, { name: string; make: () => SmallVolume; functionName: string; stops: string }>> =
+  {
+    specks: {
+      name: 'Specks of 1 voxel, synthetic',
+      make: () => scatter(128, veilValue, 300, 0),
+      functionName: 'Specks in a veil',
+      stops: smallFunctions.veil,
+    },
+    wires: {
+      name: 'Wires of 1 voxel, synthetic',
+      make: () => makeWires(128, 40),
+      functionName: 'Solid wires',
+      stops: smallFunctions.solid,
+    },
+  };
 
 /**
  * A volume by its id: one of the accuracy study's, or a synthetic one. Null where its file is not here.
@@ -61,10 +74,17 @@ export async function loadBenchVolume(id: string, signal: AbortSignal): Promise<
   if (Object.hasOwn(small, id)) {
     const { name, make, functionName, stops } = small[id];
     const volume = make().block.toVolume();
-    return { name, volume, functions: [{ name: functionName, transferFunction: parseTransferFunction(stops, volume.range) }] };
+    return {
+      name,
+      volume,
+      functions: [{ name: functionName, transferFunction: parseTransferFunction(stops, volume.range) }],
+    };
   }
   const scene = studyScenes.find((one) => one.id === id);
-  if (!scene) throw new Error(`SCENES got "${id}"; expected ${[...studyScenes.map((one) => one.id), ...Object.keys(made), ...Object.keys(small)].join(', ')}`);
+  if (!scene)
+    throw new Error(
+      `SCENES got "${id}"; expected ${[...studyScenes.map((one) => one.id), ...Object.keys(made), ...Object.keys(small)].join(', ')}`,
+    );
   const volume = await loadScene(scene, signal);
   return volume && { name: scene.name, volume, functions: await listBenchFunctions(scene, volume) };
 }

@@ -16,12 +16,12 @@ const cellSize = 8;
 
 /** Values of 0..65535, in the order of voxels. @type {Record<string, () => Field>} */
 const volumes = {
-  'smooth': () => (x, y, z) => 30000 + 9000 * Math.sin(3 * x + 2 * y) + 9000 * Math.cos(4 * z - x),
+  smooth: () => (x, y, z) => 30000 + 9000 * Math.sin(3 * x + 2 * y) + 9000 * Math.cos(4 * z - x),
   'a ball of noisy tissue in air': () => {
     const random = makeRandom();
     return (x, y, z) => (x * x + y * y + z * z < 0.6 ? 20000 + 4000 * random() : 0);
   },
-  'noise': () => {
+  noise: () => {
     const random = makeRandom();
     return () => 65535 * random();
   },
@@ -115,7 +115,10 @@ async function loadMacrocells() {
     root: projectRoot,
     publicDir: false,
     logLevel: 'error',
-    build: { write: false, lib: { entry: fileURLToPath(new URL('../../src/volume/macrocells.ts', import.meta.url)), formats: ['es'] } },
+    build: {
+      write: false,
+      lib: { entry: fileURLToPath(new URL('../../src/volume/macrocells.ts', import.meta.url)), formats: ['es'] },
+    },
   });
   const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);
   return import(`data:text/javascript,${encodeURIComponent(output[0].code)}`);
@@ -135,7 +138,9 @@ function time(work) {
 
 export async function run() {
   const { buildMacrocells } = await loadMacrocells();
-  console.log(`Node ${process.versions.node}, ${cpus()[0].model}, ${edge}^3 voxels of 16 bits, processor time, medians of ${repeats} in turns`);
+  console.log(
+    `Node ${process.versions.node}, ${cpus()[0].model}, ${edge}^3 voxels of 16 bits, processor time, medians of ${repeats} in turns`,
+  );
   const rows = [];
   for (const [volume, makeField] of Object.entries(volumes)) {
     const samples = makeSamples(makeField());
@@ -144,13 +149,23 @@ export async function run() {
     for (let turn = 0; turn <= repeats; turn++) {
       const ranges = time(() => findRanges(samples));
       const cells = time(() => buildMacrocells(samples, [edge, edge, edge]));
-      if (String(ranges.result.low) !== String(cells.result.low) || String(ranges.result.high) !== String(cells.result.high)) throw new Error(`cells of ${volume}: their ranges differ from ranges alone`);
+      if (
+        String(ranges.result.low) !== String(cells.result.low) ||
+        String(ranges.result.high) !== String(cells.result.high)
+      )
+        throw new Error(`cells of ${volume}: their ranges differ from ranges alone`);
       if (turn === 0) continue;
       alone.push(ranges.milliseconds);
       all.push(cells.milliseconds);
     }
-    const notify = (/** @type {readonly number[]} */ times) => `${Math.round(median(times))} ms (${Math.round(Math.min(...times))} to ${Math.round(Math.max(...times))})`;
-    rows.push({ volume, 'ranges alone': notify(alone), 'ranges and roughness': notify(all), 'times as long': (median(all) / median(alone)).toFixed(2) });
+    const notify = (/** @type {readonly number[]} */ times) =>
+      `${Math.round(median(times))} ms (${Math.round(Math.min(...times))} to ${Math.round(Math.max(...times))})`;
+    rows.push({
+      volume,
+      'ranges alone': notify(alone),
+      'ranges and roughness': notify(all),
+      'times as long': (median(all) / median(alone)).toFixed(2),
+    });
   }
   printTable('Macrocells', rows);
 }

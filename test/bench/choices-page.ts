@@ -44,19 +44,32 @@ export interface ChoicesRow {
 export async function compareChoices(size: number, turns: number, steps: number): Promise<ChoicesRow[]> {
   const rows: ChoicesRow[] = [];
   for (const { name, url, look: appearance } of scenes) {
-    const volume = await loadVolume({ url: new URL(url, location.href).href, limits }, { signal: new AbortController().signal, onProgress: () => {} });
+    const volume = await loadVolume(
+      { url: new URL(url, location.href).href, limits },
+      { signal: new AbortController().signal, onProgress: () => {} },
+    );
     const container = document.createElement('div');
     container.style.cssText = `width: ${size}px; height: ${size}px`;
     document.body.append(container);
     const scene = await VolumeScene.create(document.createElement('div'), container, () => {}, fieldProviders);
     const { center, radius } = boundingSphere(volume.grid);
-    const optics = { transferFunction: await resolveTransferFunction(appearance, volume.window ?? windowFromHistogram(volume.histogram)), opacityFactor: 1, lightFactor: 1, referenceLength: volume.referenceLength ?? radius / 100 };
+    const optics = {
+      transferFunction: await resolveTransferFunction(
+        appearance,
+        volume.window ?? windowFromHistogram(volume.histogram),
+      ),
+      opacityFactor: 1,
+      lightFactor: 1,
+      referenceLength: volume.referenceLength ?? radius / 100,
+    };
     await scene.prepare(volume, optics);
     scene.setVolume(volume);
     await scene.setOptics(optics);
     scene.resize(size, size);
     const fieldOfView = Math.PI / 4;
-    scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.1, radius: framingDistance(radius, fieldOfView, 1) }, center, fieldOfView));
+    scene.setCamera(
+      orbitCamera({ theta: 0.6, phi: 1.1, radius: framingDistance(radius, fieldOfView, 1) }, center, fieldOfView),
+    );
     const one = steps || autoSteps(volume.grid);
     const stepLength = stepLengthOf(volume.grid, one);
     const [layer] = scene.layers;
@@ -102,10 +115,19 @@ export async function compareChoices(size: number, turns: number, steps: number)
     }
     scene.setMaxCurvature(0);
     await plain();
-    const { sampling = [] } = await learnFrom({ scene, grid: volume.grid, size: { width: size, height: size }, goesOn: () => true }, true);
+    const { sampling = [] } = await learnFrom(
+      { scene, grid: volume.grid, size: { width: size, height: size }, goesOn: () => true },
+      true,
+    );
     const spared = sampling.map((list) => list.find(({ share }) => share <= 0.5)).filter((one) => one !== undefined);
     const { share } = sampling[0].find((outcome) => outcome.maxCurvature === maxCurvature)!;
-    rows.push({ scene: name, share, spared, ms: median(times), ratios: Object.fromEntries(Object.entries(ratios).map(([what, all]) => [what, median(all)])) });
+    rows.push({
+      scene: name,
+      share,
+      spared,
+      ms: median(times),
+      ratios: Object.fromEntries(Object.entries(ratios).map(([what, all]) => [what, median(all)])),
+    });
     scene.dispose();
     container.remove();
   }

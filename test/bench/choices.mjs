@@ -23,17 +23,26 @@ export async function run() {
         console.log(`left out: ${engine.name} is not installed`);
         continue;
       }
-      const page = await engine.open(`${url}test/bench/choices.html?size=${size}&turns=${repeats}&steps=${steps}`, path);
+      const page = await engine.open(
+        `${url}test/bench/choices.html?size=${size}&turns=${repeats}&steps=${steps}`,
+        path,
+      );
       try {
         const { rows, error } = await waitForRows(page);
         if (error) console.log(`${engine.name}: ${error}`);
-        else printTable(`${engine.name}, ${page.version}, ${size} x ${size} pixels, ${steps || 'one'} ${steps ? 'steps' : 'step a voxel'}, medians of ${repeats} turns: time over that of the plain frame beside it`, rows.map(({ scene, ms, ratios, share, spared }) => ({
-          scene,
-          'plain frame, ms': ms.toFixed(0),
-          ...Object.fromEntries(Object.entries(ratios).map(([what, ratio]) => [what, ratio.toFixed(2)])),
-          'share of adaptive rays': share.toFixed(2),
-          'rays spared: share, cost': spared.map(({ share, cost }) => `${share.toFixed(2)}, ${cost?.toFixed(2) ?? '-'}`).join('; '),
-        })));
+        else
+          printTable(
+            `${engine.name}, ${page.version}, ${size} x ${size} pixels, ${steps || 'one'} ${steps ? 'steps' : 'step a voxel'}, medians of ${repeats} turns: time over that of the plain frame beside it`,
+            rows.map(({ scene, ms, ratios, share, spared }) => ({
+              scene,
+              'plain frame, ms': ms.toFixed(0),
+              ...Object.fromEntries(Object.entries(ratios).map(([what, ratio]) => [what, ratio.toFixed(2)])),
+              'share of adaptive rays': share.toFixed(2),
+              'rays spared: share, cost': spared
+                .map(({ share, cost }) => `${share.toFixed(2)}, ${cost?.toFixed(2) ?? '-'}`)
+                .join('; '),
+            })),
+          );
       } finally {
         await page.close();
       }

@@ -74,7 +74,10 @@ const idleMs = 2000;
 const judged = 3;
 
 /** @param tell - what is being done */
-export async function measureController(scene: ControllerScene, notify: (what: string) => void): Promise<ControllerResult> {
+export async function measureController(
+  scene: ControllerScene,
+  notify: (what: string) => void,
+): Promise<ControllerResult> {
   notify(`${scene.transferFunction.slice(0, 20)}, ${scene.size} pixels: loading`);
   const element = document.createElement('volume-view');
   element.src = scene.src;
@@ -117,10 +120,14 @@ async function orbit(element: VolumeView, seconds: number): Promise<Frame[]> {
   const frames: Frame[] = [];
   const abort = new AbortController();
   // The camera's position is reported after each frame in which it moved.
-  element.addEventListener('camera-change', ({ detail }) => {
-    const { frameMs, steps, width, height, rays, maxCurvature } = element.renderStats!;
-    frames.push({ at: performance.now(), ms: frameMs, steps, width, height, rays, maxCurvature, ...detail });
-  }, { signal: abort.signal });
+  element.addEventListener(
+    'camera-change',
+    ({ detail }) => {
+      const { frameMs, steps, width, height, rays, maxCurvature } = element.renderStats!;
+      frames.push({ at: performance.now(), ms: frameMs, steps, width, height, rays, maxCurvature, ...detail });
+    },
+    { signal: abort.signal },
+  );
   // Height of the element that is one turn, see src/viewer/camera/camera-input.ts.
   await dragCamera(element, seconds, (2 * element.clientHeight) / 1.2);
   abort.abort();
@@ -150,7 +157,10 @@ async function watchIdle(element: VolumeView): Promise<{ idleFrames: number; idl
 }
 
 /** Draw some frames of the orbit again, enlarged as browsers do it, and in full with two steps per voxel and substeps. */
-async function measureErrors({ src, transferFunction, size }: ControllerScene, frames: readonly Frame[]): Promise<number[]> {
+async function measureErrors(
+  { src, transferFunction, size }: ControllerScene,
+  frames: readonly Frame[],
+): Promise<number[]> {
   const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 30 };
   const volume = await loadVolume({ url: src, limits }, { signal: new AbortController().signal, onProgress: () => {} });
   const host = document.createElement('div');
@@ -159,12 +169,23 @@ async function measureErrors({ src, transferFunction, size }: ControllerScene, f
   await scene.prepare(volume);
   scene.setVolume(volume);
   const stops = await resolveTransferFunction(transferFunction, volume.window ?? windowFromHistogram(volume.histogram));
-  await scene.setOptics({ transferFunction: stops, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 });
+  await scene.setOptics({
+    transferFunction: stops,
+    referenceLength: defaultReferenceLength(volume),
+    opacityFactor: 1,
+    lightFactor: 1,
+  });
   const errors: number[] = [];
   for (let i = 0; i < judged; i++) {
     const frame = frames[Math.floor(((i + 0.5) / judged) * frames.length)];
     const shown = blowUp(drawAgain(scene, volume, frame), frame, size);
-    const limit = drawAgain(scene, volume, { ...frame, width: size, height: size, maxCurvature: 0, steps: 2 * autoSteps(volume.grid) });
+    const limit = drawAgain(scene, volume, {
+      ...frame,
+      width: size,
+      height: size,
+      maxCurvature: 0,
+      steps: 2 * autoSteps(volume.grid),
+    });
     let sum = 0;
     for (let at = 0; at < limit.length; at++) sum += (shown[at] - limit[at]) ** 2;
     errors.push(Math.sqrt(sum / limit.length));
@@ -174,7 +195,11 @@ async function measureErrors({ src, transferFunction, size }: ControllerScene, f
   return errors;
 }
 
-function drawAgain(scene: VolumeScene, volume: Volume, { width, height, steps, maxCurvature, orbit: place, target }: Frame): Uint8ClampedArray {
+function drawAgain(
+  scene: VolumeScene,
+  volume: Volume,
+  { width, height, steps, maxCurvature, orbit: place, target }: Frame,
+): Uint8ClampedArray {
   scene.resize(width, height);
   scene.setCamera(orbitCamera(place, target, new CameraRig().camera.fieldOfView));
   scene.setMaxCurvature(maxCurvature);

@@ -8,7 +8,8 @@ const seconds = Number(process.env.SECONDS ?? 10);
 const targetFps = Number(process.env.TARGET_FPS ?? 30);
 
 /** Three narrow peaks, which take many steps. */
-const peaks = '19.5% #48c 0, 20% #48c 60%, 20.5% #48c 0, 44.5% #f93 0, 45% #f93 60%, 45.5% #f93 0, 69.5% white 0, 70% white 60%, 70.5% white 0';
+const peaks =
+  '19.5% #48c 0, 20% #48c 60%, 20.5% #48c 0, 44.5% #f93 0, 45% #f93 60%, 45.5% #f93 0, 69.5% white 0, 70% white 60%, 70.5% white 0';
 
 /** Cheap, ten times as many pixels, and ten times as many steps on these. */
 function listScenes() {
@@ -26,10 +27,13 @@ export async function run() {
     const rows = [];
     for (const { name, scene } of listScenes()) {
       const page = await openPage('test/accuracy/page.html');
-      const result = await page.evaluate(async ({ module, asked }) => {
-        const { measureController } = /** @type {typeof import('./controller-page.ts')} */ (await import(module));
-        return measureController(asked, (what) => /** @type {any} */ (window).sayProgress(what));
-      }, { module: '/test/bench/controller-page.ts', asked: scene });
+      const result = await page.evaluate(
+        async ({ module, asked }) => {
+          const { measureController } = /** @type {typeof import('./controller-page.ts')} */ (await import(module));
+          return measureController(asked, (what) => /** @type {any} */ (window).sayProgress(what));
+        },
+        { module: '/test/bench/controller-page.ts', asked: scene },
+      );
       await page.close();
       rows.push({
         scene: `${name}, ${scene.size} x ${scene.size}`,

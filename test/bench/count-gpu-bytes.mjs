@@ -9,7 +9,17 @@ export function countGpuBytes() {
   /** @type {Set<WebGLRenderingContext | WebGL2RenderingContext>} */
   const contexts = new Set();
   /** @type {Record<number, number>} */
-  const channels = { 0x1903: 1, 0x8227: 2, 0x1907: 3, 0x1908: 4, 0x1909: 1, 0x190a: 2, 0x1902: 1, 0x84f9: 1, 0x1906: 1 };
+  const channels = {
+    0x1903: 1,
+    0x8227: 2,
+    0x1907: 3,
+    0x1908: 4,
+    0x1909: 1,
+    0x190a: 2,
+    0x1902: 1,
+    0x84f9: 1,
+    0x1906: 1,
+  };
   /** @type {Record<number, number>} */
   const sizes = { 0x1401: 1, 0x1406: 4, 0x140b: 2, 0x8d61: 2, 0x1405: 4, 0x1403: 2, 0x84fa: 4 };
   /**
@@ -29,12 +39,15 @@ export function countGpuBytes() {
       note(gl, args[0], args[3] * args[4] * args[5] * (channels[args[7]] ?? 4) * (sizes[args[8]] ?? 1));
     });
     wrap(prototype, 'texStorage2D', (gl, args) => note(gl, args[0], args[3] * args[4] * (texels[args[2]] ?? 4)));
-    wrap(prototype, 'texStorage3D', (gl, args) => note(gl, args[0], args[3] * args[4] * args[5] * (texels[args[2]] ?? 4)));
+    wrap(prototype, 'texStorage3D', (gl, args) =>
+      note(gl, args[0], args[3] * args[4] * args[5] * (texels[args[2]] ?? 4)),
+    );
     wrap(prototype, 'renderbufferStorage', (gl, args) => {
       const bound = gl.getParameter(gl.RENDERBUFFER_BINDING);
       if (bound) objects.set(bound, { gl, bytes: args[2] * args[3] * 4 });
     });
-    for (const name of ['deleteTexture', 'deleteRenderbuffer']) wrap(prototype, name, (_, [object]) => objects.delete(object));
+    for (const name of ['deleteTexture', 'deleteRenderbuffer'])
+      wrap(prototype, name, (_, [object]) => objects.delete(object));
   }
 
   /** @param {any} gl @param {number} target @param {number} bytes */

@@ -10,7 +10,9 @@ export async function dragCamera(element: VolumeView, seconds: number, pixels: n
   const began = performance.now();
   const point = (type: string): void => {
     const clientX = ((performance.now() - began) / 1000 / seconds) * pixels;
-    picture.dispatchEvent(new PointerEvent(type, { pointerId: 1, isPrimary: true, bubbles: true, clientX, clientY: 100 }));
+    picture.dispatchEvent(
+      new PointerEvent(type, { pointerId: 1, isPrimary: true, bubbles: true, clientX, clientY: 100 }),
+    );
   };
   // A made event has no pointer to capture.
   picture.setPointerCapture = () => {};

@@ -37,7 +37,11 @@ const scenes: readonly EdgeScene[] = [
   { name: 'CT of a torso, bones in fog', url: torso, surfaces: [surface(250)], look: 'ct-soft-tissue' },
   { name: 'MRI of a brain, white matter', url: brain, surfaces: [surface(72)] },
   { name: 'MRI of a brain, two surfaces', url: brain, surfaces: [surface(35, 0.3), surface(72)] },
-  { name: 'radar, synthetic storm', url: '/demos/data/storm-radar-1510.json', surfaces: [surface(20, 0.3), surface(40)] },
+  {
+    name: 'radar, synthetic storm',
+    url: '/demos/data/storm-radar-1510.json',
+    surfaces: [surface(20, 0.3), surface(40)],
+  },
 ];
 
 /** Pixels with more curvature get more rays, 1/255: at `max-error` 1. */
@@ -45,11 +49,16 @@ export const edgeCurvature = 8 * Math.sqrt(12);
 
 export async function compareEdges(size: number, turns: number, chosen: readonly string[]): Promise<EdgeRow[]> {
   const rows: EdgeRow[] = [];
-  for (const one of scenes.filter(({ name }) => chosen.length === 0 || chosen.some((begin) => name.includes(begin)))) rows.push(await compareScene(one, size, turns));
+  for (const one of scenes.filter(({ name }) => chosen.length === 0 || chosen.some((begin) => name.includes(begin))))
+    rows.push(await compareScene(one, size, turns));
   return rows;
 }
 
-async function compareScene({ name, url, surfaces, look: appearance }: EdgeScene, size: number, turns: number): Promise<EdgeRow> {
+async function compareScene(
+  { name, url, surfaces, look: appearance }: EdgeScene,
+  size: number,
+  turns: number,
+): Promise<EdgeRow> {
   const volume = await loadScan(url);
   const transferFunction = await resolveTransferFunction(appearance ?? 'gray', volume.range);
   const { scene, dispose } = await openTurnScene({ volume, transferFunction, referenceLength: 0.01, size });
@@ -62,7 +71,7 @@ async function compareScene({ name, url, surfaces, look: appearance }: EdgeScene
     scene.draw(stepLengthOf(volume.grid, steps));
     scene.readPicture();
     await scene.finished();
-    return { work: 1000 * (await processorSeconds() - before), clock: performance.now() - start };
+    return { work: 1000 * ((await processorSeconds()) - before), clock: performance.now() - start };
   };
   await time(edgeCurvature); // Compiles.
   await time(Infinity);
@@ -70,10 +79,13 @@ async function compareScene({ name, url, surfaces, look: appearance }: EdgeScene
   const edges = 4 * findEdges(picture, edgeCurvature).length;
   const seen = picture.data.reduce((sum, x, i) => sum + Number(i % 4 === 3 && x > 0), 0);
   const taken: { plain: { work: number; clock: number }; smooth: { work: number; clock: number } }[] = [];
-  for (let turn = 0; turn < turns; turn++) taken.push({ plain: await time(Infinity), smooth: await time(edgeCurvature) });
+  for (let turn = 0; turn < turns; turn++)
+    taken.push({ plain: await time(Infinity), smooth: await time(edgeCurvature) });
   dispose();
   return {
-    scene: name, edges: edges / (size * size), ofSeen: edges / seen,
+    scene: name,
+    edges: edges / (size * size),
+    ofSeen: edges / seen,
     plain: median(taken.map(({ plain }) => plain.work)),
     ratio: median(taken.map(({ plain, smooth }) => smooth.work / plain.work)),
     clock: median(taken.map(({ plain, smooth }) => smooth.clock / plain.clock)),

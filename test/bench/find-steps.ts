@@ -25,7 +25,9 @@ const stride = 8;
  * @returns null where none of the list does
  */
 export async function findFewest(
-  counts: readonly number[], target: number, errorOf: (steps: number) => Promise<number> | number,
+  counts: readonly number[],
+  target: number,
+  errorOf: (steps: number) => Promise<number> | number,
 ): Promise<FoundSteps | null> {
   const isGood = async (i: number): Promise<boolean> => (await errorOf(counts[i])) <= target;
   const last = counts.length - 1;
@@ -47,7 +49,9 @@ export async function findFewest(
 
 /** The first of the element's levels that keeps an error; null where none does. */
 export async function findLevel(
-  levels: readonly Level[], target: number, errorOf: (level: Level) => Promise<number> | number,
+  levels: readonly Level[],
+  target: number,
+  errorOf: (level: Level) => Promise<number> | number,
 ): Promise<FoundSteps | null> {
   for (const level of levels) {
     const error = await errorOf(level);

@@ -61,10 +61,11 @@ async function showManyInPage({ src, size, count, patience: max }) {
       if (detail.converged) done.add(element);
     });
   }
-  const inSight = () => elements.filter((element) => {
-    const { top, bottom } = element.getBoundingClientRect();
-    return bottom > 0 && top < innerHeight;
-  });
+  const inSight = () =>
+    elements.filter((element) => {
+      const { top, bottom } = element.getBoundingClientRect();
+      return bottom > 0 && top < innerHeight;
+    });
   const waitForSight = async () => {
     const began = performance.now();
     while (!inSight().every((element) => done.has(element))) {

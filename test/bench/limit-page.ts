@@ -35,10 +35,12 @@ export async function measureLimits(options: QualityOptions, notify: (what: stri
         if (one) pictures.set(String(target), pictureOf(picture, 'shipped', one));
       }
       const times = timeInTurns(gl, pictures, { size, repeats: options.repeats });
-      const reached = new Map([...found].map(([target, techniques]) => {
-        const one = techniques.get('shipped');
-        return [target, one ? { ...one, ms: times.get(String(target))! } : null];
-      }));
+      const reached = new Map(
+        [...found].map(([target, techniques]) => {
+          const one = techniques.get('shipped');
+          return [target, one ? { ...one, ms: times.get(String(target))! } : null];
+        }),
+      );
       rows.push({ volume, transferFunction, size, ...countShown(shown), ms: times.get('fetched')!, reached });
     }
   }

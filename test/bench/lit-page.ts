@@ -39,7 +39,8 @@ const minTimed = 400;
 
 export async function compareLit(options: LitOptions): Promise<LitRow[]> {
   const rows: LitRow[] = [];
-  for (const scene of litScenes.filter(({ id }) => options.scenes.length === 0 || options.scenes.includes(id))) rows.push(...await compareScene(scene, options));
+  for (const scene of litScenes.filter(({ id }) => options.scenes.length === 0 || options.scenes.includes(id)))
+    rows.push(...(await compareScene(scene, options)));
   return rows;
 }
 
@@ -48,7 +49,12 @@ async function compareScene(bench: LitScene, { size, steps, turns, variants }: L
   const transferFunction = await resolveTransferFunction(bench.look, volume.range);
   const stepLength = stepLengthOf(volume.grid, steps);
   const open = async ({ name, style, overlay, labels }: LitVariant) => {
-    const { scene, dispose } = await openTurnScene({ volume, transferFunction, referenceLength: bench.referenceLength, size });
+    const { scene, dispose } = await openTurnScene({
+      volume,
+      transferFunction,
+      referenceLength: bench.referenceLength,
+      size,
+    });
     if (style) await scene.setStyle(style);
     if (overlay) await scene.setOverlay(overlay);
     if (labels) await scene.setLabels(labels);
@@ -65,22 +71,27 @@ async function compareScene(bench: LitScene, { size, steps, turns, variants }: L
       const [before, start] = [await processorSeconds(), performance.now()];
       for (let i = 0; i < frames; i++) await draw();
       const clock = (performance.now() - start) / frames;
-      return { work: (1000 * (await processorSeconds() - before)) / frames, clock };
+      return { work: (1000 * ((await processorSeconds()) - before)) / frames, clock };
     };
     return { name, time, dispose };
   };
   const plain = await open({ name: 'plain' });
   const rows: LitRow[] = [];
   const all = await listVariants(bench, volume);
-  for (const variant of all.filter(({ name }) => variants.length === 0 || variants.some((begin) => name.startsWith(begin)))) {
+  for (const variant of all.filter(
+    ({ name }) => variants.length === 0 || variants.some((begin) => name.startsWith(begin)),
+  )) {
     const shown = await open(variant);
     const taken: { plain: Timed; shown: Timed }[] = [];
     for (let turn = 0; turn < turns; turn++) taken.push({ plain: await plain.time(), shown: await shown.time() });
     shown.dispose();
     rows.push({
-      scene: bench.name, variant: variant.name,
-      plain: median(taken.map((one) => one.plain.work)), shown: median(taken.map((one) => one.shown.work)),
-      ratio: median(taken.map((one) => one.shown.work / one.plain.work)), clock: median(taken.map((one) => one.shown.clock / one.plain.clock)),
+      scene: bench.name,
+      variant: variant.name,
+      plain: median(taken.map((one) => one.plain.work)),
+      shown: median(taken.map((one) => one.shown.work)),
+      ratio: median(taken.map((one) => one.shown.work / one.plain.work)),
+      clock: median(taken.map((one) => one.shown.clock / one.plain.clock)),
     });
   }
   plain.dispose();

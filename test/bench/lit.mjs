@@ -5,12 +5,33 @@ import { measureTurns } from './turns.mjs';
 
 const steps = 200;
 
-export const run = () => measureTurns({ sizes: readSizes([256]), what: `${steps} steps, all pixels have rays, medians of ${repeats} turns` }, async (page, size) => {
-  const rows = await page.evaluate(async ({ module, asked }) => {
-    const { compareLit } = /** @type {typeof import('./lit-page.ts')} */ (await import(module));
-    return compareLit(asked);
-  }, { module: '/test/bench/lit-page.ts', asked: { size, steps, turns: repeats, scenes: process.env.SCENES?.split(',') ?? [], variants: process.env.WITH?.split(',') ?? [] } });
-  return rows.map(({ scene, variant, plain, shown, ratio, clock }) => ({
-    scene, 'with': variant, 'plain, processor, ms': plain.toFixed(0), 'so, processor, ms': shown.toFixed(0), ratio: ratio.toFixed(2), 'by the clock': clock.toFixed(2),
-  }));
-});
+export const run = () =>
+  measureTurns(
+    { sizes: readSizes([256]), what: `${steps} steps, all pixels have rays, medians of ${repeats} turns` },
+    async (page, size) => {
+      const rows = await page.evaluate(
+        async ({ module, asked }) => {
+          const { compareLit } = /** @type {typeof import('./lit-page.ts')} */ (await import(module));
+          return compareLit(asked);
+        },
+        {
+          module: '/test/bench/lit-page.ts',
+          asked: {
+            size,
+            steps,
+            turns: repeats,
+            scenes: process.env.SCENES?.split(',') ?? [],
+            variants: process.env.WITH?.split(',') ?? [],
+          },
+        },
+      );
+      return rows.map(({ scene, variant, plain, shown, ratio, clock }) => ({
+        scene,
+        with: variant,
+        'plain, processor, ms': plain.toFixed(0),
+        'so, processor, ms': shown.toFixed(0),
+        ratio: ratio.toFixed(2),
+        'by the clock': clock.toFixed(2),
+      }));
+    },
+  );

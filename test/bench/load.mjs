@@ -44,7 +44,13 @@ async function loadInPage({ src, pixels: size }) {
   at.final = performance.now();
   await new Promise((resolve) => setTimeout(resolve, 100)); // Observers are told of tasks a little later.
   const since = (/** @type {number} */ time) => time - began;
-  return { bytesIn: since(at.bytesIn), loaded: since(at.loaded), first: since(at.first), final: since(at.final), longestTask: /** @type {any} */ (window).longestTask };
+  return {
+    bytesIn: since(at.bytesIn),
+    loaded: since(at.loaded),
+    first: since(at.first),
+    final: since(at.final),
+    longestTask: /** @type {any} */ (window).longestTask,
+  };
 }
 
 export async function run() {
@@ -82,6 +88,6 @@ export async function run() {
       });
     }
     console.log(`\n${nameMachine(machine)}, medians of ${repeats}, ${pixels} x ${pixels} pixels\n`);
-    printTable('Load: a file from this machine, ms; memory of the page\'s own process beyond an empty page\'s', rows);
+    printTable("Load: a file from this machine, ms; memory of the page's own process beyond an empty page's", rows);
   }, made);
 }

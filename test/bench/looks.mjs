@@ -15,10 +15,20 @@ export async function run() {
   mkdirSync(folder, { recursive: true });
   await measureSource(async ({ openPage }) => {
     const page = await openPage('test/accuracy/page.html');
-    const sheets = await page.evaluate(async ({ module, asked }) => {
-      const { drawLooks } = /** @type {typeof import('./looks-page.ts')} */ (await import(module));
-      return drawLooks(asked, (what) => /** @type {any} */ (window).sayProgress(what));
-    }, { module: '/test/bench/looks-page.ts', asked: { size, scenes: process.env.SCENES?.split(',') ?? [], modules: Object.fromEntries(peers.map((name) => [name, `/test/bench/peers/dist/${name}.js`])) } });
+    const sheets = await page.evaluate(
+      async ({ module, asked }) => {
+        const { drawLooks } = /** @type {typeof import('./looks-page.ts')} */ (await import(module));
+        return drawLooks(asked, (what) => /** @type {any} */ (window).sayProgress(what));
+      },
+      {
+        module: '/test/bench/looks-page.ts',
+        asked: {
+          size,
+          scenes: process.env.SCENES?.split(',') ?? [],
+          modules: Object.fromEntries(peers.map((name) => [name, `/test/bench/peers/dist/${name}.js`])),
+        },
+      },
+    );
     for (const { name, sheet } of sheets) {
       const file = join(folder, `${name}.png`);
       writeFileSync(file, Buffer.from(sheet.split(',')[1], 'base64'));

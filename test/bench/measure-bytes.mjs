@@ -19,7 +19,10 @@ export function sumOwnBytes(rows) {
  * left out, each package as it is bundled alone, and x3dom's file.
  */
 export async function measureBytes() {
-  const own = await bundle(join(projectRoot, 'dist/esm/src/index.js'), (id) => !/^[./]/.test(id) && !id.startsWith(projectRoot));
+  const own = await bundle(
+    join(projectRoot, 'dist/esm/src/index.js'),
+    (id) => !/^[./]/.test(id) && !id.startsWith(projectRoot),
+  );
   const first = findEager(own);
   const eager = own.filter((chunk) => first.has(chunk.fileName)).map((chunk) => chunk.code);
   const lazy = own.filter((chunk) => !first.has(chunk.fileName)).map((chunk) => chunk.code);
@@ -27,12 +30,29 @@ export async function measureBytes() {
   return [
     row('own code, with the first element', eager),
     row('own code, loaded when used', lazy),
-    row('decode worker, for NIfTI', readWorker((name) => /^worker-nifti-.{8}\.js$/.test(name))),
-    row('decode worker, for mosaics too (with fflate)', readWorker((name) => !/-(read-radar|read-nrrd|read-metaimage)-/.test(name))),
-    row('decode worker, for radar too (with fflate)', readWorker(() => true)),
+    row(
+      'decode worker, for NIfTI',
+      readWorker((name) => /^worker-nifti-.{8}\.js$/.test(name)),
+    ),
+    row(
+      'decode worker, for mosaics too (with fflate)',
+      readWorker((name) => !/-(read-radar|read-nrrd|read-metaimage)-/.test(name)),
+    ),
+    row(
+      'decode worker, for radar too (with fflate)',
+      readWorker(() => true),
+    ),
     row('fflate (in the worker)', [await bundlePackage("export { Unzlib } from 'fflate';")]),
-    row('lit', [await bundlePackage("export { html, LitElement, nothing, css } from 'lit'; export { customElement, property, query, state } from 'lit/decorators.js';")]),
-    row('culori (CSS colours)', [await bundlePackage("export { converter, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeA98, modeP3, modeProphoto, modeRec2020, modeRgb, modeXyz50, modeXyz65, parse, useMode } from 'culori/fn';")]),
+    row('lit', [
+      await bundlePackage(
+        "export { html, LitElement, nothing, css } from 'lit'; export { customElement, property, query, state } from 'lit/decorators.js';",
+      ),
+    ]),
+    row('culori (CSS colours)', [
+      await bundlePackage(
+        "export { converter, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeA98, modeP3, modeProphoto, modeRec2020, modeRgb, modeXyz50, modeXyz65, parse, useMode } from 'culori/fn';",
+      ),
+    ]),
     row('x3dom', [read('dist/x3dom.js')]),
     ...measureClassic(),
   ];
@@ -72,7 +92,9 @@ function readWorker(isUsed) {
   const folder = join(projectRoot, 'dist/chunks');
   const names = new Set(['../decode-worker.js']);
   for (const name of names) {
-    for (const [, lazy, chunk] of readFileSync(join(folder, name), 'utf8').matchAll(/(import\()?["'`](?:\.\/chunks\/|\.\/)(worker-[^"'`]+\.js)["'`]/g)) {
+    for (const [, lazy, chunk] of readFileSync(join(folder, name), 'utf8').matchAll(
+      /(import\()?["'`](?:\.\/chunks\/|\.\/)(worker-[^"'`]+\.js)["'`]/g,
+    )) {
       if (!lazy || isUsed(chunk)) names.add(chunk);
     }
   }
@@ -103,14 +125,17 @@ async function bundle(entry, external, source) {
     root: projectRoot,
     publicDir: false,
     logLevel: 'error',
-    plugins: [{
-      name: 'entry-and-addresses',
-      enforce: 'pre',
-      resolveId: (id) => (source !== undefined && id.endsWith(entry) ? join(projectRoot, 'virtual-entry.js') : null),
-      load: (id) => (id.endsWith('/virtual-entry.js') ? source : null),
-      // Vite would write x3dom and the worker into the module as data: URLs.
-      transform: (code) => code.replaceAll(', import.meta.url)', ', location.href)').replaceAll(',import.meta.url)', ',location.href)'),
-    }],
+    plugins: [
+      {
+        name: 'entry-and-addresses',
+        enforce: 'pre',
+        resolveId: (id) => (source !== undefined && id.endsWith(entry) ? join(projectRoot, 'virtual-entry.js') : null),
+        load: (id) => (id.endsWith('/virtual-entry.js') ? source : null),
+        // Vite would write x3dom and the worker into the module as data: URLs.
+        transform: (code) =>
+          code.replaceAll(', import.meta.url)', ', location.href)').replaceAll(',import.meta.url)', ',location.href)'),
+      },
+    ],
     build: {
       write: false,
       target: 'es2022',

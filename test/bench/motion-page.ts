@@ -39,7 +39,12 @@ export interface MotionRow {
 }
 
 /** From where the picture at rest was seen: degrees around the volume, and a factor of the distance. */
-const moves = [[1, 1], [6, 1], [15, 1], [0, 0.8]] as const;
+const moves = [
+  [1, 1],
+  [6, 1],
+  [15, 1],
+  [0, 0.8],
+] as const;
 
 /** What a frame at 800 x 800 has time for in software: pixels times steps, and what rays cost besides. As much as 14 steps with substeps took. */
 const affordable = 128 ** 2 * (100 + 4);
@@ -47,11 +52,16 @@ const affordable = 128 ** 2 * (100 + 4);
 const shares = [0.16, 0.14, 0.125, 0.11, 0.1, 0.08] as const;
 
 /** @param tell - what is being done */
-export async function compareMotion({ size, scenes }: MotionOptions, notify: (what: string) => void): Promise<MotionRow[]> {
+export async function compareMotion(
+  { size, scenes }: MotionOptions,
+  notify: (what: string) => void,
+): Promise<MotionRow[]> {
   const rows: MotionRow[] = [];
-  for (const scene of litScenes.filter(({ id }) => (scenes.length === 0 ? ['mri', 'ct', 'radar'] : scenes).includes(id))) {
+  for (const scene of litScenes.filter(({ id }) =>
+    (scenes.length === 0 ? ['mri', 'ct', 'radar'] : scenes).includes(id),
+  )) {
     notify(scene.id);
-    rows.push(...await compareScene(scene, size));
+    rows.push(...(await compareScene(scene, size)));
   }
   return rows;
 }
@@ -64,24 +74,59 @@ async function compareScene(bench: LitScene, size: number): Promise<MotionRow[]>
   const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
   await scene.prepare(volume);
   scene.setVolume(volume);
-  await scene.setOptics({ transferFunction: await resolveTransferFunction(bench.look, volume.range), referenceLength: bench.referenceLength * radius, opacityFactor: 1, lightFactor: 1 });
-  const draw = ([degrees, zoom]: readonly [number, number], pixels: number, steps: number, substeps = allSubsteps): Uint8Array => {
+  await scene.setOptics({
+    transferFunction: await resolveTransferFunction(bench.look, volume.range),
+    referenceLength: bench.referenceLength * radius,
+    opacityFactor: 1,
+    lightFactor: 1,
+  });
+  const draw = (
+    [degrees, zoom]: readonly [number, number],
+    pixels: number,
+    steps: number,
+    substeps = allSubsteps,
+  ): Uint8Array => {
     scene.setSubsteps(substeps);
     scene.resize(pixels, pixels);
-    scene.setCamera(orbitCamera({ theta: 0.5 + (degrees * Math.PI) / 180, phi: 1.2, radius: zoom * framingDistance(radius, 0.6, 1) }, center, 0.6));
+    scene.setCamera(
+      orbitCamera(
+        { theta: 0.5 + (degrees * Math.PI) / 180, phi: 1.2, radius: zoom * framingDistance(radius, 0.6, 1) },
+        center,
+        0.6,
+      ),
+    );
     scene.draw(stepLengthOf(volume.grid, steps));
     return scene.readPicture().data;
   };
   draw([0, 1], size, autoSteps(volume.grid));
   const model = await learn(scene, volume, size);
   const full = moves.map((move) => draw(move, size, autoSteps(volume.grid)));
-  const chosen = planFrame({ a: 0, b: 1 }, model, { pixels: size ** 2, steps: autoSteps(volume.grid) }, { budgetMs: affordable });
-  const plans = [...shares.map((share) => [Math.round(share * 800), false] as const), [Math.round(chosen.scale * size), true] as const];
+  const chosen = planFrame(
+    { a: 0, b: 1 },
+    model,
+    { pixels: size ** 2, steps: autoSteps(volume.grid) },
+    { budgetMs: affordable },
+  );
+  const plans = [
+    ...shares.map((share) => [Math.round(share * 800), false] as const),
+    [Math.round(chosen.scale * size), true] as const,
+  ];
   const rows = plans.map(([pixels, isChosen]): MotionRow => {
     const steps = isChosen ? chosen.steps : Math.min(autoSteps(volume.grid), Math.floor(affordable / pixels ** 2 - 4));
-    const errors = moves.map((move, i) => measure(blowUp(draw(move, pixels, steps, wholeSteps), { width: pixels, height: pixels }, size), full[i], size));
-    const mean = (key: 'rms' | 'p99' | 'silhouette'): number => errors.reduce((sum, one) => sum + one[key], 0) / errors.length;
-    return { scene: bench.id, pixels, steps, isChosen, rms: mean('rms'), p99: mean('p99'), silhouette: mean('silhouette') };
+    const errors = moves.map((move, i) =>
+      measure(blowUp(draw(move, pixels, steps, wholeSteps), { width: pixels, height: pixels }, size), full[i], size),
+    );
+    const mean = (key: 'rms' | 'p99' | 'silhouette'): number =>
+      errors.reduce((sum, one) => sum + one[key], 0) / errors.length;
+    return {
+      scene: bench.id,
+      pixels,
+      steps,
+      isChosen,
+      rms: mean('rms'),
+      p99: mean('p99'),
+      silhouette: mean('silhouette'),
+    };
   });
   scene.dispose();
   host.remove();

@@ -18,10 +18,18 @@ const allScenes = [
   { name: 'the same, mosaic', attributes: { src: '/demos/data/mni152-t1.json' } },
   { name: 'CT phantom, 16 bit', attributes: { src: '/demos/data/ct-phantom.nii.gz', 'transfer-function': 'ct-bone' } },
   { name: 'radar 14 x 360 x 400, synthetic storm', attributes: { src: '/demos/data/storm-radar-1510.json' } },
-  { name: 'radar 14 x 360 x 598, ODIM_H5', attributes: { src: '/shared-data/radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5' } },
+  {
+    name: 'radar 14 x 360 x 598, ODIM_H5',
+    attributes: { src: '/shared-data/radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5' },
+  },
   {
     name: 'aorta of the 2011 paper, mosaic 4096 x 4096',
-    attributes: { src: '/shared-data/medical/aorta_mosaic/aorta4096.png', mosaic: '10x10', slices: '96', spacing: '0.8 0.8 -1.2' },
+    attributes: {
+      src: '/shared-data/medical/aorta_mosaic/aorta4096.png',
+      mosaic: '10x10',
+      slices: '96',
+      spacing: '0.8 0.8 -1.2',
+    },
   },
 ];
 
@@ -98,15 +106,27 @@ export async function run() {
         phases.push(await page.evaluate(loadInPage, { attributes, ...picture }));
         if (i === repeats - 1) {
           const times = await page.evaluate(timeFrames, { stepCounts, repeats });
-          frames.push({ scene: name, ...Object.fromEntries(stepCounts.map((s) => [`${s} steps`, median(times[s]).toFixed(1)])) });
+          frames.push({
+            scene: name,
+            ...Object.fromEntries(stepCounts.map((s) => [`${s} steps`, median(times[s]).toFixed(1)])),
+          });
           const gpu = await page.evaluate(() => /** @type {any} */ (window).gpuBytes());
-          const [samples, textures, all, heap] = [gpu.samples, gpu.textures, gpu.all, await readHeap(page)].map(formatMegabytes);
+          const [samples, textures, all, heap] = [gpu.samples, gpu.textures, gpu.all, await readHeap(page)].map(
+            formatMegabytes,
+          );
           memory.push({ scene: name, samples, 'GPU textures': textures, 'GPU in all': all, heap });
         }
         await page.close();
       }
       const of = (/** @type {keyof Phases} */ phase) => median(phases.map((p) => p[phase])).toFixed(0);
-      loads.push({ scene: name, fetch: of('fetch'), decode: of('decode'), 'x3dom, upload': of('scene'), 'compile, draw': of('picture'), 'first picture': of('total') });
+      loads.push({
+        scene: name,
+        fetch: of('fetch'),
+        decode: of('decode'),
+        'x3dom, upload': of('scene'),
+        'compile, draw': of('picture'),
+        'first picture': of('total'),
+      });
     }
     console.log(`\n${nameMachine(machine)}\nmedians of ${repeats}; ${picture.width} x ${picture.height} pixels\n`);
     printTable('Load, ms (fetch begins when the element is put in; x3dom loads beside fetch and decode)', loads);

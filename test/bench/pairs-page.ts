@@ -87,7 +87,8 @@ export async function measurePairs(options: PairsOptions, notify: (what: string)
     atRest.push({ ...(await takeAtRest(element, options)), target: maxError });
   }
   element.maxError = null;
-  const judgeOf = (taken: readonly Taken[]): Judge => new Judge(element, options.size, finer * Math.max(...taken.map(({ steps }) => steps)));
+  const judgeOf = (taken: readonly Taken[]): Judge =>
+    new Judge(element, options.size, finer * Math.max(...taken.map(({ steps }) => steps)));
   const ofRest = judgeOf([...fixed, ...atRest]); // Before anything moves the camera from the element's own view.
   const pairsOfRest = { fixed: await ofRest.measure(fixed, notify), atRest: await ofRest.measure(atRest, notify) };
   element.steps = null;
@@ -127,7 +128,11 @@ async function takeMoving(element: VolumeView, { size, seconds }: PairsOptions):
   return { ms: medianOf('ms'), steps: medianOf('steps'), pixels: medianOf('pixels'), stated: null, shown };
 }
 
-async function drag(element: VolumeView, how: { seconds: number; pixels: number }, onFrame: (view: CameraChangeDetail) => void): Promise<void> {
+async function drag(
+  element: VolumeView,
+  how: { seconds: number; pixels: number },
+  onFrame: (view: CameraChangeDetail) => void,
+): Promise<void> {
   await element.whenRendered();
   const abort = new AbortController();
   element.addEventListener('camera-change', ({ detail }) => onFrame(detail), { signal: abort.signal });
@@ -181,6 +186,7 @@ function readPicture(element: VolumeView, size: number): Uint8ClampedArray {
   context.drawImage(element.shadowRoot!.querySelector('canvas')!, 0, 0, size, size);
   const { data } = context.getImageData(0, 0, size, size);
   // It comes with straight alpha; rounding brings back the premultiplied bytes that it was made from.
-  for (let i = 0; i < data.length; i += 4) for (let c = i; c < i + 3; c++) data[c] = Math.round((data[c] * data[i + 3]) / 255);
+  for (let i = 0; i < data.length; i += 4)
+    for (let c = i; c < i + 3; c++) data[c] = Math.round((data[c] * data[i + 3]) / 255);
   return data;
 }

@@ -46,7 +46,8 @@ const tableSize = 1024;
 export function alignVolume(volume: Volume): Volume {
   const { dimensions, indexToWorld: m, spacing } = volume.grid;
   const [nx, ny, nz] = dimensions;
-  if ([1, 2, 4, 6, 8, 9].some((i) => Math.abs(m[i]) > 1e-6 * Math.min(...spacing))) throw new Error('peers get no oblique volumes');
+  if ([1, 2, 4, 6, 8, 9].some((i) => Math.abs(m[i]) > 1e-6 * Math.min(...spacing)))
+    throw new Error('peers get no oblique volumes');
   const samples = volume.samples.slice();
   const [flipX, flipY, flipZ] = [m[0] < 0, m[5] < 0, m[10] < 0];
   for (let k = 0, at = 0; k < nz; k++) {
@@ -56,7 +57,12 @@ export function alignVolume(volume: Volume): Volume {
     }
   }
   const first = dimensions.map((n, axis) => (-(n - 1) / 2) * spacing[axis]) as unknown as Vector3;
-  return { ...volume, samples, grid: cartesianGrid(dimensions, scaleAndTranslate(spacing, first)), macrocells: buildMacrocells(samples, dimensions) };
+  return {
+    ...volume,
+    samples,
+    grid: cartesianGrid(dimensions, scaleAndTranslate(spacing, first)),
+    macrocells: buildMacrocells(samples, dimensions),
+  };
 }
 
 /** The default view of `<volume-view>`. */

@@ -92,11 +92,17 @@ export async function comparePeers(options: PeersOptions, notify: (what: string)
   const rows: PeersRow[] = [];
   for await (const { name, volume: loaded, functions } of eachVolume(options.scenes, new AbortController().signal)) {
     const volume = alignVolume(loaded);
-    const looks = [...(options.lit === 'only' ? [] : functions.map((one) => ({ ...one, isLit: false }))), ...(options.lit === 'no' ? [] : [{ ...functions[0], isLit: true }])];
+    const looks = [
+      ...(options.lit === 'only' ? [] : functions.map((one) => ({ ...one, isLit: false }))),
+      ...(options.lit === 'no' ? [] : [{ ...functions[0], isLit: true }]),
+    ];
     for (const { name: functionName, transferFunction, isLit } of looks) {
       const title = isLit ? `${functionName}, lit` : functionName;
-      const results = await compareScene({ volume, transferFunction, isLit }, options, (what) => notify(`${name}, ${title}, ${what}`));
-      for (const [size, bySize] of results) rows.push({ volume: name, transferFunction: title, size, isLit, results: bySize });
+      const results = await compareScene({ volume, transferFunction, isLit }, options, (what) =>
+        notify(`${name}, ${title}, ${what}`),
+      );
+      for (const [size, bySize] of results)
+        rows.push({ volume: name, transferFunction: title, size, isLit, results: bySize });
     }
   }
   return rows;
@@ -110,10 +116,15 @@ interface Shown {
 }
 
 async function compareScene(
-  shown: Shown, options: PeersOptions, notify: (what: string) => void,
+  shown: Shown,
+  options: PeersOptions,
+  notify: (what: string) => void,
 ): Promise<Map<number, Record<string, PeerResult>>> {
   const camera = findCamera(shown.volume);
-  const scene = { ...describeScene(shown.volume, shown.transferFunction, camera), ...(shown.isLit && { light: fogMaterial }) };
+  const scene = {
+    ...describeScene(shown.volume, shown.transferFunction, camera),
+    ...(shown.isLit && { light: fogMaterial }),
+  };
   const references = new Map<boolean, number[]>();
   const results = new Map<number, Record<string, PeerResult>>(options.sizes.map((size) => [size, {}]));
   const peers = Object.keys(options.modules).filter((name) => !shown.isLit || litPeers.includes(name));
@@ -121,10 +132,25 @@ async function compareScene(
     notify(name);
     const host = document.createElement('div');
     document.body.append(host);
-    const peer = name === 'ours' ? await startOurs(host, { ...shown, camera }) : await startPeer(host, options.modules[name], scene);
+    const peer =
+      name === 'ours'
+        ? await startOurs(host, { ...shown, camera })
+        : await startPeer(host, options.modules[name], scene);
     const isParallel = peer.parallel !== undefined;
-    if (!references.has(isParallel)) references.set(isParallel, castReference(shown, viewRays(shown.volume, camera, peer.parallel), options.errorSize));
-    const measured = await measurePeer(peer, { volume: shown.volume, reference: references.get(isParallel)!, maxSteps: shown.isLit && name !== 'ours' ? maxLitSteps : Infinity }, options);
+    if (!references.has(isParallel))
+      references.set(
+        isParallel,
+        castReference(shown, viewRays(shown.volume, camera, peer.parallel), options.errorSize),
+      );
+    const measured = await measurePeer(
+      peer,
+      {
+        volume: shown.volume,
+        reference: references.get(isParallel)!,
+        maxSteps: shown.isLit && name !== 'ours' ? maxLitSteps : Infinity,
+      },
+      options,
+    );
     for (const [size, result] of measured) results.get(size)![name] = result;
     peer.dispose();
     host.remove();
@@ -133,16 +159,26 @@ async function compareScene(
 }
 
 async function startPeer(host: HTMLElement, module: string, scene: PeerScene): Promise<Peer> {
-  const { start } = await import(/* @vite-ignore */ module) as { start: (host: HTMLElement, scene: PeerScene) => Promise<Peer> };
+  const { start } = (await import(/* @vite-ignore */ module)) as {
+    start: (host: HTMLElement, scene: PeerScene) => Promise<Peer>;
+  };
   return start(host, scene);
 }
 
 /** The scene of `<volume-view>`, x3dom and all. */
-async function startOurs(host: HTMLElement, { volume, transferFunction, isLit, camera }: Shown & { camera: PeerCamera }): Promise<Peer> {
+async function startOurs(
+  host: HTMLElement,
+  { volume, transferFunction, isLit, camera }: Shown & { camera: PeerCamera },
+): Promise<Peer> {
   const scene = await VolumeScene.create(host, host, () => {});
   await scene.prepare(volume);
   scene.setVolume(volume);
-  await scene.setOptics({ transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 });
+  await scene.setOptics({
+    transferFunction,
+    referenceLength: defaultReferenceLength(volume),
+    opacityFactor: 1,
+    lightFactor: 1,
+  });
   if (isLit) await scene.setStyle({ lit: true });
   await scene.finished();
   return {
@@ -159,16 +195,31 @@ async function startOurs(host: HTMLElement, { volume, transferFunction, isLit, c
 }
 
 async function measurePeer(
-  peer: Peer, { volume, reference, maxSteps }: { volume: Volume; reference: readonly number[]; maxSteps: number }, { sizes, targets, repeats, errorSize }: PeersOptions,
+  peer: Peer,
+  { volume, reference, maxSteps }: { volume: Volume; reference: readonly number[]; maxSteps: number },
+  { sizes, targets, repeats, errorSize }: PeersOptions,
 ): Promise<Map<number, PeerResult>> {
-  const compare = (picture: Uint8Array): number => rms(referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]), reference);
-  const drawLevel = ({ steps, substeps = maxSubsteps }: Pick<FoundSteps, 'steps' | 'substeps'>, size: number): Uint8Array => {
+  const compare = (picture: Uint8Array): number =>
+    rms(
+      referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]),
+      reference,
+    );
+  const drawLevel = (
+    { steps, substeps = maxSubsteps }: Pick<FoundSteps, 'steps' | 'substeps'>,
+    size: number,
+  ): Uint8Array => {
     peer.cut?.({ steps, substeps });
     return drawPicture(peer, stepLengthOf(volume.grid, steps), size);
   };
   peer.setSize(errorSize);
-  const { limit, ofSteps, fromReference } = findLimit((steps) => drawLevel({ steps }, errorSize), peer.isFixed ? [1] : limitSteps.filter((n) => n <= maxSteps), compare);
-  const errorOf = remember(async (level: Pick<FoundSteps, 'steps' | 'substeps'>) => compareCovered(drawLevel(level, errorSize), limit, 1, 3).e);
+  const { limit, ofSteps, fromReference } = findLimit(
+    (steps) => drawLevel({ steps }, errorSize),
+    peer.isFixed ? [1] : limitSteps.filter((n) => n <= maxSteps),
+    compare,
+  );
+  const errorOf = remember(
+    async (level: Pick<FoundSteps, 'steps' | 'substeps'>) => compareCovered(drawLevel(level, errorSize), limit, 1, 3).e,
+  );
   const counts = listCounts(ofSteps / 2);
   const found = new Map<number, FoundSteps | null>();
   for (const target of targets) {
@@ -177,21 +228,29 @@ async function measurePeer(
     else found.set(target, await findFewest(counts, target, (steps) => errorOf({ steps })));
   }
   const picture = toDataUrl(limit, errorSize);
-  return new Map(sizes.map((size) => {
-    peer.setSize(size);
-    const time = (level: Pick<FoundSteps, 'steps' | 'substeps'>): number => timePicture(() => drawLevel(level, 1), repeats);
-    return [size, {
-      fromReference,
-      limitSteps: ofSteps,
-      picture,
-      fixedMs: peer.isFixed ? time({ steps: autoSteps(volume.grid) }) : null,
-      reached: Object.fromEntries([...found].map(([target, one]) => [target, one && { ...one, ms: time(one) }])),
-    }];
-  }));
+  return new Map(
+    sizes.map((size) => {
+      peer.setSize(size);
+      const time = (level: Pick<FoundSteps, 'steps' | 'substeps'>): number =>
+        timePicture(() => drawLevel(level, 1), repeats);
+      return [
+        size,
+        {
+          fromReference,
+          limitSteps: ofSteps,
+          picture,
+          fixedMs: peer.isFixed ? time({ steps: autoSteps(volume.grid) }) : null,
+          reached: Object.fromEntries([...found].map(([target, one]) => [target, one && { ...one, ms: time(one) }])),
+        },
+      ];
+    }),
+  );
 }
 
 function findLimit(
-  drawSteps: (steps: number) => Uint8Array, candidates: readonly number[], compare: (picture: Uint8Array) => number,
+  drawSteps: (steps: number) => Uint8Array,
+  candidates: readonly number[],
+  compare: (picture: Uint8Array) => number,
 ): { limit: Uint8Array; ofSteps: number; fromReference: number } {
   const pictures = candidates.map((ofSteps) => {
     const limit = drawSteps(ofSteps);
@@ -255,7 +314,15 @@ function referencePixels(errorSize: number): number[] {
 function castReference({ volume, transferFunction, isLit }: Shown, rays: RaySetup, errorSize: number): number[] {
   const { samples, slope, intercept } = volume;
   const looks = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume.grid, samples, slope, intercept, ...looks, stepLength: stepLengthOf(volume.grid, autoSteps(volume.grid)), ...(isLit && litStages(volume, transferFunction)) };
+  const scene = {
+    grid: volume.grid,
+    samples,
+    slope,
+    intercept,
+    ...looks,
+    stepLength: stepLengthOf(volume.grid, autoSteps(volume.grid)),
+    ...(isLit && litStages(volume, transferFunction)),
+  };
   const optics = opticsOf(scene);
   const toDevice = (n: number): number => ((n + 0.5) / errorSize) * 2 - 1;
   return referencePixels(errorSize).flatMap((at) => {
@@ -268,7 +335,8 @@ function toDataUrl(pixels: Uint8Array, size: number): string {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = size;
   const image = new ImageData(size, size);
-  for (let row = 0; row < size; row++) image.data.set(pixels.subarray((size - 1 - row) * size * 4, (size - row) * size * 4), row * size * 4);
+  for (let row = 0; row < size; row++)
+    image.data.set(pixels.subarray((size - 1 - row) * size * 4, (size - row) * size * 4), row * size * 4);
   for (let i = 3; i < image.data.length; i += 4) image.data[i] = 255;
   canvas.getContext('2d')!.putImageData(image, 0, 0);
   return canvas.toDataURL();

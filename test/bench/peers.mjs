@@ -23,17 +23,37 @@ export async function run() {
   const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats, errorSize, modules, lit };
   await measureSource(async ({ machine, openPage }) => {
     const page = await openPage('test/accuracy/page.html');
-    const rows = await page.evaluate(async ({ module, asked }) => {
-      const { comparePeers } = /** @type {typeof import('./peers-page.ts')} */ (await import(module));
-      return comparePeers(asked, (what) => /** @type {any} */ (window).sayProgress(what));
-    }, { module: '/test/bench/peers-page.ts', asked: options });
-    console.log(`\n${nameMachine(machine)}, medians of ${repeats}. Errors: E of the colours over black, 8 bit: the larger of the RMSE over the pixels that are not black and an eighth of their 99.9th percentile, against each one's own picture at very many steps.\n`);
-    printTable('From the float64 reference: RMSE, 1/255 (steps)', rows.filter(({ size }) => size === options.sizes[0]).map(({ volume, transferFunction, results }) => ({
-      volume,
-      'transfer function': transferFunction,
-      ...Object.fromEntries(Object.entries(results).map(([name, { fromReference, limitSteps }]) => [name, `${fromReference.toFixed(2)} (${limitSteps === 1 ? 'fixed' : limitSteps})`])),
-    })));
-    for (const size of options.sizes) for (const target of targets) printPeers(rows.filter((row) => row.size === size), { size, target });
+    const rows = await page.evaluate(
+      async ({ module, asked }) => {
+        const { comparePeers } = /** @type {typeof import('./peers-page.ts')} */ (await import(module));
+        return comparePeers(asked, (what) => /** @type {any} */ (window).sayProgress(what));
+      },
+      { module: '/test/bench/peers-page.ts', asked: options },
+    );
+    console.log(
+      `\n${nameMachine(machine)}, medians of ${repeats}. Errors: E of the colours over black, 8 bit: the larger of the RMSE over the pixels that are not black and an eighth of their 99.9th percentile, against each one's own picture at very many steps.\n`,
+    );
+    printTable(
+      'From the float64 reference: RMSE, 1/255 (steps)',
+      rows
+        .filter(({ size }) => size === options.sizes[0])
+        .map(({ volume, transferFunction, results }) => ({
+          volume,
+          'transfer function': transferFunction,
+          ...Object.fromEntries(
+            Object.entries(results).map(([name, { fromReference, limitSteps }]) => [
+              name,
+              `${fromReference.toFixed(2)} (${limitSteps === 1 ? 'fixed' : limitSteps})`,
+            ]),
+          ),
+        })),
+    );
+    for (const size of options.sizes)
+      for (const target of targets)
+        printPeers(
+          rows.filter((row) => row.size === size),
+          { size, target },
+        );
     if (process.env.PICTURES) writePictures(rows, process.env.PICTURES);
   });
 }
@@ -49,21 +69,33 @@ function readLit(asked) {
  */
 function printPeers(rows, { size, target }) {
   const ratios = rows.map((row) => compareFastest(row, target));
-  printTable(`Time to an error of ${target}/255, ${size} x ${size} pixels: ms (steps, ours × the most substeps); in brackets what does not count, as it tends to another picture. What is lit counts: models of light differ`, rows.map(({ volume, transferFunction, results }, i) => ({
-    volume,
-    'transfer function': transferFunction,
-    ...Object.fromEntries(Object.entries(results).map(([name, result]) => [name, notify(result, target, rows[i].isLit)])),
-    'fastest peer / ours': ratios[i]?.toFixed(2) ?? 'none counts',
-  })));
+  printTable(
+    `Time to an error of ${target}/255, ${size} x ${size} pixels: ms (steps, ours × the most substeps); in brackets what does not count, as it tends to another picture. What is lit counts: models of light differ`,
+    rows.map(({ volume, transferFunction, results }, i) => ({
+      volume,
+      'transfer function': transferFunction,
+      ...Object.fromEntries(
+        Object.entries(results).map(([name, result]) => [name, notify(result, target, rows[i].isLit)]),
+      ),
+      'fastest peer / ours': ratios[i]?.toFixed(2) ?? 'none counts',
+    })),
+  );
   const known = ratios.filter((ratio) => ratio !== null);
   if (known.length === 0) return console.log('no peer counts in any scene\n');
-  console.log(`fastest peer / ours: median ${median(known).toFixed(1)}, min ${Math.min(...known).toFixed(2)}, of ${known.length} of ${rows.length} scenes\n`);
+  console.log(
+    `fastest peer / ours: median ${median(known).toFixed(1)}, min ${Math.min(...known).toFixed(2)}, of ${known.length} of ${rows.length} scenes\n`,
+  );
 }
 
 /** @param {import('./peers-page.ts').PeerResult} result @param {number} target @param {boolean} isLit */
 function notify({ fromReference, reached, fixedMs }, target, isLit) {
   const one = reached[target];
-  const text = fixedMs === null ? (one ? `${one.ms.toFixed(0)} (${one.steps}${one.substeps ? ` × ${one.substeps}` : ''})` : 'never') : `${fixedMs.toFixed(0)} (fixed)`;
+  const text =
+    fixedMs === null
+      ? one
+        ? `${one.ms.toFixed(0)} (${one.steps}${one.substeps ? ` × ${one.substeps}` : ''})`
+        : 'never'
+      : `${fixedMs.toFixed(0)} (fixed)`;
   return (isLit || fromReference <= maxFromReference) && fixedMs === null ? text : `[${text}]`;
 }
 

@@ -44,10 +44,14 @@ export async function run() {
             await page.close();
           }
         }
-        for (const [build, { name: which }] of builds.entries()) rows.push({ scene: `${name}${which}`, ...sumUp(loads[build]) });
+        for (const [build, { name: which }] of builds.entries())
+          rows.push({ scene: `${name}${which}`, ...sumUp(loads[build]) });
       }
       console.log(`\n${nameMachine(machine)}, medians of ${repeats}, ${pixels} x ${pixels} pixels\n`);
-      printTable('From the script on, ms, the first time that each phase begins (x3dom, worker, counted, linked, uploaded, pictures: is done)', rows);
+      printTable(
+        'From the script on, ms, the first time that each phase begins (x3dom, worker, counted, linked, uploaded, pictures: is done)',
+        rows,
+      );
     });
   } finally {
     old?.close();

@@ -9,12 +9,18 @@ const side = 12;
 
 /** @type {{ name: string, attributes: Record<string, string> }[]} */
 const allScenes = [
-  { name: 'cube 256^3, 16 bit, translucent', attributes: { src: '/made/cube.nii', 'transfer-function': 'viridis', 'opacity-factor': '0.2' } },
+  {
+    name: 'cube 256^3, 16 bit, translucent',
+    attributes: { src: '/made/cube.nii', 'transfer-function': 'viridis', 'opacity-factor': '0.2' },
+  },
   { name: 'the same, as by default', attributes: { src: '/made/cube.nii' } },
   { name: 'the same, projection="max"', attributes: { src: '/made/cube.nii', projection: 'max' } },
   { name: 'MRI 197 x 233 x 189', attributes: { src: '/demos/data/mni152-t1.nii.gz' } },
   { name: 'radar 14 x 360 x 400, synthetic storm', attributes: { src: '/demos/data/storm-radar-1510.json' } },
-  { name: 'radar 14 x 360 x 598, ODIM_H5', attributes: { src: '/shared-data/radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5' } },
+  {
+    name: 'radar 14 x 360 x 598, ODIM_H5',
+    attributes: { src: '/shared-data/radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5' },
+  },
 ];
 
 /** Scenes whose data are here; says what is left out. */
@@ -56,21 +62,24 @@ async function pickInPage({ attributes, count }) {
 }
 
 export async function run() {
-  await measurePackage(async ({ machine, openPage }) => {
-    const page = await openPage('test/bench/page.html');
-    const rows = [];
-    for (const { name, attributes } of listScenes()) {
-      const { first, times, found } = await page.evaluate(pickInPage, { attributes, count: side });
-      times.sort((a, b) => a - b);
-      rows.push({
-        volume: name,
-        'picks that found something': found,
-        'median, ms': median(times).toFixed(2),
-        '95 %, ms': times[Math.floor(0.95 * (times.length - 1))].toFixed(2),
-        'the first one, with its code, ms': first.toFixed(0),
-      });
-    }
-    console.log(`\n${nameMachine(machine)}\n`);
-    printTable('A pick, from the call to its answer', rows);
-  }, { '/made/cube.nii': () => makeNifti(256) });
+  await measurePackage(
+    async ({ machine, openPage }) => {
+      const page = await openPage('test/bench/page.html');
+      const rows = [];
+      for (const { name, attributes } of listScenes()) {
+        const { first, times, found } = await page.evaluate(pickInPage, { attributes, count: side });
+        times.sort((a, b) => a - b);
+        rows.push({
+          volume: name,
+          'picks that found something': found,
+          'median, ms': median(times).toFixed(2),
+          '95 %, ms': times[Math.floor(0.95 * (times.length - 1))].toFixed(2),
+          'the first one, with its code, ms': first.toFixed(0),
+        });
+      }
+      console.log(`\n${nameMachine(machine)}\n`);
+      printTable('A pick, from the call to its answer', rows);
+    },
+    { '/made/cube.nii': () => makeNifti(256) },
+  );
 }

@@ -46,22 +46,42 @@ const style = `
  */
 export function drawPlot({ title, description, xName, yName, kinds, panels }) {
   const marks = panels.flatMap(({ lines }) => lines.flat());
-  const x = makeAxis(marks.map((mark) => mark.x), { from: margin.left, to: margin.left + area.width, before: air.left, after: air.right });
-  const y = makeAxis(marks.map((mark) => mark.y), { from: margin.top + area.height, to: margin.top, before: air.bottom, after: air.top });
+  const x = makeAxis(
+    marks.map((mark) => mark.x),
+    { from: margin.left, to: margin.left + area.width, before: air.left, after: air.right },
+  );
+  const y = makeAxis(
+    marks.map((mark) => mark.y),
+    { from: margin.top + area.height, to: margin.top, before: air.bottom, after: air.top },
+  );
   const width = columns * panel.width;
   const height = legendHeight + Math.ceil(panels.length / columns) * panel.height;
   const drawn = panels.map((one, i) => {
     const place = [(i % columns) * panel.width, legendHeight + Math.floor(i / columns) * panel.height];
-    return tag('g', { transform: `translate(${place.join(' ')})` }, [drawFrame(one.title, { x, y, xName, yName }), ...one.lines.map((line, k) => drawLine(line, `kind${k}`, { ...kinds[k], x, y }))]);
+    return tag('g', { transform: `translate(${place.join(' ')})` }, [
+      drawFrame(one.title, { x, y, xName, yName }),
+      ...one.lines.map((line, k) => drawLine(line, `kind${k}`, { ...kinds[k], x, y })),
+    ]);
   });
-  return `${tag('svg', { xmlns: 'http://www.w3.org/2000/svg', viewBox: `0 0 ${width} ${height}`, width, height, role: 'img', 'aria-labelledby': 'title description' }, [
-    tag('title', { id: 'title' }, [escape(title)]),
-    tag('desc', { id: 'description' }, [escape(description)]),
-    tag('style', {}, [style]),
-    tag('rect', { class: 'ground', width, height }, []),
-    drawLegend(kinds),
-    ...drawn,
-  ])}\n`;
+  return `${tag(
+    'svg',
+    {
+      xmlns: 'http://www.w3.org/2000/svg',
+      viewBox: `0 0 ${width} ${height}`,
+      width,
+      height,
+      role: 'img',
+      'aria-labelledby': 'title description',
+    },
+    [
+      tag('title', { id: 'title' }, [escape(title)]),
+      tag('desc', { id: 'description' }, [escape(description)]),
+      tag('style', {}, [style]),
+      tag('rect', { class: 'ground', width, height }, []),
+      drawLegend(kinds),
+      ...drawn,
+    ],
+  )}\n`;
 }
 
 /** @typedef {{ place: (value: number) => number, ticks: { value: number, named: boolean }[] }} Axis */
@@ -73,7 +93,8 @@ export function drawPlot({ title, description, xName, yName, kinds, panels }) {
  */
 function makeAxis(values, { from, to, before, after }) {
   const [min, max] = [Math.min(...values), Math.max(...values)];
-  if (!(min > 0 && Number.isFinite(max))) throw new RangeError(`a logarithmic axis got ${min} to ${max}; expected numbers above zero`);
+  if (!(min > 0 && Number.isFinite(max)))
+    throw new RangeError(`a logarithmic axis got ${min} to ${max}; expected numbers above zero`);
   const perPixel = Math.max(0.1, Math.log10(max / min)) / (Math.abs(to - from) - before - after);
   const [low, high] = [Math.log10(min) - before * perPixel, Math.log10(max) + after * perPixel];
   const ticks = [];
@@ -81,7 +102,8 @@ function makeAxis(values, { from, to, before, after }) {
     for (const step of [1, 2, 5]) {
       const at = Math.log10(step) + decade;
       // One decade after the other would be too far apart to be read where there are few.
-      if (at >= low && at <= high) ticks.push({ value: Number(`${step}e${decade}`), named: step === 1 || high - low < 2.5 });
+      if (at >= low && at <= high)
+        ticks.push({ value: Number(`${step}e${decade}`), named: step === 1 || high - low < 2.5 });
     }
   }
   return { place: (value) => from + ((Math.log10(value) - low) / (high - low)) * (to - from), ticks };
@@ -100,12 +122,16 @@ function drawFrame(title, { x, y, xName, yName }) {
     ...x.ticks.flatMap(({ value, named }) => {
       const at = round(x.place(value));
       const line = tag('line', { class: 'grid', x1: at, x2: at, y1: top, y2: bottom }, []);
-      return named ? [line, tag('text', { class: 'tick', x: at, y: bottom + 16, 'text-anchor': 'middle' }, [nameTick(value)])] : [line];
+      return named
+        ? [line, tag('text', { class: 'tick', x: at, y: bottom + 16, 'text-anchor': 'middle' }, [nameTick(value)])]
+        : [line];
     }),
     ...y.ticks.flatMap(({ value, named }) => {
       const at = round(y.place(value));
       const line = tag('line', { class: 'grid', x1: left, x2: right, y1: at, y2: at }, []);
-      return named ? [line, tag('text', { class: 'tick', x: left - 6, y: at + 4, 'text-anchor': 'end' }, [nameTick(value)])] : [line];
+      return named
+        ? [line, tag('text', { class: 'tick', x: left - 6, y: at + 4, 'text-anchor': 'end' }, [nameTick(value)])]
+        : [line];
     }),
     tag('rect', { class: 'frame', x: left, y: top, width: area.width, height: area.height }, []),
     tag('text', { x: left + area.width / 2, y: bottom + 34, 'text-anchor': 'middle' }, [escape(xName)]),
@@ -123,9 +149,15 @@ function drawLine(line, className, { shape, labels, x, y }) {
   return tag('g', { class: className }, [
     tag('polyline', { class: 'line', points: marks.map(({ at }) => at.join(',')).join(' ') }, []),
     ...marks.map(({ at }) => drawMark(shape, at[0], at[1])),
-    ...joinLabels(marks).map(({ at, label }) => tag('text', labels === 'above'
-      ? { class: 'label', x: at[0] + 6, y: at[1] - 5 }
-      : { class: 'label', x: at[0] - 7, y: at[1] + 12, 'text-anchor': 'end' }, [escape(label)])),
+    ...joinLabels(marks).map(({ at, label }) =>
+      tag(
+        'text',
+        labels === 'above'
+          ? { class: 'label', x: at[0] + 6, y: at[1] - 5 }
+          : { class: 'label', x: at[0] - 7, y: at[1] + 12, 'text-anchor': 'end' },
+        [escape(label)],
+      ),
+    ),
   ]);
 }
 
@@ -154,14 +186,18 @@ function drawMark(shape, x, y) {
 /** @param {readonly Kind[]} kinds */
 function drawLegend(kinds) {
   const each = (columns * panel.width - margin.left) / kinds.length;
-  return tag('g', {}, kinds.map(({ shape, name }, kind) => {
-    const x = margin.left + kind * each;
-    return tag('g', { class: `kind${kind}` }, [
-      tag('line', { class: 'line', x1: x, x2: x + 28, y1: 26, y2: 26 }, []),
-      drawMark(shape, x + 14, 26),
-      tag('text', { x: x + 36, y: 30 }, [escape(name)]),
-    ]);
-  }));
+  return tag(
+    'g',
+    {},
+    kinds.map(({ shape, name }, kind) => {
+      const x = margin.left + kind * each;
+      return tag('g', { class: `kind${kind}` }, [
+        tag('line', { class: 'line', x1: x, x2: x + 28, y1: 26, y2: 26 }, []),
+        drawMark(shape, x + 14, 26),
+        tag('text', { x: x + 36, y: 30 }, [escape(name)]),
+      ]);
+    }),
+  );
 }
 
 /** @param {number} value */
@@ -185,6 +221,8 @@ function escape(text) {
  * @param {readonly string[]} content - SVG
  */
 function tag(name, attributes, content) {
-  const written = Object.entries(attributes).map(([key, value]) => ` ${key}="${escape(String(value)).replaceAll('"', '&quot;')}"`).join('');
+  const written = Object.entries(attributes)
+    .map(([key, value]) => ` ${key}="${escape(String(value)).replaceAll('"', '&quot;')}"`)
+    .join('');
   return content.length === 0 ? `<${name}${written}/>` : `<${name}${written}>${content.join('\n')}</${name}>`;
 }

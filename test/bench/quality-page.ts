@@ -59,7 +59,9 @@ export type ScenePicture = Pick<StudyPicture, 'volume' | 'rays' | 'referenceLeng
 
 /** All scenes, each with all its transfer functions. @param tell - what is being done */
 export async function* eachScene(
-  gl: StudyGl, ids: readonly string[], notify: (what: string) => void,
+  gl: StudyGl,
+  ids: readonly string[],
+  notify: (what: string) => void,
 ): AsyncGenerator<{ volume: string; transferFunction: string; picture: ScenePicture }> {
   for await (const { name, volume, functions } of eachVolume(ids, new AbortController().signal)) {
     for (const { name: transferFunction, ...fn } of functions) {
@@ -67,7 +69,12 @@ export async function* eachScene(
       yield {
         volume: name,
         transferFunction,
-        picture: { volume, rays: defaultRays(volume), referenceLength: defaultReferenceLength(volume), transferFunction: fn.transferFunction },
+        picture: {
+          volume,
+          rays: defaultRays(volume),
+          referenceLength: defaultReferenceLength(volume),
+          transferFunction: fn.transferFunction,
+        },
       };
     }
     gl.forget(volume);
@@ -79,14 +86,23 @@ export async function* eachScene(
  * floats, as the pictures are.
  */
 export async function findAllSteps(
-  gl: StudyGl, picture: ScenePicture, names: readonly string[], { targets, errorSize }: QualityOptions,
+  gl: StudyGl,
+  picture: ScenePicture,
+  names: readonly string[],
+  { targets, errorSize }: QualityOptions,
 ): Promise<Map<number, Map<string, FoundSteps | null>>> {
   const { signal } = new AbortController();
-  const limit = await gl.draw({ ...picture, method: 'shipped', steps: stepsOfLimit(picture.volume) }, errorSize, signal);
+  const limit = await gl.draw(
+    { ...picture, method: 'shipped', steps: stepsOfLimit(picture.volume) },
+    errorSize,
+    signal,
+  );
   const errorOf = async (how: Pick<StudyPicture, 'method' | 'steps' | 'maxSubsteps' | 'cut'>): Promise<number> =>
     compareCovered(await gl.draw({ ...picture, ...how }, errorSize, signal), limit, 255).e;
   const oneAVoxel = autoSteps(picture.volume.grid);
-  const levels = remember((level: Level) => errorOf({ method: 'shipped', steps: level.steps, cut: cutSteps(level, oneAVoxel, 1) }));
+  const levels = remember((level: Level) =>
+    errorOf({ method: 'shipped', steps: level.steps, cut: cutSteps(level, oneAVoxel, 1) }),
+  );
   const uncut = remember((steps: number) => errorOf({ method: 'shipped', steps, maxSubsteps: 1 }));
   const plain = remember((steps: number) => errorOf({ method: 'plain', steps }));
   const find = (name: string, target: number): Promise<FoundSteps | null> => {
@@ -124,14 +140,20 @@ const slow = 1000;
  * picture's first one counts.
  */
 export function timeInTurns(
-  gl: StudyGl, pictures: ReadonlyMap<string, StudyPicture>, { size, repeats }: { size: number; repeats: number },
+  gl: StudyGl,
+  pictures: ReadonlyMap<string, StudyPicture>,
+  { size, repeats }: { size: number; repeats: number },
 ): Map<string, number> {
   const times = new Map([...pictures].map(([name, picture]) => [name, [gl.time(picture, size)]]));
-  const quick = [...pictures].map(([name, picture]) => ({ name, picture, first: times.get(name)![0] })).filter(({ first }) => first <= slow);
+  const quick = [...pictures]
+    .map(([name, picture]) => ({ name, picture, first: times.get(name)![0] }))
+    .filter(({ first }) => first <= slow);
   for (const { name } of quick) times.set(name, []);
   for (let i = 0; i < repeats; i++) {
     for (const { name, picture, first } of quick) {
-      times.get(name)!.push(gl.time(picture, size, Math.min(maxPictures, Math.max(1, Math.round(shortest / Math.max(first, 0.01))))));
+      times
+        .get(name)!
+        .push(gl.time(picture, size, Math.min(maxPictures, Math.max(1, Math.round(shortest / Math.max(first, 0.01))))));
     }
   }
   return new Map([...times].map(([name, list]) => [name, median(list)]));
@@ -144,10 +166,15 @@ export async function measureQuality(options: QualityOptions, notify: (what: str
   for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, notify)) {
     const found = await findAllSteps(gl, picture, Object.keys(techniques), options);
     const [first, ...further] = options.sizes;
-    const full = timeAll(gl, { picture, found, names: Object.keys(techniques) }, { size: first, repeats: options.repeats });
+    const full = timeAll(
+      gl,
+      { picture, found, names: Object.keys(techniques) },
+      { size: first, repeats: options.repeats },
+    );
     rows.push({ volume, transferFunction, size: first, reached: full });
     for (const size of further) {
-      const isShort = (target: number, name: string): boolean => (full[target][name]?.ms ?? 0) * (size / first) ** 2 <= longest;
+      const isShort = (target: number, name: string): boolean =>
+        (full[target][name]?.ms ?? 0) * (size / first) ** 2 <= longest;
       const reached = timeAll(gl, { picture, found, names: essential, isShort }, { size, repeats: options.repeats });
       rows.push({ volume, transferFunction, size, reached });
     }
@@ -164,17 +191,28 @@ interface Timed {
   readonly isShort?: (target: number, name: string) => boolean;
 }
 
-function timeAll(gl: StudyGl, { picture, found, names, isShort = () => true }: Timed, how: { size: number; repeats: number }): QualityRow['reached'] {
-  return Object.fromEntries([...found].map(([target, byName]) => {
-    const pictures = new Map<string, StudyPicture>();
-    for (const name of names) {
-      const one = byName.get(name);
-      if (one && isShort(target, name)) pictures.set(name, pictureOf(picture, name, one));
-    }
-    const times = timeInTurns(gl, pictures, how);
-    return [target, Object.fromEntries(names.map((name) => {
-      const one = byName.get(name);
-      return [name, one ? { ...one, ms: times.get(name) ?? null } : null];
-    }))];
-  }));
+function timeAll(
+  gl: StudyGl,
+  { picture, found, names, isShort = () => true }: Timed,
+  how: { size: number; repeats: number },
+): QualityRow['reached'] {
+  return Object.fromEntries(
+    [...found].map(([target, byName]) => {
+      const pictures = new Map<string, StudyPicture>();
+      for (const name of names) {
+        const one = byName.get(name);
+        if (one && isShort(target, name)) pictures.set(name, pictureOf(picture, name, one));
+      }
+      const times = timeInTurns(gl, pictures, how);
+      return [
+        target,
+        Object.fromEntries(
+          names.map((name) => {
+            const one = byName.get(name);
+            return [name, one ? { ...one, ms: times.get(name) ?? null } : null];
+          }),
+        ),
+      ];
+    }),
+  );
 }

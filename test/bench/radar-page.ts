@@ -51,24 +51,42 @@ function resample(volume: PolarVolume, cell: number): Volume {
   for (let k = 0; k < dimensions[2]; k++) {
     for (let j = 0; j < dimensions[1]; j++) {
       for (let i = 0; i < dimensions[0]; i++) {
-        samples[at++] = volume.slope * sampleAt([(i + 0.5) / dimensions[0], (j + 0.5) / dimensions[1], (k + 0.5) / dimensions[2]]) + volume.intercept;
+        samples[at++] =
+          volume.slope * sampleAt([(i + 0.5) / dimensions[0], (j + 0.5) / dimensions[1], (k + 0.5) / dimensions[2]]) +
+          volume.intercept;
       }
     }
   }
   const m = volume.grid.indexToWorld;
   const factor = dimensions.map((n, axis) => volume.grid.dimensions[axis] / n);
-  const origin = [0, 1, 2].map((row) => m[row * 4 + 3] - [0, 1, 2].reduce((sum, c) => sum + m[row * 4 + c] * 0.5 * (1 - factor[c]), 0));
-  const indexToWorld = [0, 1, 2].flatMap((row) => [...[0, 1, 2].map((c) => m[row * 4 + c] * factor[c]), origin[row]]).concat([0, 0, 0, 1]);
+  const origin = [0, 1, 2].map(
+    (row) => m[row * 4 + 3] - [0, 1, 2].reduce((sum, c) => sum + m[row * 4 + c] * 0.5 * (1 - factor[c]), 0),
+  );
+  const indexToWorld = [0, 1, 2]
+    .flatMap((row) => [...[0, 1, 2].map((c) => m[row * 4 + c] * factor[c]), origin[row]])
+    .concat([0, 0, 0, 1]);
   return {
-    ...volume, grid: cartesianGrid(dimensions, indexToWorld), samples, slope: 1, intercept: 0,
+    ...volume,
+    grid: cartesianGrid(dimensions, indexToWorld),
+    samples,
+    slope: 1,
+    intercept: 0,
     macrocells: buildMacrocells(samples, dimensions),
     ...summarize(samples, 1, 0),
   };
 }
 
 /** @param cells - metres */
-export async function compareResamplings(url: string, cells: readonly number[], size: number, repeats: number): Promise<Resampling[]> {
-  const volume = await loadVolume({ url, verticalExaggeration: 5, limits }, { signal: new AbortController().signal, onProgress: () => {} });
+export async function compareResamplings(
+  url: string,
+  cells: readonly number[],
+  size: number,
+  repeats: number,
+): Promise<Resampling[]> {
+  const volume = await loadVolume(
+    { url, verticalExaggeration: 5, limits },
+    { signal: new AbortController().signal, onProgress: () => {} },
+  );
   const transferFunction = await resolveTransferFunction('radar-dbz', [0, 1]);
   if (!isPolar(volume)) throw new TypeError(`${url} got a ${volume.grid.kind} grid; expected a radar's file`);
   const reach = volume.grid.box.high[0];
@@ -85,13 +103,21 @@ export async function compareResamplings(url: string, cells: readonly number[], 
     scene.draw(stepLengths.shown);
     await scene.finished();
   };
-  const probe = (stepLength: number): Float32Array => probeRays(scene, [stepLength], { stride: 2, first: [0, 0], width: size / 2, height: size / 2 }, { width: size, height: size })![0];
+  const probe = (stepLength: number): Float32Array =>
+    probeRays(
+      scene,
+      [stepLength],
+      { stride: 2, first: [0, 0], width: size / 2, height: size / 2 },
+      { width: size, height: size },
+    )![0];
 
   await show(volume);
   const limit = probe(stepLengths.limit);
   const candidates = [
     { name: 'native: sweeps, radials, gates', volume },
-    ...cells.filter((cell) => countCells(volume, cell) <= maxCells).map((cell) => ({ name: `cells of ${cell} m`, volume: resample(volume, cell) })),
+    ...cells
+      .filter((cell) => countCells(volume, cell) <= maxCells)
+      .map((cell) => ({ name: `cells of ${cell} m`, volume: resample(volume, cell) })),
   ];
   const rows: Resampling[] = [];
   for (const candidate of candidates) {
@@ -106,7 +132,10 @@ export async function compareResamplings(url: string, cells: readonly number[], 
       if (i > 0) times.push(performance.now() - began);
     }
     const { grid, samples }: Volume = candidate.volume;
-    const gates = grid.kind === 'polar' ? `${grid.sweeps.length} x ${grid.sweeps[0].azimuths.length} x ${grid.sweeps[0].gates}` : grid.dimensions.join(' x ');
+    const gates =
+      grid.kind === 'polar'
+        ? `${grid.sweeps.length} x ${grid.sweeps[0].azimuths.length} x ${grid.sweeps[0].gates}`
+        : grid.dimensions.join(' x ');
     rows.push({ name: candidate.name, size: gates, megabytes: samples.byteLength / 1e6, rms, p99, ms: median(times) });
   }
   scene.dispose();

@@ -20,15 +20,24 @@ export async function run() {
         console.log(`left out: ${scan.name} (needs ../shared/data)`);
         continue;
       }
-      const rows = await page.evaluate(async ({ module, asked, pixels, times }) => {
-        const { compareResamplings } = /** @type {typeof import('./radar-page.ts')} */ (await import(module));
-        return compareResamplings(asked, [2000, 1000, 500], pixels, times);
-      }, { module: '/test/bench/radar-page.ts', asked: scan.url, pixels: size, times: repeats });
+      const rows = await page.evaluate(
+        async ({ module, asked, pixels, times }) => {
+          const { compareResamplings } = /** @type {typeof import('./radar-page.ts')} */ (await import(module));
+          return compareResamplings(asked, [2000, 1000, 500], pixels, times);
+        },
+        { module: '/test/bench/radar-page.ts', asked: scan.url, pixels: size, times: repeats },
+      );
       const native = rows[0].ms;
       printTable(
         scan.name,
         rows.map(({ name, size: grid, megabytes, rms, p99, ms }) => ({
-          grid: name, size: grid, MB: megabytes.toFixed(1), 'RMSE, 1/255': rms.toFixed(2), P99: p99.toFixed(1), ms: ms.toFixed(0), 'ms / native': (ms / native).toFixed(2),
+          grid: name,
+          size: grid,
+          MB: megabytes.toFixed(1),
+          'RMSE, 1/255': rms.toFixed(2),
+          P99: p99.toFixed(1),
+          ms: ms.toFixed(0),
+          'ms / native': (ms / native).toFixed(2),
         })),
       );
     }

@@ -3,14 +3,37 @@
 // SIZES=128 and SCENES=mni152 make a quick run of those programs that know them.
 
 /** In the order in which they run. */
-const programs = ['page', 'quality', 'limit', 'peers', 'starts', 'controller', 'load', 'cells', 'phases', 'growth', 'radar', 'shapes', 'pairs', 'pick', 'slices', 'lit', 'edges', 'choices', 'motion'];
+const programs = [
+  'page',
+  'quality',
+  'limit',
+  'peers',
+  'starts',
+  'controller',
+  'load',
+  'cells',
+  'phases',
+  'growth',
+  'radar',
+  'shapes',
+  'pairs',
+  'pick',
+  'slices',
+  'lit',
+  'edges',
+  'choices',
+  'motion',
+];
 
 /** What measures nothing runs only where it is named. */
 const named = ['looks'];
 
 const asked = process.argv.slice(2);
 const unknown = asked.filter((name) => ![...programs, ...named].includes(name));
-if (unknown.length > 0) throw new Error(`bench got ${unknown.join(', ')}; expected some of ${[...programs, ...named].join(', ')}, or nothing for all`);
+if (unknown.length > 0)
+  throw new Error(
+    `bench got ${unknown.join(', ')}; expected some of ${[...programs, ...named].join(', ')}, or nothing for all`,
+  );
 
 for (const name of asked.length > 0 ? asked : programs) {
   const began = performance.now();

@@ -70,7 +70,12 @@ interface BenchScene {
 
 const scenes: readonly BenchScene[] = [
   { name: 'MRI of a brain', url: '/demos/data/mni152-t1.nii.gz', preset: 'mri', referenceLength: 0.01 },
-  { name: 'Radar, synthetic storm', url: '/demos/data/storm-radar-1510.json', preset: 'radar-dbz', referenceLength: 0.02 },
+  {
+    name: 'Radar, synthetic storm',
+    url: '/demos/data/storm-radar-1510.json',
+    preset: 'radar-dbz',
+    referenceLength: 0.02,
+  },
 ];
 
 const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 31 };
@@ -91,15 +96,28 @@ function listVariants(volume: Volume): Variant[] {
   const color = '<appearance><material emissiveColor="1 0.6 0" diffuseColor="0 0 0"></material></appearance>';
   const put = (at: Vector3, shape: string): string =>
     `<transform translation="${center.map((c, axis) => c + at[axis] * radius).join(' ')}"><shape>${color}${shape}</shape></transform>`;
-  const rings = isPolar(volume) ? buildRings(planRings(volume.grid, null, null)).lines : [0.2, 0.3, 0.4, 0.5, 0.6].map((share) => circle(center, share * radius));
+  const rings = isPolar(volume)
+    ? buildRings(planRings(volume.grid, null, null)).lines
+    : [0.2, 0.3, 0.4, 0.5, 0.6].map((share) => circle(center, share * radius));
   return [
     { name: 'none', children: '', lines: [] },
     { name: 'one marker', children: put([0.2, 0.1, 0.05], `<sphere radius="${0.03 * radius}"></sphere>`), lines: [] },
     { name: 'rings', children: '<group></group>', lines: rings },
-    { name: 'a slice, upright', children: '', lines: [], ...(isPolar(volume) ? { slices: [{ kind: 'upright', from: [0, 0], direction: [0.6, 0.8], length: Infinity }] } : { cuts: [{ create: createPlanes, items: [slice] }] }) },
+    {
+      name: 'a slice, upright',
+      children: '',
+      lines: [],
+      ...(isPolar(volume)
+        ? { slices: [{ kind: 'upright', from: [0, 0], direction: [0.6, 0.8], length: Infinity }] }
+        : { cuts: [{ create: createPlanes, items: [slice] }] }),
+    },
     ...listCuts(volume),
     ...(isPolar(volume) ? [] : listAtlases(volume).map((atlas) => ({ ...atlas, children: '', lines: [] }))),
-    { name: 'a plane across', children: put([0, 0, 0], `<box size="${2 * radius} ${2 * radius} ${0.002 * radius}"></box>`), lines: [] },
+    {
+      name: 'a plane across',
+      children: put([0, 0, 0], `<box size="${2 * radius} ${2 * radius} ${0.002 * radius}"></box>`),
+      lines: [],
+    },
   ];
 }
 
@@ -107,11 +125,24 @@ function listVariants(volume: Volume): Variant[] {
 function listCuts({ grid }: Volume): Variant[] {
   const { center, radius } = boundingSphere(grid);
   const away = (by: number): Vector3 => center.map((x) => x + by * radius) as unknown as Vector3;
-  const box = (at: number): Cutout => ({ kind: 'cutout', unitToBox: multiply(invertAffine(scaleAndTranslate([2 * radius, 2 * radius, 2 * radius], away(at)))!, unitToWorld(grid)) });
-  const half = (at: number): HalfSpace => ({ kind: 'half-space', ...planeInCube([-0.6, -0.8, 0], at * radius - 0.6 * center[0] - 0.8 * center[1], grid) });
+  const box = (at: number): Cutout => ({
+    kind: 'cutout',
+    unitToBox: multiply(
+      invertAffine(scaleAndTranslate([2 * radius, 2 * radius, 2 * radius], away(at)))!,
+      unitToWorld(grid),
+    ),
+  });
+  const half = (at: number): HalfSpace => ({
+    kind: 'half-space',
+    ...planeInCube([-0.6, -0.8, 0], at * radius - 0.6 * center[0] - 0.8 * center[1], grid),
+  });
   const plain = { children: '', lines: [] };
   return [
-    { name: 'six clip planes outside', ...plain, cuts: [{ create: createClip, items: [-2, -3, -4, -5, -6, -7].map(half) }] },
+    {
+      name: 'six clip planes outside',
+      ...plain,
+      cuts: [{ create: createClip, items: [-2, -3, -4, -5, -6, -7].map(half) }],
+    },
     { name: 'a cutout outside', ...plain, cuts: [{ create: createCutout, items: [box(3)] }] },
     { name: 'cut in half', ...plain, cuts: [{ create: createClip, items: [half(0)] }] },
     { name: 'an eighth cut out', ...plain, cuts: [{ create: createCutout, items: [box(0)] }] },
@@ -119,53 +150,73 @@ function listCuts({ grid }: Volume): Variant[] {
 }
 
 function circle(center: Vector3, radius: number): Vector3[] {
-  return Array.from({ length: 181 }, (_, i) => [center[0] + radius * Math.cos((i * Math.PI) / 90), center[1] + radius * Math.sin((i * Math.PI) / 90), center[2]]);
+  return Array.from({ length: 181 }, (_, i) => [
+    center[0] + radius * Math.cos((i * Math.PI) / 90),
+    center[1] + radius * Math.sin((i * Math.PI) / 90),
+    center[2],
+  ]);
 }
 
 export async function compareShapes(options: ShapesOptions): Promise<ShapesRow[]> {
   const rows: ShapesRow[] = [];
-  for (const scene of scenes) rows.push(...await compareScene(scene, options));
+  for (const scene of scenes) rows.push(...(await compareScene(scene, options)));
   return rows;
 }
 
-async function compareScene({ name, url, preset, referenceLength }: BenchScene, options: ShapesOptions): Promise<ShapesRow[]> {
+async function compareScene(
+  { name, url, preset, referenceLength }: BenchScene,
+  options: ShapesOptions,
+): Promise<ShapesRow[]> {
   const { size, steps, maxCurvature, turns } = options;
-  const volume = await loadVolume({ url, verticalExaggeration: 5, limits }, { signal: new AbortController().signal, onProgress: () => {} });
+  const volume = await loadVolume(
+    { url, verticalExaggeration: 5, limits },
+    { signal: new AbortController().signal, onProgress: () => {} },
+  );
   const transferFunction = await resolveTransferFunction(preset, volume.range);
   const { center, radius } = boundingSphere(volume.grid);
   const variants = listVariants(volume);
-  const drawings = await Promise.all(variants.map(async ({ children, lines, slices = [], cuts = [], labels }) => {
-    const [host, container] = [document.createElement('div'), document.createElement('div')];
-    host.innerHTML = children;
-    document.body.append(host, container);
-    const scene = await VolumeScene.create(host, container, () => {}, fieldProviders);
-    const optics = { transferFunction, referenceLength: referenceLength * radius, opacityFactor: 1, lightFactor: 1 };
-    await scene.prepare(volume, optics);
-    scene.resize(size, size);
-    scene.setVolume(volume);
-    await scene.setOptics(optics);
-    scene.setLines(lines);
-    scene.setSlices(slices, cuts);
-    if (labels) await scene.setLabels(labels);
-    scene.setCamera(orbitCamera({ theta: 0.5, phi: 1.1, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
-    const draw = async (curvature: number): Promise<number> => {
-      scene.setMaxCurvature(curvature);
-      const began = performance.now();
-      scene.draw(stepLengthOf(volume.grid, steps));
-      await scene.finished();
-      return performance.now() - began;
-    };
-    await draw(maxCurvature);
-    await draw(0);
-    const jumps = scene.readVolume()?.startJumps(1, false)();
-    const share = jumps ? Array.from(jumps.data).filter((x, i) => i % 4 === 0 && x > 0).length / (jumps.data.length / 4) : 0;
-    return { draw, share, dispose: () => scene.dispose(), timed: [] as { shown: Timed; none: Timed }[], all: [] as Timed[] };
-  }));
+  const drawings = await Promise.all(
+    variants.map(async ({ children, lines, slices = [], cuts = [], labels }) => {
+      const [host, container] = [document.createElement('div'), document.createElement('div')];
+      host.innerHTML = children;
+      document.body.append(host, container);
+      const scene = await VolumeScene.create(host, container, () => {}, fieldProviders);
+      const optics = { transferFunction, referenceLength: referenceLength * radius, opacityFactor: 1, lightFactor: 1 };
+      await scene.prepare(volume, optics);
+      scene.resize(size, size);
+      scene.setVolume(volume);
+      await scene.setOptics(optics);
+      scene.setLines(lines);
+      scene.setSlices(slices, cuts);
+      if (labels) await scene.setLabels(labels);
+      scene.setCamera(orbitCamera({ theta: 0.5, phi: 1.1, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
+      const draw = async (curvature: number): Promise<number> => {
+        scene.setMaxCurvature(curvature);
+        const began = performance.now();
+        scene.draw(stepLengthOf(volume.grid, steps));
+        await scene.finished();
+        return performance.now() - began;
+      };
+      await draw(maxCurvature);
+      await draw(0);
+      const jumps = scene.readVolume()?.startJumps(1, false)();
+      const share = jumps
+        ? Array.from(jumps.data).filter((x, i) => i % 4 === 0 && x > 0).length / (jumps.data.length / 4)
+        : 0;
+      return {
+        draw,
+        share,
+        dispose: () => scene.dispose(),
+        timed: [] as { shown: Timed; none: Timed }[],
+        all: [] as Timed[],
+      };
+    }),
+  );
   const time = async (draw: (curvature: number) => Promise<number>, curvature: number): Promise<Timed> => {
     const before = await processorSeconds();
     const times: number[] = [];
     for (let i = 0; i < framesATurn; i++) times.push(await draw(curvature));
-    return { ms: median(times), seconds: (await processorSeconds() - before) / framesATurn };
+    return { ms: median(times), seconds: ((await processorSeconds()) - before) / framesATurn };
   };
   const [plain] = drawings;
   for (let turn = 0; turn < turns; turn++) {

@@ -12,7 +12,10 @@ const scenes = [
   { name: 'oblique', attributes: { type: 'oblique', normal: '0.4 -0.5 0.8' } },
   { name: 'axial, nearest voxels', attributes: { interpolation: 'nearest' } },
   { name: 'slab of 20 mm, average', attributes: { thickness: '20' } },
-  { name: 'oblique slab of 20 mm, maximum', attributes: { type: 'oblique', normal: '0.4 -0.5 0.8', thickness: '20', projection: 'max' } },
+  {
+    name: 'oblique slab of 20 mm, maximum',
+    attributes: { type: 'oblique', normal: '0.4 -0.5 0.8', thickness: '20', projection: 'max' },
+  },
 ];
 
 /**
@@ -32,12 +35,17 @@ async function sliceInPage({ attributes, count }) {
   const puts = [];
   const { requestAnimationFrame: request } = window;
   // The first frame after a change begins its picture.
-  window.requestAnimationFrame = (act) => request((time) => {
-    if (began === 0) began = performance.now();
-    act(time);
-  });
+  window.requestAnimationFrame = (act) =>
+    request((time) => {
+      if (began === 0) began = performance.now();
+      act(time);
+    });
   const { putImageData } = CanvasRenderingContext2D.prototype;
-  CanvasRenderingContext2D.prototype.putImageData = function put2d(/** @type {ImageData} */ image, /** @type {number} */ x, /** @type {number} */ y) {
+  CanvasRenderingContext2D.prototype.putImageData = function put2d(
+    /** @type {ImageData} */ image,
+    /** @type {number} */ x,
+    /** @type {number} */ y,
+  ) {
     Reflect.apply(putImageData, this, [image, x, y]);
     put = performance.now();
     puts.push(put - began);
@@ -58,18 +66,21 @@ async function sliceInPage({ attributes, count }) {
 }
 
 export async function run() {
-  await measurePackage(async ({ machine, openPage }) => {
-    const page = await openPage('test/bench/page.html');
-    const rows = [];
-    for (const { name, attributes } of scenes) {
-      const times = await page.evaluate(sliceInPage, { attributes, count: repeats });
-      rows.push({
-        'pane of 512 x 512, 256^3 voxels, 16 bit': name,
-        'first picture, median, ms': median(times.map(({ first }) => first)).toFixed(1),
-        'in full, median, ms': median(times.map(({ full }) => full)).toFixed(1),
-      });
-    }
-    console.log(`\n${nameMachine(machine)}\n`);
-    printTable('A slice, from the beginning of its frame to the canvas', rows);
-  }, { '/made/cube.nii': () => makeNifti(256) });
+  await measurePackage(
+    async ({ machine, openPage }) => {
+      const page = await openPage('test/bench/page.html');
+      const rows = [];
+      for (const { name, attributes } of scenes) {
+        const times = await page.evaluate(sliceInPage, { attributes, count: repeats });
+        rows.push({
+          'pane of 512 x 512, 256^3 voxels, 16 bit': name,
+          'first picture, median, ms': median(times.map(({ first }) => first)).toFixed(1),
+          'in full, median, ms': median(times.map(({ full }) => full)).toFixed(1),
+        });
+      }
+      console.log(`\n${nameMachine(machine)}\n`);
+      printTable('A slice, from the beginning of its frame to the canvas', rows);
+    },
+    { '/made/cube.nii': () => makeNifti(256) },
+  );
 }

@@ -20,9 +20,18 @@ export interface SentScene {
 /** The MRI of the demos in a look. @param look - as an attribute has it */
 export async function sendScene(url: string, appearance: string): Promise<SentScene> {
   const volume = alignVolume(await loadScan(url));
-  const { samples, table, ...scene } = describeScene(volume, await resolveTransferFunction(appearance, volume.window ?? volume.range), findCamera(volume));
+  const { samples, table, ...scene } = describeScene(
+    volume,
+    await resolveTransferFunction(appearance, volume.window ?? volume.range),
+    findCamera(volume),
+  );
   if (!(samples instanceof Uint8Array)) throw new TypeError('peers get bytes here');
-  return { scene: { ...scene, table: [...table] }, samples: toText(samples), file: toText(niftiBytes(volume)), stepLength: finestSpacing(volume.grid) };
+  return {
+    scene: { ...scene, table: [...table] },
+    samples: toText(samples),
+    file: toText(niftiBytes(volume)),
+    stepLength: finestSpacing(volume.grid),
+  };
 }
 
 function toText(bytes: Uint8Array): string {

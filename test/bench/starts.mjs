@@ -17,10 +17,13 @@ export async function run() {
   const [pixels] = readSizes([512]);
   const sent = await measureSource(async ({ openPage }) => {
     const page = await openPage('test/accuracy/page.html');
-    return page.evaluate(async ({ from, what }) => {
-      const { sendScene } = /** @type {typeof import('./starts-page.ts')} */ (await import(from));
-      return sendScene(what.url, what.look);
-    }, { from: '/test/bench/starts-page.ts', what: { url, look: appearance } });
+    return page.evaluate(
+      async ({ from, what }) => {
+        const { sendScene } = /** @type {typeof import('./starts-page.ts')} */ (await import(from));
+        return sendScene(what.url, what.look);
+      },
+      { from: '/test/bench/starts-page.ts', what: { url, look: appearance } },
+    );
   });
   await measurePackage(async ({ url: at, machine, openPage }) => {
     /** @type {Record<string, { first: number, finished: number }[]>} */
@@ -29,16 +32,26 @@ export async function run() {
       for (const [name, list] of Object.entries(loads)) {
         const page = await openPage(`${at}test/bench/empty.html`);
         const load = name === 'ours' ? startOurs : startPeer;
-        list.push(await page.evaluate(load, { sent, pixels, look: appearance, module: `/test/bench/peers/dist/${name}.js` }));
+        list.push(
+          await page.evaluate(load, { sent, pixels, look: appearance, module: `/test/bench/peers/dist/${name}.js` }),
+        );
         await page.close();
       }
     }
-    console.log(`\n${nameMachine(machine)}, medians of ${repeats}, ${pixels} x ${pixels} pixels, MRI of 197 x 233 x 189\n`);
-    const of = (/** @type {string} */ name, /** @type {'first' | 'finished'} */ key) => median(loads[name].map((load) => load[key]));
-    printTable('From the script on, ms. Peers draw one step a voxel at once; ours keeps max-error, and measures it', Object.keys(loads).map((name) => ({
-      renderer: name, 'first picture': of(name, 'first').toFixed(0), finished: of(name, 'finished').toFixed(0),
-      'finished, to ours': (of(name, 'finished') / of('ours', 'finished')).toFixed(2),
-    })));
+    console.log(
+      `\n${nameMachine(machine)}, medians of ${repeats}, ${pixels} x ${pixels} pixels, MRI of 197 x 233 x 189\n`,
+    );
+    const of = (/** @type {string} */ name, /** @type {'first' | 'finished'} */ key) =>
+      median(loads[name].map((load) => load[key]));
+    printTable(
+      'From the script on, ms. Peers draw one step a voxel at once; ours keeps max-error, and measures it',
+      Object.keys(loads).map((name) => ({
+        renderer: name,
+        'first picture': of(name, 'first').toFixed(0),
+        finished: of(name, 'finished').toFixed(0),
+        'finished, to ours': (of(name, 'finished') / of('ours', 'finished')).toFixed(2),
+      })),
+    );
   });
 }
 
@@ -48,7 +61,11 @@ export async function run() {
 async function startPeer({ sent: { scene, samples, stepLength }, pixels, module }) {
   const host = document.createElement('div');
   document.body.append(host);
-  const given = { ...scene, samples: Uint8Array.from(atob(samples), (c) => c.charCodeAt(0)), table: Float32Array.from(scene.table) };
+  const given = {
+    ...scene,
+    samples: Uint8Array.from(atob(samples), (c) => c.charCodeAt(0)),
+    table: Float32Array.from(scene.table),
+  };
   const began = performance.now();
   const { start } = await import(module);
   const peer = await start(host, given);
@@ -64,7 +81,9 @@ async function startOurs({ sent: { file }, pixels, look: transferFunction }) {
   const bytes = Uint8Array.from(atob(file), (c) => c.charCodeAt(0));
   const src = URL.createObjectURL(new Blob([bytes]));
   const began = performance.now();
-  document.head.append(Object.assign(document.createElement('script'), { type: 'module', src: '/dist/volume-view.js' }));
+  document.head.append(
+    Object.assign(document.createElement('script'), { type: 'module', src: '/dist/volume-view.js' }),
+  );
   const element = document.createElement('volume-view');
   element.setAttribute('src', src);
   element.setAttribute('transfer-function', transferFunction);

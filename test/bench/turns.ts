@@ -8,7 +8,8 @@ import { VolumeScene } from '../../src/x3d/scene.ts';
 import '../helpers/provide-substeps.ts';
 
 /** Processor time of the process that draws; other programs on the machine do not count. Given by turns.mjs. */
-export const processorSeconds = (): Promise<number> => (window as unknown as { processorSeconds: () => Promise<number> }).processorSeconds();
+export const processorSeconds = (): Promise<number> =>
+  (window as unknown as { processorSeconds: () => Promise<number> }).processorSeconds();
 
 /** What is looked at. */
 export interface TurnScene {
@@ -21,7 +22,12 @@ export interface TurnScene {
 }
 
 /** A volume in a canvas of its own, all of it in sight. */
-export async function openTurnScene({ volume, transferFunction, referenceLength, size }: TurnScene): Promise<{ scene: VolumeScene; dispose: () => void }> {
+export async function openTurnScene({
+  volume,
+  transferFunction,
+  referenceLength,
+  size,
+}: TurnScene): Promise<{ scene: VolumeScene; dispose: () => void }> {
   const { center, radius } = boundingSphere(volume.grid);
   const optics = { transferFunction, referenceLength: referenceLength * radius, opacityFactor: 1, lightFactor: 1 };
   const host = document.createElement('div');

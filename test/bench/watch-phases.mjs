@@ -24,7 +24,9 @@ export function watchPhases() {
   };
   // A canvas in the page is a scene's; one outside asks what the device can do.
   follow(HTMLCanvasElement.prototype, 'getContext', (_before, canvas) => {
-    queueMicrotask(() => canvas.getRootNode() !== canvas && canvas.getRootNode() instanceof ShadowRoot && note('scene'));
+    queueMicrotask(
+      () => canvas.getRootNode() !== canvas && canvas.getRootNode() instanceof ShadowRoot && note('scene'),
+    );
   });
   for (const { prototype } of [WebGLRenderingContext, WebGL2RenderingContext]) {
     follow(prototype, 'linkProgram', () => note('linked'));

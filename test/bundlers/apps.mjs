@@ -22,13 +22,17 @@ async function lookAtFramework({ page }) {
 
 /** Bootstrap's row and columns: a bare tag has a size. @param {import('./open-app.mjs').OpenApp} app */
 async function lookAtColumns({ page }) {
-  const sizes = await page.locator('volume-view').evaluateAll((views) => views.map((view) => [view.clientWidth, view.clientHeight]));
+  const sizes = await page
+    .locator('volume-view')
+    .evaluateAll((views) => views.map((view) => [view.clientWidth, view.clientHeight]));
   assert.equal(sizes.length, 2);
   for (const [width, height] of sizes) {
     assert.ok(width > 150, `a column's view is ${width} px wide`);
     assert.ok(Math.abs(height - width * 0.75) < 2, `a column's view is ${width} x ${height}; expected 4:3`);
   }
-  const [first, last] = await page.locator('.row > .col').evaluateAll((columns) => columns.map((column) => column.getBoundingClientRect().top));
+  const [first, last] = await page
+    .locator('.row > .col')
+    .evaluateAll((columns) => columns.map((column) => column.getBoundingClientRect().top));
   assert.equal(first, last, 'the columns stand side by side');
 }
 
@@ -39,9 +43,25 @@ export const apps = [
   { name: 'svelte', command: 'vite build', serve: 'dist', look: lookAtFramework },
   { name: 'vue', command: 'vite build', serve: 'dist', look: lookAtFramework },
   { name: 'next', command: 'next build', serve: 'out', look: lookAtFramework },
-  { name: 'webpack', from: 'plain', command: 'webpack ./app.js --mode production -o dist --output-filename app.js', serve: '.' },
-  { name: 'esbuild', from: 'plain', command: 'esbuild app.js --bundle --minify --outfile=dist/app.js', serve: '.', message: true },
-  { name: 'esbuild-split', from: 'plain', command: 'esbuild app.js --bundle --minify --format=esm --splitting --outdir=dist', serve: '.' },
+  {
+    name: 'webpack',
+    from: 'plain',
+    command: 'webpack ./app.js --mode production -o dist --output-filename app.js',
+    serve: '.',
+  },
+  {
+    name: 'esbuild',
+    from: 'plain',
+    command: 'esbuild app.js --bundle --minify --outfile=dist/app.js',
+    serve: '.',
+    message: true,
+  },
+  {
+    name: 'esbuild-split',
+    from: 'plain',
+    command: 'esbuild app.js --bundle --minify --format=esm --splitting --outdir=dist',
+    serve: '.',
+  },
   { name: 'rollup', from: 'plain', command: 'rollup app.js -p @rollup/plugin-node-resolve -d dist', serve: '.' },
   { name: 'parcel', command: 'parcel build index.html --dist-dir dist --no-autoinstall', serve: 'dist', message: true },
 ];

@@ -12,7 +12,12 @@ export function checkDocs() {
   const docs = read('docs/bundlers.md');
   const blocks = [...docs.matchAll(/<!-- (\S+) -->\n```\w+\n([^]*?)```/g)];
   assert.ok(blocks.length > 3);
-  for (const [, path, text] of blocks) assert.ok(read(path).includes(text), `docs/bundlers.md shows what is not in ${path}:\n${text}`);
-  for (const { command } of apps) assert.ok(docs.includes(`\`${command.replace(/ --no-autoinstall$/, '')}\``), `docs/bundlers.md does not say: ${command}`);
+  for (const [, path, text] of blocks)
+    assert.ok(read(path).includes(text), `docs/bundlers.md shows what is not in ${path}:\n${text}`);
+  for (const { command } of apps)
+    assert.ok(
+      docs.includes(`\`${command.replace(/ --no-autoinstall$/, '')}\``),
+      `docs/bundlers.md does not say: ${command}`,
+    );
   return `${blocks.length} blocks, ${apps.length} commands`;
 }

@@ -10,7 +10,11 @@ import { projectRoot } from '../../scripts/shared-data.mjs';
  * @param {string} name - of the file with the marks
  */
 export function checkTypes(folder, name) {
-  const { stdout } = spawnSync(process.execPath, [join(projectRoot, 'node_modules/typescript/bin/tsc'), '-p', folder, '--pretty', 'false'], { cwd: folder, encoding: 'utf8' });
+  const { stdout } = spawnSync(
+    process.execPath,
+    [join(projectRoot, 'node_modules/typescript/bin/tsc'), '-p', folder, '--pretty', 'false'],
+    { cwd: folder, encoding: 'utf8' },
+  );
   const found = [...stdout.matchAll(/^(\S+)\((\d+),\d+\): error/gm)].map(([, file, line]) => `${file}:${line}`);
   const lines = readFileSync(join(folder, name), 'utf8').split('\n');
   const expected = lines.flatMap((line, index) => (line.includes('// wrong:') ? [`${name}:${index + 1}`] : []));

@@ -38,7 +38,8 @@ export async function openUrl(url, use, prepare) {
   /** @type {OpenApp} */
   const app = { page, troubles: [], paths: [], workers: [] };
   page.on('console', (message) => {
-    if (!DRIVER_HINT.test(message.text()) && !/^(debug|info|log)$/.test(message.type())) app.troubles.push(`${message.type()}: ${message.text()}`);
+    if (!DRIVER_HINT.test(message.text()) && !/^(debug|info|log)$/.test(message.type()))
+      app.troubles.push(`${message.type()}: ${message.text()}`);
   });
   page.on('pageerror', (error) => app.troubles.push(`page error: ${error.message}`));
   page.on('response', (response) => {
@@ -81,13 +82,18 @@ export async function checkPicture({ page, troubles, workers }) {
   await page.waitForFunction(() => customElements.get('volume-view'));
   await view.evaluate((/** @type {any} */ element) => element.whenRendered());
   // All parts of a page that are loaded when they are used.
-  await page.waitForFunction(() => document.querySelector('volume-view')?.shadowRoot?.querySelector('[part~="controls"], .controls, button'));
+  await page.waitForFunction(() =>
+    document.querySelector('volume-view')?.shadowRoot?.querySelector('[part~="controls"], .controls, button'),
+  );
   const { width, height, channels, data } = decode(await view.screenshot());
   // Bones are bright, and the ground is dark.
   let bright = 0;
   for (let at = 0; at < data.length; at += channels) if (data[at] > 100) bright += 1;
   const share = bright / (width * height);
-  assert.ok(share > 0.03 && share < 0.5, `of a picture of ${width} x ${height} pixels ${(100 * share).toFixed(1)} % are bright`);
+  assert.ok(
+    share > 0.03 && share < 0.5,
+    `of a picture of ${width} x ${height} pixels ${(100 * share).toFixed(1)} % are bright`,
+  );
   assert.deepEqual(troubles, []);
   assert.equal(workers.length, 1, `workers: ${workers.join() || 'none'}`);
   return `${(100 * share).toFixed(0)} % bright`;

@@ -14,7 +14,9 @@ import { checkPicture, closeBrowser, openApp } from './open-app.mjs';
 import { checkTypes } from './check-types.mjs';
 import { checkDevelopment } from './check-development.mjs';
 
-const { values: options } = parseArgs({ options: { only: { type: 'string' }, keep: { type: 'boolean', default: false } } });
+const { values: options } = parseArgs({
+  options: { only: { type: 'string' }, keep: { type: 'boolean', default: false } },
+});
 const here = join(projectRoot, 'test/bundlers');
 const built = join(here, 'dist');
 const chosen = apps.filter(({ name }) => !options.only || options.only.split(',').includes(name));
@@ -27,9 +29,21 @@ const secondsSince = (start) => `${((Date.now() - start) / 1000).toFixed(1)} s`;
  * @param {string} program @param {string[]} args @param {string} cwd
  */
 async function run(program, args, cwd) {
-  const env = { ...process.env, CI: 'true', NO_COLOR: '1', FORCE_COLOR: '0', NEXT_TELEMETRY_DISABLED: '1', PARCEL_WORKERS: '1' };
+  const env = {
+    ...process.env,
+    CI: 'true',
+    NO_COLOR: '1',
+    FORCE_COLOR: '0',
+    NEXT_TELEMETRY_DISABLED: '1',
+    PARCEL_WORKERS: '1',
+  };
   try {
-    const { stdout } = await promisify(execFile)(program, args, { cwd, env, shell: process.platform === 'win32', maxBuffer: 1 << 26 });
+    const { stdout } = await promisify(execFile)(program, args, {
+      cwd,
+      env,
+      shell: process.platform === 'win32',
+      maxBuffer: 1 << 26,
+    });
     return stdout;
   } catch (error) {
     const { stdout, stderr, message } = /** @type {{ stdout?: string, stderr?: string, message: string }} */ (error);
@@ -61,7 +75,11 @@ async function buildApp({ name, from = name, command }) {
 await check('the apps are installed, with the package from its tarball', async () => {
   const own = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
   const apart = JSON.parse(readFileSync(join(here, 'package.json'), 'utf8'));
-  assert.deepEqual(apart.dependencies, own.dependencies, 'test/bundlers/package.json depends on what the package depends on');
+  assert.deepEqual(
+    apart.dependencies,
+    own.dependencies,
+    'test/bundlers/package.json depends on what the package depends on',
+  );
   assert.doesNotMatch(readFileSync(join(here, 'package-lock.json'), 'utf8'), /"resolved": *"http/);
   const start = Date.now();
   if (!options.keep) await install();
@@ -82,12 +100,14 @@ const builds = chosen.map((app) => {
 for (const { app, own } of builds) {
   const folder = join(built, app.name, app.serve);
   await check(`${app.name} builds: ${app.command}`, () => own);
-  await check(`${app.name} shows the volume, and finds its parts`, () => openApp(folder, async (open) => {
-    const start = Date.now();
-    const remark = await checkPicture(open);
-    await app.look?.(open);
-    return `${remark}, ${secondsSince(start)}`;
-  }));
+  await check(`${app.name} shows the volume, and finds its parts`, () =>
+    openApp(folder, async (open) => {
+      const start = Date.now();
+      const remark = await checkPicture(open);
+      await app.look?.(open);
+      return `${remark}, ${secondsSince(start)}`;
+    }),
+  );
   if (app.message) await check(`${app.name}: the message of x3dom says where to put it`, () => checkMessage(folder));
 }
 if (chosen.some(({ name }) => name === 'vite')) {
@@ -95,7 +115,9 @@ if (chosen.some(({ name }) => name === 'vite')) {
 }
 await closeBrowser();
 if (!options.only) {
-  await check('types of the tags in JSX: what is wrong is refused', () => checkTypes(join(built, 'react'), 'wrong.tsx'));
+  await check('types of the tags in JSX: what is wrong is refused', () =>
+    checkTypes(join(built, 'react'), 'wrong.tsx'),
+  );
   await check('types of the tags in Vue: what is wrong is refused', () => checkTypes(join(built, 'vue'), 'tags.ts'));
   await check('the docs show what was built', checkDocs);
 }

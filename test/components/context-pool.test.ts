@@ -11,7 +11,10 @@ class Holder implements ContextHolder {
   busy = false;
   holds = false;
 
-  constructor(readonly name: string, changes: Partial<Omit<Holder, 'name'>> = {}) {
+  constructor(
+    readonly name: string,
+    changes: Partial<Omit<Holder, 'name'>> = {},
+  ) {
     Object.assign(this, changes);
   }
 
@@ -28,7 +31,10 @@ class Holder implements ContextHolder {
 }
 
 /** Fill a pool with elements named a, b, c ... */
-function fillPool(max: number, holders: readonly Partial<Omit<Holder, 'name'>>[]): { pool: ContextPool; all: Holder[] } {
+function fillPool(
+  max: number,
+  holders: readonly Partial<Omit<Holder, 'name'>>[],
+): { pool: ContextPool; all: Holder[] } {
   const pool = new ContextPool(max);
   const all = holders.map((changes, i) => new Holder('abcdefgh'[i], changes));
   for (const holder of all) pool.add(holder);
@@ -38,7 +44,10 @@ function fillPool(max: number, holders: readonly Partial<Omit<Holder, 'name'>>[]
 /** Who has a context, once all is decided. */
 async function namesOf(all: readonly Holder[]): Promise<string> {
   await Promise.resolve();
-  return all.filter((holder) => holder.holds).map(({ name }) => name).join('');
+  return all
+    .filter((holder) => holder.holds)
+    .map(({ name }) => name)
+    .join('');
 }
 
 /** All that hold a context have drawn, and need it no more. */
@@ -52,7 +61,10 @@ function draw(pool: ContextPool, all: readonly Holder[]): void {
 
 describe('the contexts of a page', () => {
   it('are never more than there are, and all come to draw, each once', async () => {
-    const { pool, all } = fillPool(2, Array.from({ length: 5 }, () => ({})));
+    const { pool, all } = fillPool(
+      2,
+      Array.from({ length: 5 }, () => ({})),
+    );
     expect(await namesOf(all)).to.equal('ab');
     draw(pool, all);
     expect(await namesOf(all)).to.equal('cd');

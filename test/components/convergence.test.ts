@@ -50,13 +50,14 @@ describe('the reference converges', () => {
 
 for (const version of [2, 1] as const) {
   describe(`the picture in WebGL ${version} converges`, () => {
-    it('with step length, grid spacing and pixel size, as theory has it', () => withScene({ webgl1: version === 1 }, (scene) => {
-      const rows = measureOrders(drawOn(scene), `WebGL ${version}`);
-      for (const row of rows) console.log(describeOrder(row));
-      for (const row of rows) {
-        const { study, transferFunction, order } = row;
-        expect(order, `${study}, ${transferFunction}`).to.be.at.least(minOrder(row));
-      }
-    }));
+    it('with step length, grid spacing and pixel size, as theory has it', () =>
+      withScene({ webgl1: version === 1 }, (scene) => {
+        const rows = measureOrders(drawOn(scene), `WebGL ${version}`);
+        for (const row of rows) console.log(describeOrder(row));
+        for (const row of rows) {
+          const { study, transferFunction, order } = row;
+          expect(order, `${study}, ${transferFunction}`).to.be.at.least(minOrder(row));
+        }
+      }));
   });
 }

@@ -18,12 +18,18 @@ describe('custom states', () => {
     expect(element.attributes.length).to.equal(0);
   });
 
-  for (const [what, states] of [['none', undefined], ['those of the first draft', new (class extends Set<string> {
-    override add(name: string): this {
-      if (!name.startsWith('--')) throw new DOMException('no dashes', 'SyntaxError');
-      return super.add(name);
-    }
-  })()]] as const) {
+  for (const [what, states] of [
+    ['none', undefined],
+    [
+      'those of the first draft',
+      new (class extends Set<string> {
+        override add(name: string): this {
+          if (!name.startsWith('--')) throw new DOMException('no dashes', 'SyntaxError');
+          return super.add(name);
+        }
+      })(),
+    ],
+  ] as const) {
     it(`are attributes where the browser has ${what}`, () => {
       class Old extends TestState {
         override attachInternals(): ElementInternals {

@@ -15,7 +15,10 @@ it('a cutout that is set while the first volume is uploaded is cut out', async (
   const work: Promise<unknown>[] = [];
   const errors = new ErrorState({ file: '', changed: () => {}, failed: () => {} });
   const settings = readSettings(new Proxy({} as GivenAttributes, { get: () => null }));
-  const presenter = new VolumePresenter({ host, settings, awake: true, emit: () => {}, changed: () => {}, track: (one) => work.push(one) }, errors);
+  const presenter = new VolumePresenter(
+    { host, settings, awake: true, emit: () => {}, changed: () => {}, track: (one) => work.push(one) },
+    errors,
+  );
   const shown: { volume: Volume | null; cuts: Cuts } = { volume: null, cuts: noCuts };
   presenter.viewer = {
     get volume() {
@@ -40,10 +43,20 @@ it('a cutout that is set while the first volume is uploaded is cut out', async (
 it('a region that is not there is told of the volume, and not of its stand-in as well', async () => {
   const reported: string[] = [];
   const errors = new ErrorState({ file: '', changed: () => {}, failed: (aspect) => reported.push(aspect) });
-  const settings = readSettings(new Proxy({ region: '100 100 100 101 101 101' } as GivenAttributes, { get: (given, name) => Reflect.get(given, name) ?? null }));
-  const presenter = new VolumePresenter({ host: document.createElement('div'), settings, awake: true, emit: () => {}, changed: () => {}, track: () => {} }, errors);
+  const settings = readSettings(
+    new Proxy({ region: '100 100 100 101 101 101' } as GivenAttributes, {
+      get: (given, name) => Reflect.get(given, name) ?? null,
+    }),
+  );
+  const presenter = new VolumePresenter(
+    { host: document.createElement('div'), settings, awake: true, emit: () => {}, changed: () => {}, track: () => {} },
+    errors,
+  );
   const shown: unknown[] = [];
-  presenter.viewer = { show: async (volume: Volume, _optics: unknown, readCuts: () => Cuts) => void shown.push(volume.coarse, readCuts().region) } as unknown as Viewer;
+  presenter.viewer = {
+    show: async (volume: Volume, _optics: unknown, readCuts: () => Cuts) =>
+      void shown.push(volume.coarse, readCuts().region),
+  } as unknown as Viewer;
   const volume = syntheticVolume({ dimensions: [8, 8, 8] });
   const { signal } = new AbortController();
   await presenter.showCoarse({ volume: { ...volume, coarse: true }, of: volume }, signal);

@@ -23,7 +23,10 @@ function create(html: string): OldView {
   return place.firstElementChild as OldView;
 }
 
-const cases: Record<string, { text: string; property: keyof OldView; value: unknown; present: string; text2: string | null }> = {
+const cases: Record<
+  string,
+  { text: string; property: keyof OldView; value: unknown; present: string; text2: string | null }
+> = {
   window: { text: '0 80', property: 'valueWindow', value: [0, 80], present: 'value-window', text2: '5 9' },
   play: { text: '', property: 'autoplay', value: true, present: 'autoplay', text2: null },
   'camera-controls': { text: ' Off ', property: 'interaction', value: 'none', present: 'interaction', text2: 'auto' },
@@ -42,7 +45,9 @@ describe('an old attribute', () => {
         views[1].setAttribute(old, `${text} `);
       });
       expect(lines).to.have.length(1);
-      expect(lines[0]).to.match(new RegExp(`^<volume-view>: the attribute ${old} is an old name; write ${present}.*\\.$`));
+      expect(lines[0]).to.match(
+        new RegExp(`^<volume-view>: the attribute ${old} is an old name; write ${present}.*\\.$`),
+      );
       const [view] = views;
       expect(view[property]).to.deep.equal(value);
       await view.updateComplete;
@@ -62,7 +67,11 @@ describe('an old attribute', () => {
       await view.updateComplete;
       expect(changed).to.deep.equal([property]);
       Object.assign(view, { [property]: null });
-      expect([view.hasAttribute(old), view.hasAttribute(present), view[property] || null]).to.deep.equal([false, false, null]);
+      expect([view.hasAttribute(old), view.hasAttribute(present), view[property] || null]).to.deep.equal([
+        false,
+        false,
+        null,
+      ]);
     });
   }
 

@@ -8,7 +8,15 @@ import type { VolumeLegend } from '../../components/volume-legend/volume-legend.
 class FakeView extends HTMLElement {
   appearance = { transferFunction: null, opacityFactor: null, lightFactor: null };
   volume = { histogram: { low: 0, high: 100, counts: new Uint32Array(10).fill(5) }, range: [0, 100], unit: 'g' };
-  optics = { transferFunction: [{ value: 0, color: [0, 0, 1], opacity: 0 }, { value: 100, color: [1, 0, 0], opacity: 1 }], window: [0, 100], opacityFactor: 1, lightFactor: 1 };
+  optics = {
+    transferFunction: [
+      { value: 0, color: [0, 0, 1], opacity: 0 },
+      { value: 100, color: [1, 0, 0], opacity: 1 },
+    ],
+    window: [0, 100],
+    opacityFactor: 1,
+    lightFactor: 1,
+  };
 }
 customElements.define('volume-view', FakeView);
 

@@ -11,7 +11,10 @@ describe('the table of elements', () => {
   }
 
   it('takes a new element by one line', async () => {
-    const table: Record<string, () => Promise<unknown>> = { ...elements, 'volume-toy': async () => customElements.define('volume-toy', class extends HTMLElement {}) };
+    const table: Record<string, () => Promise<unknown>> = {
+      ...elements,
+      'volume-toy': async () => customElements.define('volume-toy', class extends HTMLElement {}),
+    };
     await table['volume-toy']();
     expect(customElements.get('volume-toy')).to.be.a('function');
   });

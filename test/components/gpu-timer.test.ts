@@ -112,9 +112,12 @@ for (const version of [1, 2] as const) {
   });
 
   describe(`the GPU's time of a scene, WebGL ${version}`, () => {
-    const volume = syntheticVolume({ dimensions: [20, 24, 28], field: (x, y, z) => Math.exp(-8 * ((x - 0.4) ** 2 + (y - 0.5) ** 2 + (z - 0.6) ** 2)) });
+    const volume = syntheticVolume({
+      dimensions: [20, 24, 28],
+      field: (x, y, z) => Math.exp(-8 * ((x - 0.4) ** 2 + (y - 0.5) ** 2 + (z - 0.6) ** 2)),
+    });
 
-    it('grows with the picture and is within the clock\'s, where this browser has timer queries; null where it has none', () =>
+    it("grows with the picture and is within the clock's, where this browser has timer queries; null where it has none", () =>
       withScene({ webgl1: version === 1 }, async (scene) => {
         scene.setVolume(volume);
         void scene.setOptics(plainOptics);

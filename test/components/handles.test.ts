@@ -27,7 +27,16 @@ function setStage(places: readonly Vector3[], along?: Vector3): Stage {
   document.body.append(view);
   const moves: Stage['moves'] = [];
   const list = [...places];
-  const show = (): void => handles.set(list.map((at, i) => ({ at, along, name: `Point ${i + 1}`, place: at.map((x) => x.toFixed(2)).join(' '), keys: 'Keys' })));
+  const show = (): void =>
+    handles.set(
+      list.map((at, i) => ({
+        at,
+        along,
+        name: `Point ${i + 1}`,
+        place: at.map((x) => x.toFixed(2)).join(' '),
+        keys: 'Keys',
+      })),
+    );
   const handles: Handles = new Handles(view, picture, {
     moved: (index, to, end) => {
       moves.push([index, to, end]);
@@ -44,7 +53,8 @@ function drag(button: HTMLButtonElement, by: readonly [x: number, y: number], la
   button.setPointerCapture = () => {};
   const { left, top, width, height } = button.getBoundingClientRect();
   const at = [left + width / 2 + 3, top + height / 2 - 2]; // Nobody hits the middle.
-  const fire = (type: string, clientX: number, clientY: number): boolean => button.dispatchEvent(new PointerEvent(type, { pointerId: 7, clientX, clientY, bubbles: true, cancelable: true }));
+  const fire = (type: string, clientX: number, clientY: number): boolean =>
+    button.dispatchEvent(new PointerEvent(type, { pointerId: 7, clientX, clientY, bubbles: true, cancelable: true }));
   fire('pointerdown', at[0], at[1]);
   fire('pointermove', at[0] + by[0], at[1] + by[1]);
   fire(last, at[0] + by[0], at[1] + by[1]);
@@ -57,10 +67,20 @@ const middleOf = (button: Element): number[] => {
 
 describe('handles over a picture', () => {
   it('stand where the camera shows their places, follow it, and hide behind the eye and outside the picture', () => {
-    const { view, buttons, handles } = setStage([[0, 0, 0], [-50 * pixel, 0, 30 * pixel], [0, 11, 0], [-200 * pixel, 0, 0]]);
+    const { view, buttons, handles } = setStage([
+      [0, 0, 0],
+      [-50 * pixel, 0, 30 * pixel],
+      [0, 11, 0],
+      [-200 * pixel, 0, 0],
+    ]);
     expect(middleOf(buttons()[0]).map(Math.round)).to.deep.equal([150, 100]);
     expect(middleOf(buttons()[1]).map(Math.round)).to.deep.equal([200, 70]);
-    expect(buttons().map((button) => getComputedStyle(button).visibility)).to.deep.equal(['visible', 'visible', 'hidden', 'hidden']);
+    expect(buttons().map((button) => getComputedStyle(button).visibility)).to.deep.equal([
+      'visible',
+      'visible',
+      'hidden',
+      'hidden',
+    ]);
     view.camera = orbitCamera({ theta: Math.PI, phi: Math.PI / 2, radius: 10 }, [0, 0, 0], Math.PI / 3);
     socketOf(view).place({} as View);
     expect(middleOf(buttons()[1]).map(Math.round)).to.deep.equal([100, 70]);
@@ -72,9 +92,15 @@ describe('handles over a picture', () => {
   });
 
   it('go where they are dragged, by as much as the pointer goes; what is cancelled goes back', () => {
-    const { view, buttons, moves } = setStage([[0, 0, 0], [0, 0, 1]]);
+    const { view, buttons, moves } = setStage([
+      [0, 0, 0],
+      [0, 0, 1],
+    ]);
     drag(buttons()[0], [30, -20]);
-    expect(moves.map(([index, , end]) => [index, end])).to.deep.equal([[0, false], [0, true]]);
+    expect(moves.map(([index, , end]) => [index, end])).to.deep.equal([
+      [0, false],
+      [0, true],
+    ]);
     moves[1][1].forEach((x, axis) => expect(x).to.be.closeTo([-30 * pixel, 0, 20 * pixel][axis], 1e-9));
     expect(middleOf(buttons()[0]).map(Math.round)).to.deep.equal([180, 80]);
     drag(buttons()[1], [30, -20], 'pointercancel');
@@ -86,7 +112,10 @@ describe('handles over a picture', () => {
     const { view, buttons, moves } = setStage([[0, 0, 0]], [0, 0, 2]);
     drag(buttons()[0], [30, -20]);
     moves[1][1].forEach((x, axis) => expect(x).to.be.closeTo([0, 0, 20 * pixel][axis], 1e-9));
-    const press = (key: string): boolean => buttons()[0].dispatchEvent(new KeyboardEvent('keydown', { key, shiftKey: true, bubbles: true, cancelable: true }));
+    const press = (key: string): boolean =>
+      buttons()[0].dispatchEvent(
+        new KeyboardEvent('keydown', { key, shiftKey: true, bubbles: true, cancelable: true }),
+      );
     expect(press('ArrowUp'), 'the page does not scroll').to.equal(false);
     moves[2][1].forEach((x, axis) => expect(x).to.be.closeTo([0, 0, 60 * pixel][axis], 1e-9));
     press('ArrowUp');

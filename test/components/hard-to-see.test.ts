@@ -34,10 +34,27 @@ describe('the error that is stated where hardly anything is seen', () => {
 
   it('is that of the few pixels that show something, wherever they are', async function () {
     this.timeout(240_000);
-    const volume = withVoxels([64, 64, 64], [[2, 2, 2], [61, 61, 61]]);
-    const camera = orbitCamera({ theta: 0.7, phi: 1.1, radius: 220 }, transformPoint(unitToWorld(volume.grid), [0.5, 0.5, 0.5]), 0.5);
-    const { stated, isKept, error } = await measure({ volume, transferFunction: tips, camera, size: { width: 700, height: 700 } });
-    console.log(`stated ${stated.rms.toFixed(2)}, ${stated.max?.toFixed(1)}; true ${error.rms.toFixed(2)}, ${error.max.toFixed(1)}; ${error.covered} pixels`);
+    const volume = withVoxels(
+      [64, 64, 64],
+      [
+        [2, 2, 2],
+        [61, 61, 61],
+      ],
+    );
+    const camera = orbitCamera(
+      { theta: 0.7, phi: 1.1, radius: 220 },
+      transformPoint(unitToWorld(volume.grid), [0.5, 0.5, 0.5]),
+      0.5,
+    );
+    const { stated, isKept, error } = await measure({
+      volume,
+      transferFunction: tips,
+      camera,
+      size: { width: 700, height: 700 },
+    });
+    console.log(
+      `stated ${stated.rms.toFixed(2)}, ${stated.max?.toFixed(1)}; true ${error.rms.toFixed(2)}, ${error.max.toFixed(1)}; ${error.covered} pixels`,
+    );
     expect(error.covered).to.be.within(1, 20);
     expect(isKept).to.equal(true);
     expect(stated.rms, 'as it says').to.be.at.most(1);
@@ -48,7 +65,10 @@ describe('the error that is stated where hardly anything is seen', () => {
     this.timeout(120_000);
     const volume = withVoxels(cube, scatter(cube, 24));
     const { stated, isKept, error } = await measure({
-      volume, transferFunction: bright, camera: look(volume, 110), size: { width: 60, height: 60 },
+      volume,
+      transferFunction: bright,
+      camera: look(volume, 110),
+      size: { width: 60, height: 60 },
       set: (gpu) => gpu.setSlices([], [{ create: createClip, items: [keep(volume.grid, [0, 0, 1], 19.99)] }]),
     });
     expect(error.covered, 'all is cut away').to.equal(0);
@@ -56,11 +76,19 @@ describe('the error that is stated where hardly anything is seen', () => {
     expect(isKept).to.equal(false);
   });
 
-  for (const [name, far, at] of [['a volume behind the eye', 20, [0.5, 3, 0.5]], ['things behind an eye in the volume', 1, [0.5, 0.6, 0.5]]] as const) {
+  for (const [name, far, at] of [
+    ['a volume behind the eye', 20, [0.5, 3, 0.5]],
+    ['things behind an eye in the volume', 1, [0.5, 0.6, 0.5]],
+  ] as const) {
     it(`is none of ${name}`, async function () {
       this.timeout(120_000);
       const volume = withVoxels(cube, scatter([40, 12, 40], 20));
-      const { stated, isKept, error } = await measure({ volume, transferFunction: bright, camera: look(volume, far, at), size: { width: 60, height: 60 } });
+      const { stated, isKept, error } = await measure({
+        volume,
+        transferFunction: bright,
+        camera: look(volume, far, at),
+        size: { width: 60, height: 60 },
+      });
       expect(error.covered).to.equal(0);
       expect(stated).to.deep.equal({ rms: 0, p99: 0, max: 0, probed: 0, rays: 0 });
       expect(isKept).to.equal(true);

@@ -45,11 +45,24 @@ interface LabelScene {
 const random = randomNumbers(12);
 
 /** Cubes of a label at random places of a smooth volume. */
-function scatter(name: string, edge: number, appearance: Omit<LabelScene, 'name' | 'labels' | 'places'> & Pick<ShownLabels, 'styles' | 'functions'>): LabelScene {
+function scatter(
+  name: string,
+  edge: number,
+  appearance: Omit<LabelScene, 'name' | 'labels' | 'places'> & Pick<ShownLabels, 'styles' | 'functions'>,
+): LabelScene {
   const { dimensions } = appearance.volume.grid;
   const corners = Array.from({ length: 40 }, () => dimensions.map((n) => 3 + Math.floor(random() * (n - 8))));
-  const map = labelMap(dimensions, (...at) => Number(corners.some((corner) => corner.every((low, axis) => at[axis] >= low && at[axis] < low + edge))), 2);
-  return { ...appearance, name, labels: { map, styles: appearance.styles, functions: appearance.functions }, places: corners.map((corner) => corner.map((low) => low + (edge - 1) / 2) as unknown as Vector3) };
+  const map = labelMap(
+    dimensions,
+    (...at) => Number(corners.some((corner) => corner.every((low, axis) => at[axis] >= low && at[axis] < low + edge))),
+    2,
+  );
+  return {
+    ...appearance,
+    name,
+    labels: { map, styles: appearance.styles, functions: appearance.functions },
+    places: corners.map((corner) => corner.map((low) => low + (edge - 1) / 2) as unknown as Vector3),
+  };
 }
 
 // Flat ones, of which specks are seen from above: what is less deep takes less long, and as many things are looked at.
@@ -62,13 +75,59 @@ const dense = parseTransferFunction('0 #246 0, 0.2 #246 0, 0.3 #fa6 60%, 1 #fff 
 const halves = labelMap([40, 14, 32], (i, j) => Number(i + 0.3 * j > 22), 2);
 
 const scenes: readonly LabelScene[] = [
-  scatter('specks of 1 voxel, dense in a veil', 1, { volume: veil, transferFunction: faint, styles: [plainAppearance, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1.6, phi: 0.7 }),
-  scatter('specks of 2 voxels, dense in a veil', 2, { volume: veil, transferFunction: faint, styles: [plainAppearance, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1, phi: 0.7 }),
-  scatter('specks of 1 voxel, of which alone something shows', 1, { volume: veil, transferFunction: parseTransferFunction('0 #fff 60%, 1 #fff 60%', [0, 1]), styles: [{ ...plainAppearance, opacityFactor: 0 }, plainAppearance], pixelsPerVoxel: 1.6, phi: 0.7 }),
-  scatter('specks of 1 voxel in a group of their own', 1, { volume: veil, transferFunction: faint, styles: [plainAppearance, { ...plainAppearance, group: 1 }], functions: [parseTransferFunction('0 #fb6 60%, 1 #fb6 60%', [0, 1])], pixelsPerVoxel: 1.6, phi: 0.7 }),
-  { name: 'an atlas of blocks in five groups', volume: smooth, transferFunction: fog, labels: mixedGroups(blocks([40, 14, 32], 20, 6)), places: [], ...attached },
-  { name: 'an atlas of blocks in fog', volume: smooth, transferFunction: fog, labels: mixedAppearances(blocks([40, 14, 32], 20, 6)), places: [], ...attached },
-  { name: 'half of what is dense is hidden', volume: smooth, transferFunction: dense, labels: { map: halves, styles: [plainAppearance, { ...plainAppearance, opacityFactor: 0 }] }, places: [], ...attached },
+  scatter('specks of 1 voxel, dense in a veil', 1, {
+    volume: veil,
+    transferFunction: faint,
+    styles: [plainAppearance, { color: [1, 0.7, 0.4], opacityFactor: 150 }],
+    pixelsPerVoxel: 1.6,
+    phi: 0.7,
+  }),
+  scatter('specks of 2 voxels, dense in a veil', 2, {
+    volume: veil,
+    transferFunction: faint,
+    styles: [plainAppearance, { color: [1, 0.7, 0.4], opacityFactor: 150 }],
+    pixelsPerVoxel: 1,
+    phi: 0.7,
+  }),
+  scatter('specks of 1 voxel, of which alone something shows', 1, {
+    volume: veil,
+    transferFunction: parseTransferFunction('0 #fff 60%, 1 #fff 60%', [0, 1]),
+    styles: [{ ...plainAppearance, opacityFactor: 0 }, plainAppearance],
+    pixelsPerVoxel: 1.6,
+    phi: 0.7,
+  }),
+  scatter('specks of 1 voxel in a group of their own', 1, {
+    volume: veil,
+    transferFunction: faint,
+    styles: [plainAppearance, { ...plainAppearance, group: 1 }],
+    functions: [parseTransferFunction('0 #fb6 60%, 1 #fb6 60%', [0, 1])],
+    pixelsPerVoxel: 1.6,
+    phi: 0.7,
+  }),
+  {
+    name: 'an atlas of blocks in five groups',
+    volume: smooth,
+    transferFunction: fog,
+    labels: mixedGroups(blocks([40, 14, 32], 20, 6)),
+    places: [],
+    ...attached,
+  },
+  {
+    name: 'an atlas of blocks in fog',
+    volume: smooth,
+    transferFunction: fog,
+    labels: mixedAppearances(blocks([40, 14, 32], 20, 6)),
+    places: [],
+    ...attached,
+  },
+  {
+    name: 'half of what is dense is hidden',
+    volume: smooth,
+    transferFunction: dense,
+    labels: { map: halves, styles: [plainAppearance, { ...plainAppearance, opacityFactor: 0 }] },
+    places: [],
+    ...attached,
+  },
 ];
 
 const percent = (shares: readonly number[]): string => `${(100 * Math.min(...shares)).toFixed(0)} %`;
@@ -81,7 +140,11 @@ describe('labels in the picture at rest', () => {
     it(name, async function () {
       this.timeout(60_000);
       const { center } = boundingSphere(volume.grid);
-      const camera = orbitCamera({ theta: 0.7, phi, radius: size / pixelsPerVoxel / (2 * Math.tan(0.15)) }, center, 0.3);
+      const camera = orbitCamera(
+        { theta: 0.7, phi, radius: size / pixelsPerVoxel / (2 * Math.tan(0.15)) },
+        center,
+        0.3,
+      );
       scene().resize(size, size);
       scene().setVolume(volume);
       await scene().setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
@@ -92,27 +155,50 @@ describe('labels in the picture at rest', () => {
       const shown = scene().readPicture().data;
       const cast = (stepsPerVoxel: number, substeps: Substeps = allSubsteps): Float32Array => {
         scene().setSubsteps(substeps);
-        return probe(scene(), [stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
+        return probe(
+          scene(),
+          [stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))],
+          { stride: 1, first: [0, 0], ...picture },
+          picture,
+        )![0];
       };
       const full = cast(16); // Twice the finest level's steps: a picture of that level would be held against itself.
       const error = measureTrueError(shown, full);
       const { rms, max } = control.error!;
       ratios.push(rms / error.rms);
       const one = autoSteps(volume.grid);
-      console.log(`${name}: ${steps / one} steps a voxel, ${substeps} substeps; stated ${rms.toFixed(2)}, true ${error.rms.toFixed(2)}; largest: stated ${max?.toFixed(1)}, true ${error.max.toFixed(1)}`);
+      console.log(
+        `${name}: ${steps / one} steps a voxel, ${substeps} substeps; stated ${rms.toFixed(2)}, true ${error.rms.toFixed(2)}; largest: stated ${max?.toFixed(1)}, true ${error.max.toFixed(1)}`,
+      );
       expect(max, 'the largest error').to.be.at.least(error.max);
       if (places.length === 0) return;
-      const [fine, coarse] = [cutSteps({ steps: one, substeps: 1 }, one, 1), { ...allSubsteps, max: 1 }].map((substeps) => cast(1, substeps));
+      const [fine, coarse] = [cutSteps({ steps: one, substeps: 1 }, one, 1), { ...allSubsteps, max: 1 }].map(
+        (substeps) => cast(1, substeps),
+      );
       await scene().setLabels({ ...labels, styles: labels.styles.map(() => labels.styles[0]) });
       const bare = cast(4);
-      const listKept = (drawn: Uint8Array): number[] => places.flatMap((place) => {
-        const thing = measureThing({ shown: drawn, full, bare, size }, findPixel(camera, transformPoint(volume.grid.indexToWorld, place), size), Math.max(1, pixelsPerVoxel));
-        return thing && thing.contrast >= minContrast ? [thing.kept] : [];
-      });
-      const [kept, keptByDetail, keptWithout] = [shown, ...[fine, coarse].map((floats) => Uint8Array.from(floats, (x) => Math.round(255 * x)))].map(listKept);
-      console.log(`${name}: ${kept.length} things, at least ${percent(kept)} kept, at one step a voxel ${percent(keptByDetail)}, without detail ${percent(keptWithout)}`);
+      const listKept = (drawn: Uint8Array): number[] =>
+        places.flatMap((place) => {
+          const thing = measureThing(
+            { shown: drawn, full, bare, size },
+            findPixel(camera, transformPoint(volume.grid.indexToWorld, place), size),
+            Math.max(1, pixelsPerVoxel),
+          );
+          return thing && thing.contrast >= minContrast ? [thing.kept] : [];
+        });
+      const [kept, keptByDetail, keptWithout] = [
+        shown,
+        ...[fine, coarse].map((floats) => Uint8Array.from(floats, (x) => Math.round(255 * x))),
+      ].map(listKept);
+      console.log(
+        `${name}: ${kept.length} things, at least ${percent(kept)} kept, at one step a voxel ${percent(keptByDetail)}, without detail ${percent(keptWithout)}`,
+      );
       expect(kept.length, 'things that full rays show').to.be.at.least(25);
-      for (const shares of [kept, keptByDetail]) expect(shares.filter((share) => share < minKept), 'dimmed').to.deep.equal([]);
+      for (const shares of [kept, keptByDetail])
+        expect(
+          shares.filter((share) => share < minKept),
+          'dimmed',
+        ).to.deep.equal([]);
       if (name.includes('1 voxel')) expect(Math.min(...keptWithout), 'without a closer look').to.be.below(0.5);
     });
   }

@@ -23,7 +23,12 @@ import { probe } from '../helpers/probe.ts';
 const dimensions = [52, 6, 44] as const;
 
 /** Specks of one voxel, all in two cells at corners that are far apart: what all other cells have is crossed at once, and few pixels of many show something. */
-const places = [[50, 2, 2], [49, 3, 6], [2, 3, 41], [6, 2, 42]] as const;
+const places = [
+  [50, 2, 2],
+  [49, 3, 6],
+  [2, 3, 41],
+  [6, 2, 42],
+] as const;
 
 /** One value, but for a few voxels. */
 function specks(): Volume {
@@ -50,11 +55,24 @@ const scenes: Record<string, () => Scene> = {
   'specks that show by their gradients': () => {
     const volume = specks();
     const camera = orbitCamera({ theta: 0.9, phi: 1.2, radius: 189 }, boundingSphere(volume.grid).center, 0.3);
-    return { volume, style: { patches: [band] }, transferFunction: outlinePatches([band], volume.range), camera, size: { width: 200, height: 200 }, saysMean: true };
+    return {
+      volume,
+      style: { patches: [band] },
+      transferFunction: outlinePatches([band], volume.range),
+      camera,
+      size: { width: 200, height: 200 },
+      saysMean: true,
+    };
   },
   'surfaces in noise': () => ({
     ...noise,
-    style: { lit: true, surfaces: [{ value: 0.42, color: [1, 0.6, 0.4], opacity: 0.4 }, { value: 0.62, color: [0.8, 0.9, 1], opacity: 1 }] },
+    style: {
+      lit: true,
+      surfaces: [
+        { value: 0.42, color: [1, 0.6, 0.4], opacity: 0.4 },
+        { value: 0.62, color: [0.8, 0.9, 1], opacity: 1 },
+      ],
+    },
     size: { width: 96, height: 72 },
   }),
 };
@@ -75,9 +93,16 @@ describe('the largest error that a picture at rest states', () => {
       await settle(control, gpu, { volume, size });
       const shown = gpu.readPicture().data;
       gpu.setSubsteps(allSubsteps);
-      const full = probe(gpu, [stepLengthOf(volume.grid, 10 * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...size }, size)![0];
+      const full = probe(
+        gpu,
+        [stepLengthOf(volume.grid, 10 * autoSteps(volume.grid))],
+        { stride: 1, first: [0, 0], ...size },
+        size,
+      )![0];
       const error = measureTrueError(shown, full);
-      console.log(`${name}: stated ${control.error!.rms.toFixed(2)}, ${control.error!.max?.toFixed(1)}, true ${error.rms.toFixed(2)}, ${error.max.toFixed(1)}`);
+      console.log(
+        `${name}: stated ${control.error!.rms.toFixed(2)}, ${control.error!.max?.toFixed(1)}, true ${error.rms.toFixed(2)}, ${error.max.toFixed(1)}`,
+      );
       expect(error.max, 'there is some').to.be.above(5);
       const { max, probed } = control.error!;
       if (style.surfaces) {

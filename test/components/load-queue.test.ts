@@ -2,18 +2,26 @@ import { expect } from '@esm-bundle/chai';
 import { LoadQueue } from '../../src/viewer/loading/load-queue.ts';
 
 /** Loads that end when they are told to, by name. */
-function prepare(max: number): { running: string[]; load: (name: string, inSight?: boolean, signal?: AbortSignal) => Promise<string>; end: (name: string) => Promise<void> } {
+function prepare(max: number): {
+  running: string[];
+  load: (name: string, inSight?: boolean, signal?: AbortSignal) => Promise<string>;
+  end: (name: string) => Promise<void>;
+} {
   const queue = new LoadQueue(max);
   const running: string[] = [];
   const ends = new Map<string, () => void>();
   const load = (name: string, inSight = false, signal = new AbortController().signal): Promise<string> =>
-    queue.run(() => inSight, signal, async () => {
-      running.push(name);
-      await new Promise<void>((resolve) => ends.set(name, resolve));
-      running.splice(running.indexOf(name), 1);
-      if (name === 'bad') throw new Error('bad');
-      return name;
-    });
+    queue.run(
+      () => inSight,
+      signal,
+      async () => {
+        running.push(name);
+        await new Promise<void>((resolve) => ends.set(name, resolve));
+        running.splice(running.indexOf(name), 1);
+        if (name === 'bad') throw new Error('bad');
+        return name;
+      },
+    );
   const end = async (name: string): Promise<void> => {
     ends.get(name)!();
     await new Promise((resolve) => setTimeout(resolve));
@@ -51,11 +59,16 @@ describe('the queue of loads', () => {
     const queue = new LoadQueue(1);
     const started: string[] = [];
     const ends: (() => void)[] = [];
-    const start = (name: string, lends: boolean) => queue.run(() => true, new AbortController().signal, async (lend) => {
-      started.push(name);
-      if (lends) for (let i = 0; i < 3; i++) lend();
-      await new Promise<void>((resolve) => ends.push(resolve));
-    });
+    const start = (name: string, lends: boolean) =>
+      queue.run(
+        () => true,
+        new AbortController().signal,
+        async (lend) => {
+          started.push(name);
+          if (lends) for (let i = 0; i < 3; i++) lend();
+          await new Promise<void>((resolve) => ends.push(resolve));
+        },
+      );
     const all = [start('still', true), start('next', false), start('last', false)];
     await new Promise((resolve) => setTimeout(resolve));
     expect(started).to.deep.equal(['still', 'next']);

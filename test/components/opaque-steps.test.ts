@@ -12,9 +12,13 @@ import '../helpers/provide-substeps.ts';
  * missed it, or met it where it is not.
  */
 const scenes = [
-  ['clouds of three scales', 0], ['clouds of three scales', 2], ['a sheared cloud', 2],
+  ['clouds of three scales', 0],
+  ['clouds of three scales', 2],
+  ['a sheared cloud', 2],
   // Where rays looked for turns by three samples, these were said to be kept, with E of 1.82, 2.69 and 1.22: thin shells, and tips, that two or three rays touch between two samples.
-  ['clouds of three scales', 1], ['wires', 0], ['bright specks near the threshold', 2],
+  ['clouds of three scales', 1],
+  ['wires', 0],
+  ['bright specks near the threshold', 2],
   // This stopped at a level that was said not to keep, and the next one would have.
   ['noise', 1],
   // This was not kept at any level, with E of 18.87: the tip of a speck within a ramp to full opacity.
@@ -33,9 +37,14 @@ for (const version of [2, 1] as const) {
         const { name, scene } = (await listOpaqueScenes(called))![number];
         const { volume, transferFunction, size, optics } = scene;
         const { stated, isKept, shown } = await drawAtRest(shared(), scene);
-        const exact = new ExactCells({ volume, transferFunction, referenceLength: optics!.referenceLength! }).draw(shared().viewAt(size), size)!;
+        const exact = new ExactCells({ volume, transferFunction, referenceLength: optics!.referenceLength! }).draw(
+          shared().viewAt(size),
+          size,
+        )!;
         const error = measureTrueError(shown, exact);
-        console.log(`${name}: E ${error.e.toFixed(2)}, RMSE stated ${stated.rms.toFixed(2)}, true ${error.rms.toFixed(2)}, largest of ${stated.rays} rays ${stated.probed.toFixed(1)}, of all ${error.max.toFixed(1)}`);
+        console.log(
+          `${name}: E ${error.e.toFixed(2)}, RMSE stated ${stated.rms.toFixed(2)}, true ${error.rms.toFixed(2)}, largest of ${stated.rays} rays ${stated.probed.toFixed(1)}, of all ${error.max.toFixed(1)}`,
+        );
         expect(isKept).to.equal(true);
         expect(error.e).to.be.at.most(1);
         expect(Math.max(rounding, stated.rms) / Math.max(rounding, error.rms)).to.be.within(0.5, 2);

@@ -45,12 +45,15 @@ describe('the code of a companion is fetched', () => {
     const outer = attach(addHost(), '<volume-view></volume-view><later-host></later-host>');
     await new Promise((resolve) => setTimeout(resolve));
     let inner: ShadowRoot | null = null;
-    customElements.define('later-host', class extends HTMLElement {
-      constructor() {
-        super();
-        inner = attach(this, '<volume-transfer-function></volume-transfer-function>');
-      }
-    });
+    customElements.define(
+      'later-host',
+      class extends HTMLElement {
+        constructor() {
+          super();
+          inner = attach(this, '<volume-transfer-function></volume-transfer-function>');
+        }
+      },
+    );
     expect(await textOf(inner!.firstElementChild)).to.equal(noVolume);
     expect(outer.querySelector('later-host')!.shadowRoot).to.equal(inner);
   });

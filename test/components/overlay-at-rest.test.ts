@@ -29,18 +29,52 @@ const volume = syntheticVolume({ dimensions: [36, 15, 36], field: (x, y) => 0.4 
 const random = randomNumbers(4);
 /** Specks of one voxel, half as large as the volume's. */
 const fine: Vector3 = [64, 27, 64];
-const specks = Array.from({ length: 36 }, () => fine.map((n) => 6 + Math.floor(random() * (n - 12))) as unknown as Vector3);
+const specks = Array.from(
+  { length: 36 },
+  () => fine.map((n) => 6 + Math.floor(random() * (n - 12))) as unknown as Vector3,
+);
 const empty = syntheticVolume({ dimensions: fine, indexToWorld: askew(volume, fine, 0.85), field: () => 0 });
 for (const [i, j, k] of specks) empty.samples[i + fine[0] * (j + fine[1] * k)] = 255;
 const spotted = { ...empty, macrocells: buildMacrocells(empty.samples, fine) };
 const own: Vector3 = [20, 22, 18];
 const smooth = syntheticVolume({ dimensions: own, kind: 'float32', indexToWorld: askew(volume, own), field: waves });
 
-const scenes: readonly { readonly name: string; readonly colors: string; readonly overlay: ShownOverlay; readonly places: readonly Vector3[] }[] = [
-  { name: 'fine specks in a veil', colors: '0 #cde 0.6%, 1 #cde 0.6%', places: specks, overlay: overlayOf(volume, spotted, { transferFunction: parseTransferFunction('0.3 #fa6 0, 1 #fa6 97%', [0, 1]), opacityFactor: 6 }) },
-  { name: 'fine specks where the volume shows nothing', colors: '0.9 #cde 0, 1 #cde 10%', places: specks, overlay: overlayOf(volume, spotted, { transferFunction: parseTransferFunction('0.3 #fa6 0, 1 #fa6 97%', [0, 1]), opacityFactor: 6 }) },
-  { name: 'waves in fog', colors: '0 #246 0, 0.3 #fa6 5%, 1 #fff 20%', places: [], overlay: overlayOf(volume, smooth, { transferFunction: signed }) },
-  { name: 'waves that colour a fog', colors: '0 #246 0, 0.3 #fa6 5%, 1 #fff 20%', places: [], overlay: overlayOf(volume, smooth, { transferFunction: signed, blend: 'color' }) },
+const scenes: readonly {
+  readonly name: string;
+  readonly colors: string;
+  readonly overlay: ShownOverlay;
+  readonly places: readonly Vector3[];
+}[] = [
+  {
+    name: 'fine specks in a veil',
+    colors: '0 #cde 0.6%, 1 #cde 0.6%',
+    places: specks,
+    overlay: overlayOf(volume, spotted, {
+      transferFunction: parseTransferFunction('0.3 #fa6 0, 1 #fa6 97%', [0, 1]),
+      opacityFactor: 6,
+    }),
+  },
+  {
+    name: 'fine specks where the volume shows nothing',
+    colors: '0.9 #cde 0, 1 #cde 10%',
+    places: specks,
+    overlay: overlayOf(volume, spotted, {
+      transferFunction: parseTransferFunction('0.3 #fa6 0, 1 #fa6 97%', [0, 1]),
+      opacityFactor: 6,
+    }),
+  },
+  {
+    name: 'waves in fog',
+    colors: '0 #246 0, 0.3 #fa6 5%, 1 #fff 20%',
+    places: [],
+    overlay: overlayOf(volume, smooth, { transferFunction: signed }),
+  },
+  {
+    name: 'waves that colour a fog',
+    colors: '0 #246 0, 0.3 #fa6 5%, 1 #fff 20%',
+    places: [],
+    overlay: overlayOf(volume, smooth, { transferFunction: signed, blend: 'color' }),
+  },
 ];
 
 describe('a second field in the picture at rest', () => {
@@ -54,7 +88,12 @@ describe('a second field in the picture at rest', () => {
       const camera = orbitCamera({ theta: 0.7, phi: 1.1, radius: size / 1.3 / (2 * Math.tan(0.15)) }, center, 0.3);
       scene().resize(size, size);
       scene().setVolume(volume);
-      await scene().setOptics({ transferFunction: parseTransferFunction(colors, [0, 1]), referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+      await scene().setOptics({
+        transferFunction: parseTransferFunction(colors, [0, 1]),
+        referenceLength: 1,
+        opacityFactor: 1,
+        lightFactor: 1,
+      });
       await scene().setOverlay(overlay);
       scene().setCamera(camera);
       const control = new QualityControl();
@@ -62,7 +101,12 @@ describe('a second field in the picture at rest', () => {
       const shown = scene().readPicture().data;
       const cast = (stepsPerVoxel: number): Float32Array => {
         scene().setSubsteps(allSubsteps);
-        return probe(scene(), [stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
+        return probe(
+          scene(),
+          [stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))],
+          { stride: 1, first: [0, 0], ...picture },
+          picture,
+        )![0];
       };
       const full = cast(12);
       const error = measureTrueError(shown, full);
@@ -76,12 +120,17 @@ describe('a second field in the picture at rest', () => {
         const thing = measureThing({ shown, full, bare, size }, findPixel(camera, at, size), 1.3);
         return thing && thing.contrast >= minContrast ? [thing.kept] : [];
       });
-      console.log(`${name}: stated ${rms.toFixed(2)}, true ${error.rms.toFixed(2)}; largest: stated ${max?.toFixed(1)}, true ${error.max.toFixed(1)}; ${kept.length} things, at least ${(100 * Math.min(1, ...kept)).toFixed(0)} % kept`);
+      console.log(
+        `${name}: stated ${rms.toFixed(2)}, true ${error.rms.toFixed(2)}; largest: stated ${max?.toFixed(1)}, true ${error.max.toFixed(1)}; ${kept.length} things, at least ${(100 * Math.min(1, ...kept)).toFixed(0)} % kept`,
+      );
       expect(max, 'the largest error').to.be.at.least(error.max);
       expect(max, 'what specks may do, or waves: not all of a picture').to.be.below(places.length > 0 ? 200 : 60);
       if (places.length === 0) return;
       expect(kept.length, 'things that full rays show').to.be.at.least(9);
-      expect(kept.filter((share) => share < minKept), 'dimmed').to.deep.equal([]);
+      expect(
+        kept.filter((share) => share < minKept),
+        'dimmed',
+      ).to.deep.equal([]);
     });
   }
 

@@ -27,7 +27,18 @@ class TestView extends VolumeViewAttributes {
 }
 
 customElements.define('test-view', TestView);
-for (const [name, element] of Object.entries({ VolumeClip, VolumeLayer, VolumeLegend, VolumeMeasure, VolumeSlice, VolumeSliceView, VolumeSurface, VolumeTerrain, VolumeTimeline, VolumeTransferFunction })) {
+for (const [name, element] of Object.entries({
+  VolumeClip,
+  VolumeLayer,
+  VolumeLegend,
+  VolumeMeasure,
+  VolumeSlice,
+  VolumeSliceView,
+  VolumeSurface,
+  VolumeTerrain,
+  VolumeTimeline,
+  VolumeTransferFunction,
+})) {
   customElements.define(name.replace(/\B[A-Z]/g, (letter) => `-${letter}`).toLowerCase(), element);
 }
 
@@ -98,19 +109,59 @@ const viewRows: Row[] = [
 ];
 
 const companionRows: Record<string, Row[]> = {
-  'volume-legend': [['htmlFor', 'for', 'a', 'a'], ['label', 'label', '', ''], ['orientation', 'orientation', 'vertical', 'vertical'], ['layer', 'layer', true, '']],
+  'volume-legend': [
+    ['htmlFor', 'for', 'a', 'a'],
+    ['label', 'label', '', ''],
+    ['orientation', 'orientation', 'vertical', 'vertical'],
+    ['layer', 'layer', true, ''],
+  ],
   'volume-layer': [
-    ['src', 'src', 'a.nii', 'a.nii'], ['transferFunction', 'transfer-function', 'viridis', 'viridis'], ['valueWindow', 'value-window', [-3, 3], '-3 3'], ['blend', 'blend', 'color', 'color'],
-    ['opacityFactor', 'opacity-factor', 0.5, '0.5'], ['label', 'label', 'z', 'z'],
+    ['src', 'src', 'a.nii', 'a.nii'],
+    ['transferFunction', 'transfer-function', 'viridis', 'viridis'],
+    ['valueWindow', 'value-window', [-3, 3], '-3 3'],
+    ['blend', 'blend', 'color', 'color'],
+    ['opacityFactor', 'opacity-factor', 0.5, '0.5'],
+    ['label', 'label', 'z', 'z'],
   ],
-  'volume-surface': [['src', 'src', 'a.stl', 'a.stl'], ['color', 'color', 'red', 'red'], ['opacity', 'opacity', 1, '1'], ['space', 'space', 'lps', 'lps'], ['cutWithVolume', 'cut-with-volume', true, '']],
-  'volume-terrain': [['src', 'src', 'a.hgt', 'a.hgt'], ['corner', 'corner', [46, 7], '46 7'], ['color', 'color', 'red', 'red'], ['opacity', 'opacity', 1, '1'], ['cutWithVolume', 'cut-with-volume', true, '']],
+  'volume-surface': [
+    ['src', 'src', 'a.stl', 'a.stl'],
+    ['color', 'color', 'red', 'red'],
+    ['opacity', 'opacity', 1, '1'],
+    ['space', 'space', 'lps', 'lps'],
+    ['cutWithVolume', 'cut-with-volume', true, ''],
+  ],
+  'volume-terrain': [
+    ['src', 'src', 'a.hgt', 'a.hgt'],
+    ['corner', 'corner', [46, 7], '46 7'],
+    ['color', 'color', 'red', 'red'],
+    ['opacity', 'opacity', 1, '1'],
+    ['cutWithVolume', 'cut-with-volume', true, ''],
+  ],
   'volume-measure': [
-    ['htmlFor', 'for', 'a', 'a'], ['type', 'type', 'angle', 'angle'], ['label', 'label', '', ''], ['color', 'color', 'red', 'red'],
-    ['points', 'points', [[1, 2, 3], [4, 5, 6]], '1 2 3, 4 5 6'],
+    ['htmlFor', 'for', 'a', 'a'],
+    ['type', 'type', 'angle', 'angle'],
+    ['label', 'label', '', ''],
+    ['color', 'color', 'red', 'red'],
+    [
+      'points',
+      'points',
+      [
+        [1, 2, 3],
+        [4, 5, 6],
+      ],
+      '1 2 3, 4 5 6',
+    ],
   ],
-  'volume-timeline': [['htmlFor', 'for', 'a', 'a'], ['timeZone', 'time-zone', 'Europe/Brussels', 'Europe/Brussels']],
-  'volume-transfer-function': [['htmlFor', 'for', 'a', 'a'], ['mode', 'mode', 'bands', 'bands'], ['bands', 'bands', 12, '12'], ['bandEdges', 'band-edges', [0, 5, 9], '0 5 9']],
+  'volume-timeline': [
+    ['htmlFor', 'for', 'a', 'a'],
+    ['timeZone', 'time-zone', 'Europe/Brussels', 'Europe/Brussels'],
+  ],
+  'volume-transfer-function': [
+    ['htmlFor', 'for', 'a', 'a'],
+    ['mode', 'mode', 'bands', 'bands'],
+    ['bands', 'bands', 12, '12'],
+    ['bandEdges', 'band-edges', [0, 5, 9], '0 5 9'],
+  ],
   'volume-clip': [
     ['htmlFor', 'for', 'head', 'head'],
     ['type', 'type', 'box', 'box'],
@@ -120,16 +171,38 @@ const companionRows: Record<string, Row[]> = {
     ['keep', 'keep', 'outside', 'outside'],
   ],
   'volume-slice-view': [
-    ['htmlFor', 'for', 'a', 'a'], ['src', 'src', 'a.nii', 'a.nii'], ['type', 'type', 'coronal', 'coronal'], ['normal', 'normal', [0, 1, 1], '0 1 1'], ['at', 'at', -12.5, '-12.5'],
-    ['thickness', 'thickness', 20, '20'], ['projection', 'projection', 'max', 'max'], ['valueWindow', 'value-window', [-160, 240], '-160 240'],
-    ['windowFunction', 'window-function', 'linear', 'linear'], ['interpolation', 'interpolation', 'nearest', 'nearest'], ['colors', 'colors', 'volume', 'volume'],
-    ['drag', 'drag', 'window', 'window'], ['group', 'group', 'a', 'a'], ['cursor', 'cursor', [1, 2, 3], '1 2 3'], ['alt', 'alt', '', ''], ['labelOpacity', 'label-opacity', 0.4, '0.4'],
+    ['htmlFor', 'for', 'a', 'a'],
+    ['src', 'src', 'a.nii', 'a.nii'],
+    ['type', 'type', 'coronal', 'coronal'],
+    ['normal', 'normal', [0, 1, 1], '0 1 1'],
+    ['at', 'at', -12.5, '-12.5'],
+    ['thickness', 'thickness', 20, '20'],
+    ['projection', 'projection', 'max', 'max'],
+    ['valueWindow', 'value-window', [-160, 240], '-160 240'],
+    ['windowFunction', 'window-function', 'linear', 'linear'],
+    ['interpolation', 'interpolation', 'nearest', 'nearest'],
+    ['colors', 'colors', 'volume', 'volume'],
+    ['drag', 'drag', 'window', 'window'],
+    ['group', 'group', 'a', 'a'],
+    ['cursor', 'cursor', [1, 2, 3], '1 2 3'],
+    ['alt', 'alt', '', ''],
+    ['labelOpacity', 'label-opacity', 0.4, '0.4'],
   ],
   'volume-slice': [
-    ['type', 'type', 'rhi', 'rhi'], ['elevation', 'elevation', 0.5, '0.5'], ['sweep', 'sweep', 0, '0'], ['height', 'height', 3000, '3000'],
-    ['azimuth', 'azimuth', 45, '45'], ['from', 'from', [0, -5], '0 -5'], ['to', 'to', [9, 9], '9 9'],
-    ['at', 'at', 12.5, '12.5'], ['normal', 'normal', [0, 1, 1], '0 1 1'], ['valueWindow', 'value-window', [0, 80], '0 80'],
-    ['windowFunction', 'window-function', 'linear', 'linear'], ['colors', 'colors', 'volume', 'volume'], ['thickness', 'thickness', 20, '20'], ['projection', 'projection', 'max', 'max'],
+    ['type', 'type', 'rhi', 'rhi'],
+    ['elevation', 'elevation', 0.5, '0.5'],
+    ['sweep', 'sweep', 0, '0'],
+    ['height', 'height', 3000, '3000'],
+    ['azimuth', 'azimuth', 45, '45'],
+    ['from', 'from', [0, -5], '0 -5'],
+    ['to', 'to', [9, 9], '9 9'],
+    ['at', 'at', 12.5, '12.5'],
+    ['normal', 'normal', [0, 1, 1], '0 1 1'],
+    ['valueWindow', 'value-window', [0, 80], '0 80'],
+    ['windowFunction', 'window-function', 'linear', 'linear'],
+    ['colors', 'colors', 'volume', 'volume'],
+    ['thickness', 'thickness', 20, '20'],
+    ['projection', 'projection', 'max', 'max'],
   ],
 };
 
@@ -141,7 +214,9 @@ for (const [tag, rows] of Object.entries({ 'test-view': viewRows, ...companionRo
       it(`${property} = ${JSON.stringify(value)} is ${attribute}="${text}", and the other way round`, () => {
         const element = create();
         const absent = element[property];
-        expect(absent, 'without the attribute').to.equal(text === '' && value === true || ['rings', 'clean'].includes(property) ? false : null);
+        expect(absent, 'without the attribute').to.equal(
+          (text === '' && value === true) || ['rings', 'clean'].includes(property) ? false : null,
+        );
         element[property] = value;
         expect(element.getAttribute(attribute)).to.equal(text);
         expect(element[property]).to.deep.equal(value);
@@ -169,8 +244,13 @@ describe('a property', () => {
     const view = new TestView();
     Object.assign(view, { steps: '31', spacing: '1, 2 3', mosaic: '4x5' });
     expect([view.steps, view.spacing, view.mosaic]).to.deep.equal([31, [1, 2, 3], [4, 5]]);
-    view.transferFunction = [{ value: 0, color: [0, 0, 0], opacity: 0 }, { value: 9, color: [1, 1, 1], opacity: 0.5 }];
-    expect(view.getAttribute('transfer-function')).to.equal('0 #000000 0%, 9 #ffffff 50%').and.to.equal(view.transferFunction);
+    view.transferFunction = [
+      { value: 0, color: [0, 0, 0], opacity: 0 },
+      { value: 9, color: [1, 1, 1], opacity: 0.5 },
+    ];
+    expect(view.getAttribute('transfer-function'))
+      .to.equal('0 #000000 0%, 9 #ffffff 50%')
+      .and.to.equal(view.transferFunction);
   });
 
   it('is null where its attribute cannot be read, which is given as it stands', () => {
@@ -178,7 +258,13 @@ describe('a property', () => {
     Object.assign(view, { steps: 'lots', spacing: [1, 2], valueWindow: '1 2 3', opacityFactor: NaN });
     expect([view.steps, view.spacing, view.valueWindow, view.opacityFactor]).to.deep.equal([null, null, null, null]);
     const { steps, spacing, valueWindow, opacityFactor, lightFactor } = view.given;
-    expect([steps, spacing, valueWindow, opacityFactor, lightFactor]).to.deep.equal(['lots', '1 2', '1 2 3', 'NaN', null]);
+    expect([steps, spacing, valueWindow, opacityFactor, lightFactor]).to.deep.equal([
+      'lots',
+      '1 2',
+      '1 2 3',
+      'NaN',
+      null,
+    ]);
   });
 
   it('is an update each time that it is set, also to what cannot be read', async () => {
@@ -211,7 +297,11 @@ describe('what an editor changes', () => {
     const view = new TestView();
     view.setAttribute('opacity-factor', '1.50');
     view.appearance = { ...view.appearance, transferFunction: 'hot' };
-    expect([view.getAttribute('opacity-factor'), view.transferFunction, view.hasAttribute('light-factor')]).to.deep.equal(['1.50', 'hot', false]);
+    expect([
+      view.getAttribute('opacity-factor'),
+      view.transferFunction,
+      view.hasAttribute('light-factor'),
+    ]).to.deep.equal(['1.50', 'hot', false]);
     view.appearance = { transferFunction: null, opacityFactor: 2, lightFactor: 3 };
     expect([view.hasAttribute('transfer-function'), view.opacityFactor, view.lightFactor]).to.deep.equal([false, 2, 3]);
   });
@@ -222,17 +312,38 @@ describe('a property of any element', () => {
     throw new Error('a trap');
   };
   const traps: readonly [string, unknown][] = [
-    ['null', null], ['undefined', undefined], ['NaN', NaN], ['a bigint', 10n], ['a symbol', Symbol('s')], ['a function', fail],
-    ['no prototype', Object.create(null)], ['a toString that throws', { toString: fail }], ['a toString of an object', { toString: () => ({}) }],
+    ['null', null],
+    ['undefined', undefined],
+    ['NaN', NaN],
+    ['a bigint', 10n],
+    ['a symbol', Symbol('s')],
+    ['a function', fail],
+    ['no prototype', Object.create(null)],
+    ['a toString that throws', { toString: fail }],
+    ['a toString of an object', { toString: () => ({}) }],
     ['a proxy', new Proxy({}, { get: fail, has: fail, ownKeys: fail, getPrototypeOf: fail })],
-    ['an array of a symbol', [Symbol('s')]], ['an array of traps', [{ toString: fail }]], ['a huge array', Array(2 ** 32 - 1)], ['stops that are none', [{ value: 1 }]],
-    ['a long text', 'x'.repeat(1e5)], ['a document', document],
+    ['an array of a symbol', [Symbol('s')]],
+    ['an array of traps', [{ toString: fail }]],
+    ['a huge array', Array(2 ** 32 - 1)],
+    ['stops that are none', [{ value: 1 }]],
+    ['a long text', 'x'.repeat(1e5)],
+    ['a document', document],
   ];
-  for (const name of ['test-view', 'volume-clip', 'volume-legend', 'volume-slice', 'volume-slice-view', 'volume-timeline', 'volume-transfer-function']) {
+  for (const name of [
+    'test-view',
+    'volume-clip',
+    'volume-legend',
+    'volume-slice',
+    'volume-slice-view',
+    'volume-timeline',
+    'volume-transfer-function',
+  ]) {
     it(`takes whatever it is given: <${name}>`, () => {
       const element = document.createElement(name) as ReflectingElement;
       const { elementProperties } = element.constructor as typeof ReflectingElement;
-      const names = [...elementProperties.keys()].filter((key): key is string => typeof key === 'string' && !key.startsWith('_'));
+      const names = [...elementProperties.keys()].filter(
+        (key): key is string => typeof key === 'string' && !key.startsWith('_'),
+      );
       expect(names.length).to.be.above(0);
       for (const property of [...names, ...(name === 'test-view' ? ['appearance'] : [])]) {
         for (const [what, trap] of traps) {

@@ -64,12 +64,17 @@ describe('the control of quality', () => {
       expect(chosen[1].cost).to.be.at.least(chosen[0].cost);
     }));
 
-  it('draws a picture at rest in pieces of a frame\'s time where it takes long, and at once where it does not', () => {
+  it("draws a picture at rest in pieces of a frame's time where it takes long, and at once where it does not", () => {
     const control = new QualityControl();
     const big = { width: 1000, height: 800 };
     expect(control.rowsOfPieces(big, plain(100)), 'where nothing is known of times').to.equal(null);
     // 10 ms, and 1 ms for each 100,000 pixels and steps.
-    for (const [w, steps] of [[100, 20], [200, 40], [400, 80]]) control.took(moving(steps), w * w, 10 + (w * w * steps) / 1e5);
+    for (const [w, steps] of [
+      [100, 20],
+      [200, 40],
+      [400, 80],
+    ])
+      control.took(moving(steps), w * w, 10 + (w * w * steps) / 1e5);
     const rows = control.rowsOfPieces(big, plain(100))!;
     const ms = 10 + (rows * big.width * 100) / 1e5;
     expect(ms).to.be.within(20, 1000 / defaultTargets.targetFps);
@@ -106,7 +111,9 @@ describe('the control of quality', () => {
       control.set({ ...defaultTargets, steps: 25 });
       await control.prepare();
       scene.draw(stepLengthOf(volume.grid, 25));
-      expect(await control.probe(scene, volume.grid, { plan: control.still(volume.grid), size, goesOn: () => goesOn })).to.equal(false);
+      expect(
+        await control.probe(scene, volume.grid, { plan: control.still(volume.grid), size, goesOn: () => goesOn }),
+      ).to.equal(false);
       expect([goesOn, control.error]).to.deep.equal([false, null]);
     }));
 
@@ -133,7 +140,7 @@ describe('the control of quality', () => {
     expect(control.still(volume.grid).edgeCurvature).to.be.closeTo(3 * 8 * Math.sqrt(12), 1e-9);
   });
 
-  it('while moving draws as at rest where that is within a frame\'s time, so that what is small does not blink', () =>
+  it("while moving draws as at rest where that is within a frame's time, so that what is small does not blink", () =>
     withShells(async (scene) => {
       const control = new QualityControl();
       await settle(control, scene);
@@ -191,7 +198,10 @@ describe('the control of quality', () => {
       scene.startProbe = (stepLength, ...rest) => (lengths.push(stepLength), native(stepLength, ...rest));
       const max = stepLengthOf(volume.grid, autoSteps(volume.grid));
       scene.draw(stepLengthOf(volume.grid, 7));
-      expect(await control.probe(scene, volume.grid, { plan: plain(7), size, goesOn: () => true }), 'drawn again').to.equal(true);
+      expect(
+        await control.probe(scene, volume.grid, { plan: plain(7), size, goesOn: () => true }),
+        'drawn again',
+      ).to.equal(true);
       expect(lengths).to.have.property('length').above(0);
       expect(Math.max(...lengths), 'before it').to.be.at.most(max);
       expect(Math.min(...lengths), 'held against four steps a voxel').to.be.at.most(max / 4 + 1e-9);

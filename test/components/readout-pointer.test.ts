@@ -8,7 +8,7 @@ import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
 const camera = orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 10 }, [0, 0, 0], 1);
 
 /** What is at the place that all of these tests look at. */
-const found = (value: number): VolumePick => ({ world: [0, 0, 0], value } as unknown as VolumePick);
+const found = (value: number): VolumePick => ({ world: [0, 0, 0], value }) as unknown as VolumePick;
 
 const nextFrame = (): Promise<number> => new Promise((resolve) => requestAnimationFrame(resolve));
 

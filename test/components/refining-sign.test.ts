@@ -7,18 +7,56 @@ import type { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts'
 const wait = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
 
 /** An element in which pictures are drawn. */
-function makeView(): { view: RefinedView; presenter: Pick<VolumePresenter, 'viewer'>; state: { converged: boolean; paused: boolean; moving: boolean; animating: boolean; canDraw: boolean; unfinished: boolean; coarse: boolean; gathered: number | null } } {
+function makeView(): {
+  view: RefinedView;
+  presenter: Pick<VolumePresenter, 'viewer'>;
+  state: {
+    converged: boolean;
+    paused: boolean;
+    moving: boolean;
+    animating: boolean;
+    canDraw: boolean;
+    unfinished: boolean;
+    coarse: boolean;
+    gathered: number | null;
+  };
+} {
   const element = document.body.appendChild(document.createElement('div'));
   element.attachShadow({ mode: 'open' });
-  const state = { converged: false, paused: true, moving: false, animating: false, canDraw: true, unfinished: true, coarse: false, gathered: null as number | null };
+  const state = {
+    converged: false,
+    paused: true,
+    moving: false,
+    animating: false,
+    canDraw: true,
+    unfinished: true,
+    coarse: false,
+    gathered: null as number | null,
+  };
   const viewer = {
     wantsPicture: true,
-    get volume() { return { coarse: state.coarse }; },
-    get canDraw() { return state.canDraw; },
-    get moving() { return state.moving; },
-    get animating() { return state.animating; },
-    loop: { get unfinished() { return state.unfinished; } },
-    pictures: { get gathered() { return state.gathered; } },
+    get volume() {
+      return { coarse: state.coarse };
+    },
+    get canDraw() {
+      return state.canDraw;
+    },
+    get moving() {
+      return state.moving;
+    },
+    get animating() {
+      return state.animating;
+    },
+    loop: {
+      get unfinished() {
+        return state.unfinished;
+      },
+    },
+    pictures: {
+      get gathered() {
+        return state.gathered;
+      },
+    },
   };
   Object.defineProperties(element, {
     renderStats: { get: () => ({ converged: state.converged }) },
@@ -71,7 +109,14 @@ describe('the sign that a picture is refined', () => {
     view.remove();
   });
 
-  for (const [name, value] of [['moving', true], ['animating', true], ['paused', false], ['canDraw', false], ['unfinished', false], ['coarse', true]] as const) {
+  for (const [name, value] of [
+    ['moving', true],
+    ['animating', true],
+    ['paused', false],
+    ['canDraw', false],
+    ['unfinished', false],
+    ['coarse', true],
+  ] as const) {
     it(`does not come, and goes, where ${name} is ${value}`, async () => {
       const { view, presenter, state } = makeView();
       Object.assign(state, { [name]: value });

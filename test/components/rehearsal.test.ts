@@ -21,7 +21,16 @@ const echoes: TransferFunction = [
   { value: 95, color: [1, 1, 1], opacity: 0.4 },
 ];
 const volume = radarVolume(Object.values(polarScenes)[0]);
-const optics: VolumeOptics = { transferFunction: echoes, window: [-20, 95], referenceLength: 2000, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
+const optics: VolumeOptics = {
+  transferFunction: echoes,
+  window: [-20, 95],
+  referenceLength: 2000,
+  opacityFactor: 1,
+  lightFactor: 1,
+  projection: null,
+  shading: 'unlit',
+  surfaces: null,
+};
 const cuts = { ...noCuts, framed: volume.grid, rings: readRings(null, volume, null) };
 
 /** Sources of the programs that cast rays and are linked meanwhile. */
@@ -51,7 +60,7 @@ async function draw(scene: VolumeScene): Promise<ReturnType<typeof readPixels>> 
   return readPixels(scene);
 }
 
-describe('the rehearsal of a radar\'s picture', () => {
+describe("the rehearsal of a radar's picture", () => {
   it('compiles all that casts rays, leaves nothing on the canvas, and the picture as it is', async () => {
     let alone: ReturnType<typeof readPixels>;
     await withScene({}, async (scene) => void (alone = await draw(scene)));
@@ -64,20 +73,27 @@ describe('the rehearsal of a radar\'s picture', () => {
       expect(acts.length).to.equal(1);
       before.stop();
       expect(before.linked.length, 'one program casts rays').to.equal(1);
-      expect(readPixels(scene).every((x) => x === 0), 'nothing is left').to.equal(true);
+      expect(
+        readPixels(scene).every((x) => x === 0),
+        'nothing is left',
+      ).to.equal(true);
       const after = watchPrograms();
       const picture = await draw(scene);
       after.stop();
       expect(after.linked.length).to.equal(0);
-      expect(picture.some((x) => x > 100), 'something is seen').to.equal(true);
+      expect(
+        picture.some((x) => x > 100),
+        'something is seen',
+      ).to.equal(true);
       expect(comparePictures(picture, alone).worst).to.equal(0);
     });
   });
 
-  it('is not missed where there is none: shapes are expected in the first picture, and no program is compiled in vain', () => withScene({}, async (scene) => {
-    const { linked, stop } = watchPrograms();
-    await draw(scene);
-    stop();
-    expect(linked.length).to.equal(1);
-  }));
+  it('is not missed where there is none: shapes are expected in the first picture, and no program is compiled in vain', () =>
+    withScene({}, async (scene) => {
+      const { linked, stop } = watchPrograms();
+      await draw(scene);
+      stop();
+      expect(linked.length).to.equal(1);
+    }));
 });

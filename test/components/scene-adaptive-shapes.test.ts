@@ -27,12 +27,20 @@ interface Shown {
 const shells: Shown = { ...errorScenes().find(({ name }) => name.startsWith('shells, smooth'))!, referenceLength: 1 };
 
 const storm: Shown = (() => {
-  const stored = (azimuth: number, gate: number): number => Math.round(130 + 60 * Math.sin((azimuth * Math.PI) / 60) + 50 * Math.sin(gate / 9));
-  const volume = radarVolume({ sweeps: [0.5, 2, 5, 10, 20].map((elevation) => ({ elevation, gates: 60, azimuths: evenAzimuths(72), stored })) });
+  const stored = (azimuth: number, gate: number): number =>
+    Math.round(130 + 60 * Math.sin((azimuth * Math.PI) / 60) + 50 * Math.sin(gate / 9));
+  const volume = radarVolume({
+    sweeps: [0.5, 2, 5, 10, 20].map((elevation) => ({ elevation, gates: 60, azimuths: evenAzimuths(72), stored })),
+  });
   const { center, radius } = boundingSphere(volume.grid);
   return {
-    volume, referenceLength: radius / 20,
-    transferFunction: [{ value: 0, color: [0.1, 0.3, 1], opacity: 0 }, { value: 30, color: [0.1, 0.8, 0.3], opacity: 0.1 }, { value: 70, color: [1, 0.4, 0.1], opacity: 0.4 }],
+    volume,
+    referenceLength: radius / 20,
+    transferFunction: [
+      { value: 0, color: [0.1, 0.3, 1], opacity: 0 },
+      { value: 30, color: [0.1, 0.8, 0.3], opacity: 0.1 },
+      { value: 70, color: [1, 0.4, 0.1], opacity: 0.4 },
+    ],
     camera: orbitCamera({ theta: 0.6, phi: 1, radius: 2.2 * radius }, center, 0.8),
   };
 })();
@@ -43,7 +51,11 @@ interface Drawn {
   readonly scene: VolumeScene;
 }
 
-async function withShapes({ volume, transferFunction, camera, referenceLength }: Shown, options: { webgl1: boolean; children: string }, use: (drawn: Drawn) => void): Promise<void> {
+async function withShapes(
+  { volume, transferFunction, camera, referenceLength }: Shown,
+  options: { webgl1: boolean; children: string },
+  use: (drawn: Drawn) => void,
+): Promise<void> {
   await withScene(options, async (scene) => {
     scene.resize(size.width, size.height);
     await scene.prepare(volume);
@@ -91,13 +103,19 @@ for (const { name, shown, webgl1, kinds } of cases) {
           expect(scene.adaptive).to.equal(true);
           const volumePicture = scene.readVolume()!;
           const jumps = volumePicture.startJumps(1, false)();
-          expect(Array.from(jumps.data).some((x, i) => i % 4 === 0 && x > 0), 'shapes end rays').to.equal(true);
+          expect(
+            Array.from(jumps.data).some((x, i) => i % 4 === 0 && x > 0),
+            'shapes end rays',
+          ).to.equal(true);
           const [outcomes] = atOnce(forecastSampling(scene.readPicture(), [1], volumePicture));
           const foretold = outcomes.filter(({ error }) => error <= maxError / 2).at(-1)!;
           const adaptive = draw(foretold.maxCurvature);
           const { rmse } = comparePictures(adaptive, all);
           expect(rmse, 'rays are spared').to.be.above(0.03);
-          expect(rmse, `curvature ${foretold.maxCurvature}`).to.be.within(foretold.error / 2 - 0.2, 2 * foretold.error + 0.2);
+          expect(rmse, `curvature ${foretold.maxCurvature}`).to.be.within(
+            foretold.error / 2 - 0.2,
+            2 * foretold.error + 0.2,
+          );
           expect(shareBeyond(adaptive, all, outliers * maxError), 'pixels far off').to.be.at.most(0.001);
           expect(comparePictures(draw(0), all).worst, 'afterwards').to.equal(0);
         }));
@@ -123,10 +141,13 @@ describe('thin lines across a volume', function () {
         draw(maxCurvature);
         return scene.readVolume()!.picture.data;
       });
-      const isCut = (pixel: number): boolean => [0, 1, 2, 3].some((c) => Math.abs(all[4 * pixel + c] - allLines[4 * pixel + c]) > 3);
+      const isCut = (pixel: number): boolean =>
+        [0, 1, 2, 3].some((c) => Math.abs(all[4 * pixel + c] - allLines[4 * pixel + c]) > 3);
       expect(Array.from({ length: all.length / 4 }, (_, pixel) => pixel).filter(isCut).length).to.be.above(50);
       expect(comparePictures(adaptiveLines, allLines, (pixel) => !isCut(pixel)).worst, 'the lines').to.be.at.most(2);
-      expect(comparePictures(adaptiveLines, allLines).worst, 'what is beside them').to.be.at.most(comparePictures(adaptive, all).worst + 1);
+      expect(comparePictures(adaptiveLines, allLines).worst, 'what is beside them').to.be.at.most(
+        comparePictures(adaptive, all).worst + 1,
+      );
     });
   });
 });

@@ -20,7 +20,17 @@ import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const size = { width: 151, height: 113 };
 const cartesian = syntheticVolume({ dimensions: [40, 36, 30], spacing: [1, 1, 1] });
-const storm = radarVolume({ sweeps: [0.5, 2, 5, 10, 20].map((elevation) => ({ elevation, gates: 60, azimuths: evenAzimuths(72), stored: (azimuth, gate) => Math.round(130 + 60 * Math.sin((azimuth * Math.PI) / 60) + 50 * Math.sin(gate / 9)) })) }, { verticalExaggeration: 3 });
+const storm = radarVolume(
+  {
+    sweeps: [0.5, 2, 5, 10, 20].map((elevation) => ({
+      elevation,
+      gates: 60,
+      azimuths: evenAzimuths(72),
+      stored: (azimuth, gate) => Math.round(130 + 60 * Math.sin((azimuth * Math.PI) / 60) + 50 * Math.sin(gate / 9)),
+    })),
+  },
+  { verticalExaggeration: 3 },
+);
 
 function planesOf(html: string, volume: Volume): readonly RayCut[] {
   const host = document.createElement('div');
@@ -34,12 +44,28 @@ const seen = (volume: Volume, phi: number): Camera => {
 };
 
 /** Draws the same view with a limit to the curvature; 0: with all rays. */
-async function show(scene: VolumeScene, volume: Volume, { slices = [], cuts = [], camera }: { slices?: readonly Slice[]; cuts?: readonly RayCut[]; camera: Camera }): Promise<(maxCurvature: number) => Uint8ClampedArray> {
+async function show(
+  scene: VolumeScene,
+  volume: Volume,
+  { slices = [], cuts = [], camera }: { slices?: readonly Slice[]; cuts?: readonly RayCut[]; camera: Camera },
+): Promise<(maxCurvature: number) => Uint8ClampedArray> {
   scene.resize(size.width, size.height);
   await scene.prepare(volume);
   scene.setVolume(volume);
-  await scene.setOptics({ transferFunction: isPolar(volume) ? [{ value: 0, color: [0.1, 0.3, 1], opacity: 0 }, { value: 70, color: [1, 0.4, 0.1], opacity: 0.3 }] : [{ value: 0.2, color: [0, 0, 0.4], opacity: 0 }, { value: 0.8, color: [1, 1, 0.8], opacity: 0.05 }],
-    referenceLength: boundingSphere(volume.grid).radius / 20, opacityFactor: 1, lightFactor: 1 });
+  await scene.setOptics({
+    transferFunction: isPolar(volume)
+      ? [
+          { value: 0, color: [0.1, 0.3, 1], opacity: 0 },
+          { value: 70, color: [1, 0.4, 0.1], opacity: 0.3 },
+        ]
+      : [
+          { value: 0.2, color: [0, 0, 0.4], opacity: 0 },
+          { value: 0.8, color: [1, 1, 0.8], opacity: 0.05 },
+        ],
+    referenceLength: boundingSphere(volume.grid).radius / 20,
+    opacityFactor: 1,
+    lightFactor: 1,
+  });
   scene.setSlices(slices, cuts);
   scene.setCamera(camera);
   return (maxCurvature) => {
@@ -53,10 +79,19 @@ for (const webgl1 of [false, true]) {
   describe(`slices where rays are spared, WebGL ${webgl1 ? 1 : 2}`, function () {
     this.timeout(120_000);
     const scene = shareScene({ webgl1 });
-    const three = ['axial', 'coronal', 'sagittal'].map((type) => `<volume-slice type="${type}"></volume-slice>`).join('');
+    const three = ['axial', 'coronal', 'sagittal']
+      .map((type) => `<volume-slice type="${type}"></volume-slice>`)
+      .join('');
     const cases = [
       { name: 'planes', volume: cartesian, cuts: planesOf(three, cartesian) },
-      { name: 'a radar\'s level and upright ones', volume: storm, slices: [{ kind: 'level', height: 3000 }, { kind: 'upright', from: [0, 0], direction: [0.6, 0.8], length: Infinity }] as const },
+      {
+        name: "a radar's level and upright ones",
+        volume: storm,
+        slices: [
+          { kind: 'level', height: 3000 },
+          { kind: 'upright', from: [0, 0], direction: [0.6, 0.8], length: Infinity },
+        ] as const,
+      },
     ];
 
     for (const { name, volume, ...cutting } of cases) {
@@ -87,7 +122,10 @@ describe('a slice that is seen from its side', function () {
     const across = normalize(cross(toEye, [0, 0, 1]));
     // The eye lies next to the plane, whose picture is a slanting line two pixels wide.
     const normal = add(add(scale(across, 0.5), scale(cross(across, toEye), 0.8)), scale(toEye, 0.018));
-    const cuts = planesOf(`<volume-slice type="oblique" normal="${normal.join(' ')}" at="${dot(normalize(normal), center)}"></volume-slice>`, cartesian);
+    const cuts = planesOf(
+      `<volume-slice type="oblique" normal="${normal.join(' ')}" at="${dot(normalize(normal), center)}"></volume-slice>`,
+      cartesian,
+    );
     const draw = await show(scene(), cartesian, { cuts, camera });
     const [all, adaptive] = [0, 256].map(draw);
     const isOnPlane = (pixel: number): boolean => all[4 * pixel + 3] > 250;

@@ -41,7 +41,10 @@ describe('a picture with adaptive ray sampling', () => {
         expect(rmse).to.be.within(0.05, 1.3 * foretold.error + 0.2);
         expect(worst).to.be.below(40);
         expect(comparePictures(draw(scene, 0), all).worst, 'afterwards').to.equal(0);
-        expect(comparePictures(draw(scene, 0.5), all).worst, 'where only what is straight is interpolated').to.be.at.most(2);
+        expect(
+          comparePictures(draw(scene, 0.5), all).worst,
+          'where only what is straight is interpolated',
+        ).to.be.at.most(2);
       }));
   }
 
@@ -52,7 +55,11 @@ describe('a picture with adaptive ray sampling', () => {
       expect(passes.map(({ stride }) => stride)).to.deep.equal([4, 2, 1]);
       for (const pass of passes) {
         for (let firstRow = 0; firstRow < pass.height; firstRow += 30) {
-          scene.gather(stepLengthOf(volume.grid, 60), { pass, firstRow, rows: Math.min(30, pass.height - firstRow) }, size);
+          scene.gather(
+            stepLengthOf(volume.grid, 60),
+            { pass, firstRow, rows: Math.min(30, pass.height - firstRow) },
+            size,
+          );
         }
       }
       scene.drawGathered();

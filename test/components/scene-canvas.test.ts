@@ -30,61 +30,74 @@ function drawOver(canvas: HTMLCanvasElement, background: string): Uint8ClampedAr
 
 describe('the canvas', () => {
   for (const webgl1 of [false, true]) {
-    it(`lets the CSS background show through without a dark fringe, WebGL ${webgl1 ? 1 : 2}`, () => withScene({ webgl1 }, (scene) => {
-      const pixels = drawPicture(scene, view);
-      expect(contextOf(scene).getContextAttributes()).to.include({ alpha: true, premultipliedAlpha: true });
-      for (const [color, rgb] of [['#fff', [255, 255, 255]], ['rgb(20 140 220)', [20, 140, 220]]] as const) {
-        const page = drawOver(scene.canvas, color);
-        let partial = 0;
-        for (let i = 0; i < pixels.length; i += 4) {
-          const alpha = pixels[i + 3] / 255;
-          if (alpha > 0.1 && alpha < 0.9) partial++;
-          for (let c = 0; c < 3; c++) {
-            // Premultiplied colour over the page; the canvas and the compositor each round once.
-            expect(page[i + c], `pixel ${i / 4} over ${color}`).to.be.closeTo(pixels[i + c] + (1 - alpha) * rgb[c], 1.5);
+    it(`lets the CSS background show through without a dark fringe, WebGL ${webgl1 ? 1 : 2}`, () =>
+      withScene({ webgl1 }, (scene) => {
+        const pixels = drawPicture(scene, view);
+        expect(contextOf(scene).getContextAttributes()).to.include({ alpha: true, premultipliedAlpha: true });
+        for (const [color, rgb] of [
+          ['#fff', [255, 255, 255]],
+          ['rgb(20 140 220)', [20, 140, 220]],
+        ] as const) {
+          const page = drawOver(scene.canvas, color);
+          let partial = 0;
+          for (let i = 0; i < pixels.length; i += 4) {
+            const alpha = pixels[i + 3] / 255;
+            if (alpha > 0.1 && alpha < 0.9) partial++;
+            for (let c = 0; c < 3; c++) {
+              // Premultiplied colour over the page; the canvas and the compositor each round once.
+              expect(page[i + c], `pixel ${i / 4} over ${color}`).to.be.closeTo(
+                pixels[i + c] + (1 - alpha) * rgb[c],
+                1.5,
+              );
+            }
           }
+          expect(partial, 'half transparent pixels to speak of').to.be.above(50);
         }
-        expect(partial, 'half transparent pixels to speak of').to.be.above(50);
-      }
-    }));
+      }));
   }
 
-  it('is empty where the volume is not, and never brighter than its opacity', () => withScene({}, (scene) => {
-    const pixels = drawPicture(scene, view);
-    expect([...pixels.subarray(0, 4)]).to.deep.equal([0, 0, 0, 0]);
-    for (let i = 0; i < pixels.length; i += 4) {
-      expect(Math.max(pixels[i], pixels[i + 1], pixels[i + 2])).to.be.at.most(pixels[i + 3]);
-    }
-  }));
+  it('is empty where the volume is not, and never brighter than its opacity', () =>
+    withScene({}, (scene) => {
+      const pixels = drawPicture(scene, view);
+      expect([...pixels.subarray(0, 4)]).to.deep.equal([0, 0, 0, 0]);
+      for (let i = 0; i < pixels.length; i += 4) {
+        expect(Math.max(pixels[i], pixels[i + 1], pixels[i + 2])).to.be.at.most(pixels[i + 3]);
+      }
+    }));
 
-  it('takes a new size, with the aspect of the picture right in the first frame', () => withScene({}, (scene) => {
-    drawPicture(scene, view);
-    scene.resize(60, 60);
-    scene.draw(view.stepLength);
-    const projection = scene.getView().projection;
-    expect(projection[0]).to.be.closeTo(projection[5], 1e-12);
-    const pixels = readPixels(scene);
-    expect(pixels.length).to.equal(60 * 60 * 4);
-    expect(pixels[(30 * 60 + 30) * 4 + 3], 'the middle').to.be.above(100);
-    expect(pixels[3], 'a corner').to.equal(0);
-  }));
+  it('takes a new size, with the aspect of the picture right in the first frame', () =>
+    withScene({}, (scene) => {
+      drawPicture(scene, view);
+      scene.resize(60, 60);
+      scene.draw(view.stepLength);
+      const projection = scene.getView().projection;
+      expect(projection[0]).to.be.closeTo(projection[5], 1e-12);
+      const pixels = readPixels(scene);
+      expect(pixels.length).to.equal(60 * 60 * 4);
+      expect(pixels[(30 * 60 + 30) * 4 + 3], 'the middle').to.be.above(100);
+      expect(pixels[3], 'a corner').to.equal(0);
+    }));
 
-  it('draws the same picture again, and another one when what it shows changes', () => withScene({}, (scene) => {
-    const first = drawPicture(scene, view);
-    scene.draw(view.stepLength);
-    expect(comparePictures(readPixels(scene), first).worst).to.equal(0);
-    void scene.setOptics({ ...plainOptics, transferFunction: shells.map((stop) => ({ ...stop, color: [0, 1, 0] as const })) });
-    scene.draw(view.stepLength);
-    const green = readPixels(scene);
-    expect(comparePictures(green, first).worst).to.be.above(20);
-    expect(Math.max(...green.filter((_, i) => i % 4 === 0)), 'red').to.equal(0);
-    // Another volume, of another type and size, in the same scene.
-    scene.setVolume(syntheticVolume({ dimensions: [9, 12, 7], kind: 'uint16', field: () => 0.5 }));
-    scene.draw(view.stepLength);
-    const other = readPixels(scene);
-    expect(comparePictures(other, green).worst).to.be.above(20);
-    expect(comparePictures(drawPicture(scene, view), first).worst, 'and back').to.equal(0);
-  }));
+  it('draws the same picture again, and another one when what it shows changes', () =>
+    withScene({}, (scene) => {
+      const first = drawPicture(scene, view);
+      scene.draw(view.stepLength);
+      expect(comparePictures(readPixels(scene), first).worst).to.equal(0);
+      void scene.setOptics({
+        ...plainOptics,
+        transferFunction: shells.map((stop) => ({ ...stop, color: [0, 1, 0] as const })),
+      });
+      scene.draw(view.stepLength);
+      const green = readPixels(scene);
+      expect(comparePictures(green, first).worst).to.be.above(20);
+      expect(Math.max(...green.filter((_, i) => i % 4 === 0)), 'red').to.equal(0);
+      // Another volume, of another type and size, in the same scene.
+      scene.setVolume(syntheticVolume({ dimensions: [9, 12, 7], kind: 'uint16', field: () => 0.5 }));
+      scene.draw(view.stepLength);
+      const other = readPixels(scene);
+      expect(comparePictures(other, green).worst).to.be.above(20);
+      expect(comparePictures(drawPicture(scene, view), first).worst, 'and back').to.equal(0);
+    }));
 
   it('loses its context and leaves the page when the scene is taken down', async () => {
     const container = document.createElement('div');

@@ -5,7 +5,16 @@ import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { drawLots, listClassified } from '../helpers/classified.ts';
 import type { Classified } from '../helpers/classified.ts';
 import { listOff } from '../helpers/edges.ts';
-import { bothWalks, comparePictures, drawPicture, drawReference, raysOf, shareScene, stagesOfView, walksIn } from '../helpers/picture.ts';
+import {
+  bothWalks,
+  comparePictures,
+  drawPicture,
+  drawReference,
+  raysOf,
+  shareScene,
+  stagesOfView,
+  walksIn,
+} from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { rayOfPixel } from '../helpers/pixel-rays.ts';
 import { remember } from '../helpers/remember.ts';
@@ -18,7 +27,8 @@ interface Expectation {
 }
 
 const expectationOf = remember(({ view: plain, exact }: Classified): Expectation[] =>
-  bothWalks(plain).map((view) => ({ view, exact, expected: drawReference({ ...view, volume: exact }) })));
+  bothWalks(plain).map((view) => ({ view, exact, expected: drawReference({ ...view, volume: exact }) })),
+);
 
 /** One digit of a number between 1/2 and 1 in float32. */
 const digit = 2 ** -24;
@@ -26,12 +36,17 @@ const digit = 2 ** -24;
 /** The pixel's ray, where all values are larger by so much. */
 function castShifted({ view, exact }: Expectation, pixel: number, shift: number): number[] {
   const volume = { ...exact, intercept: exact.intercept + shift };
-  return castRay(stagesOfView({ ...view, volume }), rayOfPixel(raysOf({ ...view, volume }), [...view.size!], pixel)).map((x) => 255 * x);
+  return castRay(
+    stagesOfView({ ...view, volume }),
+    rayOfPixel(raysOf({ ...view, volume }), [...view.size!], pixel),
+  ).map((x) => 255 * x);
 }
 
 /** Whether one digit of the values decides what a pixel shows, as where they just reach a jump: then both of its colours are right. */
 function hangs(expectation: Expectation, pixel: number): boolean {
-  const { range: [low, high] } = expectation.exact;
+  const {
+    range: [low, high],
+  } = expectation.exact;
   const shift = digit * Math.max(Math.abs(low), Math.abs(high));
   const [below, at, above] = [-shift, 0, shift].map((by) => castShifted(expectation, pixel, by));
   return at.some((x, c) => Math.max(Math.abs(below[c] - x), Math.abs(above[c] - x)) > 0.5);
@@ -65,8 +80,16 @@ function measure(scene: VolumeScene, { name }: Classified, expectation: Expectat
   const hanging = new Set([...listOff(skipping, expected)].filter((pixel) => hangs(expectation, pixel)));
   const { worst } = comparePictures(skipping, expected, (pixel) => hanging.has(pixel));
   const skipped = comparePictures(skipping, plain).worst;
-  const wrong = [...(worst > 2 ? [`${worst.toFixed(2)} off`] : []), ...(skipped > 0 ? [`skipping changes ${skipped}`] : [])];
-  return { worst, skipped, hanging: hanging.size, wrong: wrong.map((what) => `${what}, at most ${view.maxSubsteps} substeps: ${name}`) };
+  const wrong = [
+    ...(worst > 2 ? [`${worst.toFixed(2)} off`] : []),
+    ...(skipped > 0 ? [`skipping changes ${skipped}`] : []),
+  ];
+  return {
+    worst,
+    skipped,
+    hanging: hanging.size,
+    wrong: wrong.map((what) => `${what}, at most ${view.maxSubsteps} substeps: ${name}`),
+  };
 }
 
 const classified = listClassified();
@@ -90,9 +113,13 @@ for (const version of [2, 1] as const) {
     }
 
     it('in 100 random scenes', () => {
-      const found = lots.flatMap((one, i) => walksIn(version, i, expectationOf(one)).map((expectation) => measure(scene(), one, expectation)));
+      const found = lots.flatMap((one, i) =>
+        walksIn(version, i, expectationOf(one)).map((expectation) => measure(scene(), one, expectation)),
+      );
       const hanging = found.reduce((sum, one) => sum + one.hanging, 0);
-      console.log(`WebGL ${version}: worst ${Math.max(...found.map(({ worst }) => worst)).toFixed(2)}, skipping ${Math.max(...found.map(({ skipped }) => skipped))}; ${hanging} pixels hang by a digit`);
+      console.log(
+        `WebGL ${version}: worst ${Math.max(...found.map(({ worst }) => worst)).toFixed(2)}, skipping ${Math.max(...found.map(({ skipped }) => skipped))}; ${hanging} pixels hang by a digit`,
+      );
       expect(found.flatMap(({ wrong }) => wrong)).to.deep.equal([]);
       expect(hanging).to.be.at.most(maxHanging);
     });

@@ -18,7 +18,18 @@ import { cutBox, keep } from '../helpers/clips.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
 import { isEdge, listOff } from '../helpers/edges.ts';
 import { blocks, mixedAppearances } from '../helpers/labels.ts';
-import { bothWalks, comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
+import {
+  bothWalks,
+  comparePictures,
+  drawPicture,
+  drawReference,
+  height,
+  plainOptics,
+  raysOf,
+  referenceOf,
+  shareScene,
+  width,
+} from '../helpers/picture.ts';
 import type { Clips, View } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -30,10 +41,19 @@ const storm = cloudVolume(1);
 /** Of the cloud, metres. */
 const cloud: Vector3 = [16_600, 6_000, 9_400];
 
-const place = (...offset: Vector3): Vector3 => [0, 1, 2].map((axis) => center[axis] + offset[axis]) as unknown as Vector3;
-const normals: readonly Vector3[] = [[1, 0, 0], [-1, 0.2, 0], [0, 1, 0.3], [0.1, -1, 0], [0, 0, 1], [0.3, 0.3, -1]];
+const place = (...offset: Vector3): Vector3 =>
+  [0, 1, 2].map((axis) => center[axis] + offset[axis]) as unknown as Vector3;
+const normals: readonly Vector3[] = [
+  [1, 0, 0],
+  [-1, 0.2, 0],
+  [0, 1, 0.3],
+  [0.1, -1, 0],
+  [0, 0, 1],
+  [0.3, 0.3, -1],
+];
 /** Six planes around the middle. */
-const six = (of: Volume): Clips['kept'] => normals.map((normal) => keep(of.grid, normal, normal.reduce((sum, x, axis) => sum + x * center[axis], 0) - 4.5));
+const six = (of: Volume): Clips['kept'] =>
+  normals.map((normal) => keep(of.grid, normal, normal.reduce((sum, x, axis) => sum + x * center[axis], 0) - 4.5));
 
 interface Case {
   readonly name: string;
@@ -46,14 +66,24 @@ const octant = cutBox(volume.grid, place(-0.7, -0.4, -0.3), place(40, 40, 40));
 const hole = cutBox(volume.grid, place(-2.6, -2.2, -1.9), place(2.1, 2.9, 2.4));
 
 const cases: Case[] = [
-  { name: 'six planes', clips: { kept: six(volume), cutout: cutBox(volume.grid, place(90, 90, 90), place(91, 91, 91)) } },
+  {
+    name: 'six planes',
+    clips: { kept: six(volume), cutout: cutBox(volume.grid, place(90, 90, 90), place(91, 91, 91)) },
+  },
   { name: 'a corner', clips: { kept: [keep(volume.grid, [1, 2, 0.5], 2)], cutout: octant } },
   { name: 'a hole in the middle', clips: { kept: [], cutout: hole }, more: { stepLength: diagonal / 25 } },
-  { name: 'from inside of what is cut out', clips: { kept: six(volume), cutout: hole }, orbit: { theta: 1, phi: 1.1, radius: 0.02 } },
+  {
+    name: 'from inside of what is cut out',
+    clips: { kept: six(volume), cutout: hole },
+    orbit: { theta: 1, phi: 1.1, radius: 0.02 },
+  },
 ];
 
 /** As opaque as the value is large. */
-const ramp: TransferFunction = [{ value: 0, color: [1, 1, 1], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 1 }];
+const ramp: TransferFunction = [
+  { value: 0, color: [1, 1, 1], opacity: 0 },
+  { value: 1, color: [1, 1, 1], opacity: 1 },
+];
 
 /** By program, so that few are made. */
 const projected: readonly ProjectionKind[] = ['max', 'average'];
@@ -63,14 +93,21 @@ for (const webgl1 of [false, true]) {
     const scene = shareScene({ webgl1 });
 
     const viewOf = ({ clips, orbit = { theta: 0.6, phi: 1.1, radius: 1.3 }, more }: Case): View => ({
-      volume, clips, camera: orbitCamera({ ...orbit, radius: orbit.radius * diagonal }, center, 0.7), stepLength: diagonal / 60, ...more,
+      volume,
+      clips,
+      camera: orbitCamera({ ...orbit, radius: orbit.radius * diagonal }, center, 0.7),
+      stepLength: diagonal / 60,
+      ...more,
     });
 
     const compare = (view: View): Uint8ClampedArray => {
       const picture = drawPicture(scene(), view);
       const reference = drawReference(view);
       expect(reference.filter((x, i) => i % 4 === 3 && x > 20).length, 'pixels that show something').to.be.above(80);
-      expect(comparePictures(drawReference({ ...view, clips: undefined }), reference).worst, 'something is cut away').to.be.above(20);
+      expect(
+        comparePictures(drawReference({ ...view, clips: undefined }), reference).worst,
+        'something is cut away',
+      ).to.be.above(20);
       expect(comparePictures(picture, reference).worst).to.be.below(2.01);
       return picture;
     };
@@ -89,9 +126,14 @@ for (const webgl1 of [false, true]) {
 
     it('a slice in it is not seen, one beside it is', () => {
       const plane = { kind: 'plane', slab: null, normal: [0.2, -0.1, 1], offset: 0.55, window: [0, 1] } as const;
-      const opaque = (data: ArrayLike<number>): number => Array.from(data).filter((x, i) => i % 4 === 3 && x > 254).length;
+      const opaque = (data: ArrayLike<number>): number =>
+        Array.from(data).filter((x, i) => i % 4 === 3 && x > 254).length;
       for (const view of bothWalks(viewOf({ ...cases[1], more: { planes: [plane] } }))) {
-        const [picture, reference, whole] = [drawPicture(scene(), view), drawReference(view), drawReference({ ...view, clips: undefined })];
+        const [picture, reference, whole] = [
+          drawPicture(scene(), view),
+          drawReference(view),
+          drawReference({ ...view, clips: undefined }),
+        ];
         expect(opaque(reference)).to.be.within(30, opaque(whole) - 30);
         const atEdge = (pixel: number): boolean => Math.abs(picture[4 * pixel + 3] - reference[4 * pixel + 3]) > 60;
         expect(Array.from({ length: reference.length / 4 }, (_, pixel) => pixel).filter(atEdge).length).to.be.below(4);
@@ -101,34 +143,76 @@ for (const webgl1 of [false, true]) {
 
     it('slices on the faces of what is cut out are seen from both of their sides, all of them', () => {
       const corner = place(0.37, -0.11, 0.23);
-      const normals: readonly Vector3[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
-      const planes = normals.map((normal, axis): PlaneSlice => ({ kind: 'plane', slab: null, window: [-1, 0], ...planeInCube(normal, corner[axis], volume.grid) }));
-      const clips = { kept: [keep(volume.grid, [0, 0, -1], -90)], cutout: cutBox(volume.grid, corner, place(40, 40, 40)) };
-      const from = (orbit: Orbit): View => viewOf({ name: '', clips, orbit, more: { planes, optics: { ...plainOptics, opacityFactor: 0 } } });
-      for (const view of [from({ theta: 0.7, phi: 1, radius: 1.3 }), from({ theta: -2, phi: 2.1, radius: 1.3 })].flatMap(bothWalks)) {
+      const normals: readonly Vector3[] = [
+        [1, 0, 0],
+        [0, 1, 0],
+        [0, 0, 1],
+      ];
+      const planes = normals.map((normal, axis): PlaneSlice => ({
+        kind: 'plane',
+        slab: null,
+        window: [-1, 0],
+        ...planeInCube(normal, corner[axis], volume.grid),
+      }));
+      const clips = {
+        kept: [keep(volume.grid, [0, 0, -1], -90)],
+        cutout: cutBox(volume.grid, corner, place(40, 40, 40)),
+      };
+      const from = (orbit: Orbit): View =>
+        viewOf({ name: '', clips, orbit, more: { planes, optics: { ...plainOptics, opacityFactor: 0 } } });
+      for (const view of [
+        from({ theta: 0.7, phi: 1, radius: 1.3 }),
+        from({ theta: -2, phi: 2.1, radius: 1.3 }),
+      ].flatMap(bothWalks)) {
         const picture = drawPicture(scene(), view);
         const rays = raysOf(view);
         const margins = Array.from({ length: width * height }, (_, pixel) => {
-          const ray = rayThrough(rays, (2 * (pixel % width) + 1) / width - 1, 1 - (2 * Math.floor(pixel / width) + 1) / height);
+          const ray = rayThrough(
+            rays,
+            (2 * (pixel % width) + 1) / width - 1,
+            1 - (2 * Math.floor(pixel / width) + 1) / height,
+          );
           // How far a plane is met within the volume.
-          return Math.max(...planes.map(({ normal, offset }) => {
-            const t = (offset - dot(normal, ray.point)) / dot(normal, ray.direction);
-            return Math.min(...ray.point.flatMap((x, axis) => [x + t * ray.direction[axis], 1 - x - t * ray.direction[axis]]));
-          }));
+          return Math.max(
+            ...planes.map(({ normal, offset }) => {
+              const t = (offset - dot(normal, ray.point)) / dot(normal, ray.direction);
+              return Math.min(
+                ...ray.point.flatMap((x, axis) => [x + t * ray.direction[axis], 1 - x - t * ray.direction[axis]]),
+              );
+            }),
+          );
         });
-        const wrong = margins.filter((margin, pixel) => Math.abs(margin) > 1e-3 && picture[4 * pixel + 3] !== (margin > 0 ? 255 : 0));
+        const wrong = margins.filter(
+          (margin, pixel) => Math.abs(margin) > 1e-3 && picture[4 * pixel + 3] !== (margin > 0 ? 255 : 0),
+        );
         expect(wrong).to.have.length(0);
-        expect(comparePictures(picture, drawReference(view), (pixel) => Math.abs(margins[pixel]) < 1e-3).worst).to.be.below(2.01);
+        expect(
+          comparePictures(picture, drawReference(view), (pixel) => Math.abs(margins[pixel]) < 1e-3).worst,
+        ).to.be.below(2.01);
       }
     });
 
     it('what is cut off up to a face of the volume leaves nothing for a projection to find', async () => {
       await scene().setStyle({ projection: 'max' });
-      const straight = syntheticVolume({ dimensions: [16, 14, 12], spacing: [1.1, 0.9, 1.3], field: (_x, _y, z) => (z > 0.9 ? 0.9 : 0.2) });
+      const straight = syntheticVolume({
+        dimensions: [16, 14, 12],
+        spacing: [1.1, 0.9, 1.3],
+        field: (_x, _y, z) => (z > 0.9 ? 0.9 : 0.2),
+      });
       const middle = boundingSphere(straight.grid).center;
-      const [low, high] = [-1, 1].map((side) => middle.map((x, axis) => x + side * [8.8, 6.3, 7.8][axis]) as unknown as Vector3);
-      for (const [from, max] of [[low, 0], [[low[0], low[1], middle[2]], 60]] as const) {
-        const whole: View = { ...viewOf({ name: '', clips: { kept: [], cutout: cutBox(straight.grid, from, high) } }), volume: straight, projection: 'max', optics: { ...plainOptics, transferFunction: ramp } };
+      const [low, high] = [-1, 1].map(
+        (side) => middle.map((x, axis) => x + side * [8.8, 6.3, 7.8][axis]) as unknown as Vector3,
+      );
+      for (const [from, max] of [
+        [low, 0],
+        [[low[0], low[1], middle[2]], 60],
+      ] as const) {
+        const whole: View = {
+          ...viewOf({ name: '', clips: { kept: [], cutout: cutBox(straight.grid, from, high) } }),
+          volume: straight,
+          projection: 'max',
+          optics: { ...plainOptics, transferFunction: ramp },
+        };
         for (const view of bothWalks(whole)) {
           const picture = drawPicture(scene(), view);
           expect(Math.max(...picture)).to.be.within(max && 40, max);
@@ -165,19 +249,37 @@ for (const webgl1 of [false, true]) {
     it('a storm of a radar: the same as in float64', async () => {
       await scene().prepare(storm);
       const views = bothWalks({
-        volume: storm, camera: cloudCamera, stepLength: longestDiagonal(storm.grid) / 150, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 },
-        clips: { kept: [keep(storm.grid, [0.2, -0.1, -1], -11_000)], cutout: cutBox(storm.grid, cloud, [60_000, 60_000, 60_000]) },
+        volume: storm,
+        camera: cloudCamera,
+        stepLength: longestDiagonal(storm.grid) / 150,
+        optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 },
+        clips: {
+          kept: [keep(storm.grid, [0.2, -0.1, -1], -11_000)],
+          cutout: cutBox(storm.grid, cloud, [60_000, 60_000, 60_000]),
+        },
       });
       for (const view of views) compare(view);
     });
 
-    it('a radar\'s slices on faces of what is cut out are whole', () => {
+    it("a radar's slices on faces of what is cut out are whole", () => {
       const [, , height] = cloud;
-      const slices: readonly Slice[] = [{ kind: 'level', height }, { kind: 'upright', from: [cloud[0], 0], direction: [0, 1], length: Infinity }];
+      const slices: readonly Slice[] = [
+        { kind: 'level', height },
+        { kind: 'upright', from: [cloud[0], 0], direction: [0, 1], length: Infinity },
+      ];
       const stretch = stretchOf(storm.grid);
       const corner: Vector3 = [cloud[0], -2e5, height * stretch];
-      const cutouts = [cutBox(storm.grid, corner, [2e5, 2e5, 2e5]), cutBox(storm.grid, [-2e5, -2e5, -2e5], [corner[0], 2e5, corner[2]])];
-      const views = bothWalks({ volume: storm, camera: cloudCamera, stepLength: longestDiagonal(storm.grid) / 50, optics: { ...plainOptics, transferFunction: cloudColors, opacityFactor: 0 }, slices });
+      const cutouts = [
+        cutBox(storm.grid, corner, [2e5, 2e5, 2e5]),
+        cutBox(storm.grid, [-2e5, -2e5, -2e5], [corner[0], 2e5, corner[2]]),
+      ];
+      const views = bothWalks({
+        volume: storm,
+        camera: cloudCamera,
+        stepLength: longestDiagonal(storm.grid) / 50,
+        optics: { ...plainOptics, transferFunction: cloudColors, opacityFactor: 0 },
+        slices,
+      });
       for (const view of views) {
         const whole = drawPicture(scene(), view);
         expect(whole.filter((x, i) => i % 4 === 3 && x > 254).length).to.be.above(100);

@@ -45,9 +45,27 @@ describe('cells that are sampled as finely as they need', () => {
         const fine = draw(cut);
         const codes = scene.detail()!;
         expect(new Set(codes).size, 'cells differ').to.be.above(1);
-        const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
-        const reference = renderReference({ ...volume, ...optics, stepLength, maxSubsteps: 1, minSubsteps: minSubsteps(volume, codes, cut.voxelsPerStep) }, rays, width, height);
-        const { worst } = comparePictures(fine, Uint8ClampedArray.from(reference, (x) => Math.round(x * 255)));
+        const rays = setUpRays(
+          volume.grid,
+          viewMatrix(camera),
+          projectionMatrix(camera.fieldOfView, width / height, 1, 2),
+        )!;
+        const reference = renderReference(
+          {
+            ...volume,
+            ...optics,
+            stepLength,
+            maxSubsteps: 1,
+            minSubsteps: minSubsteps(volume, codes, cut.voxelsPerStep),
+          },
+          rays,
+          width,
+          height,
+        );
+        const { worst } = comparePictures(
+          fine,
+          Uint8ClampedArray.from(reference, (x) => Math.round(x * 255)),
+        );
         expect(worst).to.be.at.most(2);
         expect(comparePictures(coarse, fine).worst).to.be.above(10);
         scene.layers[0].skipping = false;

@@ -29,9 +29,18 @@ const reach = longestDiagonal(grid);
 const dense = shells.transferFunction.map((stop) => ({ ...stop, opacity: Math.min(0.95, 8 * stop.opacity) }));
 
 const cuts: Record<string, readonly RayCut[]> = {
-  'two planes': [{ create: createClip, items: [keep(grid, [0.3, 1, 0.2], 0), keep(grid, [-1, 0.2, -0.4], -0.1 * reach)] }],
-  'a corner cut out': [{ create: createCutout, items: [cutBox(grid, [-0.02 * reach, 0.01 * reach, 0], [reach, reach, reach])] }],
-  'a hole in the middle': [{ create: createCutout, items: [cutBox(grid, [-0.15 * reach, -0.1 * reach, -0.12 * reach], [0.1 * reach, 0.12 * reach, 0.15 * reach])] }],
+  'two planes': [
+    { create: createClip, items: [keep(grid, [0.3, 1, 0.2], 0), keep(grid, [-1, 0.2, -0.4], -0.1 * reach)] },
+  ],
+  'a corner cut out': [
+    { create: createCutout, items: [cutBox(grid, [-0.02 * reach, 0.01 * reach, 0], [reach, reach, reach])] },
+  ],
+  'a hole in the middle': [
+    {
+      create: createCutout,
+      items: [cutBox(grid, [-0.15 * reach, -0.1 * reach, -0.12 * reach], [0.1 * reach, 0.12 * reach, 0.15 * reach])],
+    },
+  ],
 };
 
 /** Of 8 bits, which the probes' floats do not have: RMS, 1/255. */
@@ -53,14 +62,25 @@ describe('a volume that is cut', function () {
     return scene;
   };
 
-  for (const [name, steps] of [['two planes', 14], ['a corner cut out', 12], ['a hole in the middle', 12]] as const) {
+  for (const [name, steps] of [
+    ['two planes', 14],
+    ['a corner cut out', 12],
+    ['a hole in the middle', 12],
+  ] as const) {
     it(`states an error within a factor of two of the true one: ${name}`, () => {
       const scene = show(name);
       scene.draw(stepLengthOf(grid, steps));
       const stated = measureError(scene, grid, { steps, substeps: maxSubsteps })!;
-      const [shown, limit] = probe(scene, [steps, 16 * steps].map((n) => stepLengthOf(grid, n)), { stride: 1, first: [0, 0], ...size }, size)!;
+      const [shown, limit] = probe(
+        scene,
+        [steps, 16 * steps].map((n) => stepLengthOf(grid, n)),
+        { stride: 1, first: [0, 0], ...size },
+        size,
+      )!;
       const known = Math.hypot(compareCovered(shown, limit, 255).rms, rounding);
-      console.log(`${name}: stated ${stated.rms.toFixed(2)}, order ${stated.order.toFixed(2)}, true ${known.toFixed(2)}`);
+      console.log(
+        `${name}: stated ${stated.rms.toFixed(2)}, order ${stated.order.toFixed(2)}, true ${known.toFixed(2)}`,
+      );
       expect(known).to.be.above(0.4);
       expect(stated.rms / known).to.be.within(0.5, 2);
     });
@@ -78,8 +98,12 @@ describe('a volume that is cut', function () {
       const foretold = outcomes.filter(({ error }) => error <= 0.5).at(-1)!;
       const adaptive = draw(foretold.maxCurvature);
       const { rmse } = comparePictures(adaptive, all);
-      const beyond = Array.from({ length: all.length / 4 }, (_, pixel) => [0, 1, 2, 3].some((c) => Math.abs(all[4 * pixel + c] - adaptive[4 * pixel + c]) > 8)).filter(Boolean).length;
-      console.log(`${name}: foretold ${foretold.error.toFixed(2)}, ${rmse.toFixed(2)}; ${beyond} pixels of ${all.length / 4} are off by more than 8`);
+      const beyond = Array.from({ length: all.length / 4 }, (_, pixel) =>
+        [0, 1, 2, 3].some((c) => Math.abs(all[4 * pixel + c] - adaptive[4 * pixel + c]) > 8),
+      ).filter(Boolean).length;
+      console.log(
+        `${name}: foretold ${foretold.error.toFixed(2)}, ${rmse.toFixed(2)}; ${beyond} pixels of ${all.length / 4} are off by more than 8`,
+      );
       expect(rmse, 'rays are spared').to.be.above(0.03);
       expect(rmse).to.be.within(foretold.error / 2 - 0.2, 2 * foretold.error + 0.2);
       expect(beyond / (all.length / 4)).to.be.at.most(0.001);

@@ -32,9 +32,16 @@ describe('the error that a picture with shapes states', () => {
         const stated = measureError(scene, volume.grid, { steps, substeps: maxSubsteps })!;
         // Of the volume's own rays, which end at the shapes, at the picture's steps and at 16 times as many.
         const lattice = { stride: 1, first: [0, 0], width, height } as const;
-        const [shown, limit] = probe(scene, [steps, 16 * steps].map((n) => stepLengthOf(volume.grid, n)), lattice, { width, height })!;
+        const [shown, limit] = probe(
+          scene,
+          [steps, 16 * steps].map((n) => stepLengthOf(volume.grid, n)),
+          lattice,
+          { width, height },
+        )!;
         const known = Math.hypot(compareCovered(shown, limit, 255).rms, rounding);
-        console.log(`${kind}: stated ${stated.rms.toFixed(2)}, order ${stated.order.toFixed(2)}, true ${known.toFixed(2)}`);
+        console.log(
+          `${kind}: stated ${stated.rms.toFixed(2)}, order ${stated.order.toFixed(2)}, true ${known.toFixed(2)}`,
+        );
         expect(stated.rms / known).to.be.within(0.5, 2);
       });
     });

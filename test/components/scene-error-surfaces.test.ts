@@ -19,9 +19,17 @@ describe('the error that a picture of surfaces states', () => {
       for (const [i, scene] of scenes.entries()) {
         const { volume, transferFunction } = scene;
         // Two surfaces among the values that show, the first translucent.
-        const [low, high] = [transferFunction[0], transferFunction.at(-1)!].map(({ value }) => Math.min(volume.range[1], Math.max(volume.range[0], value)));
+        const [low, high] = [transferFunction[0], transferFunction.at(-1)!].map(({ value }) =>
+          Math.min(volume.range[1], Math.max(volume.range[0], value)),
+        );
         const at = (share: number): number => low + share * (high - low);
-        await gpu.setStyle({ surfaces: [{ value: at(0.35), color: [1, 0.6, 0.4], opacity: 0.4 }, { value: at(0.7), color: [0.8, 0.9, 1], opacity: 1 }], ...(i % 2 === 0 && { clear: true }) });
+        await gpu.setStyle({
+          surfaces: [
+            { value: at(0.35), color: [1, 0.6, 0.4], opacity: 0.4 },
+            { value: at(0.7), color: [0.8, 0.9, 1], opacity: 1 },
+          ],
+          ...(i % 2 === 0 && { clear: true }),
+        });
         // All pixels: those few at which a ray passes a surface here and not there make most of the error.
         ratios.push(compareStated(gpu, scene, { size, times: 10 }));
       }

@@ -22,7 +22,11 @@ function trueError(scene: ErrorScene, pixels: Uint8ClampedArray): number {
   const { volume, transferFunction, camera, steps } = scene;
   const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
   const reference = {
-    ...volume, transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1,
+    ...volume,
+    transferFunction,
+    referenceLength: 1,
+    opacityFactor: 1,
+    lightFactor: 1,
     stepLength: stepLengthOf(volume.grid, steps * 16),
   };
   const optics = opticsOf(reference);
@@ -50,7 +54,12 @@ describe('the error that a picture states', () => {
       for (const scene of scenes) {
         gpu.resize(width, height);
         gpu.setVolume(scene.volume);
-        void gpu.setOptics({ transferFunction: scene.transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+        void gpu.setOptics({
+          transferFunction: scene.transferFunction,
+          referenceLength: 1,
+          opacityFactor: 1,
+          lightFactor: 1,
+        });
         gpu.setCamera(scene.camera);
         gpu.setSubsteps(allSubsteps);
         gpu.draw(stepLengthOf(scene.volume.grid, scene.steps));
@@ -59,7 +68,9 @@ describe('the error that a picture states', () => {
         expect(estimate, scene.name).to.not.equal(null);
         const known = trueError(scene, pixels);
         ratios.push(estimate!.rms / known);
-        console.log(`${scene.name}: stated ${estimate!.rms.toFixed(2)}, true ${known.toFixed(2)}, ratio ${ratios.at(-1)!.toFixed(2)}, order ${estimate!.order.toFixed(2)}`);
+        console.log(
+          `${scene.name}: stated ${estimate!.rms.toFixed(2)}, true ${known.toFixed(2)}, ratio ${ratios.at(-1)!.toFixed(2)}, order ${estimate!.order.toFixed(2)}`,
+        );
       }
     });
     const good = ratios.filter((ratio) => ratio > 0.5 && ratio < 2).length;

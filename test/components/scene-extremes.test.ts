@@ -3,7 +3,16 @@ import { describe as describeDevice } from '../../src/renderer/probes/probe-devi
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { extremes } from '../helpers/extremes.ts';
 import type { Extreme } from '../helpers/extremes.ts';
-import { bothWalks, comparePictures, drawPicture, drawReference, height, shareScene, walksIn, width } from '../helpers/picture.ts';
+import {
+  bothWalks,
+  comparePictures,
+  drawPicture,
+  drawReference,
+  height,
+  shareScene,
+  walksIn,
+  width,
+} from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { remember } from '../helpers/remember.ts';
 import { probe } from '../helpers/probe.ts';
@@ -22,11 +31,16 @@ function redrawInFloats(scene: VolumeScene, { stepLength, size: [width, height] 
 
 /** The reference is slow at very many steps; what it converges to is as good there. */
 function referenceOf({ same }: Extreme, view: View): Float64Array {
-  const steps = Math.hypot(...view.volume.grid.spacing.map((s, axis) => s * view.volume.grid.dimensions[axis])) / view.stepLength;
-  return drawReference(steps > 5000 ? { ...(same ?? { ...view, stepLength: view.stepLength * 40 }), maxSubsteps: view.maxSubsteps } : view);
+  const steps =
+    Math.hypot(...view.volume.grid.spacing.map((s, axis) => s * view.volume.grid.dimensions[axis])) / view.stepLength;
+  return drawReference(
+    steps > 5000 ? { ...(same ?? { ...view, stepLength: view.stepLength * 40 }), maxSubsteps: view.maxSubsteps } : view,
+  );
 }
 
-const expectationOf = remember((one: Extreme) => bothWalks(one.view).map((view) => ({ view, expected: referenceOf(one, view) })));
+const expectationOf = remember((one: Extreme) =>
+  bothWalks(one.view).map((view) => ({ view, expected: referenceOf(one, view) })),
+);
 
 for (const version of [2, 1] as const) {
   describe(`the picture in WebGL ${version} at the extremes`, () => {
@@ -40,7 +54,9 @@ for (const version of [2, 1] as const) {
           const floats = redrawInFloats(scene(), view);
           const { worst, rmse } = comparePictures(got, expected);
           const inFloats = comparePictures(floats, expected).worst;
-          console.log(`WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, in floats ${inFloats.toFixed(3)}, of ${Math.max(...expected).toFixed(0)}`);
+          console.log(
+            `WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, in floats ${inFloats.toFixed(3)}, of ${Math.max(...expected).toFixed(0)}`,
+          );
           expect(floats.every(Number.isFinite), 'finite numbers only').to.equal(true);
           expect(Math.min(...floats), 'nothing below 0').to.be.at.least(0);
           expect(worst, 'worst pixel').to.be.at.most(2);
@@ -52,11 +68,17 @@ for (const version of [2, 1] as const) {
 }
 
 describe('a device whose pixels have no highp floats', () => {
-  for (const [name, format] of [['says so', { precision: 10, rangeMin: 14, rangeMax: 14 }], ['has none', { precision: 0, rangeMin: 0, rangeMax: 0 }], ['says nothing', null]] as const) {
+  for (const [name, format] of [
+    ['says so', { precision: 10, rangeMin: 14, rangeMax: 14 }],
+    ['has none', { precision: 0, rangeMin: 0, rangeMax: 0 }],
+    ['says nothing', null],
+  ] as const) {
     it(`is refused in words: it ${name}`, () => {
       const gl = document.createElement('canvas').getContext('webgl')!;
       Object.defineProperty(gl, 'getShaderPrecisionFormat', { value: () => format });
-      expect(() => describeDevice(gl)).to.throw(/no highp floats.*another browser or device/).with.property('code', 'webgl/unsupported');
+      expect(() => describeDevice(gl))
+        .to.throw(/no highp floats.*another browser or device/)
+        .with.property('code', 'webgl/unsupported');
       gl.getExtension('WEBGL_lose_context')?.loseContext();
     });
   }

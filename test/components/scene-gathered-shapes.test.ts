@@ -13,11 +13,19 @@ const veil: TransferFunction = [
   { value: 0.2, color: [0.2, 0.4, 1], opacity: 0 },
   { value: 1, color: [1, 0.8, 0.2], opacity: 0.6 },
 ];
-const volume = syntheticVolume({ dimensions: [20, 24, 28], field: (x, y, z) => Math.exp(-8 * ((x - 0.4) ** 2 + (y - 0.5) ** 2 + (z - 0.6) ** 2)) });
+const volume = syntheticVolume({
+  dimensions: [20, 24, 28],
+  field: (x, y, z) => Math.exp(-8 * ((x - 0.4) ** 2 + (y - 0.5) ** 2 + (z - 0.6) ** 2)),
+});
 const diagonal = longestDiagonal(volume.grid);
 const size = { width: 83, height: 61 };
-const glass = '<shape><appearance><material diffuseColor="0 0 0" emissiveColor="0.2 0.9 0.4" transparency="0.5"></material></appearance><box size="9 9 9"></box></shape>';
-const shapes = { ...shapesAmong(volume.grid), glass, 'glass and a ball': glass + shapesAmong(volume.grid)['a large ball'] };
+const glass =
+  '<shape><appearance><material diffuseColor="0 0 0" emissiveColor="0.2 0.9 0.4" transparency="0.5"></material></appearance><box size="9 9 9"></box></shape>';
+const shapes = {
+  ...shapesAmong(volume.grid),
+  glass,
+  'glass and a ball': glass + shapesAmong(volume.grid)['a large ball'],
+};
 
 /** Kinds that are drawn in WebGL 1 too. */
 const both: readonly string[] = ['several of them', 'glass and a ball'];
@@ -26,36 +34,37 @@ describe('a picture in pieces, with shapes in it', () => {
   for (const webgl1 of [false, true]) {
     for (const [name, children] of Object.entries(shapes)) {
       if (webgl1 && !both.includes(name)) continue;
-      it(`is the one that is drawn at once: ${name}, WebGL ${webgl1 ? 1 : 2}`, () => withScene({ webgl1, children }, (scene) => {
-        scene.setVolume(volume);
-        scene.setMaxCurvature(0, 30); // As at rest.
-        void scene.setOptics({ transferFunction: veil, referenceLength: 4, opacityFactor: 1, lightFactor: 1 });
-        for (const theta of [0.3, 2]) {
-          scene.setCamera(orbitCamera({ theta, phi: 1.1, radius: 1.5 * diagonal }, [0, 0, 0], 0.8));
-          scene.resize(size.width, size.height);
-          scene.draw(diagonal / 50);
-          const atOnce = readPixels(scene);
-          // Of another shape, too, as rounding makes it.
-          scene.resize(20, 14);
-          scene.draw(diagonal / 10);
-          const quick = readPixels(scene);
-          expect(scene.gatherable).to.equal(true);
-          expect(scene.endsAtShapes, 'rays end at them').to.equal(true);
-          drawInPieces(scene, diagonal / 50, size);
-          expect(readPixels(scene), 'nothing of it is seen yet').to.deep.equal(quick);
-          scene.resize(size.width, size.height);
-          scene.drawGathered();
-          const inPieces = readPixels(scene);
-          expect(comparePictures(inPieces, atOnce).worst, `from ${theta}`).to.equal(0);
-          scene.draw(diagonal / 50);
-          expect(comparePictures(readPixels(scene), atOnce).worst, 'the next one, at once').to.equal(0);
-          // What was begun and given up leaves nothing behind.
-          scene.resize(20, 14);
-          scene.startGathering(diagonal / 50, size);
-          scene.draw(diagonal / 10);
-          expect(readPixels(scene), 'a smaller one after it').to.deep.equal(quick);
-        }
-      }));
+      it(`is the one that is drawn at once: ${name}, WebGL ${webgl1 ? 1 : 2}`, () =>
+        withScene({ webgl1, children }, (scene) => {
+          scene.setVolume(volume);
+          scene.setMaxCurvature(0, 30); // As at rest.
+          void scene.setOptics({ transferFunction: veil, referenceLength: 4, opacityFactor: 1, lightFactor: 1 });
+          for (const theta of [0.3, 2]) {
+            scene.setCamera(orbitCamera({ theta, phi: 1.1, radius: 1.5 * diagonal }, [0, 0, 0], 0.8));
+            scene.resize(size.width, size.height);
+            scene.draw(diagonal / 50);
+            const atOnce = readPixels(scene);
+            // Of another shape, too, as rounding makes it.
+            scene.resize(20, 14);
+            scene.draw(diagonal / 10);
+            const quick = readPixels(scene);
+            expect(scene.gatherable).to.equal(true);
+            expect(scene.endsAtShapes, 'rays end at them').to.equal(true);
+            drawInPieces(scene, diagonal / 50, size);
+            expect(readPixels(scene), 'nothing of it is seen yet').to.deep.equal(quick);
+            scene.resize(size.width, size.height);
+            scene.drawGathered();
+            const inPieces = readPixels(scene);
+            expect(comparePictures(inPieces, atOnce).worst, `from ${theta}`).to.equal(0);
+            scene.draw(diagonal / 50);
+            expect(comparePictures(readPixels(scene), atOnce).worst, 'the next one, at once').to.equal(0);
+            // What was begun and given up leaves nothing behind.
+            scene.resize(20, 14);
+            scene.startGathering(diagonal / 50, size);
+            scene.draw(diagonal / 10);
+            expect(readPixels(scene), 'a smaller one after it').to.deep.equal(quick);
+          }
+        }));
     }
   }
 });

@@ -11,7 +11,10 @@ const veil: TransferFunction = [
   { value: 0.2, color: [0.2, 0.4, 1], opacity: 0 },
   { value: 1, color: [1, 0.8, 0.2], opacity: 0.6 },
 ];
-const volume = syntheticVolume({ dimensions: [20, 24, 28], field: (x, y, z) => Math.exp(-8 * ((x - 0.4) ** 2 + (y - 0.5) ** 2 + (z - 0.6) ** 2)) });
+const volume = syntheticVolume({
+  dimensions: [20, 24, 28],
+  field: (x, y, z) => Math.exp(-8 * ((x - 0.4) ** 2 + (y - 0.5) ** 2 + (z - 0.6) ** 2)),
+});
 const size = { width: 61, height: 47 };
 
 describe('a picture in pieces', () => {

@@ -15,7 +15,18 @@ import type { ShownLabels } from '../../src/volume/labels.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { blocks, mixedAppearances } from '../helpers/labels.ts';
 import { litStages } from '../helpers/lit.ts';
-import { bothWalks, comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width, withScene } from '../helpers/picture.ts';
+import {
+  bothWalks,
+  comparePictures,
+  drawPicture,
+  height,
+  plainOptics,
+  raysOf,
+  referenceOf,
+  shareScene,
+  width,
+  withScene,
+} from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
 import { remember } from '../helpers/remember.ts';
@@ -32,57 +43,139 @@ interface Case {
   readonly labels?: (view: View) => ShownLabels;
 }
 
-const cartesian = (data: Partial<SyntheticOptions>, more?: Partial<View>): View => viewFromAbove(syntheticVolume({ dimensions: [24, 20, 16], ...data }), more);
+const cartesian = (data: Partial<SyntheticOptions>, more?: Partial<View>): View =>
+  viewFromAbove(syntheticVolume({ dimensions: [24, 20, 16], ...data }), more);
 
 const three: RayStyle = {
-  surfaces: [{ value: 0.35, color: [1, 0.4, 0.2], opacity: 0.3 }, { value: 0.5, color: [0.2, 0.9, 0.5], opacity: 0.5 }, { value: 0.65, color: [1, 1, 0.9], opacity: 1 }],
+  surfaces: [
+    { value: 0.35, color: [1, 0.4, 0.2], opacity: 0.3 },
+    { value: 0.5, color: [0.2, 0.9, 0.5], opacity: 0.5 },
+    { value: 0.65, color: [1, 1, 0.9], opacity: 1 },
+  ],
 };
 const shell: RayStyle = { clear: true, surfaces: [{ value: 0.45, color: [1, 0.8, 0.6], opacity: 1 }] };
-const hole = (x: number, y: number, z: number): number => (Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z));
+const hole = (x: number, y: number, z: number): number =>
+  Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z);
 /** Oblique to the lattice. */
-const mask = (x: number, y: number, z: number): number => (0.5 * x + 0.3 * y + 0.8 * z < 0.9 ? smoothField(x, y, z) : 0);
+const mask = (x: number, y: number, z: number): number =>
+  0.5 * x + 0.3 * y + 0.8 * z < 0.9 ? smoothField(x, y, z) : 0;
 const sun: SceneLights = {
   headlight: false,
-  lights: [{
-    kind: 'directional', color: [1, 0.9, 0.7], intensity: 0.8, ambientIntensity: 0.1, direction: [-0.6, 0.64, -0.48], location: [0, 0, 0],
-    attenuation: [1, 0, 0], radius: Infinity, beamWidth: 0.2, cutOffAngle: 0.6,
-  }],
+  lights: [
+    {
+      kind: 'directional',
+      color: [1, 0.9, 0.7],
+      intensity: 0.8,
+      ambientIntensity: 0.1,
+      direction: [-0.6, 0.64, -0.48],
+      location: [0, 0, 0],
+      attenuation: [1, 0, 0],
+      radius: Infinity,
+      beamWidth: 0.2,
+      cutOffAngle: 0.6,
+    },
+  ],
 };
 
 const cases: Case[] = [
   { name: 'one alone, 8 bit', view: () => cartesian({}), style: shell },
-  { name: 'three in lit fog of 16 bit, with a lamp, cut', lights: sun, style: { ...three, lit: true }, view: () => {
-    const view = cartesian({ kind: 'uint16', spacing: [1, 0.8, 1.5], slope: 1 });
-    const { grid } = view.volume;
-    return { ...view, clips: { kept: [keep(grid, [1, -0.4, 0.3], -3)], cutout: cutBox(grid, [2, -4, -3], [9, 4, 20]) } };
-  } },
-  { name: 'three in their own colours, floats with a hole, brightened', style: { ...three, clear: true, plain: true }, view: () => ({ ...cartesian({ kind: 'float32', field: hole }), optics: { ...plainOptics, lightFactor: 1.5 } }) },
-  { name: 'one beside a mask of zeros', view: () => cartesian({ field: mask }), style: { clear: true, surfaces: [{ value: 0.5, color: [1, 0.8, 0.6], opacity: 1 }] } },
-  { name: 'in X3D\'s styles, with a lamp, cut', lights: sun, view: () => {
-    const view = cartesian({ spacing: [1, 0.8, 1.5] });
-    return { ...view, clips: { kept: [keep(view.volume.grid, [1, -0.4, 0.3], -3)] } };
-  }, style: { ...three, clear: true, surfaceStyles: [
-    { kind: 'tone', cool: [0.1, 0.2, 0.8], warm: [1, 0.8, 0.3] }, { kind: 'shaded', material: { ambient: 0.3, diffuse: [1, 0.9, 0.8], specular: [0.4, 0.4, 0.4], emissive: [0, 0, 0], shininess: 20 } },
-    { kind: 'edge', color: [0.1, 0, 0.2], threshold: 1.2 }, { kind: 'silhouette', retained: 0.4, boundary: 1, sharpness: 2 },
-  ] } },
-  { name: 'labelled', style: { ...three, clear: true }, view: () => cartesian({}), labels: ({ volume }) => mixedAppearances(blocks(volume.grid.dimensions, 6)) },
-  { name: 'polar', style: { clear: true, surfaces: [{ value: 0.3, color: [0.3, 0.8, 1], opacity: 0.4 }, { value: 0.6, color: [1, 0.6, 0.2], opacity: 1 }] }, view: () => {
-    const volume = cloudVolume(1);
-    return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 100, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
-  } },
+  {
+    name: 'three in lit fog of 16 bit, with a lamp, cut',
+    lights: sun,
+    style: { ...three, lit: true },
+    view: () => {
+      const view = cartesian({ kind: 'uint16', spacing: [1, 0.8, 1.5], slope: 1 });
+      const { grid } = view.volume;
+      return {
+        ...view,
+        clips: { kept: [keep(grid, [1, -0.4, 0.3], -3)], cutout: cutBox(grid, [2, -4, -3], [9, 4, 20]) },
+      };
+    },
+  },
+  {
+    name: 'three in their own colours, floats with a hole, brightened',
+    style: { ...three, clear: true, plain: true },
+    view: () => ({ ...cartesian({ kind: 'float32', field: hole }), optics: { ...plainOptics, lightFactor: 1.5 } }),
+  },
+  {
+    name: 'one beside a mask of zeros',
+    view: () => cartesian({ field: mask }),
+    style: { clear: true, surfaces: [{ value: 0.5, color: [1, 0.8, 0.6], opacity: 1 }] },
+  },
+  {
+    name: "in X3D's styles, with a lamp, cut",
+    lights: sun,
+    view: () => {
+      const view = cartesian({ spacing: [1, 0.8, 1.5] });
+      return { ...view, clips: { kept: [keep(view.volume.grid, [1, -0.4, 0.3], -3)] } };
+    },
+    style: {
+      ...three,
+      clear: true,
+      surfaceStyles: [
+        { kind: 'tone', cool: [0.1, 0.2, 0.8], warm: [1, 0.8, 0.3] },
+        {
+          kind: 'shaded',
+          material: {
+            ambient: 0.3,
+            diffuse: [1, 0.9, 0.8],
+            specular: [0.4, 0.4, 0.4],
+            emissive: [0, 0, 0],
+            shininess: 20,
+          },
+        },
+        { kind: 'edge', color: [0.1, 0, 0.2], threshold: 1.2 },
+        { kind: 'silhouette', retained: 0.4, boundary: 1, sharpness: 2 },
+      ],
+    },
+  },
+  {
+    name: 'labelled',
+    style: { ...three, clear: true },
+    view: () => cartesian({}),
+    labels: ({ volume }) => mixedAppearances(blocks(volume.grid.dimensions, 6)),
+  },
+  {
+    name: 'polar',
+    style: {
+      clear: true,
+      surfaces: [
+        { value: 0.3, color: [0.3, 0.8, 1], opacity: 0.4 },
+        { value: 0.6, color: [1, 0.6, 0.2], opacity: 1 },
+      ],
+    },
+    view: () => {
+      const volume = cloudVolume(1);
+      return {
+        volume,
+        camera: cloudCamera,
+        stepLength: longestDiagonal(volume.grid) / 100,
+        optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 },
+      };
+    },
+  },
 ];
 
 const expectationOf = remember(({ view: make, style, lights, labels: label }: Case) => {
   const plain = make();
   const { volume, optics = plainOptics, clips } = plain;
   const cuts = { ...uncut, halfSpaces: clips?.kept ?? [], unitToCutout: clips?.cutout?.unitToBox ?? null };
-  const brightened = { ...style, surfaces: style.surfaces!.map((one) => ({ ...one, color: one.color.map((x) => Math.min(1, x * optics.lightFactor)) as unknown as typeof one.color })) };
+  const brightened = {
+    ...style,
+    surfaces: style.surfaces!.map((one) => ({
+      ...one,
+      color: one.color.map((x) => Math.min(1, x * optics.lightFactor)) as unknown as typeof one.color,
+    })),
+  };
   const more = { cuts, ...(lights && { lights }) };
   const stages = surfaceStages(volume, brightened, optics.transferFunction, more);
   const labels = label?.(plain) ?? null;
   const lit = style.lit && { shades: litStages(volume, optics.transferFunction, more).shades };
   const moreFields = [...stages.moreFields!, ...(labels ? [labelField(labels)] : [])];
-  const draw = (view: View): Float64Array => renderReference({ ...referenceOf(view), ...stages, ...lit, moreFields }, raysOf(view), width, height).map((x) => x * 255);
+  const draw = (view: View): Float64Array =>
+    renderReference({ ...referenceOf(view), ...stages, ...lit, moreFields }, raysOf(view), width, height).map(
+      (x) => x * 255,
+    );
   return bothWalks(plain).map((view) => ({ view, labels, expected: draw(view) }));
 });
 
@@ -104,7 +197,9 @@ for (const version of [2, 1] as const) {
           const { worst, rmse } = comparePictures(got, expected, (pixel) => off.has(pixel));
           await scene().setStyle(null);
           const without = comparePictures(got, drawPicture(scene(), view));
-          console.log(`WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${off.size} grazing pixels; to the picture without ${without.worst} and ${without.rmse.toFixed(1)}`);
+          console.log(
+            `WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${off.size} grazing pixels; to the picture without ${without.worst} and ${without.rmse.toFixed(1)}`,
+          );
           expect(rmse, 'RMSE').to.be.at.most(0.5);
           expect(off.size, 'pixels that differ').to.be.at.most(2);
           expect(without.worst, 'it is another picture than without surfaces').to.be.above(20);
@@ -120,24 +215,34 @@ for (const version of [2, 1] as const) {
 }
 
 describe('specks of one voxel that stand above a value', () => {
-  it('keep three quarters of their area at rest, and lose more with long steps', () => withScene({}, async (scene) => {
-    const random = randomNumbers(21);
-    const volume = syntheticVolume({ dimensions: [40, 36, 30], field: (x) => (random() < 0.002 ? 1 : 0.1 + 0.1 * x) });
-    const { center, radius } = boundingSphere(volume.grid);
-    scene.resize(120, 90);
-    await scene.setStyle({ clear: true, plain: true, surfaces: [{ value: 0.75, color: [1, 1, 1], opacity: 1 }] });
-    const one = autoSteps(volume.grid);
-    const area = (steps: number, substeps: Substeps): number => {
-      scene.setSubsteps(substeps);
-      const picture = drawPicture(scene, { volume, camera: orbitCamera({ theta: 0.7, phi: 1.1, radius: 3 * radius }, center, 0.6), stepLength: stepLengthOf(volume.grid, steps) });
-      return picture.reduce((sum, x, i) => sum + (i % 4 === 3 ? x : 0), 0) / 255;
-    };
-    const all = area(16 * one, allSubsteps);
-    const rest = area(one / 4, cutSteps({ steps: one / 4, substeps: 1 }, one, 1));
-    const long = area(one / 4, allSubsteps);
-    console.log(`specks: ${all.toFixed(0)} pixels, at rest ${rest.toFixed(0)}, with steps of four voxels ${long.toFixed(0)}`);
-    expect(all).to.be.above(40);
-    expect(rest / all).to.be.within(0.75, 1.02);
-    expect(long).to.be.below(0.9 * rest);
-  }));
+  it('keep three quarters of their area at rest, and lose more with long steps', () =>
+    withScene({}, async (scene) => {
+      const random = randomNumbers(21);
+      const volume = syntheticVolume({
+        dimensions: [40, 36, 30],
+        field: (x) => (random() < 0.002 ? 1 : 0.1 + 0.1 * x),
+      });
+      const { center, radius } = boundingSphere(volume.grid);
+      scene.resize(120, 90);
+      await scene.setStyle({ clear: true, plain: true, surfaces: [{ value: 0.75, color: [1, 1, 1], opacity: 1 }] });
+      const one = autoSteps(volume.grid);
+      const area = (steps: number, substeps: Substeps): number => {
+        scene.setSubsteps(substeps);
+        const picture = drawPicture(scene, {
+          volume,
+          camera: orbitCamera({ theta: 0.7, phi: 1.1, radius: 3 * radius }, center, 0.6),
+          stepLength: stepLengthOf(volume.grid, steps),
+        });
+        return picture.reduce((sum, x, i) => sum + (i % 4 === 3 ? x : 0), 0) / 255;
+      };
+      const all = area(16 * one, allSubsteps);
+      const rest = area(one / 4, cutSteps({ steps: one / 4, substeps: 1 }, one, 1));
+      const long = area(one / 4, allSubsteps);
+      console.log(
+        `specks: ${all.toFixed(0)} pixels, at rest ${rest.toFixed(0)}, with steps of four voxels ${long.toFixed(0)}`,
+      );
+      expect(all).to.be.above(40);
+      expect(rest / all).to.be.within(0.75, 1.02);
+      expect(long).to.be.below(0.9 * rest);
+    }));
 });

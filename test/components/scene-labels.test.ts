@@ -24,7 +24,8 @@ const view = viewFromAbove(syntheticVolume({ dimensions, kind: 'uint16' }));
 function holed(): Volume {
   const volume = syntheticVolume({ dimensions, kind: 'float32' });
   volume.samples.forEach((_, at) => {
-    if (at % 24 < 6 || Math.abs((at % 24) - 15) + Math.abs((Math.floor(at / 24) % 20) - 9) < 4) volume.samples[at] = NaN;
+    if (at % 24 < 6 || Math.abs((at % 24) - 15) + Math.abs((Math.floor(at / 24) % 20) - 9) < 4)
+      volume.samples[at] = NaN;
   });
   return { ...volume, hasNoData: true, macrocells: buildMacrocells(volume.samples, dimensions) };
 }
@@ -32,14 +33,23 @@ function holed(): Volume {
 /** A label file as a volume of its own. */
 function named({ numbers }: LabelMap): Volume {
   const samples = Uint8Array.from(numbers, (number) => 36 * number);
-  return { ...view.volume, samples, slope: 1 / 255, isDiscrete: true, macrocells: buildMacrocells(samples, dimensions) };
+  return {
+    ...view.volume,
+    samples,
+    slope: 1 / 255,
+    isDiscrete: true,
+    macrocells: buildMacrocells(samples, dimensions),
+  };
 }
 
 for (const version of [2, 1] as const) {
   describe(`labels in WebGL ${version}`, () => {
     const scene = shareScene({ webgl1: version === 1 });
 
-    for (const [count, name] of [[9, '8 bits'], [1000, '16 bits']] as const) {
+    for (const [count, name] of [
+      [9, '8 bits'],
+      [1000, '16 bits'],
+    ] as const) {
       it(`${name}: the picture is the twin's, and another one than without`, async () => {
         await scene().setLabels(null);
         const before = drawPicture(scene(), view);
@@ -50,18 +60,20 @@ for (const version of [2, 1] as const) {
         const small = { ...view, volume: syntheticVolume({ dimensions: [8, 8, 8] }) };
         const labelled = drawPicture(scene(), small);
         await scene().setLabels(null);
-        expect(comparePictures(drawPicture(scene(), small), labelled).worst, 'a volume of other dimensions').to.equal(0);
+        expect(comparePictures(drawPicture(scene(), small), labelled).worst, 'a volume of other dimensions').to.equal(
+          0,
+        );
         expect(comparePictures(drawPicture(scene(), view), before).worst, 'afterwards').to.equal(0);
       });
     }
 
-    it('beside places without data: the picture is the twin\'s', async () => {
+    it("beside places without data: the picture is the twin's", async () => {
       const labels = mixedAppearances(blocks(dimensions, 9));
       await scene().setLabels(labels);
       compareWithTwin(scene(), { ...viewFromAbove(holed()), labels }, `WebGL ${version} no data`);
     });
 
-    it('in groups with transfer functions of their own: the picture is the twin\'s', async () => {
+    it("in groups with transfer functions of their own: the picture is the twin's", async () => {
       const labels = mixedGroups(blocks(dimensions, 9));
       const alone = mixedAppearances(labels.map);
       await scene().setLabels(alone);
@@ -71,7 +83,12 @@ for (const version of [2, 1] as const) {
       expect(comparePictures(got, plain).worst).to.be.above(20);
       // What neither the view's table holds, nor bins: near the first stop is a second one.
       const [first, second, third] = shells;
-      const transferFunction = [first, { ...second, value: first.value }, { ...second, value: first.value + 1e-6 }, third];
+      const transferFunction = [
+        first,
+        { ...second, value: first.value },
+        { ...second, value: first.value + 1e-6 },
+        third,
+      ];
       const optics = { ...plainOptics, transferFunction, lightFactor: 1.6, opacityFactor: 0.7 };
       compareWithTwin(scene(), { ...viewFromAbove(holed()), labels, optics }, `WebGL ${version} groups, no data`);
       await scene().setLabels(alone);
@@ -91,23 +108,41 @@ for (const version of [2, 1] as const) {
       await scene().setStyle(null);
     });
 
-    it('as a volume of their own: the picture is the twin\'s', async () => {
+    it("as a volume of their own: the picture is the twin's", async () => {
       await scene().setLabels(null);
       const volume = named(blocks(dimensions, 7));
       await scene().prepare(volume);
       compareWithTwin(scene(), viewFromAbove(volume), `WebGL ${version} discrete`);
     });
 
-    it('as a volume of thousands of labels: the picture is the twin\'s, hidden ones are not seen, and each has its colour', async () => {
+    it("as a volume of thousands of labels: the picture is the twin's, hidden ones are not seen, and each has its colour", async () => {
       await scene().setLabels(null);
       // More columns than fit one row of any texture, with ids that float32 does not tell apart.
       const ids = Array.from({ length: 7000 }, (_, place) => (place === 0 ? 0 : 2 ** 40 + 3 * place));
-      const samples = Uint16Array.from({ length: 24 * 20 * 16 }, (_, at) => (at % 24 < 3 ? 0 : 1 + ((31 * (at >> 1)) % 6999)));
-      const volume: Volume = { ...view.volume, ids, samples, slope: 1, intercept: 0, range: [0, 2 ** 41], isDiscrete: true, macrocells: buildMacrocells(samples, dimensions) };
-      const stops = plainLabelStops(ids).map((stop) => ({ ...stop, opacity: Math.round((stop.value - 2 ** 40) / 3) % 3 === 0 ? 0 : stop.opacity }));
+      const samples = Uint16Array.from({ length: 24 * 20 * 16 }, (_, at) =>
+        at % 24 < 3 ? 0 : 1 + ((31 * (at >> 1)) % 6999),
+      );
+      const volume: Volume = {
+        ...view.volume,
+        ids,
+        samples,
+        slope: 1,
+        intercept: 0,
+        range: [0, 2 ** 41],
+        isDiscrete: true,
+        macrocells: buildMacrocells(samples, dimensions),
+      };
+      const stops = plainLabelStops(ids).map((stop) => ({
+        ...stop,
+        opacity: Math.round((stop.value - 2 ** 40) / 3) % 3 === 0 ? 0 : stop.opacity,
+      }));
       const optics = { ...plainOptics, transferFunction: stopsByPlace(stops, ids) };
       await scene().prepare(volume, optics);
-      const got = compareWithTwin(scene(), { ...viewFromAbove(volume), optics }, `WebGL ${version} thousands of labels`);
+      const got = compareWithTwin(
+        scene(),
+        { ...viewFromAbove(volume), optics },
+        `WebGL ${version} thousands of labels`,
+      );
       expect(Math.max(...got)).to.be.above(100);
     });
   });
@@ -131,7 +166,9 @@ describe('labels that do not come to be shown', () => {
     };
     try {
       const labels = mixedAppearances(blocks(dimensions, 9));
-      const tooLarge = await new LabelLayer(gl, { ...device, max3dTextureSize: 8 }).show(labels).catch((error: VolumeViewError) => error.code);
+      const tooLarge = await new LabelLayer(gl, { ...device, max3dTextureSize: 8 })
+        .show(labels)
+        .catch((error: VolumeViewError) => error.code);
       expect(tooLarge).to.equal('format/too-large');
       expect(there.size, 'too large').to.equal(0);
       const layer = new LabelLayer(gl, device);
@@ -152,12 +189,25 @@ describe('what is hidden', () => {
     const volume = syntheticVolume({ dimensions: [48, 40, 40] });
     const shown = viewFromAbove(volume);
     // Half of it, and a ball; the rest has blocks of its own.
-    const map = labelMap([48, 40, 40], (i, j, k) => (i < 20 ? 1 : Math.hypot(i - 34, j - 20, k - 20) < 12 ? 2 : 3 + ((j >> 3) & 1)), 5);
-    const looks = (hidden: readonly number[]): ShownLabels => ({ map, styles: map.ids.map((_, i) => ({ ...plainAppearance, opacityFactor: hidden.includes(i) ? 0 : 1 + i })) });
+    const map = labelMap(
+      [48, 40, 40],
+      (i, j, k) => (i < 20 ? 1 : Math.hypot(i - 34, j - 20, k - 20) < 12 ? 2 : 3 + ((j >> 3) & 1)),
+      5,
+    );
+    const looks = (hidden: readonly number[]): ShownLabels => ({
+      map,
+      styles: map.ids.map((_, i) => ({ ...plainAppearance, opacityFactor: hidden.includes(i) ? 0 : 1 + i })),
+    });
     // Skipping by value as well: only what is bright shows.
-    const optics = { ...plainOptics, transferFunction: [{ value: 0.5, color: [0, 0, 0], opacity: 0 }, { value: 0.9, color: [1, 0.8, 0.5], opacity: 0.3 }] } as const;
+    const optics = {
+      ...plainOptics,
+      transferFunction: [
+        { value: 0.5, color: [0, 0, 0], opacity: 0 },
+        { value: 0.9, color: [1, 0.8, 0.5], opacity: 0.3 },
+      ],
+    } as const;
     const pictures = [[], [1], [1, 2], [3, 4], [1, 2, 3, 4]].map((hidden) => [hidden, looks(hidden)] as const);
-    for (const stepLength of [shown.stepLength, 20 * shown.stepLength / 6]) {
+    for (const stepLength of [shown.stepLength, (20 * shown.stepLength) / 6]) {
       for (const [hidden, labels] of pictures) {
         await scene().setLabels(labels);
         const draw = (skipping: boolean): Uint8ClampedArray => {
@@ -174,12 +224,29 @@ describe('what is hidden', () => {
   it('and so is what no group shows, whichever functions they have', async () => {
     const volume = syntheticVolume({ dimensions: [48, 40, 40] });
     const shown = viewFromAbove(volume);
-    const map = labelMap([48, 40, 40], (i, j, k) => (i < 16 ? 1 : Math.hypot(i - 34, j - 20, k - 20) < 12 ? 2 : 3 * ((j >> 4) & 1)), 4);
-    const clear = [{ value: 0.5, color: [1, 1, 1], opacity: 0 }, { value: 0.9, color: [1, 0.8, 0.5], opacity: 0.3 }] as const;
-    const dark = [{ value: 0.1, color: [0, 0.5, 1], opacity: 0.2 }, { value: 0.3, color: [0, 0.5, 1], opacity: 0 }] as const;
-    const opaque = [{ value: 0.4, color: [1, 1, 1], opacity: 0 }, { value: 0.4, color: [0, 1, 0], opacity: 1 }] as const;
-    const styles = (hidden: number): ShownLabels['styles'] => [0, 1, 2, 1].map((group, i) => ({ ...plainAppearance, group, opacityFactor: i === hidden ? 0 : 1 }));
-    for (const [stepLength, hidden] of [[shown.stepLength, 9], [4 * shown.stepLength, 2]]) {
+    const map = labelMap(
+      [48, 40, 40],
+      (i, j, k) => (i < 16 ? 1 : Math.hypot(i - 34, j - 20, k - 20) < 12 ? 2 : 3 * ((j >> 4) & 1)),
+      4,
+    );
+    const clear = [
+      { value: 0.5, color: [1, 1, 1], opacity: 0 },
+      { value: 0.9, color: [1, 0.8, 0.5], opacity: 0.3 },
+    ] as const;
+    const dark = [
+      { value: 0.1, color: [0, 0.5, 1], opacity: 0.2 },
+      { value: 0.3, color: [0, 0.5, 1], opacity: 0 },
+    ] as const;
+    const opaque = [
+      { value: 0.4, color: [1, 1, 1], opacity: 0 },
+      { value: 0.4, color: [0, 1, 0], opacity: 1 },
+    ] as const;
+    const styles = (hidden: number): ShownLabels['styles'] =>
+      [0, 1, 2, 1].map((group, i) => ({ ...plainAppearance, group, opacityFactor: i === hidden ? 0 : 1 }));
+    for (const [stepLength, hidden] of [
+      [shown.stepLength, 9],
+      [4 * shown.stepLength, 2],
+    ]) {
       await scene().setLabels({ map, styles: styles(hidden), functions: [dark, opaque] });
       const draw = (skipping: boolean): Uint8ClampedArray => {
         scene().layers[0].skipping = skipping;
@@ -197,9 +264,22 @@ describe('what is hidden', () => {
   it('is not skipped together with what is clear: between both a long step shows a little', async () => {
     // One cell is clear by its values and the next one by its labels.
     const volume = syntheticVolume({ dimensions: [48, 16, 16], field: (x) => (48 * x < 25 ? 0.1 : 0.9) });
-    const shown = { ...viewFromAbove(volume), camera: orbitCamera({ theta: 1.4, phi: 1.5, radius: 90 }, boundingSphere(volume.grid).center, 0.6), stepLength: 5 };
-    const optics = { ...plainOptics, transferFunction: [{ value: 0.4, color: [1, 1, 1], opacity: 0 }, { value: 0.9, color: [1, 1, 1], opacity: 0.3 }] } as const;
-    await scene().setLabels({ map: labelMap([48, 16, 16], (i) => Number(i >= 23), 2), styles: [plainAppearance, { ...plainAppearance, opacityFactor: 0 }] });
+    const shown = {
+      ...viewFromAbove(volume),
+      camera: orbitCamera({ theta: 1.4, phi: 1.5, radius: 90 }, boundingSphere(volume.grid).center, 0.6),
+      stepLength: 5,
+    };
+    const optics = {
+      ...plainOptics,
+      transferFunction: [
+        { value: 0.4, color: [1, 1, 1], opacity: 0 },
+        { value: 0.9, color: [1, 1, 1], opacity: 0.3 },
+      ],
+    } as const;
+    await scene().setLabels({
+      map: labelMap([48, 16, 16], (i) => Number(i >= 23), 2),
+      styles: [plainAppearance, { ...plainAppearance, opacityFactor: 0 }],
+    });
     scene().setSubsteps({ ...allSubsteps, max: 1 });
     scene().layers[0].skipping = false;
     const without = drawPicture(scene(), { ...shown, optics });

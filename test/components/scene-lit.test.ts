@@ -9,7 +9,18 @@ import { invertAffine, multiply } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { litStages } from '../helpers/lit.ts';
-import { bothWalks, comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width, withScene } from '../helpers/picture.ts';
+import {
+  bothWalks,
+  comparePictures,
+  drawPicture,
+  height,
+  plainOptics,
+  raysOf,
+  referenceOf,
+  shareScene,
+  width,
+  withScene,
+} from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
 import { remember } from '../helpers/remember.ts';
@@ -23,30 +34,70 @@ interface Case {
   readonly lights?: SceneLights;
 }
 
-const cartesian = (data: Partial<SyntheticOptions>, more?: Partial<View>): View => viewFromAbove(syntheticVolume({ dimensions: [24, 20, 16], ...data }), more);
+const cartesian = (data: Partial<SyntheticOptions>, more?: Partial<View>): View =>
+  viewFromAbove(syntheticVolume({ dimensions: [24, 20, 16], ...data }), more);
 
 const light: SceneLight = {
-  kind: 'directional', color: [1, 0.9, 0.7], intensity: 0.8, ambientIntensity: 0.1, direction: [-0.6, 0.64, -0.48], location: [0, 0, 0],
-  attenuation: [1, 0, 0], radius: Infinity, beamWidth: 0.2, cutOffAngle: 0.6,
+  kind: 'directional',
+  color: [1, 0.9, 0.7],
+  intensity: 0.8,
+  ambientIntensity: 0.1,
+  direction: [-0.6, 0.64, -0.48],
+  location: [0, 0, 0],
+  attenuation: [1, 0, 0],
+  radius: Infinity,
+  beamWidth: 0.2,
+  cutOffAngle: 0.6,
 };
 const many: SceneLights = {
   headlight: false,
-  lights: [light, { ...light, kind: 'point', location: [9, -12, 8], color: [0.3, 1, 0.4], attenuation: [0.5, 0.05, 0.002], radius: 22 }, { ...light, kind: 'spot', location: [2, -25, 12], direction: [0, 0.9, -0.436], color: [0.2, 0.3, 1], intensity: 1.5 }],
+  lights: [
+    light,
+    {
+      ...light,
+      kind: 'point',
+      location: [9, -12, 8],
+      color: [0.3, 1, 0.4],
+      attenuation: [0.5, 0.05, 0.002],
+      radius: 22,
+    },
+    {
+      ...light,
+      kind: 'spot',
+      location: [2, -25, 12],
+      direction: [0, 0.9, -0.436],
+      color: [0.2, 0.3, 1],
+      intensity: 1.5,
+    },
+  ],
 };
-const hole = (x: number, y: number, z: number): number => (Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z));
+const hole = (x: number, y: number, z: number): number =>
+  Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z);
 const cloud = cloudVolume(1);
 
 const cases: Case[] = [
   { name: '8 bit', view: () => cartesian({}) },
-  { name: 'a region of 16 bit, with three lights', lights: many, view: () => {
-    const view = cartesian({ kind: 'uint16', spacing: [1, 0.8, 1.5] });
-    return { ...view, region: cutRegion(view.volume.grid, [-8, -6, -9, 9, 5, 7]) };
-  } },
+  {
+    name: 'a region of 16 bit, with three lights',
+    lights: many,
+    view: () => {
+      const view = cartesian({ kind: 'uint16', spacing: [1, 0.8, 1.5] });
+      return { ...view, region: cutRegion(view.volume.grid, [-8, -6, -9, 9, 5, 7]) };
+    },
+  },
   { name: 'floats with a hole', view: () => cartesian({ kind: 'float32', field: hole }) },
-  { name: 'polar', view: () => {
-    const volume = cloud;
-    return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 100, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
-  } },
+  {
+    name: 'polar',
+    view: () => {
+      const volume = cloud;
+      return {
+        volume,
+        camera: cloudCamera,
+        stepLength: longestDiagonal(volume.grid) / 100,
+        optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 },
+      };
+    },
+  },
 ];
 
 function draw({ view: make, lights }: Case): { view: View; expected: Float64Array }[] {
@@ -55,7 +106,10 @@ function draw({ view: make, lights }: Case): { view: View; expected: Float64Arra
   const unitToRegion = region ? multiply(invertAffine(unitToWorld(region))!, unitToWorld(volume.grid)) : undefined;
   const cuts = unitToRegion && { unitToRegion, halfSpaces: [], unitToCutout: null };
   const lit = litStages(volume, optics.transferFunction, { ...(lights && { lights }), ...(cuts && { cuts }) });
-  return bothWalks(whole).map((view) => ({ view, expected: renderReference({ ...referenceOf(view), ...lit }, raysOf(view), width, height).map((x) => x * 255) }));
+  return bothWalks(whole).map((view) => ({
+    view,
+    expected: renderReference({ ...referenceOf(view), ...lit }, raysOf(view), width, height).map((x) => x * 255),
+  }));
 }
 
 const expectationOf = remember(draw);
@@ -74,7 +128,9 @@ for (const version of [2, 1] as const) {
           const { worst, rmse } = comparePictures(got, expected);
           await scene().setStyle(null);
           const unlit = comparePictures(got, drawPicture(scene(), view));
-          console.log(`WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the unlit picture ${unlit.worst} and ${unlit.rmse.toFixed(1)}`);
+          console.log(
+            `WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the unlit picture ${unlit.worst} and ${unlit.rmse.toFixed(1)}`,
+          );
           expect(worst, 'worst pixel').to.be.at.most(2);
           expect(rmse, 'RMSE').to.be.at.most(0.5);
           expect(unlit.worst, 'it is another picture than without light').to.be.above(15);
@@ -89,22 +145,29 @@ for (const version of [2, 1] as const) {
 }
 
 describe('next to what cuts rays', () => {
-  it('light fades as the twin\'s does, at planes and around a box that is cut out', () => withScene({}, async (scene) => {
-    const whole = cartesian({});
-    const { grid } = whole.volume;
-    const kept = [keep(grid, [1, -0.4, 0.3], -3)];
-    const cutout = cutBox(grid, [2, -4, -3], [9, 4, 20]);
-    await scene.setStyle({ lit: true });
-    for (const view of bothWalks({ ...whole, clips: { kept, cutout } })) {
-      const got = drawPicture(scene, view);
-      const lit = (cuts: CutFaces) => renderReference({ ...referenceOf(view), ...litStages(view.volume, plainOptics.transferFunction, { cuts }) }, raysOf(view), width, height).map((x) => x * 255);
-      const expected = lit({ ...uncut, halfSpaces: kept, unitToCutout: cutout.unitToBox });
-      const { worst, rmse } = comparePictures(got, expected);
-      console.log(`cuts: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}`);
-      expect(worst).to.be.at.most(2);
-      expect(comparePictures(lit(uncut), expected).worst, 'cuts show values').to.be.above(10);
-    }
-  }));
+  it("light fades as the twin's does, at planes and around a box that is cut out", () =>
+    withScene({}, async (scene) => {
+      const whole = cartesian({});
+      const { grid } = whole.volume;
+      const kept = [keep(grid, [1, -0.4, 0.3], -3)];
+      const cutout = cutBox(grid, [2, -4, -3], [9, 4, 20]);
+      await scene.setStyle({ lit: true });
+      for (const view of bothWalks({ ...whole, clips: { kept, cutout } })) {
+        const got = drawPicture(scene, view);
+        const lit = (cuts: CutFaces) =>
+          renderReference(
+            { ...referenceOf(view), ...litStages(view.volume, plainOptics.transferFunction, { cuts }) },
+            raysOf(view),
+            width,
+            height,
+          ).map((x) => x * 255);
+        const expected = lit({ ...uncut, halfSpaces: kept, unitToCutout: cutout.unitToBox });
+        const { worst, rmse } = comparePictures(got, expected);
+        console.log(`cuts: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}`);
+        expect(worst).to.be.at.most(2);
+        expect(comparePictures(lit(uncut), expected).worst, 'cuts show values').to.be.above(10);
+      }
+    }));
 });
 
 describe('the lights of a scene', () => {
@@ -115,24 +178,31 @@ describe('the lights of a scene', () => {
     <spotlight on="false"></spotlight>
     <spotlight location="0 -50 0" direction="0 1 0" radius="70" beamwidth="0.2" cutoffangle="0.4"></spotlight>`;
 
-  it('are the author\'s, where they stand; without a radius they reach everywhere', () => withScene({ children }, (scene, host) => {
-    drawPicture(scene, cartesian({}));
-    const { headlight, lights } = scene.layers[0].lights()!;
-    expect(headlight).to.equal(false);
-    expect(lights.map(({ kind }) => kind)).to.deep.equal(['point', 'directional', 'spot']);
-    expect(lights[0]).to.deep.include({ location: [1, 2, 8], intensity: 0.7, radius: Infinity, attenuation: [1, 0, 0] });
-    expect(lights[0].color).to.deep.equal([1, 0.5, 0]);
-    expect(lights[1].direction.map((x) => Math.round(x * 1e6) / 1e6)).to.deep.equal([0, 0.6, 0.8]);
-    expect(lights[1].ambientIntensity).to.equal(0.2);
-    expect(lights[2]).to.deep.include({ radius: 70, beamWidth: 0.2, cutOffAngle: 0.4 });
-    host.querySelector('directionallight')!.setAttribute('on', 'false');
-    return new Promise<void>((resolve) => setTimeout(resolve)).then(() => {
-      expect(scene.layers[0].lights()!.lights.map(({ kind }) => kind)).to.deep.equal(['point', 'spot']);
-    });
-  }));
+  it("are the author's, where they stand; without a radius they reach everywhere", () =>
+    withScene({ children }, (scene, host) => {
+      drawPicture(scene, cartesian({}));
+      const { headlight, lights } = scene.layers[0].lights()!;
+      expect(headlight).to.equal(false);
+      expect(lights.map(({ kind }) => kind)).to.deep.equal(['point', 'directional', 'spot']);
+      expect(lights[0]).to.deep.include({
+        location: [1, 2, 8],
+        intensity: 0.7,
+        radius: Infinity,
+        attenuation: [1, 0, 0],
+      });
+      expect(lights[0].color).to.deep.equal([1, 0.5, 0]);
+      expect(lights[1].direction.map((x) => Math.round(x * 1e6) / 1e6)).to.deep.equal([0, 0.6, 0.8]);
+      expect(lights[1].ambientIntensity).to.equal(0.2);
+      expect(lights[2]).to.deep.include({ radius: 70, beamWidth: 0.2, cutOffAngle: 0.4 });
+      host.querySelector('directionallight')!.setAttribute('on', 'false');
+      return new Promise<void>((resolve) => setTimeout(resolve)).then(() => {
+        expect(scene.layers[0].lights()!.lights.map(({ kind }) => kind)).to.deep.equal(['point', 'spot']);
+      });
+    }));
 
-  it('are none but that at the eye where a scene has no shapes', () => withScene({}, (scene) => {
-    expect(scene.layers[0].lights()?.headlight ?? true).to.equal(true);
-    expect(scene.layers[0].lights()?.lights ?? []).to.deep.equal([]);
-  }));
+  it('are none but that at the eye where a scene has no shapes', () =>
+    withScene({}, (scene) => {
+      expect(scene.layers[0].lights()?.headlight ?? true).to.equal(true);
+      expect(scene.layers[0].lights()?.lights ?? []).to.deep.equal([]);
+    }));
 });

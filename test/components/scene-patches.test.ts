@@ -15,7 +15,17 @@ import { quietGl } from '../helpers/quiet-layer.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { litStages } from '../helpers/lit.ts';
-import { bothWalks, comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
+import {
+  bothWalks,
+  comparePictures,
+  drawPicture,
+  height,
+  plainOptics,
+  raysOf,
+  referenceOf,
+  shareScene,
+  width,
+} from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { cloudCamera, cloudVolume } from '../helpers/polar-cloud.ts';
 import { remember } from '../helpers/remember.ts';
@@ -23,33 +33,76 @@ import { surfaceStages } from '../helpers/surfaces.ts';
 import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
 
 const box: Patch = { kind: 'box', values: [0.35, 0.6], gradients: [0.02, 0.06], color: [1, 0.5, 0.1], opacity: 0.12 };
-const bell: Patch = { kind: 'gaussian', value: 0.7, gradient: 0.03, widths: [0.08, 0.02], color: [0.2, 0.7, 1], opacity: 0.3 };
-const narrow: Patch = { kind: 'gaussian', value: 0.3, gradient: 0.05, widths: [0.01, 0.006], color: [1, 1, 0.8], opacity: 0.8 };
+const bell: Patch = {
+  kind: 'gaussian',
+  value: 0.7,
+  gradient: 0.03,
+  widths: [0.08, 0.02],
+  color: [0.2, 0.7, 1],
+  opacity: 0.3,
+};
+const narrow: Patch = {
+  kind: 'gaussian',
+  value: 0.3,
+  gradient: 0.05,
+  widths: [0.01, 0.006],
+  color: [1, 1, 0.8],
+  opacity: 0.8,
+};
 
 const looks: Record<string, { readonly patches: readonly Patch[]; readonly more?: RayStyle }> = {
   'a box': { patches: [box] },
   'a Gaussian': { patches: [bell] },
-  'eight': { patches: [bell, box, narrow, { ...bell, value: 0.5, color: [0, 1, 0] }, { ...box, values: [0.1, 0.2], gradients: [0, 0.03] }, { ...bell, gradient: 0.06 }, { ...narrow, value: 0.55 }, { ...box, values: [0.65, 0.9], opacity: 0.03 }] },
-  'numbers of any size': { patches: [
-    { ...box, values: [-1e9, 0.6], gradients: [0.02, 1e30] }, bell, { ...bell, value: 1e200, gradient: 1e299 }, { ...bell, widths: [1e-200, 1e-200] }, { ...box, values: [-3, -2], gradients: [0, 1e-299] },
-  ] },
-  'lit': { patches: [box, bell], more: { lit: true } },
+  eight: {
+    patches: [
+      bell,
+      box,
+      narrow,
+      { ...bell, value: 0.5, color: [0, 1, 0] },
+      { ...box, values: [0.1, 0.2], gradients: [0, 0.03] },
+      { ...bell, gradient: 0.06 },
+      { ...narrow, value: 0.55 },
+      { ...box, values: [0.65, 0.9], opacity: 0.03 },
+    ],
+  },
+  'numbers of any size': {
+    patches: [
+      { ...box, values: [-1e9, 0.6], gradients: [0.02, 1e30] },
+      bell,
+      { ...bell, value: 1e200, gradient: 1e299 },
+      { ...bell, widths: [1e-200, 1e-200] },
+      { ...box, values: [-3, -2], gradients: [0, 1e-299] },
+    ],
+  },
+  lit: { patches: [box, bell], more: { lit: true } },
   'with surfaces': { patches: [box, bell], more: { surfaces: [{ value: 0.5, color: [1, 1, 0.9], opacity: 0.4 }] } },
 };
 
 /** The same of a cloud that is some kilometres wide. */
 const ofCloud: readonly Patch[] = [
-  { kind: 'box', values: [0.1, 0.5], gradients: [0.00005, 0.00013], color: [0.2, 0.5, 1], opacity: 0.3 }, { kind: 'gaussian', value: 0.7, gradient: 0.0001, widths: [0.1, 0.00003], color: [1, 0.6, 0], opacity: 0.6 },
+  { kind: 'box', values: [0.1, 0.5], gradients: [0.00005, 0.00013], color: [0.2, 0.5, 1], opacity: 0.3 },
+  { kind: 'gaussian', value: 0.7, gradient: 0.0001, widths: [0.1, 0.00003], color: [1, 0.6, 0], opacity: 0.6 },
 ];
 
-const hole = (x: number, y: number, z: number): number => (Math.hypot(x - 0.4, y - 0.5, z - 0.5) < 0.2 ? NaN : smoothField(x, y, z));
+const hole = (x: number, y: number, z: number): number =>
+  Math.hypot(x - 0.4, y - 0.5, z - 0.5) < 0.2 ? NaN : smoothField(x, y, z);
 
 function cartesian(kind: 'uint16' | 'float32'): View {
   const dimensions = [24, 20, 16] as const;
-  const made = syntheticVolume({ dimensions, kind, spacing: [1, 1.2, 0.9], ...(kind === 'float32' && { field: hole }) });
-  const volume = kind === 'float32' ? { ...made, hasNoData: true, macrocells: buildMacrocells(made.samples, dimensions) } : made;
+  const made = syntheticVolume({
+    dimensions,
+    kind,
+    spacing: [1, 1.2, 0.9],
+    ...(kind === 'float32' && { field: hole }),
+  });
+  const volume =
+    kind === 'float32' ? { ...made, hasNoData: true, macrocells: buildMacrocells(made.samples, dimensions) } : made;
   const diagonal = longestDiagonal(volume.grid);
-  return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 45 };
+  return {
+    volume,
+    camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6),
+    stepLength: diagonal / 45,
+  };
 }
 
 const cloud = cloudVolume(1);
@@ -69,21 +122,39 @@ function appearancesOf(name: string): Record<string, Look> {
 /** With the optics of its patches. */
 function viewOf(name: string, { patches, more }: Look): View {
   const lightFactor = more?.surfaces ? 1 : 1.2;
-  const optics = { ...plainOptics, transferFunction: outlinePatches(patches, views[name].volume.range), opacityFactor: 0.8, lightFactor, ...(name === 'polar' && { referenceLength: 3000 }) };
+  const optics = {
+    ...plainOptics,
+    transferFunction: outlinePatches(patches, views[name].volume.range),
+    opacityFactor: 0.8,
+    lightFactor,
+    ...(name === 'polar' && { referenceLength: 3000 }),
+  };
   return { ...views[name], optics };
 }
 
 function render(view: View, { patches, more = {} }: Look): Float64Array {
   const { volume, optics = plainOptics } = view;
   const taps = volume.grid.kind === 'polar' ? polarTapsOf : cartesianTapsOf;
-  const module = createPatches(quietGl(), patches).of({ taps, lights: false, cuts: false }, { lights: headlightAlone, cuts: { halfSpaces: [], unitToCutout: null } });
+  const module = createPatches(quietGl(), patches).of(
+    { taps, lights: false, cuts: false },
+    { lights: headlightAlone, cuts: { halfSpaces: [], unitToCutout: null } },
+  );
   const staged = referenceOf({ ...view, modules: [pointsModule, module] });
-  const attached: Pick<ReferenceScene, 'shades' | 'gather'> = more.lit ? litStages(volume, optics.transferFunction) : more.surfaces ? surfaceStages(volume, more, optics.transferFunction) : {};
-  return renderReference({ ...staged, ...attached, moreFields: staged.moreFields }, raysOf(view), width, height).map((x) => x * 255);
+  const attached: Pick<ReferenceScene, 'shades' | 'gather'> = more.lit
+    ? litStages(volume, optics.transferFunction)
+    : more.surfaces
+      ? surfaceStages(volume, more, optics.transferFunction)
+      : {};
+  return renderReference({ ...staged, ...attached, moreFields: staged.moreFields }, raysOf(view), width, height).map(
+    (x) => x * 255,
+  );
 }
 
-const expectationsOf = remember((name: string) => Object.entries(appearancesOf(name)).flatMap(([appearance, shown]) =>
-  bothWalks(viewOf(name, shown)).map((view) => ({ look: appearance, shown, view, expected: render(view, shown) }))));
+const expectationsOf = remember((name: string) =>
+  Object.entries(appearancesOf(name)).flatMap(([appearance, shown]) =>
+    bothWalks(viewOf(name, shown)).map((view) => ({ look: appearance, shown, view, expected: render(view, shown) })),
+  ),
+);
 
 for (const version of [2, 1] as const) {
   describe(`transfer functions of value and gradient in WebGL ${version}`, () => {
@@ -93,7 +164,12 @@ for (const version of [2, 1] as const) {
         this.timeout(240_000);
         const layer = scene().layers[0];
         const keys = new Set<string>();
-        for (const { look: appearance, shown: { patches, more }, view, expected } of expectationsOf(name)) {
+        for (const {
+          look: appearance,
+          shown: { patches, more },
+          view,
+          expected,
+        } of expectationsOf(name)) {
           await scene().prepare(view.volume);
           await scene().setStyle(null);
           const plain = drawPicture(scene(), view);
@@ -102,7 +178,9 @@ for (const version of [2, 1] as const) {
           if (!more) keys.add(programKey(layer.program(false)));
           const { worst, rmse } = comparePictures(got, expected);
           const other = comparePictures(got, plain);
-          console.log(`WebGL ${version} ${name}: ${appearance}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the picture by value alone ${other.worst}`);
+          console.log(
+            `WebGL ${version} ${name}: ${appearance}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the picture by value alone ${other.worst}`,
+          );
           expect(worst, `${appearance}: worst pixel`).to.be.at.most(2);
           expect(rmse, `${appearance}: RMSE`).to.be.at.most(0.5);
           expect(other.worst, `${appearance}: another picture than by value alone`).to.be.above(20);

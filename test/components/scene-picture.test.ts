@@ -36,7 +36,11 @@ const cases: Case[] = [
   { name: 'flipped', data: { kind: 'uint16', indexToWorld: [2, 0, 0, 5, 0, -1, 0, 9, 0, 0, -1.5, -4, 0, 0, 0, 1] } },
   { name: 'oblique and sheared', data: { indexToWorld: obliqueAffine(random, [1, -1.3, 0.8], [30, -20, 10]) } },
   { name: 'nanometres', data: { spacing: [1e-6, 1e-6, 2e-6] }, optics: { referenceLength: 1e-6 } },
-  { name: 'kilometres, far from 0', data: { indexToWorld: [1e3, 0, 0, 4e6, 0, 1e3, 0, -3e6, 0, 0, 2e3, 0, 0, 0, 0, 1] }, optics: { referenceLength: 1e3 } },
+  {
+    name: 'kilometres, far from 0',
+    data: { indexToWorld: [1e3, 0, 0, 4e6, 0, 1e3, 0, -3e6, 0, 0, 2e3, 0, 0, 0, 0, 1] },
+    optics: { referenceLength: 1e3 },
+  },
   { name: 'one slice', data: { dimensions: [24, 20, 1], spacing: [1, 1, 6] } },
   { name: 'eye inside', data: { kind: 'float32' }, orbit: { radius: 0.15 } },
   { name: 'eye at the centre', orbit: { radius: 1e-3 } },
@@ -49,8 +53,25 @@ const cases: Case[] = [
   { name: '8 steps', steps: 8 },
   { name: '500 steps', steps: 500 },
   { name: 'factors', optics: { opacityFactor: 2.5, lightFactor: 1.7 } },
-  { name: 'opaque, 500 steps', steps: 500, optics: { transferFunction: [{ value: 0.3, color: [0.2, 0.5, 1], opacity: 0 }, { value: 0.7, color: [1, 0.9, 0.2], opacity: 1 }] } },
-  { name: 'opaque', optics: { transferFunction: [{ value: 0.3, color: [0.2, 0.5, 1], opacity: 0 }, { value: 0.9, color: [1, 0.9, 0.2], opacity: 1 }] } },
+  {
+    name: 'opaque, 500 steps',
+    steps: 500,
+    optics: {
+      transferFunction: [
+        { value: 0.3, color: [0.2, 0.5, 1], opacity: 0 },
+        { value: 0.7, color: [1, 0.9, 0.2], opacity: 1 },
+      ],
+    },
+  },
+  {
+    name: 'opaque',
+    optics: {
+      transferFunction: [
+        { value: 0.3, color: [0.2, 0.5, 1], opacity: 0 },
+        { value: 0.9, color: [1, 0.9, 0.2], opacity: 1 },
+      ],
+    },
+  },
 ];
 
 function viewOf({ data, orbit, camera, steps = 60, optics }: Case): View {
@@ -61,9 +82,13 @@ function viewOf({ data, orbit, camera, steps = 60, optics }: Case): View {
   const both = { ...plainOptics, ...optics };
   return {
     volume,
-    camera: camera ?? orbitCamera({ ...stand, radius: stand.radius * diagonal }, boundingSphere(volume.grid).center, 0.6),
+    camera:
+      camera ?? orbitCamera({ ...stand, radius: stand.radius * diagonal }, boundingSphere(volume.grid).center, 0.6),
     stepLength: diagonal / steps,
-    optics: { ...both, transferFunction: both.transferFunction.map((stop) => ({ ...stop, value: rescale(stop.value) })) },
+    optics: {
+      ...both,
+      transferFunction: both.transferFunction.map((stop) => ({ ...stop, value: rescale(stop.value) })),
+    },
   };
 }
 

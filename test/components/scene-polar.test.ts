@@ -30,7 +30,8 @@ const withStorm = ({ sweeps, ...rest }: RadarOptions): RadarOptions => ({
   ...rest,
   sweeps: sweeps.map((sweep) => {
     const value = (sweep.azimuths?.length ?? 24) < 8 ? ramp : storm(sweep.elevation)!;
-    const isHole = (a: number, g: number, r: number): boolean => sweep.stored !== undefined && !(sweep.stored(a, g, r) > 0);
+    const isHole = (a: number, g: number, r: number): boolean =>
+      sweep.stored !== undefined && !(sweep.stored(a, g, r) > 0);
     const [scale, nothing] = sweep.kind === 'uint16' ? [257, 0] : sweep.kind === 'float32' ? [0.5, NaN] : [1, 0];
     return { ...sweep, stored: (a, g, r) => (isHole(a, g, r) ? nothing : scale * value(a, g, r)) };
   }),
@@ -57,7 +58,11 @@ interface Case {
 const thin = { orbit: { theta: 0.2, phi: 0.3, radius: 0.5 }, opacityFactor: 40 };
 
 const cases: Case[] = [
-  ...Object.keys(polarScenes).map((scene) => ({ name: scene, scene, ...(['a sector of one degree', 'one ray'].includes(scene) ? thin : {}) })),
+  ...Object.keys(polarScenes).map((scene) => ({
+    name: scene,
+    scene,
+    ...(['a sector of one degree', 'one ray'].includes(scene) ? thin : {}),
+  })),
   { name: 'straight beams', scene: 'five sweeps', beamModel: 'straight' },
   { name: 'heights five times', scene: 'five sweeps', exaggeration: 5 },
   { name: 'from above', scene: 'five sweeps', orbit: { theta: 0, phi: 0.01, radius: 1.5 } },
@@ -65,7 +70,13 @@ const cases: Case[] = [
   { name: 'from inside', scene: 'five sweeps', orbit: { theta: 2, phi: 1.3, radius: 0.1 }, exaggeration: 3 },
 ];
 
-function viewOf({ scene, orbit = { theta: 0.6, phi: 1.1, radius: 1.2 }, exaggeration, beamModel, opacityFactor = 2 }: Case): View {
+function viewOf({
+  scene,
+  orbit = { theta: 0.6, phi: 1.1, radius: 1.2 },
+  exaggeration,
+  beamModel,
+  opacityFactor = 2,
+}: Case): View {
   const options = scene === 'folds' ? polarScenes[scene] : withStorm(polarScenes[scene]);
   const volume = radarVolume(options, {
     ...(exaggeration ? { verticalExaggeration: exaggeration } : {}),
@@ -107,39 +118,63 @@ for (const version of [2, 1] as const) {
 
 describe('a radar volume in a scene', () => {
   for (const webgl1 of [false, true]) {
-    it(`looks the same with and without skipping empty air in WebGL ${webgl1 ? 1 : 2}`, () => withScene({ webgl1 }, async (scene) => {
-      const sparse: SweepOptions['stored'] = (azimuth, gate) => (azimuth > 20 && azimuth < 70 && gate > 24 && gate < 34 ? 100 + 10 * (gate - 24) : 0);
-      const sweeps = [0.5, 1.5, 3, 6, 12].map((elevation) => ({ elevation, gates: 60, azimuths: evenAzimuths(72), stored: sparse }));
-      const { optics, volume: any } = viewOf({ name: '', scene: 'five sweeps' });
-      await scene.prepare(any);
-      for (const verticalExaggeration of [1, 4]) {
-        const volume = radarVolume({ sweeps }, { verticalExaggeration });
-        const diagonal = longestDiagonal(volume.grid);
-        for (const [theta, phi, radius] of [[0, 1.4, 1.2], [0.7, 1.1, 0.5], [3, 0.01, 1.2], [2, 1.5, 0.01]]) {
-          const camera = orbitCamera({ theta, phi, radius: radius * diagonal }, boundingSphere(volume.grid).center, 0.9);
-          for (const steps of [20, 300]) {
-            const view = { volume, camera, stepLength: diagonal / steps, optics: { ...optics!, opacityFactor: 8 } };
-            scene.layers[0].skipping = true;
-            const skipped = drawPicture(scene, view);
-            scene.layers[0].skipping = false;
-            expect(comparePictures(skipped, drawPicture(scene, view)).worst, `theta ${theta}, ${steps} steps`).to.be.at.most(1);
-            if (radius > 0.1 && steps > 100) expect(Math.max(...skipped)).to.be.above(60);
+    it(`looks the same with and without skipping empty air in WebGL ${webgl1 ? 1 : 2}`, () =>
+      withScene({ webgl1 }, async (scene) => {
+        const sparse: SweepOptions['stored'] = (azimuth, gate) =>
+          azimuth > 20 && azimuth < 70 && gate > 24 && gate < 34 ? 100 + 10 * (gate - 24) : 0;
+        const sweeps = [0.5, 1.5, 3, 6, 12].map((elevation) => ({
+          elevation,
+          gates: 60,
+          azimuths: evenAzimuths(72),
+          stored: sparse,
+        }));
+        const { optics, volume: any } = viewOf({ name: '', scene: 'five sweeps' });
+        await scene.prepare(any);
+        for (const verticalExaggeration of [1, 4]) {
+          const volume = radarVolume({ sweeps }, { verticalExaggeration });
+          const diagonal = longestDiagonal(volume.grid);
+          for (const [theta, phi, radius] of [
+            [0, 1.4, 1.2],
+            [0.7, 1.1, 0.5],
+            [3, 0.01, 1.2],
+            [2, 1.5, 0.01],
+          ]) {
+            const camera = orbitCamera(
+              { theta, phi, radius: radius * diagonal },
+              boundingSphere(volume.grid).center,
+              0.9,
+            );
+            for (const steps of [20, 300]) {
+              const view = { volume, camera, stepLength: diagonal / steps, optics: { ...optics!, opacityFactor: 8 } };
+              scene.layers[0].skipping = true;
+              const skipped = drawPicture(scene, view);
+              scene.layers[0].skipping = false;
+              expect(
+                comparePictures(skipped, drawPicture(scene, view)).worst,
+                `theta ${theta}, ${steps} steps`,
+              ).to.be.at.most(1);
+              if (radius > 0.1 && steps > 100) expect(Math.max(...skipped)).to.be.above(60);
+            }
           }
         }
-      }
-    }));
+      }));
   }
 
-  it('wants to be prepared, and takes turns with cartesian ones', () => withScene({}, async (scene) => {
-    const polar = viewOf({ name: '', scene: 'five sweeps' });
-    expect(() => scene.setVolume(polar.volume)).to.throw(TypeError, 'prepare()');
-    await scene.prepare(polar.volume);
-    const volume = syntheticVolume({ dimensions: [12, 10, 8] });
-    const cartesian = { volume, camera: orbitCamera({ theta: 1, phi: 1, radius: 25 }, [0, 0, 0], 0.6), stepLength: 0.3 };
-    const views = [polar, cartesian, viewOf({ name: '', scene: 'rays and gates that differ' }), cartesian, polar];
-    for (const view of views) {
-      const { worst } = comparePictures(drawPicture(scene, view), drawReference(view));
-      expect(worst).to.be.at.most(2);
-    }
-  }));
+  it('wants to be prepared, and takes turns with cartesian ones', () =>
+    withScene({}, async (scene) => {
+      const polar = viewOf({ name: '', scene: 'five sweeps' });
+      expect(() => scene.setVolume(polar.volume)).to.throw(TypeError, 'prepare()');
+      await scene.prepare(polar.volume);
+      const volume = syntheticVolume({ dimensions: [12, 10, 8] });
+      const cartesian = {
+        volume,
+        camera: orbitCamera({ theta: 1, phi: 1, radius: 25 }, [0, 0, 0], 0.6),
+        stepLength: 0.3,
+      };
+      const views = [polar, cartesian, viewOf({ name: '', scene: 'rays and gates that differ' }), cartesian, polar];
+      for (const view of views) {
+        const { worst } = comparePictures(drawPicture(scene, view), drawReference(view));
+        expect(worst).to.be.at.most(2);
+      }
+    }));
 });

@@ -17,7 +17,8 @@ const peak: TransferFunction = [
   { value: 0.8, color: [1, 1, 1], opacity: 0.6 },
 ];
 
-const shell = (x: number, y: number, z: number): number => Math.exp(-30 * (Math.hypot(x - 0.5, y - 0.5, z - 0.5) - 0.3) ** 2);
+const shell = (x: number, y: number, z: number): number =>
+  Math.exp(-30 * (Math.hypot(x - 0.5, y - 0.5, z - 0.5) - 0.3) ** 2);
 const specks = (share = 0.002): (() => number) => {
   const random = randomNumbers(40);
   return () => (random() < share ? 1 : 0);
@@ -25,7 +26,7 @@ const specks = (share = 0.002): (() => number) => {
 
 const volumes: Record<string, () => Volume> = {
   'a shell': () => syntheticVolume({ dimensions: [60, 44, 52], field: shell }),
-  'specks': () => syntheticVolume({ dimensions: [48, 48, 48], kind: 'uint16', field: specks() }),
+  specks: () => syntheticVolume({ dimensions: [48, 48, 48], kind: 'uint16', field: specks() }),
   'a thin one': () => syntheticVolume({ dimensions: [70, 50, 3], kind: 'float32', field: shell, spacing: [1, 1, 4] }),
 };
 
@@ -43,9 +44,18 @@ describe('skipping empty space', () => {
       scene.resize(48, 36);
       scene.setVolume(volume);
       await scene.setStyle({ patches });
-      void scene.setOptics({ transferFunction: outlinePatches(patches, volume.range), referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+      void scene.setOptics({
+        transferFunction: outlinePatches(patches, volume.range),
+        referenceLength: 1,
+        opacityFactor: 1,
+        lightFactor: 1,
+      });
       let brightest = 0;
-      for (const [theta, phi, distance] of [[0.7, 1.1, 1.5], [3, 0.2, 1.6], [1.2, 2.4, 0.1]]) {
+      for (const [theta, phi, distance] of [
+        [0.7, 1.1, 1.5],
+        [3, 0.2, 1.6],
+        [1.2, 2.4, 0.1],
+      ]) {
         scene.setCamera(orbitCamera({ theta, phi, radius: distance * diagonal }, [0, 0, 0], 0.8));
         for (const steps of [60, 200]) {
           scene.layers[0].skipping = true;
@@ -74,7 +84,13 @@ describe('skipping empty space', () => {
           scene.setVolume(volume);
           void scene.setOptics({ transferFunction: peak, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
           let brightest = 0;
-          for (const [theta, phi, distance] of [[0, Math.PI / 2, 1.4], [0.7, 1.1, 1.5], [3, 0, 1.6], [1.2, 2.4, 0.1], [5, 1.5, 1e-4]]) {
+          for (const [theta, phi, distance] of [
+            [0, Math.PI / 2, 1.4],
+            [0.7, 1.1, 1.5],
+            [3, 0, 1.6],
+            [1.2, 2.4, 0.1],
+            [5, 1.5, 1e-4],
+          ]) {
             scene.setCamera(orbitCamera({ theta, phi, radius: distance * diagonal }, [0, 0, 0], 0.8));
             for (const steps of [5, 60, 240]) {
               scene.layers[0].skipping = true;

@@ -10,7 +10,17 @@ import { hasRoom } from '../../src/renderer/ray/modules/styled.ts';
 import type { RayText } from '../../src/renderer/ray/ray-module.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { styledStages } from '../helpers/lit.ts';
-import { bothWalks, comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
+import {
+  bothWalks,
+  comparePictures,
+  drawPicture,
+  height,
+  plainOptics,
+  raysOf,
+  referenceOf,
+  shareScene,
+  width,
+} from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
 import { remember } from '../helpers/remember.ts';
@@ -21,13 +31,35 @@ const silhouette: VolumeStyle = { kind: 'silhouette', retained: 0.3, boundary: 1
 const edge: VolumeStyle = { kind: 'edge', color: [0.9, 0.1, 0], threshold: 1.1 };
 const cartoon: VolumeStyle = { kind: 'cartoon', parallel: [1, 0.8, 0.3], orthogonal: [0.2, 0, 0.5], steps: 3 };
 const tone: VolumeStyle = { kind: 'tone', cool: [0.1, 0.2, 0.8], warm: [1, 0.7, 0.2] };
-const shaded: VolumeStyle = { kind: 'shaded', material: { ambient: 0.2, diffuse: [0.9, 0.8, 0.7], specular: [0.2, 0.2, 0.3], emissive: [0.05, 0, 0], shininess: 20 } };
+const shaded: VolumeStyle = {
+  kind: 'shaded',
+  material: {
+    ambient: 0.2,
+    diffuse: [0.9, 0.8, 0.7],
+    specular: [0.2, 0.2, 0.3],
+    emissive: [0.05, 0, 0],
+    shininess: 20,
+  },
+};
 
 const chain = (...styles: VolumeStyle[]): readonly StyleChain[] => [{ weight: 1, styles }];
 
-const steep: VolumeStyle = { kind: 'gradient', stops: [[0, 0.05], [0.02, 0.1], [0.06, 1]] };
+const steep: VolumeStyle = {
+  kind: 'gradient',
+  stops: [
+    [0, 0.05],
+    [0.02, 0.1],
+    [0.06, 1],
+  ],
+};
 /** A tenth as steep: gradients over metres. */
-const gentle: VolumeStyle = { kind: 'gradient', stops: [[0.0001, 0], [0.003, 1]] };
+const gentle: VolumeStyle = {
+  kind: 'gradient',
+  stops: [
+    [0.0001, 0],
+    [0.003, 1],
+  ],
+};
 
 const looks: Record<string, readonly StyleChain[]> = {
   boundary: chain(boundary),
@@ -39,29 +71,63 @@ const looks: Record<string, readonly StyleChain[]> = {
   'gradient-opacity in lit fog': withLight(chain(steep)),
   'gradient-opacity of a radar': chain(gentle),
   'all of them': chain(cartoon, tone, boundary, edge, shaded, silhouette, edge),
-  'two blended': [{ weight: 0.6, styles: [cartoon] }, { weight: 0.4, styles: [silhouette, shaded, steep] }],
+  'two blended': [
+    { weight: 0.6, styles: [cartoon] },
+    { weight: 0.4, styles: [silhouette, shaded, steep] },
+  ],
 };
 
 const sun: SceneLights = {
   headlight: true,
-  lights: [{ kind: 'directional', color: [1, 0.9, 0.7], intensity: 0.8, ambientIntensity: 0.1, direction: [-0.6, 0.64, -0.48], location: [0, 0, 0], attenuation: [1, 0, 0], radius: Infinity, beamWidth: 0.2, cutOffAngle: 0.6 }],
+  lights: [
+    {
+      kind: 'directional',
+      color: [1, 0.9, 0.7],
+      intensity: 0.8,
+      ambientIntensity: 0.1,
+      direction: [-0.6, 0.64, -0.48],
+      location: [0, 0, 0],
+      attenuation: [1, 0, 0],
+      radius: Infinity,
+      beamWidth: 0.2,
+      cutOffAngle: 0.6,
+    },
+  ],
 };
 
 const views: Record<string, () => View> = {
   cartesian: () => {
     const volume = syntheticVolume({ dimensions: [24, 20, 16], spacing: [1, 1.2, 0.9] });
     const diagonal = longestDiagonal(volume.grid);
-    return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 45, optics: { ...plainOptics, opacityFactor: 0.8 } };
+    return {
+      volume,
+      camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6),
+      stepLength: diagonal / 45,
+      optics: { ...plainOptics, opacityFactor: 0.8 },
+    };
   },
   polar: () => {
     const volume = cloudVolume(1);
-    return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 100, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
+    return {
+      volume,
+      camera: cloudCamera,
+      stepLength: longestDiagonal(volume.grid) / 100,
+      optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 },
+    };
   },
 };
 
 const viewsOf = remember((name: string) => bothWalks(views[name]()));
-const expectationOf = remember((view: View) => remember((appearance: string) =>
-  renderReference({ ...referenceOf(view), ...styledStages(view, looks[appearance], sun) }, raysOf(view), width, height).map((x) => x * 255)));
+const expectationOf = remember((view: View) =>
+  remember((appearance: string) =>
+    renderReference(
+      { ...referenceOf(view), ...styledStages(view, looks[appearance], sun) },
+      raysOf(view),
+      width,
+      height,
+    ).map((x) => x * 255),
+  ),
+);
 
 for (const version of [2, 1] as const) {
   describe(`rendering styles in WebGL ${version}`, () => {
@@ -71,7 +137,10 @@ for (const version of [2, 1] as const) {
         this.timeout(240_000);
         const layer = scene().layers[0];
         layer.lights = () => sun;
-        const shown = name === 'polar' ? ['all of them', 'boundary', 'gradient-opacity of a radar'] : Object.keys(looks).filter((one) => !one.endsWith('radar'));
+        const shown =
+          name === 'polar'
+            ? ['all of them', 'boundary', 'gradient-opacity of a radar']
+            : Object.keys(looks).filter((one) => !one.endsWith('radar'));
         for (const view of viewsOf(name)) {
           await scene().prepare(view.volume);
           const keys = new Set<string>();
@@ -83,7 +152,9 @@ for (const version of [2, 1] as const) {
             keys.add(programKey(layer.program(false)));
             const { worst, rmse } = comparePictures(got, expectationOf(view)(appearance));
             const other = comparePictures(got, plain);
-            console.log(`WebGL ${version} ${name} ${appearance}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the picture without ${other.worst}`);
+            console.log(
+              `WebGL ${version} ${name} ${appearance}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the picture without ${other.worst}`,
+            );
             expect(worst, `${appearance}: worst pixel`).to.be.at.most(2);
             expect(rmse, `${appearance}: RMSE`).to.be.at.most(0.5);
             expect(other.worst, `${appearance}: another picture than without`).to.be.above(20);
@@ -100,7 +171,13 @@ for (const version of [2, 1] as const) {
 
 describe('where there is no sampler left', () => {
   it('styles are left out of a ray, in WebGL 1', () => {
-    const module = (count: number): RayText => ({ name: 'many', stage: 'field', defines: {}, chunks: [], samplers: Array.from({ length: count }, (_, i) => `u${i}`) });
+    const module = (count: number): RayText => ({
+      name: 'many',
+      stage: 'field',
+      defines: {},
+      chunks: [],
+      samplers: Array.from({ length: count }, (_, i) => `u${i}`),
+    });
     // The table of substeps takes one.
     expect(hasRoom([module(6)], { webgl2: false })).to.equal(true);
     expect(hasRoom([module(7)], { webgl2: false })).to.equal(false);

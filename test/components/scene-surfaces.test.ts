@@ -15,8 +15,21 @@ const [x, y, z] = [7, 5, 8];
 /** A box around the origin, its corners counterclockwise from outside, or the other way round. */
 function box(isTurned: boolean): string {
   const corners = Array.from({ length: 8 }, (_, i) => [i & 1 ? x : -x, i & 2 ? y : -y, i & 4 ? z : -z]);
-  const sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-  return [...corners.map((corner) => `v ${corner.join(' ')}`), ...sides.map((side) => `f ${(isTurned ? side.map((_, i) => side[3 - i]) : side).map((corner) => corner + 1).join(' ')}`), ''].join('\n');
+  const sides = [
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+  ];
+  return [
+    ...corners.map((corner) => `v ${corner.join(' ')}`),
+    ...sides.map(
+      (side) => `f ${(isTurned ? side.map((_, i) => side[3 - i]) : side).map((corner) => corner + 1).join(' ')}`,
+    ),
+    '',
+  ].join('\n');
 }
 
 /** Those of a scene that are shown. */
@@ -26,7 +39,10 @@ const owners = new WeakMap<VolumeScene, object[]>();
 async function show(scene: VolumeScene, shown: readonly ShownSurface[]): Promise<Uint8Array> {
   const lines = (await scene.loadLines())!;
   for (const owner of owners.get(scene) ?? []) await lines.showSurface(null, owner);
-  owners.set(scene, shown.map(() => ({})));
+  owners.set(
+    scene,
+    shown.map(() => ({})),
+  );
   for (const [i, owner] of owners.get(scene)!.entries()) await lines.showSurface(shown[i], owner);
   return draw(scene);
 }
@@ -40,7 +56,8 @@ async function draw(scene: VolumeScene): Promise<Uint8Array> {
   return Uint8Array.from(readPixels(scene));
 }
 
-const worstOf = (a: Uint8Array, b: Uint8Array): number => a.reduce((worst, level, i) => Math.max(worst, Math.abs(level - b[i])), 0);
+const worstOf = (a: Uint8Array, b: Uint8Array): number =>
+  a.reduce((worst, level, i) => Math.max(worst, Math.abs(level - b[i])), 0);
 
 describe('surfaces in a scene', () => {
   for (const webgl1 of [false, true]) {
@@ -62,7 +79,9 @@ describe('surfaces in a scene', () => {
           // In two parts.
           const [part] = surface.parts;
           const parts = [part.indices.slice(0, 15), part.indices.slice(15)].map((indices) => ({ ...part, indices }));
-          expect(worstOf(await show(scene, [{ surface: { ...surface, parts }, color, usesOwnColors: true }]), wanted)).to.be.at.most(2);
+          expect(
+            worstOf(await show(scene, [{ surface: { ...surface, parts }, color, usesOwnColors: true }]), wanted),
+          ).to.be.at.most(2);
         }
         expect(worstOf(await show(scene, []), bare)).to.equal(0);
       });

@@ -22,7 +22,17 @@ import { cutBox, keep } from '../helpers/clips.ts';
 import { isEdge, listOff } from '../helpers/edges.ts';
 import { blocks, mixedGroups, mixedAppearances } from '../helpers/labels.ts';
 import { askew, overlayOf, waves } from '../helpers/overlays.ts';
-import { bothWalks, comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
+import {
+  bothWalks,
+  comparePictures,
+  drawPicture,
+  height,
+  plainOptics,
+  raysOf,
+  referenceOf,
+  shareScene,
+  width,
+} from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { remember } from '../helpers/remember.ts';
 import { surfaceStages } from '../helpers/surfaces.ts';
@@ -30,12 +40,26 @@ import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
 
 const dimensions: Vector3 = [24, 20, 16];
 const three: RayStyle = {
-  surfaces: [{ value: 0.35, color: [1, 0.4, 0.2], opacity: 0.3 }, { value: 0.5, color: [0.2, 0.9, 0.5], opacity: 0.5 }, { value: 0.65, color: [1, 1, 0.9], opacity: 1 }],
+  surfaces: [
+    { value: 0.35, color: [1, 0.4, 0.2], opacity: 0.3 },
+    { value: 0.5, color: [0.2, 0.9, 0.5], opacity: 0.5 },
+    { value: 0.65, color: [1, 1, 0.9], opacity: 1 },
+  ],
 };
-const shaded: VolumeStyle = { kind: 'shaded', material: { ambient: 0.1, diffuse: [0.9, 0.6, 0.5], specular: [0.1, 0.1, 0.2], emissive: [0.15, 0, 0], shininess: 20 } };
+const shaded: VolumeStyle = {
+  kind: 'shaded',
+  material: {
+    ambient: 0.1,
+    diffuse: [0.9, 0.6, 0.5],
+    specular: [0.1, 0.1, 0.2],
+    emissive: [0.15, 0, 0],
+    shininess: 20,
+  },
+};
 const silhouette: VolumeStyle = { kind: 'silhouette', retained: 0.4, boundary: 1.2, sharpness: 2 };
 const styles: RayStyle = { styles: [{ weight: 1, styles: [silhouette, shaded] }] };
-const hole = (x: number, y: number, z: number): number => (Math.hypot(x - 0.4, y - 0.5, z - 0.5) < 0.3 ? NaN : smoothField(x, y, z));
+const hole = (x: number, y: number, z: number): number =>
+  Math.hypot(x - 0.4, y - 0.5, z - 0.5) < 0.3 ? NaN : smoothField(x, y, z);
 
 /** The layer lies askew, has a hole, and shows where the volume has none. */
 function layerOver(over: Volume): Volume {
@@ -49,7 +73,12 @@ function layerOver(over: Volume): Volume {
 
 function viewOf(volume: Volume, more: Partial<View> = {}): View {
   const diagonal = longestDiagonal(volume.grid);
-  return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 45, ...more };
+  return {
+    volume,
+    camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6),
+    stepLength: diagonal / 45,
+    ...more,
+  };
 }
 
 const whole = syntheticVolume({ dimensions, kind: 'uint16' });
@@ -67,26 +96,54 @@ interface Case {
 }
 
 const cases: Record<string, Case> = {
-  'surfaces in styled fog, and a layer where there is no data': { view: () => viewOf(holed, { overlay: overHole }), style: { ...three, ...styles }, webgl1: true },
-  'surfaces in lit fog, labels, and a layer where there is no data': { view: () => viewOf(holed, { overlay: overHole, labels: mixedAppearances(blocks(dimensions, 6)) }), style: { ...three, lit: true } },
-  'styles, groups of labels, and a layer that colours, all of it cut': { view: () => viewOf(whole, {
-    overlay: mixed, labels: mixedGroups(blocks(dimensions, 12)), region: cutRegion(whole.grid, [-9, -9, -7, 12, 10, 6]),
-    clips: { kept: [keep(whole.grid, [1, -0.4, 0.3], -8)], cutout: cutBox(whole.grid, [2, -4, -3], [9, 4, 20]) },
-  }), style: styles },
+  'surfaces in styled fog, and a layer where there is no data': {
+    view: () => viewOf(holed, { overlay: overHole }),
+    style: { ...three, ...styles },
+    webgl1: true,
+  },
+  'surfaces in lit fog, labels, and a layer where there is no data': {
+    view: () => viewOf(holed, { overlay: overHole, labels: mixedAppearances(blocks(dimensions, 6)) }),
+    style: { ...three, lit: true },
+  },
+  'styles, groups of labels, and a layer that colours, all of it cut': {
+    view: () =>
+      viewOf(whole, {
+        overlay: mixed,
+        labels: mixedGroups(blocks(dimensions, 12)),
+        region: cutRegion(whole.grid, [-9, -9, -7, 12, 10, 6]),
+        clips: { kept: [keep(whole.grid, [1, -0.4, 0.3], -8)], cutout: cutBox(whole.grid, [2, -4, -3], [9, 4, 20]) },
+      }),
+    style: styles,
+  },
 };
 
 /** The stages of a view's rays in a style. */
 function stagesOf(view: View, { surfaces, styles: chains }: RayStyle): RayStages {
-  const { volume: { grid, ...volume }, clips, labels } = view;
+  const {
+    volume: { grid, ...volume },
+    clips,
+    labels,
+  } = view;
   const scene = referenceOf(view);
   const rays = raysOf(view);
-  const cuts = { ...uncut, unitToRegion: rays.unitToRegion, halfSpaces: clips?.kept ?? [], unitToCutout: clips?.cutout?.unitToBox ?? null };
+  const cuts = {
+    ...uncut,
+    unitToRegion: rays.unitToRegion,
+    halfSpaces: clips?.kept ?? [],
+    unitToCutout: clips?.cutout?.unitToBox ?? null,
+  };
   const { referenceLength, opacityFactor, transferFunction } = plainOptics;
   const gradient = cartesianGradient(cartesianField({ ...volume, dimensions }), grid);
   const all = { grid, gradient, flat: flatChange(domainOf(transferFunction), volume.range), cuts };
-  const last = chains ? styledShade({ ...all, chains, referenceLength, opticalScale: (rays.diameter / referenceLength) * opacityFactor }) : litShade(all);
+  const last = chains
+    ? styledShade({ ...all, chains, referenceLength, opticalScale: (rays.diameter / referenceLength) * opacityFactor })
+    : litShade(all);
   const gather = surfaces && surfaceStages(view.volume, { surfaces }, transferFunction, { cuts }).gather;
-  const more = { moreFields: [...scene.moreFields!, pointField], shades: [...scene.shades!, last], ...(gather && { gather }) };
+  const more = {
+    moreFields: [...scene.moreFields!, pointField],
+    shades: [...scene.shades!, last],
+    ...(gather && { gather }),
+  };
   return groupedStagesOf({ ...scene, ...more }, rays, groupOptics(labels?.functions ?? [], scene));
 }
 
@@ -125,10 +182,17 @@ for (const version of [2, 1] as const) {
           const off = listOff(got, expected);
           const edges = new Set([...off].filter((pixel) => isEdge(stages, rays, pixel)));
           const { worst, rmse } = comparePictures(got, expected, (pixel) => edges.has(pixel));
-          console.log(`WebGL ${version} ${name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${edges.size} edges`);
+          console.log(
+            `WebGL ${version} ${name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${edges.size} edges`,
+          );
           expect(worst, 'worst pixel').to.be.at.most(2);
           expect(edges.size, 'edges').to.be.below(0.02 * width * height);
-          expect(Math.max(...[1, 4].map((factor) => skippingChanges(scene(), { ...view, stepLength: view.stepLength * factor }))), 'skipping').to.equal(0);
+          expect(
+            Math.max(
+              ...[1, 4].map((factor) => skippingChanges(scene(), { ...view, stepLength: view.stepLength * factor })),
+            ),
+            'skipping',
+          ).to.equal(0);
         }
       });
     }
@@ -143,7 +207,9 @@ describe('in WebGL 1', () => {
     await scene().setStyle(styles);
     await scene().setLabels(mixedGroups(blocks(dimensions, 12)));
     await scene().setOverlay(mixed);
-    const names = scene().layers[0].modules(false).map(({ name }) => name);
+    const names = scene()
+      .layers[0].modules(false)
+      .map(({ name }) => name);
     expect(names).to.include.members(['labelFunctions', 'styled']).and.not.include('overlay');
   });
 });

@@ -30,28 +30,41 @@ interface Box {
 const boxOf = ({ center, size }: Box, color: string, transparency: number): string =>
   `<transform translation="${center.join(' ')}"><shape>${material(color, transparency)}<box size="${size} ${size} ${size}"></box></shape></transform>`;
 
-const [glass, stone]: readonly Box[] = [{ center: [2, -1, 1], size: 13 }, { center: [-3, -4, -3], size: 8 }];
+const [glass, stone]: readonly Box[] = [
+  { center: [2, -1, 1], size: 13 },
+  { center: [-3, -4, -3], size: 8 },
+];
 const translucency = 0.35;
 const three: RayStyle = {
   plain: true,
-  surfaces: [{ value: 0.35, color: [1, 0.4, 0.2], opacity: 0.3 }, { value: 0.5, color: [0.2, 0.9, 0.5], opacity: 0.5 }, { value: 0.65, color: [1, 1, 0.9], opacity: 1 }],
+  surfaces: [
+    { value: 0.35, color: [1, 0.4, 0.2], opacity: 0.3 },
+    { value: 0.5, color: [0.2, 0.9, 0.5], opacity: 0.5 },
+    { value: 0.65, color: [1, 1, 0.9], opacity: 1 },
+  ],
 };
 
 const fog: View = (() => {
   const volume = syntheticVolume({ dimensions: [24, 20, 16] });
   const diagonal = longestDiagonal(volume.grid);
-  return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, [0, 0, 0], 0.6), stepLength: diagonal / 45 };
+  return {
+    volume,
+    camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, [0, 0, 0], 0.6),
+    stepLength: diagonal / 45,
+  };
 })();
 
 /** What is expected of a picture with a blue translucent and a green opaque box, 0..255; NaN beside edges of the boxes. */
 function expectBoxes(view: View, stages: Partial<ReferenceScene>): Float64Array {
   const rays = raysOf(view);
   const draw = (boxes: readonly Box[]): Float64Array => {
-    const nearest = (ray: Parameters<typeof meetBox>[1]): number => Math.min(...boxes.map((box) => meetBox(view.volume, ray, box)));
+    const nearest = (ray: Parameters<typeof meetBox>[1]): number =>
+      Math.min(...boxes.map((box) => meetBox(view.volume, ray, box)));
     return renderReference({ ...referenceOf(view, nearest), ...stages }, rays, width, height);
   };
   const [behind, before] = [draw([stone]), draw([stone, glass])];
-  const meets = (x: number, y: number, box: Box): number => meetBox(view.volume, rayThrough(rays, (2 * x + 1) / width - 1, 1 - (2 * y + 1) / height), box);
+  const meets = (x: number, y: number, box: Box): number =>
+    meetBox(view.volume, rayThrough(rays, (2 * x + 1) / width - 1, 1 - (2 * y + 1) / height), box);
   const kindAt = (x: number, y: number): number => {
     const [near, far] = [meets(x, y, glass), meets(x, y, stone)];
     return Number(near < far) + 2 * Number(Number.isFinite(far));
@@ -61,7 +74,8 @@ function expectBoxes(view: View, stages: Partial<ReferenceScene>): Float64Array 
     const [x, y] = [pixel % width, Math.floor(pixel / width)];
     const kind = kindAt(x, y);
     const isAtEdge = [-1, 0, 1].some((dx) => [-1, 0, 1].some((dy) => kindAt(x + dx, y + dy) !== kind));
-    const over = (part: Float64Array, color: readonly number[]): number => part[i] + (1 - part[4 * pixel + 3]) * color[c];
+    const over = (part: Float64Array, color: readonly number[]): number =>
+      part[i] + (1 - part[4 * pixel + 3]) * color[c];
     const without = over(behind, kind & 2 ? [0, 1, 0, 1] : [0, 0, 0, 0]);
     if (isAtEdge) return NaN;
     return 255 * (kind & 1 ? translucency * without + (1 - translucency) * over(before, [0, 0, 1, 1]) : without);
@@ -80,16 +94,22 @@ for (const webgl1 of [false, true]) {
         for (const maxCurvature of [0, 4]) {
           scene.setMaxCurvature(maxCurvature);
           const got = drawPicture(scene, plane);
-          const row = Array.from({ length: width }, (_, x) => Array.from(got.subarray(4 * (18 * width + x), 4 * (18 * width + x) + 4)));
+          const row = Array.from({ length: width }, (_, x) =>
+            Array.from(got.subarray(4 * (18 * width + x), 4 * (18 * width + x) + 4)),
+          );
           const bare = [255, 127.5, 0, 255];
           const veiled = [0.25 * 255, 0.25 * 127.5, 0.75 * 255, 255];
-          const isLike = (pixel: readonly number[], wanted: readonly number[]): boolean => pixel.every((x, c) => Math.abs(x - wanted[c]) <= 2);
+          const isLike = (pixel: readonly number[], wanted: readonly number[]): boolean =>
+            pixel.every((x, c) => Math.abs(x - wanted[c]) <= 2);
           const shown = row.map((pixel) => (isLike(pixel, veiled) ? 'v' : isLike(pixel, bare) ? 'b' : '?')).join('');
           // The sheet's left half, then the bare plane; what is drawn where the sheet passes through it may be either.
           expect(shown.slice(16, 32), shown).to.match(/^v{7}[vb]{2}b{7}$/);
         }
         expect(scene.adaptive).to.equal(true);
-        expect(Array.from(scene.readVolume()!.startJumps(1, false)().data).every((x) => x === 0), 'it ends no rays of the volume').to.equal(true);
+        expect(
+          Array.from(scene.readVolume()!.startJumps(1, false)().data).every((x) => x === 0),
+          'it ends no rays of the volume',
+        ).to.equal(true);
       });
     });
 
@@ -107,7 +127,9 @@ for (const webgl1 of [false, true]) {
           else worst = Math.max(worst, off);
           count++;
         });
-        console.log(`WebGL ${webgl1 ? 1 : 2}: ${grazing} of ${count} channels differ by more than 2, the others by ${worst.toFixed(2)} at most`);
+        console.log(
+          `WebGL ${webgl1 ? 1 : 2}: ${grazing} of ${count} channels differ by more than 2, the others by ${worst.toFixed(2)} at most`,
+        );
         expect(count / expected.length, 'share of the picture').to.be.above(0.7);
         expect(grazing, 'channels that differ').to.be.at.most(8);
       });

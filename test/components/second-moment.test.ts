@@ -19,24 +19,45 @@ function reflectivity(kind: SampleKind, phase = 0): PolarVolume {
     const value = full * (0.46 + 0.375 * Math.sin(azimuth / 40 + gate / 6 + phase));
     return azimuth < 60 || (gate % 7 === 3 && azimuth < 170) ? none : kind === 'float32' ? value : Math.round(value);
   };
-  return radarVolume({ beamWidth: 4, sweeps: sweeps.map((sweep) => ({ ...sweep, kind, slope: 120 / full, intercept: -32, stored })) });
+  return radarVolume({
+    beamWidth: 4,
+    sweeps: sweeps.map((sweep) => ({ ...sweep, kind, slope: 120 / full, intercept: -32, stored })),
+  });
 }
 
 /** It has none elsewhere. */
 const velocity = radarVolume({
-  beamWidth: 4, moments: [['VRADH', 'velocity']],
+  beamWidth: 4,
+  moments: [['VRADH', 'velocity']],
   sweeps: sweeps.map((sweep) => ({
-    ...sweep, nyquist: 16, slope: 0.125, intercept: -16,
-    stored: (azimuth: number, gate: number) => ((gate % 9 === 4 && azimuth > 200) || gate > 20 ? 0 : 1 + ((Math.round(2 * azimuth + 5 * gate) + 250) % 250)),
+    ...sweep,
+    nyquist: 16,
+    slope: 0.125,
+    intercept: -16,
+    stored: (azimuth: number, gate: number) =>
+      (gate % 9 === 4 && azimuth > 200) || gate > 20 ? 0 : 1 + ((Math.round(2 * azimuth + 5 * gate) + 250) % 250),
   })),
 });
 
-const colors = [{ value: -16, color: [0, 1, 0.6], opacity: 1 }, { value: 0, color: [0.5, 0.5, 0.5], opacity: 1 }, { value: 16, color: [1, 0.2, 0.1], opacity: 1 }] as const;
+const colors = [
+  { value: -16, color: [0, 1, 0.6], opacity: 1 },
+  { value: 0, color: [0.5, 0.5, 0.5], opacity: 1 },
+  { value: 16, color: [1, 0.2, 0.1], opacity: 1 },
+] as const;
 
 function viewOf(volume: PolarVolume): View {
   const diagonal = longestDiagonal(volume.grid);
-  const optics = { ...plainOptics, referenceLength: diagonal / 30, transferFunction: plainOptics.transferFunction.map((stop) => ({ ...stop, value: -32 + 80 * stop.value })) };
-  return { volume, camera: orbitCamera({ theta: 0.4, phi: 1, radius: 1.3 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 80, optics };
+  const optics = {
+    ...plainOptics,
+    referenceLength: diagonal / 30,
+    transferFunction: plainOptics.transferFunction.map((stop) => ({ ...stop, value: -32 + 80 * stop.value })),
+  };
+  return {
+    volume,
+    camera: orbitCamera({ theta: 0.4, phi: 1, radius: 1.3 * diagonal }, boundingSphere(volume.grid).center, 0.6),
+    stepLength: diagonal / 80,
+    optics,
+  };
 }
 
 for (const version of [2, 1] as const) {
@@ -44,7 +65,11 @@ for (const version of [2, 1] as const) {
     const scene = shareScene({ webgl1: version === 1 });
 
     const show = async (over: PolarVolume): Promise<View> => {
-      const overlay = overlayOf(over, velocity, { blend: 'color', missing: [0.55, 0.55, 0.55], transferFunction: colors });
+      const overlay = overlayOf(over, velocity, {
+        blend: 'color',
+        missing: [0.55, 0.55, 0.55],
+        transferFunction: colors,
+      });
       await scene().prepare(over);
       await scene().setOverlay(overlay);
       return { ...viewOf(over), overlay };

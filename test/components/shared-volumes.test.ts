@@ -17,10 +17,13 @@ interface Load {
 
 function start(): { shared: SharedVolumes; loads: Load[] } {
   const loads: Load[] = [];
-  const shared = new SharedVolumes((wanted, options) => new Promise((resolve, reject) => {
-    options.signal.addEventListener('abort', () => reject(options.signal.reason as Error));
-    loads.push({ request: wanted, options, end: resolve });
-  }));
+  const shared = new SharedVolumes(
+    (wanted, options) =>
+      new Promise((resolve, reject) => {
+        options.signal.addEventListener('abort', () => reject(options.signal.reason as Error));
+        loads.push({ request: wanted, options, end: resolve });
+      }),
+  );
   return { shared, loads };
 }
 
@@ -42,7 +45,11 @@ describe('volumes that several elements show', () => {
     const reported: LoadProgress[] = [];
     const volume = some();
     const first = shared.get({ name: 'first' }, request, quietly());
-    const second = shared.get({ name: 'second' }, { ...request }, { ...quietly(), onProgress: (progress) => reported.push(progress) });
+    const second = shared.get(
+      { name: 'second' },
+      { ...request },
+      { ...quietly(), onProgress: (progress) => reported.push(progress) },
+    );
     await turn();
     loads[0].options.onProgress(half);
     loads[0].end(volume);
@@ -83,7 +90,9 @@ describe('volumes that several elements show', () => {
     const { shared, loads } = start();
     const [firstStops, secondStops] = [new AbortController(), new AbortController()];
     const first = shared.get({ name: 'first' }, request, quietly(firstStops.signal)).catch((error: unknown) => error);
-    const second = shared.get({ name: 'second' }, request, quietly(secondStops.signal)).catch((error: unknown) => error);
+    const second = shared
+      .get({ name: 'second' }, request, quietly(secondStops.signal))
+      .catch((error: unknown) => error);
     const others = [1, 2].map((n) => shared.get({ name: `other ${n}` }, request, quietly()));
     await turn();
     secondStops.abort(new Error('gone'));
@@ -100,11 +109,16 @@ describe('volumes that several elements show', () => {
   it('fail for all who wait where they fail, and are not asked for once more', async () => {
     const requests: LoadRequest[] = [];
     let fail: (error: Error) => void = () => {};
-    const shared = new SharedVolumes((wanted) => new Promise((_, reject) => {
-      requests.push(wanted);
-      fail = reject;
-    }));
-    const all = [1, 2, 3].map((n) => shared.get({ name: String(n) }, request, quietly()).catch((error: Error) => error.message));
+    const shared = new SharedVolumes(
+      (wanted) =>
+        new Promise((_, reject) => {
+          requests.push(wanted);
+          fail = reject;
+        }),
+    );
+    const all = [1, 2, 3].map((n) =>
+      shared.get({ name: String(n) }, request, quietly()).catch((error: Error) => error.message),
+    );
     await turn();
     fail(new Error('stalled'));
     expect(await Promise.all(all)).to.deep.equal(['stalled', 'stalled', 'stalled']);
@@ -126,7 +140,7 @@ describe('volumes that several elements show', () => {
     expect(await again).to.equal(await other);
   });
 
-  it('are each element\'s own where the source has several scans', async () => {
+  it("are each element's own where the source has several scans", async () => {
     const { shared, loads } = start();
     const first = shared.get({ name: 'first' }, request, quietly());
     const second = shared.get({ name: 'second' }, request, quietly());

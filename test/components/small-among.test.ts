@@ -10,14 +10,25 @@ import { measureScene } from '../accuracy/small-page.ts';
 const minKept = 0.75;
 
 /** The kept shares of what counts. */
-function listKept({ pictures, minContrast }: { readonly pictures: readonly Pick<SeenThings, 'things'>[]; readonly minContrast: number }): number[] {
-  return pictures.flatMap(({ things }) => things.flatMap((thing) => (thing && thing.contrast >= minContrast ? [thing.kept] : [])));
+function listKept({
+  pictures,
+  minContrast,
+}: {
+  readonly pictures: readonly Pick<SeenThings, 'things'>[];
+  readonly minContrast: number;
+}): number[] {
+  return pictures.flatMap(({ things }) =>
+    things.flatMap((thing) => (thing && thing.contrast >= minContrast ? [thing.kept] : [])),
+  );
 }
 
 function expectAll(name: string, kept: readonly number[], fewest: number): void {
   console.log(`${name}: ${kept.length} things, at least ${(100 * Math.min(...kept)).toFixed(0)} % kept`);
   expect(kept.length, 'things that full rays show').to.be.at.least(fewest);
-  expect(kept.filter((share) => !(share >= minKept)), 'dimmed').to.deep.equal([]);
+  expect(
+    kept.filter((share) => !(share >= minKept)),
+    'dimmed',
+  ).to.deep.equal([]);
 }
 
 /** As x3dom sees Apple's systems, where it asks for WebGL 1. */
@@ -35,7 +46,12 @@ const cut = 'Specks in empty space, `cutout`';
 describe('the picture at rest of small things', function () {
   this.timeout(60_000);
 
-  for (const [name, fewest] of [[cut, 40], ['Specks in a veil, an oblique `<volume-clip>`', 20], ['Specks in a veil, on both sides of a plate', 20], ['Specks on a slice, 1.05 pixels a voxel', 50]] as const) {
+  for (const [name, fewest] of [
+    [cut, 40],
+    ['Specks in a veil, an oblique `<volume-clip>`', 20],
+    ['Specks in a veil, on both sides of a plate', 20],
+    ['Specks on a slice, 1.05 pixels a voxel', 50],
+  ] as const) {
     it(name, async () => {
       const result = await measureAmong(name, { angles: 1 });
       expect(result.webgl).to.equal(2);
@@ -49,13 +65,18 @@ describe('the picture at rest of small things', function () {
   });
 
   it('plain, in WebGL 1', async () => {
-    const result = await inWebGl1(() => measureScene('Plate of 1 voxel, almost from its edge', { angles: 1, doubts: false }));
+    const result = await inWebGl1(() =>
+      measureScene('Plate of 1 voxel, almost from its edge', { angles: 1, doubts: false }),
+    );
     expect(result.webgl).to.equal(1);
     expectAll('plain', listKept(result), 30);
   });
 
   it('cut, and with slices, in WebGL 1', async () => {
-    for (const [name, fewest] of [['Specks in a `region` that is 0.8 voxels thick', 40], ['Specks in a veil, on and before three slices', 15]] as const) {
+    for (const [name, fewest] of [
+      ['Specks in a `region` that is 0.8 voxels thick', 40],
+      ['Specks in a veil, on and before three slices', 15],
+    ] as const) {
       const result = await inWebGl1(() => measureAmong(name, { angles: 1 }));
       expect(result.webgl).to.equal(1);
       expectAll(name, listKept(result), fewest);

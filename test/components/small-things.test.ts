@@ -6,14 +6,25 @@ import { measureScene } from '../accuracy/small-page.ts';
 const minKept = 0.75;
 
 describe('the picture at rest of small things', () => {
-  for (const [name, fewest] of [['Specks of 1 voxel in a veil, large', 50], ['Specks of 1 voxel in empty space', 50], ['Specks of 1 voxel in a veil, small', 30], ['Plate of 1 voxel', 30], ['Wires of 1 voxel', 40]] as const) {
+  for (const [name, fewest] of [
+    ['Specks of 1 voxel in a veil, large', 50],
+    ['Specks of 1 voxel in empty space', 50],
+    ['Specks of 1 voxel in a veil, small', 30],
+    ['Plate of 1 voxel', 30],
+    ['Wires of 1 voxel', 40],
+  ] as const) {
     it(name, async function () {
       this.timeout(60_000);
       const { pictures, minContrast } = await measureScene(name, { angles: 1, doubts: false });
-      const kept = pictures.flatMap(({ things }) => things.flatMap((thing) => (thing && thing.contrast >= minContrast ? [thing.kept] : [])));
+      const kept = pictures.flatMap(({ things }) =>
+        things.flatMap((thing) => (thing && thing.contrast >= minContrast ? [thing.kept] : [])),
+      );
       console.log(`${name}: ${kept.length} things, at least ${(100 * Math.min(...kept)).toFixed(0)} % kept`);
       expect(kept.length, 'things that full rays show').to.be.at.least(fewest);
-      expect(kept.filter((share) => share < minKept), 'dimmed').to.deep.equal([]);
+      expect(
+        kept.filter((share) => share < minKept),
+        'dimmed',
+      ).to.deep.equal([]);
     });
   }
 });

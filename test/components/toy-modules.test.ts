@@ -13,7 +13,17 @@ import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { x3dScenes } from '../../components/internal/x3d-scenes.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { isEdge, listOff } from '../helpers/edges.ts';
-import { comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, stagesOfView, width, withScene } from '../helpers/picture.ts';
+import {
+  comparePictures,
+  drawPicture,
+  drawReference,
+  height,
+  plainOptics,
+  raysOf,
+  stagesOfView,
+  width,
+  withScene,
+} from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -28,7 +38,8 @@ function nearestAbove(threshold: number): RayModule<'gather'> {
     name: 'nearestAbove',
     stage: 'gather',
     defines: {},
-    chunks: [`
+    chunks: [
+      `
 uniform float uThreshold;
 struct Gathered { float at; };
 Gathered beginGathering() { return Gathered(-1.0); }
@@ -42,7 +53,8 @@ bool isSettled(Gathered gathered) { return gathered.at >= 0.0; }
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) { return 1.0; }
 Ahead lookAhead(CellRay cells, float number, Gathered gathered) { return Ahead(0.0, 1.0); }
 vec4 finishGathering(Gathered gathered, Path path) { return gathered.at < 0.0 ? vec4(0.0) : vec4(vec3(gathered.at / path.total), 1.0); }
-`],
+`,
+    ],
     samplers: [],
     sparesRays: false,
     order: 2,
@@ -51,21 +63,29 @@ vec4 finishGathering(Gathered gathered, Path path) { return gathered.at < 0.0 ? 
   };
 }
 
-const nearestAboveTwin = (threshold: number): GatherStage => () => {
-  let at = -1;
-  return {
-    add: ({ front, back, begin, span }) => {
-      if (at >= 0 || !front.valid || !back.valid || Math.max(front.value, back.value) < threshold) return;
-      at = begin + (front.value >= threshold ? 0 : (threshold - front.value) / (back.value - front.value)) * span;
-    },
-    chooseSubsteps: () => 1,
-    finish: (path) => (path && at >= 0 ? [at / path.total, at / path.total, at / path.total, 1] : [0, 0, 0, 0]),
+const nearestAboveTwin =
+  (threshold: number): GatherStage =>
+  () => {
+    let at = -1;
+    return {
+      add: ({ front, back, begin, span }) => {
+        if (at >= 0 || !front.valid || !back.valid || Math.max(front.value, back.value) < threshold) return;
+        at = begin + (front.value >= threshold ? 0 : (threshold - front.value) / (back.value - front.value)) * span;
+      },
+      chooseSubsteps: () => 1,
+      finish: (path) => (path && at >= 0 ? [at / path.total, at / path.total, at / path.total, 1] : [0, 0, 0, 0]),
+    };
   };
-};
 
 /** A field that knows how high a place is, beside its value. */
 const heightModule: RayModule<'field'> = {
-  name: 'height', stage: 'field', defines: {}, members: ['float height'], samplers: [], sparesRays: true, order: Infinity,
+  name: 'height',
+  stage: 'field',
+  defines: {},
+  members: ['float height'],
+  samplers: [],
+  sparesRays: true,
+  order: Infinity,
   chunks: ['Sample heightField(vec3 p, Sample known) { known.height = p.z; return known; }\n'],
   inputs: () => nothing,
   twin: twinOf(here, () => ({ moreFields: [(place, known) => ({ ...known, height: place[2] })] })),
@@ -73,14 +93,21 @@ const heightModule: RayModule<'field'> = {
 
 /** Redder the higher. */
 const redden: RayModule<'shade'> = {
-  name: 'redden', stage: 'shade', defines: {}, samplers: [], sparesRays: true, order: 2,
-  chunks: [`
+  name: 'redden',
+  stage: 'shade',
+  defines: {},
+  samplers: [],
+  sparesRays: true,
+  order: 2,
+  chunks: [
+    `
 uniform float uRedness;
 vec4 reddenShade(Segment segment, vec4 seen) {
   float height = 0.5 * (segment.front.height + segment.back.height);
   return vec4(mix(seen.rgb, vec3(seen.a, 0.0, 0.0), uRedness * height), seen.a);
 }
-`],
+`,
+  ],
   inputs: () => ({ uniforms: { uRedness: 0.8 }, units: [] }),
   twin: twinOf(here, () => ({ shades: [reddenTwin] })),
 };
@@ -93,7 +120,11 @@ const reddenTwin: ShadeStage = ({ front, back }, [red, green, blue, alpha]) => {
 
 const volume = syntheticVolume({ dimensions: [24, 20, 16], kind: 'uint16' });
 const diagonal = longestDiagonal(volume.grid);
-const view: View = { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 50 };
+const view: View = {
+  volume,
+  camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6),
+  stepLength: diagonal / 50,
+};
 const rays = raysOf(view);
 
 const tintTwin: ShadeStage = (_, [red, green, blue, alpha]) => {
@@ -104,13 +135,20 @@ const tintTwin: ShadeStage = (_, [red, green, blue, alpha]) => {
 
 /** Redder, and of a quarter of the depth: which a pick tells. */
 const tint: RayModule<'shade'> = {
-  name: 'tint', stage: 'shade', defines: {}, samplers: [], sparesRays: true, order: 2,
-  chunks: [`
+  name: 'tint',
+  stage: 'shade',
+  defines: {},
+  samplers: [],
+  sparesRays: true,
+  order: 2,
+  chunks: [
+    `
 vec4 tintShade(Segment segment, vec4 seen) {
   float opacity = 1.0 - pow(1.0 - seen.a, 0.25);
   return seen.a > 0.0 ? vec4(opacity, seen.gb * (opacity / seen.a), opacity) : seen;
 }
-`],
+`,
+  ],
   inputs: () => nothing,
   twin: twinOf(here, () => ({ shades: [tintTwin] })),
 };
@@ -124,20 +162,23 @@ describe('modules of others', () => {
     const reported = { ...view, modules };
     const stages = stagesOfView(reported);
     for (const version of [2, 1] as const) {
-      it(`${name}, and draw what their twins say, in WebGL ${version}`, () => withScene({ webgl1: version === 1 }, (scene) => {
-        const before = drawPicture(scene, view);
-        scene.layers[0].setModules(modules);
-        const got = drawPicture(scene, view);
-        const expected = drawReference(reported);
-        const edges = new Set([...listOff(got, expected)].filter((pixel) => isEdge(stages, rays, pixel)));
-        const { worst, rmse } = comparePictures(got, expected, (pixel) => edges.has(pixel));
-        console.log(`WebGL ${version} ${modules.map((module) => module.name).join(', ')}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${edges.size} pixels left out`);
-        expect(worst).to.be.at.most(2);
-        expect(edges.size).to.be.below(0.01 * width * height);
-        expect(comparePictures(got, before).worst, 'it is another picture').to.be.above(20);
-        scene.layers[0].setModules([]);
-        expect(comparePictures(drawPicture(scene, view), before).worst, 'afterwards').to.equal(0);
-      }));
+      it(`${name}, and draw what their twins say, in WebGL ${version}`, () =>
+        withScene({ webgl1: version === 1 }, (scene) => {
+          const before = drawPicture(scene, view);
+          scene.layers[0].setModules(modules);
+          const got = drawPicture(scene, view);
+          const expected = drawReference(reported);
+          const edges = new Set([...listOff(got, expected)].filter((pixel) => isEdge(stages, rays, pixel)));
+          const { worst, rmse } = comparePictures(got, expected, (pixel) => edges.has(pixel));
+          console.log(
+            `WebGL ${version} ${modules.map((module) => module.name).join(', ')}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${edges.size} pixels left out`,
+          );
+          expect(worst).to.be.at.most(2);
+          expect(edges.size).to.be.below(0.01 * width * height);
+          expect(comparePictures(got, before).worst, 'it is another picture').to.be.above(20);
+          scene.layers[0].setModules([]);
+          expect(comparePictures(drawPicture(scene, view), before).worst, 'afterwards').to.equal(0);
+        }));
     }
   }
 });
@@ -152,11 +193,18 @@ async function withViewer(use: (viewer: Viewer, scene: VolumeScene) => Promise<v
   document.body.append(host);
   const visibility = new Visibility(() => {});
   const failures: unknown[] = [];
-  const viewer = new Viewer({ host, container, visibility, scenes: x3dScenes }, { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: (error) => failures.push(error) });
+  const viewer = new Viewer(
+    { host, container, visibility, scenes: x3dScenes },
+    { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: (error) => failures.push(error) },
+  );
   viewer.setQuality({ steps: 60, maxError: 1, targetFps: 30 });
   try {
     await visibility.ask(async () => {
-      await viewer.show(volume, { ...plainOptics, window: [0, 1], projection: null, shading: 'unlit', surfaces: null }, () => noCuts);
+      await viewer.show(
+        volume,
+        { ...plainOptics, window: [0, 1], projection: null, shading: 'unlit', surfaces: null },
+        () => noCuts,
+      );
       await viewer.redraw();
       await use(viewer, viewer.pictures.parts.controller.scene as VolumeScene);
     });
@@ -192,13 +240,16 @@ describe('a module that is added to the list of a layer', () => {
       await show([{ ...tint, twin: twinOf(here, () => ({})) }]);
       expect((await checkPicture(viewer))!.agrees, 'what it is in float64 counts').to.equal(false);
 
-      expect(comparePictures(await show([]), before).worst, 'it is gone; another number of steps may be enough').to.be.at.most(1);
+      expect(
+        comparePictures(await show([]), before).worst,
+        'it is gone; another number of steps may be enough',
+      ).to.be.at.most(1);
       expect(await opacityOf(), 'from picks too').to.equal(opacity);
 
       await show([tint]);
       const tinted = await opacityOf();
       viewer.pictures.parts.controller.leave();
-      expect(viewer.pictures.parts.controller.scene, 'its context is another view\'s').to.equal(null);
+      expect(viewer.pictures.parts.controller.scene, "its context is another view's").to.equal(null);
       expect(await opacityOf(), 'the picture that stands there is picked').to.be.closeTo(tinted, 1e-9);
     });
   });

@@ -14,9 +14,16 @@ import { syntheticVolume } from '../helpers/synthetic.ts';
 const volume = syntheticVolume({ dimensions: [8, 8, 8] });
 const optics: VolumeOptics = {
   window: [0, 1],
-  projection: null, shading: 'unlit', surfaces: null,
-  transferFunction: [{ value: 0, color: [0, 0, 0], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 1 }],
-  referenceLength: 1, opacityFactor: 1, lightFactor: 1,
+  projection: null,
+  shading: 'unlit',
+  surfaces: null,
+  transferFunction: [
+    { value: 0, color: [0, 0, 0], opacity: 0 },
+    { value: 1, color: [1, 1, 1], opacity: 1 },
+  ],
+  referenceLength: 1,
+  opacityFactor: 1,
+  lightFactor: 1,
 };
 
 /** A scene without a picture, which counts what it is told. */
@@ -149,7 +156,9 @@ class FakeFactory implements SceneFactory {
 }
 
 /** A viewer in the page, that a script asks for. */
-async function withViewer(use: (parts: { viewer: Viewer; scenes: FakeFactory; stats: RenderStats[]; failures: unknown[] }) => Promise<void>): Promise<void> {
+async function withViewer(
+  use: (parts: { viewer: Viewer; scenes: FakeFactory; stats: RenderStats[]; failures: unknown[] }) => Promise<void>,
+): Promise<void> {
   const host = document.createElement('div');
   host.style.cssText = 'width: 40px; height: 30px';
   const container = document.createElement('div');
@@ -159,12 +168,15 @@ async function withViewer(use: (parts: { viewer: Viewer; scenes: FakeFactory; st
   const stats: RenderStats[] = [];
   const failures: unknown[] = [];
   const visibility = new Visibility(() => {});
-  const viewer = new Viewer({ host, container, visibility, scenes }, {
-    rendered: (one) => stats.push(one),
-    cameraMoved: () => {},
-    labelRing: () => '',
-    drawingFailed: (error) => failures.push(error),
-  });
+  const viewer = new Viewer(
+    { host, container, visibility, scenes },
+    {
+      rendered: (one) => stats.push(one),
+      cameraMoved: () => {},
+      labelRing: () => '',
+      drawingFailed: (error) => failures.push(error),
+    },
+  );
   viewer.setQuality({ steps: 40, maxError: 1, targetFps: 30 });
   try {
     await visibility.ask(() => use({ viewer, scenes, stats, failures }));
@@ -199,7 +211,10 @@ describe('the viewer', () => {
       await viewer.show(volume, optics, () => noCuts);
       await viewer.settled();
       const { widths } = scenes.made[0];
-      expect(widths.every((width, i) => i === 0 || width >= widths[i - 1]), widths.join(' ')).to.equal(true);
+      expect(
+        widths.every((width, i) => i === 0 || width >= widths[i - 1]),
+        widths.join(' '),
+      ).to.equal(true);
       expect([widths[0] < widths.at(-1)!, stats.at(-1)!.converged]).to.deep.equal([true, true]);
     }));
 
@@ -238,7 +253,10 @@ describe('the viewer', () => {
       await viewer.settled();
       const [scene] = scenes.made;
       expect(scene.projections).to.deep.equal(['max']);
-      await Promise.all([viewer.setOptics({ ...optics, projection: 'min' }), viewer.setOptics({ ...optics, projection: 'average' })]);
+      await Promise.all([
+        viewer.setOptics({ ...optics, projection: 'min' }),
+        viewer.setOptics({ ...optics, projection: 'average' }),
+      ]);
       await viewer.setOptics({ ...optics, projection: 'average', lightFactor: 2 });
       expect(scene.projections).to.deep.equal(['max', 'min', 'average']);
       expect(viewer.optics?.projection).to.equal('average');

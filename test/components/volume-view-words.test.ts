@@ -10,7 +10,11 @@ import { registerTranslation } from '../../src/messages/locale-controller.ts';
 registerTranslation('nl', {
   cameraKeys: 'Pijltjes draaien het.',
   volumePicture: 'Beeld van een volume',
-  errors: { ...english.errors, attribute: 'Een instelling is onleesbaar.', 'source/not-found': 'Het bestand ontbreekt.' },
+  errors: {
+    ...english.errors,
+    attribute: 'Een instelling is onleesbaar.',
+    'source/not-found': 'Het bestand ontbreekt.',
+  },
 });
 
 let view: VolumeView;
@@ -24,7 +28,8 @@ afterEach(() => document.body.replaceChildren());
 
 const inside = (selector: string): Element => view.shadowRoot!.querySelector(selector)!;
 const hasState = (name: string): boolean => view.matches(`:state(${name})`);
-const eventOf = (type: string): Promise<Event> => new Promise((resolve) => view.addEventListener(type, resolve, { once: true }));
+const eventOf = (type: string): Promise<Event> =>
+  new Promise((resolve) => view.addEventListener(type, resolve, { once: true }));
 
 describe('the states of <volume-view>', () => {
   it('are loading while a file comes, and error where it does not', async () => {
@@ -60,15 +65,21 @@ describe('the states of <volume-view>', () => {
 describe('the words of <volume-view>', () => {
   it('are those of the nearest lang, and follow it', async () => {
     await view.updateComplete;
-    expect([inside('.picture').ariaLabel, inside('#keys').textContent]).to.deep.equal([english.volumePicture, english.cameraKeys]);
+    expect([inside('.picture').ariaLabel, inside('#keys').textContent]).to.deep.equal([
+      english.volumePicture,
+      english.cameraKeys,
+    ]);
     document.body.lang = 'nl';
     await new Promise((resolve) => setTimeout(resolve)); // Observers call back before it.
     await view.updateComplete;
-    expect([inside('.picture').ariaLabel, inside('#keys').textContent]).to.deep.equal(['Beeld van een volume', 'Pijltjes draaien het.']);
+    expect([inside('.picture').ariaLabel, inside('#keys').textContent]).to.deep.equal([
+      'Beeld van een volume',
+      'Pijltjes draaien het.',
+    ]);
     document.body.lang = '';
   });
 
-  it('say what went wrong to a reader, and in English to the page\'s author', async () => {
+  it("say what went wrong to a reader, and in English to the page's author", async () => {
     view.lang = 'nl';
     const failed = eventOf('error');
     view.setAttribute('steps', 'lots');
@@ -85,12 +96,16 @@ describe('the words of <volume-view>', () => {
       'https://a.example/b/scan.nii.gz?token=x/y#z/q got 404': 'b/scan.nii.gz got 404',
       'not from https://a.example/lib/x3dom.js. Put it there': 'not from lib/x3dom.js. Put it there',
       'the file of "https://a.example/b/c.nii": x': 'the file of "b/c.nii": x',
-      'file:///home/me/a.nii can not be read from https://a.example; expected': 'me/a.nii can not be read from https://a.example; expected',
+      'file:///home/me/a.nii can not be read from https://a.example; expected':
+        'me/a.nii can not be read from https://a.example; expected',
       'src got "a/b.nii"; expected a URL': 'src got "a/b.nii"; expected a URL',
     };
     for (const [message, expected] of Object.entries(shown)) {
       const place = document.createElement('div');
-      render(renderError(new VolumeViewError('source/not-found', message), english, () => {}), place);
+      render(
+        renderError(new VolumeViewError('source/not-found', message), english, () => {}),
+        place,
+      );
       expect(place.querySelectorAll('p')[1].textContent).to.equal(expected);
     }
   });

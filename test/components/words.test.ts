@@ -13,11 +13,17 @@ registerTranslation('nl', {
   noView: (id) => (id === null ? 'Hier is geen <volume-view>.' : `Hier is geen <volume-view id="${id}">.`),
   play: 'Afspelen',
   previousScan: 'Vorige scan',
-  slice: { axial: 'Axiale doorsnede', coronal: 'Coronale doorsnede', sagittal: 'Sagittale doorsnede', oblique: 'Schuine doorsnede' },
+  slice: {
+    axial: 'Axiale doorsnede',
+    coronal: 'Coronale doorsnede',
+    sagittal: 'Sagittale doorsnede',
+    oblique: 'Schuine doorsnede',
+  },
 });
 
 const textOf = (element: Element | null): string => element!.shadowRoot!.textContent.replace(/\s+/g, ' ').trim();
-const labelsOf = (element: Element): (string | null)[] => [...element.shadowRoot!.querySelectorAll('button')].map((button) => button.getAttribute('aria-label'));
+const labelsOf = (element: Element): (string | null)[] =>
+  [...element.shadowRoot!.querySelectorAll('button')].map((button) => button.getAttribute('aria-label'));
 
 /** Put HTML in the page; returns what holds it. */
 async function show(html: string): Promise<HTMLElement> {
@@ -37,7 +43,9 @@ describe('a second language', () => {
   afterEach(() => document.body.replaceChildren());
 
   it('is spoken where the nearest lang names it, with English for what it lacks', async () => {
-    const place = await show('<section lang="nl-BE"><volume-timeline></volume-timeline></section><volume-timeline lang="en"></volume-timeline>');
+    const place = await show(
+      '<section lang="nl-BE"><volume-timeline></volume-timeline></section><volume-timeline lang="en"></volume-timeline>',
+    );
     const [dutch, englishOne] = place.querySelectorAll<VolumeTimeline>('volume-timeline');
     expect(labelsOf(dutch)).to.deep.equal(['Vorige scan', 'Afspelen', english.nextScan]);
     expect(labelsOf(englishOne)).to.deep.equal([english.previousScan, english.play, english.nextScan]);
@@ -89,7 +97,8 @@ describe('a language of the package', () => {
 
   /** Its file has come. */
   const until = async (holds: () => boolean): Promise<void> => {
-    for (const end = Date.now() + 20_000; !holds() && Date.now() < end;) await new Promise((resolve) => setTimeout(resolve, 20));
+    for (const end = Date.now() + 20_000; !holds() && Date.now() < end;)
+      await new Promise((resolve) => setTimeout(resolve, 20));
   };
 
   it('comes by itself where lang names it, and goes with it', async () => {

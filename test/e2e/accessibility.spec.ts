@@ -1,7 +1,18 @@
 import type { Page } from '@playwright/test';
 import { findFaults } from './helpers/axe.ts';
 import { files } from './helpers/data.ts';
-import { compare, expect, fieldUrl, networkLines, open, settle, takeScreenshot, keptTest as test, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  fieldUrl,
+  networkLines,
+  open,
+  settle,
+  takeScreenshot,
+  keptTest as test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 import { serveSlowly } from './helpers/slow-server.ts';
 

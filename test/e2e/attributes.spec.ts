@@ -1,4 +1,17 @@
-import { ballUrl, compare, expect, fieldUrl, open, setAttributes, settle, sharePage, takePicture, takeScreenshot, keptTest as test, withElement } from './helpers/harness.ts';
+import {
+  ballUrl,
+  compare,
+  expect,
+  fieldUrl,
+  open,
+  setAttributes,
+  settle,
+  sharePage,
+  takePicture,
+  takeScreenshot,
+  keptTest as test,
+  withElement,
+} from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 import { attributesOf, plainAttributes } from './helpers/reference.ts';
 
@@ -11,13 +24,22 @@ const changes: Record<string, { set: Record<string, string>; expected: (now: Mea
     set: { 'transfer-function': '0.15 #000 0, 0.8 #00f 10%' },
     expected: ([red, green, blue]) => red === 0 && green === 0 && blue > 10,
   },
-  'transfer-function, a preset': { set: { 'transfer-function': 'viridis', 'value-window': '0.1 0.9' }, expected: ([red, green]) => green > red },
+  'transfer-function, a preset': {
+    set: { 'transfer-function': 'viridis', 'value-window': '0.1 0.9' },
+    expected: ([red, green]) => green > red,
+  },
   'transfer-function, a part of the window': {
     set: { 'transfer-function': '0% #000 0, 100% #0f0 10%', 'value-window': '0.5 0.9' },
     expected: ([red, green, blue]) => red === 0 && blue === 0 && green > 1,
   },
-  'opacity-factor': { set: { 'opacity-factor': '0.2' }, expected: (now, before) => now[3] < before[3] * 0.7 && now[3] > before[3] * 0.1 },
-  'light-factor': { set: { 'light-factor': '0.5' }, expected: (now, before) => Math.abs(now[0] - before[0] / 2) < 1 && Math.abs(now[3] - before[3]) < 0.1 },
+  'opacity-factor': {
+    set: { 'opacity-factor': '0.2' },
+    expected: (now, before) => now[3] < before[3] * 0.7 && now[3] > before[3] * 0.1,
+  },
+  'light-factor': {
+    set: { 'light-factor': '0.5' },
+    expected: (now, before) => Math.abs(now[0] - before[0] / 2) < 1 && Math.abs(now[3] - before[3]) < 0.1,
+  },
   'reference-length': { set: { 'reference-length': '4' }, expected: (now, before) => now[3] < before[3] * 0.8 },
   steps: { set: { steps: '1' }, expected: (now, before) => Math.abs(now[3] - before[3]) < 12 },
   spacing: { set: { spacing: '1 1.5 1' }, expected: (now, before) => now[3] < before[3] },
@@ -28,23 +50,30 @@ const changes: Record<string, { set: Record<string, string>; expected: (now: Mea
 test.describe('each alone', () => {
   const sharedPage = sharePage(plain);
 
-  for (const [name, { set, expected }] of Object.entries(changes)) test(`${name} changes the picture, and back`, async () => {
-    const page = sharedPage();
-    const before = await takePicture(page);
-    const old = await page.locator('volume-view').evaluate(
-      (element, names) => Object.fromEntries(names.map((n) => [n, element.getAttribute(n)])),
-      Object.keys(set),
-    );
-    await setAttributes(page, set);
-    const now = await takePicture(page);
-    expect(compare(now, before).worst).toBeGreaterThan(5);
-    expect(expected(meanOf(now), meanOf(before)), `${meanOf(now).join(' ')} after ${meanOf(before).join(' ')}`).toBe(true);
-    await setAttributes(page, old);
-    expect(compare(await takePicture(page), before).worst).toBe(0);
-  });
+  for (const [name, { set, expected }] of Object.entries(changes))
+    test(`${name} changes the picture, and back`, async () => {
+      const page = sharedPage();
+      const before = await takePicture(page);
+      const old = await page
+        .locator('volume-view')
+        .evaluate(
+          (element, names) => Object.fromEntries(names.map((n) => [n, element.getAttribute(n)])),
+          Object.keys(set),
+        );
+      await setAttributes(page, set);
+      const now = await takePicture(page);
+      expect(compare(now, before).worst).toBeGreaterThan(5);
+      expect(expected(meanOf(now), meanOf(before)), `${meanOf(now).join(' ')} after ${meanOf(before).join(' ')}`).toBe(
+        true,
+      );
+      await setAttributes(page, old);
+      expect(compare(await takePicture(page), before).worst).toBe(0);
+    });
 });
 
-test('a projection shows the smallest, the mean or the largest value of each ray, and none is as before', async ({ page }) => {
+test('a projection shows the smallest, the mean or the largest value of each ray, and none is as before', async ({
+  page,
+}) => {
   await open(page, plain);
   const before = await takePicture(page);
   const opacities: number[] = [];
@@ -81,17 +110,25 @@ test.describe('of several changes in a row the last one holds', () => {
   const slow = 'magma';
   const { 'transfer-function': quick } = plainAttributes;
 
-  for (const [name, first, second] of [['quick after slow', slow, quick], ['quick after wrong', 'rainbow', quick], ['quick, slow, quick', `${quick}, 1 red 1`, slow]]) {
+  for (const [name, first, second] of [
+    ['quick after slow', slow, quick],
+    ['quick after wrong', 'rainbow', quick],
+    ['quick, slow, quick', `${quick}, 1 red 1`, slow],
+  ]) {
     test(name, async ({ page }) => {
       await open(page, plain);
       const before = await takePicture(page);
-      await withElement(page, async (element, values) => {
-        for (const value of values) {
-          element.transferFunction = value;
-          await element.updateComplete;
-        }
-        await element.whenRendered();
-      }, { argument: [first, second, quick] });
+      await withElement(
+        page,
+        async (element, values) => {
+          for (const value of values) {
+            element.transferFunction = value;
+            await element.updateComplete;
+          }
+          await element.whenRendered();
+        },
+        { argument: [first, second, quick] },
+      );
       expect(compare(await takePicture(page), before).worst).toBe(0);
       await expect(page.getByRole('alert')).toHaveCount(0);
     });
@@ -105,19 +142,25 @@ test.describe('of several changes in a row the last one holds', () => {
       await settle(page);
       // At every moment of a load in turn: so many steps of the event loop after its start.
       for (let ticks = 0; ticks < 12; ticks++) {
-        const width = await withElement(page, async (element, [url, count]) => {
-          element.transferFunction = '0.15 #000 0, 0.8 #00f 10%';
-          element.src = '/test/e2e/pages/data/field.nii';
-          await element.whenRendered();
-          element.src = url;
-          await element.updateComplete;
-          for (let i = 0; i < count; i++) await new Promise((resolve) => setTimeout(resolve));
-          element.transferFunction = '0.15 #000 0, 0.8 #0f0 10%';
-          await element.whenRendered().catch(() => {});
-          return element.volume!.dimensions[0];
-        }, { argument: [src, ticks] as const });
+        const width = await withElement(
+          page,
+          async (element, [url, count]) => {
+            element.transferFunction = '0.15 #000 0, 0.8 #00f 10%';
+            element.src = '/test/e2e/pages/data/field.nii';
+            await element.whenRendered();
+            element.src = url;
+            await element.updateComplete;
+            for (let i = 0; i < count; i++) await new Promise((resolve) => setTimeout(resolve));
+            element.transferFunction = '0.15 #000 0, 0.8 #0f0 10%';
+            await element.whenRendered().catch(() => {});
+            return element.volume!.dimensions[0];
+          },
+          { argument: [src, ticks] as const },
+        );
         expect(width).toBe(src === ballUrl ? 12 : 24);
-        await page.addStyleTag({ content: 'volume-view { background: black } volume-view::part(error) { display: none }' });
+        await page.addStyleTag({
+          content: 'volume-view { background: black } volume-view::part(error) { display: none }',
+        });
         const [, g, b] = meanOf(await takeScreenshot(page));
         expect(g, `green after ${ticks} ticks`).toBeGreaterThan(0.4);
         expect(b, `blue after ${ticks} ticks`).toBe(0);
@@ -162,10 +205,11 @@ test('max-error is kept by as coarse a picture as will do, and the picture state
   const peaks = '0.3 #c63 0, 0.31 #c63 60%, 0.32 #c63 0, 0.6 #ffc 0, 0.61 #ffc 60%, 0.62 #ffc 0';
   await open(page, plain.replace('steps="30"', 'max-error="40"').replace(plainAttributes['transfer-function'], peaks));
   await settle(page);
-  const read = () => withElement(page, async (element) => {
-    await element.whenRendered();
-    return element.renderStats!;
-  });
+  const read = () =>
+    withElement(page, async (element) => {
+      await element.whenRendered();
+      return element.renderStats!;
+    });
   const loose = await read();
   expect(loose.error!.rms).toBeLessThanOrEqual(40);
   expect(loose.keepsMaxError).toBe(true);
@@ -208,5 +252,11 @@ test('with no attribute at all the subject is seen and the air is not', async ({
   const picture = await takePicture(page);
   const alphaAt = (x: number, y: number): number => picture.data[(y * picture.width + x) * 4 + 3];
   expect(alphaAt(60, 45)).toBeGreaterThan(60);
-  for (const [x, y] of [[5, 5], [114, 5], [5, 84], [114, 84]]) expect(alphaAt(x, y)).toBe(0);
+  for (const [x, y] of [
+    [5, 5],
+    [114, 5],
+    [5, 84],
+    [114, 84],
+  ])
+    expect(alphaAt(x, y)).toBe(0);
 });

@@ -12,7 +12,7 @@ async function change(page: Page, act: (element: Element, text: string) => void,
   return takePicture(page);
 }
 
-test.describe('the author\'s X3D', () => {
+test.describe("the author's X3D", () => {
   test('is in the picture, within and before and behind the volume', async ({ page }) => {
     await open(page, plain.replace('></volume-view>', `>${shape('0 1 0')}</volume-view>`));
     const picture = await takePicture(page);
@@ -36,17 +36,22 @@ test.describe('the author\'s X3D', () => {
     await waitForEvent(page, 'render', { since: (await seenEvents(page)).length - 1 });
     await expect.poll(async () => countGreen(await takePicture(page))).toBeGreaterThan(40);
     const green = await takePicture(page);
-    const blue = await change(page, (element) => element.querySelector('#paint')!.setAttribute('emissivecolor', '0 0 1'));
+    const blue = await change(page, (element) =>
+      element.querySelector('#paint')!.setAttribute('emissivecolor', '0 0 1'),
+    );
     expect(countGreen(blue)).toBe(0);
     expect(compare(blue, green).worst).toBeGreaterThan(200);
-    const moved = await change(page, (element) => element.querySelector('#place')!.setAttribute('translation', '12 0 0'));
+    const moved = await change(page, (element) =>
+      element.querySelector('#place')!.setAttribute('translation', '12 0 0'),
+    );
     expect(compare(moved, blue).worst).toBeGreaterThan(200);
     const removed = await change(page, (element) => element.querySelector('#place')!.remove());
     expect(compare(removed, bare).worst).toBe(0);
   });
 
   test('may be a light', async ({ page }) => {
-    const lit = '<shape><appearance><material diffusecolor="0.3 0.3 0.3" ambientintensity="0"></material></appearance><box size="8 40 8"></box></shape>';
+    const lit =
+      '<shape><appearance><material diffusecolor="0.3 0.3 0.3" ambientintensity="0"></material></appearance><box size="8 40 8"></box></shape>';
     await open(page, plain.replace('></volume-view>', `>${lit}</volume-view>`));
     const before = meanOf(await takePicture(page));
     await page.evaluate(() => {
@@ -64,10 +69,14 @@ test.describe('the author\'s X3D', () => {
     test.use({ allowedLines: /light> .*was left out of the picture: direction got/ });
 
     test('is drawn without that light, which the console says', async ({ page, lines }) => {
-      const box = '<shape><appearance><material diffusecolor="0.3 0.3 0.3"></material></appearance><box size="8 40 8"></box></shape>';
-      const lamp = (direction: string, kind = 'directional'): string => `<${kind}light id="lamp" direction="${direction}" color="1 0 0"></${kind}light>`;
-      const put = (light: string): Promise<Picture> => change(page, (element, html) => (element.innerHTML = html), `<group>${light}${box}</group>`);
-      const turn = (direction: string): Promise<Picture> => change(page, (element, text) => element.querySelector('#lamp')!.setAttribute('direction', text), direction);
+      const box =
+        '<shape><appearance><material diffusecolor="0.3 0.3 0.3"></material></appearance><box size="8 40 8"></box></shape>';
+      const lamp = (direction: string, kind = 'directional'): string =>
+        `<${kind}light id="lamp" direction="${direction}" color="1 0 0"></${kind}light>`;
+      const put = (light: string): Promise<Picture> =>
+        change(page, (element, html) => (element.innerHTML = html), `<group>${light}${box}</group>`);
+      const turn = (direction: string): Promise<Picture> =>
+        change(page, (element, text) => element.querySelector('#lamp')!.setAttribute('direction', text), direction);
       const reported = (direction: string, kind = 'directional'): string =>
         `warning: <volume-view>: <${kind}light> (id "lamp") was left out of the picture: direction got "${direction}"; expected three numbers, not all of them 0, like "0 -1 0".`;
       const said = (): string[] => lines.splice(0).filter((line) => line.includes('left out'));

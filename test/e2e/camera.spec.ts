@@ -1,7 +1,22 @@
 import type { Page } from '@playwright/test';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { Orbit } from '../../src/optics/rays/camera.ts';
-import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, sharePage, takePicture, keptTest as test, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  forgetEvents,
+  open,
+  seenEvents,
+  setAttributes,
+  settle,
+  sharePage,
+  takePicture,
+  keptTest as test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { attributesOf, drawReference, plainOrbit } from './helpers/reference.ts';
 import { line, touch } from './helpers/touch.ts';
 
@@ -40,18 +55,19 @@ test.describe('keyboard', () => {
   test.describe('one key after the other', () => {
     const sharedPage = sharePage(plain);
 
-    for (const [key, check] of Object.entries(turns)) test(`${key} moves the camera, 0 brings it back`, async () => {
-      const page = sharedPage();
-      await page.mouse.click(400, 400); // Beside the element, where Tab begins anew.
-      await page.keyboard.press('Tab');
-      await page.keyboard.press(key);
-      const orbit = await readOrbit(page);
-      check(orbit);
-      await expectPictureFrom(page, orbit);
-      await page.keyboard.press('0');
-      await settle(page);
-      await expectPictureFrom(page, plainOrbit);
-    });
+    for (const [key, check] of Object.entries(turns))
+      test(`${key} moves the camera, 0 brings it back`, async () => {
+        const page = sharedPage();
+        await page.mouse.click(400, 400); // Beside the element, where Tab begins anew.
+        await page.keyboard.press('Tab');
+        await page.keyboard.press(key);
+        const orbit = await readOrbit(page);
+        check(orbit);
+        await expectPictureFrom(page, orbit);
+        await page.keyboard.press('0');
+        await settle(page);
+        await expectPictureFrom(page, plainOrbit);
+      });
   });
 
   test('other keys, and shortcuts of the browser, are left alone', async ({ page }) => {
@@ -143,7 +159,9 @@ test.describe('mouse', () => {
     expect(await seenEvents(page)).toEqual([]);
   });
 
-  test('where the wheel can not zoom further, it scrolls the page, in both directions; with Ctrl the page stays as it is', async ({ page }) => {
+  test('where the wheel can not zoom further, it scrolls the page, in both directions; with Ctrl the page stays as it is', async ({
+    page,
+  }) => {
     await openAndForget(page, `<div style="height: 300px"></div>${plain}${tall}`);
     await withElement(page, (element) => {
       Object.assign(element, { minCameraOrbit: 'auto auto 80', maxCameraOrbit: 'auto auto 100' });
@@ -151,11 +169,15 @@ test.describe('mouse', () => {
     });
     const scrollTo = (y: number): Promise<void> => page.evaluate((top) => window.scrollTo(0, top), y);
     const scrolled = (): Promise<number> => page.evaluate(() => scrollY);
-    const radius = (): Promise<number> => withElement(page, async (element) => {
-      await element.whenRendered();
-      return element.camera!.orbit.radius;
-    });
-    for (const [pixels, limit] of [[200, 100], [-200, 80]] as const) {
+    const radius = (): Promise<number> =>
+      withElement(page, async (element) => {
+        await element.whenRendered();
+        return element.camera!.orbit.radius;
+      });
+    for (const [pixels, limit] of [
+      [200, 100],
+      [-200, 80],
+    ] as const) {
       await scrollTo(250);
       const box = (await page.locator('volume-view').boundingBox())!;
       await page.mouse.move(box.x + 60, box.y + 20);
@@ -169,7 +191,12 @@ test.describe('mouse', () => {
       expect(await scrolled(), 'it zoomed, and the page stood').toBe(250);
       await page.keyboard.down('Control');
       const zoom = await page.evaluate(() => [devicePixelRatio, visualViewport!.scale]);
-      const isKept = page.evaluate(() => new Promise((resolve) => addEventListener('wheel', (event) => resolve(event.defaultPrevented), { once: true })));
+      const isKept = page.evaluate(
+        () =>
+          new Promise((resolve) =>
+            addEventListener('wheel', (event) => resolve(event.defaultPrevented), { once: true }),
+          ),
+      );
       await page.mouse.wheel(0, pixels);
       expect(await isKept, 'a pinch').toBe(true);
       await page.keyboard.up('Control');
@@ -204,8 +231,11 @@ test.describe('touch', () => {
     await touch(page, [line([60, 85], [60, 5])]);
     await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(20);
     await settle(page);
-    const { theta } = (await seenEvents(page)).filter(({ type }) => type === 'camera-change')
-      .map(({ detail }) => (detail as { orbit: Orbit }).orbit).at(-1) ?? plainOrbit;
+    const { theta } =
+      (await seenEvents(page))
+        .filter(({ type }) => type === 'camera-change')
+        .map(({ detail }) => (detail as { orbit: Orbit }).orbit)
+        .at(-1) ?? plainOrbit;
     expect(theta).toBeCloseTo(plainOrbit.theta, 2);
   });
 
@@ -245,7 +275,11 @@ test.describe('attributes', () => {
       { orbit: [35, 65, 45], target: [0, 0, 0], fov: 60 },
       { orbit: [10, 0, 90], target: [0, 0, 0], fov: 32 },
     ] as const;
-    for (const { orbit: [theta, phi, radius], target, fov } of cases) {
+    for (const {
+      orbit: [theta, phi, radius],
+      target,
+      fov,
+    } of cases) {
       await setAttributes(page, {
         'camera-orbit': `${theta * degrees}rad ${phi}deg ${radius}`,
         'camera-target': target.join(' '),
@@ -275,7 +309,8 @@ test.describe('attributes', () => {
 
   test('a child viewpoint wins, and turning starts from it', async ({ page }) => {
     // Eye at y = 80 looking along -y, z up: a turn about x by 90 degrees, then about z by 180.
-    const viewpoint = '<viewpoint position="0 80 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
+    const viewpoint =
+      '<viewpoint position="0 80 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
     await openAndForget(page, plain.replace('></volume-view>', `>${viewpoint}</volume-view>`));
     const camera = { eye: [0, 80, 0], target: [0, 0, 0], up: [0, 0, 1], fieldOfView: 0.5 } as const;
     expectSamePicture(await takePicture(page), drawReference({ camera }));
@@ -292,7 +327,8 @@ test.describe('attributes', () => {
   });
 
   test('a viewpoint that changes, or goes, is followed', async ({ page }) => {
-    const viewpoint = '<viewpoint position="0 80 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
+    const viewpoint =
+      '<viewpoint position="0 80 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
     await openAndForget(page, plain.replace('></volume-view>', `>${viewpoint}</volume-view>`));
     await page.locator('volume-view > viewpoint').evaluate((element) => element.setAttribute('position', '0 60 0'));
     await waitForEvent(page, 'render');
@@ -303,17 +339,24 @@ test.describe('attributes', () => {
     await waitForEvent(page, 'render');
     await expectPictureFrom(page, plainOrbit);
   });
-  test('a viewpoint in a transform stands, turns and has its centre where the transform puts it; the next one takes its place', async ({ page }) => {
+  test('a viewpoint in a transform stands, turns and has its centre where the transform puts it; the next one takes its place', async ({
+    page,
+  }) => {
     // The transform turns z up into y, so the eye is at y = 80 above the centre of rotation at y = 20, and looks along -y with z up.
-    const inner = '<viewpoint position="0 0 70" centerofrotation="0 0 10" orientation="0 0 1 3.14159265" fieldofview="0.5"></viewpoint>';
+    const inner =
+      '<viewpoint position="0 0 70" centerofrotation="0 0 10" orientation="0 0 1 3.14159265" fieldofview="0.5"></viewpoint>';
     const transform = `<group><transform translation="0 10 0" rotation="1 0 0 -1.57079633">${inner}</transform></group>`;
-    const next = '<viewpoint position="0 60 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
+    const next =
+      '<viewpoint position="0 60 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
     await openAndForget(page, plain.replace('></volume-view>', `>${transform}${next}</volume-view>`));
     const camera = { eye: [0, 80, 0], target: [0, 0, 0], up: [0, 0, 1], fieldOfView: 0.5 } as const;
     expectSamePicture(await takePicture(page), drawReference({ camera }));
     await page.locator('.picture').press('ArrowLeft');
     expect((await readOrbit(page)).radius).toBeCloseTo(60, 3);
-    expectSamePicture(await takePicture(page), drawReference({ camera: orbitCamera({ theta: Math.PI / 24, phi: Math.PI / 2, radius: 60 }, [0, 20, 0], 0.5) }));
+    expectSamePicture(
+      await takePicture(page),
+      drawReference({ camera: orbitCamera({ theta: Math.PI / 24, phi: Math.PI / 2, radius: 60 }, [0, 20, 0], 0.5) }),
+    );
     await forgetEvents(page);
     await page.locator('volume-view > group').evaluate((element) => element.remove());
     await waitForEvent(page, 'render');

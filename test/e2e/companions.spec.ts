@@ -1,8 +1,29 @@
 // What companions have in common: how they are loaded, how they find the volume, what axe says of them.
 import type { Page } from '@playwright/test';
 import { findFaults } from './helpers/axe.ts';
-import { drag, editor, handle, handles, legend, middleOf, openEditor, readValues, said, view } from './helpers/companions.ts';
-import { compare, expect, fieldUrl, open, settle, takePicture, keptTest as test, test as newPageTest, withElement } from './helpers/harness.ts';
+import {
+  drag,
+  editor,
+  handle,
+  handles,
+  legend,
+  middleOf,
+  openEditor,
+  readValues,
+  said,
+  view,
+} from './helpers/companions.ts';
+import {
+  compare,
+  expect,
+  fieldUrl,
+  open,
+  settle,
+  takePicture,
+  keptTest as test,
+  test as newPageTest,
+  withElement,
+} from './helpers/harness.ts';
 
 test.describe('the loader', () => {
   const watch = (page: Page): string[] => {
@@ -17,7 +38,11 @@ test.describe('the loader', () => {
     await settle(page);
     expect(paths).toContain('/dist/volume-view.js');
     expect(paths.filter((path) => /legend|volume-transfer-function|ticks|link/.test(path))).toEqual([]);
-    expect(await page.evaluate(() => Boolean(customElements.get('volume-legend') ?? customElements.get('volume-transfer-function')))).toBe(false);
+    expect(
+      await page.evaluate(() =>
+        Boolean(customElements.get('volume-legend') ?? customElements.get('volume-transfer-function')),
+      ),
+    ).toBe(false);
   });
 
   newPageTest('loads one alone, once, for any number of them', async ({ page }) => {
@@ -49,7 +74,8 @@ test.describe('the loader', () => {
       isLate = true;
       await route.continue();
     });
-    const sliced = (slice: string): string => `<volume-view src="${fieldUrl}" opacity-factor="0.1" style="width: 60px; height: 45px" alt="A field">${slice}</volume-view>`;
+    const sliced = (slice: string): string =>
+      `<volume-view src="${fieldUrl}" opacity-factor="0.1" style="width: 60px; height: 45px" alt="A field">${slice}</volume-view>`;
     await open(page, sliced('<volume-slice type="axial"></volume-slice>'));
     const [first, later] = [await takePicture(page), await takePicture(page)];
     expect(isLate).toBe(true);
@@ -63,7 +89,10 @@ test.describe('the loader', () => {
 
     newPageTest('a picture is not waited for', async ({ page, lines }) => {
       await page.route(/volume-slice\W/, (route) => route.abort());
-      await open(page, `<volume-view src="${fieldUrl}" style="width: 60px; height: 45px" alt="A field"><volume-slice type="axial"></volume-slice></volume-view>`);
+      await open(
+        page,
+        `<volume-view src="${fieldUrl}" style="width: 60px; height: 45px" alt="A field"><volume-slice type="axial"></volume-slice></volume-view>`,
+      );
       expect((await takePicture(page)).width).toBe(60);
       expect(lines.join()).toContain('volume-slice');
     });
@@ -87,7 +116,10 @@ test.describe('the loader', () => {
 });
 
 test.describe('finding the volume', () => {
-  const words = (page: Page): Promise<string> => page.locator('volume-legend').evaluate((element) => (element.shadowRoot?.textContent ?? '').replace(/\s+/g, ' ').trim());
+  const words = (page: Page): Promise<string> =>
+    page
+      .locator('volume-legend')
+      .evaluate((element) => (element.shadowRoot?.textContent ?? '').replace(/\s+/g, ' ').trim());
 
   test('whatever comes first, and whatever goes', async ({ page }) => {
     await open(page, '<volume-legend for="late" label="Late"></volume-legend>');
@@ -110,13 +142,17 @@ test.describe('finding the volume', () => {
 
   test('another one when `for` changes; without it, the nearest', async ({ page }) => {
     const other = view.replace('id="field"', 'id="other"').replace(said, '0 white 0, 77 white 5%');
-    await open(page, `<section>${view}</section><section>${other}<p>${legend.replace(' for="field"', '')}</p></section>`);
+    await open(
+      page,
+      `<section>${view}</section><section>${other}<p>${legend.replace(' for="field"', '')}</p></section>`,
+    );
     const picture = page.getByRole('img', { name: /^Strength/ });
     await expect(picture).toHaveAccessibleName(/^Strength, 0 to 77/);
-    const setFor = (id: string | null): Promise<void> => page.locator('volume-legend').evaluate((element, name) => {
-      if (name === null) element.removeAttribute('for');
-      else element.setAttribute('for', name);
-    }, id);
+    const setFor = (id: string | null): Promise<void> =>
+      page.locator('volume-legend').evaluate((element, name) => {
+        if (name === null) element.removeAttribute('for');
+        else element.setAttribute('for', name);
+      }, id);
     await setFor('field');
     await expect(picture).toHaveAccessibleName(/^Strength, 0 to 200/);
     await setFor('nobody');
@@ -137,7 +173,8 @@ test.describe('finding the volume', () => {
         removeEventListener: (...args: Parameters<typeof remove>) => (counted.listeners--, remove(...args)),
       });
     });
-    const listeners = (): Promise<number> => page.evaluate(() => (window as unknown as { listeners: number }).listeners);
+    const listeners = (): Promise<number> =>
+      page.evaluate(() => (window as unknown as { listeners: number }).listeners);
     await page.evaluate(() => {
       const kept = [...document.querySelectorAll('volume-legend, volume-transfer-function')];
       kept.forEach((element) => element.remove());
@@ -159,12 +196,15 @@ for (const scheme of ['light', 'dark'] as const) {
 
     for (const [what, body] of Object.entries({
       stops: view + editor.replace('400px', '100%') + legend,
-      bands: view + editor.replace('400px"', '100%" mode="bands"') + legend.replace('label', 'orientation="vertical" label'),
+      bands:
+        view + editor.replace('400px"', '100%" mode="bands"') + legend.replace('label', 'orientation="vertical" label'),
       nothing: '<volume-transfer-function></volume-transfer-function><volume-legend></volume-legend>',
     })) {
       test(`finds nothing: ${what}; nothing is wider than a phone`, async ({ page }) => {
         await open(page, `<main><h1>A volume</h1>${body}</main>`, { head });
-        await expect(page.locator('volume-transfer-function').locator(what === 'nothing' ? '.hint' : '.editor')).toBeVisible();
+        await expect(
+          page.locator('volume-transfer-function').locator(what === 'nothing' ? '.hint' : '.editor'),
+        ).toBeVisible();
         await expect(page.locator('volume-legend').locator(what === 'nothing' ? '.hint' : '.legend')).toBeVisible();
         if (what !== 'nothing') await settle(page);
         expect(await findFaults(page)).toEqual([]);

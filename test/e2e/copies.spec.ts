@@ -34,10 +34,12 @@ test.describe('another version', () => {
   test.use({ allowedLines: warning });
 
   test('is told once', async ({ page, lines }) => {
-    await page.route('**/volume-view.iife.js', (route) => route.fulfill({
-      contentType: 'text/javascript',
-      body: readFileSync('dist/volume-view.iife.js', 'utf8').replaceAll(version, '9.9.9'),
-    }));
+    await page.route('**/volume-view.iife.js', (route) =>
+      route.fulfill({
+        contentType: 'text/javascript',
+        body: readFileSync('dist/volume-view.iife.js', 'utf8').replaceAll(version, '9.9.9'),
+      }),
+    );
     await open(page, view + legend + editor, { script: asScript + asModule });
     await expectAll(page);
     expect(lines.filter((line) => warning.test(line))).toHaveLength(1);

@@ -1,8 +1,34 @@
 // More elements in sight than there are contexts.
 import type { Page } from '@playwright/test';
 import { maxContexts } from '../../src/viewer/scenes/context-pool.ts';
-import { black, contexts, countContexts, element, expected, isLive, onBlack, sized, waitUntilDrawn } from './helpers/crowd.ts';
-import { ballUrl, compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  black,
+  contexts,
+  countContexts,
+  element,
+  expected,
+  isLive,
+  onBlack,
+  sized,
+  waitUntilDrawn,
+} from './helpers/crowd.ts';
+import {
+  ballUrl,
+  compare,
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  forgetEvents,
+  open,
+  seenEvents,
+  setAttributes,
+  settle,
+  takePicture,
+  takeScreenshot,
+  test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { drawReference } from './helpers/reference.ts';
 import { ball } from './helpers/volumes.ts';
 
@@ -45,7 +71,10 @@ test.describe('more in sight than there are contexts', () => {
     const before = await takeScreenshot(page, `#v${snapshot}`);
     await page.locator(`#v${snapshot}`).hover();
     await expect.poll(() => isLive(page, snapshot)).toBe(true);
-    await page.waitForFunction((id) => document.querySelector(`#${id}`)!.shadowRoot!.querySelectorAll('canvas').length === 1, `v${snapshot}`);
+    await page.waitForFunction(
+      (id) => document.querySelector(`#${id}`)!.shadowRoot!.querySelectorAll('canvas').length === 1,
+      `v${snapshot}`,
+    );
     expect(compare(await takeScreenshot(page, `#v${snapshot}`), before).worst).toBe(0);
     expect((await contexts(page)).max).toBe(maxContexts);
   });
@@ -67,7 +96,9 @@ test.describe('more in sight than there are contexts', () => {
     const shown = await takeScreenshot(page, `#${id}`);
     await takeContext(page, snapshot, numbers);
     expect(compare(await takeScreenshot(page, `#${id}`), shown).worst).toBe(0);
-    expect(JSON.parse(await withElement(page, (view) => JSON.stringify(view.renderStats), { selector: `#${id}` }))).toMatchObject({ width: sized.width, steps: JSON.parse(stats).steps });
+    expect(
+      JSON.parse(await withElement(page, (view) => JSON.stringify(view.renderStats), { selector: `#${id}` })),
+    ).toMatchObject({ width: sized.width, steps: JSON.parse(stats).steps });
     expect(compare(await takePicture(page, { selector: `#${id}` }), blob).worst).toBe(0);
   });
 
@@ -79,24 +110,31 @@ test.describe('more in sight than there are contexts', () => {
     const reference = drawReference({ steps: 60, ...(snapshot % 2 ? { volume: ball } : {}), ...onBlack });
     expectSamePicture(await takeScreenshot(page, `#v${snapshot}`), reference);
     await setAttributes(page, { src: snapshot % 2 ? fieldUrl : ballUrl }, `#v${snapshot}`);
-    expectSamePicture(await takeScreenshot(page, `#v${snapshot}`), drawReference({ steps: 60, ...(snapshot % 2 ? {} : { volume: ball }), ...onBlack }));
+    expectSamePicture(
+      await takeScreenshot(page, `#v${snapshot}`),
+      drawReference({ steps: 60, ...(snapshot % 2 ? {} : { volume: ball }), ...onBlack }),
+    );
   });
 
-  test('so is an author\'s shape, one that was there and one that is new', async ({ page }) => {
+  test("so is an author's shape, one that was there and one that is new", async ({ page }) => {
     const shape = (color: string): string =>
       `<shape><appearance><material diffusecolor="0 0 0" emissivecolor="${color}"></material></appearance><box size="8 8 60"></box></shape>`;
     const numbers = await openCrowd(page, { children: shape('0 1 0') });
     const snapshot = await findSnapshot(page, numbers);
     const green = await takeScreenshot(page, `#v${snapshot}`);
     await forgetEvents(page);
-    await withElement(page, (view) => view.querySelector('material')!.setAttribute('emissivecolor', '0 0 1'), { selector: `#v${snapshot}` });
+    await withElement(page, (view) => view.querySelector('material')!.setAttribute('emissivecolor', '0 0 1'), {
+      selector: `#v${snapshot}`,
+    });
     await waitForEvent(page, 'render', { id: `v${snapshot}` });
     await settle(page, `#v${snapshot}`);
     const blue = await takeScreenshot(page, `#v${snapshot}`);
     expect(compare(blue, green).worst).toBeGreaterThan(200);
     await takeContext(page, snapshot, numbers);
     await withElement(page, (view) => view.querySelector('shape')!.remove(), { selector: `#v${snapshot}` });
-    await expect.poll(async () => compare(await takeScreenshot(page, `#v${snapshot}`), expected(snapshot)).worst).toBeLessThanOrEqual(2);
+    await expect
+      .poll(async () => compare(await takeScreenshot(page, `#v${snapshot}`), expected(snapshot)).worst)
+      .toBeLessThanOrEqual(2);
   });
 
   test('an error stays where it was, and the last picture under it', async ({ page }) => {

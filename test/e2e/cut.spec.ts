@@ -1,12 +1,27 @@
 // Volumes that are cut open: by attributes, by ClipPlanes, and by what a person drags.
 import type { Page } from '@playwright/test';
-import { compare, expect, fieldUrl, open, setAttributes, settle, sharePage, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  fieldUrl,
+  open,
+  setAttributes,
+  settle,
+  sharePage,
+  takePicture,
+  test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 
 const view = `<volume-view src="${fieldUrl}" ${attributesOf({ 'transfer-function': '0 #003 0.999, 0.4 #c63 0.999, 1 #ffc 0.999', 'camera-orbit': '90deg 90deg 90' })} alt="A field"></volume-view>`;
 const style = { head: '<style>volume-view { width: 240px; height: 180px }</style>' };
 
-const clipsReady = (page: Page): Promise<unknown> => page.evaluate(() => customElements.whenDefined('volume-clip').then(() => document.querySelector('volume-clip')!.updateComplete));
+const clipsReady = (page: Page): Promise<unknown> =>
+  page.evaluate(() =>
+    customElements.whenDefined('volume-clip').then(() => document.querySelector('volume-clip')!.updateComplete),
+  );
 const place = (page: Page): Promise<number> => page.evaluate(() => document.querySelector('volume-clip')!.at!);
 
 test.describe('a volume that is cut', () => {
@@ -25,7 +40,10 @@ test.describe('a volume that is cut', () => {
     await setAttributes(page, { cutout: null });
     expect(compare(await takePicture(page), whole).worst).toBe(0);
     await setAttributes(page, { cutout: '-99 -99 -99 99 99 99' });
-    expect((await takePicture(page)).data.some((x) => x > 0), 'all is cut away').toBe(false);
+    expect(
+      (await takePicture(page)).data.some((x) => x > 0),
+      'all is cut away',
+    ).toBe(false);
     expect(await withElement(page, (element) => element.pick(120, 90))).toBe(null);
     await setAttributes(page, { cutout: null });
   });
@@ -41,20 +59,29 @@ test.describe('a volume that is cut', () => {
     await setAttributes(page, { cutout: null });
     expect(compare(await takePicture(page), whole).worst).toBe(0);
 
-    await page.evaluate(() => document.body.insertAdjacentHTML('beforeend', '<volume-clip type="box" keep="outside" box="-20 -3 -20 2 20 20"></volume-clip>'));
+    await page.evaluate(() =>
+      document.body.insertAdjacentHTML(
+        'beforeend',
+        '<volume-clip type="box" keep="outside" box="-20 -3 -20 2 20 20"></volume-clip>',
+      ),
+    );
     await clipsReady(page);
     expect(compare(await takePicture(page), cut).worst).toBe(0);
     await page.evaluate(() => (document.querySelector('volume-clip')!.hidden = true));
     await clipsReady(page);
     expect(compare(await takePicture(page), whole).worst).toBe(0);
 
-    await page.evaluate(() => Object.assign(document.querySelector('volume-clip')!, { hidden: false, type: 'plane', normal: [1, 0, 0], at: 2 }));
+    await page.evaluate(() =>
+      Object.assign(document.querySelector('volume-clip')!, { hidden: false, type: 'plane', normal: [1, 0, 0], at: 2 }),
+    );
     await clipsReady(page);
     const half = await takePicture(page);
     expect(compare(half, whole).worst).toBeGreaterThan(30);
     expect((await withElement(page, (element) => element.pick(120, 90)))!.world[0]).toBeCloseTo(2.1, 1);
     await page.evaluate(() => document.querySelector('volume-clip')!.remove());
-    await withElement(page, (element) => element.insertAdjacentHTML('beforeend', '<ClipPlane plane="2 0 0 -4"></ClipPlane>'));
+    await withElement(page, (element) =>
+      element.insertAdjacentHTML('beforeend', '<ClipPlane plane="2 0 0 -4"></ClipPlane>'),
+    );
     expect(compare(await takePicture(page), half).worst).toBe(0);
     await withElement(page, (element) => element.querySelector('clipplane')!.setAttribute('enabled', 'false'));
     expect(compare(await takePicture(page), whole).worst).toBe(0);
@@ -68,7 +95,9 @@ test('a plane is dragged by its handle and moved by keys; an attribute brings it
   await clipsReady(page);
   await page.evaluate(() => {
     const seen: unknown[] = ((window as unknown as { seen: unknown[] }).seen = []);
-    document.querySelector('volume-clip')!.addEventListener('clip-change', (event) => seen.push((event as CustomEvent).detail));
+    document
+      .querySelector('volume-clip')!
+      .addEventListener('clip-change', (event) => seen.push((event as CustomEvent).detail));
   });
   await settle(page);
   const before = await takePicture(page);
@@ -83,7 +112,9 @@ test('a plane is dragged by its handle and moved by keys; an attribute brings it
   await settle(page);
   const dragged = await takePicture(page);
   expect(compare(dragged, before).worst).toBeGreaterThan(30);
-  expect(await page.evaluate(() => (window as unknown as { seen: { kind: string; at: number }[] }).seen.at(-1))).toMatchObject({ kind: 'plane', at: await place(page) });
+  expect(
+    await page.evaluate(() => (window as unknown as { seen: { kind: string; at: number }[] }).seen.at(-1)),
+  ).toMatchObject({ kind: 'plane', at: await place(page) });
   const moved = await place(page);
   await page.keyboard.press('ArrowDown');
   expect(await place(page)).toBeLessThan(moved);

@@ -14,13 +14,21 @@ const pages = readdirSync(join(projectRoot, 'demos')).filter((name) => name.ends
 
 test('the gallery leads to each page, and each leads to the next one', async ({ page }) => {
   await openDemo(page, '', small);
-  const links = await page.locator('.cards a').evaluateAll((all) => all.map((link) => [link.getAttribute('href')!, link.querySelector('h3')!.textContent] as const));
-  expect(new Set([...links.map(([href]) => href), 'index.html', 'paper.html', 'standalone.html'])).toEqual(new Set(pages));
+  const links = await page
+    .locator('.cards a')
+    .evaluateAll((all) =>
+      all.map((link) => [link.getAttribute('href')!, link.querySelector('h3')!.textContent] as const),
+    );
+  expect(new Set([...links.map(([href]) => href), 'index.html', 'paper.html', 'standalone.html'])).toEqual(
+    new Set(pages),
+  );
   const all = ['./', 'All demos'] as const;
   for (const [i, [href]] of links.entries()) {
     const [[before, beforeName], [after, afterName]] = [links[i - 1] ?? all, links[i + 1] ?? all];
     const html = await (await page.request.get(`/demos/${href}`)).text();
-    expect(html).toContain(`<footer><a href="${before}">← ${beforeName}</a> <a href="${after}">${afterName} →</a></footer>`);
+    expect(html).toContain(
+      `<footer><a href="${before}">← ${beforeName}</a> <a href="${after}">${afterName} →</a></footer>`,
+    );
   }
 });
 
@@ -32,7 +40,12 @@ test.describe('on a phone', () => {
       await openDemo(page, name, small);
       expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
       const first = page.locator('volume-view').first();
-      if (await first.count()) expect(await first.evaluate((view) => (view as unknown as { whenRendered(): Promise<unknown> }).whenRendered().then(() => 'drawn'))).toBe('drawn');
+      if (await first.count())
+        expect(
+          await first.evaluate((view) =>
+            (view as unknown as { whenRendered(): Promise<unknown> }).whenRendered().then(() => 'drawn'),
+          ),
+        ).toBe('drawn');
       expect(await findFaults(page)).toEqual([]);
     });
   }
@@ -47,7 +60,8 @@ test('the projections are four pictures, and none is black', async ({ page }) =>
     pictures.push(await takePicture(page, { selector: '#torso' }));
     expect(meanOf(pictures.at(-1)!)[0], name).toBeGreaterThan(10);
   }
-  for (const [i, one] of pictures.entries()) for (const other of pictures.slice(0, i)) expect(compare(one, other).rmse).toBeGreaterThan(20);
+  for (const [i, one] of pictures.entries())
+    for (const other of pictures.slice(0, i)) expect(compare(one, other).rmse).toBeGreaterThan(20);
   await expect(page.locator('#markup')).toContainText('value-window="-700 -100"');
   await expect(page.locator('#torso')).not.toHaveAttribute('region');
 });

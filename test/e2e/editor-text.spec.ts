@@ -55,7 +55,9 @@ test.describe('what the page says', () => {
     await drag(page, handle(page, 2), { x: 30, y: 0 });
     await page.getByRole('button', { name: 'Copy' }).click();
     const text = await withElement(page, (element) => element.transferFunction);
-    await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toBe(`transfer-function="${text}" light-factor="2"`);
+    await expect
+      .poll(() => page.evaluate(() => navigator.clipboard.readText()))
+      .toBe(`transfer-function="${text}" light-factor="2"`);
   });
 
   newPageTest('where the clipboard is closed, the text is there to be copied by hand', async ({ page }) => {
@@ -64,7 +66,11 @@ test.describe('what the page says', () => {
     await page.getByRole('button', { name: 'Copy' }).click();
     await expect(page.getByLabel('Copy it from here')).toBeFocused();
     await expect(page.getByLabel('Copy it from here')).toHaveValue(`transfer-function="${said}"`);
-    expect(await page.evaluate(() => document.querySelector('volume-transfer-function')!.shadowRoot!.querySelector('textarea')!.selectionEnd)).toBeGreaterThan(20);
+    expect(
+      await page.evaluate(
+        () => document.querySelector('volume-transfer-function')!.shadowRoot!.querySelector('textarea')!.selectionEnd,
+      ),
+    ).toBeGreaterThan(20);
   });
 });
 
@@ -91,15 +97,22 @@ test.describe('bands', () => {
     await expect(page.getByRole('listitem')).toHaveCount(15);
     await page.locator('volume-transfer-function').evaluate((element) => element.setAttribute('bands', '4'));
     await expect(page.getByRole('listitem')).toHaveCount(4);
-    await page.getByRole('slider', { name: /^Opacity, / }).nth(1).fill('0.4');
+    await page
+      .getByRole('slider', { name: /^Opacity, / })
+      .nth(1)
+      .fill('0.4');
     await page.locator('volume-transfer-function').evaluate((element) => element.removeAttribute('mode'));
     await expect(handles(page)).toHaveCount(9);
   });
 
   test('an attribute that cannot be read is named', async ({ page }) => {
     await openEditor(page, view + bands.replace('0 50 100', '100 50'));
-    await expect(page.locator('volume-transfer-function').getByRole('alert')).toContainText('band-edges got "100 50 150 200"; expected');
+    await expect(page.locator('volume-transfer-function').getByRole('alert')).toContainText(
+      'band-edges got "100 50 150 200"; expected',
+    );
     await page.locator('volume-transfer-function').evaluate((element) => element.setAttribute('mode', 'waves'));
-    await expect(page.locator('volume-transfer-function').getByRole('alert')).toContainText('mode got "waves"; expected stops, bands, or 2d');
+    await expect(page.locator('volume-transfer-function').getByRole('alert')).toContainText(
+      'mode got "waves"; expected stops, bands, or 2d',
+    );
   });
 });

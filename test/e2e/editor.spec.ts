@@ -1,5 +1,17 @@
 // <volume-transfer-function>, by mouse, touch and keyboard.
-import { drag, editor, handle, handles, middleOf, openEditor, readStops, readValues, said, reported, view } from './helpers/companions.ts';
+import {
+  drag,
+  editor,
+  handle,
+  handles,
+  middleOf,
+  openEditor,
+  readStops,
+  readValues,
+  said,
+  reported,
+  view,
+} from './helpers/companions.ts';
 import { compare, expect, settle, takePicture, keptTest as test, withElement } from './helpers/harness.ts';
 
 test.describe('the editor by mouse', () => {
@@ -73,14 +85,20 @@ test.describe('the editor by mouse', () => {
     await expect(page.getByLabel('Value')).toHaveValue('150.5');
   });
 
-  test('a number that is being typed stays when the volume answers; what is no number shows what holds', async ({ page }) => {
+  test('a number that is being typed stays when the volume answers; what is no number shows what holds', async ({
+    page,
+  }) => {
     await openEditor(page);
     await handle(page, 2).focus();
     const field = page.getByLabel('Value');
     const shown = await field.inputValue();
     await field.fill('120');
     await withElement(page, (element) => void element.dispatchEvent(new Event('optics-change')));
-    await page.evaluate(() => (document.querySelector('volume-transfer-function') as unknown as { updateComplete: Promise<unknown> }).updateComplete);
+    await page.evaluate(
+      () =>
+        (document.querySelector('volume-transfer-function') as unknown as { updateComplete: Promise<unknown> })
+          .updateComplete,
+    );
     await expect(field).toHaveValue('120');
     await field.fill('');
     await field.press('Tab');
@@ -96,7 +114,11 @@ test.describe('the editor by mouse', () => {
     await openEditor(page);
     await page.getByRole('slider', { name: 'Opacity', exact: true }).fill('1');
     await page.getByRole('slider', { name: 'Light', exact: true }).fill('-1');
-    await expect.poll(() => withElement(page, (element) => [element.opacityFactor, element.lightFactor, element.transferFunction])).toEqual([2, 0.5, said]);
+    await expect
+      .poll(() =>
+        withElement(page, (element) => [element.opacityFactor, element.lightFactor, element.transferFunction]),
+      )
+      .toEqual([2, 0.5, said]);
     await page.getByRole('button', { name: 'Undo' }).click();
     await page.getByRole('button', { name: 'Undo' }).click();
     expect(await withElement(page, (element) => [element.opacityFactor, element.lightFactor])).toEqual([null, null]);

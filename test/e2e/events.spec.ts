@@ -1,5 +1,19 @@
 import { files } from './helpers/data.ts';
-import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, settle, takePicture, takeScreenshot, keptTest as test, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  forgetEvents,
+  open,
+  seenEvents,
+  settle,
+  takePicture,
+  takeScreenshot,
+  keptTest as test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 import { serveSlowly } from './helpers/slow-server.ts';
 
@@ -30,7 +44,9 @@ test('volume and renderStats are null before there is one', async ({ page }) => 
   await open(page, '<volume-view></volume-view>');
   expect(await withElement(page, (element) => [element.volume, element.renderStats])).toEqual([null, null]);
   await settle(page);
-  expect(await withElement(page, (element) => element.redraw().catch((error: Error) => error.message))).toMatch(/no volume/);
+  expect(await withElement(page, (element) => element.redraw().catch((error: Error) => error.message))).toMatch(
+    /no volume/,
+  );
   expect(await seenEvents(page)).toEqual([]);
 });
 
@@ -38,11 +54,14 @@ test('progress counts bytes up to the whole, then decoding', async ({ page }) =>
   const bytes = files['field.nii'];
   const server = await serveSlowly(bytes, 0.4);
   await open(page, `<volume-view src="${server.url}"></volume-view>`);
-  await page.waitForFunction(() => window.__seen.some(({ type, detail }) => type === 'progress' && (detail as { loaded: number }).loaded > 0));
+  await page.waitForFunction(() =>
+    window.__seen.some(({ type, detail }) => type === 'progress' && (detail as { loaded: number }).loaded > 0),
+  );
   expect(await withElement(page, (element) => element.volume)).toBeNull();
   server.release();
   await waitForEvent(page, 'load');
-  const details = (await seenEvents(page)).filter(({ type }) => type === 'progress')
+  const details = (await seenEvents(page))
+    .filter(({ type }) => type === 'progress')
     .map(({ detail }) => detail as { loaded: number; total: number; phase: string });
   const fetched = details.filter(({ phase }) => phase === 'fetch');
   expect(fetched.every(({ total }) => total === bytes.length)).toBe(true);
@@ -63,8 +82,13 @@ test('events come in order and do not bubble', async ({ page }) => {
   });
   await waitForEvent(page, 'error');
   const seen = await seenEvents(page);
-  const firsts = ['progress', 'load', 'render', 'camera-change', 'error'].map((name) => seen.findIndex(({ type }) => type === name));
-  expect(firsts.every((at) => at >= 0), 'all were seen').toBe(true);
+  const firsts = ['progress', 'load', 'render', 'camera-change', 'error'].map((name) =>
+    seen.findIndex(({ type }) => type === name),
+  );
+  expect(
+    firsts.every((at) => at >= 0),
+    'all were seen',
+  ).toBe(true);
   expect(isRising(firsts)).toBe(true);
   expect(seen.filter(({ bubbles }) => bubbles)).toEqual([]);
   expect(await page.evaluate(() => window.__bubbled)).toEqual([]);
@@ -80,7 +104,9 @@ test('render tells the frame that was drawn', async ({ page }) => {
   // No ray takes more than all steps, and the volume fills a good part of the picture.
   expect(stats.samples).toBeGreaterThan(120 * 90 * 30 * 0.05);
   expect(stats.samples).toBeLessThan(120 * 90 * 30);
-  expect(Object.keys(stats)).toEqual(expect.arrayContaining(['frameMs', 'steps', 'stepLength', 'samples', 'width', 'height', 'converged']));
+  expect(Object.keys(stats)).toEqual(
+    expect.arrayContaining(['frameMs', 'steps', 'stepLength', 'samples', 'width', 'height', 'converged']),
+  );
   expect((await seenEvents(page)).filter(({ type }) => type === 'render').at(-1)!.detail).toEqual(stats);
 });
 
@@ -120,12 +146,16 @@ test('whenRendered waits for the picture of the present attributes', async ({ pa
 
 test('whenRendered asked for before the source is set does not wait for ever, nor fail', async ({ page }) => {
   await open(page, '<volume-view></volume-view>');
-  const dimensions = await withElement(page, async (element, src) => {
-    await element.whenRendered();
-    element.src = src;
-    await element.whenRendered();
-    return element.volume!.dimensions;
-  }, { argument: fieldUrl });
+  const dimensions = await withElement(
+    page,
+    async (element, src) => {
+      await element.whenRendered();
+      element.src = src;
+      await element.whenRendered();
+      return element.volume!.dimensions;
+    },
+    { argument: fieldUrl },
+  );
   expect(dimensions).toEqual([24, 20, 16]);
 });
 

@@ -14,9 +14,16 @@ async function shareOf(page: Page): Promise<NonNullable<ReturnType<typeof measur
 }
 
 test.describe('a bare tag', () => {
-  for (const [name, size] of Object.entries({ 'a desktop': [400, 300], 'a phone held upright': [200, 400], 'a banner': [600, 200] })) {
+  for (const [name, size] of Object.entries({
+    'a desktop': [400, 300],
+    'a phone held upright': [200, 400],
+    'a banner': [600, 200],
+  })) {
     test(`fills most of the picture on ${name}, and nothing is cut`, async ({ page }) => {
-      await open(page, `<volume-view src="${ballUrl}" style="width: ${size[0]}px; height: ${size[1]}px; aspect-ratio: auto"></volume-view>`);
+      await open(
+        page,
+        `<volume-view src="${ballUrl}" style="width: ${size[0]}px; height: ${size[1]}px; aspect-ratio: auto"></volume-view>`,
+      );
       await settle(page);
       const { fits, isCut } = await shareOf(page);
       expect(fits).toBeGreaterThan(0.75);
@@ -40,7 +47,9 @@ test('the camera stays where it is when colours change, and is framed anew for a
   expect(await shareOf(page)).toEqual(before);
 });
 
-test('a bare radar has rings, north and a ground; none switches them off, and the window follows the scan', async ({ page }) => {
+test('a bare radar has rings, north and a ground; none switches them off, and the window follows the scan', async ({
+  page,
+}) => {
   await open(page, `<volume-view src="${fixture}" style="width: 200px; height: 150px"></volume-view>`);
   await settle(page);
   const labels = page.locator('volume-view .labels span');
@@ -52,7 +61,10 @@ test('a bare radar has rings, north and a ground; none switches them off, and th
   await setAttributes(page, { rings: 'none' });
   expect(await labels.count()).toBe(0);
   const without = await takePicture(page);
-  const sum = (data: ArrayLike<number>): number => Array.from(data).filter((_, i) => i % 4 === 3).reduce((total, x) => total + x, 0);
+  const sum = (data: ArrayLike<number>): number =>
+    Array.from(data)
+      .filter((_, i) => i % 4 === 3)
+      .reduce((total, x) => total + x, 0);
   expect(sum(withGround.data)).toBeGreaterThan(sum(without.data));
   expect(sum(without.data)).toBeGreaterThan(0);
 });

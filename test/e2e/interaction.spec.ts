@@ -5,7 +5,21 @@ import type { Orbit } from '../../src/optics/rays/camera.ts';
 import type { VolumeView } from '../../src/index.ts';
 import { add, cross, length, normalize, scale, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, sharePage, takePicture, keptTest as test, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  forgetEvents,
+  open,
+  seenEvents,
+  setAttributes,
+  settle,
+  sharePage,
+  takePicture,
+  keptTest as test,
+  withElement,
+} from './helpers/harness.ts';
 import { attributesOf, drawReference, plainCamera, plainOrbit } from './helpers/reference.ts';
 import { serve, several } from './helpers/scans.ts';
 import { line, touch } from './helpers/touch.ts';
@@ -22,7 +36,8 @@ async function readCamera(page: Page): Promise<NonNullable<VolumeView['camera']>
   return (await withElement(page, ({ camera }) => camera))!;
 }
 
-const reset = (page: Page): Promise<void> => setAttributes(page, { 'camera-orbit': '35deg 65deg 90', 'camera-target': '0 0 0' });
+const reset = (page: Page): Promise<void> =>
+  setAttributes(page, { 'camera-orbit': '35deg 65deg 90', 'camera-target': '0 0 0' });
 
 /** Where the camera looks after a hand has moved what is seen by some pixels of the plain view. */
 function targetAfter([right, up]: readonly [number, number]): Vector3 {
@@ -34,7 +49,11 @@ function expectNear(got: Vector3, expected: Vector3, within = 1e-3): void {
   expect(length(subtract(got, expected)), `${got.join()} instead of ${expected.join()}`).toBeLessThan(within);
 }
 
-async function drag(page: Page, by: readonly [x: number, y: number], button: 'left' | 'middle' | 'right' = 'left'): Promise<void> {
+async function drag(
+  page: Page,
+  by: readonly [x: number, y: number],
+  button: 'left' | 'middle' | 'right' = 'left',
+): Promise<void> {
   await page.mouse.move(60, 45);
   await page.mouse.down({ button });
   await page.mouse.move(60 + by[0], 45 + by[1], { steps: 4 });
@@ -45,16 +64,20 @@ test.describe('a mouse and keys', () => {
   const sharedPage = sharePage(plain + tall);
   test.beforeEach(() => reset(sharedPage()));
 
-  for (const button of ['right', 'middle'] as const) test(`the ${button} button moves what is seen with the hand`, async () => {
-    const page = sharedPage();
-    await drag(page, [18, 9], button);
-    const { target, orbit } = await readCamera(page);
-    expectNear(target, targetAfter([18, -9]));
-    expect(orbit).toEqual(plainOrbit);
-    expectSamePicture(await takePicture(page), drawReference({ camera: orbitCamera(plainOrbit, target, fieldOfView) }));
-    await page.locator('.picture').press('0');
-    expectNear((await readCamera(page)).target, [0, 0, 0]);
-  });
+  for (const button of ['right', 'middle'] as const)
+    test(`the ${button} button moves what is seen with the hand`, async () => {
+      const page = sharedPage();
+      await drag(page, [18, 9], button);
+      const { target, orbit } = await readCamera(page);
+      expectNear(target, targetAfter([18, -9]));
+      expect(orbit).toEqual(plainOrbit);
+      expectSamePicture(
+        await takePicture(page),
+        drawReference({ camera: orbitCamera(plainOrbit, target, fieldOfView) }),
+      );
+      await page.locator('.picture').press('0');
+      expectNear((await readCamera(page)).target, [0, 0, 0]);
+    });
 
   test('so does the left one with Shift, and arrows with Shift', async () => {
     const page = sharedPage();
@@ -82,7 +105,7 @@ test.describe('a mouse and keys', () => {
     const near = await readCamera(page);
     expect(near.orbit.radius).toBeCloseTo(plainOrbit.radius * 2 ** -0.5, 3);
     // What is seen goes away from the pointer as it grows, by as much as the pointer was off the middle.
-    const grown = (1 - 2 ** -0.5);
+    const grown = 1 - 2 ** -0.5;
     expectNear(near.target, scale(targetAfter([30, 15]), -grown));
     await page.mouse.wheel(0, 300);
     const back = await readCamera(page);
@@ -109,15 +132,17 @@ test.describe('a mouse and keys', () => {
     expect(Math.log((await readCamera(page)).orbit.radius / plainOrbit.radius)).toBeCloseTo(-0.1 / 8.656, 4);
   });
 
-  test('PageDown and PageUp are the page\'s', async () => {
+  test("PageDown and PageUp are the page's", async () => {
     const page = sharedPage();
     await page.locator('.picture').press('PageDown');
     await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(100);
     // Pages glide, and a key during that is lost.
-    await expect.poll(async () => {
-      await page.keyboard.press('PageUp');
-      return page.evaluate(() => scrollY);
-    }).toBe(0);
+    await expect
+      .poll(async () => {
+        await page.keyboard.press('PageUp');
+        return page.evaluate(() => scrollY);
+      })
+      .toBe(0);
     expect((await readCamera(page)).orbit).toEqual(plainOrbit);
   });
 
@@ -140,9 +165,15 @@ test.describe('the context menu', () => {
       const menus: Menus['menus'] = ((globalThis as Menus).menus = []);
       let last = '';
       for (const type of ['pointerdown', 'pointerup']) document.addEventListener(type, () => (last = type), true);
-      document.addEventListener('contextmenu', (event) => {
-        queueMicrotask(() => menus.push({ prevented: event.defaultPrevented, at: [event.clientX, event.clientY], before: last }));
-      }, true);
+      document.addEventListener(
+        'contextmenu',
+        (event) => {
+          queueMicrotask(() =>
+            menus.push({ prevented: event.defaultPrevented, at: [event.clientX, event.clientY], before: last }),
+          );
+        },
+        true,
+      );
     });
     return () => page.evaluate(() => (globalThis as Menus).menus);
   }
@@ -158,14 +189,17 @@ test.describe('the context menu', () => {
     expectNear((await readCamera(page)).target, targetAfter([20, 0]));
   });
 
-  test('with Shift, and beside the picture, it is the browser\'s', async ({ page }) => {
+  test("with Shift, and beside the picture, it is the browser's", async ({ page }) => {
     const menus = await openWithMenus(page);
     await page.keyboard.down('Shift');
     await page.mouse.click(61, 46, { button: 'right' });
     await page.keyboard.up('Shift');
     await page.mouse.click(400, 400, { button: 'right' });
     const seen = await menus();
-    expect(seen.map(({ prevented, at }) => ({ prevented, at }))).toEqual([{ prevented: false, at: [61, 46] }, { prevented: false, at: [400, 400] }]);
+    expect(seen.map(({ prevented, at }) => ({ prevented, at }))).toEqual([
+      { prevented: false, at: [61, 46] },
+      { prevented: false, at: [400, 400] },
+    ]);
     expect((await readCamera(page)).target).toEqual([0, 0, 0]);
   });
 });
@@ -174,12 +208,27 @@ test.describe('fingers', () => {
   test.use({ hasTouch: true });
 
   test('that scroll the page across the picture leave the camera as it was', async ({ page }) => {
-    await open(page, `<div style="height: 300px"></div>${plain.replace('steps="30"', 'steps="8" style="width: 240px; height: 180px"')}${tall}`);
+    await open(
+      page,
+      `<div style="height: 300px"></div>${plain.replace('steps="30"', 'steps="8" style="width: 240px; height: 180px"')}${tall}`,
+    );
     await settle(page);
     for (let i = 0; i < 3; i++) {
       const scrolled = await page.evaluate(() => scrollY);
       // A thumb goes up in a bow.
-      await touch(page, [[[120, 420], [124, 415], [128, 408], [132, 398], [136, 385], [139, 370], [141, 350], [142, 330], [143, 300]]]);
+      await touch(page, [
+        [
+          [120, 420],
+          [124, 415],
+          [128, 408],
+          [132, 398],
+          [136, 385],
+          [139, 370],
+          [141, 350],
+          [142, 330],
+          [143, 300],
+        ],
+      ]);
       await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(scrolled + 20);
       await page.evaluate(() => scrollTo(0, 0));
     }
@@ -216,13 +265,19 @@ test.describe('a script', () => {
     expectNear(eye, camera.eye);
     expectNear(up, camera.up);
     const reported = await withElement(page, ({ cameraOrbit, cameraTarget }) => ({ cameraOrbit, cameraTarget }));
-    expect(reported).toEqual({ cameraOrbit: `30deg 75deg ${Number(orbit.radius.toFixed(5))}`, cameraTarget: target.map((x) => Number(x.toFixed(5))) });
+    expect(reported).toEqual({
+      cameraOrbit: `30deg 75deg ${Number(orbit.radius.toFixed(5))}`,
+      cameraTarget: target.map((x) => Number(x.toFixed(5))),
+    });
     await page.locator('.picture').press('ArrowRight');
     await page.locator('.picture').press('Shift+ArrowUp');
     await readCamera(page);
     const turned = await withElement(page, ({ cameraOrbit }) => cameraOrbit);
     expect(turned).toMatch(/^22\.5deg 75deg /);
-    expect(await page.locator('volume-view').getAttribute('camera-orbit'), 'nothing is written into the page').toBeNull();
+    expect(
+      await page.locator('volume-view').getAttribute('camera-orbit'),
+      'nothing is written into the page',
+    ).toBeNull();
 
     const seen = await takePicture(page);
     const view = await withElement(page, (element) => element.getView());
@@ -256,8 +311,9 @@ test.describe('a script', () => {
     }
   });
 
-  test('gets where a person went from an author\'s viewpoint', async ({ page }) => {
-    const viewpoint = '<viewpoint position="0 80 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
+  test("gets where a person went from an author's viewpoint", async ({ page }) => {
+    const viewpoint =
+      '<viewpoint position="0 80 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
     await open(page, plain.replace('></volume-view>', `>${viewpoint}</volume-view>`));
     await settle(page);
     expect(await withElement(page, ({ cameraOrbit }) => cameraOrbit)).toBe('0deg 90deg 80');
@@ -268,13 +324,18 @@ test.describe('a script', () => {
     expect((await withElement(page, (element) => element.getView()))['camera-orbit']).toBe('7.5deg 90deg 80');
   });
 
-  test('gets the editor\'s and the time line\'s changes as well', async ({ page }) => {
+  test("gets the editor's and the time line's changes as well", async ({ page }) => {
     await serve(page);
     await open(page, `<volume-view ${several(3)} opacity-factor="2"></volume-view>`);
     await settle(page);
     await withElement(page, (element) => element.next());
     await expect.poll(async () => (await withElement(page, (element) => element.getView())).time).toBe('1');
-    const { 'transfer-function': colors, 'opacity-factor': opacity } = await withElement(page, (element) => element.getView());
-    expect([colors.slice(0, 20), opacity]).toEqual([(await page.locator('volume-view').getAttribute('transfer-function'))!.slice(0, 20), '2']);
+    const { 'transfer-function': colors, 'opacity-factor': opacity } = await withElement(page, (element) =>
+      element.getView(),
+    );
+    expect([colors.slice(0, 20), opacity]).toEqual([
+      (await page.locator('volume-view').getAttribute('transfer-function'))!.slice(0, 20),
+      '2',
+    ]);
   });
 });

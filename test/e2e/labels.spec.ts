@@ -5,7 +5,16 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, open, settle, takePicture, takeScreenshot, keptTest as test, withElement } from './helpers/harness.ts';
+import {
+  expect,
+  fieldUrl,
+  open,
+  settle,
+  takePicture,
+  takeScreenshot,
+  keptTest as test,
+  withElement,
+} from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { serveFiles } from './helpers/served-files.ts';
 import { field } from './helpers/volumes.ts';
@@ -15,32 +24,54 @@ const atlas: Volume = (() => {
   const [nx, ny, nz] = [12, 10, 8];
   const made = syntheticVolume({ dimensions: [nx, ny, nz], spacing: [2, 3, 4] });
   const { indexToWorld } = field.grid;
-  const half = indexToWorld.map((entry, i) => (i < 12 && i % 4 < 3 ? 2 * entry : i < 12 ? entry + 0.5 * (indexToWorld[i - 1] + indexToWorld[i - 2] + indexToWorld[i - 3]) : entry));
+  const half = indexToWorld.map((entry, i) =>
+    i < 12 && i % 4 < 3
+      ? 2 * entry
+      : i < 12
+        ? entry + 0.5 * (indexToWorld[i - 1] + indexToWorld[i - 2] + indexToWorld[i - 3])
+        : entry,
+  );
   const isRight = (i: number): boolean => half[0] * (i + 0.5) > half[0] * (nx / 2);
-  return { ...made, grid: { ...made.grid, indexToWorld: half }, samples: Uint8Array.from({ length: nx * ny * nz }, (_, at) => (isRight(at % nx) ? 3 : 7)), slope: 1, intercept: 0 };
+  return {
+    ...made,
+    grid: { ...made.grid, indexToWorld: half },
+    samples: Uint8Array.from({ length: nx * ny * nz }, (_, at) => (isRight(at % nx) ? 3 : 7)),
+    slope: 1,
+    intercept: 0,
+  };
 })();
 const files: Record<string, Buffer> = {
   'atlas.nii': Buffer.from(niftiBytes(atlas)),
-  'far.nii': Buffer.from(niftiBytes({ ...atlas, grid: { ...atlas.grid, indexToWorld: atlas.grid.indexToWorld.map((entry, i) => (i === 3 ? entry + 1e4 : entry)) } })),
+  'far.nii': Buffer.from(
+    niftiBytes({
+      ...atlas,
+      grid: { ...atlas.grid, indexToWorld: atlas.grid.indexToWorld.map((entry, i) => (i === 3 ? entry + 1e4 : entry)) },
+    }),
+  ),
   'dseg.tsv': Buffer.from('index\tname\tcolor\n3\tRight side\t#ff0000\n7\tLeft side\t#0000ff\n7\tagain\t#00ff00\n'),
 };
 const folder = '/test/e2e/pages/data/labels';
 /** Software GL takes half a second for a picture of labels of the specs' usual size: these have a quarter of its pixels. */
 const small = 'style="width: 60px; height: 45px"';
-const looks = 'transfer-function="0 white 0, 60 white 40%" value-window="0 255" steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="A field"';
-const view = (inside: string, src = fieldUrl): string => `<main><h1>Labels</h1><volume-view id="v" src="${src}" ${small} ${looks}>${inside}</volume-view>`;
-const labels = (attributes = `src="${folder}/atlas.nii" table="${folder}/dseg.tsv"`, inside = ''): string => `<volume-labels ${attributes}>${inside}</volume-labels>`;
+const looks =
+  'transfer-function="0 white 0, 60 white 40%" value-window="0 255" steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="A field"';
+const view = (inside: string, src = fieldUrl): string =>
+  `<main><h1>Labels</h1><volume-view id="v" src="${src}" ${small} ${looks}>${inside}</volume-view>`;
+const labels = (attributes = `src="${folder}/atlas.nii" table="${folder}/dseg.tsv"`, inside = ''): string =>
+  `<volume-labels ${attributes}>${inside}</volume-labels>`;
 const twice = /^warning: <volume-labels>: of the BIDS table .*\nline 4: label 7 is there already/;
 
 const serve = (page: Page): Promise<readonly string[]> => serveFiles(page, folder, files);
 
-const withLabels = <R>(page: Page, act: (element: VolumeLabels) => R): Promise<R> => page.locator('volume-labels').evaluate(act as never);
+const withLabels = <R>(page: Page, act: (element: VolumeLabels) => R): Promise<R> =>
+  page.locator('volume-labels').evaluate(act as never);
 
 /** What picks right and left of the middle tell: id and name; null for nothing. */
-const pickNames = (page: Page): Promise<unknown> => withElement(page, async (one) => {
-  const picks = await Promise.all([0.4, 0.6].map((x) => one.pick(x * one.clientWidth, one.clientHeight / 2)));
-  return picks.map((pick) => pick && [pick.label, pick.labelName]);
-});
+const pickNames = (page: Page): Promise<unknown> =>
+  withElement(page, async (one) => {
+    const picks = await Promise.all([0.4, 0.6].map((x) => one.pick(x * one.clientWidth, one.clientHeight / 2)));
+    return picks.map((pick) => pick && [pick.label, pick.labelName]);
+  });
 
 /** How red, less how blue, what is left and what is right of the middle is. */
 function tintOf({ width, height, data }: Picture): [left: number, right: number] {
@@ -55,15 +86,24 @@ function tintOf({ width, height, data }: Picture): [left: number, right: number]
 test.describe('an atlas', () => {
   test.use({ allowedLines: twice });
 
-  test('colours and names what it covers, in 3D and in a pane; the list hides one, and nothing else changes', async ({ page }) => {
+  test('colours and names what it covers, in 3D and in a pane; the list hides one, and nothing else changes', async ({
+    page,
+  }) => {
     await serve(page);
-    await open(page, `${view(labels())}<volume-slice-view for="v" type="coronal" style="width: 160px" value-window="0 255"></volume-slice-view>
-      <volume-readout for="v"></volume-readout><volume-label-list for="v"></volume-label-list></main>`);
+    await open(
+      page,
+      `${view(labels())}<volume-slice-view for="v" type="coronal" style="width: 160px" value-window="0 255"></volume-slice-view>
+      <volume-readout for="v"></volume-readout><volume-label-list for="v"></volume-label-list></main>`,
+    );
     await settle(page);
     const rows = page.locator('volume-label-list li');
     await expect(rows).toHaveCount(3);
     await expect(page.getByRole('checkbox')).toHaveText(['', '', '']);
-    expect(await page.locator('volume-label-list bdi').allTextContents()).toEqual(['Everything else', 'Right side', 'Left side']);
+    expect(await page.locator('volume-label-list bdi').allTextContents()).toEqual([
+      'Everything else',
+      'Right side',
+      'Left side',
+    ]);
     const before = await takePicture(page);
     const [left, right] = tintOf(before);
     // From the front the patient's right is on the left, as in the coronal pane.
@@ -73,12 +113,22 @@ test.describe('an atlas', () => {
     expect(pane[0]).toBeGreaterThan(1000);
     expect(pane[1]).toBeLessThan(-1000);
     await expect(page.locator('volume-slice-view [part=value]')).toHaveText(/^(Right|Left) side · \d+/);
-    const named = await page.locator('volume-slice-view').evaluate((pane) => new Promise((resolve) => {
-      pane.addEventListener('cursor-change', (event) => resolve((event as CustomEvent<{ label: string }>).detail.label), { once: true });
-      pane.setAttribute('cursor', '5 0 0');
-    }));
+    const named = await page.locator('volume-slice-view').evaluate(
+      (pane) =>
+        new Promise((resolve) => {
+          pane.addEventListener(
+            'cursor-change',
+            (event) => resolve((event as CustomEvent<{ label: string }>).detail.label),
+            { once: true },
+          );
+          pane.setAttribute('cursor', '5 0 0');
+        }),
+    );
     expect(named).toBe('Right side');
-    expect(await pickNames(page)).toEqual([['3', 'Right side'], ['7', 'Left side']]);
+    expect(await pickNames(page)).toEqual([
+      ['3', 'Right side'],
+      ['7', 'Left side'],
+    ]);
     await page.locator('#v').hover({ position: { x: 36, y: 22 } });
     await expect(page.locator('volume-readout dd').first()).toHaveText('Left side');
     expect(await findFaults(page)).toEqual([]);
@@ -94,8 +144,10 @@ test.describe('an atlas', () => {
     }
     expect(change[0], 'the other side stays').toBeLessThanOrEqual(2);
     expect(change[1]).toBeGreaterThan(40);
-    expect(await pickNames(page), 'what is hidden can\'t be pointed at').toEqual([['3', 'Right side'], null]);
-    await expect.poll(async () => tintOf(await takeScreenshot(page, 'volume-slice-view'))[1], 'the pane follows').toBeGreaterThan(-10);
+    expect(await pickNames(page), "what is hidden can't be pointed at").toEqual([['3', 'Right side'], null]);
+    await expect
+      .poll(async () => tintOf(await takeScreenshot(page, 'volume-slice-view'))[1], 'the pane follows')
+      .toBeGreaterThan(-10);
   });
 
   test('obeys keys, the search, scripts and children, and loads nothing twice', async ({ page }) => {
@@ -134,20 +186,29 @@ test.describe('an atlas', () => {
       element.innerHTML = '<volume-label value="3" name="<b>R</b>" color="lime" hidden></volume-label>';
     });
     await expect(page.locator('volume-label-list bdi').nth(1)).toHaveText('<b>R</b>');
-    expect(await withLabels(page, (element) => element.labels.map(({ color }) => color))).toEqual(['#ffffff', '#00ff00', '#0000ff']);
+    expect(await withLabels(page, (element) => element.labels.map(({ color }) => color))).toEqual([
+      '#ffffff',
+      '#00ff00',
+      '#0000ff',
+    ]);
     await withLabels(page, (element) => element.firstElementChild!.toggleAttribute('hidden'));
     await withLabels(page, (element) => element.firstElementChild!.toggleAttribute('hidden'));
     await expect.poll(hidden, 'an attribute that changes counts again').toEqual([3]);
     for (const name of ['atlas.nii', 'dseg.tsv']) expect(asked.filter((path) => path.endsWith(name))).toHaveLength(1);
-    await withLabels(page, (element) => (element.innerHTML = '<volume-label value="3" transfer-function="0% lime 0, 25% lime 40%"></volume-label>'));
+    await withLabels(
+      page,
+      (element) =>
+        (element.innerHTML = '<volume-label value="3" transfer-function="0% lime 0, 25% lime 40%"></volume-label>'),
+    );
     await settle(page);
     const tints = tintOf(await takePicture(page));
     expect(Math.abs(tints[0]), 'a label with a transfer function of its own has the colours of that').toBeLessThan(25);
     expect(tints[1]).toBeLessThan(-1000);
-    const pickAppearance = (): Promise<[string, number] | null> => withElement(page, async (one) => {
-      const pick = await one.pick(0.4 * one.clientWidth, one.clientHeight / 2);
-      return pick && [pick.color, pick.opacity];
-    });
+    const pickAppearance = (): Promise<[string, number] | null> =>
+      withElement(page, async (one) => {
+        const pick = await one.pick(0.4 * one.clientWidth, one.clientHeight / 2);
+        return pick && [pick.color, pick.opacity];
+      });
     const [color, opacity] = (await pickAppearance())!;
     expect(color).toBe('#00ff00');
     await withElement(page, (one) => one.setAttribute('value-window', '0 12000'));
@@ -170,8 +231,11 @@ test.describe('a volume that is labels', () => {
 
   test('takes names and colours of a table', async ({ page }) => {
     await serve(page);
-    await open(page, `<main><h1>Labels</h1><volume-view id="v" src="${folder}/atlas.nii" ${small} steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="Two sides">${labels(`table="${folder}/dseg.tsv"`)}</volume-view>
-      <volume-slice-view for="v" type="coronal" style="width: 160px"></volume-slice-view></main>`);
+    await open(
+      page,
+      `<main><h1>Labels</h1><volume-view id="v" src="${folder}/atlas.nii" ${small} steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="Two sides">${labels(`table="${folder}/dseg.tsv"`)}</volume-view>
+      <volume-slice-view for="v" type="coronal" style="width: 160px"></volume-slice-view></main>`,
+    );
     await settle(page);
     const [left, right] = tintOf(await takePicture(page));
     expect(left).toBeGreaterThan(1000);
@@ -188,28 +252,44 @@ test.describe('a volume that is labels', () => {
 test.describe('a pane that stands alone', () => {
   test.use({ allowedLines: twice });
 
-  test('has labels beside its file, or is labels itself, and tells what it can\'t show', async ({ page }) => {
+  test("has labels beside its file, or is labels itself, and tells what it can't show", async ({ page }) => {
     await serve(page);
-    const pane = (id: string, src: string, inside: string): string => `<volume-slice-view id="${id}" src="${src}" type="coronal" style="width: 160px">${inside}</volume-slice-view>`;
-    await open(page, `<main><h1>Panes</h1>${pane('beside', fieldUrl, labels())}${pane('own', `${folder}/atlas.nii`, labels(`table="${folder}/dseg.tsv"`))}</main>`);
-    for (const [id, value] of [['beside', /^(Right|Left) side · \d+/], ['own', /^(Right|Left) side$/]] as const) {
+    const pane = (id: string, src: string, inside: string): string =>
+      `<volume-slice-view id="${id}" src="${src}" type="coronal" style="width: 160px">${inside}</volume-slice-view>`;
+    await open(
+      page,
+      `<main><h1>Panes</h1>${pane('beside', fieldUrl, labels())}${pane('own', `${folder}/atlas.nii`, labels(`table="${folder}/dseg.tsv"`))}</main>`,
+    );
+    for (const [id, value] of [
+      ['beside', /^(Right|Left) side · \d+/],
+      ['own', /^(Right|Left) side$/],
+    ] as const) {
       await expect(page.locator(`#${id} [part=value]`)).toHaveText(value);
       const [left, right] = tintOf(await takeScreenshot(page, `#${id}`));
       expect(left, id).toBeGreaterThan(1000);
       expect(right, id).toBeLessThan(-1000);
     }
-    await page.locator('#beside volume-labels').evaluate((element, src) => element.setAttribute('src', src), `${folder}/far.nii`);
+    await page
+      .locator('#beside volume-labels')
+      .evaluate((element, src) => element.setAttribute('src', src), `${folder}/far.nii`);
     await expect(page.locator('#beside [part=error]')).toContainText('no place in common');
     await page.locator('#beside volume-labels').evaluate((element) => element.remove());
     await expect(page.locator('#beside [part=error]')).toHaveCount(0);
-    await expect.poll(async () => tintOf(await takeScreenshot(page, '#beside .picture'))[1], 'grey but for the crosshair').toBeGreaterThan(-10);
+    await expect
+      .poll(async () => tintOf(await takeScreenshot(page, '#beside .picture'))[1], 'grey but for the crosshair')
+      .toBeGreaterThan(-10);
   });
 });
 
-test.describe('what can\'t be shown', () => {
-  test.use({ allowedLines: new RegExp(`${twice.source}|^warning: <volume-labels> (got no volume around it|is the second one)`) });
+test.describe("what can't be shown", () => {
+  test.use({
+    allowedLines: new RegExp(`${twice.source}|^warning: <volume-labels> (got no volume around it|is the second one)`),
+  });
 
-  test('is told, and the last good labels stay; elements without a volume of their own say so', async ({ page, lines }) => {
+  test('is told, and the last good labels stay; elements without a volume of their own say so', async ({
+    page,
+    lines,
+  }) => {
     await serve(page);
     await open(page, `${view(labels())}</main>`);
     await settle(page);
@@ -220,25 +300,40 @@ test.describe('what can\'t be shown', () => {
       document.body.insertAdjacentHTML('beforeend', html);
     }, others);
     await expect.poll(() => lines.filter((line) => /no volume around it|the second one/.test(line)).length).toBe(2);
-    await page.evaluate(() => document.querySelectorAll('volume-labels:not(:first-child), body > volume-labels').forEach((element) => element.remove()));
+    await page.evaluate(() =>
+      document
+        .querySelectorAll('volume-labels:not(:first-child), body > volume-labels')
+        .forEach((element) => element.remove()),
+    );
     const errors: [Record<string, string>, string, RegExp][] = [
       [{ src: `${folder}/far.nii` }, 'format/unsupported', /no place in common/],
       [{ src: fieldUrl, table: `${folder}/atlas.nii` }, 'format/unknown', /BIDS/],
     ];
     for (const [attributes, code, message] of errors) {
-      const reported = await page.locator('volume-labels').evaluate((element, changes) => new Promise<{ code: string; message: string }>((resolve) => {
-        element.addEventListener('error', (event) => resolve((event as unknown as CustomEvent<{ code: string; message: string }>).detail), { once: true });
-        for (const [name, value] of Object.entries(changes)) element.setAttribute(name, value);
-      }), attributes);
+      const reported = await page.locator('volume-labels').evaluate(
+        (element, changes) =>
+          new Promise<{ code: string; message: string }>((resolve) => {
+            element.addEventListener(
+              'error',
+              (event) => resolve((event as unknown as CustomEvent<{ code: string; message: string }>).detail),
+              { once: true },
+            );
+            for (const [name, value] of Object.entries(changes)) element.setAttribute(name, value);
+          }),
+        attributes,
+      );
       expect(reported.code).toBe(code);
       expect(reported.message).toMatch(message);
       await expect(page.getByRole('alert')).toContainText('The labels cannot be shown.');
       await expect(page.getByRole('alert')).toContainText(message);
     }
-    await page.locator('volume-labels').evaluate((element, [src, table]) => {
-      element.setAttribute('src', src);
-      element.setAttribute('table', table);
-    }, [`${folder}/atlas.nii`, `${folder}/dseg.tsv`]);
+    await page.locator('volume-labels').evaluate(
+      (element, [src, table]) => {
+        element.setAttribute('src', src);
+        element.setAttribute('table', table);
+      },
+      [`${folder}/atlas.nii`, `${folder}/dseg.tsv`],
+    );
     await settle(page);
     await expect(page.getByRole('alert')).toHaveCount(0);
     expect(tintOf(await takePicture(page))).toEqual(before);

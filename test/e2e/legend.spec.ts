@@ -4,7 +4,10 @@ import { expect, open, keptTest as test, withElement } from './helpers/harness.t
 
 test.describe('the legend', () => {
   test('has round numbers, the unit, and itself in words', async ({ page }) => {
-    await open(page, `<volume-view src="/test/e2e/pages/data/field.json" transfer-function="0 blue 1%, 0.5 red 5%, 1 red 10%" alt="A"></volume-view><volume-legend></volume-legend>`);
+    await open(
+      page,
+      `<volume-view src="/test/e2e/pages/data/field.json" transfer-function="0 blue 1%, 0.5 red 5%, 1 red 10%" alt="A"></volume-view><volume-legend></volume-legend>`,
+    );
     const picture = page.getByRole('img', { name: /^A smooth field, 0 to 1 au: blue, .* red from 0\.\d+\.$/ });
     await expect(picture).toBeVisible();
     const ticks = page.locator('volume-legend [part=ticks] span');

@@ -1,5 +1,14 @@
 // An element that is moved between documents, and pages that hold it in ways that browsers do not tell of.
-import { expect, expectSamePicture, fieldUrl, open, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
+import {
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  open,
+  takePicture,
+  takeScreenshot,
+  test,
+  withElement,
+} from './helpers/harness.ts';
 import { decodePicture } from './helpers/pictures.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 
@@ -21,10 +30,12 @@ test.describe('an element in a frame of the page', () => {
       const there = page.frames()[1].locator('volume-view');
       await there.evaluate((element: HTMLElementTagNameMap['volume-view']) => element.whenRendered());
       expect((await there.boundingBox())!.height).toBe(90);
-      expect(await there.evaluate((element) => {
-        const { clientWidth, width } = element.shadowRoot!.querySelector('canvas')!;
-        return [getComputedStyle(element.shadowRoot!.querySelector('.picture')!).position, clientWidth, width];
-      })).toEqual(['absolute', 120, 120]);
+      expect(
+        await there.evaluate((element) => {
+          const { clientWidth, width } = element.shadowRoot!.querySelector('canvas')!;
+          return [getComputedStyle(element.shadowRoot!.querySelector('.picture')!).position, clientWidth, width];
+        }),
+      ).toEqual(['absolute', 120, 120]);
       expectSamePicture(decodePicture(await there.screenshot()), onBlack);
       await view.evaluate((element) => document.body.prepend(element!));
       await withElement(page, (element) => element.whenRendered());

@@ -20,7 +20,13 @@ interface Counted {
 test('a plain MRI compiles one ray-caster, and asks for no part of other features', async ({ page }) => {
   const scripts: string[] = [];
   page.on('request', (request) => {
-    if (request.url().endsWith('.js')) scripts.push(new URL(request.url()).pathname.split('/').at(-1)!.replace(/-.{8}\.js$/, ''));
+    if (request.url().endsWith('.js'))
+      scripts.push(
+        new URL(request.url()).pathname
+          .split('/')
+          .at(-1)!
+          .replace(/-.{8}\.js$/, ''),
+      );
   });
   await page.addInitScript(countGpuBytes);
   await page.addInitScript(() => {
@@ -28,10 +34,18 @@ test('a plain MRI compiles one ray-caster, and asks for no part of other feature
     Object.assign(window, { counted });
     const { linkProgram } = WebGL2RenderingContext.prototype;
     WebGL2RenderingContext.prototype.linkProgram = function (program) {
-      counted.programs.push((this.getAttachedShaders(program) ?? []).some((shader) => this.getShaderSource(shader)?.includes('gatherSegment')));
+      counted.programs.push(
+        (this.getAttachedShaders(program) ?? []).some((shader) =>
+          this.getShaderSource(shader)?.includes('gatherSegment'),
+        ),
+      );
       linkProgram.call(this, program);
     };
-    const getContext = HTMLCanvasElement.prototype.getContext as (this: HTMLCanvasElement, kind: string, options?: unknown) => RenderingContext | null;
+    const getContext = HTMLCanvasElement.prototype.getContext as (
+      this: HTMLCanvasElement,
+      kind: string,
+      options?: unknown,
+    ) => RenderingContext | null;
     HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, options?: unknown) {
       if (kind === 'webgl2') counted.contexts++;
       return getContext.call(this, kind, options);
@@ -45,16 +59,27 @@ test('a plain MRI compiles one ray-caster, and asks for no part of other feature
       if (args.at(-1) instanceof Float32Array && args[4] === 64) counted.tables++;
       Reflect.apply(texImage2D, this, args);
     };
-    document.addEventListener('render', (event) => {
-      counted.atFirst ||= counted.programs.length;
-      counted.readsAt.push(counted.reads);
-      counted.widths.push((event as CustomEvent<{ width: number }>).detail.width);
-    }, true);
+    document.addEventListener(
+      'render',
+      (event) => {
+        counted.atFirst ||= counted.programs.length;
+        counted.readsAt.push(counted.reads);
+        counted.widths.push((event as CustomEvent<{ width: number }>).detail.width);
+      },
+      true,
+    );
   });
-  await open(page, '<volume-view src="/demos/data/mni152-t1.nii.gz" style="width: 160px; height: 120px" alt="A head"></volume-view>');
+  await open(
+    page,
+    '<volume-view src="/demos/data/mni152-t1.nii.gz" style="width: 160px; height: 120px" alt="A head"></volume-view>',
+  );
   await settle(page);
-  const bytes = await page.evaluate(() => (window as unknown as { gpuBytes: () => { samples: number; textures: number } }).gpuBytes());
-  const { programs, atFirst, contexts, readsAt, tables, widths } = await page.evaluate(() => (window as unknown as { counted: Counted }).counted);
+  const bytes = await page.evaluate(() =>
+    (window as unknown as { gpuBytes: () => { samples: number; textures: number } }).gpuBytes(),
+  );
+  const { programs, atFirst, contexts, readsAt, tables, widths } = await page.evaluate(
+    () => (window as unknown as { counted: Counted }).counted,
+  );
   expect(programs.filter((casts) => casts)).toHaveLength(1);
   // Two of x3dom's own come with every scene.
   expect(atFirst).toBeLessThanOrEqual(3);
@@ -63,9 +88,28 @@ test('a plain MRI compiles one ray-caster, and asks for no part of other feature
   expect(readsAt[0], 'the first picture waits for nothing').toBe(0);
   expect(readsAt.at(-1), 'two lattices of three pictures tell the error').toBeLessThanOrEqual(6);
   expect(tables, 'what the coarse picture has made stays').toBe(1);
-  expect(widths.every((width, i) => i === 0 || width >= widths[i - 1]), `no picture is smaller than the one before: ${widths.join(' ')}`).toBe(true);
+  expect(
+    widths.every((width, i) => i === 0 || width >= widths[i - 1]),
+    `no picture is smaller than the one before: ${widths.join(' ')}`,
+  ).toBe(true);
   expect(widths.at(-1)).toBe(160);
-  const expected = ['volume-view.js', 'decode-worker.js', 'x3dom.js', 'framing', 'gpu-timer', 'upload-gradually', 'view-quality', 'emission-range', 'depth-jumps', 'interaction', 'camera-moves', 'pointer-place', 'gather-picture', 'worker-nifti', 'worker-grid-samples'];
+  const expected = [
+    'volume-view.js',
+    'decode-worker.js',
+    'x3dom.js',
+    'framing',
+    'gpu-timer',
+    'upload-gradually',
+    'view-quality',
+    'emission-range',
+    'depth-jumps',
+    'interaction',
+    'camera-moves',
+    'pointer-place',
+    'gather-picture',
+    'worker-nifti',
+    'worker-grid-samples',
+  ];
   // Where the final picture takes more than a second, which no test can say.
   expected.push('refining-sign', 'apply-sheet');
   expect(scripts.filter((name) => !expected.includes(name))).toEqual([]);
@@ -75,7 +119,14 @@ test('a plain MRI compiles one ray-caster, and asks for no part of other feature
 
 test('what draws a radar is there before its file is', async ({ page }) => {
   const scripts: string[] = [];
-  page.on('requestfinished', (request) => scripts.push(new URL(request.url()).pathname.split('/').at(-1)!.replace(/-.{8}\.js$/, '')));
+  page.on('requestfinished', (request) =>
+    scripts.push(
+      new URL(request.url()).pathname
+        .split('/')
+        .at(-1)!
+        .replace(/-.{8}\.js$/, ''),
+    ),
+  );
   let isHeld = false;
   const parts = ['polar-provider', 'other-shapes', 'read-cuts', 'presets', 'precompile'];
   // The picture of the manifest is held back until they are there: it would never come, were they asked for later.
@@ -84,7 +135,10 @@ test('what draws a radar is there before its file is', async ({ page }) => {
     await expect.poll(() => parts.filter((part) => !scripts.includes(part))).toEqual([]);
     await route.continue();
   });
-  await open(page, '<volume-view src="/demos/data/storm-radar-1510.json" style="width: 200px; height: 150px" alt="A storm"></volume-view>');
+  await open(
+    page,
+    '<volume-view src="/demos/data/storm-radar-1510.json" style="width: 200px; height: 150px" alt="A storm"></volume-view>',
+  );
   await settle(page);
   expect(isHeld).toBe(true);
 });

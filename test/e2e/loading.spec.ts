@@ -1,7 +1,18 @@
 // Large volumes: what is shown when, where the bytes are, what happens on the way.
 import type { Page } from '@playwright/test';
 import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
-import { compare, expect, open, seenEvents, setAttributes, settle, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  open,
+  seenEvents,
+  setAttributes,
+  settle,
+  takePicture,
+  test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { largeEdge, loadLump, meanAlpha, plain, watchPieces } from './helpers/lump.ts';
 import type { Watch } from './helpers/lump.ts';
 import { decodePicture } from './helpers/pictures.ts';
@@ -16,8 +27,9 @@ test.beforeEach(async ({ page }) => {
 async function countHeapBytes(page: Page): Promise<number> {
   const client = await page.context().newCDPSession(page);
   await client.send('HeapProfiler.collectGarbage');
-  const usage = await client.send('Runtime.getHeapUsage') as { backingStorageSize?: number };
-  if (usage.backingStorageSize === undefined) throw new Error('this Chromium does not tell what array buffers take; a newer one does');
+  const usage = (await client.send('Runtime.getHeapUsage')) as { backingStorageSize?: number };
+  if (usage.backingStorageSize === undefined)
+    throw new Error('this Chromium does not tell what array buffers take; a newer one does');
   return usage.backingStorageSize;
 }
 
@@ -62,7 +74,10 @@ test('a coarse picture comes first, and the whole takes its place without a jump
   await waitForEvent(page, 'load');
   await settle(page);
   const seen = await page.evaluate(() => {
-    const { coarse, changes } = window as unknown as { coarse: { converged: boolean; picture: string }[]; changes: number };
+    const { coarse, changes } = window as unknown as {
+      coarse: { converged: boolean; picture: string }[];
+      changes: number;
+    };
     return { coarse, changes };
   });
   expect(seen.coarse.length, 'pictures before the volume is there').toBeGreaterThan(0);
@@ -81,18 +96,28 @@ test('a person who turns the coarse picture keeps what they see', async ({ page 
   await withElement(page, (element) => {
     // What takes the keys comes with the first picture: they are pressed until it is there.
     const press = (): void => {
-      for (let i = 0; i < 4; i++) element.shadowRoot!.querySelector('.picture')!.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft', bubbles: true }));
+      for (let i = 0; i < 4; i++)
+        element
+          .shadowRoot!.querySelector('.picture')!
+          .dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft', bubbles: true }));
     };
-    element.addEventListener('render', () => {
-      const pressing = setInterval(press, 5);
-      element.addEventListener('camera-change', () => clearInterval(pressing), { once: true });
-    }, { once: true });
+    element.addEventListener(
+      'render',
+      () => {
+        const pressing = setInterval(press, 5);
+        element.addEventListener('camera-change', () => clearInterval(pressing), { once: true });
+      },
+      { once: true },
+    );
   });
   await loadLump(page, largeEdge, 8);
   await waitForEvent(page, 'load');
   await settle(page);
   const moves = (await seenEvents(page)).filter(({ type }) => type === 'camera-change');
-  const { orbit: { theta, radius }, target } = moves.at(-1)!.detail as { orbit: { theta: number; radius: number }; target: number[] };
+  const {
+    orbit: { theta, radius },
+    target,
+  } = moves.at(-1)!.detail as { orbit: { theta: number; radius: number }; target: number[] };
   expect(Math.abs(theta - (35 * Math.PI) / 180), 'radians that it turned').toBeGreaterThan(0.2);
   const turned = await takePicture(page);
   await setAttributes(page, { 'camera-orbit': `${theta}rad 65deg ${radius}`, 'camera-target': target.join(' ') });
@@ -116,7 +141,9 @@ test('another source ends an upload and takes its memory back', async ({ page })
   expect(pieces, 'pieces of the coarse volume, a part of the large one, and the ball').toBeLessThan(30);
   expect(textures).toBeLessThan(8e6);
   const loads = (await seenEvents(page)).filter(({ type }) => type === 'load' || type === 'error');
-  expect(loads.map(({ type, detail }) => [type, (detail as { dimensions: number[] }).dimensions[0]])).toEqual([['load', 12]]);
+  expect(loads.map(({ type, detail }) => [type, (detail as { dimensions: number[] }).dimensions[0]])).toEqual([
+    ['load', 12],
+  ]);
 });
 
 test('a context that is lost during an upload costs nothing but time', async ({ page }) => {
@@ -130,7 +157,10 @@ test('a context that is lost during an upload costs nothing but time', async ({ 
   await waitForEvent(page, 'load');
   await settle(page);
   const after = await takePicture(page);
-  expect(await page.evaluate(() => (window as unknown as Watch).pieces), 'pieces of one upload and a part').toBeGreaterThan(45);
+  expect(
+    await page.evaluate(() => (window as unknown as Watch).pieces),
+    'pieces of one upload and a part',
+  ).toBeGreaterThan(45);
   expect((await seenEvents(page)).filter(({ type }) => type === 'error')).toEqual([]);
   await loadLump(page, largeEdge, 8);
   await waitForEvent(page, 'load', { since: (await seenEvents(page)).length });
@@ -152,7 +182,10 @@ test('where the whole fails after its coarse picture, the last good picture is b
   const since = (await seenEvents(page)).length;
   await loadLump(page, largeEdge, 8);
   await waitForEvent(page, 'error', { since });
-  expect((await seenEvents(page)).slice(since).filter(({ type }) => type === 'render').length, 'pictures of the coarse one').toBeGreaterThan(0);
+  expect(
+    (await seenEvents(page)).slice(since).filter(({ type }) => type === 'render').length,
+    'pictures of the coarse one',
+  ).toBeGreaterThan(0);
   // The words of the error cover it, and toBlob says them.
   const url = await withElement(page, async (element) => {
     await element.redraw();

@@ -13,7 +13,9 @@ for (const [name, tag] of [
   ['surfaces of a CT', 'src="/demos/data/ct-phantom.nii.gz" preset="ct-bone" surface-values="200 white"'],
   ['a radar with its rings', 'src="/demos/data/storm-radar-1510.json"'],
 ] as const) {
-  test(`the page's thread never waits for what is read of ${name}: it reads when the GPU has drawn that`, async ({ page }) => {
+  test(`the page's thread never waits for what is read of ${name}: it reads when the GPU has drawn that`, async ({
+    page,
+  }) => {
     await page.addInitScript(() => {
       const watched: Watched = { reads: 0, waits: [], shown: 0 };
       Object.assign(window, { watched });
@@ -22,7 +24,8 @@ for (const [name, tag] of [
       // By contexts: how many drawings there were, and how many of them are known to be done.
       const drawn = new WeakMap<WebGL2RenderingContext, { count: number; done: number }>();
       const fences = new WeakMap<WebGLSync, number>();
-      const of = (context: WebGL2RenderingContext): { count: number; done: number } => drawn.get(context) ?? { count: 0, done: 0 };
+      const of = (context: WebGL2RenderingContext): { count: number; done: number } =>
+        drawn.get(context) ?? { count: 0, done: 0 };
       for (const draw of ['drawArrays', 'drawElements'] as const) {
         const original = gl[draw] as (...args: unknown[]) => void;
         gl[draw] = function (this: WebGL2RenderingContext, ...args: unknown[]) {
@@ -37,7 +40,8 @@ for (const [name, tag] of [
       };
       gl.clientWaitSync = function (fence, flags, timeout) {
         const status = clientWaitSync.call(this, fence, flags, timeout);
-        if (status !== this.TIMEOUT_EXPIRED) drawn.set(this, { ...of(this), done: Math.max(of(this).done, fences.get(fence) ?? 0) });
+        if (status !== this.TIMEOUT_EXPIRED)
+          drawn.set(this, { ...of(this), done: Math.max(of(this).done, fences.get(fence) ?? 0) });
         return status;
       };
       gl.readPixels = function (this: WebGL2RenderingContext, ...args: unknown[]) {
@@ -55,7 +59,7 @@ for (const [name, tag] of [
     // What is learnt of the last picture comes after it.
     const { reads, waits, shown } = await page.evaluate(async () => {
       const { watched } = window as unknown as { watched: Watched };
-      for (let before = -1; before < watched.reads; ) {
+      for (let before = -1; before < watched.reads;) {
         before = watched.reads;
         await new Promise((resolve) => setTimeout(resolve, 500));
       }

@@ -6,7 +6,16 @@ import type { MeasureResult } from '../../src/viewer/tools/measuring.ts';
 import { projectPlace } from '../../src/viewer/camera/project-place.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, open, settle, takePicture, keptTest as test, test as newPageTest, withElement } from './helpers/harness.ts';
+import {
+  expect,
+  fieldUrl,
+  open,
+  settle,
+  takePicture,
+  keptTest as test,
+  test as newPageTest,
+  withElement,
+} from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 import { line, touch } from './helpers/touch.ts';
 
@@ -16,16 +25,32 @@ const view = `<volume-view id="field" src="${fieldUrl}" ${attributesOf()} alt="A
 const wide = { head: '<style>volume-view { width: 240px; height: 180px }</style>' };
 const rows = (page: Page): Locator => page.locator('volume-measure [part=row]');
 const handles = (page: Page): Locator => page.locator('volume-view .handle');
-const pointsOf = (page: Page): Promise<readonly Vector3[] | null> => page.locator('volume-measure').evaluate((element: Measure) => element.points);
+const pointsOf = (page: Page): Promise<readonly Vector3[] | null> =>
+  page.locator('volume-measure').evaluate((element: Measure) => element.points);
 
 async function openMeasure(page: Page, attributes: string): Promise<void> {
-  await open(page, `<main>${view}<volume-measure for="field" ${attributes}></volume-measure><h1>Test</h1></main>`, wide);
+  await open(
+    page,
+    `<main>${view}<volume-measure for="field" ${attributes}></volume-measure><h1>Test</h1></main>`,
+    wide,
+  );
   await settle(page);
   await expect(page.locator('volume-measure [part=measure]')).toBeVisible();
-  await page.locator('volume-measure').evaluate((element: Measure) => element.addEventListener('measure-change', (event) => ((window as { last?: unknown }).last = (event as CustomEvent<unknown>).detail)));
+  await page
+    .locator('volume-measure')
+    .evaluate((element: Measure) =>
+      element.addEventListener(
+        'measure-change',
+        (event) => ((window as { last?: unknown }).last = (event as CustomEvent<unknown>).detail),
+      ),
+    );
 }
 
-const picture = async (page: Page): Promise<SeenPicture> => ({ camera: (await withElement(page, (element) => element.camera))!, width: 240, height: 180 });
+const picture = async (page: Page): Promise<SeenPicture> => ({
+  camera: (await withElement(page, (element) => element.camera))!,
+  width: 240,
+  height: 180,
+});
 
 async function middleOf(handle: Locator): Promise<[x: number, y: number]> {
   const box = (await handle.boundingBox())!;
@@ -33,16 +58,24 @@ async function middleOf(handle: Locator): Promise<[x: number, y: number]> {
 }
 
 function expectNear(got: readonly number[] | undefined, expected: readonly number[], tolerance: number): void {
-  expected.forEach((x, axis) => expect(Math.abs(got![axis] - x), `${String(got)} is not ${String(expected)}`).toBeLessThan(tolerance));
+  expected.forEach((x, axis) =>
+    expect(Math.abs(got![axis] - x), `${String(got)} is not ${String(expected)}`).toBeLessThan(tolerance),
+  );
 }
 
-test('a distance has lines in the scene, and handles that mouse, finger and keys move while the picture stands still', async ({ page }) => {
+test('a distance has lines in the scene, and handles that mouse, finger and keys move while the picture stands still', async ({
+  page,
+}) => {
   await openMeasure(page, 'points="-16 0 0, 8 0 0" color="#00ff00"');
   await expect(rows(page)).toHaveText(/^Distance\s*24\.00 ± 0\.82 mm$/);
   // In the scene itself, and not only over it.
   const countGreen = async (): Promise<number> => {
     const { data } = await takePicture(page);
-    return data.reduce((count, green, i) => count + (i % 4 === 1 && green > 1.3 * data[i - 1] && green > 1.3 * data[i + 1] && green > 40 ? 1 : 0), 0);
+    return data.reduce(
+      (count, green, i) =>
+        count + (i % 4 === 1 && green > 1.3 * data[i - 1] && green > 1.3 * data[i + 1] && green > 40 ? 1 : 0),
+      0,
+    );
   };
   await expect.poll(countGreen).toBeGreaterThan(5);
   const seen = await picture(page);
@@ -85,7 +118,10 @@ test('a distance has lines in the scene, and handles that mouse, finger and keys
 
 test('points are placed by clicks, cancelled by Escape, and placed in the middle for keys', async ({ page }) => {
   await openMeasure(page, 'type="angle"');
-  const [begin, middle] = [page.locator('volume-measure button').first(), page.getByRole('button', { name: 'Place in the middle' })];
+  const [begin, middle] = [
+    page.locator('volume-measure button').first(),
+    page.getByRole('button', { name: 'Place in the middle' }),
+  ];
   await begin.click();
   await page.mouse.click(100, 90);
   await expect(page.locator('volume-measure [part=hint]')).toContainText('point 2 of 3');
@@ -94,7 +130,11 @@ test('points are placed by clicks, cancelled by Escape, and placed in the middle
   await page.keyboard.press('Escape');
   await expect(handles(page)).toHaveCount(0);
   await begin.click();
-  for (const [x, y] of [[100, 90], [130, 100], [125, 70]] as const) {
+  for (const [x, y] of [
+    [100, 90],
+    [130, 100],
+    [125, 70],
+  ] as const) {
     await page.mouse.click(x, y);
     await page.waitForTimeout(50);
   }
@@ -110,16 +150,33 @@ test('points are placed by clicks, cancelled by Escape, and placed in the middle
   expect((await pointsOf(page))!.length).toBe(3);
 });
 
-test('what is inside a sphere is added up; what cannot be read is said, and the last good measure stays', async ({ page }) => {
+test('what is inside a sphere is added up; what cannot be read is said, and the last good measure stays', async ({
+  page,
+}) => {
   await openMeasure(page, 'type="sphere" points="0 0 0, 5 0 0"');
-  await expect(rows(page)).toHaveText([/^Radius\s*5 mm$/, /^Volume\s*524 ± \d+ mm³$/, /^Mean/, /^Standard deviation/, /^Minimum to maximum/, /^Voxels\s*\d+, \d+ of them at the edge$/]);
+  await expect(rows(page)).toHaveText([
+    /^Radius\s*5 mm$/,
+    /^Volume\s*524 ± \d+ mm³$/,
+    /^Mean/,
+    /^Standard deviation/,
+    /^Minimum to maximum/,
+    /^Voxels\s*\d+, \d+ of them at the edge$/,
+  ]);
   const result = (await page.locator('volume-measure').evaluate((element: Measure) => element.result))!;
   expect(result.statistics!.count, '524 mm³ of 3 mm³ each').toBeGreaterThan(150);
   const error = page.locator('volume-measure [part=error]');
   await page.locator('volume-measure').evaluate((element) => element.setAttribute('points', '0 0 NaN, 1 1 1'));
-  await expect(error).toHaveText('points of <volume-measure type="sphere"> got "0 0 NaN, 1 1 1"; expected 2 places, three numbers each, like "10 0 5, 10 12 5".');
+  await expect(error).toHaveText(
+    'points of <volume-measure type="sphere"> got "0 0 NaN, 1 1 1"; expected 2 places, three numbers each, like "10 0 5, 10 12 5".',
+  );
   await expect(rows(page).first()).toContainText('5 mm');
-  await page.locator('volume-measure').evaluate((element: Measure) => (element.points = [[900, 0, 0], [901, 0, 0]]));
+  await page.locator('volume-measure').evaluate(
+    (element: Measure) =>
+      (element.points = [
+        [900, 0, 0],
+        [901, 0, 0],
+      ]),
+  );
   await expect(error).toHaveCount(0);
   await expect(rows(page).last()).toHaveText(/none inside/);
   expect(await handles(page).first().isVisible(), 'outside of the picture').toBe(false);
@@ -137,22 +194,40 @@ newPageTest('a page that measures, cuts and names nothing loads nothing of it', 
   await expect.poll(() => loaded.filter((url) => url.includes('measure')).length).toBeGreaterThan(0);
 });
 
-test('the crosshair of panes stands in the picture of their view, which moves it by its cursor and by a click', async ({ page }) => {
-  await open(page, `<main>${view}<volume-slice-view for="field" type="coronal" cursor="1 2 3"></volume-slice-view></main>`, { head: '<style>volume-view { width: 240px; height: 180px } volume-slice-view { width: 120px; --volume-slice-crosshair-color: #12fe34 }</style>' });
+test('the crosshair of panes stands in the picture of their view, which moves it by its cursor and by a click', async ({
+  page,
+}) => {
+  await open(
+    page,
+    `<main>${view}<volume-slice-view for="field" type="coronal" cursor="1 2 3"></volume-slice-view></main>`,
+    {
+      head: '<style>volume-view { width: 240px; height: 180px } volume-slice-view { width: 120px; --volume-slice-crosshair-color: #12fe34 }</style>',
+    },
+  );
   await settle(page);
   const lines = page.locator('volume-view [part=crosshair] path').last();
   await expect(lines).toHaveAttribute('stroke', '#12fe34');
   const seen = await picture(page);
   // Each axis of the world once: two pixels each, and the place is between them.
-  const ends = async (): Promise<number[][]> => [...((await lines.getAttribute('d')) ?? '').matchAll(/M([\d.-]+) ([\d.-]+)L([\d.-]+) ([\d.-]+)/g)].map((found) => found.slice(1).map(Number));
+  const ends = async (): Promise<number[][]> =>
+    [...((await lines.getAttribute('d')) ?? '').matchAll(/M([\d.-]+) ([\d.-]+)L([\d.-]+) ([\d.-]+)/g)].map((found) =>
+      found.slice(1).map(Number),
+    );
   const aside = async (place: Vector3): Promise<number> => {
     const [x, y] = projectPlace(seen.camera, place, seen)!;
     const found = await ends();
-    return found.length === 3 ? Math.max(...found.map(([x0, y0, x1, y1]) => Math.abs((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / Math.hypot(x1 - x0, y1 - y0))) : Infinity;
+    return found.length === 3
+      ? Math.max(
+          ...found.map(
+            ([x0, y0, x1, y1]) => Math.abs((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / Math.hypot(x1 - x0, y1 - y0),
+          ),
+        )
+      : Infinity;
   };
   await expect.poll(() => aside([1, 2, 3])).toBeLessThan(0.2);
   const pane = page.locator('volume-slice-view');
-  const paneCursor = (): Promise<readonly number[] | null> => pane.evaluate((element) => (element as HTMLElement & { cursor: Vector3 | null }).cursor);
+  const paneCursor = (): Promise<readonly number[] | null> =>
+    pane.evaluate((element) => (element as HTMLElement & { cursor: Vector3 | null }).cursor);
   await withElement(page, (element) => (element.cursor = [-4, 5, 6]));
   await expect.poll(paneCursor).toEqual([-4, 5, 6]);
   await expect.poll(() => aside([-4, 5, 6])).toBeLessThan(0.2);
@@ -163,7 +238,9 @@ test('the crosshair of panes stands in the picture of their view, which moves it
   await withElement(page, (element) => (element.crosshair = 'none'));
   await expect.poll(ends).toEqual([]);
   await withElement(page, (element) => element.setAttribute('crosshair', 'nothing'));
-  await expect(pane.locator('[part=error]')).toContainText('crosshair of <volume-view> got "nothing"; expected auto or none');
+  await expect(pane.locator('[part=error]')).toContainText(
+    'crosshair of <volume-view> got "nothing"; expected auto or none',
+  );
   expect(await ends(), 'it stays as it was').toEqual([]);
   await withElement(page, (element) => element.removeAttribute('crosshair'));
   await expect(pane.locator('[part=error]')).toHaveCount(0);

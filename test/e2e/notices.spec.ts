@@ -4,16 +4,35 @@ import { findFaults } from './helpers/axe.ts';
 import { ballUrl, expect, open, settle, keptTest as test, withElement } from './helpers/harness.ts';
 
 const series = '/test/fixtures/nifti/v1-le-series.nii';
-const view = (src: string, more = '', inside = ''): string => `<main><h1>Scan</h1><volume-view src="${src}" style="width: 360px; height: 240px" ${more}>${inside}</volume-view><p tabindex="0">text</p></main>`;
-const script = ['volume-view', 'volume-labels', 'volume-layer', 'volume-surface', 'volume-slice-view'].map((name) => `<script type="module" src="/dist/${name}.js"></script>`).join('');
+const view = (src: string, more = '', inside = ''): string =>
+  `<main><h1>Scan</h1><volume-view src="${src}" style="width: 360px; height: 240px" ${more}>${inside}</volume-view><p tabindex="0">text</p></main>`;
+const script = ['volume-view', 'volume-labels', 'volume-layer', 'volume-surface', 'volume-slice-view']
+  .map((name) => `<script type="module" src="/dist/${name}.js"></script>`)
+  .join('');
 
-const reported = async (page: Page, within = 'volume-view'): Promise<string[]> => page.locator(`${within} [part=notice-text] li`).allTextContents();
+const reported = async (page: Page, within = 'volume-view'): Promise<string[]> =>
+  page.locator(`${within} [part=notice-text] li`).allTextContents();
 const sign = (page: Page, within = 'volume-view') => page.locator(`${within} [part=notice-sign]`);
 const text = (page: Page, within = 'volume-view') => page.locator(`${within} [part=notice-text]`);
 
-const twoVolumes = (keys: readonly string[]): string => `data:application/octet-stream,${encodeURIComponent([
-  'NRRD0004', 'type: uint8', 'encoding: ascii', 'dimension: 4', 'sizes: 2 2 2 2', 'kinds: domain domain domain list', 'space: left-posterior-superior', 'space directions: (5,0,0) (0,5,0) (0,0,5) none',
-  'space origin: (0,0,0)', ...keys, '', '1 1 0 0 0 0 0 0 1 0 0 0 0 0 0 0', ''].join('\n'))}`;
+const twoVolumes = (keys: readonly string[]): string =>
+  `data:application/octet-stream,${encodeURIComponent(
+    [
+      'NRRD0004',
+      'type: uint8',
+      'encoding: ascii',
+      'dimension: 4',
+      'sizes: 2 2 2 2',
+      'kinds: domain domain domain list',
+      'space: left-posterior-superior',
+      'space directions: (5,0,0) (0,5,0) (0,0,5) none',
+      'space origin: (0,0,0)',
+      ...keys,
+      '',
+      '1 1 0 0 0 0 0 0 1 0 0 0 0 0 0 0',
+      '',
+    ].join('\n'),
+  )}`;
 /** A segmentation of 3D Slicer with two layers, of which one hides a voxel of the other. */
 const segments = twoVolumes(['Segment0_Name:=A', 'Segment1_Name:=B']);
 const overlap = '1 of the 2 voxels of the segment "A" are hidden by "B", which overlaps it';
@@ -24,7 +43,9 @@ test('there is none where all of the file is shown, and its part is not loaded',
   await open(page, view(ballUrl), { script });
   await settle(page);
   await expect(sign(page)).toHaveCount(0);
-  expect(await withElement(page, ({ volume }) => [volume!.left, volume!.notices])).toEqual([null, null].map(() => undefined));
+  expect(await withElement(page, ({ volume }) => [volume!.left, volume!.notices])).toEqual(
+    [null, null].map(() => undefined),
+  );
   expect(asked.filter((url) => url.includes('view-notices'))).toEqual([]);
 });
 
@@ -32,7 +53,10 @@ test('it tells when it is pointed at, has the focus of the keys, or is pressed; 
   await open(page, view(series, 'controls'), { script });
   await settle(page);
   await expect(sign(page)).toBeVisible();
-  expect(await withElement(page, ({ volume }) => volume!.notices)).toEqual(['volume 2 of the file', 'number 2 of each voxel']);
+  expect(await withElement(page, ({ volume }) => volume!.notices)).toEqual([
+    'volume 2 of the file',
+    'number 2 of each voxel',
+  ]);
   await expect(text(page)).toBeHidden();
   await sign(page).hover();
   await expect(text(page)).toBeVisible();
@@ -49,7 +73,8 @@ test('it tells when it is pointed at, has the focus of the keys, or is pressed; 
   await expect(text(page)).toBeHidden();
   await page.keyboard.press('Shift+Tab');
   await page.keyboard.press('Tab');
-  for (let i = 0; i < 12 && !(await sign(page).evaluate((button) => button.matches(':focus'))); i++) await page.keyboard.press('Shift+Tab');
+  for (let i = 0; i < 12 && !(await sign(page).evaluate((button) => button.matches(':focus'))); i++)
+    await page.keyboard.press('Shift+Tab');
   await expect(text(page), 'by keys').toBeVisible();
   await expect(sign(page)).toHaveAttribute('aria-expanded', 'true');
   expect(await findFaults(page)).toEqual([]);
@@ -64,7 +89,11 @@ test('it is no part of the picture, lies within it, and an author can hide it', 
   await settle(page);
   const [around, small] = [(await page.locator('volume-view').boundingBox())!, (await sign(page).boundingBox())!];
   expect(small.width).toBeGreaterThanOrEqual(24);
-  expect([small.x >= around.x, small.y >= around.y, small.x + small.width <= around.x + around.width]).toEqual([true, true, true]);
+  expect([small.x >= around.x, small.y >= around.y, small.x + small.width <= around.x + around.width]).toEqual([
+    true,
+    true,
+    true,
+  ]);
   expect((small.width * small.height) / (around.width * around.height), 'of the picture').toBeLessThan(0.02);
   await page.locator('volume-view').evaluate((element) => element.classList.add('plain'));
   await expect(sign(page)).toBeHidden();
@@ -76,12 +105,29 @@ test.describe('beside the volume', () => {
 
   test('it tells of labels, layers and surfaces by their files, as long as they are there', async ({ page }) => {
     const obj = `data:text/plain,${encodeURIComponent('v 0 0 0\nv 9 0 0\nv 0 9 0\nusemtl red\nf 1 2 3\n')}`;
-    await page.route('**/labels.tsv', (route) => route.fulfill({ contentType: 'text/tab-separated-values', body: 'index\tname\nx\tA\n1\tA\n' }));
-    await open(page, view(ballUrl, '', `<volume-labels src="${segments}" table="/labels.tsv"></volume-labels><volume-layer src="${twoVolumes([])}"></volume-layer><volume-surface src="${obj}"></volume-surface>`), { script });
+    await page.route('**/labels.tsv', (route) =>
+      route.fulfill({ contentType: 'text/tab-separated-values', body: 'index\tname\nx\tA\n1\tA\n' }),
+    );
+    await open(
+      page,
+      view(
+        ballUrl,
+        '',
+        `<volume-labels src="${segments}" table="/labels.tsv"></volume-labels><volume-layer src="${twoVolumes([])}"></volume-layer><volume-surface src="${obj}"></volume-surface>`,
+      ),
+      { script },
+    );
     await settle(page);
     await expect(sign(page)).toBeVisible();
     await expect.poll(() => reported(page)).toHaveLength(4);
-    expect(new Set(await reported(page))).toEqual(new Set([overlap, 'its materials are not shown', 'volume 2 of the file', 'labels.tsv: line 2 got the index "x"; expected a whole number. It is left out']));
+    expect(new Set(await reported(page))).toEqual(
+      new Set([
+        overlap,
+        'its materials are not shown',
+        'volume 2 of the file',
+        'labels.tsv: line 2 got the index "x"; expected a whole number. It is left out',
+      ]),
+    );
     await page.evaluate(() => document.querySelector('volume-layer')!.setAttribute('hidden', ''));
     await expect.poll(() => reported(page)).toHaveLength(3);
   });
@@ -89,8 +135,14 @@ test.describe('beside the volume', () => {
 
 test.describe('elsewhere', () => {
   test('a pane with a file of its own has it, below its window', async ({ page }) => {
-    await open(page, `<main><h1>Slices</h1><volume-slice-view src="${segments}" style="width: 240px"></volume-slice-view></main>`, { script });
-    await page.locator('volume-slice-view').evaluate((pane) => (pane as unknown as { whenRendered(): Promise<void> }).whenRendered());
+    await open(
+      page,
+      `<main><h1>Slices</h1><volume-slice-view src="${segments}" style="width: 240px"></volume-slice-view></main>`,
+      { script },
+    );
+    await page
+      .locator('volume-slice-view')
+      .evaluate((pane) => (pane as unknown as { whenRendered(): Promise<void> }).whenRendered());
     await expect(sign(page, 'volume-slice-view')).toBeVisible();
     expect(await reported(page, 'volume-slice-view')).toEqual([overlap]);
     await sign(page, 'volume-slice-view').click();

@@ -1,7 +1,21 @@
 // Out of sight an element gives its context back; in sight again it is as it was.
 import type { Page } from '@playwright/test';
 import { black, contexts, countContexts, element, expected, isLive, onBlack, waitUntilDrawn } from './helpers/crowd.ts';
-import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  forgetEvents,
+  open,
+  seenEvents,
+  settle,
+  takePicture,
+  takeScreenshot,
+  test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 import { shown, reported } from './helpers/scans.ts';
 
@@ -76,7 +90,7 @@ test.describe('out of sight and back', () => {
     expectSamePicture(await takeScreenshot(page, '#v0'), drawReference(onBlack));
   });
 
-  test('a person\'s way around the author\'s viewpoint stays', async ({ page }) => {
+  test("a person's way around the author's viewpoint stays", async ({ page }) => {
     const viewpoint = '<viewpoint position="0 -90 10" orientation="1 0 0 1.4" fieldofview="0.5"></viewpoint>';
     await countContexts(page);
     await open(page, element(0, viewpoint) + tall, { head: black });
@@ -102,7 +116,11 @@ test.describe('out of sight and back', () => {
 
   test('steps that were chosen are not chosen anew', async ({ page }) => {
     await countContexts(page);
-    await open(page, `<volume-view id="v0" src="${fieldUrl}" ${attributesOf({ steps: 'auto' })}></volume-view>${tall}`, { head: black });
+    await open(
+      page,
+      `<volume-view id="v0" src="${fieldUrl}" ${attributesOf({ steps: 'auto' })}></volume-view>${tall}`,
+      { head: black },
+    );
     await waitUntilDrawn(page, [0]);
     const before = await withElement(page, (view) => view.renderStats!);
     await away(page);
@@ -117,9 +135,13 @@ test.describe('out of sight and back', () => {
   test('several scans that play stand still, and go on', async ({ page }) => {
     await countContexts(page);
     const urls = [0, 1, 2].map((i) => `${fieldUrl}?${i}`).join(' ');
-    await open(page, `<volume-view id="v0" src="${urls}" ${attributesOf()} autoplay play-speed="5"></volume-view>${tall}`);
+    await open(
+      page,
+      `<volume-view id="v0" src="${urls}" ${attributesOf()} autoplay play-speed="5"></volume-view>${tall}`,
+    );
     // What was shown, and not what is: one who looks once a second may meet the same of three scans each time.
-    const scansSince = async (since: number): Promise<number[]> => (await reported(page)).slice(since).map(({ index }) => index);
+    const scansSince = async (since: number): Promise<number[]> =>
+      (await reported(page)).slice(since).map(({ index }) => index);
     await expect.poll(() => scansSince(0)).toContain(1);
     await away(page);
     await page.waitForTimeout(300);

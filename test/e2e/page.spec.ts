@@ -3,7 +3,22 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import type { Page } from '@playwright/test';
 import { files } from './helpers/data.ts';
-import { ballUrl, compare, expect, expectSamePicture, fieldUrl, networkLines, open, seenEvents, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  ballUrl,
+  compare,
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  networkLines,
+  open,
+  seenEvents,
+  settle,
+  takePicture,
+  takeScreenshot,
+  test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { decodePicture } from './helpers/pictures.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 import { serveSlowly } from './helpers/slow-server.ts';
@@ -16,11 +31,12 @@ test.describe('below the fold', () => {
   const far = `<div style="height: 6000px"></div>${plain}`;
 
   /** Whoever waits for its picture makes an element load: so these wait for the page. */
-  const idle = (page: Page): Promise<void> => withElement(page, async (element) => {
-    await element.updateComplete;
-    for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
-    await new Promise((resolve) => requestIdleCallback(resolve));
-  });
+  const idle = (page: Page): Promise<void> =>
+    withElement(page, async (element) => {
+      await element.updateComplete;
+      for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
+      await new Promise((resolve) => requestIdleCallback(resolve));
+    });
 
   for (const loading of ['', 'loading="lazy"']) {
     test(`${loading || 'without loading'} nothing is loaded until it is scrolled to`, async ({ page }) => {
@@ -52,10 +68,16 @@ test.describe('below the fold', () => {
     await open(page, far);
     await settle(page);
     expectSamePicture(await takePicture(page), drawReference());
-    expect(await withElement(page, async (element, src) => {
-      element.src = src;
-      return (await element.redraw()).steps;
-    }, { argument: ballUrl })).toBe(30);
+    expect(
+      await withElement(
+        page,
+        async (element, src) => {
+          element.src = src;
+          return (await element.redraw()).steps;
+        },
+        { argument: ballUrl },
+      ),
+    ).toBe(30);
     await withElement(page, async (element) => {
       element.steps = 90;
       await element.whenRendered();
@@ -66,7 +88,9 @@ test.describe('below the fold', () => {
     await expect.poll(() => withElement(page, (element) => element.shadowRoot!.querySelector('x3d'))).toBe(null);
   });
 
-  test('a load under way ends when its element is scrolled away, and begins again when it is back', async ({ page }) => {
+  test('a load under way ends when its element is scrolled away, and begins again when it is back', async ({
+    page,
+  }) => {
     const server = await serveSlowly(files['field.nii'], 0.5);
     await open(page, `<div style="height: 6000px">${plain.replace(fieldUrl, server.url)}</div>`);
     await page.waitForFunction(() => window.__seen.some(({ detail }) => (detail as { loaded: number }).loaded > 0));
@@ -94,12 +118,15 @@ test('without src it asks for nothing, not even x3dom', async ({ page }) => {
 
 test('the poster stands there until the first picture', async ({ page }) => {
   const server = await serveSlowly(files['field.nii'], 0.5);
-  const red = '<svg xmlns="http://www.w3.org/2000/svg" width="4" height="3"><rect width="4" height="3" fill="red"/></svg>';
+  const red =
+    '<svg xmlns="http://www.w3.org/2000/svg" width="4" height="3"><rect width="4" height="3" fill="red"/></svg>';
   await page.route('**/poster.svg', (route) => route.fulfill({ contentType: 'image/svg+xml', body: red }));
   await open(page, `<volume-view poster="/poster.svg" src="${server.url}" ${attributesOf()}></volume-view>`, {
     head: '<style>volume-view { background: white }</style>',
   });
-  const middle = async (): Promise<number[]> => [...(await takeScreenshot(page)).data.slice((45 * 120 + 60) * 4, (45 * 120 + 60) * 4 + 3)];
+  const middle = async (): Promise<number[]> => [
+    ...(await takeScreenshot(page)).data.slice((45 * 120 + 60) * 4, (45 * 120 + 60) * 4 + 3),
+  ];
   await expect.poll(middle).toEqual([255, 0, 0]);
   server.release();
   await settle(page);
@@ -118,13 +145,13 @@ test('a poster slot wins over the poster', async ({ page }) => {
 for (const name of ['strict', 'classic']) {
   test.describe(`a strict Content-Security-Policy: ${name}.html`, () => {
     test('is no hindrance', async ({ page, lines }) => {
-    const response = await page.goto(`/test/e2e/pages/csp/${name}.html`);
-    expect(response!.headers()['content-security-policy']).toContain("default-src 'self'");
-    expectSamePicture(await takePicture(page), drawReference());
-    await page.locator('.picture').press('+');
-    await settle(page);
-    expect(compare(await takePicture(page), drawReference()).worst).toBeGreaterThan(20);
-    expect(lines).toEqual([]);
+      const response = await page.goto(`/test/e2e/pages/csp/${name}.html`);
+      expect(response!.headers()['content-security-policy']).toContain("default-src 'self'");
+      expectSamePicture(await takePicture(page), drawReference());
+      await page.locator('.picture').press('+');
+      await settle(page);
+      expect(compare(await takePicture(page), drawReference()).worst).toBeGreaterThan(20);
+      expect(lines).toEqual([]);
     });
   });
 }
@@ -136,17 +163,24 @@ test.describe('from disk', () => {
   test.use({ allowedLines: /^error: (Access to fetch at 'file:|Failed to load resource)/ });
 
   test('the classic script', async ({ page }, testInfo) => {
-  const script = pathToFileURL(join(projectRoot, 'dist/volume-view.iife.js')).href;
-  const path = testInfo.outputPath('page.html');
-  writeFileSync(path, `<!doctype html><title>From disk</title><script src="${script}"></script>
-    <style>volume-view { width: 120px; height: 90px }</style>${plain.replace(fieldUrl, dataUrl)}`);
-  await page.goto(pathToFileURL(path).href);
-  expectSamePicture(await takePicture(page), drawReference());
-  const missing = await withElement(page, (element) => {
-    element.src = 'field.nii';
-    return element.whenRendered().catch((error: { code: string; message: string }) => `${error.code}: ${error.message}`);
-  });
-  expect(missing).toMatch(/^source\/cross-origin: .*field\.nii can not be read: browsers let a page opened from disk read no files/);
+    const script = pathToFileURL(join(projectRoot, 'dist/volume-view.iife.js')).href;
+    const path = testInfo.outputPath('page.html');
+    writeFileSync(
+      path,
+      `<!doctype html><title>From disk</title><script src="${script}"></script>
+    <style>volume-view { width: 120px; height: 90px }</style>${plain.replace(fieldUrl, dataUrl)}`,
+    );
+    await page.goto(pathToFileURL(path).href);
+    expectSamePicture(await takePicture(page), drawReference());
+    const missing = await withElement(page, (element) => {
+      element.src = 'field.nii';
+      return element
+        .whenRendered()
+        .catch((error: { code: string; message: string }) => `${error.code}: ${error.message}`);
+    });
+    expect(missing).toMatch(
+      /^source\/cross-origin: .*field\.nii can not be read: browsers let a page opened from disk read no files/,
+    );
   });
 });
 
@@ -165,12 +199,20 @@ test.describe('a file that a sandboxed frame may not read', () => {
   test.use({ allowedLines: networkLines });
 
   test('is told in words that say what to do', async ({ page }) => {
-    await open(page, '<iframe sandbox="allow-scripts" width="400" height="320" title="A field" src="sandbox-refused.html"></iframe>');
+    await open(
+      page,
+      '<iframe sandbox="allow-scripts" width="400" height="320" title="A field" src="sandbox-refused.html"></iframe>',
+    );
     const alert = page.frameLocator('iframe').getByRole('alert');
     await expect(alert).toContainText('field.nii.gz can not be read from this page, which has no origin');
     await expect(alert).toContainText('Access-Control-Allow-Origin: *');
     await expect(alert.getByRole('button', { name: 'Try again' })).toBeVisible();
-    expect(await page.frameLocator('iframe').locator('html').evaluate(() => self.origin)).toBe('null');
+    expect(
+      await page
+        .frameLocator('iframe')
+        .locator('html')
+        .evaluate(() => self.origin),
+    ).toBe('null');
   });
 });
 
@@ -194,15 +236,20 @@ test('the package from another origin, as from a CDN', async ({ page }) => {
 
 test('data from a blob: URL', async ({ page }) => {
   await open(page, plain.replace(fieldUrl, ''));
-  await withElement(page, (element, base64) => {
-    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-    element.src = URL.createObjectURL(new Blob([bytes]));
-  }, { argument: Buffer.from(files['field.nii']).toString('base64') });
+  await withElement(
+    page,
+    (element, base64) => {
+      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+      element.src = URL.createObjectURL(new Blob([bytes]));
+    },
+    { argument: Buffer.from(files['field.nii']).toString('base64') },
+  );
   expectSamePicture(await takePicture(page), drawReference());
 });
 
-test('a page\'s own X3D scene goes on beside it', async ({ page }) => {
-  const scene = '<x3d width="80px" height="60px"><scene><shape><appearance><material diffusecolor="0 1 0"></material></appearance><box></box></shape></scene></x3d>';
+test("a page's own X3D scene goes on beside it", async ({ page }) => {
+  const scene =
+    '<x3d width="80px" height="60px"><scene><shape><appearance><material diffusecolor="0 1 0"></material></appearance><box></box></shape></scene></x3d>';
   const head = '<script src="/dist/x3dom.js"></script><link rel="stylesheet" href="/node_modules/x3dom/x3dom.css">';
   const isDrawn = async (): Promise<boolean> => {
     const [red, green] = (await takeScreenshot(page, 'body > x3d')).data.slice((30 * 80 + 40) * 4);
@@ -217,12 +264,13 @@ test('a page\'s own X3D scene goes on beside it', async ({ page }) => {
   expect(compare(await takeScreenshot(page, 'body > x3d'), alone).worst).toBe(0);
 });
 
-test.describe('beside a page\'s own x3dom', () => {
+test.describe("beside a page's own x3dom", () => {
   // x3dom puts hands for a headset into the first scene that it finds.
   test.use({ allowedLines: /<inline> was left out of the picture/ });
 
   test('a whole scene in it that x3dom has taken before is read as its author wrote it', async ({ page }) => {
-    const viewpoint = '<viewpoint position="0 80 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
+    const viewpoint =
+      '<viewpoint position="0 80 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
     const camera = { eye: [0, 80, 0], target: [0, 0, 0], up: [0, 0, 1], fieldOfView: 0.5 } as const;
     const scene = plain.replace('></volume-view>', `><x3d><scene>${viewpoint}</scene></x3d></volume-view>`);
     // The element's script comes when x3dom is done.

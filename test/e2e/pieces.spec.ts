@@ -1,7 +1,8 @@
 import { compare, expect, open, settle, takeScreenshot, test, withElement } from './helpers/harness.ts';
 
 /** Much to draw: with software GL several times what a frame may take. */
-const body = '<volume-view src="/demos/data/mni152-t1.nii.gz" max-error="0.1" style="width: 240px; height: 180px" alt="A head"></volume-view>';
+const body =
+  '<volume-view src="/demos/data/mni152-t1.nii.gz" max-error="0.1" style="width: 240px; height: 180px" alt="A head"></volume-view>';
 
 test('a picture at rest that takes long lets the page go on', async ({ page }) => {
   await open(page, body);
@@ -39,7 +40,9 @@ test('a change gives such a picture up', async ({ page }) => {
   await settle(page);
   const seen = await withElement(page, async (element) => {
     const list: string[] = [];
-    element.addEventListener('render', ({ detail }) => list.push(`${detail.converged ? 'final' : 'quick'} ${element.opacityFactor}`));
+    element.addEventListener('render', ({ detail }) =>
+      list.push(`${detail.converged ? 'final' : 'quick'} ${element.opacityFactor}`),
+    );
     for (const factor of [2, 3, 4]) {
       const quick = new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
       element.opacityFactor = factor;

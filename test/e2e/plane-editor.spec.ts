@@ -8,14 +8,24 @@ import { line, touch } from './helpers/touch.ts';
 const page2d = `<main><h1>A field</h1><volume-view id="field" src="${fieldUrl}" transfer-function="0 blue 0, 255 red 30%" steps="20" alt="A field"></volume-view>
   <volume-transfer-function for="field" mode="2d" style="display: block; width: 400px"></volume-transfer-function></main>`;
 
-const written = (page: Page): Promise<string | null> => withElement(page, (element) => element.getAttribute('transfer-function-2d'));
+const written = (page: Page): Promise<string | null> =>
+  withElement(page, (element) => element.getAttribute('transfer-function-2d'));
 
 test.use({ hasTouch: true });
 
-test('boxes and Gaussians are drawn, moved, changed and deleted over the histogram, and the picture follows', async ({ page }) => {
+test('boxes and Gaussians are drawn, moved, changed and deleted over the histogram, and the picture follows', async ({
+  page,
+}) => {
   await openEditor(page, page2d);
   const plane = page.locator('.plane');
-  const painted = (): Promise<number> => page.locator('.plane canvas').evaluate((canvas: HTMLCanvasElement) => canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height).data.filter((x, i) => i % 4 === 3 && x > 0).length);
+  const painted = (): Promise<number> =>
+    page.locator('.plane canvas').evaluate(
+      (canvas: HTMLCanvasElement) =>
+        canvas
+          .getContext('2d')!
+          .getImageData(0, 0, canvas.width, canvas.height)
+          .data.filter((x, i) => i % 4 === 3 && x > 0).length,
+    );
   await expect.poll(painted, 'a histogram').toBeGreaterThan(50);
   const before = await takePicture(page);
   const { x, y, width, height } = (await plane.boundingBox())!;
@@ -71,7 +81,9 @@ test('boxes and Gaussians are drawn, moved, changed and deleted over the histogr
   const atEdge = await plane.evaluate((chart) => {
     const grip = [...chart.querySelectorAll('.handle.size')].at(-1)!.getBoundingClientRect();
     const edge = chart.querySelector('.chart')!.getBoundingClientRect().right;
-    const clips = ['.plane', '.plane .handles', '.plane .chart'].map((name) => getComputedStyle((chart.getRootNode() as ShadowRoot).querySelector(name)!).overflow);
+    const clips = ['.plane', '.plane .handles', '.plane .chart'].map(
+      (name) => getComputedStyle((chart.getRootNode() as ShadowRoot).querySelector(name)!).overflow,
+    );
     return { beyond: grip.right - edge, room: chart.getBoundingClientRect().right - grip.right, clips };
   });
   expect(atEdge.beyond).toBeGreaterThan(5);

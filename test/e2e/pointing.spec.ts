@@ -6,17 +6,37 @@ import type { VolumePick } from '../../src/index.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import { invertAffine, transformPoint } from '../../src/volume/matrix.ts';
 import { files } from './helpers/data.ts';
-import { expect, fieldUrl, open, setAttributes, settle, sharePage, takePicture, keptTest as test, test as newPageTest, withElement } from './helpers/harness.ts';
+import {
+  expect,
+  fieldUrl,
+  open,
+  setAttributes,
+  settle,
+  sharePage,
+  takePicture,
+  keptTest as test,
+  test as newPageTest,
+  withElement,
+} from './helpers/harness.ts';
 import { attributesOf, plainCamera } from './helpers/reference.ts';
 import { field } from './helpers/volumes.ts';
 import { line, touch } from './helpers/touch.ts';
 
-const plain = (more = ''): string => `<volume-view src="${fieldUrl}" ${attributesOf()} ${more} alt="A field"></volume-view>`;
+const plain = (more = ''): string =>
+  `<volume-view src="${fieldUrl}" ${attributesOf()} ${more} alt="A field"></volume-view>`;
 const size = { width: 120, height: 90 };
-const places = [[60, 45], [48.5, 40], [70, 50], [66, 30.25], [40, 55]] as const;
+const places = [
+  [60, 45],
+  [48.5, 40],
+  [70, 50],
+  [66, 30.25],
+  [40, 55],
+] as const;
 
 const pick = (page: Page, x: number, y: number, at?: 'jump' | 'surface' | 'max'): Promise<VolumePick | null> =>
-  withElement(page, (element, [left, top, how]) => element.pick(left, top, how ? { at: how } : undefined), { argument: [x, y, at] as const });
+  withElement(page, (element, [left, top, how]) => element.pick(left, top, how ? { at: how } : undefined), {
+    argument: [x, y, at] as const,
+  });
 
 /** Keep the details of picks. */
 async function watchPicks(page: Page): Promise<() => Promise<(VolumePick | null)[]>> {
@@ -58,7 +78,10 @@ test.describe('pick()', () => {
       }
     }
     // Pixel centres: opacities are those of the picture.
-    for (const [x, y] of [[60.5, 45.5], [70.5, 50.5]]) {
+    for (const [x, y] of [
+      [60.5, 45.5],
+      [70.5, 50.5],
+    ]) {
       const alpha = picture.data[4 * (Math.floor(y) * picture.width + Math.floor(x)) + 3] / 255;
       expect((await pick(page, x, y))!.opacity).toBeCloseTo(alpha, 1);
     }
@@ -75,10 +98,27 @@ test.describe('pick()', () => {
 
   test('is null outside, beside the volume and at no place, and never an error', async () => {
     const page = sharedPage();
-    for (const [x, y] of [[-1, 45], [121, 45], [60, -0.01], [60, 90.5], [1, 1], [NaN, 45], [60, Infinity]]) expect(await pick(page, x, y), `${x} ${y}`).toBe(null);
-    expect(await withElement(page, (element) => (element.pick as (...all: unknown[]) => Promise<unknown>)())).toBe(null);
-    expect(await withElement(page, (element) => (element.pick as (...all: unknown[]) => Promise<unknown>)('60', '45', { at: 'elsewhere' }))).not.toBe(null);
-    expect(await withElement(page, (element) => (element.pick as (...all: unknown[]) => Promise<unknown>)(60, 45, null))).not.toBe(null);
+    for (const [x, y] of [
+      [-1, 45],
+      [121, 45],
+      [60, -0.01],
+      [60, 90.5],
+      [1, 1],
+      [NaN, 45],
+      [60, Infinity],
+    ])
+      expect(await pick(page, x, y), `${x} ${y}`).toBe(null);
+    expect(await withElement(page, (element) => (element.pick as (...all: unknown[]) => Promise<unknown>)())).toBe(
+      null,
+    );
+    expect(
+      await withElement(page, (element) =>
+        (element.pick as (...all: unknown[]) => Promise<unknown>)('60', '45', { at: 'elsewhere' }),
+      ),
+    ).not.toBe(null);
+    expect(
+      await withElement(page, (element) => (element.pick as (...all: unknown[]) => Promise<unknown>)(60, 45, null)),
+    ).not.toBe(null);
   });
 
   test('follows the camera, the colours, the region and the projection', async () => {
@@ -86,7 +126,9 @@ test.describe('pick()', () => {
     const before = (await pick(page, 60, 45))!;
     await setAttributes(page, { 'camera-orbit': '215deg 115deg 90' });
     const behind = (await pick(page, 60, 45))!;
-    expect(Math.hypot(...behind.world.map((x, axis) => x - before.world[axis])), 'from the other side').toBeGreaterThan(1);
+    expect(Math.hypot(...behind.world.map((x, axis) => x - before.world[axis])), 'from the other side').toBeGreaterThan(
+      1,
+    );
     await setAttributes(page, { 'camera-orbit': '35deg 65deg 90', region: '-2 -2 -2 2 2 2' });
     const inside = (await pick(page, 60, 45))!;
     for (const x of inside.world) expect(Math.abs(x)).toBeLessThan(2.001);
@@ -100,7 +142,9 @@ test.describe('pick()', () => {
   });
 });
 
-test('pick() is null before there is a volume, and where the element is gone; of another volume it is the new one\'s', async ({ page }) => {
+test("pick() is null before there is a volume, and where the element is gone; of another volume it is the new one's", async ({
+  page,
+}) => {
   await open(page, plain());
   expect(await withElement(page, async (element) => (element.volume ? null : element.pick(60, 45)))).toBe(null);
   await settle(page);
@@ -121,8 +165,14 @@ test('pick() is null before there is a volume, and where the element is gone; of
   expect(gone).toEqual([true, null]);
 });
 
-test('pick() sees through the author\'s viewpoint', async ({ page }) => {
-  await open(page, plain().replace('</volume-view>', '<viewpoint position="0 -90 0" orientation="1 0 0 1.5708" fieldofview="0.5"></viewpoint></volume-view>'));
+test("pick() sees through the author's viewpoint", async ({ page }) => {
+  await open(
+    page,
+    plain().replace(
+      '</volume-view>',
+      '<viewpoint position="0 -90 0" orientation="1 0 0 1.5708" fieldofview="0.5"></viewpoint></volume-view>',
+    ),
+  );
   await settle(page);
   const found = (await pick(page, 60, 45))!;
   expect(Math.abs(found.world[0])).toBeLessThan(0.1);
@@ -132,7 +182,13 @@ test('pick() sees through the author\'s viewpoint', async ({ page }) => {
 });
 
 test('finds a slice of a patient in the picture', async ({ page }) => {
-  await open(page, plain('opacity-factor="0.0001"').replace('</volume-view>', '<volume-slice type="axial" at="2"></volume-slice></volume-view>'));
+  await open(
+    page,
+    plain('opacity-factor="0.0001"').replace(
+      '</volume-view>',
+      '<volume-slice type="axial" at="2"></volume-slice></volume-view>',
+    ),
+  );
   await settle(page);
   const found = (await pick(page, 60, 45))!;
   expect(found.world[2]).toBeCloseTo(2, 6);
@@ -163,8 +219,11 @@ test('labels are whole numbers that are in the file', async ({ page }) => {
 });
 
 test('of a radar it knows range, azimuth, elevation and heights, on a slice too', async ({ page }) => {
-  const attributes = 'src="/demos/data/storm-radar-1510.json" vertical-exaggeration="4" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 56%" steps="60" alt="A storm"';
-  await open(page, `<volume-view ${attributes}></volume-view><volume-readout></volume-readout>`, { head: '<style>volume-view { width: 300px; height: 225px }</style>' });
+  const attributes =
+    'src="/demos/data/storm-radar-1510.json" vertical-exaggeration="4" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 56%" steps="60" alt="A storm"';
+  await open(page, `<volume-view ${attributes}></volume-view><volume-readout></volume-readout>`, {
+    head: '<style>volume-view { width: 300px; height: 225px }</style>',
+  });
   await settle(page);
   const check = async (found: VolumePick, x: number, y: number): Promise<void> => {
     const camera = (await withElement(page, (element) => element.camera))!;
@@ -187,7 +246,11 @@ test('of a radar it knows range, azimuth, elevation and heights, on a slice too'
   const texts = page.locator('volume-readout [part=text]');
   await expect(texts.first()).toHaveText(`${tower.value} dBZ`);
   expect(await texts.allInnerTexts()).toEqual([
-    `${tower.value} dBZ`, `${(tower.radar!.range / 1000).toFixed(2)} km`, `${tower.radar!.azimuth.toFixed(1)}°`, `${tower.radar!.elevation.toFixed(2)}°`, `${tower.radar!.heightAboveAntenna.toFixed(0)} m`,
+    `${tower.value} dBZ`,
+    `${(tower.radar!.range / 1000).toFixed(2)} km`,
+    `${tower.radar!.azimuth.toFixed(1)}°`,
+    `${tower.radar!.elevation.toFixed(2)}°`,
+    `${tower.radar!.heightAboveAntenna.toFixed(0)} m`,
   ]);
   await withElement(page, (element) => {
     element.transferFunction = '0 white 0.01%, 80 red 0.01%';
@@ -203,7 +266,9 @@ test('of a radar it knows range, azimuth, elevation and heights, on a slice too'
 
 test.describe('volume-pick', () => {
   test('is fired by a click, and not by a drag, another button or a control', async ({ page }) => {
-    await open(page, plain('pickable controls controlslist="nohint"'), { head: '<style>volume-view { width: 300px; height: 225px }</style>' });
+    await open(page, plain('pickable controls controlslist="nohint"'), {
+      head: '<style>volume-view { width: 300px; height: 225px }</style>',
+    });
     await settle(page);
     const picks = await watchPicks(page);
     await page.mouse.click(150, 110);
@@ -227,7 +292,9 @@ test.describe('volume-pick', () => {
   });
 
   test('knows the place in an element with a border, scaled by the page', async ({ page }) => {
-    await open(page, plain('pickable'), { head: '<style>volume-view { margin: 40px; border: 10px solid; box-sizing: content-box; transform: scale(2); transform-origin: 0 0 }</style>' });
+    await open(page, plain('pickable'), {
+      head: '<style>volume-view { margin: 40px; border: 10px solid; box-sizing: content-box; transform: scale(2); transform-origin: 0 0 }</style>',
+    });
     await settle(page);
     const picks = await watchPicks(page);
     await page.mouse.click(40 + 2 * (10 + 60), 40 + 2 * (10 + 45));
@@ -286,13 +353,24 @@ newPageTest('a page that points at nothing loads nothing of it', async ({ page }
 });
 
 test.describe('without its part', () => {
-  test.use({ allowedLines: /^(error: Failed to load resource|warning: VolumeViewError: the part of volume-view that picks)/ });
+  test.use({
+    allowedLines: /^(error: Failed to load resource|warning: VolumeViewError: the part of volume-view that picks)/,
+  });
 
   newPageTest('pick() says which one is missing, and the picture stays', async ({ page }) => {
-    await page.route('**/chunks/pick-*.js', (route) => (/pick-clicks/.test(route.request().url()) ? route.continue() : route.fulfill({ status: 404 })));
+    await page.route('**/chunks/pick-*.js', (route) =>
+      /pick-clicks/.test(route.request().url()) ? route.continue() : route.fulfill({ status: 404 }),
+    );
     await open(page, plain('pickable'));
     await settle(page);
-    expect(await withElement(page, (element) => element.pick(60, 45).then(() => '', (error: { code: string }) => error.code))).toBe('format/unsupported');
+    expect(
+      await withElement(page, (element) =>
+        element.pick(60, 45).then(
+          () => '',
+          (error: { code: string }) => error.code,
+        ),
+      ),
+    ).toBe('format/unsupported');
     await page.mouse.click(60, 45);
     await aWhile(page);
     await settle(page);

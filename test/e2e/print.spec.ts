@@ -1,7 +1,17 @@
 // On paper: the picture as it was on the screen, at its place, with its ground.
 import { inflateSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
-import { compare, expect, fieldUrl, open, settle, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  fieldUrl,
+  open,
+  settle,
+  takePicture,
+  takeScreenshot,
+  test,
+  withElement,
+} from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { attributesOf } from './helpers/reference.ts';
 
@@ -10,9 +20,17 @@ const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></
 /** The pictures of a PDF file as Chromium writes it: colours, and their alpha as a picture that follows. */
 function readPictures(pdf: Buffer): Picture[] {
   const text = pdf.toString('latin1');
-  const planes = [...text.matchAll(/<<[^>]*\/Subtype \/Image\s[^>]*?\/Width (\d+)\s*\/Height (\d+)[^>]*?\/Length (\d+)>>\s*stream\r?\n/g)].map(({ 0: head, 1: width, 2: height, 3: size, index }) => {
+  const planes = [
+    ...text.matchAll(
+      /<<[^>]*\/Subtype \/Image\s[^>]*?\/Width (\d+)\s*\/Height (\d+)[^>]*?\/Length (\d+)>>\s*stream\r?\n/g,
+    ),
+  ].map(({ 0: head, 1: width, 2: height, 3: size, index }) => {
     const from = index + head.length;
-    return { width: Number(width), height: Number(height), bytes: inflateSync(pdf.subarray(from, from + Number(size))) };
+    return {
+      width: Number(width),
+      height: Number(height),
+      bytes: inflateSync(pdf.subarray(from, from + Number(size))),
+    };
   });
   return planes.flatMap(({ width, height, bytes }, i) => {
     if (bytes.length !== width * height * 3) return [];
@@ -39,7 +57,9 @@ test('the picture is printed', async ({ page }) => {
 });
 
 test('so is the snapshot of an element that has given its context back', async ({ page }) => {
-  const many = Array.from({ length: 10 }, (_, i) => plain.replace('<volume-view', `<volume-view id="one-${i}"`)).join('');
+  const many = Array.from({ length: 10 }, (_, i) => plain.replace('<volume-view', `<volume-view id="one-${i}"`)).join(
+    '',
+  );
   await open(page, `<div style="display: grid; grid-template-columns: repeat(4, 120px)">${many}</div>`);
   for (let i = 0; i < 10; i++) await settle(page, `#one-${i}`);
   const seen = await takePicture(page, { selector: '#one-0' });
@@ -58,5 +78,7 @@ test('it stands at its place, on its ground, without the frame of the focus', as
   await page.emulateMedia({ media: 'print' });
   expect(await page.locator('volume-view').boundingBox()).toEqual(place);
   expect(compare(await takeScreenshot(page), before).worst).toBeLessThanOrEqual(2);
-  expect(await withElement(page, (element) => getComputedStyle(element).getPropertyValue('print-color-adjust'))).toBe('exact');
+  expect(await withElement(page, (element) => getComputedStyle(element).getPropertyValue('print-color-adjust'))).toBe(
+    'exact',
+  );
 });

@@ -1,5 +1,17 @@
 // projection="max | min | average": by attribute and property, in either WebGL, and back.
-import { compare, expect, expectSamePicture, fieldUrl, open, setAttributes, settle, takePicture, keptTest as test, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  open,
+  setAttributes,
+  settle,
+  takePicture,
+  keptTest as test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 
 const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;

@@ -19,10 +19,14 @@ async function openRadar(page: Page): Promise<void> {
 
 /** Let files of the fixtures fall onto the page. */
 async function drop(page: Page, ...names: string[]): Promise<void> {
-  const files = names.map((name) => ({ name: name.split('/').at(-1)!, base64: readFileSync(join(projectRoot, 'test/fixtures', name)).toString('base64') }));
+  const files = names.map((name) => ({
+    name: name.split('/').at(-1)!,
+    base64: readFileSync(join(projectRoot, 'test/fixtures', name)).toString('base64'),
+  }));
   const transfer = await page.evaluateHandle((all) => {
     const data = new DataTransfer();
-    for (const { name, base64 } of all) data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+    for (const { name, base64 } of all)
+      data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
     return data;
   }, files);
   await page.dispatchEvent('main', 'dragover', { dataTransfer: transfer });
@@ -52,7 +56,9 @@ test('the next scan is one of its own', async ({ page }) => {
   expect(compare(await takePicture(page), before).worst).toBeGreaterThan(30);
 });
 
-test('each cut comes with its box and goes with it; the section runs between the points that are given', async ({ page }) => {
+test('each cut comes with its box and goes with it; the section runs between the points that are given', async ({
+  page,
+}) => {
   await openRadar(page);
   await page.getByLabel('Range rings').uncheck();
   await page.getByLabel('Volume', { exact: true }).uncheck();
@@ -100,10 +106,12 @@ test('several files that are dropped are scans in time', async ({ page }) => {
   await expect.poll(() => formatOf(page)).toBe('ODIM_H5 2.2');
 });
 
-test('a file that is no radar\'s is an error on the picture, and nothing else breaks', async ({ page }) => {
+test("a file that is no radar's is an error on the picture, and nothing else breaks", async ({ page }) => {
   await openRadar(page);
   await drop(page, 'make-fixtures.py');
-  await expect(page.locator('volume-view').getByRole('alert')).toContainText('make-fixtures.py is of no known type; expected');
+  await expect(page.locator('volume-view').getByRole('alert')).toContainText(
+    'make-fixtures.py is of no known type; expected',
+  );
   await drop(page, 'radar/odim-2.0.h5');
   await expect.poll(() => formatOf(page)).toBe('ODIM_H5 2.0');
 });

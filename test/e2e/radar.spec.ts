@@ -1,11 +1,22 @@
 import { existsSync } from 'node:fs';
 import { findSharedData } from '../../scripts/shared-data.mjs';
 import type { ErrorDetail } from '../../src/index.ts';
-import { expect, open, setAttributes, settle, sharePage, takePicture, keptTest as test, test as newPageTest, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  expect,
+  open,
+  setAttributes,
+  settle,
+  sharePage,
+  takePicture,
+  keptTest as test,
+  test as newPageTest,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 
 const fixtures: Record<string, { url: string; format: RegExp; moments: number; rms?: number }> = {
-  'ODIM_H5': { url: '/test/fixtures/radar/odim-2.2.h5', format: /^ODIM_H5 2\.2/, moments: 1 },
+  ODIM_H5: { url: '/test/fixtures/radar/odim-2.2.h5', format: /^ODIM_H5 2\.2/, moments: 1 },
   'CfRadial 1, classic': { url: '/test/fixtures/radar/cfradial1-classic.nc', format: /^CfRadial/, moments: 1 },
   'CfRadial 1, NetCDF-4': { url: '/test/fixtures/radar/cfradial1-nc4.nc', format: /^CfRadial/, moments: 1 },
   'CfRadial 2': { url: '/test/fixtures/radar/cfradial2.nc', format: /^CfRadial.?2/, moments: 1 },
@@ -20,16 +31,20 @@ const looks = 'transfer-function="-40 #08f 8%, 90 #f80 30%" camera-orbit="200deg
 test.describe('of each format', () => {
   const sharedPage = sharePage(`<volume-view ${looks}></volume-view>`);
 
-  for (const [name, { url, format, moments, rms = 3 }] of Object.entries(fixtures)) test(`${name} is drawn in its own geometry`, async () => {
-    const page = sharedPage();
-    await setAttributes(page, { src: url });
-    const { volume, error } = await withElement(page, (element) => ({ volume: element.volume, error: element.renderStats?.error ?? null }));
-    expect(volume!.format).toMatch(format);
-    expect(volume!.moments!.length).toBeGreaterThanOrEqual(moments);
-    expect(volume!.moments).toContain(volume!.moment);
-    expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.1);
-    expect(error!.rms).toBeLessThanOrEqual(rms);
-  });
+  for (const [name, { url, format, moments, rms = 3 }] of Object.entries(fixtures))
+    test(`${name} is drawn in its own geometry`, async () => {
+      const page = sharedPage();
+      await setAttributes(page, { src: url });
+      const { volume, error } = await withElement(page, (element) => ({
+        volume: element.volume,
+        error: element.renderStats?.error ?? null,
+      }));
+      expect(volume!.format).toMatch(format);
+      expect(volume!.moments!.length).toBeGreaterThanOrEqual(moments);
+      expect(volume!.moments).toContain(volume!.moment);
+      expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.1);
+      expect(error!.rms).toBeLessThanOrEqual(rms);
+    });
 });
 
 /** One of each kind; all of them are read by the unit tests. */
@@ -48,14 +63,15 @@ for (const file of shared) if (!isThere(file)) console.log(`left out: the real s
 test.describe('of the real world', () => {
   const sharedPage = sharePage('<volume-view max-error="3"></volume-view>');
 
-  for (const file of shared.filter(isThere)) test(`the real scan ${file} is drawn`, async () => {
-    const page = sharedPage();
-    await setAttributes(page, { src: `/shared-data/radar/${file}` });
-    const volume = await withElement(page, (element) => element.volume);
-    expect(volume!.unit).toBe('dBZ');
-    // The cloud radar's sector of four degrees is framed for itself: in the square around its reach it would be a hundredth.
-    expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.3);
-  });
+  for (const file of shared.filter(isThere))
+    test(`the real scan ${file} is drawn`, async () => {
+      const page = sharedPage();
+      await setAttributes(page, { src: `/shared-data/radar/${file}` });
+      const volume = await withElement(page, (element) => element.volume);
+      expect(volume!.unit).toBe('dBZ');
+      // The cloud radar's sector of four degrees is framed for itself: in the square around its reach it would be a hundredth.
+      expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.3);
+    });
 });
 
 test('another moment is shown, and one that the file has not is an error that names those it has', async ({ page }) => {
@@ -75,7 +91,10 @@ test('another moment is shown, and one that the file has not is an error that na
 });
 
 test('heights are stretched as asked for', async ({ page }) => {
-  await open(page, `<volume-view src="/demos/data/storm-radar-1510.json" vertical-exaggeration="1" ${looks}></volume-view>`);
+  await open(
+    page,
+    `<volume-view src="/demos/data/storm-radar-1510.json" vertical-exaggeration="1" ${looks}></volume-view>`,
+  );
   await settle(page);
   const heightOf = () => withElement(page, (element) => element.volume!.spacing[2] * element.volume!.dimensions[2]);
   const plain = await heightOf();

@@ -11,7 +11,9 @@ import { expect, networkLines, test } from './helpers/harness.ts';
 /** The blocks of a language in a Markdown file, also in lists. */
 function readBlocks(path: string, language: string): string[] {
   const text = readFileSync(join(projectRoot, path), 'utf8');
-  return [...text.matchAll(new RegExp(`^( *)\`\`\`${language}\\n([^]*?)^ *\`\`\`$`, 'gm'))].map(([, indent, block]) => block.replaceAll(new RegExp(`^${indent}`, 'gm'), ''));
+  return [...text.matchAll(new RegExp(`^( *)\`\`\`${language}\\n([^]*?)^ *\`\`\`$`, 'gm'))].map(([, indent, block]) =>
+    block.replaceAll(new RegExp(`^${indent}`, 'gm'), ''),
+  );
 }
 
 const firstPages = ['README.md', 'docs/first-steps.md'];
@@ -33,7 +35,10 @@ function makeFolder(folder: string): string {
 
 /** Open a page with a block in it, from a plain server of the folder. */
 async function openBlock(page: Page, folder: string, block: string): Promise<() => void> {
-  writeFileSync(join(folder, 'page.html'), `<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>Mine</title></head><body>\n${block}\n</body></html>\n`);
+  writeFileSync(
+    join(folder, 'page.html'),
+    `<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>Mine</title></head><body>\n${block}\n</body></html>\n`,
+  );
   const server = await startStaticServer({ root: folder });
   await page.goto(`${server.url}/page.html`);
   return server.close;
@@ -44,7 +49,9 @@ async function shareShown(frame: Page | Frame): Promise<number> {
   const view = frame.locator('volume-view');
   await expect(frame.getByRole('alert')).toHaveCount(0);
   return view.evaluate(async (element) => {
-    const bitmap = await createImageBitmap(await (element as HTMLElementTagNameMap['volume-view']).toBlob({ width: 160, height: 120 }));
+    const bitmap = await createImageBitmap(
+      await (element as HTMLElementTagNameMap['volume-view']).toBlob({ width: 160, height: 120 }),
+    );
     const context = new OffscreenCanvas(160, 120).getContext('2d')!;
     context.drawImage(bitmap, 0, 0);
     const { data } = context.getImageData(0, 0, 160, 120);
@@ -63,9 +70,14 @@ test('the README and the first steps have a page, tags and a frame to copy', () 
 
 for (const [index, block] of tags.filter((one) => !one.startsWith('<iframe')).entries()) {
   test(`tags ${index + 1} as printed: ${/src="([^"]*(?:gz|json))/.exec(block)?.[1]}`, async ({ page }, testInfo) => {
-    const close = await openBlock(page, makeFolder(testInfo.outputPath('mine')), block.includes('<script') ? block : script + block);
+    const close = await openBlock(
+      page,
+      makeFolder(testInfo.outputPath('mine')),
+      block.includes('<script') ? block : script + block,
+    );
     expect(await shareShown(page)).toBeGreaterThan(0.05);
-    for (const companion of block.match(/<volume-(?!view)[\w-]+/g) ?? []) await expect(page.locator(companion.slice(1))).toBeVisible();
+    for (const companion of block.match(/<volume-(?!view)[\w-]+/g) ?? [])
+      await expect(page.locator(companion.slice(1))).toBeVisible();
     close();
   });
 }
@@ -89,7 +101,9 @@ test.describe('a frame whose file is looked for in the wrong folder', () => {
     const close = await openBlock(page, makeFolder(testInfo.outputPath('mine')), frames[0].replace('../', ''));
     const frame = page.frameLocator('iframe');
     await expect(frame.getByRole('alert')).toContainText('dist/head.nii.gz got HTTP status 404');
-    await expect(frame.locator('.hint')).toHaveText('Addresses count from the folder of this page, /dist/. If the file is in the folder above it, write src=../head.nii.gz');
+    await expect(frame.locator('.hint')).toHaveText(
+      'Addresses count from the folder of this page, /dist/. If the file is in the folder above it, write src=../head.nii.gz',
+    );
     close();
   });
 });
@@ -120,5 +134,7 @@ test('from disk: a file that is too large is refused in words', async ({ page })
     Object.defineProperty(input, 'files', { value: [{ name: 'huge.nii', size: 65 * 2 ** 20 }] });
     input.dispatchEvent(new Event('change'));
   });
-  await expect(page.getByRole('status').first()).toHaveText('huge.nii has 65 MiB; a page from disk can hold files of up to 64 MiB. Put this one on a web server.');
+  await expect(page.getByRole('status').first()).toHaveText(
+    'huge.nii has 65 MiB; a page from disk can hold files of up to 64 MiB. Put this one on a web server.',
+  );
 });

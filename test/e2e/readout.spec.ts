@@ -25,12 +25,18 @@ async function markerPlace(page: Page): Promise<readonly [x: number, y: number] 
 
 /** What the readout should say of a place. */
 const expectedAt = (page: Page, x: number, y: number): Promise<string[]> =>
-  withElement(page, async (element, [left, top]) => {
-    const { value, world, voxel } = (await element.pick(left, top))!;
-    const letters = ['LR', 'PA', 'IS'];
-    const place = world.map((length, axis) => `${letters[axis][length < 0 ? 0 : 1]} ${Math.abs(length).toFixed(1)}`).join(' ');
-    return [`${Number(value.toPrecision(6))}`, `${place} mm`, voxel!.join(', ')];
-  }, { argument: [x, y] as const });
+  withElement(
+    page,
+    async (element, [left, top]) => {
+      const { value, world, voxel } = (await element.pick(left, top))!;
+      const letters = ['LR', 'PA', 'IS'];
+      const place = world
+        .map((length, axis) => `${letters[axis][length < 0 ? 0 : 1]} ${Math.abs(length).toFixed(1)}`)
+        .join(' ');
+      return [`${Number(value.toPrecision(6))}`, `${place} mm`, voxel!.join(', ')];
+    },
+    { argument: [x, y] as const },
+  );
 
 async function openReadout(page: Page, body = view + readout, options: { head?: string } = wide): Promise<void> {
   await open(page, body, options);
@@ -106,7 +112,9 @@ test('has a crosshair that keys move, which fires volume-pick and leaves the cam
   await page.keyboard.press('ArrowUp');
   await expect.poll(() => markerPlace(page)).toEqual([128, 86]);
   await expect.poll(() => texts(page)).toEqual(await expectedAt(page, 128, 86));
-  await expect(reported(page)).toHaveText(/^Value [\d.]+, Place [RL] [\d.]+ [AP] [\d.]+ [SI] [\d.]+ mm, Voxel \d+, \d+, \d+$/);
+  await expect(reported(page)).toHaveText(
+    /^Value [\d.]+, Place [RL] [\d.]+ [AP] [\d.]+ [SI] [\d.]+ mm, Voxel \d+, \d+, \d+$/,
+  );
   await page.keyboard.press('Enter');
   await expect.poll(() => page.evaluate(() => (window as unknown as { picks: unknown[] }).picks.length)).toBe(1);
   await page.keyboard.press('Shift+ArrowLeft');
@@ -128,7 +136,11 @@ test('is told once, when it is still', async ({ page }) => {
   await page.evaluate(() => {
     const heard: string[] = ((window as unknown as { heard: string[] }).heard = []);
     const region = document.querySelector('volume-readout')!.shadowRoot!.querySelector('[role=status]')!;
-    new MutationObserver(() => heard.push(region.textContent)).observe(region, { subtree: true, childList: true, characterData: true });
+    new MutationObserver(() => heard.push(region.textContent)).observe(region, {
+      subtree: true,
+      childList: true,
+      characterData: true,
+    });
   });
   await page.mouse.move(110, 90);
   await page.mouse.move(130, 85, { steps: 12 });
@@ -162,7 +174,9 @@ test('axe finds nothing, with and without crosshair, pointed at or not', async (
 
 test('says what is missing, and begins when it is there; goes on where it is put elsewhere', async ({ page }) => {
   await open(page, readout + readout.replace('field', 'nobody'));
-  await expect(page.locator('volume-readout').nth(0)).toContainText('There is no <volume-view id="field"> in this page.');
+  await expect(page.locator('volume-readout').nth(0)).toContainText(
+    'There is no <volume-view id="field"> in this page.',
+  );
   await page.evaluate((html) => document.body.insertAdjacentHTML('afterbegin', html), view);
   await settle(page);
   await page.mouse.move(60, 45);
@@ -194,7 +208,11 @@ test('a kept place has the value of the scan that is shown', async ({ page }) =>
   await withElement(page, (element) => void element.next());
   await settle(page);
   await expect.poll(() => withElement(page, (element) => element.scan!.index)).toBe(1);
-  const expected = await withElement(page, async (element, [x, y]) => `${Number((await element.pick(x, y))!.value.toPrecision(6))}`, { argument: middle });
+  const expected = await withElement(
+    page,
+    async (element, [x, y]) => `${Number((await element.pick(x, y))!.value.toPrecision(6))}`,
+    { argument: middle },
+  );
   await expect.poll(async () => (await texts(page))[0].split(' ')[0]).toBe(expected);
   expect(values[0][0].split(' ')[0]).not.toBe('');
 });
@@ -205,7 +223,12 @@ test('speaks another language, from right to left', async ({ page }) => {
     const address: string = '/dist/volume-view.js';
     const { registerTranslation }: Pick<typeof Package, 'registerTranslation'> = await import(address);
     registerTranslation('ar', {
-      value: 'القيمة', place: 'الموضع', voxel: 'فوكسل', crosshair: 'مؤشر', patient: { right: 'ي', left: 'س', anterior: 'أ', posterior: 'خ', superior: 'ع', inferior: 'ف' }, millimetres: (lengths) => `${lengths} مم`,
+      value: 'القيمة',
+      place: 'الموضع',
+      voxel: 'فوكسل',
+      crosshair: 'مؤشر',
+      patient: { right: 'ي', left: 'س', anterior: 'أ', posterior: 'خ', superior: 'ع', inferior: 'ف' },
+      millimetres: (lengths) => `${lengths} مم`,
     });
   });
   const box = (await page.locator('volume-view').boundingBox())!;
@@ -213,9 +236,14 @@ test('speaks another language, from right to left', async ({ page }) => {
   await expect(page.locator('volume-readout dt').first()).toHaveText('القيمة');
   await expect.poll(async () => (await texts(page))[1]).toMatch(/^[يس] .* [أخ] .* [عف] .* مم$/);
   await expect(page.getByRole('button', { name: 'مؤشر' })).toBeVisible();
-  await expect(page.locator('volume-readout [part=hint]'), 'what the page leaves out is the package’s').toHaveText('أشر إلى الصورة أو انقرها.');
+  await expect(page.locator('volume-readout [part=hint]'), 'what the page leaves out is the package’s').toHaveText(
+    'أشر إلى الصورة أو انقرها.',
+  );
   // The names stand right of what belongs to them; the cross is where the mouse is.
-  const [name, text] = [(await page.locator('volume-readout dt').first().boundingBox())!, (await page.locator('volume-readout dd').first().boundingBox())!];
+  const [name, text] = [
+    (await page.locator('volume-readout dt').first().boundingBox())!,
+    (await page.locator('volume-readout dd').first().boundingBox())!,
+  ];
   expect(name.x).toBeGreaterThan(text.x);
   expect((await markerPlace(page))!.map(Math.round)).toEqual([120, 90]);
   // A crosshair goes where the arrow points.
@@ -242,7 +270,10 @@ test('works alone from its own file, in the classic script, and under a strict p
   // The readout's copy of the code and the view's make one event of a click.
   await withElement(page, (element) => {
     element.pickable = true;
-    element.addEventListener('volume-pick', () => (element.dataset.picks = `${Number(element.dataset.picks ?? 0) + 1}`));
+    element.addEventListener(
+      'volume-pick',
+      () => (element.dataset.picks = `${Number(element.dataset.picks ?? 0) + 1}`),
+    );
     return new Promise<void>((resolve) => setTimeout(resolve, 500));
   });
   await page.mouse.click(60, 45);
@@ -250,7 +281,11 @@ test('works alone from its own file, in the classic script, and under a strict p
   await expect(reported(page)).toHaveText(/^Value/);
   await expect(page.locator('volume-view')).toHaveAttribute('data-picks', '1');
   await page.unrouteAll();
-  await open(page, view + readout, { path: '/test/e2e/pages/classic.html', script: '<script defer src="/dist/volume-view.iife.js"></script>', head: policy });
+  await open(page, view + readout, {
+    path: '/test/e2e/pages/classic.html',
+    script: '<script defer src="/dist/volume-view.iife.js"></script>',
+    head: policy,
+  });
   await settle(page);
   await page.mouse.move(62, 45);
   await expect.poll(async () => (await texts(page))[0]).not.toBe('–');

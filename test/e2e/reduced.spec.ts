@@ -1,6 +1,16 @@
 // Volumes larger than the device: reduced to what fits, and seen all the same.
 import { encode } from 'fast-png';
-import { compare, expect, open, seenEvents, settle, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  open,
+  seenEvents,
+  settle,
+  takePicture,
+  test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { largeEdge, loadLump, meanAlpha, plain } from './helpers/lump.ts';
 
 test('where the GPU has no memory for a volume it shows a reduced one', async ({ page }) => {
@@ -36,16 +46,23 @@ function mosaicOfBall(): Uint8Array {
   for (let y = 0; y < width; y++) {
     for (let x = 0; x < width; x++) {
       const slice = Math.floor(y / tile) * tiles + Math.floor(x / tile);
-      const [u, v, w] = [((x % tile) + 0.5) / tile, ((y % tile) + 0.5) / tile, (slice + 0.5) / (tiles * tiles)].map((c) => 2 * c - 1);
+      const [u, v, w] = [((x % tile) + 0.5) / tile, ((y % tile) + 0.5) / tile, (slice + 0.5) / (tiles * tiles)].map(
+        (c) => 2 * c - 1,
+      );
       data[y * width + x] = Math.max(0, 255 * (1 - 1.2 * (u * u + 1.5 * v * v + w * w)));
     }
   }
   return encode({ width, height: width, data, channels: 1, depth: 8 });
 }
 
-for (const [what, webgl1, limit] of [['one texture of 2D', true, 512], ['a 3D texture', false, 128]] as const) {
+for (const [what, webgl1, limit] of [
+  ['one texture of 2D', true, 512],
+  ['a 3D texture', false, 128],
+] as const) {
   test(`a mosaic larger than ${what} of the device becomes one that fits`, async ({ page }) => {
-    await page.route('**/ball.png', (route) => route.fulfill({ contentType: 'image/png', body: Buffer.from(mosaicOfBall()) }));
+    await page.route('**/ball.png', (route) =>
+      route.fulfill({ contentType: 'image/png', body: Buffer.from(mosaicOfBall()) }),
+    );
     const body = plain.replace('<volume-view', '<volume-view src="/ball.png" mosaic="4x4" spacing="1 1 32"');
     await open(page, body);
     await settle(page);

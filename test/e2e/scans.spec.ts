@@ -1,6 +1,18 @@
 // Several scans: which one is shown, and what is loaded when.
 import { expect, open, settle, keptTest as test, withElement } from './helpers/harness.ts';
-import { colors, expectMiddle, expectShown, listed, look, middle, serve, several, timeOf, reported, urls } from './helpers/scans.ts';
+import {
+  colors,
+  expectMiddle,
+  expectShown,
+  listed,
+  look,
+  middle,
+  serve,
+  several,
+  timeOf,
+  reported,
+  urls,
+} from './helpers/scans.ts';
 
 test.describe('a list of URLs', () => {
   test('shows the first, goes to the next and back, and says where it ends', async ({ page }) => {
@@ -59,7 +71,10 @@ test.describe('a list of URLs', () => {
     expect(asked.slice(0, 8)).toEqual([0, 1, 2, 3, 4, 5, 6, 7]);
     await withElement(page, (element) => (element.time = '0'));
     await expectShown(page, 0);
-    expect(asked.filter((scan) => scan === 0), 'the first had made room').toHaveLength(2);
+    expect(
+      asked.filter((scan) => scan === 0),
+      'the first had made room',
+    ).toHaveLength(2);
   });
 
   test('gives up what is no longer wanted', async ({ page }) => {
@@ -96,7 +111,10 @@ test.describe('a list of URLs', () => {
     await settle(page);
     await page.locator('volume-view').press('ArrowLeft');
     await settle(page);
-    const read = () => withElement(page, (element) => JSON.stringify([element.optics, window.__seen.filter(({ type }) => type === 'camera-change').at(-1)?.detail]));
+    const read = () =>
+      withElement(page, (element) =>
+        JSON.stringify([element.optics, window.__seen.filter(({ type }) => type === 'camera-change').at(-1)?.detail]),
+      );
     const before = await read();
     await withElement(page, (element) => element.next());
     await expectShown(page, 1);
@@ -126,14 +144,21 @@ test.describe('a list of URLs', () => {
     await expectMiddle(page, 1);
     await withElement(page, (element) => Object.assign(element, { src: '/scans/3.nii', time: null }));
     await expectMiddle(page, 3);
-    expect(await withElement(page, (element) => [element.next(), element.times.length, element.scan])).toEqual([false, 1, { index: 0, time: null, count: 1 }]);
+    expect(await withElement(page, (element) => [element.next(), element.times.length, element.scan])).toEqual([
+      false,
+      1,
+      { index: 0, time: null, count: 1 },
+    ]);
   });
 });
 
 test.describe('a manifest', () => {
   test('knows the times before the scans are loaded', async ({ page }) => {
     const { asked } = await serve(page, { manifest: listed(6) });
-    await open(page, `<volume-view src="/scans/list.json" ${look} time="${timeOf(3).replace('28Z', '40Z')}" alt="Scans"></volume-view>`);
+    await open(
+      page,
+      `<volume-view src="/scans/list.json" ${look} time="${timeOf(3).replace('28Z', '40Z')}" alt="Scans"></volume-view>`,
+    );
     await expectMiddle(page, 3);
     expect(asked[0]).toBe(3);
     expect(await reported(page)).toEqual([{ index: 3, time: timeOf(3), count: 6 }]);
@@ -144,11 +169,16 @@ test.describe('a manifest', () => {
     await expectShown(page, 2);
   });
 
-  test('shows the radar\'s own times of a list of files', async ({ page }) => {
+  test("shows the radar's own times of a list of files", async ({ page }) => {
     const storm = ['1500', '1510', '1520'].map((clock) => `/demos/data/storm-radar-${clock}.json`);
-    await open(page, `<volume-view src="${storm.join(' ')}" time="2011-06-20T15:19:00Z" steps="16" alt="Storm"></volume-view>`);
+    await open(
+      page,
+      `<volume-view src="${storm.join(' ')}" time="2011-06-20T15:19:00Z" steps="16" alt="Storm"></volume-view>`,
+    );
     await expectShown(page, 1);
     expect(await reported(page)).toEqual([{ index: 1, time: '2011-06-20T15:10:00Z', count: 3 }]);
-    await expect.poll(() => withElement(page, (element) => [...element.times])).toEqual(['2011-06-20T15:00:00Z', '2011-06-20T15:10:00Z', '2011-06-20T15:20:00Z']);
+    await expect
+      .poll(() => withElement(page, (element) => [...element.times]))
+      .toEqual(['2011-06-20T15:00:00Z', '2011-06-20T15:10:00Z', '2011-06-20T15:20:00Z']);
   });
 });

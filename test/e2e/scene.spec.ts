@@ -1,6 +1,20 @@
 // An element comes, goes, loses its context, and shows the same picture again.
 import { countGreen, plain, shape } from './helpers/green-shape.ts';
-import { ballUrl, compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, settle, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  ballUrl,
+  compare,
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  forgetEvents,
+  open,
+  seenEvents,
+  settle,
+  takePicture,
+  test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 import { ball } from './helpers/volumes.ts';
 
@@ -37,7 +51,7 @@ test.describe('in and out of the page', () => {
     expect(compare(await takePicture(page), before).worst).toBe(0);
   });
 
-  test('with its author\'s shapes', async ({ page }) => {
+  test("with its author's shapes", async ({ page }) => {
     await open(page, plain.replace('></volume-view>', `>${shape('0 1 0')}</volume-view>`));
     const before = await takePicture(page);
     await withElement(page, async (element) => {
@@ -66,13 +80,16 @@ test.describe('in and out of the page', () => {
 
   test('made by script, without a parser', async ({ page }) => {
     await open(page, '');
-    await page.evaluate(async ([src, attributes]) => {
-      await customElements.whenDefined('volume-view');
-      const element = document.createElement('volume-view');
-      for (const [, name, value] of attributes.matchAll(/([\w-]+)="([^"]*)"/g)) element.setAttribute(name, value);
-      element.src = src;
-      document.body.append(element);
-    }, [fieldUrl, attributesOf()] as const);
+    await page.evaluate(
+      async ([src, attributes]) => {
+        await customElements.whenDefined('volume-view');
+        const element = document.createElement('volume-view');
+        for (const [, name, value] of attributes.matchAll(/([\w-]+)="([^"]*)"/g)) element.setAttribute(name, value);
+        element.src = src;
+        document.body.append(element);
+      },
+      [fieldUrl, attributesOf()] as const,
+    );
     expectSamePicture(await takePicture(page), drawReference());
   });
 });
@@ -88,7 +105,8 @@ test('an element takes one WebGL context, and gives it back', async ({ page }) =
     };
     Object.assign(window, { countContexts: () => [...contexts].filter((context) => !context.isContextLost()).length });
   });
-  const countContexts = (): Promise<number> => page.evaluate(() => (window as unknown as { countContexts(): number }).countContexts());
+  const countContexts = (): Promise<number> =>
+    page.evaluate(() => (window as unknown as { countContexts(): number }).countContexts());
   await open(page, plain.repeat(3));
   for (let i = 0; i < 3; i++) await settle(page, `volume-view:nth-of-type(${i + 1})`);
   expect(await countContexts()).toBe(3);
@@ -97,8 +115,11 @@ test('an element takes one WebGL context, and gives it back', async ({ page }) =
 });
 
 test('eight elements at once, all with their own pictures', async ({ page }) => {
-  const body = Array.from({ length: 8 }, (_, i) =>
-    `<volume-view id="v${i}" src="${i % 2 ? ballUrl : fieldUrl}" ${attributesOf({ steps: String(40 + i) })}></volume-view>`).join('');
+  const body = Array.from(
+    { length: 8 },
+    (_, i) =>
+      `<volume-view id="v${i}" src="${i % 2 ? ballUrl : fieldUrl}" ${attributesOf({ steps: String(40 + i) })}></volume-view>`,
+  ).join('');
   await open(page, `<div style="display: grid; grid-template-columns: repeat(4, 130px)">${body}</div>`);
   for (let i = 0; i < 8; i++) {
     const picture = await takePicture(page, { selector: `#v${i}` });
@@ -115,7 +136,12 @@ test('a lost context comes back with the picture and the view', async ({ page })
   const before = await takePicture(page);
   await forgetEvents(page);
   await withElement(page, (element) =>
-    element.shadowRoot!.querySelector('canvas')!.getContext('webgl2')!.getExtension('WEBGL_lose_context')!.loseContext());
+    element
+      .shadowRoot!.querySelector('canvas')!
+      .getContext('webgl2')!
+      .getExtension('WEBGL_lose_context')!
+      .loseContext(),
+  );
   await waitForEvent(page, 'render');
   expect(compare(await takePicture(page), before).worst).toBe(0);
   expect((await seenEvents(page)).filter(({ type }) => type === 'error')).toEqual([]);

@@ -18,13 +18,13 @@ const kinds: Record<string, string> = {
   'a look by one word': `<volume-view src="${torso}" look="textbook" ${shown}></volume-view>`,
   'an X-ray by one word': `<volume-view src="${torso}" look="xray" ${shown}></volume-view>`,
   'surfaces of values in fog': `<volume-view src="${torso}" surface-values="-300 #d9a98c 25%, 250 #f3e6cc" region="-100 -100 -100 100 80 100" ${shown}></volume-view>`,
-  'styles': `<volume-view src="${mri}" transfer-function="20% #e2b9a6 0, 40% #e2b9a6 40%, 100% #fff 70%" ${shown}><SilhouetteEnhancementVolumeStyle silhouetteSharpness="4"></SilhouetteEnhancementVolumeStyle></volume-view>`,
+  styles: `<volume-view src="${mri}" transfer-function="20% #e2b9a6 0, 40% #e2b9a6 40%, 100% #fff 70%" ${shown}><SilhouetteEnhancementVolumeStyle silhouetteSharpness="4"></SilhouetteEnhancementVolumeStyle></volume-view>`,
   'value and gradient': `<volume-view src="${torso}" gradient-opacity="0 0, 200 100%" ${shown}></volume-view>`,
   'the largest value': `<volume-view src="${torso}" projection="max" ${shown}></volume-view>`,
   'the mean': `<volume-view src="${torso}" projection="average" transfer-function="gray" ${shown}></volume-view>`,
   'a slice': `<volume-view src="${mri}" opacity-factor="0.3" ${shown}><volume-slice type="axial"></volume-slice></volume-view>`,
   'a clip and a shape': `<volume-view src="${mri}" ${shown}><volume-clip normal="0 1 0"></volume-clip><transform translation="40 0 20"><shape><appearance><material diffuseColor="0 1 0"></material></appearance><sphere radius="30"></sphere></shape></transform></volume-view>`,
-  'labels': `<volume-view src="${mri}" ${shown}><volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"></volume-labels></volume-view>`,
+  labels: `<volume-view src="${mri}" ${shown}><volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"></volume-labels></volume-view>`,
   'a layer': `<volume-view src="${mri}" ${shown}><volume-layer src="/demos/data/motor-synthetic.nii.gz"></volume-layer></volume-view>`,
   'a layer that colours labels': `<volume-view src="${mri}" ${shown}><volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"></volume-labels><volume-layer src="/demos/data/motor-synthetic.nii.gz" blend="color"></volume-layer></volume-view>`,
   'a radar, its ground and its rings': `<volume-view src="${storm}" vertical-exaggeration="4" ${shown}></volume-view>`,
@@ -79,7 +79,9 @@ test('a GPU that draws wrong is told of, and the picture stays', async ({ page }
   await open(page, watched);
   await expect.poll(async () => (await reported(page)).code, { timeout: 30_000 }).toBe('webgl/inaccurate');
   const { message, checks } = await reported(page);
-  expect(message).toMatch(/graphics processor .* draws the volume wrong: \d+ of 24 rays .* are off, by up to \d+ of 255/);
+  expect(message).toMatch(
+    /graphics processor .* draws the volume wrong: \d+ of 24 rays .* are off, by up to \d+ of 255/,
+  );
   expect(checks[0].agrees).toBe(false);
   expect(checks[0].max).toBeGreaterThan(3);
   // It is a picture all the same: who waits for it gets it.
@@ -109,7 +111,10 @@ test('with self-check each picture at rest is checked, and a good one is no erro
 test('the page of steps says whether its device draws right', async ({ page }) => {
   await openDemo(page, 'steps.html', '');
   await page.locator('#check').click();
-  await expect(page.locator('#checked')).toContainText(/^It is: the largest difference of 24 rays is 0(\.\d+)? of 255\.$/, { timeout: 30_000 });
+  await expect(page.locator('#checked')).toContainText(
+    /^It is: the largest difference of 24 rays is 0(\.\d+)? of 255\.$/,
+    { timeout: 30_000 },
+  );
 });
 
 test('where there is nothing to see there is nothing to check', async ({ page }) => {

@@ -2,12 +2,22 @@
 import type { Page } from '@playwright/test';
 import type { VolumeSliceView } from '../../components/volume-slice-view/volume-slice-view.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, networkLines, open, settle, takeScreenshot, keptTest as test, test as newPageTest } from './helpers/harness.ts';
+import {
+  expect,
+  fieldUrl,
+  networkLines,
+  open,
+  settle,
+  takeScreenshot,
+  keptTest as test,
+  test as newPageTest,
+} from './helpers/harness.ts';
 
 const head = '<style>volume-slice-view { width: 240px } main { display: flex; flex-wrap: wrap }</style>';
 const phantom = '/demos/data/ct-phantom.nii.gz';
 const inPage = (body: string): string => `<main><h1>Slices</h1>${body}</main>`;
-const alone = (attributes = ''): string => inPage(`<volume-slice-view id="a" src="${phantom}" ${attributes}></volume-slice-view>`);
+const alone = (attributes = ''): string =>
+  inPage(`<volume-slice-view id="a" src="${phantom}" ${attributes}></volume-slice-view>`);
 const script = '<script type="module" src="/dist/volume-slice-view.js"></script>';
 
 /** Run a function with a pane once its picture is there. */
@@ -18,8 +28,11 @@ async function withPane<R>(page: Page, selector: string, act: (pane: VolumeSlice
 }
 
 const textOf = (page: Page, selector: string, part: string): Promise<string> =>
-  withPane(page, selector, () => undefined).then(async () => (await page.locator(`${selector} [part=${part}]`).textContent()) ?? '');
-const cursorOf = (page: Page, selector = '#a'): Promise<readonly number[] | null> => withPane(page, selector, (pane) => pane.cursor);
+  withPane(page, selector, () => undefined).then(
+    async () => (await page.locator(`${selector} [part=${part}]`).textContent()) ?? '',
+  );
+const cursorOf = (page: Page, selector = '#a'): Promise<readonly number[] | null> =>
+  withPane(page, selector, (pane) => pane.cursor);
 
 /** Grey at a place of a pane, CSS pixels; beside the crosshair. */
 async function grayAt(page: Page, selector: string, x: number, y: number): Promise<number> {
@@ -55,8 +68,16 @@ test.describe('a pane that stands alone', () => {
     expect(await findFaults(page)).toEqual([]);
   });
 
-  test('goes where its attributes say, and not elsewhere: sides, slabs, oblique ones, nearest voxels', async ({ page }) => {
-    await open(page, alone('type="sagittal" at="-40" thickness="20" projection="max" interpolation="nearest" value-window="0 1000" window-function="linear"'), { head, script });
+  test('goes where its attributes say, and not elsewhere: sides, slabs, oblique ones, nearest voxels', async ({
+    page,
+  }) => {
+    await open(
+      page,
+      alone(
+        'type="sagittal" at="-40" thickness="20" projection="max" interpolation="nearest" value-window="0 1000" window-function="linear"',
+      ),
+      { head, script },
+    );
     expect(await textOf(page, '#a', 'place')).toContain('L 40 mm');
     expect(await textOf(page, '#a', 'place')).toContain('maximum of 20 mm');
     expect(await page.locator('#a [part=side]').allTextContents()).toEqual(['A', 'P', 'S', 'I']);
@@ -69,7 +90,11 @@ test.describe('a pane that stands alone', () => {
       pane.setAttribute('cursor', '10 -20 30');
     });
     expect(await cursorOf(page)).toEqual([10, -20, 30]);
-    expect((await page.locator('#a [part=side]').allTextContents()).map((side) => (side.length === 2 ? [side, side[1] + side[0]].find((both) => /^[RL]/.test(both)) : side))).toEqual(['LA', 'RP', 'S', 'I']);
+    expect(
+      (await page.locator('#a [part=side]').allTextContents()).map((side) =>
+        side.length === 2 ? [side, side[1] + side[0]].find((both) => /^[RL]/.test(both)) : side,
+      ),
+    ).toEqual(['LA', 'RP', 'S', 'I']);
   });
 
   test('moves by mouse: crosshair, slices, window, size', async ({ page }) => {
@@ -83,7 +108,7 @@ test.describe('a pane that stands alone', () => {
     await page.mouse.move(x + 24, y - 12);
     await page.mouse.up();
     const pointed = (await cursorOf(page))!;
-    expect(pointed[0], 'right in the picture is the patient\'s left').toBeLessThan(before[0] - 5);
+    expect(pointed[0], "right in the picture is the patient's left").toBeLessThan(before[0] - 5);
     expect(pointed[1], 'up in it is the front').toBeGreaterThan(before[1] + 5);
     expect(pointed[2]).toBe(before[2]);
     await page.mouse.wheel(0, 240);
@@ -105,7 +130,9 @@ test.describe('a pane that stands alone', () => {
     expect(await textOf(page, '#a', 'window')).toBe('W 400  L 40');
   });
 
-  test('lets the page scroll at the last slice, and a double click leaves slice and crosshair alone', async ({ page }) => {
+  test('lets the page scroll at the last slice, and a double click leaves slice and crosshair alone', async ({
+    page,
+  }) => {
     await open(page, `${alone()}<div style="height: 3000px"></div>`, { head, script });
     const { x, y } = await middleOf(page);
     await page.mouse.click(x + 20, y - 15);
@@ -121,7 +148,10 @@ test.describe('a pane that stands alone', () => {
     expect(await cursorOf(page), 'and before another').toEqual(before);
     await page.mouse.click(x - 50, y + 40);
     expect(await cursorOf(page), 'a click alone moves it').not.toEqual(before);
-    for (const [key, wheel] of [['End', -240], ['Home', 240]] as const) {
+    for (const [key, wheel] of [
+      ['End', -240],
+      ['Home', 240],
+    ] as const) {
       await page.keyboard.press(key);
       await page.evaluate(() => scrollTo(0, 100));
       const last = (await cursorOf(page))!;
@@ -151,7 +181,12 @@ test.describe('a pane that stands alone', () => {
     expect(await textOf(page, '#a', 'window')).toBe('W 400  L 40');
     const words = 'Window 400, level 40: black up to −160, white from 240';
     await expect(page.locator('#a [part=window]')).toHaveAttribute('title', words);
-    const described = await page.locator('#a [part=picture]').evaluate((picture) => picture.getAttribute('aria-describedby')!.split(' ').map((id) => (picture.getRootNode() as ShadowRoot).getElementById(id)!.textContent));
+    const described = await page.locator('#a [part=picture]').evaluate((picture) =>
+      picture
+        .getAttribute('aria-describedby')!
+        .split(' ')
+        .map((id) => (picture.getRootNode() as ShadowRoot).getElementById(id)!.textContent),
+    );
     expect(described[0]).toBe(words);
     // Over the words too a click is the pane's.
     const box = (await page.locator('#a [part=window]').boundingBox())!;
@@ -177,7 +212,10 @@ test.describe('a pane that stands alone', () => {
       const counts: number[] = [];
       const count = (one: typeof pane): number => {
         const canvas = one.shadowRoot!.querySelector('canvas')!;
-        return canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height).data.filter((value, i) => i % 4 < 3 && value > 0).length;
+        return canvas
+          .getContext('2d')!
+          .getImageData(0, 0, canvas.width, canvas.height)
+          .data.filter((value, i) => i % 4 < 3 && value > 0).length;
       };
       await pane.whenRendered();
       counts.push(count(pane));
@@ -197,7 +235,8 @@ test.describe('a pane that stands alone', () => {
     await open(page, alone('drag="window"'), { head, script });
     const before = (await cursorOf(page))!;
     await page.locator('#a [part=picture]').focus();
-    for (const key of ['PageUp', 'PageUp', 'ArrowLeft', 'ArrowDown', 'Shift+ArrowRight']) await page.keyboard.press(key);
+    for (const key of ['PageUp', 'PageUp', 'ArrowLeft', 'ArrowDown', 'Shift+ArrowRight'])
+      await page.keyboard.press(key);
     const after = (await cursorOf(page))!;
     expect(after[2]).toBeGreaterThan(before[2]);
     expect(after[1]).toBeLessThan(before[1]);
@@ -234,11 +273,20 @@ test.describe('a pane that stands alone', () => {
       });
       await expect(page.getByRole('alert')).toContainText('axial or coronal or sagittal or oblique');
       expect(await grayAt(page, '#a', 132, 100)).toBe(gray);
-      for (const [name, value, said] of [['normal', '0 0 0', 'may not be 0 0 0'], ['thickness', '-3', 'a number from 0'], ['at', 'top', 'a place along'], ['value-window', '5 1', 'lower value first'], ['src', 'nowhere.nii', '404']] as const) {
-        await page.locator('#a').evaluate((pane, [key, text]) => {
-          for (const other of ['type', 'normal', 'thickness', 'at', 'value-window']) pane.removeAttribute(other);
-          pane.setAttribute(key, text);
-        }, [name, value] as const);
+      for (const [name, value, said] of [
+        ['normal', '0 0 0', 'may not be 0 0 0'],
+        ['thickness', '-3', 'a number from 0'],
+        ['at', 'top', 'a place along'],
+        ['value-window', '5 1', 'lower value first'],
+        ['src', 'nowhere.nii', '404'],
+      ] as const) {
+        await page.locator('#a').evaluate(
+          (pane, [key, text]) => {
+            for (const other of ['type', 'normal', 'thickness', 'at', 'value-window']) pane.removeAttribute(other);
+            pane.setAttribute(key, text);
+          },
+          [name, value] as const,
+        );
         await expect(page.getByRole('alert'), name).toContainText(said);
       }
       expect(await grayAt(page, '#a', 132, 100)).toBe(gray);
@@ -246,16 +294,27 @@ test.describe('a pane that stands alone', () => {
       await page.locator('#a').evaluate((pane, url) => pane.setAttribute('src', url), phantom);
       await expect(page.getByRole('alert')).toHaveCount(0);
       expect(await cursorOf(page)).toEqual(cursor);
-      expect(await page.evaluate(() => (window as never as { codes: unknown[] }).codes)).toEqual([...Array.from({ length: 5 }, () => 'attribute/invalid'), 'source/not-found']);
+      expect(await page.evaluate(() => (window as never as { codes: unknown[] }).codes)).toEqual([
+        ...Array.from({ length: 5 }, () => 'attribute/invalid'),
+        'source/not-found',
+      ]);
     });
   });
 
-  test('has a size in any layout, also written from right to left, and is fine on a screen of twice the pixels', async ({ page }) => {
-    await open(page, `<div dir="rtl" style="display: inline-flex">${'<volume-slice-view src="' + phantom + '"></volume-slice-view>'}</div>`, { script });
+  test('has a size in any layout, also written from right to left, and is fine on a screen of twice the pixels', async ({
+    page,
+  }) => {
+    await open(
+      page,
+      `<div dir="rtl" style="display: inline-flex">${'<volume-slice-view src="' + phantom + '"></volume-slice-view>'}</div>`,
+      { script },
+    );
     const box = (await page.locator('volume-slice-view').boundingBox())!;
     expect([box.width, box.height]).toEqual([300, 300]);
-    const [letters, left] = await withPane(page, 'volume-slice-view', (pane) =>
-      [[...pane.shadowRoot!.querySelectorAll('[part=side]')].map(({ textContent }) => textContent), pane.shadowRoot!.querySelector('.side.l')!.getBoundingClientRect().left]);
+    const [letters, left] = await withPane(page, 'volume-slice-view', (pane) => [
+      [...pane.shadowRoot!.querySelectorAll('[part=side]')].map(({ textContent }) => textContent),
+      pane.shadowRoot!.querySelector('.side.l')!.getBoundingClientRect().left,
+    ]);
     expect(letters).toEqual(['R', 'L', 'A', 'P']);
     expect(left).toBeLessThan(box.x + 20);
     await withPane(page, 'volume-slice-view', (pane) => pane.remove());
@@ -264,8 +323,12 @@ test.describe('a pane that stands alone', () => {
 });
 
 test.describe('panes of a <volume-view>', () => {
-  const three = ['axial', 'coronal', 'sagittal'].map((type) => `<volume-slice-view id="${type}" for="v" type="${type}"></volume-slice-view>`).join('');
-  const body = inPage(`<volume-view id="v" src="${phantom}" steps="20" alt="A torso"></volume-view>${three}<volume-slice-view id="other" for="v" group="b"></volume-slice-view>`);
+  const three = ['axial', 'coronal', 'sagittal']
+    .map((type) => `<volume-slice-view id="${type}" for="v" type="${type}"></volume-slice-view>`)
+    .join('');
+  const body = inPage(
+    `<volume-view id="v" src="${phantom}" steps="20" alt="A torso"></volume-view>${three}<volume-slice-view id="other" for="v" group="b"></volume-slice-view>`,
+  );
 
   test('have one crosshair and one window, and load nothing again', async ({ page }) => {
     const asked: string[] = [];
@@ -273,12 +336,18 @@ test.describe('panes of a <volume-view>', () => {
     await open(page, body, { head });
     await settle(page);
     await withPane(page, '#axial', (pane) => void (pane.cursor = [31.25, -12.5, 40.75]));
-    for (const type of ['axial', 'coronal', 'sagittal']) expect(await cursorOf(page, `#${type}`), type).toEqual([31.25, -12.5, 40.75]);
+    for (const type of ['axial', 'coronal', 'sagittal'])
+      expect(await cursorOf(page, `#${type}`), type).toEqual([31.25, -12.5, 40.75]);
     expect(await cursorOf(page, '#other')).not.toEqual([31.25, -12.5, 40.75]);
-    const reported = await withPane(page, '#coronal', (pane) => new Promise((resolve) => {
-      pane.addEventListener('cursor-change', (event) => resolve((event as CustomEvent).detail), { once: true });
-      (document.querySelector('#sagittal') as unknown as VolumeSliceView).cursor = [0, 0, 0];
-    }));
+    const reported = await withPane(
+      page,
+      '#coronal',
+      (pane) =>
+        new Promise((resolve) => {
+          pane.addEventListener('cursor-change', (event) => resolve((event as CustomEvent).detail), { once: true });
+          (document.querySelector('#sagittal') as unknown as VolumeSliceView).cursor = [0, 0, 0];
+        }),
+    );
     expect(reported).toMatchObject({ cursor: [0, 0, 0], value: expect.any(Number) });
     expect(asked.filter((path) => path === phantom).length).toBe(1);
     await page.locator('#v').evaluate((view) => view.setAttribute('value-window', '-1000 1000'));
@@ -286,7 +355,13 @@ test.describe('panes of a <volume-view>', () => {
   });
 
   test('show labels in their colours, and say of a radar what has slices', async ({ page }) => {
-    await open(page, inPage(`<volume-view id="v" src="${fieldUrl}" steps="20" alt="A field"></volume-view><volume-slice-view id="a" colors="volume"></volume-slice-view>`), { head });
+    await open(
+      page,
+      inPage(
+        `<volume-view id="v" src="${fieldUrl}" steps="20" alt="A field"></volume-view><volume-slice-view id="a" colors="volume"></volume-slice-view>`,
+      ),
+      { head },
+    );
     await settle(page);
     const colored = await withPane(page, '#a', (pane) => {
       const canvas = pane.shadowRoot!.querySelector('canvas')!;

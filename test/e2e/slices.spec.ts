@@ -1,5 +1,19 @@
 import type { Page } from '@playwright/test';
-import { compare, expect, fieldUrl, forgetEvents, open, setAttributes, settle, sharePage, takePicture, keptTest as test, test as newPageTest, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  fieldUrl,
+  forgetEvents,
+  open,
+  setAttributes,
+  settle,
+  sharePage,
+  takePicture,
+  keptTest as test,
+  test as newPageTest,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import type { ErrorDetail } from '../../src/index.ts';
 import { meanOf } from './helpers/pictures.ts';
 
@@ -7,9 +21,11 @@ import { meanOf } from './helpers/pictures.ts';
 const radarUrl = '/test/fixtures/radar/odim-2.2.h5';
 
 /** All values in colours from red to green; the volume itself is as good as not there. */
-const looks = 'transfer-function="-40 #f00 1%, 90 #0f0 1%" opacity-factor="0.001" steps="40" rings="none" camera-orbit="20deg 50deg 100%"';
+const looks =
+  'transfer-function="-40 #f00 1%, 90 #0f0 1%" opacity-factor="0.001" steps="40" rings="none" camera-orbit="20deg 50deg 100%"';
 /** @param more - attributes, which win over those of the looks */
-const radar = (slices: string, more = ''): string => `<volume-view src="${radarUrl}" ${more} ${looks}>${slices}</volume-view>`;
+const radar = (slices: string, more = ''): string =>
+  `<volume-view src="${radarUrl}" ${more} ${looks}>${slices}</volume-view>`;
 
 /** Mean opacity of the picture, 0..255. */
 async function opacity(page: Page): Promise<number> {
@@ -35,13 +51,14 @@ async function setSlices(page: Page, html: string): Promise<void> {
 test.describe('alone', () => {
   const sharedPage = sharePage(radar(''));
 
-  for (const [type, slice] of Object.entries(one)) test(`a ${type} is in the picture, and hidden ones are not`, async () => {
-    const page = sharedPage();
-    await setSlices(page, slice);
-    expect(await opacity(page)).toBeGreaterThan(1.2);
-    await page.locator('volume-slice').evaluate((element) => element.setAttribute('hidden', ''));
-    expect(await opacity(page)).toBeLessThan(0.5);
-  });
+  for (const [type, slice] of Object.entries(one))
+    test(`a ${type} is in the picture, and hidden ones are not`, async () => {
+      const page = sharedPage();
+      await setSlices(page, slice);
+      expect(await opacity(page)).toBeGreaterThan(1.2);
+      await page.locator('volume-slice').evaluate((element) => element.setAttribute('hidden', ''));
+      expect(await opacity(page)).toBeLessThan(0.5);
+    });
 });
 
 test('what is changed of a slice is shown at once, by attribute and by property', async ({ page }) => {
@@ -73,37 +90,61 @@ test('heights are above the sea', async ({ page }) => {
 });
 
 async function setHeight(page: Page, height: string): Promise<void> {
-  await withElement(page, (element, value) => element.querySelector('volume-slice')!.setAttribute('height', value), { argument: height });
+  await withElement(page, (element, value) => element.querySelector('volume-slice')!.setAttribute('height', value), {
+    argument: height,
+  });
   await settle(page);
 }
 
 const mistakes: Record<string, { slice: string; says: RegExp }> = {
-  'no type': { slice: '<volume-slice></volume-slice>', says: /^type of a volume-slice got ""; expected ppi, cappi, rhi or section/ },
-  'an elevation in words': { slice: '<volume-slice type="ppi" elevation="low"></volume-slice>', says: /^elevation of volume-slice type="ppi" got "low"; expected degrees/ },
-  'a sweep that is not there': { slice: '<volume-slice type="ppi" sweep="2"></volume-slice>', says: /^sweep of volume-slice type="ppi" got "2"; expected a whole number from 0 to 1/ },
-  'no height': { slice: '<volume-slice type="cappi"></volume-slice>', says: /^height of volume-slice type="cappi" got ""; expected metres above sea level/ },
-  'an azimuth in words': { slice: '<volume-slice type="rhi" azimuth="SW"></volume-slice>', says: /^azimuth of volume-slice type="rhi" got "SW"; expected degrees clockwise from north/ },
-  'half a point': { slice: '<volume-slice type="section" from="1" to="2 3"></volume-slice>', says: /^from of volume-slice type="section" got "1"; expected metres east and north/ },
-  'a line of no length': { slice: '<volume-slice type="section" from="2 3" to="2 3"></volume-slice>', says: /^to of volume-slice type="section" got "2 3"; expected another point/ },
+  'no type': {
+    slice: '<volume-slice></volume-slice>',
+    says: /^type of a volume-slice got ""; expected ppi, cappi, rhi or section/,
+  },
+  'an elevation in words': {
+    slice: '<volume-slice type="ppi" elevation="low"></volume-slice>',
+    says: /^elevation of volume-slice type="ppi" got "low"; expected degrees/,
+  },
+  'a sweep that is not there': {
+    slice: '<volume-slice type="ppi" sweep="2"></volume-slice>',
+    says: /^sweep of volume-slice type="ppi" got "2"; expected a whole number from 0 to 1/,
+  },
+  'no height': {
+    slice: '<volume-slice type="cappi"></volume-slice>',
+    says: /^height of volume-slice type="cappi" got ""; expected metres above sea level/,
+  },
+  'an azimuth in words': {
+    slice: '<volume-slice type="rhi" azimuth="SW"></volume-slice>',
+    says: /^azimuth of volume-slice type="rhi" got "SW"; expected degrees clockwise from north/,
+  },
+  'half a point': {
+    slice: '<volume-slice type="section" from="1" to="2 3"></volume-slice>',
+    says: /^from of volume-slice type="section" got "1"; expected metres east and north/,
+  },
+  'a line of no length': {
+    slice: '<volume-slice type="section" from="2 3" to="2 3"></volume-slice>',
+    says: /^to of volume-slice type="section" got "2 3"; expected another point/,
+  },
   'too many': { slice: one.ppi.repeat(5), says: /^volume-view got 5 volume-slice elements; expected at most 4/ },
 };
 
 test.describe('mistakes', () => {
   const sharedPage = sharePage(radar(''));
 
-  for (const [name, { slice, says }] of Object.entries(mistakes)) test(`${name}: an error names the slice, and the others are drawn`, async () => {
-    const page = sharedPage();
-    await setSlices(page, slice + one.cappi);
-    const { code, message } = await lastError(page);
-    expect(code).toBe('attribute/invalid');
-    expect(message.replace('got 6', 'got 5')).toMatch(says);
-    await forgetEvents(page);
-    await page.locator('volume-slice').evaluateAll((all) => all.slice(0, -1).forEach((element) => element.remove()));
-    expect(await opacity(page)).toBeGreaterThan(3);
-  });
+  for (const [name, { slice, says }] of Object.entries(mistakes))
+    test(`${name}: an error names the slice, and the others are drawn`, async () => {
+      const page = sharedPage();
+      await setSlices(page, slice + one.cappi);
+      const { code, message } = await lastError(page);
+      expect(code).toBe('attribute/invalid');
+      expect(message.replace('got 6', 'got 5')).toMatch(says);
+      await forgetEvents(page);
+      await page.locator('volume-slice').evaluateAll((all) => all.slice(0, -1).forEach((element) => element.remove()));
+      expect(await opacity(page)).toBeGreaterThan(3);
+    });
 });
 
-test('a volume that is not a radar\'s has no slices and no rings, and says so', async ({ page }) => {
+test("a volume that is not a radar's has no slices and no rings, and says so", async ({ page }) => {
   await open(page, `<volume-view src="${fieldUrl}" steps="20">${one.cappi}</volume-view>`);
   expect((await lastError(page)).message).toContain('volume-slice type="cappi" got a volume that is not a radar\'s');
   await page.locator('volume-slice').evaluate((slice) => slice.remove());
@@ -125,13 +166,15 @@ test('a region alone is shown, and framed', async ({ page }) => {
   expect(compare(all, await takePicture(page)).worst).toBe(0);
 });
 
-test('regions that can\'t be read, or hold nothing, are an error', async ({ page }) => {
+test("regions that can't be read, or hold nothing, are an error", async ({ page }) => {
   await open(page, radar(one.ppi, 'region="1 2 3"'));
   expect((await lastError(page)).message).toMatch(/^region got "1 2 3"; expected 6 numbers/);
   await settle(page).catch(() => {});
   await forgetEvents(page);
   await page.locator('volume-view').evaluate((element) => element.setAttribute('region', '90000 0 0 99000 1000 1000'));
-  expect((await lastError(page)).message).toMatch(/^region got "90000 .*"; expected two opposite corners of a box that holds some of the volume/);
+  expect((await lastError(page)).message).toMatch(
+    /^region got "90000 .*"; expected two opposite corners of a box that holds some of the volume/,
+  );
 });
 
 test('rings stand around the radar with their distances, and north', async ({ page }) => {
@@ -166,9 +209,20 @@ test('labels at the edge of the picture are moved so far that all of them is rea
     await setAttributes(page, { 'camera-orbit': `180deg 0deg ${distance}%` });
     for (const label of await page.locator('volume-view .labels span:not([hidden])').all()) {
       const { x, y, width, height } = (await label.boundingBox())!;
-      expect(Math.min(x - picture.x, y - picture.y, picture.x + picture.width - x - width, picture.y + picture.height - y - height)).toBeGreaterThan(2);
+      expect(
+        Math.min(
+          x - picture.x,
+          y - picture.y,
+          picture.x + picture.width - x - width,
+          picture.y + picture.height - y - height,
+        ),
+      ).toBeGreaterThan(2);
       const place = await label.evaluate(({ style: { left, top } }) => [left, top].map(parseFloat));
-      if (Math.abs(x + width / 2 - picture.x - (picture.width * place[0]) / 100) > 1 || Math.abs(y + height / 2 - picture.y - (picture.height * place[1]) / 100) > 1) atEdge++;
+      if (
+        Math.abs(x + width / 2 - picture.x - (picture.width * place[0]) / 100) > 1 ||
+        Math.abs(y + height / 2 - picture.y - (picture.height * place[1]) / 100) > 1
+      )
+        atEdge++;
     }
   }
   expect(atEdge, 'labels that had to be moved').toBeGreaterThan(0);
@@ -197,7 +251,7 @@ test('rings of a wrong distance are an error', async ({ page }) => {
   expect((await lastError(page)).message).toMatch(/^rings got "500"; expected kilometres from ring to ring/);
 });
 
-test.describe('planes through a volume that is no radar\'s', () => {
+test.describe("planes through a volume that is no radar's", () => {
   const plane = (attributes: string): string => `<volume-slice ${attributes}></volume-slice>`;
   const view = `<volume-view src="${fieldUrl}" opacity-factor="0" steps="40" camera-orbit="20deg 50deg 100%"></volume-view>`;
 
@@ -227,7 +281,10 @@ test.describe('planes through a volume that is no radar\'s', () => {
 
   test('that can not be read are told, and the others stay', async ({ page }) => {
     await open(page, view.replace('></', `>${plane('type="oblique" normal="0 0 0"')}${plane('type="coronal"')}</`));
-    expect(await lastError(page)).toMatchObject({ code: 'attribute/invalid', message: expect.stringContaining('may not be 0 0 0') });
+    expect(await lastError(page)).toMatchObject({
+      code: 'attribute/invalid',
+      message: expect.stringContaining('may not be 0 0 0'),
+    });
     await withElement(page, (element) => element.querySelector('volume-slice')!.remove());
     expect(await opacity(page)).toBeGreaterThan(10);
   });

@@ -1,7 +1,23 @@
 // Another src: what is fetched, what is shown meanwhile, what ends.
 import { files } from './helpers/data.ts';
 import { plain } from './helpers/green-shape.ts';
-import { ballUrl, compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, settle, takePicture, takeScreenshot, keptTest as test, test as newPageTest, waitForEvent, withElement } from './helpers/harness.ts';
+import {
+  ballUrl,
+  compare,
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  forgetEvents,
+  open,
+  seenEvents,
+  settle,
+  takePicture,
+  takeScreenshot,
+  keptTest as test,
+  test as newPageTest,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 import { serveSlowly } from './helpers/slow-server.ts';
 import { ball } from './helpers/volumes.ts';
@@ -11,16 +27,21 @@ test.describe('another src', () => {
     await open(page, plain);
     await settle(page);
     await forgetEvents(page);
-    await withElement(page, async (element, urls) => {
-      for (const url of urls) {
-        element.src = url;
-        await Promise.resolve();
-      }
-      await element.whenRendered();
-    }, { argument: [ballUrl, fieldUrl, '/nowhere.nii', ballUrl, fieldUrl, ballUrl] });
+    await withElement(
+      page,
+      async (element, urls) => {
+        for (const url of urls) {
+          element.src = url;
+          await Promise.resolve();
+        }
+        await element.whenRendered();
+      },
+      { argument: [ballUrl, fieldUrl, '/nowhere.nii', ballUrl, fieldUrl, ballUrl] },
+    );
     const seen = await seenEvents(page);
-    expect(seen.filter(({ type }) => type === 'load').map(({ detail }) => (detail as { dimensions: number[] }).dimensions))
-      .toEqual([[12, 12, 12]]);
+    expect(
+      seen.filter(({ type }) => type === 'load').map(({ detail }) => (detail as { dimensions: number[] }).dimensions),
+    ).toEqual([[12, 12, 12]]);
     expect(seen.filter(({ type }) => type === 'error')).toEqual([]);
     expectSamePicture(await takePicture(page), drawReference({ volume: ball }));
   });
@@ -29,9 +50,13 @@ test.describe('another src', () => {
     const server = await serveSlowly(files['field.nii'], 0.5);
     await open(page, `<volume-view src="${server.url}" ${attributesOf()}></volume-view>`);
     await page.waitForFunction(() => window.__seen.some(({ detail }) => (detail as { loaded: number }).loaded > 0));
-    await withElement(page, (element, src) => {
-      element.src = src;
-    }, { argument: ballUrl });
+    await withElement(
+      page,
+      (element, src) => {
+        element.src = src;
+      },
+      { argument: ballUrl },
+    );
     await server.dropped;
     expectSamePicture(await takePicture(page), drawReference({ volume: ball }));
     expect((await seenEvents(page)).filter(({ type }) => type === 'load')).toHaveLength(1);
@@ -59,13 +84,17 @@ test.describe('another src', () => {
     await open(page, plain);
     await settle(page);
     await forgetEvents(page);
-    await withElement(page, async (element, src) => {
-      element.remove();
-      await new Promise(requestAnimationFrame);
-      element.src = src;
-      await element.updateComplete;
-      document.body.append(element);
-    }, { argument: ballUrl });
+    await withElement(
+      page,
+      async (element, src) => {
+        element.remove();
+        await new Promise(requestAnimationFrame);
+        element.src = src;
+        await element.updateComplete;
+        document.body.append(element);
+      },
+      { argument: ballUrl },
+    );
     expectSamePicture(await takePicture(page), drawReference({ volume: ball }));
     expect((await seenEvents(page)).filter(({ type }) => type === 'load')).toHaveLength(1);
   });
@@ -77,10 +106,14 @@ test.describe('another src', () => {
     await settle(page);
     expect(requests.filter((path) => path === fieldUrl)).toHaveLength(1);
     expect(requests.filter((path) => path.includes('decode-worker'))).toHaveLength(1);
-    await withElement(page, async (element, src) => {
-      element.src = src;
-      await element.whenRendered();
-    }, { argument: ballUrl });
+    await withElement(
+      page,
+      async (element, src) => {
+        element.src = src;
+        await element.whenRendered();
+      },
+      { argument: ballUrl },
+    );
     expect(requests.filter((path) => path === ballUrl)).toHaveLength(1);
   });
 
@@ -101,13 +134,19 @@ test.describe('another src', () => {
     await open(page, plain);
     const before = await takePicture(page);
     const server = await serveSlowly(files['ball.nii'], 0.5);
-    await withElement(page, (element, src) => {
-      element.src = src;
-    }, { argument: server.url });
+    await withElement(
+      page,
+      (element, src) => {
+        element.src = src;
+      },
+      { argument: server.url },
+    );
     await page.waitForFunction(() => window.__seen.some(({ detail }) => (detail as { total?: number }).total === 7264));
     const kept = await withElement(page, (element) => element.volume!.dimensions);
     expect(kept).toEqual([24, 20, 16]);
-    await page.addStyleTag({ content: 'volume-view { background: black } volume-view::part(progress) { display: none }' });
+    await page.addStyleTag({
+      content: 'volume-view { background: black } volume-view::part(progress) { display: none }',
+    });
     const onBlack = { ...before, data: before.data.map((x, i) => (i % 4 === 3 ? 255 : x)) };
     expect(compare(await takeScreenshot(page), onBlack).worst).toBeLessThanOrEqual(1);
     server.release();

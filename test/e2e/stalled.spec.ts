@@ -2,11 +2,23 @@
 import type { Page } from '@playwright/test';
 import { findFaults } from './helpers/axe.ts';
 import { files } from './helpers/data.ts';
-import { expect, expectSamePicture, fieldUrl, networkLines, open, seenEvents, settle, takePicture, test, waitForEvent } from './helpers/harness.ts';
+import {
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  networkLines,
+  open,
+  seenEvents,
+  settle,
+  takePicture,
+  test,
+  waitForEvent,
+} from './helpers/harness.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 import { serveSlowly } from './helpers/slow-server.ts';
 
-const viewOf = (src: string, id = 'view'): string => `<volume-view id="${id}" src="${src}" ${attributesOf()} alt="A field" interaction="all"></volume-view>`;
+const viewOf = (src: string, id = 'view'): string =>
+  `<volume-view id="${id}" src="${src}" ${attributesOf()} alt="A field" interaction="all"></volume-view>`;
 
 /** Wait until bytes came, and let the page's clock go on. */
 async function passSeconds(page: Page, seconds: number): Promise<void> {
@@ -45,7 +57,10 @@ test('six stalled servers do not keep another file waiting', async ({ page }) =>
   const stalled = Array.from({ length: 6 }, (_, i) => viewOf(`${server.url}?${i}`, `stalled${i}`)).join('');
   await open(page, `<div style="display: flex">${stalled}</div>`);
   await expect.poll(server.requests).toBe(6);
-  await page.evaluate((html) => document.querySelector('div')!.insertAdjacentHTML('beforeend', html), viewOf(fieldUrl, 'good'));
+  await page.evaluate(
+    (html) => document.querySelector('div')!.insertAdjacentHTML('beforeend', html),
+    viewOf(fieldUrl, 'good'),
+  );
   await passSeconds(page, 6);
   await waitForEvent(page, 'load', { id: 'good' });
   expect((await seenEvents(page)).map(({ type }) => type)).not.toContain('error');
@@ -57,7 +72,9 @@ test.describe('a server that is busy', () => {
 
   test('for a moment is asked again, and nobody sees it', async ({ page }) => {
     let asked = 0;
-    await page.route(`**${fieldUrl}`, (route) => (asked++ < 2 ? route.fulfill({ status: 503, headers: { 'retry-after': '0' } }) : route.continue()));
+    await page.route(`**${fieldUrl}`, (route) =>
+      asked++ < 2 ? route.fulfill({ status: 503, headers: { 'retry-after': '0' } }) : route.continue(),
+    );
     await open(page, viewOf(fieldUrl));
     expectSamePicture(await takePicture(page), drawReference());
     expect(asked).toBe(3);

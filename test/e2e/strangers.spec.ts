@@ -1,7 +1,17 @@
 // Pages with strict headers, and pages around the element in which somebody else may write.
 import type { Page } from '@playwright/test';
 import { findBrowser, listTestArgs } from '../../scripts/find-browser.mjs';
-import { expect, expectSamePicture, fieldUrl, networkLines, open, setAttributes, settle, takePicture, test } from './helpers/harness.ts';
+import {
+  expect,
+  expectSamePicture,
+  fieldUrl,
+  networkLines,
+  open,
+  setAttributes,
+  settle,
+  takePicture,
+  test,
+} from './helpers/harness.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 
 const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
@@ -46,7 +56,13 @@ test.describe('a page in which somebody else names elements', () => {
     expect(asked.filter((path) => path.startsWith('/strange/'))).toEqual(['/strange/a.js']);
   });
 
-  for (const strange of ['<p id="x3dom"></p>', '<img name="x3dom" alt="">', '<iframe name="x3dom" title="x"></iframe>', '<form name="head"></form>', '<img name="baseURI" alt="">']) {
+  for (const strange of [
+    '<p id="x3dom"></p>',
+    '<img name="x3dom" alt="">',
+    '<iframe name="x3dom" title="x"></iframe>',
+    '<form name="head"></form>',
+    '<img name="baseURI" alt="">',
+  ]) {
     test(`${strange} is not what it is called`, async ({ page }) => {
       await open(page, strange + plain);
       expectSamePicture(await takePicture(page), drawReference());
@@ -68,12 +84,19 @@ test('x3dom does not listen to unload, and every other listener stays', async ({
   await page.evaluate(() => window.addEventListener('unload', () => {}));
   const reported = await page.evaluate(() => (window as unknown as { reported: string[] }).reported);
   expect(reported).toContain('reload'); // x3dom's own event.
-  expect(reported.filter((type) => type === 'unload'), "the page's own one").toHaveLength(1);
+  expect(
+    reported.filter((type) => type === 'unload'),
+    "the page's own one",
+  ).toHaveLength(1);
 });
 
 test('the back-forward cache keeps a page with a picture', async ({ playwright }) => {
   // Playwright switches that cache off where nobody asks for it, and can not follow a page into it: so the page tells.
-  const browser = await playwright.chromium.launch({ executablePath: await findBrowser(), args: listTestArgs(), ignoreDefaultArgs: ['--disable-back-forward-cache'] });
+  const browser = await playwright.chromium.launch({
+    executablePath: await findBrowser(),
+    args: listTestArgs(),
+    ignoreDefaultArgs: ['--disable-back-forward-cache'],
+  });
   try {
     const page = await browser.newPage({ baseURL: process.env.VOLUME_VIEW_URL, viewport: { width: 900, height: 700 } });
     const shown: string[] = [];
@@ -81,11 +104,18 @@ test('the back-forward cache keeps a page with a picture', async ({ playwright }
       shown.push(new URL(route.request().url()).search);
       return route.fulfill({ status: 204 });
     });
-    await page.context().route('**/other.html', (route) => route.fulfill({
-      contentType: 'text/html',
-      body: '<title>Other</title><script>addEventListener("pageshow", () => setTimeout(() => history.back(), 100))</script>',
-    }));
-    await page.addInitScript(() => addEventListener('pageshow', ({ persisted }) => void fetch(`/shown?${location.pathname.split('/').at(-1)}=${persisted}`)));
+    await page.context().route('**/other.html', (route) =>
+      route.fulfill({
+        contentType: 'text/html',
+        body: '<title>Other</title><script>addEventListener("pageshow", () => setTimeout(() => history.back(), 100))</script>',
+      }),
+    );
+    await page.addInitScript(() =>
+      addEventListener(
+        'pageshow',
+        ({ persisted }) => void fetch(`/shown?${location.pathname.split('/').at(-1)}=${persisted}`),
+      ),
+    );
     await open(page, plain);
     await settle(page);
     await page.evaluate(() => void setTimeout(() => (location.href = 'other.html')));

@@ -2,7 +2,17 @@
 import type { Page } from '@playwright/test';
 import { ballPly, octahedronGltf } from '../helpers/meshes.ts';
 import { hgtBytes } from '../helpers/terrain.ts';
-import { compare, expect, fieldUrl, open, setAttributes, settle, takePicture, test, withElement } from './helpers/harness.ts';
+import {
+  compare,
+  expect,
+  fieldUrl,
+  open,
+  setAttributes,
+  settle,
+  takePicture,
+  test,
+  withElement,
+} from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { serveFiles } from './helpers/served-files.ts';
 
@@ -11,9 +21,12 @@ const files: Record<string, Buffer> = {
   'ball.ply': Buffer.from(ballPly([0, 0, 0], 9)),
   'eight.gltf': Buffer.from(octahedronGltf(0.009)),
   'broken.stl': Buffer.from('solid a\nfacet normal 0 0 1\nouter loop\nvertex nan 0 0\n'),
-  'N10E020.hgt': Buffer.from(hgtBytes((north, east) => 300 + 2000 * Math.max(0, 1 - 6 * Math.hypot(north - 0.5, east - 0.5)))),
+  'N10E020.hgt': Buffer.from(
+    hgtBytes((north, east) => 300 + 2000 * Math.max(0, 1 - 6 * Math.hypot(north - 0.5, east - 0.5))),
+  ),
 };
-const view = (inside: string, src = fieldUrl): string => `<main><h1>Surfaces</h1><volume-view id="v" src="${src}" transfer-function="0 white 0, 60 white 3%" value-window="0 255" steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="A field">${inside}</volume-view>`;
+const view = (inside: string, src = fieldUrl): string =>
+  `<main><h1>Surfaces</h1><volume-view id="v" src="${src}" transfer-function="0 white 0, 60 white 3%" value-window="0 255" steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="A field">${inside}</volume-view>`;
 
 const serve = (page: Page): Promise<readonly string[]> => serveFiles(page, folder, files);
 
@@ -29,7 +42,10 @@ async function watchReading(page: Page): Promise<() => Promise<{ page: number; w
       return native(...args);
     };
   });
-  return async () => ({ page: await page.evaluate(() => (globalThis as unknown as { filesRead: number }).filesRead), workers });
+  return async () => ({
+    page: await page.evaluate(() => (globalThis as unknown as { filesRead: number }).filesRead),
+    workers,
+  });
 }
 
 /** Pixels that are far more orange than blue. */
@@ -38,32 +54,57 @@ const countOrange = ({ data }: Picture): number => {
   for (let at = 0; at < data.length; at += 4) count += Number(data[at] - data[at + 2] > 80);
   return count;
 };
-const pickMiddle = (page: Page): Promise<unknown> => withElement(page, async (one) => {
-  const pick = await one.pick(one.clientWidth / 2, one.clientHeight / 2);
-  return pick && [pick.surface?.type, pick.surface?.element.localName, pick.surface && pick.world.map((x) => Math.round(x)), pick.color];
-});
+const pickMiddle = (page: Page): Promise<unknown> =>
+  withElement(page, async (one) => {
+    const pick = await one.pick(one.clientWidth / 2, one.clientHeight / 2);
+    return (
+      pick && [
+        pick.surface?.type,
+        pick.surface?.element.localName,
+        pick.surface && pick.world.map((x) => Math.round(x)),
+        pick.color,
+      ]
+    );
+  });
 
 test.describe('surfaces', () => {
-  test('stand in the volume, are cut by ClipPlanes and picked; what is wrong is said, and nothing is lost', async ({ page }) => {
+  test('stand in the volume, are cut by ClipPlanes and picked; what is wrong is said, and nothing is lost', async ({
+    page,
+  }) => {
     const asked = await serve(page);
     await open(page, view(''));
     await settle(page);
     expect(asked.filter((path) => /surface|terrain/.test(path))).toEqual([]);
     expect(await pickMiddle(page)).toEqual([undefined, undefined, undefined, '#ffffff']);
     const reading = await watchReading(page);
-    await withElement(page, (one, url) => {
-      const surface = document.createElement('volume-surface');
-      surface.setAttribute('src', url);
-      surface.setAttribute('color', '#ff8800');
-      one.append(surface);
-    }, { argument: `${folder}/ball.ply` });
-    await expect.poll(() => page.locator('volume-surface').evaluate((one: HTMLElementTagNameMap['volume-surface']) => one.info?.triangles ?? 0)).toBe(528);
+    await withElement(
+      page,
+      (one, url) => {
+        const surface = document.createElement('volume-surface');
+        surface.setAttribute('src', url);
+        surface.setAttribute('color', '#ff8800');
+        one.append(surface);
+      },
+      { argument: `${folder}/ball.ply` },
+    );
+    await expect
+      .poll(() =>
+        page
+          .locator('volume-surface')
+          .evaluate((one: HTMLElementTagNameMap['volume-surface']) => one.info?.triangles ?? 0),
+      )
+      .toBe(528);
     expect(await reading(), 'read in a worker').toEqual({ page: 0, workers: 1 });
     await settle(page);
     const orange = countOrange(await takePicture(page));
     expect(orange).toBeGreaterThan(300);
     // From the front: its nearest place.
-    expect(await pickMiddle(page)).toEqual(['surface', 'volume-surface', [0, 9, 0].map((x) => expect.closeTo(x, 0)), '#ff8800']);
+    expect(await pickMiddle(page)).toEqual([
+      'surface',
+      'volume-surface',
+      [0, 9, 0].map((x) => expect.closeTo(x, 0)),
+      '#ff8800',
+    ]);
 
     await withElement(page, (one) => one.insertAdjacentHTML('beforeend', '<clipplane plane="0 0 1 0"></clipplane>'));
     await settle(page);
@@ -72,11 +113,29 @@ test.describe('surfaces', () => {
 
     // A glTF of 9 mm, which is in metres with y up.
     await page.locator('volume-surface').evaluate((one, url) => one.setAttribute('src', url), `${folder}/eight.gltf`);
-    await expect.poll(() => page.locator('volume-surface').evaluate((one: HTMLElementTagNameMap['volume-surface']) => one.info?.triangles ?? 0)).toBe(8);
+    await expect
+      .poll(() =>
+        page
+          .locator('volume-surface')
+          .evaluate((one: HTMLElementTagNameMap['volume-surface']) => one.info?.triangles ?? 0),
+      )
+      .toBe(8);
     await settle(page);
-    expect(await pickMiddle(page)).toEqual(['surface', 'volume-surface', [0, 9, 0].map((x) => expect.closeTo(x, 0)), '#ff8800']);
+    expect(await pickMiddle(page)).toEqual([
+      'surface',
+      'volume-surface',
+      [0, 9, 0].map((x) => expect.closeTo(x, 0)),
+      '#ff8800',
+    ]);
 
-    const reported = page.locator('volume-surface').evaluate((one) => new Promise((resolve) => one.addEventListener('error', (event) => resolve((event as CustomEvent<{ code: string }>).detail.code), { once: true })));
+    const reported = page.locator('volume-surface').evaluate(
+      (one) =>
+        new Promise((resolve) =>
+          one.addEventListener('error', (event) => resolve((event as CustomEvent<{ code: string }>).detail.code), {
+            once: true,
+          }),
+        ),
+    );
     await page.locator('volume-surface').evaluate((one, url) => one.setAttribute('src', url), `${folder}/broken.stl`);
     expect(await reported).toBe('format/corrupt');
     await expect(page.locator('volume-view .error')).toContainText('the STL');
@@ -90,11 +149,21 @@ test.describe('surfaces', () => {
     await expect(page.locator('volume-view .error')).toHaveCount(0);
   });
 
-  test('with cut-with-volume are cut by what cuts the volume, in the picture and for picks, and are whole again without', async ({ page }) => {
+  test('with cut-with-volume are cut by what cuts the volume, in the picture and for picks, and are whole again without', async ({
+    page,
+  }) => {
     await serve(page);
-    await open(page, view(`<volume-surface src="${folder}/ball.ply" color="#ff8800"></volume-surface>`).replace('0, 60 white 3%', '0, 300 white 0'));
+    await open(
+      page,
+      view(`<volume-surface src="${folder}/ball.ply" color="#ff8800"></volume-surface>`).replace(
+        '0, 60 white 3%',
+        '0, 300 white 0',
+      ),
+    );
     const surface = page.locator('volume-surface');
-    await expect.poll(() => surface.evaluate((one: HTMLElementTagNameMap['volume-surface']) => one.info?.triangles ?? 0)).toBe(528);
+    await expect
+      .poll(() => surface.evaluate((one: HTMLElementTagNameMap['volume-surface']) => one.info?.triangles ?? 0))
+      .toBe(528);
     await settle(page);
     const whole = await takePicture(page);
     const { width, height } = whole;
@@ -119,10 +188,15 @@ test.describe('surfaces', () => {
     const [leftLeft, rightLeft] = covered(cut);
     expect(leftLeft, 'the background shows, but for the edge of the cut').toBeLessThan(0.06 * left);
     expect(rightLeft / right).toBeCloseTo(1, 1);
-    expect(await withElement(page, async (one) => {
-      const picks = await Promise.all([0.47, 0.53].map((across) => one.pick(across * one.clientWidth, one.clientHeight / 2)));
-      return picks.map((pick) => pick?.surface?.type ?? null);
-    }), 'a ray goes through what is cut away').toEqual([null, 'surface']);
+    expect(
+      await withElement(page, async (one) => {
+        const picks = await Promise.all(
+          [0.47, 0.53].map((across) => one.pick(across * one.clientWidth, one.clientHeight / 2)),
+        );
+        return picks.map((pick) => pick?.surface?.type ?? null);
+      }),
+      'a ray goes through what is cut away',
+    ).toEqual([null, 'surface']);
     // The same part by the region, and by a plane elsewhere in the page.
     expect(compare(await cutAt({ cutout: null, region: '-99 -99 -99 0 99 99' }), cut).worst).toBeLessThan(60); // Edges of triangles that another side of a cut divides.
     await setAttributes(page, { region: null });
@@ -148,9 +222,11 @@ test.describe('surfaces', () => {
     await serve(page);
     const terrain = `<volume-terrain src="${folder}/N10E020.hgt" color="#ff8800"></volume-terrain>`;
     await open(page, view(terrain));
-    await expect(page.locator('volume-view .error')).toContainText('not a radar\'s');
+    await expect(page.locator('volume-view .error')).toContainText("not a radar's");
     await page.route('**/over-land.json', async (route) => {
-      const manifest = (await (await route.fetch({ url: new URL('/demos/data/storm-radar-1500.json', page.url()).href })).json()) as object;
+      const manifest = (await (
+        await route.fetch({ url: new URL('/demos/data/storm-radar-1500.json', page.url()).href })
+      ).json()) as object;
       await route.fulfill({ json: { ...manifest, site: { latitude: 10.5, longitude: 20.5, height: 800 } } });
     });
     const reading = await watchReading(page);
@@ -159,10 +235,13 @@ test.describe('surfaces', () => {
       one.setAttribute('rings', 'none');
       one.setAttribute('src', '/demos/data/over-land.json');
     });
-    const info = await page.locator('volume-terrain').evaluate((one: HTMLElementTagNameMap['volume-terrain']) => new Promise<HTMLElementTagNameMap['volume-terrain']['info']>((resolve) => {
-      if (one.info) resolve(one.info);
-      else one.addEventListener('load', () => resolve(one.info), { once: true });
-    }));
+    const info = await page.locator('volume-terrain').evaluate(
+      (one: HTMLElementTagNameMap['volume-terrain']) =>
+        new Promise<HTMLElementTagNameMap['volume-terrain']['info']>((resolve) => {
+          if (one.info) resolve(one.info);
+          else one.addEventListener('load', () => resolve(one.info), { once: true });
+        }),
+    );
     expect(info!.heights).toEqual([300, 2300]);
     expect(await reading(), 'the radar and the terrain, each read in a worker').toEqual({ page: 0, workers: 2 });
     expect(info!.error).toBeLessThan(20);
@@ -171,14 +250,22 @@ test.describe('surfaces', () => {
     // The mountain under the antenna is higher than that; heights are five times as high.
     const picked = await withElement(page, async (one) => {
       const pick = await one.pick(one.clientWidth / 2, one.clientHeight / 2, { at: 'surface' });
-      return pick?.surface && { type: pick.surface.type, sea: pick.surface.radar!.heightAboveSea, latitude: pick.surface.radar!.latitude };
+      return (
+        pick?.surface && {
+          type: pick.surface.type,
+          sea: pick.surface.radar!.heightAboveSea,
+          latitude: pick.surface.radar!.latitude,
+        }
+      );
     });
     expect(picked!.type).toBe('terrain');
     expect(Math.abs(picked!.sea! - 2300)).toBeLessThan(30);
     expect(Math.abs(picked!.latitude! - 10.5)).toBeLessThan(0.01);
     // Under no radar it would lie anywhere.
     await withElement(page, (one, src) => one.setAttribute('src', src), { argument: fieldUrl });
-    await expect(page.locator('volume-view .error')).toContainText('not a radar\'s');
-    expect(await page.locator('volume-terrain').evaluate((one: HTMLElementTagNameMap['volume-terrain']) => one.info)).toBe(null);
+    await expect(page.locator('volume-view .error')).toContainText("not a radar's");
+    expect(
+      await page.locator('volume-terrain').evaluate((one: HTMLElementTagNameMap['volume-terrain']) => one.info),
+    ).toBe(null);
   });
 });

@@ -39,7 +39,12 @@ test.describe('<volume-timeline>', () => {
     await open(page, inPage(`<volume-view src="/scans/list.json" ${look} alt="Scans"></volume-view>`));
     await expect(slider(page)).toBeEnabled();
     await slider(page).focus();
-    for (const [key, scan] of [['ArrowRight', 1], ['End', 5], ['ArrowLeft', 4], ['Home', 0]] as const) {
+    for (const [key, scan] of [
+      ['ArrowRight', 1],
+      ['End', 5],
+      ['ArrowLeft', 4],
+      ['Home', 0],
+    ] as const) {
       await page.keyboard.press(key);
       await expectShown(page, scan);
       await expect(slider(page)).toHaveValue(String(scan));
@@ -52,7 +57,10 @@ test.describe('<volume-timeline>', () => {
   test('writes times in the zone that the page asks for, and says so where nobody knows it', async ({ page }) => {
     await serve(page);
     const odim = '/test/fixtures/radar/odim-2.1.h5';
-    await open(page, `<volume-view src="${odim} ${odim}?2" ${look} alt="Scans"></volume-view><volume-timeline time-zone="Asia/Kolkata"></volume-timeline>`);
+    await open(
+      page,
+      `<volume-view src="${odim} ${odim}?2" ${look} alt="Scans"></volume-view><volume-timeline time-zone="Asia/Kolkata"></volume-timeline>`,
+    );
     const zone = page.locator('volume-timeline .day');
     await expect(zone).toContainText('GMT+5:30');
     const clock = async (): Promise<number> => {
@@ -64,7 +72,9 @@ test.describe('<volume-timeline>', () => {
     await expect(zone).toContainText('UTC');
     expect((there - (await clock()) + 1440) % 1440).toBe(330);
     await page.locator('volume-timeline').evaluate((element) => element.setAttribute('time-zone', 'Mars/Base'));
-    await expect(page.locator('volume-timeline').getByRole('alert')).toContainText('time-zone of <volume-timeline> got "Mars/Base"');
+    await expect(page.locator('volume-timeline').getByRole('alert')).toContainText(
+      'time-zone of <volume-timeline> got "Mars/Base"',
+    );
     await expect(zone).toContainText('UTC');
   });
 

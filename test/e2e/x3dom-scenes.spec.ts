@@ -15,22 +15,41 @@ function tile(valueOf: (x: number, y: number, z: number) => number): Buffer {
   for (let i = 0; i < data.length; i++) {
     const [column, row] = [i % (across * size), Math.floor(i / (across * size))];
     const slice = Math.floor(row / size) * across + Math.floor(column / size);
-    data[i] = Math.round(valueOf(((column % size) + 0.5) / size, ((row % size) + 0.5) / size, (slice + 0.5) / (across * down)));
+    data[i] = Math.round(
+      valueOf(((column % size) + 0.5) / size, ((row % size) + 0.5) / size, (slice + 0.5) / (across * down)),
+    );
   }
   return Buffer.from(encode({ width: across * size, height: down * size, data, channels: 1, depth: 8 }));
 }
 
 /** A ball with a bright core, and air around it. */
-const ball = (max: number) => (x: number, y: number, z: number): number => Math.max(0, max * Math.min(1, 2.4 - 6 * Math.hypot(x - 0.5, y - 0.5, z - 0.5)));
+const ball =
+  (max: number) =>
+  (x: number, y: number, z: number): number =>
+    Math.max(0, max * Math.min(1, 2.4 - 6 * Math.hypot(x - 0.5, y - 0.5, z - 0.5)));
 const red = Uint8Array.from({ length: 256 * 4 }, (_, i) => [255, 40, 20, Math.floor(i / 4)][i % 4]);
 const files = {
-  'body.png': tile(ball(200)), 'inside.png': tile(ball(240)), 'halves.png': tile((x) => (x < 0.5 ? 0 : 1)), 'red.png': Buffer.from(encode({ width: 256, height: 1, data: red, channels: 4, depth: 8 })),
+  'body.png': tile(ball(200)),
+  'inside.png': tile(ball(240)),
+  'halves.png': tile((x) => (x < 0.5 ? 0 : 1)),
+  'red.png': Buffer.from(encode({ width: 256, height: 1, data: red, channels: 4, depth: 8 })),
 };
 const atlas = (name: string) => ({ url: `${folder}/${name}`, slices: across * down, across, down });
-const data = { brain: atlas('body.png'), body: atlas('body.png'), inside: atlas('inside.png'), halves: atlas('halves.png'), colors: `${folder}/red.png` };
+const data = {
+  brain: atlas('body.png'),
+  body: atlas('body.png'),
+  inside: atlas('inside.png'),
+  halves: atlas('halves.png'),
+  colors: `${folder}/red.png`,
+};
 
 /** What is seen: its share of the picture in per cent, and its mean colour, weighed by how much it differs from the background. */
-function describe({ data: pixels, width, height }: Picture): { share: number; color: readonly number[]; background: readonly number[]; strongest: number } {
+function describe({ data: pixels, width, height }: Picture): {
+  share: number;
+  color: readonly number[];
+  background: readonly number[];
+  strongest: number;
+} {
   const background = [0, 1, 2].map((c) => pixels[c]);
   let [count, weights, strongest] = [0, 0, 0];
   const color = [0, 0, 0];
@@ -44,7 +63,10 @@ function describe({ data: pixels, width, height }: Picture): { share: number; co
   return { share: (100 * count) / (width * height), color: color.map((x) => x / weights), background, strongest };
 }
 
-const [black, white] = [[0, 0, 0], [255, 255, 255]];
+const [black, white] = [
+  [0, 0, 0],
+  [255, 255, 255],
+];
 const isGray = ([r, g, b]: readonly number[]): boolean => Math.max(r, g, b) - Math.min(r, g, b) < 3;
 const isYellow = ([r, g, b]: readonly number[]): boolean => Math.abs(r - g) < 10 && b < 0.4 * r;
 const isRed = ([r, g, b]: readonly number[]): boolean => r > 2 * g && r > 2 * b;
@@ -53,7 +75,17 @@ const isReddish = ([r, g, b]: readonly number[]): boolean => r > g + 8 && Math.a
 const isColored = (color: readonly number[]): boolean => !isGray(color);
 
 /** By title: the background, per cent that are covered at least and at most, a colour, and the strongest pixel. */
-const expected: Readonly<Record<string, readonly [sky: readonly number[], share: readonly [number, number], color: (mean: readonly number[]) => boolean, strongest: readonly [number, number]]>> = {
+const expected: Readonly<
+  Record<
+    string,
+    readonly [
+      sky: readonly number[],
+      share: readonly [number, number],
+      color: (mean: readonly number[]) => boolean,
+      strongest: readonly [number, number],
+    ]
+  >
+> = {
   'No style': [white, [5, 60], isGray, [40, 200]],
   'Tone-mapped': [black, [10, 95], isYellow, [60, 255]],
   Blended: [black, [10, 95], isColored, [60, 255]],
@@ -80,9 +112,14 @@ test.use({ allowedLines: /shadows="true" of a ShadedVolumeStyle is left out of t
 for (const { file, title, html, code } of exampleScenes) {
   test(`${title}, as ${file}`, async ({ page }) => {
     await serveFiles(page, folder, files);
-    await open(page, `<volume-view style="width: 120px; height: 120px" alt="A ball"><x3d>${html(data)}</x3d></volume-view>`);
+    await open(
+      page,
+      `<volume-view style="width: 120px; height: 120px" alt="A ball"><x3d>${html(data)}</x3d></volume-view>`,
+    );
     await settle(page).catch(() => {}); // Of what is wrong the event tells.
-    const errors = (await seenEvents(page)).filter(({ type }) => type === 'error').map(({ detail }) => (detail as { code: string }).code);
+    const errors = (await seenEvents(page))
+      .filter(({ type }) => type === 'error')
+      .map(({ detail }) => (detail as { code: string }).code);
     expect(errors.at(-1)).toBe(code);
     // In float64 it is the same.
     const checked = code ? null : await withElement(page, (element) => element.checkPicture());

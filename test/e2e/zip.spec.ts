@@ -13,7 +13,9 @@ import { expect, fieldUrl, open, settle, takePicture, test } from './helpers/har
 function unpackInto(folder: string): string[] {
   mkdirSync(folder, { recursive: true });
   const file = join(folder, 'made.zip');
-  const { status, stderr } = spawnSync(process.execPath, [join(projectRoot, 'scripts/make-zip.mjs'), '--out', file], { encoding: 'utf8' });
+  const { status, stderr } = spawnSync(process.execPath, [join(projectRoot, 'scripts/make-zip.mjs'), '--out', file], {
+    encoding: 'utf8',
+  });
   expect(status, stderr).toBe(0);
   const files = unzipSync(new Uint8Array(readFileSync(file)));
   for (const [name, bytes] of Object.entries(files)) {
@@ -34,12 +36,23 @@ test.describe('from disk', () => {
   test('the zip, unpacked, shows its sample at once, also from disk', async ({ page }, testInfo) => {
     const folder = testInfo.outputPath('zip');
     const names = unpackInto(folder);
-    for (const name of ['index.html', 'embed.html', 'volume-view.js', 'volume-view.iife.js', 'x3dom.js', 'sample.nii.gz', 'LICENSE', 'THIRD-PARTY-LICENSES.txt']) {
+    for (const name of [
+      'index.html',
+      'embed.html',
+      'volume-view.js',
+      'volume-view.iife.js',
+      'x3dom.js',
+      'sample.nii.gz',
+      'LICENSE',
+      'THIRD-PARTY-LICENSES.txt',
+    ]) {
       expect(names).toContain(`volume-view/${name}`);
     }
     await page.goto(pathToFileURL(join(folder, 'volume-view/index.html')).href);
     const picture = await takePicture(page);
-    const shown = Array.from({ length: picture.data.length / 4 }, (_, i) => picture.data[4 * i + 3]).filter((alpha) => alpha > 128).length;
+    const shown = Array.from({ length: picture.data.length / 4 }, (_, i) => picture.data[4 * i + 3]).filter(
+      (alpha) => alpha > 128,
+    ).length;
     expect(shown / (picture.data.length / 4)).toBeGreaterThan(0.1);
     expect(await findFaults(page)).toEqual([]);
   });
@@ -62,7 +75,9 @@ test.describe('from a plain static server', () => {
     for (const path of ['index.html', '', 'embed.html?src=sample.nii.gz&alt=Sample&controls']) {
       await page.goto(`http://static.test/volume-view/${path}`);
       const picture = await takePicture(page);
-      const shown = Array.from({ length: picture.data.length / 4 }, (_, i) => picture.data[4 * i + 3]).filter((alpha) => alpha > 128).length;
+      const shown = Array.from({ length: picture.data.length / 4 }, (_, i) => picture.data[4 * i + 3]).filter(
+        (alpha) => alpha > 128,
+      ).length;
       expect(shown / (picture.data.length / 4), path).toBeGreaterThan(0.1);
     }
     expect(asked.filter((path) => !path.startsWith('/volume-view/') && path !== '/favicon.ico')).toEqual([]);
@@ -71,18 +86,36 @@ test.describe('from a plain static server', () => {
 
 test.describe('the page for frames', () => {
   /** A frame as a site has it that trusts nobody. */
-  const openFrame = async (page: Page, query: string, data = `${process.env.VOLUME_VIEW_CROSS_URL}/cors${fieldUrl}`): Promise<FrameLocator> => {
-    await open(page, `<iframe sandbox="allow-scripts" width="320" height="240" title="A field" src="/dist/embed.html?src=${encodeURIComponent(data)}&${query}"></iframe>`);
+  const openFrame = async (
+    page: Page,
+    query: string,
+    data = `${process.env.VOLUME_VIEW_CROSS_URL}/cors${fieldUrl}`,
+  ): Promise<FrameLocator> => {
+    await open(
+      page,
+      `<iframe sandbox="allow-scripts" width="320" height="240" title="A field" src="/dist/embed.html?src=${encodeURIComponent(data)}&${query}"></iframe>`,
+    );
     return page.frameLocator('iframe');
   };
 
   test('shows a volume in a sandboxed frame, as large as that, with what its address says', async ({ page }) => {
-    const frame = await openFrame(page, 'alt=A+field&transfer-function=gray&steps=40&legend&onload=alert(1)&style=color:red&poster=x');
+    const frame = await openFrame(
+      page,
+      'alt=A+field&transfer-function=gray&steps=40&legend&onload=alert(1)&style=color:red&poster=x',
+    );
     const view = frame.locator('volume-view');
     await expect(frame.locator('volume-legend')).toBeVisible();
     await view.evaluate((element) => (element as HTMLElementTagNameMap['volume-view']).whenRendered());
-    expect(await view.evaluate((element) => [element.getAttributeNames(), element.clientWidth, self.origin])).toEqual([['src', 'transfer-function', 'steps', 'alt'], 320, 'null']);
-    expect(await frame.locator('html').evaluate(() => [document.title, document.documentElement.scrollHeight <= innerHeight])).toEqual(['A field', true]);
+    expect(await view.evaluate((element) => [element.getAttributeNames(), element.clientWidth, self.origin])).toEqual([
+      ['src', 'transfer-function', 'steps', 'alt'],
+      320,
+      'null',
+    ]);
+    expect(
+      await frame
+        .locator('html')
+        .evaluate(() => [document.title, document.documentElement.scrollHeight <= innerHeight]),
+    ).toEqual(['A field', true]);
   });
 
   test('says what is missing', async ({ page }) => {

@@ -10,7 +10,10 @@ export const engine = {
   packages: [], // findBrowser installs it
   find: findBrowser,
   async open(url, executablePath) {
-    const browser = await chromium.launch({ executablePath, args: [...listLaunchArgs(), '--js-flags=--expose-gc', '--enable-precise-memory-info'] });
+    const browser = await chromium.launch({
+      executablePath,
+      args: [...listLaunchArgs(), '--js-flags=--expose-gc', '--enable-precise-memory-info'],
+    });
     const page = await browser.newPage();
     /** @type {string[]} */
     const messages = [];

@@ -33,7 +33,9 @@ export const engine = {
     /** @type {string[]} */
     const messages = [];
     page.on('console', (message) => messages.push(`${message.type()}: ${message.text()}`));
-    page.on('pageerror', (error) => messages.push(`page error: ${error instanceof Error ? error.message : String(error)}`));
+    page.on('pageerror', (error) =>
+      messages.push(`page error: ${error instanceof Error ? error.message : String(error)}`),
+    );
     await page.goto(url);
     return {
       version: await browser.version(),

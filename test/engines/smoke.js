@@ -13,7 +13,9 @@ const isWebGl1 = location.search === '?webgl1';
 const prefix = isWebGl1 ? 'WebGL 1: ' : '';
 const data = '/test/e2e/pages/data';
 // The frame adds to the page's own lists.
-const { passed, failed } = isWebGl1 ? window.parent.__smoke : (window.__smoke = { done: false, passed: [], failed: [] });
+const { passed, failed } = isWebGl1
+  ? window.parent.__smoke
+  : (window.__smoke = { done: false, passed: [], failed: [] });
 
 /** Run one check, which throws the reason where it fails. */
 async function check(name, act) {
@@ -69,7 +71,10 @@ function expectSame(got, view) {
   const expected = drawReference(view);
   expect(got.width === expected.width && got.height === expected.height, `${got.width} x ${got.height} pixels`);
   const { worst, rmse } = comparePictures(got, expected);
-  expect(expected.data.some((x, i) => i % 4 < 3 && x > 80), 'the reference shows nothing');
+  expect(
+    expected.data.some((x, i) => i % 4 < 3 && x > 80),
+    'the reference shows nothing',
+  );
   expect(worst <= 2 && rmse <= 0.5, `worst pixel ${worst.toFixed(2)}, RMSE ${rmse.toFixed(2)} of 255`);
 }
 
@@ -93,17 +98,22 @@ const element = makeElement({ src: `${data}/field.nii.gz`, alt: 'A smooth field'
 
 await check('it loads', async () => {
   const loaded = nextEvent(element, 'load');
-  const failure = nextEvent(element, 'error').then(({ code, message }) => Promise.reject(new Error(`${code}: ${message}`)));
+  const failure = nextEvent(element, 'error').then(({ code, message }) =>
+    Promise.reject(new Error(`${code}: ${message}`)),
+  );
   document.body.append(element);
   const { dimensions, format } = await Promise.race([loaded, failure]);
   expect(dimensions.join() === '24,20,16' && format.startsWith('NIfTI'), `${format} of ${dimensions}`);
 });
 
-await check('the picture is the reference\'s', () => expectPicture(element));
+await check("the picture is the reference's", () => expectPicture(element));
 
 await check('rays that the processor casts in 64 bits are the same', async () => {
   const { rays, off, max, agrees } = await element.checkPicture();
-  expect(rays >= 20 && agrees && off === 0 && max <= 1, `${off} of ${rays} rays off, by up to ${max.toFixed(2)} of 255`);
+  expect(
+    rays >= 20 && agrees && off === 0 && max <= 1,
+    `${off} of ${rays} rays off, by up to ${max.toFixed(2)} of 255`,
+  );
 });
 
 await check('it draws by the version of WebGL that was asked for', () => {
@@ -127,23 +137,40 @@ function point(type, [x, y], options = {}) {
   const { left, top } = element.getBoundingClientRect();
   const picture = element.shadowRoot.querySelector('.picture');
   picture.setPointerCapture = () => {}; // There is no such pointer.
-  picture.dispatchEvent(new PointerEvent(type, { pointerId: 7, pointerType: 'touch', clientX: left + x, clientY: top + y, bubbles: true, cancelable: true, ...options }));
+  picture.dispatchEvent(
+    new PointerEvent(type, {
+      pointerId: 7,
+      pointerType: 'touch',
+      clientX: left + x,
+      clientY: top + y,
+      bubbles: true,
+      cancelable: true,
+      ...options,
+    }),
+  );
 }
 
 await check('a click picks what is there, and a readout says so', async () => {
   const readout = document.createElement('volume-readout');
   element.after(readout);
-  for (let i = 0; i < 200 && !readout.shadowRoot?.querySelector('[part=row]'); i++) await new Promise((resolve) => void setTimeout(resolve, 25));
+  for (let i = 0; i < 200 && !readout.shadowRoot?.querySelector('[part=row]'); i++)
+    await new Promise((resolve) => void setTimeout(resolve, 25));
   const picked = nextEvent(element, 'volume-pick');
   const { left, top } = element.getBoundingClientRect();
   point('pointerdown', [60, 45], { pointerType: 'mouse', isPrimary: true, composed: true });
   point('pointerup', [60, 45], { pointerType: 'mouse', isPrimary: true, composed: true });
-  element.shadowRoot.querySelector('.picture').dispatchEvent(new MouseEvent('click', { clientX: left + 60, clientY: top + 45, bubbles: true, composed: true }));
+  element.shadowRoot
+    .querySelector('.picture')
+    .dispatchEvent(new MouseEvent('click', { clientX: left + 60, clientY: top + 45, bubbles: true, composed: true }));
   const detail = await picked;
   const again = await element.pick(60, 45);
-  expect(Number.isFinite(detail?.value) && JSON.stringify(detail) === JSON.stringify(again), JSON.stringify([detail, again]));
+  expect(
+    Number.isFinite(detail?.value) && JSON.stringify(detail) === JSON.stringify(again),
+    JSON.stringify([detail, again]),
+  );
   const words = () => readout.shadowRoot.querySelector('[part=row]').textContent.replace(/\s+/g, ' ');
-  for (let i = 0; i < 100 && words().includes('\u2013'); i++) await new Promise((resolve) => void setTimeout(resolve, 25));
+  for (let i = 0; i < 100 && words().includes('\u2013'); i++)
+    await new Promise((resolve) => void setTimeout(resolve, 25));
   expect(/^Value ?\d/.test(words()), words());
   readout.remove();
 });
@@ -173,7 +200,10 @@ await check('a finger whose page scrolls leaves the camera as it was', async () 
 
 await check('two fingers that pinch zoom, and bring back', async () => {
   const fingers = [7, 8].map((pointerId) => ({ pointerId, isPrimary: pointerId === 7 }));
-  const spread = (type, half) => fingers.forEach((finger, i) => point(type, [60 + (i ? half : -half), 45], { ...finger, buttons: type === 'pointerup' ? 0 : 1 }));
+  const spread = (type, half) =>
+    fingers.forEach((finger, i) =>
+      point(type, [60 + (i ? half : -half), 45], { ...finger, buttons: type === 'pointerup' ? 0 : 1 }),
+    );
   spread('pointerdown', 10);
   for (const half of [12, 16, 20]) spread('pointermove', half);
   spread('pointerup', 20);
@@ -194,7 +224,9 @@ await check('controls are loaded when they are asked for, turn the picture, and 
   await until(controls);
   expect(controls(), 'no controls came');
   // A narrow picture leaves some of them out.
-  const shown = [...controls().querySelectorAll('button')].map((one) => one.getBoundingClientRect()).filter(({ width }) => width > 0);
+  const shown = [...controls().querySelectorAll('button')]
+    .map((one) => one.getBoundingClientRect())
+    .filter(({ width }) => width > 0);
   const small = shown.filter(({ width, height }) => Math.min(width, height) < 44);
   expect(shown.length >= 3, `${shown.length} buttons are shown`);
   expect(small.length === 0, `${small.length} of them are smaller than 44 pixels`);
@@ -260,7 +292,7 @@ await check('a typing error is told, and the picture stays', async () => {
   await expectPicture(element);
 });
 
-await check('a shape of the author\'s stands in it', async () => {
+await check("a shape of the author's stands in it", async () => {
   const before = await readPicture(element);
   const template = document.createElement('template');
   template.innerHTML =

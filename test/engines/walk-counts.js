@@ -22,7 +22,8 @@
   const getContext = HTMLCanvasElement.prototype.getContext;
   HTMLCanvasElement.prototype.getContext = function (...args) {
     const context = getContext.apply(this, args);
-    if (context instanceof WebGLRenderingContext || context instanceof WebGL2RenderingContext) contexts.add(new WeakRef(context)); // Held, it would hold its scene.
+    if (context instanceof WebGLRenderingContext || context instanceof WebGL2RenderingContext)
+      contexts.add(new WeakRef(context)); // Held, it would hold its scene.
     return context;
   };
 
@@ -56,7 +57,8 @@
   for (const target of [window, document]) {
     const name = target === window ? 'window' : 'document';
     const { addEventListener, removeEventListener } = target;
-    const keyOf = (type, options) => `${name} ${type} ${(typeof options === 'object' ? options?.capture : options) === true}`;
+    const keyOf = (type, options) =>
+      `${name} ${type} ${(typeof options === 'object' ? options?.capture : options) === true}`;
     target.addEventListener = (type, listener, options) => {
       const key = keyOf(type, options);
       if (!listeners.has(key)) listeners.set(key, new Set());

@@ -38,7 +38,8 @@ const invalid = {
   time: ['-1', 'yesterday'],
 };
 
-const shape = '<transform translation="2 0 0"><shape><appearance><material diffusecolor="1 0 0"></material></appearance><box size="5 5 40"></box></shape></transform>';
+const shape =
+  '<transform translation="2 0 0"><shape><appearance><material diffusecolor="1 0 0"></material></appearance><box size="5 5 40"></box></shape></transform>';
 const clock = '<timesensor cycleinterval="1" loop="true"></timesensor>';
 const viewpoint = '<viewpoint position="0 0 90" fieldofview="0.6"></viewpoint>';
 
@@ -86,7 +87,8 @@ export const steps = {
     element.style.height = pick(['44px', '']);
   },
   'the page is put away and comes back': () => {
-    for (const type of ['pagehide', 'pageshow']) window.dispatchEvent(new PageTransitionEvent(type, { persisted: true }));
+    for (const type of ['pagehide', 'pageshow'])
+      window.dispatchEvent(new PageTransitionEvent(type, { persisted: true }));
   },
   'a picture is asked for': ({ element, ask }) => ask(element.toBlob({ width: 20 })),
   'it is waited for': ({ element, ask }) => ask(element.whenRendered()),
@@ -96,7 +98,10 @@ export const steps = {
   'the next scan': ({ element }) => element.next(),
   'a shape comes': ({ element, pick }) => element.insertAdjacentHTML('beforeend', pick([shape, clock, viewpoint])),
   'a shape goes': ({ element }) => element.lastElementChild?.remove(),
-  'a shape moves': ({ element, pick }) => element.querySelector('transform')?.setAttribute('translation', pick(['4 0 0', '0 4 0'])),
+  'a shape moves': ({ element, pick }) =>
+    element.querySelector('transform')?.setAttribute('translation', pick(['4 0 0', '0 4 0'])),
   keys: ({ element, pick }) =>
-    element.shadowRoot?.querySelector('.picture')?.dispatchEvent(new KeyboardEvent('keydown', { key: pick(['ArrowLeft', '+', '-', 'Home']) })),
+    element.shadowRoot
+      ?.querySelector('.picture')
+      ?.dispatchEvent(new KeyboardEvent('keydown', { key: pick(['ArrowLeft', '+', '-', 'Home']) })),
 };

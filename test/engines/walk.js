@@ -21,12 +21,15 @@ function dice() {
   state >>>= 0;
   return state / 2 ** 32;
 }
-dice(state ||= 1);
+dice((state ||= 1));
 const pick = (list) => list[Math.floor(dice() * list.length)];
 
 function withLimit(promise, what) {
   let timer;
-  const late = new Promise((_, reject) => (timer = setTimeout(() => reject(new Error(`${what} did not settle within ${limitMs / 1000} s`)), limitMs)));
+  const late = new Promise(
+    (_, reject) =>
+      (timer = setTimeout(() => reject(new Error(`${what} did not settle within ${limitMs / 1000} s`)), limitMs)),
+  );
   return Promise.race([promise, late]).finally(() => clearTimeout(timer));
 }
 
@@ -37,7 +40,10 @@ function makePlaces() {
   document.body.append(main);
   let frame = null;
   return {
-    main, body, dialog, details,
+    main,
+    body,
+    dialog,
+    details,
     shadow: host.attachShadow({ mode: 'open' }),
     frame() {
       if (!frame) main.append((frame = document.createElement('iframe')));
@@ -53,7 +59,8 @@ function makePlaces() {
 /** All that a page's author, a script or a hand did to it is undone. */
 function makePlain(element) {
   for (const name of element.getAttributeNames()) if (!(name in plain)) element.removeAttribute(name);
-  for (const [name, value] of Object.entries(plain)) if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+  for (const [name, value] of Object.entries(plain))
+    if (element.getAttribute(name) !== value) element.setAttribute(name, value);
   element.pause();
   element.replaceChildren();
 }
@@ -71,13 +78,24 @@ async function pictureOf(element) {
 /** What helps to understand a wrong picture. */
 function describe(element) {
   const { shadowRoot, renderStats, optics, clientWidth, clientHeight } = element;
-  const parts = [...shadowRoot.querySelectorAll('canvas, .error')].map((one) => `${one.localName} ${one.width ?? ''}x${one.height ?? ''} ${one.textContent.trim()}`);
+  const parts = [...shadowRoot.querySelectorAll('canvas, .error')].map(
+    (one) => `${one.localName} ${one.width ?? ''}x${one.height ?? ''} ${one.textContent.trim()}`,
+  );
   const sheets = shadowRoot.adoptedStyleSheets.length;
-  return JSON.stringify({ markup: element.outerHTML, parts, sheets, renderStats, clientWidth, clientHeight, window: optics?.window });
+  return JSON.stringify({
+    markup: element.outerHTML,
+    parts,
+    sheets,
+    renderStats,
+    clientWidth,
+    clientHeight,
+    window: optics?.window,
+  });
 }
 
 function compare(got, expected) {
-  if (got.width !== expected.width || got.height !== expected.height) throw new Error(`${got.width} x ${got.height} pixels; a fresh one has ${expected.width} x ${expected.height}`);
+  if (got.width !== expected.width || got.height !== expected.height)
+    throw new Error(`${got.width} x ${got.height} pixels; a fresh one has ${expected.width} x ${expected.height}`);
   const worst = got.data.reduce((most, x, i) => Math.max(most, Math.abs(x - expected.data[i])), 0);
   if (worst > 1) throw new Error(`differs by ${worst}/255 from a fresh one`);
 }
@@ -159,7 +177,9 @@ async function walk() {
   let elements = Array.from({ length: 3 }, () => document.createElement('volume-view'));
   places.body.append(...elements);
   await walkOn(places, elements, expected);
-  smoke.passed.push(`${length} steps, seed ${options.get('seed') ?? 1}: the picture is that of a fresh element, and all promises settle`);
+  smoke.passed.push(
+    `${length} steps, seed ${options.get('seed') ?? 1}: the picture is that of a fresh element, and all promises settle`,
+  );
   places.main.remove();
   elements = places = null;
   const after = await comeToRest(before);
@@ -173,7 +193,10 @@ async function walk() {
     await sleep(200);
     grown = (heap() - heapBefore) / 2 ** 20;
   }
-  if (grown < 20) smoke.passed.push(`the heap has grown by ${grown.toFixed(1)} MB${window.gc ? '' : ' (not measured in this engine)'}`);
+  if (grown < 20)
+    smoke.passed.push(
+      `the heap has grown by ${grown.toFixed(1)} MB${window.gc ? '' : ' (not measured in this engine)'}`,
+    );
   else smoke.failed.push(`the heap has grown by ${grown.toFixed(1)} MB`);
 }
 

@@ -9,7 +9,9 @@ import { findFreePort, startProcess, startScreen, stopProcess } from './processe
 function findMiniBrowser() {
   if (process.platform !== 'linux') return null;
   const versions = ['webkit2gtk-4.1', 'webkitgtk-6.0', 'webkit2gtk-4.0'];
-  const folders = readdirSync('/usr/lib').flatMap((machine) => versions.map((version) => join('/usr/lib', machine, version)));
+  const folders = readdirSync('/usr/lib').flatMap((machine) =>
+    versions.map((version) => join('/usr/lib', machine, version)),
+  );
   return folders.map((folder) => join(folder, 'MiniBrowser')).find((path) => existsSync(path)) ?? null;
 }
 
@@ -30,7 +32,10 @@ async function command(url, body, method = body === undefined ? 'GET' : 'POST') 
 /** @param {string} base */
 async function waitUntilReady(base) {
   for (let attempt = 0; attempt < 100; attempt += 1) {
-    const ready = await fetch(`${base}/status`).then((response) => response.ok, () => false);
+    const ready = await fetch(`${base}/status`).then(
+      (response) => response.ok,
+      () => false,
+    );
     if (ready) return;
     await sleep(200);
   }

@@ -38,7 +38,11 @@ export class ByteWriter {
     return this.#numbers(values, 8, 'setFloat64');
   }
 
-  #numbers(values: readonly number[], size: number, set: 'setUint8' | 'setUint16' | 'setUint32' | 'setFloat32' | 'setFloat64'): this {
+  #numbers(
+    values: readonly number[],
+    size: number,
+    set: 'setUint8' | 'setUint16' | 'setUint32' | 'setFloat32' | 'setFloat64',
+  ): this {
     for (const value of values) this.#room(size)[set](this.#length - size, value, this.little);
     return this;
   }

@@ -10,7 +10,9 @@ const maxCpuMs = 10_000;
 const maxWaitMs = 60_000;
 const minCpuMs = 500;
 
-const worker = new Worker(new URL(process.argv[2]), { resourceLimits: { maxOldGenerationSizeMb: heapMb, maxYoungGenerationSizeMb: 32 } });
+const worker = new Worker(new URL(process.argv[2]), {
+  resourceLimits: { maxOldGenerationSizeMb: heapMb, maxYoungGenerationSizeMb: 32 },
+});
 let start = { wall: Infinity, cpu: process.cpuUsage() };
 
 /** @param {string} outcome @param {string} detail */
@@ -41,5 +43,6 @@ worker.on('error', (/** @type {NodeJS.ErrnoException} */ error) => {
 setInterval(() => {
   if (start.wall === Infinity) return;
   if (usedMs() > maxCpuMs) fail('time', `no answer in ${maxCpuMs} ms of the processor's time`);
-  else if (Date.now() - start.wall > maxWaitMs && usedMs() < minCpuMs) fail('no answer', `nothing happens any more, for ${maxWaitMs} ms`);
+  else if (Date.now() - start.wall > maxWaitMs && usedMs() < minCpuMs)
+    fail('no answer', `nothing happens any more, for ${maxWaitMs} ms`);
 }, 250);

@@ -12,7 +12,10 @@ const folder = new URL('corpus/', import.meta.url);
 /** @returns {CorpusCase[]} */
 export function listCorpus() {
   const names = readdirSync(folder).filter((name) => name.endsWith('.json'));
-  return names.map((name) => ({ name: name.replace(/\.json$/, ''), ...unpack(JSON.parse(readFileSync(new URL(name, folder), 'utf8'))) }));
+  return names.map((name) => ({
+    name: name.replace(/\.json$/, ''),
+    ...unpack(JSON.parse(readFileSync(new URL(name, folder), 'utf8'))),
+  }));
 }
 
 /**
@@ -21,8 +24,21 @@ export function listCorpus() {
  */
 export function saveCase({ format, seed, index, made, verdict }) {
   const kind = verdict.finding?.kind ?? 'sound';
-  const packed = 'files' in made ? { ...made, files: made.files.map(({ name, bytes }) => ({ name, packed: Buffer.from(deflateRawSync(bytes, { level: 9 })).toString('base64') })) } : made;
-  const text = JSON.stringify({ format, seed, index, found: `${kind}: ${verdict.finding?.detail.split('\n')[0] ?? ''}`, ...packed }, null, 1);
+  const packed =
+    'files' in made
+      ? {
+          ...made,
+          files: made.files.map(({ name, bytes }) => ({
+            name,
+            packed: Buffer.from(deflateRawSync(bytes, { level: 9 })).toString('base64'),
+          })),
+        }
+      : made;
+  const text = JSON.stringify(
+    { format, seed, index, found: `${kind}: ${verdict.finding?.detail.split('\n')[0] ?? ''}`, ...packed },
+    null,
+    1,
+  );
   const mark = createHash('sha256').update(text).digest('hex').slice(0, 6);
   const name = `${format}-${kind.split(/\W+/).slice(0, 2).join('-').toLowerCase()}-${mark}.json`;
   writeFileSync(new URL(name, folder), `${text}\n`);
@@ -33,6 +49,9 @@ export function saveCase({ format, seed, index, made, verdict }) {
 function unpack({ format, found, seed: _seed, index: _index, ...made }) {
   if (!made.files) return { format, found, made };
   /** @param {{ name: string, packed: string }} file */
-  const unpackFile = ({ name, packed }) => ({ name, bytes: new Uint8Array(inflateRawSync(Buffer.from(packed, 'base64'))) });
+  const unpackFile = ({ name, packed }) => ({
+    name,
+    bytes: new Uint8Array(inflateRawSync(Buffer.from(packed, 'base64'))),
+  });
   return { format, found, made: { ...made, files: made.files.map(unpackFile) } };
 }

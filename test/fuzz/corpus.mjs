@@ -34,6 +34,7 @@ for (const format of oracle.formats) {
   });
 }
 for (const name of oracle.named) await checkCase(name, { type: 'named', name });
-for (const { name, found, made } of listCorpus()) await checkCase(`${name}: was ${found.slice(0, 80)}`, { type: 'given', made });
+for (const { name, found, made } of listCorpus())
+  await checkCase(`${name}: was ${found.slice(0, 80)}`, { type: 'given', made });
 await oracle.restart();
 finish();

@@ -88,7 +88,20 @@ function bytesOf(Type: ArrayConstructor, [first]: readonly unknown[]): number {
 export function watchMemory(): void {
   watchLists();
   watchTexts();
-  const names = ['ArrayBuffer', 'Uint8Array', 'Int8Array', 'Uint8ClampedArray', 'Uint16Array', 'Int16Array', 'Uint32Array', 'Int32Array', 'Float32Array', 'Float64Array', 'BigInt64Array', 'BigUint64Array'] as const;
+  const names = [
+    'ArrayBuffer',
+    'Uint8Array',
+    'Int8Array',
+    'Uint8ClampedArray',
+    'Uint16Array',
+    'Int16Array',
+    'Uint32Array',
+    'Int32Array',
+    'Float32Array',
+    'Float64Array',
+    'BigInt64Array',
+    'BigUint64Array',
+  ] as const;
   for (const name of names) {
     const Type = globalThis[name] as unknown as ArrayConstructor;
     const watched: ArrayConstructor = new Proxy(Type, {

@@ -25,7 +25,8 @@ class Coverage {
     for (const { url, functions } of result) {
       if (!url.startsWith('file:')) continue;
       for (const { ranges } of functions) {
-        for (const { startOffset, endOffset, count } of ranges) if (count > 0) this.#seen.add(`${startOffset} ${endOffset}`);
+        for (const { startOffset, endOffset, count } of ranges)
+          if (count > 0) this.#seen.add(`${startOffset} ${endOffset}`);
       }
     }
     return this.#seen.size > before;
@@ -40,7 +41,9 @@ class Coverage {
 
   #ask<T>(method: string, params: object = {}): Promise<T> {
     return new Promise((resolve, reject) => {
-      this.#session.post(method, params, (error, result) => (error ? reject(new Error(error.message)) : resolve(result as T)));
+      this.#session.post(method, params, (error, result) =>
+        error ? reject(new Error(error.message)) : resolve(result as T),
+      );
     });
   }
 }

@@ -27,7 +27,10 @@ export type FuzzCase = FilesCase | TextCase;
 /** Makes a case: mostly sound, with some things wrong. */
 export type Grammar = (random: Random) => FuzzCase;
 
-export const oneFile = (name: string, bytes: Uint8Array<ArrayBuffer>, settings?: DecodeSettings): FilesCase => ({ files: [{ name, bytes }], settings });
+export const oneFile = (name: string, bytes: Uint8Array<ArrayBuffer>, settings?: DecodeSettings): FilesCase => ({
+  files: [{ name, bytes }],
+  settings,
+});
 
 /** Damage that knows no structure: cut, noise, or something after the end. Most cases have none. */
 export function damage(random: Random, bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
@@ -40,6 +43,7 @@ export function damage(random: Random, bytes: Uint8Array<ArrayBuffer>): Uint8Arr
     return longer;
   }
   const noisy = bytes.slice();
-  for (let n = random.int(0, 4); n >= 0; n--) noisy[random.int(0, bytes.length - 1)] = random.pick([0, 1, 0x7f, 0x80, 0xff, random.int(0, 255)]);
+  for (let n = random.int(0, 4); n >= 0; n--)
+    noisy[random.int(0, bytes.length - 1)] = random.pick([0, 1, 0x7f, 0x80, 0xff, random.int(0, 255)]);
   return noisy;
 }

@@ -10,4 +10,16 @@ import { nifti } from './grammars/nifti.ts';
 import { png } from './grammars/png.ts';
 
 /** All that can be fuzzed, by the names that `npm run fuzz` takes. */
-export const grammars: Readonly<Record<string, Grammar>> = { hdf5, netcdf3, nexrad, png, jpeg, webp, nifti, nrrd, metaimage: metaImage, manifest, attributes };
+export const grammars: Readonly<Record<string, Grammar>> = {
+  hdf5,
+  netcdf3,
+  nexrad,
+  png,
+  jpeg,
+  webp,
+  nifti,
+  nrrd,
+  metaimage: metaImage,
+  manifest,
+  attributes,
+};

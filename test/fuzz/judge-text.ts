@@ -38,23 +38,67 @@ async function judgeOne(attribute: string, text: string): Promise<Verdict> {
   const { user, system } = process.cpuUsage(start);
   const { peak, pausedMs } = stopCounting();
   const ms = Math.max(0, (user + system) / 1000 - pausedMs);
-  return { outcome: outcome === 'volume' ? 'value' : outcome, finding: finding ?? judgeCost(ms, peak, text.length), ms, peak, size: text.length };
+  return {
+    outcome: outcome === 'volume' ? 'value' : outcome,
+    finding: finding ?? judgeCost(ms, peak, text.length),
+    ms,
+    peak,
+    size: text.length,
+  };
 }
 
 /** Attributes that are read together with all others. */
 const settings = [
-  'src', 'time', 'playSpeed', 'valueWindow', 'referenceLength', 'opacityFactor', 'lightFactor', 'look', 'projection', 'shading', 'surfaceValues', 'gradientOpacity', 'transferFunction2d', 'steps', 'maxError', 'targetFps',
-  'region', 'rings', 'cameraOrbit', 'cameraTarget', 'fieldOfView', 'minCameraOrbit', 'maxCameraOrbit', 'interpolationDecay', 'interaction', 'loading',
+  'src',
+  'time',
+  'playSpeed',
+  'valueWindow',
+  'referenceLength',
+  'opacityFactor',
+  'lightFactor',
+  'look',
+  'projection',
+  'shading',
+  'surfaceValues',
+  'gradientOpacity',
+  'transferFunction2d',
+  'steps',
+  'maxError',
+  'targetFps',
+  'region',
+  'rings',
+  'cameraOrbit',
+  'cameraTarget',
+  'fieldOfView',
+  'minCameraOrbit',
+  'maxCameraOrbit',
+  'interpolationDecay',
+  'interaction',
+  'loading',
 ] as const;
 /** Attributes that say how a file is to be read. */
-const sources = ['mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'beamModel', 'verticalExaggeration', 'clean'] as const;
+const sources = [
+  'mosaic',
+  'slices',
+  'spacing',
+  'coordinates',
+  'elevations',
+  'range',
+  'azimuth',
+  'moment',
+  'beamModel',
+  'verticalExaggeration',
+  'clean',
+] as const;
 /** All that can be pumped up. */
 export const attributes: readonly string[] = [...settings, ...sources, 'transferFunction', 'color'];
 
 /** A colour stands in a stop of a transfer function alone. */
 const stopOf = (color: string): string => `0 ${color} 1`;
 
-const absent = Object.fromEntries([...settings, ...sources, 'stack', 'autoplay', 'transferFunction'].map((name) => [name, null])) as unknown as GivenAttributes;
+const absent = Object.fromEntries(
+  [...settings, ...sources, 'stack', 'autoplay', 'transferFunction'].map((name) => [name, null]),
+) as unknown as GivenAttributes;
 
 async function read(attribute: string, text: string): Promise<Finding | null> {
   if (attribute === 'color') await resolveTransferFunction(stopOf(text), [0, 100]);

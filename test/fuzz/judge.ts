@@ -39,7 +39,12 @@ async function load({ files, stack, settings = {} }: FilesCase): Promise<Finding
     return { bytes: file.bytes.slice(), url, contentType: '' };
   };
   const urls = files.map(({ name }) => `https://example.test/${encodeURIComponent(name)}`);
-  const context: DecodeContext = { fetchFile, fetchFiles: (urls) => fetchInOrder(urls, fetchFile, () => undefined), onProgress: () => undefined, ...(stack ? { files: urls } : {}) };
+  const context: DecodeContext = {
+    fetchFile,
+    fetchFiles: (urls) => fetchInOrder(urls, fetchFile, () => undefined),
+    onProgress: () => undefined,
+    ...(stack ? { files: urls } : {}),
+  };
   const volume = await finishVolume(await decodeFile(await fetchFile(urls[0]), settings, context), device);
   return judgeVolume(volume);
 }
@@ -47,24 +52,34 @@ async function load({ files, stack, settings = {} }: FilesCase): Promise<Finding
 /** What a page does with a volume before it is drawn, and whether all numbers are ones that can be drawn with. */
 function judgeVolume(volume: Volume): Finding | null {
   const { samples, macrocells: _cells, histogram, ...rest } = volume;
-  const wrong = findOdd(rest, '') ?? findOdd(boundingSphere(volume.grid), 'boundingSphere') ?? findOdd(Array.from(histogram.counts), 'histogram');
+  const wrong =
+    findOdd(rest, '') ??
+    findOdd(boundingSphere(volume.grid), 'boundingSphere') ??
+    findOdd(Array.from(histogram.counts), 'histogram');
   if (wrong) return { kind: 'not finite', detail: wrong };
-  if (!volume.grid.spacing.every((length) => length > 0)) return { kind: 'not finite', detail: `spacing ${volume.grid.spacing.join(' x ')}` };
-  if (volume.range[0] > volume.range[1] || volume.slope === 0) return { kind: 'not finite', detail: `range ${volume.range.join(' to ')}, slope ${volume.slope}` };
+  if (!volume.grid.spacing.every((length) => length > 0))
+    return { kind: 'not finite', detail: `spacing ${volume.grid.spacing.join(' x ')}` };
+  if (volume.range[0] > volume.range[1] || volume.slope === 0)
+    return { kind: 'not finite', detail: `range ${volume.range.join(' to ')}, slope ${volume.slope}` };
   if (isPolar(volume)) {
     const layout = layOutRadials(volume.grid, maxTextureSize);
     if (layout) buildPolarTable(volume.grid, layout, maxTextureSize);
     return null;
   }
   const voxels = volume.grid.dimensions.reduce((product, n) => product * n, 1);
-  return samples.length === voxels ? null : { kind: 'samples', detail: `${samples.length} samples for ${volume.grid.dimensions.join(' x ')}` };
+  return samples.length === voxels
+    ? null
+    : { kind: 'samples', detail: `${samples.length} samples for ${volume.grid.dimensions.join(' x ')}` };
 }
 
 /** Where in a value the first number is that is not finite. An Earth without curvature has an infinite radius. */
 function findOdd(value: unknown, path: string): string | null {
-  if (typeof value === 'number') return Number.isFinite(value) || path.endsWith('.earthRadius') ? null : `${path} is ${value}`;
+  if (typeof value === 'number')
+    return Number.isFinite(value) || path.endsWith('.earthRadius') ? null : `${path} is ${value}`;
   if (typeof value !== 'object' || value === null) return null;
-  for (const [key, inner] of ArrayBuffer.isView(value) ? (value as unknown as number[]).entries() : Object.entries(value)) {
+  for (const [key, inner] of ArrayBuffer.isView(value)
+    ? (value as unknown as number[]).entries()
+    : Object.entries(value)) {
     const found = findOdd(inner, `${path}.${key}`);
     if (found) return found;
   }

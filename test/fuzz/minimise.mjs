@@ -27,15 +27,25 @@ export async function minimise(oracle, made, verdict) {
     return true;
   };
   if (!('files' in made)) {
-    for (const part of /** @type {const} */ (['before', 'after'])) await improve({ .../** @type {import('./fuzz-case.ts').TextCase} */ (best.made), [part]: '' });
+    for (const part of /** @type {const} */ (['before', 'after']))
+      await improve({ .../** @type {import('./fuzz-case.ts').TextCase} */ (best.made), [part]: '' });
     return best;
   }
-  await improve({ files: made.files, ...(made.stack ? { stack: true } : {}), settings: 'mosaic' in (made.settings ?? {}) ? { mosaic: made.settings?.mosaic } : {} });
+  await improve({
+    files: made.files,
+    ...(made.stack ? { stack: true } : {}),
+    settings: 'mosaic' in (made.settings ?? {}) ? { mosaic: made.settings?.mosaic } : {},
+  });
   for (let file = 0; file < made.files.length; file++) {
     for (let step = 1 << Math.floor(Math.log2(Math.max(1, made.files[file].bytes.length))); step >= 8; step >>= 1) {
       for (let at = 0; at < bytesOf(best.made, file).length; at += step) {
         if (await improve(withBytes(best.made, file, cut(bytesOf(best.made, file), at, step)))) at -= step;
-        else if (bytesOf(best.made, file).subarray(at, at + step).some((byte) => byte !== 0)) await improve(withBytes(best.made, file, blank(bytesOf(best.made, file), at, step)));
+        else if (
+          bytesOf(best.made, file)
+            .subarray(at, at + step)
+            .some((byte) => byte !== 0)
+        )
+          await improve(withBytes(best.made, file, blank(bytesOf(best.made, file), at, step)));
       }
     }
   }

@@ -5,4 +5,9 @@ import { otherCases } from './named/other-cases.ts';
 import { radarCases } from './named/radar-cases.ts';
 
 /** Cases that were found by reading the code, or in a browser. Written out, as each says more than its bytes would. */
-export const namedCases: Readonly<Record<string, () => FuzzCase>> = { ...hdf5Cases, ...imageCases, ...radarCases, ...otherCases };
+export const namedCases: Readonly<Record<string, () => FuzzCase>> = {
+  ...hdf5Cases,
+  ...imageCases,
+  ...radarCases,
+  ...otherCases,
+};

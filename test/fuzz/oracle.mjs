@@ -22,7 +22,10 @@ export class Oracle {
 
   /** @returns {Promise<ChildProcess>} */
   #start() {
-    const cage = fork(fileURLToPath(new URL('cage.mjs', import.meta.url)), [this.#script.href], { serialization: 'advanced', stdio: ['ignore', 'inherit', 'ignore', 'ipc'] });
+    const cage = fork(fileURLToPath(new URL('cage.mjs', import.meta.url)), [this.#script.href], {
+      serialization: 'advanced',
+      stdio: ['ignore', 'inherit', 'ignore', 'ipc'],
+    });
     return new Promise((resolve, reject) => {
       cage.once('exit', reject);
       cage.once('message', (/** @type {any} */ answer) => {
@@ -76,13 +79,17 @@ export class Oracle {
         if (answer.type === 'made') ({ made } = answer);
         else if (answer.type === 'judged') finish(answer.verdict, answer.kept);
         // What does not go on is over: the next case begins anew.
-        if (answer.type === 'judged' && ['time', 'memory', 'crash', 'no answer'].includes(answer.verdict.outcome)) void this.restart();
+        if (answer.type === 'judged' && ['time', 'memory', 'crash', 'no answer'].includes(answer.verdict.outcome))
+          void this.restart();
       };
       /** @param {number | null} code @param {string | null} signal */
       const endBadly = (code, signal) => {
         this.#cage = null;
         // The engine ends its process where one array more does not fit into the heap.
-        const finding = { kind: signal === 'SIGABRT' ? 'memory' : 'crash', detail: `the process ended with ${signal ?? code}` };
+        const finding = {
+          kind: signal === 'SIGABRT' ? 'memory' : 'crash',
+          detail: `the process ended with ${signal ?? code}`,
+        };
         finish({ outcome: finding.kind, finding, ms: 0, peak: 0, size: 0 }, 0);
       };
       cage.on('message', hear);

@@ -2,7 +2,28 @@
 // such a change is one of structure, since it goes through the grammar, and not one of bytes.
 
 /** Numbers that break readers: the ends of types, and their neighbours. */
-const edges = [0, 1, 2, 3, 127, 128, 255, 256, 32767, 32768, 65535, 65536, 2 ** 24, 2 ** 26, 2 ** 28, 2 ** 31 - 1, 2 ** 31, 2 ** 32 - 1, 2 ** 40, 2 ** 53];
+const edges = [
+  0,
+  1,
+  2,
+  3,
+  127,
+  128,
+  255,
+  256,
+  32767,
+  32768,
+  65535,
+  65536,
+  2 ** 24,
+  2 ** 26,
+  2 ** 28,
+  2 ** 31 - 1,
+  2 ** 31,
+  2 ** 32 - 1,
+  2 ** 40,
+  2 ** 53,
+];
 
 /** Numbers that break geometry. */
 const oddNumbers = [0, -0, -1, 1e-310, 1e-30, -1e30, 1e38, 1e39, 1e150, 1e308, -1e308, NaN, Infinity, -Infinity];
@@ -103,7 +124,8 @@ export class Random {
     const list = [...items];
     if (list.length > 0 && this.isWild()) list.splice(this.int(0, list.length - 1), 1);
     if (list.length > 0 && this.isWild()) list.splice(this.int(0, list.length), 0, this.pick(list));
-    if (list.length > 1 && this.isWild()) list.splice(this.int(0, list.length - 1), 0, ...list.splice(this.int(0, list.length - 1), 1));
+    if (list.length > 1 && this.isWild())
+      list.splice(this.int(0, list.length - 1), 0, ...list.splice(this.int(0, list.length - 1), 1));
     return list;
   }
 }

@@ -7,7 +7,13 @@ import { Oracle } from './oracle.mjs';
 import { Tally, formatTable } from './tally.mjs';
 
 const { values } = parseArgs({
-  options: { minutes: { type: 'string' }, cases: { type: 'string' }, format: { type: 'string' }, seed: { type: 'string', default: '1' }, 'dry-run': { type: 'boolean', default: false } },
+  options: {
+    minutes: { type: 'string' },
+    cases: { type: 'string' },
+    format: { type: 'string' },
+    seed: { type: 'string', default: '1' },
+    'dry-run': { type: 'boolean', default: false },
+  },
 });
 const seed = readNumber('seed', values.seed, 1);
 const cases = readNumber('cases', values.cases, Infinity);
@@ -19,7 +25,8 @@ const batch = 1000;
 const oracle = new Oracle(await bundleWorker());
 await oracle.ready();
 const formats = values.format === undefined ? oracle.formats : [values.format];
-if (!formats.every((format) => oracle.formats.includes(format))) throw new Error(`--format got ${values.format}; expected one of ${oracle.formats.join(', ')}`);
+if (!formats.every((format) => oracle.formats.includes(format)))
+  throw new Error(`--format got ${values.format}; expected one of ${oracle.formats.join(', ')}`);
 
 // Ended early, it says what it has done.
 const asked = new AbortController();
@@ -39,7 +46,9 @@ for (const format of formats) {
     const { made, verdict } = await oracle.run({ type: 'draw', format, seed, index });
     const isNew = tally.add(index, verdict);
     if (!isNew) continue;
-    console.log(`${format} ${index}: ${verdict.finding?.kind}: ${verdict.finding?.detail.split('\n').slice(0, 4).join(' | ')}`);
+    console.log(
+      `${format} ${index}: ${verdict.finding?.kind}: ${verdict.finding?.detail.split('\n').slice(0, 4).join(' | ')}`,
+    );
     if (values['dry-run'] || !made) continue;
     const { made: small, verdict: last } = await minimise(oracle, made, verdict);
     console.log(`  saved as ${saveCase({ format, seed, index, made: small, verdict: last })}`);

@@ -10,7 +10,10 @@ interface Size {
 }
 
 class Bitmap implements Size {
-  constructor(readonly width: number, readonly height: number) {
+  constructor(
+    readonly width: number,
+    readonly height: number,
+  ) {
     noteNative(4 * width * height);
   }
 
@@ -20,13 +23,18 @@ class Bitmap implements Size {
 }
 
 class Canvas {
-  constructor(readonly width: number, readonly height: number) {}
+  constructor(
+    readonly width: number,
+    readonly height: number,
+  ) {}
 
   getContext(): object {
     return {
       clearRect: () => undefined,
       drawImage: () => undefined,
-      getImageData: (_x: number, _y: number, width: number, height: number) => ({ data: new Uint8ClampedArray(4 * width * height).fill(99) }),
+      getImageData: (_x: number, _y: number, width: number, height: number) => ({
+        data: new Uint8ClampedArray(4 * width * height).fill(99),
+      }),
     };
   }
 }
@@ -37,7 +45,8 @@ export function installStandIns(): void {
     createImageBitmap: async (blob: Blob) => {
       const bytes = new Uint8Array(await blob.arrayBuffer());
       const size = blob.type === 'image/jpeg' ? findJpegSize(bytes) : findWebpSize(bytes);
-      if (!size || !(size.width > 0 && size.height > 0)) throw new DOMException('the picture can not be decoded', 'InvalidStateError');
+      if (!size || !(size.width > 0 && size.height > 0))
+        throw new DOMException('the picture can not be decoded', 'InvalidStateError');
       return new Bitmap(size.width, size.height);
     },
   });
@@ -46,12 +55,13 @@ export function installStandIns(): void {
 /** The size in the first start of a frame, up to the scan. Source: ITU-T T.81, B.1 and B.2 */
 function findJpegSize(bytes: Uint8Array): Size | null {
   const u16 = (at: number): number => (bytes[at] << 8) | bytes[at + 1];
-  for (let at = 2; at + 8 < bytes.length; ) {
+  for (let at = 2; at + 8 < bytes.length;) {
     if (bytes[at] !== 0xff) return null;
     const marker = bytes[at + 1];
     if (marker === 0xff || (marker >= 0xd0 && marker <= 0xd7) || marker === 0x01) at += marker === 0xff ? 1 : 2;
     else if (marker === 0xda || marker === 0xd9) return null;
-    else if (marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker)) return { width: u16(at + 7), height: u16(at + 5) };
+    else if (marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker))
+      return { width: u16(at + 7), height: u16(at + 5) };
     else at += 2 + Math.max(2, u16(at + 2));
   }
   return null;
@@ -67,6 +77,7 @@ function findWebpSize(bytes: Uint8Array): Size | null {
     const bits = u24(21) + bytes[24] * 2 ** 24;
     return { width: 1 + (bits & 0x3fff), height: 1 + ((bits >>> 14) & 0x3fff) };
   }
-  if (name === 'VP8 ' && bytes[23] === 0x9d) return { width: (bytes[26] | (bytes[27] << 8)) & 0x3fff, height: (bytes[28] | (bytes[29] << 8)) & 0x3fff };
+  if (name === 'VP8 ' && bytes[23] === 0x9d)
+    return { width: (bytes[26] | (bytes[27] << 8)) & 0x3fff, height: (bytes[28] | (bytes[29] << 8)) & 0x3fff };
   return null;
 }

@@ -48,13 +48,24 @@ export function formatTable(tallies) {
     format,
     cases.toLocaleString('en'),
     volumes.toLocaleString('en'),
-    sortByCount(errors).map(([code, count]) => `${code} ${count.toLocaleString('en')}`).join(', '),
+    sortByCount(errors)
+      .map(([code, count]) => `${code} ${count.toLocaleString('en')}`)
+      .join(', '),
     [...findings.values()].reduce((sum, count) => sum + count, 0).toLocaleString('en'),
     `${Math.round(slowest.ms)} ms`,
     `${(maxPeak / 2 ** 20).toFixed(0)} MB`,
     ratio.max > 0 ? ratio.max.toFixed(0) : 'none',
   ]);
-  const head = ['format', 'cases', 'volumes', 'errors by code', 'findings', 'slowest', 'most memory', 'bytes per byte beyond 64 MB'];
+  const head = [
+    'format',
+    'cases',
+    'volumes',
+    'errors by code',
+    'findings',
+    'slowest',
+    'most memory',
+    'bytes per byte beyond 64 MB',
+  ];
   return [head, head.map(() => '---'), ...rows].map((cells) => `| ${cells.join(' | ')} |`).join('\n');
 }
 

@@ -30,29 +30,43 @@ export interface Finding {
 
 export function judgeCost(ms: number, peak: number, size: number): Finding | null {
   const allowed = maxPerByte * size + maxFree + forRuntime;
-  if (peak > allowed) return { kind: 'memory', detail: `${megabytes(peak)} MB for ${size} bytes; at most ${megabytes(allowed)} MB` };
+  if (peak > allowed)
+    return { kind: 'memory', detail: `${megabytes(peak)} MB for ${size} bytes; at most ${megabytes(allowed)} MB` };
   if (ms <= maxMs) return null;
   const max = maxMs * measureSlowness();
-  return ms > max ? { kind: 'time', detail: `${Math.round(ms)} ms; at most ${Math.round(max)} ms as the machine is now` } : null;
+  return ms > max
+    ? { kind: 'time', detail: `${Math.round(ms)} ms; at most ${Math.round(max)} ms as the machine is now` }
+    : null;
 }
 
 const megabytes = (bytes: number): string => (bytes / 2 ** 20).toFixed(1);
 
 /** The outcome of what may throw one of our errors, and nothing else. */
-export async function runSafely(run: () => Finding | null | Promise<Finding | null>): Promise<Pick<Verdict, 'outcome' | 'words' | 'finding'>> {
+export async function runSafely(
+  run: () => Finding | null | Promise<Finding | null>,
+): Promise<Pick<Verdict, 'outcome' | 'words' | 'finding'>> {
   try {
     return { outcome: 'volume', finding: await run() };
   } catch (error) {
-    if (error instanceof VolumeViewError && error.code !== 'internal') return { outcome: error.code, words: error.message.slice(0, 300), finding: judgeWords(error) };
+    if (error instanceof VolumeViewError && error.code !== 'internal')
+      return { outcome: error.code, words: error.message.slice(0, 300), finding: judgeWords(error) };
     const cause = error instanceof VolumeViewError ? (error.cause ?? error) : error;
-    return { outcome: 'exception', finding: { kind: `exception: ${describe(cause)}`, detail: cause instanceof Error ? (cause.stack ?? '') : String(cause) } };
+    return {
+      outcome: 'exception',
+      finding: {
+        kind: `exception: ${describe(cause)}`,
+        detail: cause instanceof Error ? (cause.stack ?? '') : String(cause),
+      },
+    };
   }
 }
 
 /** A message is for people, and a file can not make it long. */
 function judgeWords({ code, message }: VolumeViewError): Finding | null {
   if (message.length < 10) return { kind: `words: ${code}`, detail: `"${message}" says nothing` };
-  return message.length > 2000 ? { kind: `words: ${code}`, detail: `a message of ${message.length} characters: ${message.slice(0, 200)}` } : null;
+  return message.length > 2000
+    ? { kind: `words: ${code}`, detail: `a message of ${message.length} characters: ${message.slice(0, 200)}` }
+    : null;
 }
 
 /** The error with the function that threw it: one mistake is one finding. */

@@ -18,13 +18,18 @@ const lookEvery = 4;
 watchMemory();
 installStandIns();
 parentPort!.on('message', (order: Order) => void run(order));
-parentPort!.postMessage({ type: 'ready', formats: Object.keys(grammars), named: Object.keys(namedCases) } satisfies Answer);
+parentPort!.postMessage({
+  type: 'ready',
+  formats: Object.keys(grammars),
+  named: Object.keys(namedCases),
+} satisfies Answer);
 
 async function run(order: Order): Promise<void> {
   const { made, random } = make(order);
   parentPort!.postMessage({ type: 'made', made } satisfies Answer);
   const verdict = await judge(made);
-  if (random && order.type === 'draw' && order.index % lookEvery === 0 && (await coverage.grew())) kept.push(random.drawn);
+  if (random && order.type === 'draw' && order.index % lookEvery === 0 && (await coverage.grew()))
+    kept.push(random.drawn);
   parentPort!.postMessage({ type: 'judged', verdict, kept: kept.length } satisfies Answer);
 }
 

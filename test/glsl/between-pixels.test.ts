@@ -16,7 +16,10 @@ for (const version of [1, 2] as const) {
     const { gl } = test;
     const [width, height] = [9, 7];
     const random = randomNumbers(12);
-    const half = Uint8Array.from({ length: 4 * width * height }, (_, i) => 100 + 30 * Math.sin(i / 30) + (i > 150 ? 60 : 6) * random());
+    const half = Uint8Array.from(
+      { length: 4 * width * height },
+      (_, i) => 100 + 30 * Math.sin(i / 30) + (i > 150 ? 60 : 6) * random(),
+    );
     const target = new DrawTarget(gl, [bytesAttachment(gl, 'uHalfPicture')]);
     target.resize(width, height);
     gl.bindTexture(gl.TEXTURE_2D, target.units[0].texture);
@@ -28,10 +31,20 @@ for (const version of [1, 2] as const) {
       const [x, y] = [(i >> 2) % width, Math.floor((i >> 2) / width)];
       whole.data[4 * (2 * y * whole.width + 2 * x) + (i & 3)] = half[i];
     }
-    const a = Array.from({ length: 4 * width * height }, (_, i) => [i % whole.width, Math.floor(i / whole.width), 0, 0]);
-    const run = (result: string): number[][] => runChunk(test, {
-      chunks: [chunk, parts], result, a, units: target.units, uniforms: { uHalfPixel: [1 / width, 1 / height] },
-    });
+    const a = Array.from({ length: 4 * width * height }, (_, i) => [
+      i % whole.width,
+      Math.floor(i / whole.width),
+      0,
+      0,
+    ]);
+    const run = (result: string): number[][] =>
+      runChunk(test, {
+        chunks: [chunk, parts],
+        result,
+        a,
+        units: target.units,
+        uniforms: { uHalfPixel: [1 / width, 1 / height] },
+      });
     const [colors, curvatures] = [run('colorOf(a.xy)'), run('curvatureAt(a.xy)')];
     const quad = emptyQuad();
     a.forEach(([x, y], i) => {

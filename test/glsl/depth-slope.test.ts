@@ -25,11 +25,25 @@ describe('the slope of a depth buffer', () => {
         const [before, after] = [random() - 0.5, random() - 0.5].map((x) => here + x * 10 ** -(i % 6));
         return [before, here, after, 0].map(Math.fround);
       });
-      const chunks = ['struct Interval { float entry; float exit; vec4 behind; };', 'struct Ray { vec3 point; vec3 direction; };', sceneDepth];
-      const got = runChunk(test, { defines: {}, chunks, result: 'vec4(depthSlope(a.xz, a.y, a.zx), 0.0, 0.0)', a, units: [], uniforms: {} });
+      const chunks = [
+        'struct Interval { float entry; float exit; vec4 behind; };',
+        'struct Ray { vec3 point; vec3 direction; };',
+        sceneDepth,
+      ];
+      const got = runChunk(test, {
+        defines: {},
+        chunks,
+        result: 'vec4(depthSlope(a.xz, a.y, a.zx), 0.0, 0.0)',
+        a,
+        units: [],
+        uniforms: {},
+      });
       a.forEach(([before, here, after], i) => {
         const min = Math.min(Math.abs(here - before), Math.abs(after - here));
-        expect(got[i][0], `${before}, ${here}, ${after}`).to.be.closeTo(depthSlope(before, here, after), 1e-4 * min + 1e-12);
+        expect(got[i][0], `${before}, ${here}, ${after}`).to.be.closeTo(
+          depthSlope(before, here, after),
+          1e-4 * min + 1e-12,
+        );
         expect(got[i][1], 'the other way round, on the other axis').to.be.closeTo(-got[i][0], 1e-4 * min + 1e-12);
         expect(Math.abs(got[i][0]), 'no more than an edge').to.be.at.most(1.3 * min);
       });

@@ -68,9 +68,16 @@ const bump: Field = (x, y, z) => Math.exp(-11 * ((x - 0.45) ** 2 + (y - 0.52) **
 const dent: Field = (x, y, z) => 1.1 - bump(x, y, z);
 const ramp: Field = (x, y, z) => 0.2 + 0.5 * x - 0.1 * y + 0.3 * z;
 /** Opaque from 0.5 on. */
-const opaque: TransferFunction = [0, 0.5, 0.5, 1].map((value, i) => ({ value, color: [1, 0.5, 0.2], opacity: i < 2 ? 0.01 : 1 }));
+const opaque: TransferFunction = [0, 0.5, 0.5, 1].map((value, i) => ({
+  value,
+  color: [1, 0.5, 0.2],
+  opacity: i < 2 ? 0.01 : 1,
+}));
 /** Where values run straight, a function of one colour makes exact segments. */
-const oneColor: TransferFunction = [{ value: 0, color: [1, 0.5, 0.2], opacity: 0.01 }, { value: 1, color: [1, 0.5, 0.2], opacity: 0.08 }];
+const oneColor: TransferFunction = [
+  { value: 0, color: [1, 0.5, 0.2], opacity: 0.01 },
+  { value: 1, color: [1, 0.5, 0.2], opacity: 0.08 },
+];
 
 /** At a field that is known everywhere: no voxels. */
 const known = (field: Field): FieldStage => storedField(([x, y, z]) => field(x, y, z), { slope: 1, intercept: 0 });
@@ -90,7 +97,16 @@ const colored = { ...plain, transferFunction: cloudColors };
 
 const things = mixedAppearances(blocks(head.grid.dimensions, 6));
 /** The same as a volume of its own. */
-const named: Volume = { ...head, samples: things.map.numbers.map((number) => 51 * number), slope: 1 / 255, isDiscrete: true, macrocells: buildMacrocells(things.map.numbers.map((number) => 51 * number), head.grid.dimensions) };
+const named: Volume = {
+  ...head,
+  samples: things.map.numbers.map((number) => 51 * number),
+  slope: 1 / 255,
+  isDiscrete: true,
+  macrocells: buildMacrocells(
+    things.map.numbers.map((number) => 51 * number),
+    head.grid.dimensions,
+  ),
+};
 
 /** Light on a field, from the side and from the eye. */
 const lightOf = (field: FieldStage): Pick<ReferenceScene, 'moreFields' | 'shades'> => ({
@@ -100,14 +116,25 @@ const lightOf = (field: FieldStage): Pick<ReferenceScene, 'moreFields' | 'shades
 
 /** A second field over the head. */
 const over = overlayOf(head, head, { transferFunction: cloudColors });
-const overlaid = (field: FieldStage): Pick<ReferenceScene, 'moreFields' | 'shades'> => overlayStages(over, field, { optics: plain, diameter: longestDiagonal(head.grid) });
+const overlaid = (field: FieldStage): Pick<ReferenceScene, 'moreFields' | 'shades'> =>
+  overlayStages(over, field, { optics: plain, diameter: longestDiagonal(head.grid) });
 
 /** Styles without an edge. */
-const smoothStyles: readonly StyleChain[] = [{ weight: 1, styles: [{ kind: 'boundary', retained: 0.3, boundary: 0.6, power: 1 }, { kind: 'silhouette', retained: 0.4, boundary: 0.6, sharpness: 2 }, { kind: 'tone', cool: [0, 0, 1], warm: [1, 1, 0] }] }];
+const smoothStyles: readonly StyleChain[] = [
+  {
+    weight: 1,
+    styles: [
+      { kind: 'boundary', retained: 0.3, boundary: 0.6, power: 1 },
+      { kind: 'silhouette', retained: 0.4, boundary: 0.6, sharpness: 2 },
+      { kind: 'tone', cool: [0, 0, 1], warm: [1, 1, 0] },
+    ],
+  },
+];
 
 /** Of values by gradients, without an edge: rays that graze one have the order of a jump. */
 const bells: readonly Patch[] = [
-  { kind: 'gaussian', value: 0.5, gradient: 0.1, widths: [0.15, 0.04], color: [1, 0.5, 0.2], opacity: 0.05 }, { kind: 'gaussian', value: 0.7, gradient: 0.09, widths: [0.1, 0.04], color: [0.2, 0.5, 1], opacity: 0.1 },
+  { kind: 'gaussian', value: 0.5, gradient: 0.1, widths: [0.15, 0.04], color: [1, 0.5, 0.2], opacity: 0.05 },
+  { kind: 'gaussian', value: 0.7, gradient: 0.09, widths: [0.1, 0.04], color: [0.2, 0.5, 1], opacity: 0.1 },
 ];
 
 type Look = Pick<ReferenceScene, 'transferFunction'> & Partial<ReferenceScene> & { readonly field: FieldStage };
@@ -134,10 +161,52 @@ const looks: Record<string, Look> = {
   composite: exact,
   points: { ...exact, moreFields: [pointField] },
   lit: { ...colored, field: known(bump), ...lightOf(known(bump)) },
-  styled: { ...colored, field: known(bump), moreFields: [pointField], shades: [styledShade({ grid: head.grid, gradient: cartesianGradient(known(bump), head.grid), flat: 0.02, chains: smoothStyles, referenceLength: 1, opticalScale: longestDiagonal(head.grid) })] },
-  patches: { ...colored, field: known(bump), moreFields: [pointField], classifyBy: (usual) => patchClassify(usual, { patches: bells, grid: head.grid, gradient: cartesianGradient(known(bump), head.grid), field: known(bump), opticalScale: longestDiagonal(head.grid) }) },
-  surfaces: { ...exact, field: known(bump), moreFields: [pointField], gather: surfaceGather({ surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 0.5 }], isClear: true, light: null, toEye: () => [0, 0, 1] }) },
-  jumps: { ...exact, moreFields: [pointField], maxSubsteps: 8, field: { ...known(ramp), kinksAlong: () => [] }, gather: jumpGather([0.5], 0.05) },
+  styled: {
+    ...colored,
+    field: known(bump),
+    moreFields: [pointField],
+    shades: [
+      styledShade({
+        grid: head.grid,
+        gradient: cartesianGradient(known(bump), head.grid),
+        flat: 0.02,
+        chains: smoothStyles,
+        referenceLength: 1,
+        opticalScale: longestDiagonal(head.grid),
+      }),
+    ],
+  },
+  patches: {
+    ...colored,
+    field: known(bump),
+    moreFields: [pointField],
+    classifyBy: (usual) =>
+      patchClassify(usual, {
+        patches: bells,
+        grid: head.grid,
+        gradient: cartesianGradient(known(bump), head.grid),
+        field: known(bump),
+        opticalScale: longestDiagonal(head.grid),
+      }),
+  },
+  surfaces: {
+    ...exact,
+    field: known(bump),
+    moreFields: [pointField],
+    gather: surfaceGather({
+      surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 0.5 }],
+      isClear: true,
+      light: null,
+      toEye: () => [0, 0, 1],
+    }),
+  },
+  jumps: {
+    ...exact,
+    moreFields: [pointField],
+    maxSubsteps: 8,
+    field: { ...known(ramp), kinksAlong: () => [] },
+    gather: jumpGather([0.5], 0.05),
+  },
   max: { ...colored, field: known(bump), gather: projectionGather('max') },
   min: { ...colored, field: known(dent), gather: projectionGather('min') },
   average: { ...colored, field: known(bump), gather: projectionGather('average') },
@@ -151,14 +220,25 @@ async function listModules(): Promise<Map<string, RayModule>> {
   try {
     layer.surfacesModule = sceneDepth.createSceneDepth(test.gl);
     layer.slices = [level];
-    layer.cuts = [{ create: clip.createClip, items: [] }, { create: cutout.createCutout, items: [hole] }, { create: planes.createPlanes, items: [plane] }];
+    layer.cuts = [
+      { create: clip.createClip, items: [] },
+      { create: cutout.createCutout, items: [hole] },
+      { create: planes.createPlanes, items: [plane] },
+    ];
     await layer.setAttached((attached) => attached.setLabels(things));
     await layer.setAttached((attached) => attached.setOverlay(over));
     for (const volume of [head, named, storm]) {
       await layer.prepare(volume);
       layer.set(volume);
       await layer.setOptics({ ...plain, transferFunction: oneColor });
-      for (const style of [null, { lit: true } as const, { styles: smoothStyles }, { patches: bells }, { surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 1 }] } as const, ...projectionKinds.map((projection) => ({ projection }))]) {
+      for (const style of [
+        null,
+        { lit: true } as const,
+        { styles: smoothStyles },
+        { patches: bells },
+        { surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 1 }] } as const,
+        ...projectionKinds.map((projection) => ({ projection })),
+      ]) {
         await layer.setStyle(style);
         for (const module of layer.modules(true)) found.set(module.name, module);
       }
@@ -181,17 +261,25 @@ async function listModules(): Promise<Map<string, RayModule>> {
 /** A small picture, with the twins that the modules name. */
 function draw([volume, camera]: View, appearance: Look, steps: number): number[] {
   const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
-  const scene: ReferenceScene = { ...plain, ...volume, ...appearance, stepLength: longestDiagonal(volume.grid) / steps };
+  const scene: ReferenceScene = {
+    ...plain,
+    ...volume,
+    ...appearance,
+    stepLength: longestDiagonal(volume.grid) / steps,
+  };
   const stages = {
     ...stagesOf(scene, rays),
     intervals: [boxInterval(rays), ...(scene.ends ?? [])],
-    classify: (appearance.classifyBy ?? ((usual) => usual))(transferFunctionClassify(opticsOf(scene), appearance.field, rays.diameter / scene.referenceLength)),
+    classify: (appearance.classifyBy ?? ((usual) => usual))(
+      transferFunctionClassify(opticsOf(scene), appearance.field, rays.diameter / scene.referenceLength),
+    ),
     gather: appearance.gather ?? compositeGather,
   };
   return castPixels(rays, [width, height], (ray) => castRay(stages, ray));
 }
 
-const rms = (a: readonly number[], b: readonly number[]): number => Math.hypot(...a.map((x, i) => x - b[i])) / Math.sqrt(a.length);
+const rms = (a: readonly number[], b: readonly number[]): number =>
+  Math.hypot(...a.map((x, i) => x - b[i])) / Math.sqrt(a.length);
 
 describe('the order of convergence that a module states', () => {
   let modules: Map<string, RayModule>;
@@ -200,13 +288,17 @@ describe('the order of convergence that a module states', () => {
   });
 
   it('is measured of all modules', () => {
-    const all = Object.values(listLevels(true)).flatMap((levels) => levels.flatMap((one) => (one ? [one.name] : []))).concat(labelFunctions.labelFunctionsText.name, 'patches');
+    const all = Object.values(listLevels(true))
+      .flatMap((levels) => levels.flatMap((one) => (one ? [one.name] : [])))
+      .concat(labelFunctions.labelFunctionsText.name, 'patches');
     expect(Object.keys(looks)).to.have.members([...new Set(all)]);
     expect([...modules.keys()]).to.have.members(Object.keys(looks));
   });
 
   it('is that of a ray which each of them has a part of in float64, but for one whose part another one has', () => {
-    expect([...modules.values()].filter(({ twin }) => twin === null).map(({ name }) => name)).to.have.members(['columns']);
+    expect([...modules.values()].filter(({ twin }) => twin === null).map(({ name }) => name)).to.have.members([
+      'columns',
+    ]);
   });
 
   for (const [name, appearance] of Object.entries(looks)) {
@@ -215,10 +307,13 @@ describe('the order of convergence that a module states', () => {
       const view = name === 'polar' || name === 'slices' ? stormView : headView;
       const limit = draw(view, appearance, limitSteps);
       expect(Math.max(...limit), 'the picture shows something').to.be.above(0.1);
-      if (appearance.ends) expect(rms(limit, draw(view, { ...appearance, ends: [] }, limitSteps)), 'rays end').to.be.above(0.01);
+      if (appearance.ends)
+        expect(rms(limit, draw(view, { ...appearance, ends: [] }, limitSteps)), 'rays end').to.be.above(0.01);
       const errors = counts.map((steps) => rms(draw(view, appearance, steps), limit));
       const measured = Math.max(...errors) < rounding ? Infinity : fitOrder(counts, errors);
-      console.log(`${name}: states ${order}, measured ${measured.toFixed(2)}; ${errors.map((error) => error.toExponential(1)).join(' ')}`);
+      console.log(
+        `${name}: states ${order}, measured ${measured.toFixed(2)}; ${errors.map((error) => error.toExponential(1)).join(' ')}`,
+      );
       if (order === Infinity) expect(measured).to.equal(Infinity);
       else expect(measured).to.be.closeTo(order, 0.2);
     });

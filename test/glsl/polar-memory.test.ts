@@ -28,7 +28,11 @@ function countBytes(volume: Volume, version: 1 | 2): number {
   try {
     const { bytes } = finishUpload(uploadPolarVolume(gl, volume, device));
     const { low, dimensions } = volume.macrocells;
-    uploadCells(gl, new Uint8Array(low.length), dimensions, { previous: null, device, samplerName: 'uEmptySpaceDistance' });
+    uploadCells(gl, new Uint8Array(low.length), dimensions, {
+      previous: null,
+      device,
+      samplerName: 'uEmptySpaceDistance',
+    });
     const { textures } = (window as unknown as { gpuBytes(): { textures: number } }).gpuBytes();
     expect(bytes, 'what the product says').to.be.at.most(textures);
     return textures;
@@ -43,14 +47,19 @@ describe('the memory of a radar volume', () => {
   const check = (volume: Volume): void => {
     const { samples, macrocells } = volume;
     const shares = ([1, 2] as const).map((version) => countBytes(volume, version) / samples.byteLength);
-    const page = (samples.buffer.byteLength + macrocells.low.buffer.byteLength + macrocells.high.buffer.byteLength) / samples.byteLength;
-    console.log(`GPU ${shares.map((share) => share.toFixed(3)).join(' and ')}, page ${page.toFixed(3)} times ${samples.byteLength} bytes`);
+    const page =
+      (samples.buffer.byteLength + macrocells.low.buffer.byteLength + macrocells.high.buffer.byteLength) /
+      samples.byteLength;
+    console.log(
+      `GPU ${shares.map((share) => share.toFixed(3)).join(' and ')}, page ${page.toFixed(3)} times ${samples.byteLength} bytes`,
+    );
     for (const share of shares) expect(share, 'the GPU').to.be.within(1, 1.3);
     expect(page, 'the page').to.be.within(1, 1.2);
     expect(samples.buffer.byteLength, 'what the samples are a part of').to.equal(samples.byteLength);
   };
 
-  it('sweeps that differ in gates: at most 1.3 times the samples on the GPU, and little more than them in the page', () => check(radarVolume(unequalSweeps)));
+  it('sweeps that differ in gates: at most 1.3 times the samples on the GPU, and little more than them in the page', () =>
+    check(radarVolume(unequalSweeps)));
 
   for (const scan of scans) {
     it(`the same of ${scan}`, async function () {

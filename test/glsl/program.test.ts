@@ -18,8 +18,14 @@ void main() {
 }`;
 
 const uniforms: Uniforms = {
-  uFloat: 0.5, uPair: [1, 2], uTriple: [3, 4, 5], uFour: [6, 7, 8, 9], uNine: [1, 2, 3, 4, 5, 6, 7, 8, 9],
-  uSixteen: Array.from({ length: 16 }, (_, i) => i), uList: [0.25, 0.75, 1.25], uUnknown: 3,
+  uFloat: 0.5,
+  uPair: [1, 2],
+  uTriple: [3, 4, 5],
+  uFour: [6, 7, 8, 9],
+  uNine: [1, 2, 3, 4, 5, 6, 7, 8, 9],
+  uSixteen: Array.from({ length: 16 }, (_, i) => i),
+  uList: [0.25, 0.75, 1.25],
+  uUnknown: 3,
 };
 
 for (const version of [1, 2] as const) {
@@ -30,10 +36,16 @@ for (const version of [1, 2] as const) {
     const program = compileProgram(gl, { vertex, fragment });
     const units = [pointTexture(gl, [[0, 0, 0, 0]], 'uOther'), pointTexture(gl, [[1, 1, 1, 1]], 'uTexture')];
     for (const factor of [1, 2]) {
-      const scaled = Object.fromEntries(Object.entries(uniforms).map(([name, value]) => [name, typeof value === 'number' ? value * factor : value.map((x) => x * factor)]));
+      const scaled = Object.fromEntries(
+        Object.entries(uniforms).map(([name, value]) => [
+          name,
+          typeof value === 'number' ? value * factor : value.map((x) => x * factor),
+        ]),
+      );
       useProgram(gl, program, { uniforms: scaled, units });
       const read = (name: string): unknown => gl.getUniform(program, gl.getUniformLocation(program, name)!);
-      for (const name of ['uPair', 'uTriple', 'uFour', 'uNine', 'uSixteen']) expect([...(read(name) as Float32Array)], name).to.deep.equal(scaled[name]);
+      for (const name of ['uPair', 'uTriple', 'uFour', 'uNine', 'uSixteen'])
+        expect([...(read(name) as Float32Array)], name).to.deep.equal(scaled[name]);
       expect(read('uFloat')).to.equal(scaled.uFloat);
       expect(read('uList[2]')).to.equal(1.25 * factor);
       expect(read('uTexture')).to.equal(1);

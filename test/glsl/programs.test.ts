@@ -23,7 +23,7 @@ interface Injector {
 
 /** Compile a ray's program as x3dom does. @returns the samplers that its text declares */
 async function compile({ gl }: TestGl, program: RayProgram): Promise<string[]> {
-  const x3dom = await loadX3dom() as unknown as { shader: { ComposedShader: { prototype: Injector } } };
+  const x3dom = (await loadX3dom()) as unknown as { shader: { ComposedShader: { prototype: Injector } } };
   const injector = x3dom.shader.ComposedShader.prototype;
   const { vertex, fragment } = composeRay(program);
   const texts = { vertex: injector.injectVRPartsVS(vertex), fragment: injector.injectVRPartsFS(fragment) };
@@ -53,16 +53,32 @@ for (const version of [1, 2] as const) {
       for (const level of levels.filter((one) => one !== null)) {
         it(`compile with ${nameLevel(level)} and little else`, async () => {
           const polar = listLevels(webgl2).field.find((field) => field?.name === 'polar')!;
-          const { columns, classify, labels, overlay, points, shade, overlayAppearance, light, gather } = listLevels(webgl2);
+          const { columns, classify, labels, overlay, points, shade, overlayAppearance, light, gather } =
+            listLevels(webgl2);
           const companions: Record<string, Row<Level>> = {
-            slices: { field: polar }, columns: { classify: classify[1] }, columnMeans: { columns: columns[1] },
-            labels: level.defines.LABELS_HIDE ? { gather: gather[1] } : { shade: shade[1] }, labelAppearances: { labels: labels[1] },
-            overlay: { overlayAppearance: overlayAppearance[1], ...('SECOND_MOMENT' in level.defines && { field: polar }) }, overlayAppearance: { overlay: overlay[1] },
-            points: { light: light[1] }, ...Object.fromEntries(['lit', 'styled', 'surfaces', 'jumps'].map((name) => [name, { points: points[1], ...(level.chunks.includes(polarTapsOf.chunk) && { field: polar }) }])),
+            slices: { field: polar },
+            columns: { classify: classify[1] },
+            columnMeans: { columns: columns[1] },
+            labels: level.defines.LABELS_HIDE ? { gather: gather[1] } : { shade: shade[1] },
+            labelAppearances: { labels: labels[1] },
+            overlay: {
+              overlayAppearance: overlayAppearance[1],
+              ...('SECOND_MOMENT' in level.defines && { field: polar }),
+            },
+            overlayAppearance: { overlay: overlay[1] },
+            points: { light: light[1] },
+            ...Object.fromEntries(
+              ['lit', 'styled', 'surfaces', 'jumps'].map((name) => [
+                name,
+                { points: points[1], ...(level.chunks.includes(polarTapsOf.chunk) && { field: polar }) },
+              ]),
+            ),
           };
           const more = companions[level.name] ?? {};
           const program = programOf(webgl2, { ...plainRay(webgl2), ...more, [place]: level });
-          expect(await compile(test, program), 'it reads the samplers that it says').to.have.members(listSamplers(program));
+          expect(await compile(test, program), 'it reads the samplers that it says').to.have.members(
+            listSamplers(program),
+          );
         });
       }
     }
@@ -74,7 +90,8 @@ for (const version of [1, 2] as const) {
     });
 
     it('compile with what the demos use', async () => {
-      for (const row of listDemoRays(webgl2)) for (const substeps of [false, true]) await compile(test, programOf(webgl2, row, substeps));
+      for (const row of listDemoRays(webgl2))
+        for (const substeps of [false, true]) await compile(test, programOf(webgl2, row, substeps));
     });
 
     it(`read ${maxSamplers(webgl2)} samplers at most, whatever meets`, () => {
@@ -89,13 +106,15 @@ for (const version of [1, 2] as const) {
     });
 
     it('of pictures from pictures compile', () => {
-      for (const program of ['between', 'gathered'] as const) compileOne(test.gl, composePictureShader(program, webgl2), program);
+      for (const program of ['between', 'gathered'] as const)
+        compileOne(test.gl, composePictureShader(program, webgl2), program);
     });
 
     it('that the compiler does not take are refused with its words', () => {
       const { vertex, fragment } = composeRay(programOf(webgl2, plainRay(webgl2)));
       expect(() => compileProgram(test.gl, { vertex, fragment: fragment.replace('float total', 'vec3 total') }))
-        .to.throw().with.property('code', 'webgl/shader');
+        .to.throw()
+        .with.property('code', 'webgl/shader');
     });
   });
 }
@@ -104,28 +123,46 @@ describe('composing rays', () => {
   const plain = programOf(true, plainRay(true));
 
   it('takes one field, one classify and one gather module, and no more samplers than are guaranteed', () => {
-    const without = (stage: string): RayProgram => ({ ...plain, modules: plain.modules.filter((module) => module.stage !== stage) });
+    const without = (stage: string): RayProgram => ({
+      ...plain,
+      modules: plain.modules.filter((module) => module.stage !== stage),
+    });
     for (const stage of ['field', 'classify', 'gather']) {
       expect(() => composeRay(without(stage))).to.throw(TypeError, `the stage ${stage} got 0 modules; expected 1`);
       const twice = plain.modules.filter((module) => module.stage === stage);
-      expect(() => composeRay({ ...plain, modules: [...plain.modules, ...twice] })).to.throw(TypeError, `the stage ${stage} got 2 modules`);
+      expect(() => composeRay({ ...plain, modules: [...plain.modules, ...twice] })).to.throw(
+        TypeError,
+        `the stage ${stage} got 2 modules`,
+      );
     }
-    const thirsty = { name: 'thirsty', stage: 'shade', defines: {}, chunks: [], samplers: ['uOne', 'uTwo', 'uThree', 'uFour', 'uFive'] } as const;
+    const thirsty = {
+      name: 'thirsty',
+      stage: 'shade',
+      defines: {},
+      chunks: [],
+      samplers: ['uOne', 'uTwo', 'uThree', 'uFour', 'uFive'],
+    } as const;
     const plain1 = programOf(false, plainRay(false), true);
-    expect(() => composeRay({ ...plain1, modules: [...plain1.modules, thirsty] })).to.throw(TypeError, 'got 10 samplers');
+    expect(() => composeRay({ ...plain1, modules: [...plain1.modules, thirsty] })).to.throw(
+      TypeError,
+      'got 10 samplers',
+    );
   });
 
   it('puts into a program what its modules need and nothing else', () => {
     const [depth] = listLevels(true).depth.filter((level) => level !== null);
     expect(composeRay(plain).fragment).not.to.contain('uSceneDepth');
-    expect(composeRay({ ...plain, adaptive: false, modules: [...plain.modules, depth] }).fragment).to.contain('uniform sampler2D uSceneDepth');
+    expect(composeRay({ ...plain, adaptive: false, modules: [...plain.modules, depth] }).fragment).to.contain(
+      'uniform sampler2D uSceneDepth',
+    );
     expect(composeRay(plain).vertex).to.contain('uHalfPicture');
-    expect(composeRay({ ...plain, adaptive: false }).vertex, 'some devices can\'t').not.to.contain('uniform sampler2D');
+    expect(composeRay({ ...plain, adaptive: false }).vertex, "some devices can't").not.to.contain('uniform sampler2D');
   });
 
   it('makes the other programs of the study and the benchmark', () => {
     const test = createGl(2);
-    for (const program of ['printed', 'plain', 'shipped', 'shown', 'fetched'] as const) compileOne(test.gl, composeStudyShader(program, plain), program);
+    for (const program of ['printed', 'plain', 'shipped', 'shown', 'fetched'] as const)
+      compileOne(test.gl, composeStudyShader(program, plain), program);
     expect(test.gl.getError()).to.equal(0);
     releaseGl(test);
   });
@@ -133,7 +170,8 @@ describe('composing rays', () => {
 
 describe('a covering array', () => {
   const factors = { a: ['1', '2', '3'], b: ['1', '2'], c: ['1', '2', '3', '4'], d: ['1', '2'] };
-  const isLegal = (row: Readonly<Record<string, string>>): boolean => !(row.a === '1' && row.c === '4') && !(row.b === '2' && row.d === '2');
+  const isLegal = (row: Readonly<Record<string, string>>): boolean =>
+    !(row.a === '1' && row.c === '4') && !(row.b === '2' && row.d === '2');
   const name = (level: string): string => level;
 
   it('has every pair of levels that is legal, in few rows, and none that is not', () => {
@@ -147,13 +185,18 @@ describe('a covering array', () => {
         for (const u of factors[x]) {
           for (const v of factors[y]) {
             const isPossible = listRows(factors, isLegal).some((row) => row[x] === u && row[y] === v);
-            expect(rows.some((row) => row[x] === u && row[y] === v), `${x}${u} ${y}${v}`).to.equal(isPossible);
+            expect(
+              rows.some((row) => row[x] === u && row[y] === v),
+              `${x}${u} ${y}${v}`,
+            ).to.equal(isPossible);
             pairs += Number(isPossible);
           }
         }
       }
     }
-    expect(pairs).to.equal(new Set(listRows(factors, isLegal).flatMap((row) => listPairs(row, name))).size).and.to.equal(42);
+    expect(pairs)
+      .to.equal(new Set(listRows(factors, isLegal).flatMap((row) => listPairs(row, name))).size)
+      .and.to.equal(42);
     expect(rows.length, 'of 29').to.be.within(12, 15);
   });
 });

@@ -46,7 +46,12 @@ vec4 count(vec4 visible, vec4 seen) {
 `;
 
 const min = 1 / 1024;
-const pieces: readonly (readonly [name: string, visible: readonly [number, number], opacities: readonly [number, number], taps: readonly [number, number]])[] = [
+const pieces: readonly (readonly [
+  name: string,
+  visible: readonly [number, number],
+  opacities: readonly [number, number],
+  taps: readonly [number, number],
+])[] = [
   ['both show: where the second one begins is known', [1, 1], [0.1, 0.1], [12, 6]],
   ['nothing is there', [1, 1], [0, 0], [0, 0]],
   ['nothing is there, and then something', [1, 1], [0, 0.1], [0, 12]],
@@ -72,7 +77,10 @@ for (const version of [1, 2] as const) {
         });
         pieces.forEach(([name, , , taps], i) => {
           expect(got[i].slice(0, 2), name).to.deep.equal(taps);
-          expect(got[i].slice(2).map((stays, piece) => stays === 1 || taps[piece] > 0), name).to.deep.equal([true, true]);
+          expect(
+            got[i].slice(2).map((stays, piece) => stays === 1 || taps[piece] > 0),
+            name,
+          ).to.deep.equal([true, true]);
         });
       } finally {
         releaseGl(test);

@@ -13,10 +13,13 @@ vec4 voteOf(vec4 a) {
   return vec4(voteOfCorners(digitsOf(a.w), digitsOf(floor(a.w / 256.0)), a.xyz));
 }`;
 
-it('the vote of eight corners is the twin\'s, and one of them also where several have as many votes', () => {
+it("the vote of eight corners is the twin's, and one of them also where several have as many votes", () => {
   const random = randomNumbers(77);
   // Quarters are exact in float32, and many of them draws.
-  const a = Array.from({ length: 1200 }, (_, n) => [...[0, 0, 0].map(() => (n % 3 === 0 ? Math.floor(random() * 5) / 4 : Math.fround(random()))), Math.floor(random() * 65536)]);
+  const a = Array.from({ length: 1200 }, (_, n) => [
+    ...[0, 0, 0].map(() => (n % 3 === 0 ? Math.floor(random() * 5) / 4 : Math.fround(random()))),
+    Math.floor(random() * 65536),
+  ]);
   const test = createGl(2);
   try {
     const got = runChunk(test, { chunks: [vote, voteOf], result: 'voteOf(a)', a });

@@ -61,13 +61,29 @@ export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves =
   gpu.setSubsteps(allSubsteps);
   const one = autoSteps(volume.grid);
   const lengthOf = (share: number): number => stepLengthOf(volume.grid, Math.min(maxSteps, share * one));
-  const best = probe(gpu, (halves ? [full, full / 2] : [full]).map(lengthOf), { stride: 1, first: [0, 0], ...size }, size)! as [Float32Array];
+  const best = probe(
+    gpu,
+    (halves ? [full, full / 2] : [full]).map(lengthOf),
+    { stride: 1, first: [0, 0], ...size },
+    size,
+  )! as [Float32Array];
   return { ...drawn, error: measureTrueError(drawn.shown, ...best) };
 }
 
 /** Draw the picture, and return it with its stated error. */
 export async function drawAtRest(gpu: VolumeScene, scene: RestScene): Promise<Omit<RestResult, 'error'>> {
-  const { volume, style, overlay, transferFunction, camera, size, set, optics: others, maxError = defaultTargets.maxError, steps: fixed = 'auto' } = scene;
+  const {
+    volume,
+    style,
+    overlay,
+    transferFunction,
+    camera,
+    size,
+    set,
+    optics: others,
+    maxError = defaultTargets.maxError,
+    steps: fixed = 'auto',
+  } = scene;
   gpu.resize(size.width, size.height);
   await gpu.setOverlay(null);
   const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1, ...others };
@@ -81,16 +97,27 @@ export async function drawAtRest(gpu: VolumeScene, scene: RestScene): Promise<Om
   const control = new QualityControl();
   control.set({ ...defaultTargets, maxError, steps: fixed });
   const level = await settle(control, gpu, { volume, size });
-  return { stated: control.error!, isKept: control.isKept, samplesAVoxel: level.steps / autoSteps(volume.grid), level, shown: gpu.readPicture().data };
+  return {
+    stated: control.error!,
+    isKept: control.isKept,
+    samplesAVoxel: level.steps / autoSteps(volume.grid),
+    level,
+    shown: gpu.readPicture().data,
+  };
 }
 
 /** Draw as an element does: draw, choose the steps by the error, and draw with these steps. */
-export async function settle(control: QualityControl, gpu: VolumeScene, { volume: { grid }, size }: Pick<RestScene, 'volume' | 'size'>): Promise<Level> {
+export async function settle(
+  control: QualityControl,
+  gpu: VolumeScene,
+  { volume: { grid }, size }: Pick<RestScene, 'volume' | 'size'>,
+): Promise<Level> {
   for (let frame = 1; frame <= maxFrames; frame++) {
     const plan = control.still(grid);
     gpu.setSubsteps(plan.substeps);
     gpu.draw(stepLengthOf(grid, plan.steps));
-    if (!(await control.probe(gpu, grid, { plan, size, goesOn: () => true }))) return { steps: plan.steps, substeps: plan.substeps.max };
+    if (!(await control.probe(gpu, grid, { plan, size, goesOn: () => true })))
+      return { steps: plan.steps, substeps: plan.substeps.max };
   }
   throw new Error(`no picture at rest within ${maxFrames} frames`);
 }

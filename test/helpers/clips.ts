@@ -6,13 +6,17 @@ import { invertAffine, multiply, scaleAndTranslate } from '../../src/volume/matr
 import type { Vector3 } from '../../src/volume/matrix.ts';
 
 /** Keep the half-space that the normal points to, from `at` on, in world units. */
-export const keep = (grid: GridFrame, normal: Vector3, at: number): HalfSpace => ({ kind: 'half-space', ...planeInCube(normal, at, grid) });
+export const keep = (grid: GridFrame, normal: Vector3, at: number): HalfSpace => ({
+  kind: 'half-space',
+  ...planeInCube(normal, at, grid),
+});
 
 /** Keep the inside of a box, in world coordinates. */
-export const keepBox = (grid: GridFrame, low: Vector3, high: Vector3): HalfSpace[] => [0, 1, 2].flatMap((axis) => {
-  const normal = [0, 1, 2].map((one) => Number(one === axis)) as unknown as Vector3;
-  return [keep(grid, normal, low[axis]), keep(grid, normal.map((x) => -x) as unknown as Vector3, -high[axis])];
-});
+export const keepBox = (grid: GridFrame, low: Vector3, high: Vector3): HalfSpace[] =>
+  [0, 1, 2].flatMap((axis) => {
+    const normal = [0, 1, 2].map((one) => Number(one === axis)) as unknown as Vector3;
+    return [keep(grid, normal, low[axis]), keep(grid, normal.map((x) => -x) as unknown as Vector3, -high[axis])];
+  });
 
 /** Cut out a box, in world coordinates. */
 export const cutBox = (grid: GridFrame, low: Vector3, high: Vector3): Cutout => {

@@ -1,7 +1,16 @@
 import { expect } from '@esm-bundle/chai';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { isEdge, listOff } from './edges.ts';
-import { bothWalks, comparePictures, drawPicture, drawReference, height, raysOf, stagesOfView, width } from './picture.ts';
+import {
+  bothWalks,
+  comparePictures,
+  drawPicture,
+  drawReference,
+  height,
+  raysOf,
+  stagesOfView,
+  width,
+} from './picture.ts';
 import type { View } from './picture.ts';
 
 /**
@@ -41,7 +50,11 @@ export function expectWalks(view: View): Expectation[] {
  * Draw a view, and compare every pixel with the expected one. Rounding to 8 bits alone gives an error of 0.5, and of 0.29 RMS.
  * @param minShown - the minimum of the strongest channel, so that the picture shows something
  */
-export function drawAsExpected(scene: VolumeScene, { view, expected }: Expectation, { name, minShown }: { name: string; minShown: number }): void {
+export function drawAsExpected(
+  scene: VolumeScene,
+  { view, expected }: Expectation,
+  { name, minShown }: { name: string; minShown: number },
+): void {
   const { worst, rmse } = comparePictures(drawPicture(scene, view), expected);
   const strongest = Math.max(...expected);
   console.log(`${name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)} of ${strongest.toFixed(0)}`);

@@ -42,7 +42,12 @@ export class ErrorSum {
  * @param a - RGBA, premultiplied @param scale - factor from their numbers to 1/255
  * @param channels - the number of channels that count: 4; or 3 for pictures over black, where a pixel that is black in both is empty
  */
-export function compareCovered(a: ArrayLike<number>, b: ArrayLike<number>, scale: number, channels: 3 | 4 = 4): CoveredError {
+export function compareCovered(
+  a: ArrayLike<number>,
+  b: ArrayLike<number>,
+  scale: number,
+  channels: 3 | 4 = 4,
+): CoveredError {
   const sum = new ErrorSum(channels);
   for (let i = 0; i < a.length; i += 4) {
     let [max, squares, isCovered] = [0, 0, false];

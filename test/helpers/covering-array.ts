@@ -4,7 +4,10 @@ import { remember } from './remember.ts';
 export type Row<T> = Readonly<Record<string, T>>;
 
 /** List all legal rows; a row has one level of each factor. */
-export function listRows<T>(factors: Readonly<Record<string, readonly T[]>>, isLegal: (row: Row<T>) => boolean): Row<T>[] {
+export function listRows<T>(
+  factors: Readonly<Record<string, readonly T[]>>,
+  isLegal: (row: Row<T>) => boolean,
+): Row<T>[] {
   const names = Object.keys(factors);
   const rows: Row<T>[] = [];
   // There may be millions of rows; only the legal ones, which are few, are stored.
@@ -61,10 +64,12 @@ export function coverPairs<T>(rows: readonly Row<T>[], name: (level: T) => strin
 /** The pairs of `listPairs` for each row, as numbers: this takes a hundredth of the time. */
 function numberPairs<T>(rows: readonly Row<T>[], name: (level: T) => string): number[][] {
   const numbers = new Map<string, number>();
-  const numbered = rows.map((row) => Object.entries(row).map(([factor, level]) => {
-    const text = `${factor}: ${name(level)}`;
-    if (!numbers.has(text)) numbers.set(text, numbers.size);
-    return numbers.get(text)!;
-  }));
+  const numbered = rows.map((row) =>
+    Object.entries(row).map(([factor, level]) => {
+      const text = `${factor}: ${name(level)}`;
+      if (!numbers.has(text)) numbers.set(text, numbers.size);
+      return numbers.get(text)!;
+    }),
+  );
   return numbered.map((levels) => levels.flatMap((a, i) => levels.slice(i + 1).map((b) => a * numbers.size + b)));
 }

@@ -38,8 +38,16 @@ export function fixtureContext(): DecodeContext {
   const missing = (cause: unknown): never => {
     throw new VolumeViewError('source/not-found', String(cause), { cause });
   };
-  const fetchFile: DecodeContext['fetchFile'] = async (url) => ({ bytes: await fetchFixture(new URL(url).pathname.slice(1)).catch(missing), url, contentType: '' });
-  return { onProgress: () => undefined, fetchFile, fetchFiles: (urls) => fetchInOrder(urls, fetchFile, () => undefined) };
+  const fetchFile: DecodeContext['fetchFile'] = async (url) => ({
+    bytes: await fetchFixture(new URL(url).pathname.slice(1)).catch(missing),
+    url,
+    contentType: '',
+  });
+  return {
+    onProgress: () => undefined,
+    fetchFile,
+    fetchFiles: (urls) => fetchInOrder(urls, fetchFile, () => undefined),
+  };
 }
 
 /** Decode the fixtures of a stack, as one volume. */

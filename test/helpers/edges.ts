@@ -16,6 +16,12 @@ export function listOff(got: ArrayLike<number>, expected: ArrayLike<number>): Se
 
 /** Whether a tiny shift changes the colour at a pixel's centre, as at an edge: compares rays that are a thousandth of a pixel away. */
 export function isEdge(stages: RayStages, rays: RaySetup, pixel: number): boolean {
-  const colors = [[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]].map(([dx, dy]) => castRay(stages, rayAt(rays, pixel, [dx * 1e-3, dy * 1e-3])));
+  const colors = [
+    [0, 0],
+    [1, 0],
+    [-1, 0],
+    [0, 1],
+    [0, -1],
+  ].map(([dx, dy]) => castRay(stages, rayAt(rays, pixel, [dx * 1e-3, dy * 1e-3])));
   return colors.some((color) => color.some((channel, c) => Math.abs(channel - colors[0][c]) > 0.004));
 }

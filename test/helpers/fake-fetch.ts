@@ -21,7 +21,10 @@ export interface Asked {
 }
 
 /** Run with a fake server that gives one answer after the other, and with timers that end at once. */
-export async function withServer<T>(answers: readonly Answer[], run: (asked: Asked[], waits: number[]) => Promise<T>): Promise<T> {
+export async function withServer<T>(
+  answers: readonly Answer[],
+  run: (asked: Asked[], waits: number[]) => Promise<T>,
+): Promise<T> {
   const { fetch: nativeFetch, setTimeout: nativeTimeout } = globalThis;
   const asked: Asked[] = [];
   const waits: number[] = [];

@@ -28,12 +28,21 @@ interface FakeQuery {
  * Source: Khronos, WebGL extensions EXT_disjoint_timer_query and EXT_disjoint_timer_query_webgl2: a result appears
  * only between turns of the page's event loop, one query of a kind is active at a time, and reading GPU_DISJOINT resets it.
  */
-export function fakeTimerQueries(version: 1 | 2, { turns = 2, nanoseconds = 5e6, disjoint = false, bits = 64 }: FakeTimes = {}): FakeGl {
+export function fakeTimerQueries(
+  version: 1 | 2,
+  { turns = 2, nanoseconds = 5e6, disjoint = false, bits = 64 }: FakeTimes = {},
+): FakeGl {
   const alive = new Set<object>();
   let active: FakeQuery | null = null;
   let isLost = false;
   let isDisjoint = disjoint;
-  const tokens = { QUERY_COUNTER_BITS_EXT: 1, TIME_ELAPSED_EXT: 2, GPU_DISJOINT_EXT: 3, QUERY_RESULT_EXT: 4, QUERY_RESULT_AVAILABLE_EXT: 5 };
+  const tokens = {
+    QUERY_COUNTER_BITS_EXT: 1,
+    TIME_ELAPSED_EXT: 2,
+    GPU_DISJOINT_EXT: 3,
+    QUERY_RESULT_EXT: 4,
+    QUERY_RESULT_AVAILABLE_EXT: 5,
+  };
   const check = (holds: boolean, what: string): void => {
     if (!holds) throw new Error(`INVALID_OPERATION: ${what}`);
   };
@@ -78,20 +87,37 @@ export function fakeTimerQueries(version: 1 | 2, { turns = 2, nanoseconds = 5e6,
     isDisjoint = false;
     return was;
   };
-  const extension = version === 2 ? tokens : {
-    ...tokens, getQueryEXT: () => bits, createQueryEXT: create, deleteQueryEXT: remove, beginQueryEXT: begin, endQueryEXT: end,
-    getQueryObjectEXT: (query: FakeQuery, what: number) => ask(tokens.QUERY_RESULT_AVAILABLE_EXT, query, what),
-  };
+  const extension =
+    version === 2
+      ? tokens
+      : {
+          ...tokens,
+          getQueryEXT: () => bits,
+          createQueryEXT: create,
+          deleteQueryEXT: remove,
+          beginQueryEXT: begin,
+          endQueryEXT: end,
+          getQueryObjectEXT: (query: FakeQuery, what: number) => ask(tokens.QUERY_RESULT_AVAILABLE_EXT, query, what),
+        };
   const common = {
     isContextLost: () => isLost,
     getParameter,
-    getExtension: (name: string) => (name === (version === 2 ? 'EXT_disjoint_timer_query_webgl2' : 'EXT_disjoint_timer_query') ? extension : null),
+    getExtension: (name: string) =>
+      name === (version === 2 ? 'EXT_disjoint_timer_query_webgl2' : 'EXT_disjoint_timer_query') ? extension : null,
   };
   const { QUERY_RESULT_AVAILABLE } = WebGL2RenderingContext;
-  const own = version === 1 ? common : {
-    ...common, getQuery: () => bits, createQuery: create, deleteQuery: remove, beginQuery: begin, endQuery: end,
-    getQueryParameter: (query: FakeQuery, what: number) => ask(QUERY_RESULT_AVAILABLE, query, what),
-  };
+  const own =
+    version === 1
+      ? common
+      : {
+          ...common,
+          getQuery: () => bits,
+          createQuery: create,
+          deleteQuery: remove,
+          beginQuery: begin,
+          endQuery: end,
+          getQueryParameter: (query: FakeQuery, what: number) => ask(QUERY_RESULT_AVAILABLE, query, what),
+        };
   const prototype = (version === 2 ? WebGL2RenderingContext : WebGLRenderingContext).prototype as object;
   const gl = Object.create(prototype, Object.getOwnPropertyDescriptors(own)) as Gl;
   return { gl, alive, lose: () => void (isLost = true) };

@@ -8,7 +8,16 @@ import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { SocketView } from '../../src/viewer/model/view-socket.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 
-export const plainAppearance: VolumeOptics = { transferFunction: [], window: [0, 200], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
+export const plainAppearance: VolumeOptics = {
+  transferFunction: [],
+  window: [0, 200],
+  referenceLength: 1,
+  opacityFactor: 1,
+  lightFactor: 1,
+  projection: null,
+  shading: 'unlit',
+  surfaces: null,
+};
 
 export function viewOf(html: string): HTMLElement {
   const host = document.createElement('volume-view');
@@ -19,7 +28,9 @@ export function viewOf(html: string): HTMLElement {
 /** An atlas of two slices next to each other, one pixel high. @param field - its containerField in the node around it */
 export function atlasOf(field: string, pixels: readonly number[]): string {
   const canvas = Object.assign(document.createElement('canvas'), { width: pixels.length, height: 1 });
-  canvas.getContext('2d')!.putImageData(new ImageData(new Uint8ClampedArray(pixels.flatMap((x) => [x, x, x, 255])), pixels.length), 0, 0);
+  canvas
+    .getContext('2d')!
+    .putImageData(new ImageData(new Uint8ClampedArray(pixels.flatMap((x) => [x, x, x, 255])), pixels.length), 0, 0);
   return `<ImageTextureAtlas containerField="${field}" url="${canvas.toDataURL()}" numberOfSlices="2" slicesOverX="2" slicesOverY="1"></ImageTextureAtlas>`;
 }
 
@@ -40,7 +51,11 @@ export function fakeView(html: string): FakeView {
   const scene = { setLabels: async () => {}, setOverlay: async () => {} };
   const socket = socketOf(host);
   socket.view = {
-    host, awake: true, settings: { src: 'ct.png' }, errors, look: { current: plainAppearance, replacement: null },
+    host,
+    awake: true,
+    settings: { src: 'ct.png' },
+    errors,
+    look: { current: plainAppearance, replacement: null },
     volume: { grid, samples: new Uint8Array(4), slope: 1, intercept: 0, format: 'png mosaic', range: [0, 200] },
     viewer: { scene, invalidate: () => {} },
     track: (one: Promise<unknown>) => work.push(one),
@@ -51,5 +66,17 @@ export function fakeView(html: string): FakeView {
     while (work.length > 0) await work.shift();
     return appearance;
   };
-  return { host, errors, shown: { get labels() { return socket.last('labels'); }, get overlay() { return socket.last('overlay'); } }, read };
+  return {
+    host,
+    errors,
+    shown: {
+      get labels() {
+        return socket.last('labels');
+      },
+      get overlay() {
+        return socket.last('overlay');
+      },
+    },
+    read,
+  };
 }

@@ -59,11 +59,19 @@ export function runChunk({ gl, version }: TestGl, run: ChunkRun): number[][] {
       FRAGMENT_COLOR = ${run.result};
     }`;
   const stage = { webgl2: version === 2, defines: { TWO_BYTES: 0, RADIAL_ELEVATIONS: 0, ...run.defines } };
-  const vertex = composeStage({ ...stage, stage: 'VERTEX_STAGE' }, ['attribute vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }']);
-  const program = compileProgram(gl, { vertex, fragment: composeStage({ ...stage, stage: 'FRAGMENT_STAGE' }, [...run.chunks, main]) });
+  const vertex = composeStage({ ...stage, stage: 'VERTEX_STAGE' }, [
+    'attribute vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }',
+  ]);
+  const program = compileProgram(gl, {
+    vertex,
+    fragment: composeStage({ ...stage, stage: 'FRAGMENT_STAGE' }, [...run.chunks, main]),
+  });
   const inputs = [pointTexture(gl, run.a, 'uA'), pointTexture(gl, run.b ?? run.a, 'uB')];
   const output = pointTexture(gl, run.a, 'output');
-  useProgram(gl, program, { uniforms: { ...run.uniforms, uCount: run.a.length }, units: [...(run.units ?? []), ...inputs] });
+  useProgram(gl, program, {
+    uniforms: { ...run.uniforms, uCount: run.a.length },
+    units: [...(run.units ?? []), ...inputs],
+  });
   return drawAndRead(gl, output.texture, run.a.length);
 }
 
@@ -83,7 +91,8 @@ function drawAndRead(gl: Gl, target: WebGLTexture, count: number): number[][] {
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
-  if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) throw new Error('the float target is incomplete');
+  if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE)
+    throw new Error('the float target is incomplete');
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
   gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), gl.STATIC_DRAW);
   gl.enableVertexAttribArray(0);

@@ -3,7 +3,8 @@
 
 type Bytes = readonly number[] | Uint8Array;
 
-const little = (value: number, bytes: number): number[] => Array.from({ length: bytes }, (_, i) => Number((BigInt(value) >> BigInt(8 * i)) & 0xffn));
+const little = (value: number, bytes: number): number[] =>
+  Array.from({ length: bytes }, (_, i) => Number((BigInt(value) >> BigInt(8 * i)) & 0xffn));
 export const u16 = (value: number): number[] => little(value, 2);
 export const u32 = (value: number): number[] => little(value, 4);
 export const u64 = (value: number): number[] => (value < 0 ? Array.from({ length: 8 }, () => 0xff) : little(value, 8));
@@ -26,12 +27,16 @@ export const types = {
   anyText: [0x19, 1, 0, 0, ...u32(16), 0x13, 0, 0, 0, ...u32(1)],
 };
 
-export const shape = (...lengths: number[]): number[] => (lengths.length > 0 ? [2, lengths.length, 0, 1, ...lengths.flatMap(u64)] : [2, 0, 0, 0]);
+export const shape = (...lengths: number[]): number[] =>
+  lengths.length > 0 ? [2, lengths.length, 0, 1, ...lengths.flatMap(u64)] : [2, 0, 0, 0];
 
 export const message = (type: number, data: Bytes): Message => ({ type, data });
 
 /** @param value - a text, a number, or the type, shape and data of any other value */
-export function attribute(name: string, value: string | number | { type: readonly number[]; shape: readonly number[]; data: Bytes }): Message {
+export function attribute(
+  name: string,
+  value: string | number | { type: readonly number[]; shape: readonly number[]; data: Bytes },
+): Message {
   const plain =
     typeof value === 'string'
       ? { type: types.text(value.length), shape: shape(), data: text(value) }
@@ -42,9 +47,11 @@ export function attribute(name: string, value: string | number | { type: readonl
   return message(0x0c, [3, 0, ...sizes, 0, ...text(name), 0, ...plain.type, ...plain.shape, ...plain.data]);
 }
 
-export const link = (name: string, address: number): Message => message(0x06, [1, 1, ...u16(name.length), ...text(name), ...u64(address)]);
+export const link = (name: string, address: number): Message =>
+  message(0x06, [1, 1, ...u16(name.length), ...text(name), ...u64(address)]);
 
-export const contiguous = (address: number, bytes: number): Message => message(0x08, [3, 1, ...u64(address), ...u64(bytes)]);
+export const contiguous = (address: number, bytes: number): Message =>
+  message(0x08, [3, 1, ...u64(address), ...u64(bytes)]);
 
 /** Indexed by a B-tree. */
 export const chunked = (address: number, chunk: readonly number[], elementBytes: number): Message =>
@@ -68,7 +75,11 @@ export class Hdf5Builder {
   }
 
   /** @param more - more messages, for example the layout of its values; by default nothing is stored */
-  array(type: readonly number[], lengths: readonly number[], more: readonly Message[] = [contiguous(nowhere, 0)]): number {
+  array(
+    type: readonly number[],
+    lengths: readonly number[],
+    more: readonly Message[] = [contiguous(nowhere, 0)],
+  ): number {
     return this.object([message(0x01, shape(...lengths)), message(0x03, type), ...more]);
   }
 
@@ -81,7 +92,22 @@ export class Hdf5Builder {
 
   /** @param root - address of its header */
   build(root: number): Uint8Array<ArrayBuffer> {
-    const head = [0x89, ...text('HDF'), 13, 10, 26, 10, 2, 8, 8, 0, ...u64(0), ...u64(nowhere), ...u64(this.#bytes.length), ...u64(root)];
+    const head = [
+      0x89,
+      ...text('HDF'),
+      13,
+      10,
+      26,
+      10,
+      2,
+      8,
+      8,
+      0,
+      ...u64(0),
+      ...u64(nowhere),
+      ...u64(this.#bytes.length),
+      ...u64(root),
+    ];
     return Uint8Array.from([...head, ...this.#bytes.slice(head.length)]);
   }
 

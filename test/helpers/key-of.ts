@@ -7,7 +7,8 @@ function numberOf(object: object): number {
   return numbers.get(object)!;
 }
 
-const isPlain = (object: object): boolean => Array.isArray(object) || Object.getPrototypeOf(object) === Object.prototype;
+const isPlain = (object: object): boolean =>
+  Array.isArray(object) || Object.getPrototypeOf(object) === Object.prototype;
 
 /**
  * A text that is the same for deeply equal values. A volume (an object with `samples`), a function, and any other object that is not
@@ -15,8 +16,11 @@ const isPlain = (object: object): boolean => Array.isArray(object) || Object.get
  */
 export function keyOf(value: unknown): string {
   if (typeof value === 'function') return `#${numberOf(value)}`;
-  if (typeof value !== 'object' || value === null) return typeof value === 'string' ? JSON.stringify(value) : String(value);
+  if (typeof value !== 'object' || value === null)
+    return typeof value === 'string' ? JSON.stringify(value) : String(value);
   if (!isPlain(value) || 'samples' in value) return `#${numberOf(value)}`;
   const [open, close] = Array.isArray(value) ? '[]' : '{}';
-  return `${open}${Object.entries(value).map(([name, one]) => `${JSON.stringify(name)}:${keyOf(one)}`).join()}${close}`;
+  return `${open}${Object.entries(value)
+    .map(([name, one]) => `${JSON.stringify(name)}:${keyOf(one)}`)
+    .join()}${close}`;
 }

@@ -16,7 +16,11 @@ import { isPolar } from '../../src/volume/volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 
 /** The additional stages of a reference's rays for a lit volume. */
-export function litStages(volume: Volume, transferFunction: TransferFunction, more: Partial<LitScene> = {}): Pick<ReferenceScene, 'moreFields' | 'shades'> {
+export function litStages(
+  volume: Volume,
+  transferFunction: TransferFunction,
+  more: Partial<LitScene> = {},
+): Pick<ReferenceScene, 'moreFields' | 'shades'> {
   const gradient = isPolar(volume)
     ? polarGradient(polarBeamField(volume), volume.grid)
     : cartesianGradient(cartesianField({ ...volume, dimensions: volume.grid.dimensions }), volume.grid);
@@ -25,7 +29,11 @@ export function litStages(volume: Volume, transferFunction: TransferFunction, mo
 }
 
 /** The additional stages of a reference's rays for a volume in X3D's rendering styles. */
-export function styledStages(view: View, chains: readonly StyleChain[], lights?: SceneLights): Pick<ReferenceScene, 'moreFields' | 'shades'> {
+export function styledStages(
+  view: View,
+  chains: readonly StyleChain[],
+  lights?: SceneLights,
+): Pick<ReferenceScene, 'moreFields' | 'shades'> {
   const { volume, optics = plainOptics } = view;
   const gradient = isPolar(volume)
     ? polarGradient(polarBeamField(volume), volume.grid)
@@ -33,5 +41,18 @@ export function styledStages(view: View, chains: readonly StyleChain[], lights?:
   const flat = flatChange(domainOf(optics.transferFunction), volume.range);
   const { referenceLength, opacityFactor } = optics;
   const opticalScale = (raysOf(view).diameter / referenceLength) * opacityFactor;
-  return { moreFields: [pointField], shades: [styledShade({ grid: volume.grid, gradient, flat, chains, referenceLength, opticalScale, ...(lights && { lights }) })] };
+  return {
+    moreFields: [pointField],
+    shades: [
+      styledShade({
+        grid: volume.grid,
+        gradient,
+        flat,
+        chains,
+        referenceLength,
+        opticalScale,
+        ...(lights && { lights }),
+      }),
+    ],
+  };
 }

@@ -76,7 +76,12 @@ async function withBrowser(url, measure) {
   const began = performance.now();
   try {
     const machine = await describeMachine(browser, loadBefore);
-    return await measure({ browser, url, machine, openPage: (path, options) => openPage(browser, { url: new URL(path, url).href, began }, options) });
+    return await measure({
+      browser,
+      url,
+      machine,
+      openPage: (path, options) => openPage(browser, { url: new URL(path, url).href, began }, options),
+    });
   } finally {
     process.stderr.write('\r\u001b[K');
     await browser.close();

@@ -11,11 +11,18 @@ export interface Netcdf3Variable {
 }
 
 const be32 = (value: number): number[] => [24, 16, 8, 0].map((shift) => (value >>> shift) & 0xff);
-const padded = (bytes: readonly number[]): number[] => [...bytes, ...Array.from({ length: (4 - (bytes.length % 4)) % 4 }, () => 0)];
+const padded = (bytes: readonly number[]): number[] => [
+  ...bytes,
+  ...Array.from({ length: (4 - (bytes.length % 4)) % 4 }, () => 0),
+];
 const text = (value: string): number[] => [...be32(value.length), ...padded([...new TextEncoder().encode(value)])];
 
 /** A classic NetCDF-3 file. @param dimensions - their lengths; 0 marks the record dimension, whose variables take no space in this file */
-export function buildNetcdf3(dimensions: readonly number[], variables: readonly Netcdf3Variable[], records = 0): Uint8Array<ArrayBuffer> {
+export function buildNetcdf3(
+  dimensions: readonly number[],
+  variables: readonly Netcdf3Variable[],
+  records = 0,
+): Uint8Array<ArrayBuffer> {
   const valueOf = (value: string | readonly number[]): number[] => {
     if (typeof value === 'string') return [...be32(2), ...text(value)];
     const view = new DataView(new ArrayBuffer(8 * value.length));
@@ -24,16 +31,32 @@ export function buildNetcdf3(dimensions: readonly number[], variables: readonly 
   };
   const attributesOf = (attributes: Netcdf3Variable['attributes'] = {}): number[] => {
     const entries = Object.entries(attributes);
-    return entries.length === 0 ? [...be32(0), ...be32(0)] : [...be32(12), ...be32(entries.length), ...entries.flatMap(([name, value]) => [...text(name), ...valueOf(value)])];
+    return entries.length === 0
+      ? [...be32(0), ...be32(0)]
+      : [
+          ...be32(12),
+          ...be32(entries.length),
+          ...entries.flatMap(([name, value]) => [...text(name), ...valueOf(value)]),
+        ];
   };
   const header = (begins: readonly number[]): number[] => [
     ...[0x43, 0x44, 0x46, 1],
     ...be32(records),
-    ...[...be32(10), ...be32(dimensions.length), ...dimensions.flatMap((length, i) => [...text(`d${i}`), ...be32(length)])],
+    ...[
+      ...be32(10),
+      ...be32(dimensions.length),
+      ...dimensions.flatMap((length, i) => [...text(`d${i}`), ...be32(length)]),
+    ],
     ...attributesOf(),
     ...[...be32(11), ...be32(variables.length)],
     ...variables.flatMap(({ name, dimensions: along, data, isText, attributes }, i) => [
-      ...text(name), ...be32(along.length), ...along.flatMap(be32), ...attributesOf(attributes), ...be32(isText ? 2 : data instanceof Uint8Array ? 1 : data instanceof Int16Array ? 3 : 6), ...be32(0), ...be32(begins[i]),
+      ...text(name),
+      ...be32(along.length),
+      ...along.flatMap(be32),
+      ...attributesOf(attributes),
+      ...be32(isText ? 2 : data instanceof Uint8Array ? 1 : data instanceof Int16Array ? 3 : 6),
+      ...be32(0),
+      ...be32(begins[i]),
     ]),
   ];
   const sizes = variables.map(({ data }) => Math.ceil(data.byteLength / 4) * 4);

@@ -18,7 +18,15 @@ const head = (): Uint8Array => {
   return bytes;
 };
 
-function radialMessage({ azimuth, elevation, cut, gates, status = 1, blanked = false, code = 0 }: BuiltRadial): Uint8Array {
+function radialMessage({
+  azimuth,
+  elevation,
+  cut,
+  gates,
+  status = 1,
+  blanked = false,
+  code = 0,
+}: BuiltRadial): Uint8Array {
   const body = 32 + 4 + 28 + gates;
   const length = Math.ceil((16 + body) / 2) * 2;
   const view = new DataView(new ArrayBuffer(12 + length));

@@ -19,9 +19,29 @@ export function waves(x: number, y: number, z: number): number {
 
 /** The affine of a grid that is not aligned with another one: rotated, sheared, and smaller or larger. */
 export function askew({ grid }: Volume, dimensions: Vector3, size = 0.8): Matrix4 {
-  const turned: Matrix4 = [size * 0.9, -size * 0.3, 0.05, 0.5, size * 0.25, size * 0.85, -0.1, 0.5, 0.02, 0.1, size, 0.5, 0, 0, 0, 1];
+  const turned: Matrix4 = [
+    size * 0.9,
+    -size * 0.3,
+    0.05,
+    0.5,
+    size * 0.25,
+    size * 0.85,
+    -0.1,
+    0.5,
+    0.02,
+    0.1,
+    size,
+    0.5,
+    0,
+    0,
+    0,
+    1,
+  ];
   // From the voxel index to [-0.5, 0.5], then into the other grid's unit cube, then to the world.
-  const centred = scaleAndTranslate(dimensions.map((n) => 1 / n) as unknown as Vector3, dimensions.map((n) => 0.5 / n - 0.5) as unknown as Vector3);
+  const centred = scaleAndTranslate(
+    dimensions.map((n) => 1 / n) as unknown as Vector3,
+    dimensions.map((n) => 0.5 / n - 0.5) as unknown as Vector3,
+  );
   return multiply(unitToWorld(grid), multiply(turned, centred));
 }
 

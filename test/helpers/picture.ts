@@ -186,7 +186,11 @@ export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
 }
 
 function cutsOf({ planes = [], clips }: View): readonly RayCut[] {
-  const cuts: RayCut[] = [{ create: createClip, items: clips?.kept ?? [] }, { create: createCutout, items: clips?.cutout ? [clips.cutout] : [] }, { create: createPlanes, items: planes }];
+  const cuts: RayCut[] = [
+    { create: createClip, items: clips?.kept ?? [] },
+    { create: createCutout, items: clips?.cutout ? [clips.cutout] : [] },
+    { create: createPlanes, items: planes },
+  ];
   return cuts.filter(({ items }) => items.length > 0);
 }
 
@@ -200,7 +204,9 @@ const references = new Map<string, Float64Array>();
 /** The same view in float64, 0..255. It is computed once for each view, because both versions of WebGL draw it. */
 export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
   const key = keyOf([view, surfaceT]);
-  const picture = references.get(key) ?? renderStages(stagesOfView(view, surfaceT), raysOf(view), ...(view.size ?? [width, height])).map((x) => x * 255);
+  const picture =
+    references.get(key) ??
+    renderStages(stagesOfView(view, surfaceT), raysOf(view), ...(view.size ?? [width, height])).map((x) => x * 255);
   references.set(key, picture);
   return picture.slice(); // A copy, so that a caller may write into it.
 }
@@ -212,7 +218,8 @@ async function prepareLayer(): Promise<VolumeLayer> {
   const layer = createQuietLayer();
   const some = syntheticVolume({ dimensions: [2, 2, 2] });
   const radar = radarVolume({ sweeps: [{ elevation: 1, azimuths: evenAzimuths(4), gates: 2 }] });
-  for (const volume of [some, { ...some, isDiscrete: true }, radar]) await layer.prepare(volume, { ...plainOptics, transferFunction: jump });
+  for (const volume of [some, { ...some, isDiscrete: true }, radar])
+    await layer.prepare(volume, { ...plainOptics, transferFunction: jump });
   await Promise.all([usualTwins.load(), shadingTwins.load(), radarTwins.load(), loadCartesianChunks()]);
   return layer;
 }
@@ -246,14 +253,43 @@ function attachedModules({ labels, overlay, projection, intensityThreshold, modu
 
 /** A module that is never drawn. */
 function moduleOf(name: string, stage: StageName, twin: RayTwin): RayModule {
-  return { name, stage, twin, ...(stage === 'field' && { members: [] }), defines: {}, chunks: [], samplers: [], sparesRays: true, order: 1, inputs: () => ({ uniforms: {}, units: [] }) };
+  return {
+    name,
+    stage,
+    twin,
+    ...(stage === 'field' && { members: [] }),
+    defines: {},
+    chunks: [],
+    samplers: [],
+    sparesRays: true,
+    order: 1,
+    inputs: () => ({ uniforms: {}, units: [] }),
+  };
 }
 
 /** The same view as a scene of the reference, for tests that replace one of its stages. */
 export function referenceOf(view: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
   const { volume, optics = plainOptics, stepLength, projection, modules, maxSubsteps: max } = view;
-  const { intervals: [, ...ends], field, moreFields, shades, gather, classify } = stagesOfView(view, surfaceT);
-  return { ...volume, ...optics, stepLength, ends, field, moreFields, shades, ...(projection && { gather }), ...(modules && { classifyBy: () => classify }), ...(max && { maxSubsteps: max }) };
+  const {
+    intervals: [, ...ends],
+    field,
+    moreFields,
+    shades,
+    gather,
+    classify,
+  } = stagesOfView(view, surfaceT);
+  return {
+    ...volume,
+    ...optics,
+    stepLength,
+    ends,
+    field,
+    moreFields,
+    shades,
+    ...(projection && { gather }),
+    ...(modules && { classifyBy: () => classify }),
+    ...(max && { maxSubsteps: max }),
+  };
 }
 
 export interface Difference {

@@ -11,7 +11,8 @@ const reach = 40_000;
 const center: Vector3 = beamToLocal({ range: 20_000, azimuth: 70, elevation: 28 }, Infinity);
 
 /** The density of the cloud, 0..1. @param place - metres east, north and up of the radar */
-export const cloudField = ([x, y, z]: Vector3): number => Math.exp(-((x - center[0]) ** 2 + (y - center[1]) ** 2 + 2 * (z - center[2]) ** 2) / 6000 ** 2);
+export const cloudField = ([x, y, z]: Vector3): number =>
+  Math.exp(-((x - center[0]) ** 2 + (y - center[1]) ** 2 + 2 * (z - center[2]) ** 2) / 6000 ** 2);
 
 /** A transfer function without visible kinks. */
 export const cloudColors: TransferFunction = Array.from({ length: 129 }, (_, i) => {
@@ -27,14 +28,25 @@ export function cloudVolume(fineness: number): PolarVolume {
   const [sweeps, rays, gates] = [12, 40, 20].map((n) => Math.round(n * fineness));
   const gateLength = reach / gates;
   const firstGate = gateLength / 2;
-  return radarVolume({
-    beamWidth: 1,
-    sweeps: Array.from({ length: sweeps }, (_, i) => {
-      const elevation = (i / (sweeps - 1)) * 60;
-      return {
-        elevation, azimuths: evenAzimuths(rays), gates, gateLength, firstGate, kind: 'float32', slope: 1, intercept: 0,
-        stored: (azimuth, gate) => cloudField(beamToLocal({ range: firstGate + gate * gateLength, azimuth, elevation }, Infinity)),
-      };
-    }),
-  }, { beamModel: 'straight', verticalExaggeration: 1 });
+  return radarVolume(
+    {
+      beamWidth: 1,
+      sweeps: Array.from({ length: sweeps }, (_, i) => {
+        const elevation = (i / (sweeps - 1)) * 60;
+        return {
+          elevation,
+          azimuths: evenAzimuths(rays),
+          gates,
+          gateLength,
+          firstGate,
+          kind: 'float32',
+          slope: 1,
+          intercept: 0,
+          stored: (azimuth, gate) =>
+            cloudField(beamToLocal({ range: firstGate + gate * gateLength, azimuth, elevation }, Infinity)),
+        };
+      }),
+    },
+    { beamModel: 'straight', verticalExaggeration: 1 },
+  );
 }

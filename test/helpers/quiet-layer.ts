@@ -18,7 +18,18 @@ export function quietGl(): WebGL2RenderingContext {
 /** A layer that draws nothing, on a device with all abilities. Its list of modules is the same as for a real layer. */
 export function createQuietLayer(): VolumeLayer {
   const gl = quietGl();
-  const layer = new VolumeLayer(gl, { webgl2: true, maxTextureSize: 2 ** 14, max3dTextureSize: 2 ** 14, floatLinear: true, quadPoints: true, twoByteLinear: true }, fieldProviders);
+  const layer = new VolumeLayer(
+    gl,
+    {
+      webgl2: true,
+      maxTextureSize: 2 ** 14,
+      max3dTextureSize: 2 ** 14,
+      floatLinear: true,
+      quadPoints: true,
+      twoByteLinear: true,
+    },
+    fieldProviders,
+  );
   layer.surfacesModule = createSceneDepth(gl);
   return layer;
 }

@@ -36,7 +36,9 @@ export async function readExpected(name: string): Promise<readonly ExpectedRadar
 /** Data values in double precision; NaN where there is no data. */
 export function gateValues({ samples, slope, intercept }: SweepData): Float64Array {
   const empty = samples instanceof Float32Array ? NaN : 0;
-  return Float64Array.from(samples, (sample) => (sample === empty || Number.isNaN(sample) ? NaN : slope * sample + intercept));
+  return Float64Array.from(samples, (sample) =>
+    sample === empty || Number.isNaN(sample) ? NaN : slope * sample + intercept,
+  );
 }
 
 /** Half a unit of the seventh digit, to which the expected numbers are rounded, and the rounding of float32. */
@@ -75,7 +77,12 @@ function compareHead(radar: RadarFile, expected: ExpectedRadar): void {
   expect(radar.partial).to.equal(undefined);
 }
 
-function compareValues(radar: RadarFile, expected: ExpectedRadar, moment: string, values: readonly (number | null)[]): void {
+function compareValues(
+  radar: RadarFile,
+  expected: ExpectedRadar,
+  moment: string,
+  values: readonly (number | null)[],
+): void {
   const data = radar.sweeps.map((sweep) => sweep.read(moment));
   const numbers = data.map((sweep) => sweep && gateValues(sweep));
   for (const [i, sweep] of data.entries()) {

@@ -7,7 +7,8 @@ import { runChunk } from './gl.ts';
 import type { TestGl } from './gl.ts';
 
 /** The value, and whether there is data. */
-const both = 'vec4 sampleBoth(vec3 p) { float value; bool there = sampleVolume(p, value); return vec4(value, there ? 1.0 : 0.0, 0.0, 0.0); }\n';
+const both =
+  'vec4 sampleBoth(vec3 p) { float value; bool there = sampleVolume(p, value); return vec4(value, there ? 1.0 : 0.0, 0.0, 0.0); }\n';
 
 /** Stored values (0..255, 0..65535, or floats) that a field module returns at points of the unit cube; NaN for no data. */
 export function sampleOnGpu(test: TestGl, volume: Volume, field: FieldModule, at: readonly Vector3[]): number[] {

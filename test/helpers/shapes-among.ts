@@ -6,13 +6,18 @@ const color = '<appearance><material emissiveColor="1 0.6 0" diffuseColor="0 0 0
 /** Opaque shapes of several kinds inside a volume, as X3D, by their names. */
 export function shapesAmong(grid: GridFrame): Readonly<Record<string, string>> {
   const { center, radius } = boundingSphere(grid);
-  const at = (x: number, y: number, z: number): string => [x, y, z].map((share, axis) => center[axis] + share * radius).join(' ');
+  const at = (x: number, y: number, z: number): string =>
+    [x, y, z].map((share, axis) => center[axis] + share * radius).join(' ');
   const put = (place: string, shape: string, turn = '1 0 0 0'): string =>
     `<transform translation="${place}" rotation="${turn}"><shape>${color}${shape}</shape></transform>`;
   const line = (points: readonly string[]): string =>
     `<shape>${color}<indexedlineset coordIndex="${points.map((_, i) => i).join(' ')} -1"><coordinate point="${points.join(' ')}"></coordinate></indexedlineset></shape>`;
   const ring = (share: number): string =>
-    line(Array.from({ length: 61 }, (_, i) => at(share * Math.cos((i * Math.PI) / 30), share * Math.sin((i * Math.PI) / 30), -0.05)));
+    line(
+      Array.from({ length: 61 }, (_, i) =>
+        at(share * Math.cos((i * Math.PI) / 30), share * Math.sin((i * Math.PI) / 30), -0.05),
+      ),
+    );
   const marker = put(at(0.2, 0.1, 0.2), `<sphere radius="${0.05 * radius}"></sphere>`);
   const lines = line([at(-1, -0.8, -0.2), at(1, 0.9, 0.3)]) + line([at(0.1, -0.9, 0.4), at(0.1, 0.9, -0.4)]);
   const rings = [0.15, 0.3, 0.45, 0.6].map(ring).join('');

@@ -28,7 +28,12 @@ export interface TrueError {
 /** The size of a picture that is drawn only to be probed: a probe needs a view that has been drawn. */
 const small = { width: 16, height: 12 } as const;
 
-function show(gpu: VolumeScene, { volume, transferFunction, camera }: ErrorScene, steps: number, size: TrueError['size']): void {
+function show(
+  gpu: VolumeScene,
+  { volume, transferFunction, camera }: ErrorScene,
+  steps: number,
+  size: TrueError['size'],
+): void {
   gpu.resize(size.width, size.height);
   gpu.setVolume(volume);
   void gpu.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
@@ -40,15 +45,30 @@ function show(gpu: VolumeScene, { volume, transferFunction, camera }: ErrorScene
  * The ratio of a picture's stated error to its true error. The true error is the difference to a picture of the same GPU with many times
  * the steps, because the twin would take too long.
  */
-export function compareStated(gpu: VolumeScene, scene: ErrorScene, { size, lattice = { stride: 1, first: [0, 0], ...size }, times }: TrueError): number {
-  const { name, volume: { grid }, steps } = scene;
+export function compareStated(
+  gpu: VolumeScene,
+  scene: ErrorScene,
+  { size, lattice = { stride: 1, first: [0, 0], ...size }, times }: TrueError,
+): number {
+  const {
+    name,
+    volume: { grid },
+    steps,
+  } = scene;
   gpu.setSubsteps(allSubsteps);
   show(gpu, scene, steps, small);
   const stated = measureError(gpu, grid, { steps, substeps: maxSubsteps }, size)!;
-  const [shown, limit] = probe(gpu, [steps, times * steps].map((n) => stepLengthOf(grid, n)), lattice, size)!;
+  const [shown, limit] = probe(
+    gpu,
+    [steps, times * steps].map((n) => stepLengthOf(grid, n)),
+    lattice,
+    size,
+  )!;
   const known = Math.hypot(compareCovered(shown, limit, 255).rms, rounding);
   const ratio = stated.rms / known;
-  console.log(`${name}: stated ${stated.rms.toFixed(2)}, true ${known.toFixed(2)}, ratio ${ratio.toFixed(2)}, order ${stated.order.toFixed(2)}`);
+  console.log(
+    `${name}: stated ${stated.rms.toFixed(2)}, true ${known.toFixed(2)}, ratio ${ratio.toFixed(2)}, order ${stated.order.toFixed(2)}`,
+  );
   return ratio;
 }
 

@@ -15,7 +15,10 @@ import type { Volume } from '../../src/volume/volume.ts';
 
 /** The additional stages of a reference's rays for a volume with surfaces. */
 export function surfaceStages(
-  volume: Volume, { surfaces = [], clear, plain, surfaceStyles }: RayStyle, transferFunction: TransferFunction, more: Partial<LitScene> = {},
+  volume: Volume,
+  { surfaces = [], clear, plain, surfaceStyles }: RayStyle,
+  transferFunction: TransferFunction,
+  more: Partial<LitScene> = {},
 ): Pick<ReferenceScene, 'moreFields' | 'gather'> {
   const { grid } = volume;
   const gradient = isPolar(volume)
@@ -23,7 +26,18 @@ export function surfaceStages(
     : cartesianGradient(cartesianField({ ...volume, dimensions: grid.dimensions }), grid);
   const flat = surfaceFlat * flatChange(domainOf(transferFunction), volume.range);
   const chains = surfaceStyles && [{ weight: 1, styles: surfaceStyles }];
-  const stylesOf = chains && stylesAt({ grid, gradient, flat: flat / surfaceFlat, chains, referenceLength: 1, flatPart: surfaceFlat, ...more });
+  const stylesOf =
+    chains &&
+    stylesAt({ grid, gradient, flat: flat / surfaceFlat, chains, referenceLength: 1, flatPart: surfaceFlat, ...more });
   const light = plain ? null : lightAt({ grid, gradient, flat, ...more });
-  return { moreFields: [pointField], gather: surfaceGather({ surfaces, isClear: clear === true, light, toEye: (ray) => towardsEye(grid, ray), stylesOf }) };
+  return {
+    moreFields: [pointField],
+    gather: surfaceGather({
+      surfaces,
+      isClear: clear === true,
+      light,
+      toEye: (ray) => towardsEye(grid, ray),
+      stylesOf,
+    }),
+  };
 }

@@ -45,7 +45,13 @@ export function syntheticRadar({ sweeps, beamWidth, moments = [['DBZH', 'reflect
     site: { name: 'here', latitude: 50, longitude: 6, height: 100 },
     time: '2020-02-07T13:00:00Z',
     moments: moments.map(([name, kind]) => ({ name, unit: kind === 'velocity' ? 'm/s' : 'dBZ', kind })),
-    sweeps: sweeps.map((sweep, i) => syntheticSweep(sweep, moments.map(([name]) => name), i)),
+    sweeps: sweeps.map((sweep, i) =>
+      syntheticSweep(
+        sweep,
+        moments.map(([name]) => name),
+        i,
+      ),
+    ),
     ...(beamWidth === undefined ? {} : { beamWidth }),
   };
 }
@@ -93,20 +99,29 @@ export function asPolar(volume: Volume): PolarVolume {
 }
 
 const random = randomNumbers(90);
-const jitter = (step: number): number[] => evenAzimuths(360 / step).map((azimuth) => azimuth + 0.6 * step * (random() - 0.5));
+const jitter = (step: number): number[] =>
+  evenAzimuths(360 / step).map((azimuth) => azimuth + 0.6 * step * (random() - 0.5));
 /** Forty rays in six degrees. */
 const crowd = (first: number): number[] => Array.from({ length: 40 }, (_, i) => first + 0.15 * i);
 /** A third of the gates have no data. */
-const holes: SweepOptions['stored'] = (azimuth, gate) => ((Math.floor(azimuth) * 7 + gate * 13) % 3 === 0 ? 0 : 40 + ((Math.floor(azimuth) * 31 + gate * 17) % 200));
-const folded: SweepOptions['stored'] = (azimuth, gate) => 1 + Math.round(((azimuth * 3 + gate * 11) % 250));
+const holes: SweepOptions['stored'] = (azimuth, gate) =>
+  (Math.floor(azimuth) * 7 + gate * 13) % 3 === 0 ? 0 : 40 + ((Math.floor(azimuth) * 31 + gate * 17) % 200);
+const folded: SweepOptions['stored'] = (azimuth, gate) => 1 + Math.round((azimuth * 3 + gate * 11) % 250);
 /** An elevation that goes up and down by `height` degrees, three times around the circle. */
-const wave = (elevation: number, height: number, phase = 0) => (azimuth: number): number => elevation + height * Math.sin((3 * azimuth * Math.PI) / 180 + phase);
+const wave =
+  (elevation: number, height: number, phase = 0) =>
+  (azimuth: number): number =>
+    elevation + height * Math.sin((3 * azimuth * Math.PI) / 180 + phase);
 const lowSweeps: SweepOptions[] = [0.5, 1.5, 3, 6, 12].map((elevation) => ({ elevation }));
 
 /** Sweeps of a real scan: higher sweeps are shorter, because there is no weather so high. */
 export const unequalSweeps: RadarOptions = {
   sweeps: [1832, 1192, 916, 617, 410, 308, 192, 131].map((gates, i) => ({
-    elevation: 0.5 + 2 * i, gates, gateLength: 250, azimuths: evenAzimuths(i < 1 ? 720 : 360), stored: (azimuth, gate) => (gate < 100 ? 1 + Math.floor(azimuth) % 50 : 0),
+    elevation: 0.5 + 2 * i,
+    gates,
+    gateLength: 250,
+    azimuths: evenAzimuths(i < 1 ? 720 : 360),
+    stored: (azimuth, gate) => (gate < 100 ? 1 + (Math.floor(azimuth) % 50) : 0),
   })),
 };
 
@@ -114,17 +129,32 @@ export const unequalSweeps: RadarOptions = {
 export const polarScenes: Record<string, RadarOptions> = {
   'five sweeps': { sweeps: lowSweeps },
   '16 bit': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, kind: 'uint16' })) },
-  'float': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, kind: 'float32', slope: 1, intercept: 0 })) },
+  float: { sweeps: lowSweeps.map((sweep) => ({ ...sweep, kind: 'float32', slope: 1, intercept: 0 })) },
   'floats without data': {
-    sweeps: lowSweeps.map((sweep) => ({ ...sweep, kind: 'float32', slope: 1, intercept: 0, stored: (a, g) => holes(a, g, 0) || NaN })),
+    sweeps: lowSweeps.map((sweep) => ({
+      ...sweep,
+      kind: 'float32',
+      slope: 1,
+      intercept: 0,
+      stored: (a, g) => holes(a, g, 0) || NaN,
+    })),
   },
-  'holes': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, stored: holes })) },
+  holes: { sweeps: lowSweeps.map((sweep) => ({ ...sweep, stored: holes })) },
   'one sweep': { sweeps: [{ elevation: 2 }], beamWidth: 3 },
-  'sixty sweeps': { sweeps: Array.from({ length: 60 }, (_, i) => ({ elevation: 0.3 + 1.5 * i, gates: 12, azimuths: evenAzimuths(16 + (i % 5)) })) },
+  'sixty sweeps': {
+    sweeps: Array.from({ length: 60 }, (_, i) => ({
+      elevation: 0.3 + 1.5 * i,
+      gates: 12,
+      azimuths: evenAzimuths(16 + (i % 5)),
+    })),
+  },
   'to the poles': { sweeps: [-90, -30, 0, 45, 90].map((elevation) => ({ elevation, gates: 8 })) },
   'a sweep straight up': { sweeps: [1.5, 12, 25, 90].map((elevation) => ({ elevation })) },
   'a sweep straight up, with rays of their own elevations': {
-    sweeps: [...[1.5, 12, 25].map((elevation, i) => ({ elevation, rayElevation: wave(elevation, 0.3, i) })), { elevation: 90 }],
+    sweeps: [
+      ...[1.5, 12, 25].map((elevation, i) => ({ elevation, rayElevation: wave(elevation, 0.3, i) })),
+      { elevation: 90 },
+    ],
   },
   'rays and gates that differ': {
     sweeps: [
@@ -133,21 +163,44 @@ export const polarScenes: Record<string, RadarOptions> = {
       { elevation: 8, azimuths: evenAzimuths(18, 0), gates: 9, gateLength: 1500, firstGate: 1200 },
     ],
   },
-  'a sector of one degree': { sweeps: [1, 2, 4].map((elevation) => ({ elevation, azimuths: [359.6, 359.8, 0, 0.2, 0.4, 0.6] })) },
+  'a sector of one degree': {
+    sweeps: [1, 2, 4].map((elevation) => ({ elevation, azimuths: [359.6, 359.8, 0, 0.2, 0.4, 0.6] })),
+  },
   'one ray': { sweeps: [1, 2].map((elevation) => ({ elevation, azimuths: [200] })), beamWidth: 2 },
-  'missing rays': { sweeps: lowSweeps.map((sweep, i) => ({ ...sweep, azimuths: evenAzimuths(24).filter((_, ray) => (ray + i) % 7 !== 0) })) },
+  'missing rays': {
+    sweeps: lowSweeps.map((sweep, i) => ({
+      ...sweep,
+      azimuths: evenAzimuths(24).filter((_, ray) => (ray + i) % 7 !== 0),
+    })),
+  },
   'uneven azimuths': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, azimuths: jitter(10) })) },
   'rays that crowd': {
     sweeps: lowSweeps.map((sweep, i) => ({ ...sweep, azimuths: [...crowd(20 * i + 0.01), ...evenAzimuths(8, 3)] })),
   },
   'gates that fold into rows': {
-    sweeps: [97, 41, 23, 12, 5].map((gates, i) => ({ elevation: 1 + 2 * i, gates, gateLength: 20_000 / gates, azimuths: evenAzimuths(37 + i, i) })),
+    sweeps: [97, 41, 23, 12, 5].map((gates, i) => ({
+      elevation: 1 + 2 * i,
+      gates,
+      gateLength: 20_000 / gates,
+      azimuths: evenAzimuths(37 + i, i),
+    })),
   },
   'rays of their own elevations': {
-    sweeps: lowSweeps.map((sweep, i) => ({ ...sweep, azimuths: evenAzimuths(24 + 5 * i), rayElevation: wave(sweep.elevation, 0.4, i) })),
+    sweeps: lowSweeps.map((sweep, i) => ({
+      ...sweep,
+      azimuths: evenAzimuths(24 + 5 * i),
+      rayElevation: wave(sweep.elevation, 0.4, i),
+    })),
   },
   'sweeps that cross': {
-    sweeps: [1, 1.6, 2.2, 3, 6].map((elevation, i) => ({ elevation, azimuths: evenAzimuths(24 + i, 2), rayElevation: wave(elevation, i < 3 ? 0.7 : 0.1, 2 * i) })),
+    sweeps: [1, 1.6, 2.2, 3, 6].map((elevation, i) => ({
+      elevation,
+      azimuths: evenAzimuths(24 + i, 2),
+      rayElevation: wave(elevation, i < 3 ? 0.7 : 0.1, 2 * i),
+    })),
   },
-  'folds': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, nyquist: 30, stored: folded })), moments: [['VRAD', 'velocity']] },
+  folds: {
+    sweeps: lowSweeps.map((sweep) => ({ ...sweep, nyquist: 30, stored: folded })),
+    moments: [['VRAD', 'velocity']],
+  },
 };

@@ -65,6 +65,8 @@ export function randomNumbers(seed: number): () => number {
 
 /** An affine map with random rotation, scale, shear and offset: no entry of its upper rows has a special value. */
 export function obliqueAffine(random: () => number, spacing: Vector3, center: Vector3 = [0, 0, 0]): Matrix4 {
-  const entries = [0, 1, 2].flatMap((row) => [0, 1, 2].map((c) => (row === c ? 1 : random() - 0.5) * spacing[c]).concat(center[row]));
+  const entries = [0, 1, 2].flatMap((row) =>
+    [0, 1, 2].map((c) => (row === c ? 1 : random() - 0.5) * spacing[c]).concat(center[row]),
+  );
   return [...entries, 0, 0, 0, 1];
 }

@@ -73,7 +73,15 @@ describe('beside a volume', () => {
     const socket = socketOf(host);
     const viewer = { volume: {}, scene: null as Scene | null, invalidate: () => {}, reframe: () => {} };
     const work: Promise<unknown>[] = [];
-    const presenter = { host, awake: true, errors: new ErrorState({ file: '', changed: () => {}, failed: () => {} }), viewer: viewer as typeof viewer | null, volume: { grid: cartesianGrid([9, 9, 9], identity) } as unknown, track: (one: Promise<unknown>) => work.push(one), reportFiles: () => {} };
+    const presenter = {
+      host,
+      awake: true,
+      errors: new ErrorState({ file: '', changed: () => {}, failed: () => {} }),
+      viewer: viewer as typeof viewer | null,
+      volume: { grid: cartesianGrid([9, 9, 9], identity) } as unknown,
+      track: (one: Promise<unknown>) => work.push(one),
+      reportFiles: () => {},
+    };
     socket.view = presenter as unknown as SocketView;
     const target = new SurfaceTarget(socket, document.createElement('i'));
     const shown = (): readonly number[] | undefined => socket.last('surface')?.color;
@@ -82,7 +90,10 @@ describe('beside a volume', () => {
     let red = 0;
     const surfaces = new SurfaceController({
       localName: 'volume-surface',
-      wanted: () => ({ request: { surface: 'mesh', url, space: null }, look: { color: [red, 0, 0], usesOwnColors: false } }),
+      wanted: () => ({
+        request: { surface: 'mesh', url, space: null },
+        look: { color: [red, 0, 0], usesOwnColors: false },
+      }),
       target: () => target,
       came: () => reported.push('came'),
       progress: () => {},
@@ -127,7 +138,10 @@ describe('beside a volume', () => {
 
   it('a view without color-moment keeps the error of its layer', async () => {
     const errors = new ErrorState({ file: '', changed: () => {}, failed: () => {} });
-    const view = Object.assign(document.createElement('div'), { colorMoment: null as string | null, scan: null }) as ColoredView & { colorMoment: string | null };
+    const view = Object.assign(document.createElement('div'), {
+      colorMoment: null as string | null,
+      scan: null,
+    }) as ColoredView & { colorMoment: string | null };
     socketOf(view).view = { errors, viewer: null, volume: null, track: () => {} } as unknown as SocketView;
     errors.report('overlay', wrong('a layer'));
     await colorsOf(view).refresh();
@@ -169,8 +183,12 @@ describe('beside a volume', () => {
     } as unknown as typeof Image;
     try {
       const host = document.createElement('div');
-      await follow({ user: { host }, look: { current: null, errors: { report: () => {}, clear: () => {} } } }, () => {});
-      host.innerHTML = '<transform><VolumeData><ImageTextureAtlas url="slow.png" numberOfSlices="4" slicesOverX="2" slicesOverY="2"></ImageTextureAtlas></VolumeData></transform>';
+      await follow(
+        { user: { host }, look: { current: null, errors: { report: () => {}, clear: () => {} } } },
+        () => {},
+      );
+      host.innerHTML =
+        '<transform><VolumeData><ImageTextureAtlas url="slow.png" numberOfSlices="4" slicesOverX="2" slicesOverY="2"></ImageTextureAtlas></VolumeData></transform>';
       await turn();
       host.querySelector('imagetextureatlas')!.setAttribute('url', 'fast.png');
       await turn();
@@ -181,11 +199,14 @@ describe('beside a volume', () => {
       await turn();
       expect([standIn(host, 'src'), standIn(host, 'mosaic')]).to.deep.equal(['fast.png', '2x2']);
       expect(standIn(host, 'spacing'), 'dimensions of 1 1 1, by voxels').to.equal('-0.25 -0.25 0.25');
-      host.innerHTML = '<transform scale="2 3 4"><group><transform scale="0.5 -1 1"><VolumeData dimensions="1 1 2"><ImageTextureAtlas url="scaled.png" numberOfSlices="4" slicesOverX="2" slicesOverY="2"></ImageTextureAtlas></VolumeData></transform></group></transform>';
+      host.innerHTML =
+        '<transform scale="2 3 4"><group><transform scale="0.5 -1 1"><VolumeData dimensions="1 1 2"><ImageTextureAtlas url="scaled.png" numberOfSlices="4" slicesOverX="2" slicesOverY="2"></ImageTextureAtlas></VolumeData></transform></group></transform>';
       await turn();
       made[2].onload!();
       await turn();
-      expect(standIn(host, 'spacing'), 'scaled by what stands around it; a scale that mirrors is none').to.equal('-0.5 -0.75 2');
+      expect(standIn(host, 'spacing'), 'scaled by what stands around it; a scale that mirrors is none').to.equal(
+        '-0.5 -0.75 2',
+      );
       host.firstElementChild!.remove();
       await turn();
       expect(standIn(host, 'src')).to.equal(null);
@@ -197,10 +218,16 @@ describe('beside a volume', () => {
   it('tells once of voxels that are a file, where there is no src, and not where they are gone', async () => {
     const host = document.createElement('div');
     const reported: string[] = [];
-    const errors = { report: (aspect: string, error: unknown) => reported.push(`${aspect}: ${(error as Error).message}`), clear: (aspect: string) => reported.push(`${aspect} is well`) };
-    host.innerHTML = '<VolumeData><ImageTexture3D containerField="voxels" url=\'"a.nrrd" "b.nrrd"\'></ImageTexture3D></VolumeData>';
+    const errors = {
+      report: (aspect: string, error: unknown) => reported.push(`${aspect}: ${(error as Error).message}`),
+      clear: (aspect: string) => reported.push(`${aspect} is well`),
+    };
+    host.innerHTML =
+      '<VolumeData><ImageTexture3D containerField="voxels" url=\'"a.nrrd" "b.nrrd"\'></ImageTexture3D></VolumeData>';
     await follow({ user: { host }, look: { current: null, errors } }, () => {});
-    expect(reported).to.deep.equal(['optics: <volumedata> got an ImageTexture3D, "a.nrrd", and no src; expected an ImageTextureAtlas, or that file as the src of the volume-view.']);
+    expect(reported).to.deep.equal([
+      'optics: <volumedata> got an ImageTexture3D, "a.nrrd", and no src; expected an ImageTextureAtlas, or that file as the src of the volume-view.',
+    ]);
     host.firstElementChild!.setAttribute('dimensions', '1 1 2');
     await turn();
     expect(reported).to.have.length(1);

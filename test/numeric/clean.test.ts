@@ -31,19 +31,45 @@ function headAt(i: number, j: number, k: number): number {
 
 const isRest = (voxel: number): boolean => voxel % nx > 30 || voxel === 2 + nx * (2 + ny * 3);
 
-function decode(kind: 'uint16' | 'float32', more: Partial<DecodedCartesianVolume> = {}, slope = 1): DecodedCartesianVolume {
-  const values = Float64Array.from({ length: nx * ny * nz }, (_, voxel) => Math.round(headAt(voxel % nx, Math.floor(voxel / nx) % ny, Math.floor(voxel / (nx * ny)))));
+function decode(
+  kind: 'uint16' | 'float32',
+  more: Partial<DecodedCartesianVolume> = {},
+  slope = 1,
+): DecodedCartesianVolume {
+  const values = Float64Array.from({ length: nx * ny * nz }, (_, voxel) =>
+    Math.round(headAt(voxel % nx, Math.floor(voxel / nx) % ny, Math.floor(voxel / (nx * ny)))),
+  );
   const intercept = kind === 'float32' ? 0 : slope > 0 ? -1024 : 3071;
-  const samples = kind === 'float32' ? Float32Array.from(values, (value) => value / slope) : Uint16Array.from(values, (value) => (value - intercept) / slope);
-  return { grid: cartesianGrid(dimensions, axialIndexToWorld(dimensions, [1, 1, 1])), samples, slope, intercept, unit: 'HU', format: 'NIfTI-1', ...more };
+  const samples =
+    kind === 'float32'
+      ? Float32Array.from(values, (value) => value / slope)
+      : Uint16Array.from(values, (value) => (value - intercept) / slope);
+  return {
+    grid: cartesianGrid(dimensions, axialIndexToWorld(dimensions, [1, 1, 1])),
+    samples,
+    slope,
+    intercept,
+    unit: 'HU',
+    format: 'NIfTI-1',
+    ...more,
+  };
 }
 
-const finish = (decoded: DecodedCartesianVolume, clean?: Cleaning): Promise<Volume> => finishVolume(decoded, roomyLimits, undefined, clean);
+const finish = (decoded: DecodedCartesianVolume, clean?: Cleaning): Promise<Volume> =>
+  finishVolume(decoded, roomyLimits, undefined, clean);
 
 describe('a volume that is cleaned', () => {
-  for (const [kind, slope] of [['uint16', 1], ['uint16', -1], ['float32', 1], ['float32', -0.5]] as const) {
+  for (const [kind, slope] of [
+    ['uint16', 1],
+    ['uint16', -1],
+    ['float32', 1],
+    ['float32', -0.5],
+  ] as const) {
     it(`has nothing above the value in what touches nothing, and the rest as it was: ${kind}, slope ${slope}`, async () => {
-      const [whole, cleaned] = await Promise.all([finish(decode(kind, {}, slope)), finish(decode(kind, {}, slope), 'auto')]);
+      const [whole, cleaned] = await Promise.all([
+        finish(decode(kind, {}, slope)),
+        finish(decode(kind, {}, slope), 'auto'),
+      ]);
       const [before, after] = [valuesOf(whole), valuesOf(cleaned)];
       // 140 HU is where `ct-bone` begins to show, which a CT has by default.
       expect(Math.max(...before.filter((_, voxel) => isRest(voxel)))).to.equal(900);
@@ -59,8 +85,12 @@ describe('a volume that is cleaned', () => {
 
   it('says in words what is hidden, and nothing where nothing is', async () => {
     const slab = 8 * 16; // Of the rest, one plane of voxels is above 140.
-    expect(describeVolume(await finish(decode('uint16'), 'auto')).left).to.deep.equal([`clean hides 2 parts that touch nothing larger: ${slab + 1} voxels above 140`]);
-    expect(describeVolume(await finish(decode('uint16'), 280)).left).to.deep.equal(['clean hides one part that touches nothing larger: 1 voxels above 280']);
+    expect(describeVolume(await finish(decode('uint16'), 'auto')).left).to.deep.equal([
+      `clean hides 2 parts that touch nothing larger: ${slab + 1} voxels above 140`,
+    ]);
+    expect(describeVolume(await finish(decode('uint16'), 280)).left).to.deep.equal([
+      'clean hides one part that touches nothing larger: 1 voxels above 280',
+    ]);
     expect(describeVolume(await finish(decode('uint16'), 899.5)).left).to.equal(undefined);
     expect(describeVolume(await finish(decode('uint16'))).left).to.equal(undefined);
   });
@@ -71,7 +101,19 @@ describe('a volume that is cleaned', () => {
     // From above, parallel: 40 wide.
     const view = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -100, 0, 0, 0, 1];
     const setup = setUpRays(whole.grid, view, [0.05, 0, 0, 0, 0, 0.05, 0, 0, 0, 0, -0.001, 0, 0, 0, 0, 1])!;
-    const stagesFor = (volume: Volume) => stagesOf({ ...volume, grid: whole.grid, transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1, stepLength: 0.5 }, setup);
+    const stagesFor = (volume: Volume) =>
+      stagesOf(
+        {
+          ...volume,
+          grid: whole.grid,
+          transferFunction,
+          referenceLength: 1,
+          opacityFactor: 1,
+          lightFactor: 1,
+          stepLength: 0.5,
+        },
+        setup,
+      );
     const [before, after] = [stagesFor(whole), stagesFor(cleaned)];
     const appearance = { transferFunction, projection: null };
     let hidden = 0;
@@ -81,7 +123,14 @@ describe('a volume that is cleaned', () => {
         const [color, cleanColor] = [castRay(before, ray), castRay(after, ray)];
         const i = 20 * (1 - x) - 0.5; // The patient's left is at the right.
         if (i > 3 && i < 31) expect(cleanColor, `${x} ${y}`).to.deep.equal(color);
-        else expect([...cleanColor, pickRay(after, ray, { at: 'jump', look: appearance })], `${x} ${y}`).to.deep.equal([0, 0, 0, 0, null]);
+        else
+          expect([...cleanColor, pickRay(after, ray, { at: 'jump', look: appearance })], `${x} ${y}`).to.deep.equal([
+            0,
+            0,
+            0,
+            0,
+            null,
+          ]);
         if (i > 31 && color[3] > 0.1) hidden++;
       }
     }
@@ -89,11 +138,35 @@ describe('a volume that is cleaned', () => {
   });
 
   it('is cleaned in the worker that reads it', async () => {
-    const volume = syntheticVolume({ dimensions: [12, 8, 8], kind: 'float32', field: (x) => (x < 0.5 ? 1 : x > 0.9 ? 0.8 : 0) });
+    const volume = syntheticVolume({
+      dimensions: [12, 8, 8],
+      kind: 'float32',
+      field: (x) => (x < 0.5 ? 1 : x > 0.9 ? 0.8 : 0),
+    });
     const url = URL.createObjectURL(new Blob([niftiBytes(volume)]));
-    const loaded = await loadVolume({ url, clean: 0.5, limits: roomyLimits }, { signal: new AbortController().signal, onProgress: () => undefined });
+    const loaded = await loadVolume(
+      { url, clean: 0.5, limits: roomyLimits },
+      { signal: new AbortController().signal, onProgress: () => undefined },
+    );
     expect(loaded.left).to.equal(undefined); // 64 of 384 voxels: a part as large as a sixth stays.
-    const less = await loadVolume({ url: URL.createObjectURL(new Blob([niftiBytes(syntheticVolume({ dimensions: [12, 8, 8], kind: 'float32', field: (x, y) => (x < 0.5 ? 1 : x > 0.9 && y < 0.4 ? 0.8 : 0) }))])), clean: 0.5, limits: roomyLimits }, { signal: new AbortController().signal, onProgress: () => undefined });
+    const less = await loadVolume(
+      {
+        url: URL.createObjectURL(
+          new Blob([
+            niftiBytes(
+              syntheticVolume({
+                dimensions: [12, 8, 8],
+                kind: 'float32',
+                field: (x, y) => (x < 0.5 ? 1 : x > 0.9 && y < 0.4 ? 0.8 : 0),
+              }),
+            ),
+          ]),
+        ),
+        clean: 0.5,
+        limits: roomyLimits,
+      },
+      { signal: new AbortController().signal, onProgress: () => undefined },
+    );
     expect(less.left).to.deep.equal(['clean hides one part that touches nothing larger: 24 voxels above 0.5']);
   });
 
@@ -104,7 +177,20 @@ describe('a volume that is cleaned', () => {
       expect(error.code).to.equal('attribute/invalid');
       expect(error.message).to.match(words);
     };
-    await refused(finish(decode('uint16', { transferFunction: 'diverging', unit: '' }), 'auto'), /^clean got ""; expected the value from which on something is shown, like clean="150"/);
-    await refused(finish(decode('uint16', { isLabels: true, unit: '', samples: Uint16Array.from({ length: nx * ny * nz }, (_, i) => (i >> 8) % 3) }), 1), /^clean got "1"; expected a volume of measured values: to hide a label/);
+    await refused(
+      finish(decode('uint16', { transferFunction: 'diverging', unit: '' }), 'auto'),
+      /^clean got ""; expected the value from which on something is shown, like clean="150"/,
+    );
+    await refused(
+      finish(
+        decode('uint16', {
+          isLabels: true,
+          unit: '',
+          samples: Uint16Array.from({ length: nx * ny * nz }, (_, i) => (i >> 8) % 3),
+        }),
+        1,
+      ),
+      /^clean got "1"; expected a volume of measured values: to hide a label/,
+    );
   });
 });

@@ -9,21 +9,45 @@ import type { ScenePlace, SceneUser } from '../../src/viewer/scenes/scene-contro
 const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
 /** A keeper in sight whose scenes tell what happens to them. */
-function keep(refusals = 0): { controller: SceneController; reported: string[]; user: { volume: unknown; ready: boolean } } {
+function keep(refusals = 0): {
+  controller: SceneController;
+  reported: string[];
+  user: { volume: unknown; ready: boolean };
+} {
   const reported: string[] = [];
   const notify = (what: string) => (): void => void reported.push(what);
   const create = async (): Promise<Scene> => {
     if (refusals-- > 0) throw new Error('no context');
     reported.push('made');
     const canvas = document.createElement('canvas');
-    return { canvas, prepare: async () => {}, setStyle: async () => {}, bringVolume: async () => (reported.push('filled'), true), dispose: notify('gone') } as unknown as Scene;
+    return {
+      canvas,
+      prepare: async () => {},
+      setStyle: async () => {},
+      bringVolume: async () => (reported.push('filled'), true),
+      dispose: notify('gone'),
+    } as unknown as Scene;
   };
   const user = {
-    volume: null as unknown, optics: null as unknown, ready: false, givenUp: false, socket: new ViewSocket(),
-    loop: { unfinished: true, drawing: null, plan: notify('planned'), wake: () => {}, rest: () => {} }, applyTo: () => {}, entered: notify('entered'), failed: notify('failed'), invalidate: () => {}, sceneChanged: () => {},
+    volume: null as unknown,
+    optics: null as unknown,
+    ready: false,
+    givenUp: false,
+    socket: new ViewSocket(),
+    loop: { unfinished: true, drawing: null, plan: notify('planned'), wake: () => {}, rest: () => {} },
+    applyTo: () => {},
+    entered: notify('entered'),
+    failed: notify('failed'),
+    invalidate: () => {},
+    sceneChanged: () => {},
   };
   const visibility = { inSight: true, asked: false, mayBeNear: true, inHand: false };
-  const place = { host: document.createElement('div'), container: document.createElement('div'), visibility, scenes: { create } } as unknown as ScenePlace;
+  const place = {
+    host: document.createElement('div'),
+    container: document.createElement('div'),
+    visibility,
+    scenes: { create },
+  } as unknown as ScenePlace;
   return { controller: new SceneController(place, user as unknown as SceneUser), reported, user };
 }
 
@@ -64,7 +88,15 @@ describe('a scene for a volume that is on its way', () => {
     controller.expect(true);
     await settle();
     let entered = 0;
-    const others = Array.from({ length: maxContexts }, (): ContextHolder => ({ inSight: true, asked: false, mayHold: true, need: 'picture', busy: true, enter: () => entered++, leave: () => {} }));
+    const others = Array.from({ length: maxContexts }, (): ContextHolder => ({
+      inSight: true,
+      asked: false,
+      mayHold: true,
+      need: 'picture',
+      busy: true,
+      enter: () => entered++,
+      leave: () => {},
+    }));
     others.forEach((other) => contextPool.add(other));
     await settle();
     expect(entered).to.equal(maxContexts);
@@ -87,7 +119,10 @@ describe('a scene for a volume that is on its way', () => {
       Object.assign(user, { ready: true, volume: {}, optics: {} });
       controller.review();
       await settle();
-      expect(reported.filter((what) => what === 'entered'), `${later} turns later: ${reported.join(' ')}`).to.deep.equal(['entered']);
+      expect(
+        reported.filter((what) => what === 'entered'),
+        `${later} turns later: ${reported.join(' ')}`,
+      ).to.deep.equal(['entered']);
       controller.dispose();
     }
   });
@@ -97,7 +132,15 @@ describe('a scene for a volume that is on its way', () => {
       const { controller, reported, user } = keep();
       controller.expect(true);
       await settle();
-      const others = Array.from({ length: maxContexts }, (): ContextHolder => ({ inSight: true, asked: false, mayHold: true, need: 'picture', busy: false, enter: () => {}, leave: () => {} }));
+      const others = Array.from({ length: maxContexts }, (): ContextHolder => ({
+        inSight: true,
+        asked: false,
+        mayHold: true,
+        need: 'picture',
+        busy: false,
+        enter: () => {},
+        leave: () => {},
+      }));
       others.forEach((other) => contextPool.add(other));
       for (let i = 0; i < later; i++) await Promise.resolve();
       Object.assign(user, { ready: true, volume: {}, optics: {} });
@@ -106,7 +149,10 @@ describe('a scene for a volume that is on its way', () => {
       others.forEach((other) => contextPool.remove(other));
       await settle();
       const count = (what: string): number => reported.filter((one) => one === what).length;
-      expect([count('entered'), count('made') - count('gone')], `${later} turns later: ${reported.join(' ')}`).to.deep.equal([1, 1]);
+      expect(
+        [count('entered'), count('made') - count('gone')],
+        `${later} turns later: ${reported.join(' ')}`,
+      ).to.deep.equal([1, 1]);
       controller.dispose();
     }
   });

@@ -61,7 +61,9 @@ describe('the reference at the extremes', () => {
       if (same) {
         const other = castSparsely(same).pixels;
         expect(Math.max(...other.flat()), 'the moderate picture shows something').to.be.above(20);
-        pixels.forEach((pixel, i) => pixel.forEach((x, c) => expect(x, `pixel ${i}`).to.be.closeTo(other[i][c], near!)));
+        pixels.forEach((pixel, i) =>
+          pixel.forEach((x, c) => expect(x, `pixel ${i}`).to.be.closeTo(other[i][c], near!)),
+        );
       }
     });
   }
@@ -70,10 +72,22 @@ describe('the reference at the extremes', () => {
 describe('rays along an axis, and next to it', () => {
   const volume = syntheticVolume({ dimensions: [1, 1, 1], kind: 'float32', field: () => 0.5 });
   const stop = { value: 0, color: [1, 1, 1] as const, opacity: 0.5 };
-  const scene = { ...volume, transferFunction: [stop], referenceLength: 1, opacityFactor: 1, lightFactor: 1, stepLength: 0.1 };
-  const setup = { eyeT: -Infinity, diameter: 1, unitToRegion: scaleAndTranslate([1, 1, 1], [0, 0, 0]) } as unknown as RaySetup;
+  const scene = {
+    ...volume,
+    transferFunction: [stop],
+    referenceLength: 1,
+    opacityFactor: 1,
+    lightFactor: 1,
+    stepLength: 0.1,
+  };
+  const setup = {
+    eyeT: -Infinity,
+    diameter: 1,
+    unitToRegion: scaleAndTranslate([1, 1, 1], [0, 0, 0]),
+  } as unknown as RaySetup;
   const optics = opticsOf(scene);
-  const cast = (point: Vector3, direction: Vector3) => castSceneRay(scene, setup, { point, direction, lengthPerT: length(direction) }, optics);
+  const cast = (point: Vector3, direction: Vector3) =>
+    castSceneRay(scene, setup, { point, direction, lengthPerT: length(direction) }, optics);
 
   it('cross as much of the cube as lies ahead', () => {
     for (const axis of [0, 1, 2]) {
@@ -94,7 +108,10 @@ describe('rays along an axis, and next to it', () => {
         const alpha = cast([face, 0.5, 0.5], [off, 1, 0])[3];
         const inside = face === 0 ? off : -off;
         if (inside !== 0) expect(alpha).to.be.closeTo(1 - Math.exp(-extinction(0.5) / 2), 1e-6);
-        else expect(Math.min(Math.abs(alpha), Math.abs(alpha - 0.5), Math.abs(alpha - (1 - Math.SQRT1_2)))).to.be.below(1e-6);
+        else
+          expect(Math.min(Math.abs(alpha), Math.abs(alpha - 0.5), Math.abs(alpha - (1 - Math.SQRT1_2)))).to.be.below(
+            1e-6,
+          );
       }
     }
   });
@@ -102,9 +119,12 @@ describe('rays along an axis, and next to it', () => {
 
 describe('what comes before the picture at the extremes', () => {
   const storeFloats = (...values: number[]) =>
-    storeSamples(new Uint8Array(Float32Array.of(...values).buffer), niftiTypes.get(16)!, true, { slope: 1, intercept: 0 });
+    storeSamples(new Uint8Array(Float32Array.of(...values).buffer), niftiTypes.get(16)!, true, {
+      slope: 1,
+      intercept: 0,
+    });
 
-  it('files\' infinities become no data, as NaN is', () => {
+  it("files' infinities become no data, as NaN is", () => {
     expect([...storeFloats(1, Infinity, -Infinity, NaN, -2).samples]).to.deep.equal([1, NaN, NaN, NaN, -2]);
   });
 
@@ -140,47 +160,108 @@ describe('what comes before the picture at the extremes', () => {
       const { histogram, range } = summarize(Float32Array.of(0, 0), 1, value);
       const [low, high] = windowFromHistogram(histogram);
       expect(range).to.deep.equal([value, value]);
-      expect(high - low, String(value)).to.be.above(0).and.below(Infinity);
+      expect(high - low, String(value))
+        .to.be.above(0)
+        .and.below(Infinity);
       expect(value).to.be.within(low, high);
       for (const stop of buildDefaultPreset([low, high])) expect(stop.value).to.be.within(low, high);
-      const domain = chooseDomain(histogram, { transferFunction: [{ value, color: [1, 1, 1], opacity: 1 }], window: [value, value] });
-      expect(domain[1] - domain[0], 'of the editor').to.be.above(0).and.below(Infinity);
+      const domain = chooseDomain(histogram, {
+        transferFunction: [{ value, color: [1, 1, 1], opacity: 1 }],
+        window: [value, value],
+      });
+      expect(domain[1] - domain[0], 'of the editor')
+        .to.be.above(0)
+        .and.below(Infinity);
     }
   });
 
   /** What doubles are stored as, told again. */
   const distinguishDoubles = (values: readonly number[]): { reported: number[]; scale: number } => {
-    const { samples, scale, offset } = storeSamples(new Uint8Array(Float64Array.from(values).buffer), niftiTypes.get(64)!, true, { slope: 1, intercept: 0 });
+    const { samples, scale, offset } = storeSamples(
+      new Uint8Array(Float64Array.from(values).buffer),
+      niftiTypes.get(64)!,
+      true,
+      { slope: 1, intercept: 0 },
+    );
     return { reported: Array.from(samples, (sample) => sample * scale + offset), scale };
   };
 
   it('doubles that are all the same are told to their last digit', () => {
-    for (const value of [1e17, 1e300, -1e300, 0.1, 1.7e308, 1e-320]) expect(distinguishDoubles([value, NaN, value, value]).reported, String(value)).to.deep.equal([value, NaN, value, value]);
+    for (const value of [1e17, 1e300, -1e300, 0.1, 1.7e308, 1e-320])
+      expect(distinguishDoubles([value, NaN, value, value]).reported, String(value)).to.deep.equal([
+        value,
+        NaN,
+        value,
+        value,
+      ]);
   });
 
   it('doubles that are all the same are in units that float32 tells the window around them in', () => {
-    for (const value of [1e17, 1e40, -1e300, 1.7e308]) expect(2 ** -20 * (Math.abs(value) / distinguishDoubles([value, value]).scale), String(value)).to.be.within(1e-10, 1e12);
+    for (const value of [1e17, 1e40, -1e300, 1.7e308])
+      expect(2 ** -20 * (Math.abs(value) / distinguishDoubles([value, value]).scale), String(value)).to.be.within(
+        1e-10,
+        1e12,
+      );
   });
 
   it('doubles far from 0 keep what tells them apart, to the last digit that they have; what doubles do not tell is one value', () => {
-    for (const [far, unit] of [[1e17, 16], [-1e17, 16], [1e300, 2 ** 944]] as const) {
+    for (const [far, unit] of [
+      [1e17, 16],
+      [-1e17, 16],
+      [1e300, 2 ** 944],
+    ] as const) {
       const values = Array.from({ length: 64 }, (_, i) => far + unit * (i % 5));
       expect(new Set(values).size, 'of the file').to.equal(5);
       expect(distinguishDoubles(values).reported, String(far)).to.deep.equal(values);
     }
-    expect(new Set(distinguishDoubles(Array.from({ length: 64 }, (_, i) => 1e17 + i / 64e3)).reported)).to.deep.equal(new Set([1e17]));
+    expect(new Set(distinguishDoubles(Array.from({ length: 64 }, (_, i) => 1e17 + i / 64e3)).reported)).to.deep.equal(
+      new Set([1e17]),
+    );
   });
 
   it('says in words where values are too far apart, and takes those that differ by less than numbers tell for one', async () => {
     const grid = cartesianGrid([4, 4, 4], axialIndexToWorld([4, 4, 4], [1, 1, 1]));
     const load = (type: number, values: Float64Array | BigInt64Array): Promise<unknown> => {
-      const { samples, scale: slope, offset: intercept } = storeSamples(new Uint8Array(values.buffer as ArrayBuffer), niftiTypes.get(type)!, true, { slope: 1, intercept: 0 });
+      const {
+        samples,
+        scale: slope,
+        offset: intercept,
+      } = storeSamples(new Uint8Array(values.buffer as ArrayBuffer), niftiTypes.get(type)!, true, {
+        slope: 1,
+        intercept: 0,
+      });
       return finishVolume({ grid, samples, slope, intercept, unit: '', format: 'NIfTI-1' }, roomyLimits);
     };
-    const doubles = (value: (i: number) => number): Float64Array => Float64Array.from({ length: 64 }, (_, i) => value(i));
-    expect((await expectError(load(64, doubles((i) => (i % 2 ? 1e308 : -1e308))))).message).to.match(/from -9\.9+\d*e\+307 to 9\.9+\d*e\+307, which lie too far apart/);
-    expect(await load(1024, BigInt64Array.from({ length: 64 }, (_, i) => 2n ** 62n + BigInt(i)))).to.deep.include({ range: [2 ** 62, 2 ** 62] });
-    for (const value of [1e17, 1e300]) expect(await load(64, doubles(() => value))).to.deep.include({ range: [value, value] });
-    expect(await load(1024, BigInt64Array.from({ length: 64 }, () => 2n ** 62n))).to.deep.include({ range: [2 ** 62, 2 ** 62] });
+    const doubles = (value: (i: number) => number): Float64Array =>
+      Float64Array.from({ length: 64 }, (_, i) => value(i));
+    expect(
+      (
+        await expectError(
+          load(
+            64,
+            doubles((i) => (i % 2 ? 1e308 : -1e308)),
+          ),
+        )
+      ).message,
+    ).to.match(/from -9\.9+\d*e\+307 to 9\.9+\d*e\+307, which lie too far apart/);
+    expect(
+      await load(
+        1024,
+        BigInt64Array.from({ length: 64 }, (_, i) => 2n ** 62n + BigInt(i)),
+      ),
+    ).to.deep.include({ range: [2 ** 62, 2 ** 62] });
+    for (const value of [1e17, 1e300])
+      expect(
+        await load(
+          64,
+          doubles(() => value),
+        ),
+      ).to.deep.include({ range: [value, value] });
+    expect(
+      await load(
+        1024,
+        BigInt64Array.from({ length: 64 }, () => 2n ** 62n),
+      ),
+    ).to.deep.include({ range: [2 ** 62, 2 ** 62] });
   });
 });

@@ -28,8 +28,19 @@ const fromHundred: TransferFunction = [white(100, 0), white(100, 0.2), white(255
 function block(low: Vector3, high: Vector3): Volume {
   const grid = cartesianGrid(size, [1, 0, 0, 0.5, 0, 2, 0, 1, 0, 0, 3, 1.5, 0, 0, 0, 1]);
   const samples = new Uint8Array(size[0] * size[1] * size[2]).fill(20);
-  for (let k = low[2]; k < high[2]; k++) for (let j = low[1]; j < high[1]; j++) samples.fill(200, low[0] + size[0] * (j + size[1] * k), high[0] + size[0] * (j + size[1] * k));
-  return { grid, samples, slope: 1, intercept: 0, unit: '', format: 'test', ...summarize(samples, 1, 0), macrocells: buildMacrocells(samples, size) };
+  for (let k = low[2]; k < high[2]; k++)
+    for (let j = low[1]; j < high[1]; j++)
+      samples.fill(200, low[0] + size[0] * (j + size[1] * k), high[0] + size[0] * (j + size[1] * k));
+  return {
+    grid,
+    samples,
+    slope: 1,
+    intercept: 0,
+    unit: '',
+    format: 'test',
+    ...summarize(samples, 1, 0),
+    macrocells: buildMacrocells(samples, size),
+  };
 }
 
 function boundsOf(places: readonly Vector3[]): number[][] {
@@ -37,18 +48,28 @@ function boundsOf(places: readonly Vector3[]): number[][] {
 }
 
 /** Where places lie in a picture, -1..1 across and down. */
-function project(places: readonly Vector3[], framed: { target: Vector3; radius: number }, [theta, phi, aspect]: readonly [number, number, number]): number[][] {
+function project(
+  places: readonly Vector3[],
+  framed: { target: Vector3; radius: number },
+  [theta, phi, aspect]: readonly [number, number, number],
+): number[][] {
   const camera = orbitCamera({ theta, phi, radius: framed.radius }, framed.target, 0.5);
   const [view, p] = [viewMatrix(camera), projectionMatrix(0.5, aspect, 0.1, 1e4)];
-  return boundsOf(places.map(([x, y, z]) => {
-    const eye = [0, 4, 8].map((row) => view[row] * x + view[row + 1] * y + view[row + 2] * z + view[row + 3]);
-    return [(p[0] * eye[0]) / -eye[2], (p[5] * eye[1]) / -eye[2], 0];
-  })).slice(0, 2);
+  return boundsOf(
+    places.map(([x, y, z]) => {
+      const eye = [0, 4, 8].map((row) => view[row] * x + view[row + 1] * y + view[row + 2] * z + view[row + 3]);
+      return [(p[0] * eye[0]) / -eye[2], (p[5] * eye[1]) / -eye[2], 0];
+    }),
+  ).slice(0, 2);
 }
 
 describe('what the camera frames', () => {
   const volume = block([5, 6, 7], [17, 9, 12]);
-  const edges = [[5, 17], [12, 18], [21, 36]];
+  const edges = [
+    [5, 17],
+    [12, 18],
+    [21, 36],
+  ];
 
   it('is where something is seen, to the voxel, and not the box', () => {
     expect(boundsOf(findSeenPlaces(volume, fromHundred, volume.grid))).to.deep.equal(edges);
@@ -67,26 +88,40 @@ describe('what the camera frames', () => {
 
   it('leaves out no place that is farthest out in any direction, of whatever is seen, and most of the others', () => {
     const random = randomNumbers(3);
-    const field = (i: number, j: number, k: number): boolean => (i - 20) ** 2 / 200 + (j - 15) ** 2 / 100 + (k - 10) ** 2 / 60 < 0.4 + random();
+    const field = (i: number, j: number, k: number): boolean =>
+      (i - 20) ** 2 / 200 + (j - 15) ** 2 / 100 + (k - 10) ** 2 / 60 < 0.4 + random();
     const { samples, ...rest } = block([0, 0, 0], [0, 0, 0]);
-    samples.forEach((_, at) => (samples[at] = field(at % 40, Math.floor(at / 40) % 30, Math.floor(at / 1200)) ? 200 : 20));
+    samples.forEach(
+      (_, at) => (samples[at] = field(at % 40, Math.floor(at / 40) % 30, Math.floor(at / 1200)) ? 200 : 20),
+    );
     const all: Vector3[] = [];
     samples.forEach((value, at) => {
       const [i, j, k] = [at % 40, Math.floor(at / 40) % 30, Math.floor(at / 1200)];
-      if (value === 200) for (const x of [i, i + 1]) for (const y of [j, j + 1]) for (const z of [k, k + 1]) all.push([x, 2 * y, 3 * z]);
+      if (value === 200)
+        for (const x of [i, i + 1]) for (const y of [j, j + 1]) for (const z of [k, k + 1]) all.push([x, 2 * y, 3 * z]);
     });
     const places = findSeenPlaces({ ...rest, samples }, fromHundred, rest.grid);
     expect(places.length).to.be.within(50, all.length / 10);
     for (let n = 0; n < 200; n++) {
       const direction = [random() - 0.5, random() - 0.5, random() - 0.5];
-      const farthest = (some: readonly Vector3[]): number => Math.max(...some.map((place) => place.reduce((sum, x, axis) => sum + x * direction[axis], 0)));
+      const farthest = (some: readonly Vector3[]): number =>
+        Math.max(...some.map((place) => place.reduce((sum, x, axis) => sum + x * direction[axis], 0)));
       expect(farthest(places)).to.be.closeTo(farthest(all), 1e-9);
     }
   });
 
   it('of a radar is where echoes are', () => {
-    const stored = (azimuth: number, gate: number): number => (azimuth > 80 && azimuth < 100 && gate > 30 && gate < 40 ? 200 : 1);
-    const { grid, ...rest } = radarVolume({ sweeps: [1, 3, 5].map((elevation) => ({ elevation, azimuths: evenAzimuths(120), gates: 60, gateLength: 500, stored })) });
+    const stored = (azimuth: number, gate: number): number =>
+      azimuth > 80 && azimuth < 100 && gate > 30 && gate < 40 ? 200 : 1;
+    const { grid, ...rest } = radarVolume({
+      sweeps: [1, 3, 5].map((elevation) => ({
+        elevation,
+        azimuths: evenAzimuths(120),
+        gates: 60,
+        gateLength: 500,
+        stored,
+      })),
+    });
     const [x, y] = boundsOf(findSeenPlaces({ grid, ...rest }, [white(20, 0), white(60, 0.5)], grid));
     expect(x[0]).to.be.within(8_000, 16_000);
     expect(x[1]).to.be.within(19_000, 27_000);
@@ -95,7 +130,12 @@ describe('what the camera frames', () => {
 
   it('fills 86 % of the side that it fills most, and is in the middle of both, in any shape of picture and from any side', () => {
     const places = findSeenPlaces(volume, fromHundred, volume.grid);
-    for (const view of [[0.5, 1.3, 4 / 3], [0.5, 1.3, 0.46], [2, 0.4, 2.2], [-1, 3, 1]] as const) {
+    for (const view of [
+      [0.5, 1.3, 4 / 3],
+      [0.5, 1.3, 0.46],
+      [2, 0.4, 2.2],
+      [-1, 3, 1],
+    ] as const) {
       const [theta, phi, aspect] = view;
       const spans = project(places, framePlaces(places, { theta, phi, fieldOfView: 0.5, aspect }), view);
       expect(Math.max(...spans.map(([low, high]) => (high - low) / 2))).to.be.closeTo(0.86, 0.01);
@@ -103,7 +143,7 @@ describe('what the camera frames', () => {
     }
   });
 
-  it('is all in the picture around a target of the author\'s', () => {
+  it("is all in the picture around a target of the author's", () => {
     const places = findSeenPlaces(volume, fromHundred, volume.grid);
     const framed = framePlaces(places, { theta: 0.5, phi: 1.3, fieldOfView: 0.5, aspect: 1 }, [5, 12, 21]);
     expect(framed.target).to.deep.equal([5, 12, 21]);
@@ -114,7 +154,10 @@ describe('what the camera frames', () => {
 
 describe('the camera rig and what is seen', () => {
   const volume = block([5, 6, 7], [17, 9, 12]);
-  const subject = { ...boundingSphere(volume.grid), findFraming: () => createFraming(volume, fromHundred, volume.grid) };
+  const subject = {
+    ...boundingSphere(volume.grid),
+    findFraming: () => createFraming(volume, fromHundred, volume.grid),
+  };
 
   it('frames it where the author says no distance, and the box where they do', () => {
     const [free, turned, given] = [{}, { theta: 1 }, { radius: { fraction: 1 } }].map((attributes) => {
@@ -134,7 +177,10 @@ describe('the camera rig and what is seen', () => {
     const rig = new CameraRig();
     rig.setSubject(subject);
     const before = rig.camera;
-    rig.setSubject({ ...subject, findFraming: () => createFraming(block([0, 0, 0], [40, 30, 20]), fromHundred, volume.grid) });
+    rig.setSubject({
+      ...subject,
+      findFraming: () => createFraming(block([0, 0, 0], [40, 30, 20]), fromHundred, volume.grid),
+    });
     expect(rig.camera).to.deep.equal(before);
     rig.setAspect(0.4);
     expect(rig.orbit.radius).not.to.equal(before.eye[0]);
@@ -142,10 +188,10 @@ describe('the camera rig and what is seen', () => {
     rig.advance(1, true);
     const { radius } = rig.orbit;
     rig.setAspect(2);
-    expect(rig.orbit.radius, 'a person\'s view stays').to.equal(radius);
+    expect(rig.orbit.radius, "a person's view stays").to.equal(radius);
   });
 
-  it('frames what comes to be known later, but not under a person\'s hand', () => {
+  it("frames what comes to be known later, but not under a person's hand", () => {
     for (const touched of [false, true]) {
       const rig = new CameraRig();
       rig.setSubject({ ...subject, findFraming: undefined });
@@ -211,7 +257,12 @@ describe('surfaces that are larger than what is seen', () => {
     const both = framing(from, null);
     expect(both.radius).to.be.above(2 * bare.radius);
     // All vertices, of which not each is looked at, are in the picture, and fill most of it.
-    const vertices = surface.parts.flatMap(({ positions }) => Array.from({ length: positions.length / 3 }, (_, i) => [...positions.subarray(3 * i, 3 * i + 3)] as unknown as Vector3));
+    const vertices = surface.parts.flatMap(({ positions }) =>
+      Array.from(
+        { length: positions.length / 3 },
+        (_, i) => [...positions.subarray(3 * i, 3 * i + 3)] as unknown as Vector3,
+      ),
+    );
     for (const [low, high] of project(vertices, both, [from.theta, from.phi, from.aspect]).slice(1, 2)) {
       expect(low).to.be.within(-0.9, -0.8);
       expect(high).to.be.within(0.8, 0.9);
@@ -222,6 +273,9 @@ describe('surfaces that are larger than what is seen', () => {
     host.dispatchEvent(new Event('render'));
     void socketOf(host).join(part);
     expect(framing(from, null), 'after a picture without it').to.deep.equal(bare);
-    expect(placesOf({ ...surface, terrain: { error: 0, meanError: 0, heights: [0, 1], voids: 0 } }), 'terrain').to.deep.equal([]);
+    expect(
+      placesOf({ ...surface, terrain: { error: 0, meanError: 0, heights: [0, 1], voids: 0 } }),
+      'terrain',
+    ).to.deep.equal([]);
   });
 });

@@ -29,15 +29,27 @@ function radiusAt(i: number): number {
   return Math.hypot(...place.map((x, axis) => (2 * x + 1) / size[axis] - 1));
 }
 
-interface Given { slope?: number; intercept?: number; unit?: string; isLabels?: boolean; intent?: number; window?: [number, number] }
+interface Given {
+  slope?: number;
+  intercept?: number;
+  unit?: string;
+  isLabels?: boolean;
+  intent?: number;
+  window?: [number, number];
+}
 
 /** The volume that comes of samples, as a load gives it. */
-function finish(samples: Samples, { slope = 1, intercept = 0, unit = '', ...rest }: Given = {}, limits = roomyLimits): Promise<Volume> {
+function finish(
+  samples: Samples,
+  { slope = 1, intercept = 0, unit = '', ...rest }: Given = {},
+  limits = roomyLimits,
+): Promise<Volume> {
   const grid = cartesianGrid(size, axialIndexToWorld(size, [1, 1, 1]));
   return finishVolume({ grid, samples, slope, intercept, unit, format: 'test', ...rest }, limits);
 }
 
-const sampled = (valueAt: (i: number) => number): Float32Array<ArrayBuffer> => Float32Array.from({ length: count }, (_, i) => valueAt(i));
+const sampled = (valueAt: (i: number) => number): Float32Array<ArrayBuffer> =>
+  Float32Array.from({ length: count }, (_, i) => valueAt(i));
 
 /** Air, soft tissue and a bone in it. */
 const headCt = (i: number): number => {
@@ -50,7 +62,9 @@ describe('the first look', () => {
     expect((await finish(sampled(headCt))).transferFunction).to.equal('ct-bone');
     const shifted = Uint16Array.from({ length: count }, (_, i) => headCt(i) + 1100);
     expect((await finish(shifted, { intercept: -1100 })).transferFunction).to.equal('ct-bone');
-    expect((await finish(sampled((i) => (radiusAt(i) > 1.3 ? -3024 : headCt(i))))).transferFunction).to.equal('ct-bone');
+    expect((await finish(sampled((i) => (radiusAt(i) > 1.3 ? -3024 : headCt(i))))).transferFunction).to.equal(
+      'ct-bone',
+    );
   });
 
   it('takes no other values for Hounsfield units', async () => {
@@ -60,20 +74,28 @@ describe('the first look', () => {
       'values of one sign': (i: number) => headCt(i) + 1100,
       'another range': (i: number) => headCt(i) / 10,
     };
-    for (const [name, valueAt] of Object.entries(others)) expect((await finish(sampled(valueAt))).transferFunction, name).not.to.equal('ct-bone');
+    for (const [name, valueAt] of Object.entries(others))
+      expect((await finish(sampled(valueAt))).transferFunction, name).not.to.equal('ct-bone');
   });
 
-  it('leaves a unit, a manifest\'s look and an author\'s alone', async () => {
+  it("leaves a unit, a manifest's look and an author's alone", async () => {
     expect((await finish(sampled(headCt), { unit: 'mm' })).transferFunction).to.equal(undefined);
     const volume = await finish(sampled(headCt), { window: [-100, 300] });
     expect(volume.window).to.deep.equal([-100, 300]);
-    const appearance = await resolveAppearance({ ...plainAppearance, transferFunction: 'gray', window: [0, 80] }, volume);
+    const appearance = await resolveAppearance(
+      { ...plainAppearance, transferFunction: 'gray', window: [0, 80] },
+      volume,
+    );
     expect(appearance.transferFunction).to.deep.equal(await resolveTransferFunction('gray', [0, 80]));
   });
 
   it('shows nothing at 0 of what its file calls a statistic, whichever signs and window it has', async () => {
     const blob = (i: number): number => 9 * Math.exp(-9 * (radiusAt(i) - 0.4) ** 2);
-    for (const [intent, valueAt, window, far] of [[5, blob, undefined, 9], [3, (i: number) => blob(i) - 4 * Math.exp(-4 * radiusAt(i)), [2.3, 6], 6], [2, (i: number) => -blob(i) / 10, undefined, 0.9]] as const) {
+    for (const [intent, valueAt, window, far] of [
+      [5, blob, undefined, 9],
+      [3, (i: number) => blob(i) - 4 * Math.exp(-4 * radiusAt(i)), [2.3, 6], 6],
+      [2, (i: number) => -blob(i) / 10, undefined, 0.9],
+    ] as const) {
       const volume = await finish(sampled(valueAt), { intent, ...(window && { window: [...window] }) });
       expect(volume.transferFunction, String(intent)).to.equal('diverging');
       expect(volume.window![0]).to.equal(-volume.window![1]);
@@ -82,11 +104,19 @@ describe('the first look', () => {
       expect(evaluate(stops, 0)[3]).to.equal(0);
     }
     // Of p values 0 is the strongest; and what is no statistic keeps the window of its file.
-    expect((await finish(sampled((i) => Math.min(1, radiusAt(i) / 2)), { intent: 22 })).transferFunction).to.equal(undefined);
+    expect(
+      (
+        await finish(
+          sampled((i) => Math.min(1, radiusAt(i) / 2)),
+          { intent: 22 },
+        )
+      ).transferFunction,
+    ).to.equal(undefined);
     expect((await finish(sampled(blob), { intent: 0, window: [2, 5] })).window).to.deep.equal([2, 5]);
   });
 
-  const labelAt = (i: number): number => (radiusAt(i) > 0.9 ? 0 : [3, 7, 12, 40][(i % size[0] > 11 ? 1 : 0) + (i > count / 2 ? 2 : 0)]);
+  const labelAt = (i: number): number =>
+    radiusAt(i) > 0.9 ? 0 : [3, 7, 12, 40][(i % size[0] > 11 ? 1 : 0) + (i > count / 2 ? 2 : 0)];
 
   it('gives labels colours of their own and nothing between them, with and without an intent code', async () => {
     for (const samples of [Uint8Array.from({ length: count }, (_, i) => labelAt(i)), sampled(labelAt)]) {
@@ -103,16 +133,27 @@ describe('the first look', () => {
   });
 
   it('makes labels smaller by majority: no number comes that was not there', async () => {
-    const volume = await finish(Uint8Array.from({ length: count }, (_, i) => labelAt(i)), {}, { ...roomyLimits, maxVoxelsPerAxis: 10 });
+    const volume = await finish(
+      Uint8Array.from({ length: count }, (_, i) => labelAt(i)),
+      {},
+      { ...roomyLimits, maxVoxelsPerAxis: 10 },
+    );
     expect(volume.isDiscrete).to.equal(true);
     expect(volume.reduced!.from).to.deep.equal(size);
     expect(volume.samples.length).to.be.below(count / 2);
     expect([...new Set(volume.samples)]).to.have.members([0, 3, 7, 12, 40]);
-    expect([...new Set([...volume.macrocells.low, ...volume.macrocells.high])].filter((value) => ![0, 3, 7, 12, 40].includes(value))).to.deep.equal([]);
+    expect(
+      [...new Set([...volume.macrocells.low, ...volume.macrocells.high])].filter(
+        (value) => ![0, 3, 7, 12, 40].includes(value),
+      ),
+    ).to.deep.equal([]);
   });
 
   it('takes many whole numbers in patches for labels where any may meet any', async () => {
-    const block = (i: number): number => Math.floor((i % size[0]) / 5) + 5 * Math.floor((Math.floor(i / size[0]) % size[1]) / 5) + 25 * Math.floor(i / size[0] / size[1] / 5);
+    const block = (i: number): number =>
+      Math.floor((i % size[0]) / 5) +
+      5 * Math.floor((Math.floor(i / size[0]) % size[1]) / 5) +
+      25 * Math.floor(i / size[0] / size[1] / 5);
     const volume = await finish(sampled((i) => (radiusAt(i) > 0.95 ? 0 : 1 + ((block(i) * 17) % 41))));
     expect(volume.isDiscrete).to.equal(true);
   });
@@ -122,7 +163,8 @@ describe('the first look', () => {
       'a soft ball': (i: number) => Math.round(60 * Math.min(1, Math.max(0, 2.5 - 3 * radiusAt(i)))),
       'three grays': (i: number) => (radiusAt(i) > 0.9 ? 0 : radiusAt(i) > 0.5 ? 100 : 200),
       fractions: (i: number) => labelAt(i) / 3,
-      'smooth tissue in 8 bits, which has patches too': (i: number) => (radiusAt(i) > 0.9 ? 0 : Math.round(90 + (i % size[0]) / 4 + 9 * (i / count))),
+      'smooth tissue in 8 bits, which has patches too': (i: number) =>
+        radiusAt(i) > 0.9 ? 0 : Math.round(90 + (i % size[0]) / 4 + 9 * (i / count)),
       'one value': () => 5,
     };
     for (const [name, valueAt] of Object.entries(others)) {
@@ -132,19 +174,23 @@ describe('the first look', () => {
   });
 
   it('shows a mask from half way between its two values on, thin ones denser than thick ones', async () => {
-    const opacities = await Promise.all([0.9, 0.15].map(async (radius) => {
-      const volume = await finish(Uint8Array.from({ length: count }, (_, i) => (radiusAt(i) < radius ? 255 : 0)));
-      expect(volume.isDiscrete).to.equal(undefined);
-      const stops = parseTransferFunction(volume.transferFunction!, volume.window!);
-      expect(evaluate(stops, 0.4 * 255)[3]).to.equal(0);
-      return evaluate(stops, 255)[3];
-    }));
+    const opacities = await Promise.all(
+      [0.9, 0.15].map(async (radius) => {
+        const volume = await finish(Uint8Array.from({ length: count }, (_, i) => (radiusAt(i) < radius ? 255 : 0)));
+        expect(volume.isDiscrete).to.equal(undefined);
+        const stops = parseTransferFunction(volume.transferFunction!, volume.window!);
+        expect(evaluate(stops, 0.4 * 255)[3]).to.equal(0);
+        return evaluate(stops, 255)[3];
+      }),
+    );
     expect(opacities[0]).to.be.above(0.005);
     expect(opacities[1]).to.be.above(2 * opacities[0]);
   });
 
   it('gives a map of both signs a scale of both', async () => {
-    const { window, transferFunction } = await finish(sampled((i) => (radiusAt(i) > 0.6 ? 0 : 5 * Math.sin(i / 7) - 1)));
+    const { window, transferFunction } = await finish(
+      sampled((i) => (radiusAt(i) > 0.6 ? 0 : 5 * Math.sin(i / 7) - 1)),
+    );
     expect(transferFunction).to.equal('diverging');
     expect(window![0]).to.equal(-window![1]);
     const stops = await resolveTransferFunction('diverging', window!);
@@ -152,11 +198,16 @@ describe('the first look', () => {
     expect(blue[2]).to.be.above(blue[0]);
     expect(none[3]).to.equal(0);
     expect(red[0]).to.be.above(red[2]);
-    expect((await finish(sampled((i) => Math.max(-20, 900 * (1 - radiusAt(i)))))).transferFunction, 'a little below 0').to.equal(undefined);
+    expect(
+      (await finish(sampled((i) => Math.max(-20, 900 * (1 - radiusAt(i)))))).transferFunction,
+      'a little below 0',
+    ).to.equal(undefined);
   });
 
   /** Uptake as of a tracer: noise in the air, a body, an organ in it, and in a few voxels 100 times as much as in the body. */
-  const uptake = (i: number, hot = 60): number => (radiusAt(i) > 1 ? 0.02 * Math.abs(noise(i)) : i % 400 === 0 ? hot : i % 30 === 0 ? 5 : 0.5) + 0.1 * Math.abs(noise(i + 1));
+  const uptake = (i: number, hot = 60): number =>
+    (radiusAt(i) > 1 ? 0.02 * Math.abs(noise(i)) : i % 400 === 0 ? hot : i % 30 === 0 ? 5 : 0.5) +
+    0.1 * Math.abs(noise(i + 1));
 
   it('shows the body around what glows, as of a tracer in PET, in any unit', async () => {
     for (const [unit, samples] of Object.entries({
@@ -169,7 +220,9 @@ describe('the first look', () => {
       const [body, organ, hot] = [0.5, 5, 60].map((value) => (value / 60) * (range[1] / window![1]));
       expect(organ, unit).to.be.within(0.6, 1.1);
       expect(hot, unit).to.be.above(5);
-      const [ofAir, ofBody, ofOrgan] = [0.002 / 60, body, organ].map((share) => evaluate(parseTransferFunction(transferFunction!, [0, 1]), share)[3]);
+      const [ofAir, ofBody, ofOrgan] = [0.002 / 60, body, organ].map(
+        (share) => evaluate(parseTransferFunction(transferFunction!, [0, 1]), share)[3],
+      );
       expect(ofBody, unit).to.be.above(0.003);
       expect(ofAir, unit).to.be.below(0.05 * ofBody);
       expect(ofOrgan, unit).to.be.above(15 * ofBody);
@@ -184,7 +237,8 @@ describe('the first look', () => {
       'nothing but a spot': (i: number) => Math.max(0, 60 - 200 * radiusAt(i)),
       'shares of a small region': (i: number) => Math.max(0, 1 - radiusAt(i) / 0.3),
       'shares of tissue': (i: number) => Math.min(1, Math.max(0, 2.5 - 3 * radiusAt(i) + 0.2 * noise(i))),
-      'an MRI with noise around it': (i: number) => (radiusAt(i) > 0.9 ? 15 : i % 3000 === 0 ? 900 : 150) * (1 + 0.3 * noise(i)),
+      'an MRI with noise around it': (i: number) =>
+        (radiusAt(i) > 0.9 ? 15 : i % 3000 === 0 ? 900 : 150) * (1 + 0.3 * noise(i)),
       'a series of an fMRI': (i: number) => Math.round((radiusAt(i) > 0.8 ? 20 : 700) * (1 + 0.2 * noise(i))),
     };
     for (const [name, valueAt] of Object.entries(others)) {
@@ -203,7 +257,9 @@ describe('the first look', () => {
   });
 
   it('keeps the middle of the subject bright where a few voxels are far brighter', async () => {
-    const [low, high] = (await finish(sampled((i) => (radiusAt(i) > 0.8 ? 0 : i % 50 === 0 ? 300 : 100 + 10 * noise(i))))).window!;
+    const [low, high] = (
+      await finish(sampled((i) => (radiusAt(i) > 0.8 ? 0 : i % 50 === 0 ? 300 : 100 + 10 * noise(i))))
+    ).window!;
     expect((100 - low) / (high - low)).to.be.within(0.4, 0.7);
   });
 
@@ -226,7 +282,10 @@ describe('the first look', () => {
   });
 
   it('reads the intent of both versions of NIfTI', () => {
-    for (const [length, at, mark] of [[348, 68, 'n+1\0'], [540, 504, 'n+2\0\r\n\x1a\n']] as const) {
+    for (const [length, at, mark] of [
+      [348, 68, 'n+1\0'],
+      [540, 504, 'n+2\0\r\n\x1a\n'],
+    ] as const) {
       const bytes = new Uint8Array(544);
       const view = new DataView(bytes.buffer);
       view.setInt32(0, length, true);
@@ -240,12 +299,22 @@ describe('the first look', () => {
 });
 
 describe('the first look of a radar', () => {
-  const sweeps = [0.5, 1.5, 3].map((elevation) => ({ elevation, azimuths: evenAzimuths(90), gates: 60, gateLength: 1000 }));
+  const sweeps = [0.5, 1.5, 3].map((elevation) => ({
+    elevation,
+    azimuths: evenAzimuths(90),
+    gates: 60,
+    gateLength: 1000,
+  }));
   /** Of 20 kinds of gates, so many hold this value, dBZ, and the rest another one. */
-  const scan = (share: number, high: number, low: number, moments?: [string, 'velocity'][]) => radarVolume({
-    ...(moments ? { moments } : {}),
-    sweeps: sweeps.map((sweep) => ({ ...sweep, stored: (_azimuth, gate, ray) => ((gate + 7 * ray) % 20 < 20 * share ? high : low) * 2 + 64 + ((gate + ray) % 3) })),
-  });
+  const scan = (share: number, high: number, low: number, moments?: [string, 'velocity'][]) =>
+    radarVolume({
+      ...(moments ? { moments } : {}),
+      sweeps: sweeps.map((sweep) => ({
+        ...sweep,
+        stored: (_azimuth, gate, ray) =>
+          ((gate + 7 * ray) % 20 < 20 * share ? high : low) * 2 + 64 + ((gate + ray) % 3),
+      })),
+    });
 
   it('is the usual scale for rain, and for clear air and clouds one of their own values', () => {
     expect(scan(0.5, 30, -10).transferFunction).to.equal('radar-dbz');
@@ -265,7 +334,9 @@ describe('the first look of a radar', () => {
   it('is denser where echoes are thin and weak, and never thinner than the common one', async () => {
     const thin = scan(0.4, 8, -10);
     const thick = scan(1, 55, 55);
-    const lengths = await Promise.all([thin, thick].map(async (volume) => (await resolveAppearance(plainAppearance, volume)).referenceLength));
+    const lengths = await Promise.all(
+      [thin, thick].map(async (volume) => (await resolveAppearance(plainAppearance, volume)).referenceLength),
+    );
     const common = Math.max(...edgeLengths(thin.grid)) / 100;
     expect(lengths[0]).to.be.below(0.5 * lengths[1]);
     for (const length of lengths) expect(length).to.be.within(common / 61, common * 1.01);

@@ -56,12 +56,17 @@ describe('the coarse volume of a large one', () => {
 
   it('lies where the large one lies', () => {
     corners(volume.grid).forEach((corner, c) =>
-      corner.forEach((x, axis) => expect(x).to.be.closeTo(corners(whole.grid)[c][axis], 1e-9)));
+      corner.forEach((x, axis) => expect(x).to.be.closeTo(corners(whole.grid)[c][axis], 1e-9)),
+    );
   });
 
   it('has the values of every other voxel', () => {
     const [nx, ny] = dimensions;
-    for (const [i, j, k] of [[0, 0, 0], [80, 82, 80], [3, 40, 7]]) {
+    for (const [i, j, k] of [
+      [0, 0, 0],
+      [80, 82, 80],
+      [3, 40, 7],
+    ]) {
       expect(volume.samples[(k * 83 + j) * 81 + i]).to.equal(samples[(2 * k * ny + 2 * j) * nx + 2 * i]);
     }
   });
@@ -105,7 +110,10 @@ describe('the coarse volume of a large one', () => {
 });
 
 describe('a large volume out of the worker', () => {
-  const files: [string, Samples][] = [['8 bits', makeRamp()], ['16 bits', Uint16Array.from(makeRamp(), (x) => 250 * x)]];
+  const files: [string, Samples][] = [
+    ['8 bits', makeRamp()],
+    ['16 bits', Uint16Array.from(makeRamp(), (x) => 250 * x)],
+  ];
   for (const [what, samples] of files) {
     it(`of ${what} comes after its coarse one, with its samples once and nothing else of size`, async () => {
       const made: Volume = await finishVolume({ ...decoded(samples), slope: 1, intercept: 0 }, roomyLimits);
@@ -121,7 +129,10 @@ describe('a large volume out of the worker', () => {
       expect(reported[0].volume.range).to.deep.equal(volume.range);
       expect(volume.samples.constructor).to.equal(samples.constructor);
       // What differs is not printed: millions of numbers help nobody.
-      expect(volume.samples.length === samples.length && volume.samples.every((x, i) => x === samples[i]), 'the samples').to.equal(true);
+      expect(
+        volume.samples.length === samples.length && volume.samples.every((x, i) => x === samples[i]),
+        'the samples',
+      ).to.equal(true);
       // The file's own bytes, and so its header too.
       expect(volume.samples.buffer.byteLength - samples.byteLength).to.be.within(0, 352);
       expect(countHeldBytes(volume) / samples.byteLength).to.be.within(1, 1.02);
@@ -134,16 +145,29 @@ describe('a radar out of the worker', () => {
     const reported: (CoarseVolume | null)[] = [];
     const phases: string[] = [];
     const { signal } = new AbortController();
-    const volume = await loadVolume({ url: '/demos/data/storm-radar-1510.json', limits: roomyLimits }, { signal, onProgress: ({ phase }) => void phases.push(`${reported.length} ${phase}`), onCoarse: (it) => void reported.push(it) });
+    const volume = await loadVolume(
+      { url: '/demos/data/storm-radar-1510.json', limits: roomyLimits },
+      {
+        signal,
+        onProgress: ({ phase }) => void phases.push(`${reported.length} ${phase}`),
+        onCoarse: (it) => void reported.push(it),
+      },
+    );
     expect(reported.length).to.equal(2);
     expect(reported[0], 'before its picture is fetched').to.equal(null);
     expect(phases).to.include('1 fetch');
     const { volume: foretold, of } = reported[1]!;
     expect(foretold.coarse).to.equal(true);
     expect(foretold.grid).to.deep.equal(volume.grid);
-    expect(foretold.samples.length === volume.samples.length && foretold.samples.every((x, i) => x === volume.samples[i]), 'the samples').to.equal(true);
+    expect(
+      foretold.samples.length === volume.samples.length && foretold.samples.every((x, i) => x === volume.samples[i]),
+      'the samples',
+    ).to.equal(true);
     expect(foretold.macrocells.dimensions).to.deep.equal(volume.macrocells.dimensions);
-    expect(foretold.macrocells.low.every((low, cell) => low > foretold.macrocells.high[cell]), 'macrocells hold nothing').to.equal(true);
+    expect(
+      foretold.macrocells.low.every((low, cell) => low > foretold.macrocells.high[cell]),
+      'macrocells hold nothing',
+    ).to.equal(true);
     expect(volume.macrocells.low.some((low, cell) => low <= volume.macrocells.high[cell])).to.equal(true);
     expect({ ...of, samples: null, macrocells: null }).to.deep.equal({ ...volume, samples: null, macrocells: null });
     expect('samples' in of).to.equal(false);

@@ -8,7 +8,9 @@ const tooLong = 5000;
 
 /** Decode; a volume or one of our errors is well, anything else, or no answer, is not. */
 async function survive(bytes: Uint8Array<ArrayBuffer>, name: string, what: string): Promise<string> {
-  const late = new Promise<never>((_, reject) => setTimeout(() => reject(new Error(`${what}: no answer in ${tooLong} ms`)), tooLong));
+  const late = new Promise<never>((_, reject) =>
+    setTimeout(() => reject(new Error(`${what}: no answer in ${tooLong} ms`)), tooLong),
+  );
   try {
     await Promise.race([decodeBytes(bytes, name, { mosaic }), late]);
     return 'volume';
@@ -23,8 +25,17 @@ async function survive(bytes: Uint8Array<ArrayBuffer>, name: string, what: strin
 }
 
 const files = [
-  'nifti/v1-le-gz.nii.gz', 'nifti/v2-be-gz.nii.gz', 'nifti/v1-le-f4.nii', 'nifti/v2-be-i8.nii', 'nifti/v1-be-qform.nii',
-  'mosaic/gray-3x2.png', 'mosaic/gray16-3x2.png', 'mosaic/palette4-3x2.png', 'mosaic/bits1-3x2.png', 'mosaic/flat-3x2.jpg', 'mosaic/flat-3x2.webp',
+  'nifti/v1-le-gz.nii.gz',
+  'nifti/v2-be-gz.nii.gz',
+  'nifti/v1-le-f4.nii',
+  'nifti/v2-be-i8.nii',
+  'nifti/v1-be-qform.nii',
+  'mosaic/gray-3x2.png',
+  'mosaic/gray16-3x2.png',
+  'mosaic/palette4-3x2.png',
+  'mosaic/bits1-3x2.png',
+  'mosaic/flat-3x2.jpg',
+  'mosaic/flat-3x2.webp',
 ];
 
 describe('damaged files', () => {
@@ -52,7 +63,8 @@ describe('damaged files', () => {
     it(`${path}: cut anywhere, a volume or an error with a code`, async () => {
       const bytes = await fetchFixture(path);
       const step = Math.max(1, Math.floor(bytes.length / 60));
-      for (let length = 0; length < bytes.length; length += step) await survive(bytes.slice(0, length), path, `${length} bytes`);
+      for (let length = 0; length < bytes.length; length += step)
+        await survive(bytes.slice(0, length), path, `${length} bytes`);
     });
 
     it(`${path}: random bytes written over, a volume or an error with a code`, async () => {

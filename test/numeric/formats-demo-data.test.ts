@@ -5,20 +5,25 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { roomyLimits } from '../helpers/decode.ts';
 
 const load = (name: string): Promise<Volume> =>
-  loadVolume({ url: `/demos/data/${name}`, limits: roomyLimits }, { signal: new AbortController().signal, onProgress: () => undefined });
+  loadVolume(
+    { url: `/demos/data/${name}`, limits: roomyLimits },
+    { signal: new AbortController().signal, onProgress: () => undefined },
+  );
 
-describe('the demos\' data', () => {
+describe("the demos' data", () => {
   it('show the same head from NIfTI and from the mosaic: the same values at the same positions', async () => {
     const [file, mosaic] = await Promise.all([load('mni152-t1.nii.gz'), load('mni152-t1.json')]);
     expect(mosaic.grid.dimensions).to.deep.equal(file.grid.dimensions);
     const toFile = multiply(invertAffine(file.grid.indexToWorld)!, mosaic.grid.indexToWorld);
     const [nx, ny, nz] = mosaic.grid.dimensions;
     let differing = 0;
-    for (let k = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++) {
-      // Straight axes of 1 mm: every voxel of the one lies on a voxel of the other.
-      const [x, y, z] = transformPoint(toFile, [i, j, k]);
-      if (mosaic.samples[(k * ny + j) * nx + i] !== file.samples[(z * ny + y) * nx + x]) differing++;
-    }
+    for (let k = 0; k < nz; k++)
+      for (let j = 0; j < ny; j++)
+        for (let i = 0; i < nx; i++) {
+          // Straight axes of 1 mm: every voxel of the one lies on a voxel of the other.
+          const [x, y, z] = transformPoint(toFile, [i, j, k]);
+          if (mosaic.samples[(k * ny + j) * nx + i] !== file.samples[(z * ny + y) * nx + x]) differing++;
+        }
     expect(differing).to.equal(0);
     expect(mosaic.range).to.deep.equal(file.range);
   });

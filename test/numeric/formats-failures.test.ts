@@ -11,7 +11,14 @@ function decodeWith(fail: (bytes: Uint8Array<ArrayBuffer>) => unknown) {
     fail(bytes);
     throw new Error('the reader was to fail');
   };
-  const toy: VolumeFormat = { name: 'Toy', words: 'a toy', endings: [], beginning: null, matches: () => true, load: async () => read };
+  const toy: VolumeFormat = {
+    name: 'Toy',
+    words: 'a toy',
+    endings: [],
+    beginning: null,
+    matches: () => true,
+    load: async () => read,
+  };
   const input = { bytes: new Uint8Array(10), url: `${urlOf('scan.toy')}?key=1`, contentType: '' };
   return expectError(decodeFile(input, {}, { ...fixtureContext(), formats: [toy] }));
 }
@@ -42,7 +49,12 @@ describe('what a reader does not expect', () => {
 
   for (const [what, fail] of [
     ['TypeError', () => nothing.length],
-    ['Error', () => { throw new Error('no such case'); }],
+    [
+      'Error',
+      () => {
+        throw new Error('no such case');
+      },
+    ],
   ] satisfies [string, () => unknown][]) {
     it(`${what}: a mistake of this package, and the file is named`, async () => {
       const { code, message, cause } = await decodeWith(fail);
@@ -55,8 +67,12 @@ describe('what a reader does not expect', () => {
 
 describe('a mistake after decoding', () => {
   // A request whose limits are none: what makes the volume fit fails.
-  const request = { url: '/test/fixtures/nifti/v1-le-i2.nii', limits: Promise.resolve(undefined as never) } satisfies LoadRequest;
-  const load = () => expectError(loadVolume(request, { signal: new AbortController().signal, onProgress: () => undefined }));
+  const request = {
+    url: '/test/fixtures/nifti/v1-le-i2.nii',
+    limits: Promise.resolve(undefined as never),
+  } satisfies LoadRequest;
+  const load = () =>
+    expectError(loadVolume(request, { signal: new AbortController().signal, onProgress: () => undefined }));
 
   it('in the worker is told as one, and the file is named', async () => {
     const { code, message, cause } = await load();
@@ -67,7 +83,9 @@ describe('a mistake after decoding', () => {
 
   it('on the main thread too', async () => {
     const native = globalThis.Worker;
-    globalThis.Worker = function refuse() { throw new DOMException('no workers', 'SecurityError'); } as unknown as typeof Worker;
+    globalThis.Worker = function refuse() {
+      throw new DOMException('no workers', 'SecurityError');
+    } as unknown as typeof Worker;
     try {
       const { code, message } = await load();
       expect(code).to.equal('internal');

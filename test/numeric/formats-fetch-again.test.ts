@@ -3,8 +3,18 @@ import { expectError } from '../helpers/decode.ts';
 import { fetchOne, pageOrigin, withServer } from '../helpers/fake-fetch.ts';
 import type { Answer } from '../helpers/fake-fetch.ts';
 
-const whole: Answer = { pieces: [[1, 2, 3], [4, 5, 6]], headers: { 'content-length': '6' } };
-const half: Answer = { pieces: [[1, 2, 3]], breaks: true, headers: { 'content-length': '6', 'accept-ranges': 'bytes', etag: '"one"' } };
+const whole: Answer = {
+  pieces: [
+    [1, 2, 3],
+    [4, 5, 6],
+  ],
+  headers: { 'content-length': '6' },
+};
+const half: Answer = {
+  pieces: [[1, 2, 3]],
+  breaks: true,
+  headers: { 'content-length': '6', 'accept-ranges': 'bytes', etag: '"one"' },
+};
 const rest: Answer = { status: 206, pieces: [[4, 5, 6]], headers: { 'content-range': 'bytes 3-5/6', etag: '"one"' } };
 const bytesOf = async (): Promise<number[]> => Array.from((await fetchOne()).bytes);
 
@@ -33,10 +43,13 @@ describe('a file that did not come at once', () => {
     }));
 
   it('waits until the time that the server names', () =>
-    withServer([{ status: 429, headers: { 'retry-after': new Date(Date.now() + 9000).toUTCString() } }, whole], async (_, waits) => {
-      await bytesOf();
-      expect(waits[0]).to.be.within(5000, 9000);
-    }));
+    withServer(
+      [{ status: 429, headers: { 'retry-after': new Date(Date.now() + 9000).toUTCString() } }, whole],
+      async (_, waits) => {
+        await bytesOf();
+        expect(waits[0]).to.be.within(5000, 9000);
+      },
+    ));
 
   it('does not wait for minutes, and says that the server asks for them', () =>
     withServer([{ status: 503, headers: { 'retry-after': '120' } }], async (asked) => {
@@ -47,13 +60,21 @@ describe('a file that did not come at once', () => {
     }));
 
   it('is given up after three more times', () =>
-    withServer(Array.from({ length: 9 }, () => ({ status: 503 })), async (asked) => {
-      const { code } = await expectError(fetchOne());
-      expect(code).to.equal('source/unavailable');
-      expect(asked).to.have.length(4);
-    }));
+    withServer(
+      Array.from({ length: 9 }, () => ({ status: 503 })),
+      async (asked) => {
+        const { code } = await expectError(fetchOne());
+        expect(code).to.equal('source/unavailable');
+        expect(asked).to.have.length(4);
+      },
+    ));
 
-  for (const [status, code] of [[404, 'source/not-found'], [401, 'source/not-found'], [403, 'source/not-found'], [500, 'source/unavailable']] as const) {
+  for (const [status, code] of [
+    [404, 'source/not-found'],
+    [401, 'source/not-found'],
+    [403, 'source/not-found'],
+    [500, 'source/unavailable'],
+  ] as const) {
     it(`is not asked for again after ${status}, which is ${code}`, () =>
       withServer([{ status }, whole], async (asked) => {
         const error = await expectError(fetchOne());
@@ -73,7 +94,11 @@ describe('a file that did not come at once', () => {
     withServer([{ refused: true }], async () => {
       const { code, message } = await expectError(fetchOne('/a.nii', { pageOrigin: 'null' }));
       expect(code).to.equal('source/cross-origin');
-      expect(message).to.contain('has no origin').and.to.contain('Access-Control-Allow-Origin: *').and.to.contain('allow-same-origin').and.to.contain('data: URL');
+      expect(message)
+        .to.contain('has no origin')
+        .and.to.contain('Access-Control-Allow-Origin: *')
+        .and.to.contain('allow-same-origin')
+        .and.to.contain('data: URL');
     }));
 
   it('stops to wait at once where it is given up', () =>
@@ -81,8 +106,12 @@ describe('a file that did not come at once', () => {
       const controller = new AbortController();
       let reported = 0;
       // The second sign of life of the new try is told right before it waits.
-      const onProgress = (): void => void (++reported === 1 && queueMicrotask(() => controller.abort(new Error('not wanted'))));
-      const error = await fetchOne('/a.nii', { signal: controller.signal, onProgress }).then(() => null, (reason: unknown) => reason);
+      const onProgress = (): void =>
+        void (++reported === 1 && queueMicrotask(() => controller.abort(new Error('not wanted'))));
+      const error = await fetchOne('/a.nii', { signal: controller.signal, onProgress }).then(
+        () => null,
+        (reason: unknown) => reason,
+      );
       expect(error).to.have.property('message', 'not wanted');
       expect(asked).to.have.length(1);
     }));
@@ -101,9 +130,21 @@ describe('a file that broke off', () => {
     }));
 
   it('begins again where it is another one by now', () =>
-    withServer([half, { ...whole, pieces: [[9, 8, 7], [6, 5, 4]] }], async () => {
-      expect(await bytesOf()).to.deep.equal([9, 8, 7, 6, 5, 4]);
-    }));
+    withServer(
+      [
+        half,
+        {
+          ...whole,
+          pieces: [
+            [9, 8, 7],
+            [6, 5, 4],
+          ],
+        },
+      ],
+      async () => {
+        expect(await bytesOf()).to.deep.equal([9, 8, 7, 6, 5, 4]);
+      },
+    ));
 
   const noTag = { 'content-length': '6', 'accept-ranges': 'bytes' };
   for (const [what, headers] of [
@@ -130,11 +171,14 @@ describe('a file that broke off', () => {
   }
 
   it('again and again is unavailable, and says how far it came', () =>
-    withServer(Array.from({ length: 4 }, () => ({ ...half, headers: noTag })), async () => {
-      const { code, message } = await expectError(fetchOne());
-      expect(code).to.equal('source/unavailable');
-      expect(message).to.contain('broke off after 3 bytes');
-    }));
+    withServer(
+      Array.from({ length: 4 }, () => ({ ...half, headers: noTag })),
+      async () => {
+        const { code, message } = await expectError(fetchOne());
+        expect(code).to.equal('source/unavailable');
+        expect(message).to.contain('broke off after 3 bytes');
+      },
+    ));
 
   it('at another origin is asked for anew, without headers that need its permission', () =>
     withServer([half, whole], async (asked) => {

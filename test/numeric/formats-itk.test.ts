@@ -27,9 +27,15 @@ function comparePlace({ grid: { indexToWorld, spacing } }: Volume, expected: Exp
     const sign = row < 2 ? -1 : 1;
     for (let column = 0; column < axes; column++) {
       const step = sign * direction[row * axes + column] * expected.spacing[column];
-      expect(indexToWorld[row * 4 + column], `step ${column}, component ${row}`).to.be.closeTo(step, 1e-9 * expected.spacing[column]);
+      expect(indexToWorld[row * 4 + column], `step ${column}, component ${row}`).to.be.closeTo(
+        step,
+        1e-9 * expected.spacing[column],
+      );
     }
-    expect(indexToWorld[row * 4 + 3], `origin ${row}`).to.be.closeTo(sign * origin[row], 1e-9 * Math.max(1, Math.abs(origin[row])));
+    expect(indexToWorld[row * 4 + 3], `origin ${row}`).to.be.closeTo(
+      sign * origin[row],
+      1e-9 * Math.max(1, Math.abs(origin[row])),
+    );
   }
   expected.spacing.forEach((length, axis) => expect(spacing[axis]).to.be.closeTo(length, 1e-9 * length));
 }
@@ -49,7 +55,11 @@ describe('NRRD and MetaImage: values, spacing, directions and origin against Sim
   }
 
   it('say which volume of several they show', async () => {
-    for (const [path, format] of [['nrrd/list-first.nrrd', 'NRRD, volume 1 of 2'], ['nrrd/list-last.nrrd', 'NRRD, volume 1 of 2'], ['metaimage/series.mha', 'MetaImage, volume 1 of 2']]) {
+    for (const [path, format] of [
+      ['nrrd/list-first.nrrd', 'NRRD, volume 1 of 2'],
+      ['nrrd/list-last.nrrd', 'NRRD, volume 1 of 2'],
+      ['metaimage/series.mha', 'MetaImage, volume 1 of 2'],
+    ]) {
       expect((await decodeBytes(await fetchFixture(path), path)).format).to.equal(format);
     }
   });
@@ -66,7 +76,10 @@ describe('NRRD and MetaImage files of the shared data, in the worker', () => {
   for (const expected of shared) {
     it(`${expected.path} (${expected.reader})`, async function () {
       await fetchSharedData(this, expected.path);
-      const volume = await loadVolume({ url: `/shared-data/${expected.path}`, limits: roomyLimits }, { signal: new AbortController().signal, onProgress: () => undefined });
+      const volume = await loadVolume(
+        { url: `/shared-data/${expected.path}`, limits: roomyLimits },
+        { signal: new AbortController().signal, onProgress: () => undefined },
+      );
       compare(volume, expected);
     });
   }

@@ -10,12 +10,19 @@ import { hgtBytes } from '../helpers/terrain.ts';
 
 const fixture = (path: string): string => `/test/fixtures/${path}`;
 
-function load(request: Partial<LoadRequest> & { url: string }, onProgress: (p: LoadProgress) => void = () => undefined, signal = new AbortController().signal): Promise<Volume> {
+function load(
+  request: Partial<LoadRequest> & { url: string },
+  onProgress: (p: LoadProgress) => void = () => undefined,
+  signal = new AbortController().signal,
+): Promise<Volume> {
   return loadVolume({ limits: roomyLimits, ...request }, { signal, onProgress });
 }
 
 /** Run with another `Worker` constructor, and count how many are started and terminated. */
-async function withWorkers<T>(adapt: (native: typeof Worker) => unknown, run: (count: { started: number; terminated: number }) => Promise<T>): Promise<T> {
+async function withWorkers<T>(
+  adapt: (native: typeof Worker) => unknown,
+  run: (count: { started: number; terminated: number }) => Promise<T>,
+): Promise<T> {
   const native = globalThis.Worker;
   const count = { started: 0, terminated: 0 };
   const base = adapt(native) as typeof Worker;
@@ -94,14 +101,20 @@ describe('loadVolume that is stopped', () => {
       const controller = new AbortController();
       const loading = load({ url: fixture('nifti/v1-le-gz.nii.gz') }, () => undefined, controller.signal);
       controller.abort();
-      const error = await loading.then(() => null, (reason: unknown) => reason);
+      const error = await loading.then(
+        () => null,
+        (reason: unknown) => reason,
+      );
       expect(error).to.be.instanceOf(DOMException).with.property('name', 'AbortError');
       expect(count).to.deep.equal({ started: 1, terminated: 1 });
     }));
 
   it('starts nothing where it was stopped before', () =>
     withWorkers(unchanged, async (count) => {
-      const error = await load({ url: fixture('x.nii') }, () => undefined, AbortSignal.abort('no more')).then(() => null, (reason: unknown) => reason);
+      const error = await load({ url: fixture('x.nii') }, () => undefined, AbortSignal.abort('no more')).then(
+        () => null,
+        (reason: unknown) => reason,
+      );
       expect(error).to.equal('no more');
       expect(count.started).to.equal(0);
     }));
@@ -109,20 +122,38 @@ describe('loadVolume that is stopped', () => {
   it('on the main thread too', () =>
     withWorkers(refused, async () => {
       const controller = new AbortController();
-      const loading = load({ url: fixture('nifti/v1-le-gz.nii.gz') }, (p) => p.phase === 'decode' && controller.abort(), controller.signal);
-      const error = await loading.then(() => null, (reason: unknown) => reason);
+      const loading = load(
+        { url: fixture('nifti/v1-le-gz.nii.gz') },
+        (p) => p.phase === 'decode' && controller.abort(),
+        controller.signal,
+      );
+      const error = await loading.then(
+        () => null,
+        (reason: unknown) => reason,
+      );
       expect(error).to.have.property('name', 'AbortError');
     }));
 });
 
 describe('loadVolume without workers', () => {
-  const failing = (native: typeof Worker): unknown => class extends native { constructor() { super(URL.createObjectURL(new Blob(['throw 0'])), {}); } };
+  const failing = (native: typeof Worker): unknown =>
+    class extends native {
+      constructor() {
+        super(URL.createObjectURL(new Blob(['throw 0'])), {});
+      }
+    };
 
-  for (const [what, adapt] of [['can not be constructed', refused], ['fail before their first message', failing]] as const) {
+  for (const [what, adapt] of [
+    ['can not be constructed', refused],
+    ['fail before their first message', failing],
+  ] as const) {
     it(`does the same on the main thread where they ${what}`, () =>
       withWorkers(adapt, async () => {
         for (const path of ['nifti/v1-le-gz.nii.gz', 'mosaic/flat-3x2.jpg', 'mosaic/gray-3x2.json']) {
-          const volume = await load({ url: fixture(path), mosaic: path.endsWith('jpg') ? { columns: 3, rows: 2 } : undefined });
+          const volume = await load({
+            url: fixture(path),
+            mosaic: path.endsWith('jpg') ? { columns: 3, rows: 2 } : undefined,
+          });
           expect(volume.range[1]).to.be.greaterThan(0);
         }
         const error = await expectError(load({ url: fixture('missing.nii') }));
@@ -132,10 +163,22 @@ describe('loadVolume without workers', () => {
 });
 
 describe('loadSurface', () => {
-  const mesh = (): SurfaceRequest => ({ surface: 'mesh', url: new URL(fixture('meshes/scene.glb'), location.href).href, space: null });
+  const mesh = (): SurfaceRequest => ({
+    surface: 'mesh',
+    url: new URL(fixture('meshes/scene.glb'), location.href).href,
+    space: null,
+  });
   const terrain = (): SurfaceRequest => {
-    const url = URL.createObjectURL(new Blob([hgtBytes((north, east) => 900 + 600 * Math.sin(9 * north) * Math.cos(7 * east))]));
-    return { surface: 'terrain', url, files: [url], corner: [46, 7], radar: { site: { latitude: 46.4, longitude: 7.5 }, height: 800, reach: 25_000, exaggeration: 2 } };
+    const url = URL.createObjectURL(
+      new Blob([hgtBytes((north, east) => 900 + 600 * Math.sin(9 * north) * Math.cos(7 * east))]),
+    );
+    return {
+      surface: 'terrain',
+      url,
+      files: [url],
+      corner: [46, 7],
+      radar: { site: { latitude: 46.4, longitude: 7.5 }, height: 800, reach: 25_000, exaggeration: 2 },
+    };
   };
 
   /** How often this thread itself asks for a file. */
@@ -151,15 +194,29 @@ describe('loadSurface', () => {
     return count;
   }
 
-  for (const [what, requestOf, triangles] of [['a mesh', mesh, 1], ['terrain', terrain, 1000]] as const) {
+  for (const [what, requestOf, triangles] of [
+    ['a mesh', mesh, 1],
+    ['terrain', terrain, 1000],
+  ] as const) {
     for (const [where, adapt, expected] of [
-      ['in a worker of its own, which ends with it: the page reads nothing', unchanged, { workers: { started: 1, terminated: 1 }, fetches: 0 }],
-      ['on the main thread where a page allows no worker', refused, { workers: { started: 0, terminated: 0 }, fetches: 1 }],
+      [
+        'in a worker of its own, which ends with it: the page reads nothing',
+        unchanged,
+        { workers: { started: 1, terminated: 1 }, fetches: 0 },
+      ],
+      [
+        'on the main thread where a page allows no worker',
+        refused,
+        { workers: { started: 0, terminated: 0 }, fetches: 1 },
+      ],
     ] as const) {
       it(`reads ${what} ${where}`, () =>
         withWorkers(adapt, async (workers) => {
           const fetches = await countFetches(async () => {
-            const surface = await loadSurface(requestOf(), { signal: new AbortController().signal, onProgress: () => undefined });
+            const surface = await loadSurface(requestOf(), {
+              signal: new AbortController().signal,
+              onProgress: () => undefined,
+            });
             expect(surface.triangles).to.be.at.least(triangles);
           });
           expect({ workers, fetches }).to.deep.equal(expected);

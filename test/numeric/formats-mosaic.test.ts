@@ -34,7 +34,9 @@ describe('mosaics from PNG', () => {
     const settings16 = { mosaic: { columns: 3, rows: 1 }, channels: 'high-low' as const };
     const volume = await decodeBytes(png, 'a.png', settings16);
     expect(volume.samples).to.be.instanceOf(Uint16Array);
-    const expected = [0, 1, 2].flatMap((tile) => Array.from({ length: 64 }, (_, i) => values[Math.floor(i / 8) * 24 + tile * 8 + (i % 8)]));
+    const expected = [0, 1, 2].flatMap((tile) =>
+      Array.from({ length: 64 }, (_, i) => values[Math.floor(i / 8) * 24 + tile * 8 + (i % 8)]),
+    );
     expect(Array.from(volume.samples)).to.deep.equal(expected);
     const gray = await fetchFixture('mosaic/gray-3x2.png');
     const noColors = await expectError(decodeBytes(gray, 'a.png', { ...settings, channels: 'high-low' }));
@@ -52,12 +54,16 @@ describe('mosaics from PNG', () => {
 
   it('colours become luma', async () => {
     const volume = await load('colour-3x2.png');
-    const lumaAt = (v: number): number => Math.floor(0.2126 * v + 0.7152 * (255 - v) + 0.0722 * Math.floor(v / 2) + 0.5);
+    const lumaAt = (v: number): number =>
+      Math.floor(0.2126 * v + 0.7152 * (255 - v) + 0.0722 * Math.floor(v / 2) + 0.5);
     expect(Array.from(volume.samples)).to.deep.equal(all((i) => lumaAt(valueAt(i))));
   });
 
   it('lies in the world as axial slices do', async () => {
-    const volume = await decodeBytes(await fetchFixture('mosaic/gray-3x2.png'), 'a.png', { ...settings, spacing: [0.5, 0.5, 2] });
+    const volume = await decodeBytes(await fetchFixture('mosaic/gray-3x2.png'), 'a.png', {
+      ...settings,
+      spacing: [0.5, 0.5, 2],
+    });
     expect(volume.grid.spacing).to.deep.equal([0.5, 0.5, 2]);
     expect(transformPoint(volume.grid.indexToWorld, [0, 0, 0])).to.deep.equal([0.75, 0.75, -5]);
     expect(transformPoint(volume.grid.indexToWorld, [3, 3, 5])).to.deep.equal([-0.75, -0.75, 5]);
@@ -65,7 +71,11 @@ describe('mosaics from PNG', () => {
 
   it('with tiles of 10.25 pixels keeps its size in the world', async () => {
     const png = encode({ width: 41, height: 41, data: new Uint8Array(41 * 41).fill(9), channels: 1, depth: 8 });
-    const volume = await decodeBytes(new Uint8Array(png), 'a.png', { mosaic: { columns: 4, rows: 4 }, slices: 3, spacing: [2, 2, 5] });
+    const volume = await decodeBytes(new Uint8Array(png), 'a.png', {
+      mosaic: { columns: 4, rows: 4 },
+      slices: 3,
+      spacing: [2, 2, 5],
+    });
     expect(volume.grid.dimensions).to.deep.equal([10, 10, 3]);
     expect(volume.grid.spacing[0] * 10).to.be.closeTo(20.5, 1e-12);
     expect(volume.samples.every((value) => value === 9)).to.equal(true);
@@ -81,7 +91,11 @@ describe('mosaics from PNG', () => {
 
   it('that does not fit its image is refused', async () => {
     const bytes = await fetchFixture('mosaic/gray-3x2.png');
-    for (const [columns, rows, slices] of [[13, 1], [3, 9], [3, 2, 7]]) {
+    for (const [columns, rows, slices] of [
+      [13, 1],
+      [3, 9],
+      [3, 2, 7],
+    ]) {
       const error = await expectError(decodeBytes(bytes, 'a.png', { mosaic: { columns, rows }, slices }));
       expect(error.code).to.equal('mosaic/layout');
     }

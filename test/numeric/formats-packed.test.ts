@@ -57,12 +57,19 @@ describe('gzip files of several members, or with something after them', () => {
 
   for (const [name, packed] of Object.entries({
     'two members': join(...halves),
-    'members with names, comments, extra fields and a checksum of the header': join(withAllFields(data.subarray(0, 123_456)), halves[1]),
+    'members with names, comments, extra fields and a checksum of the header': join(
+      withAllFields(data.subarray(0, 123_456)),
+      halves[1],
+    ),
     'an empty member at the end, as bgzip writes it': join(...halves, gzipSync(new Uint8Array(0))),
     'zeros between and after members': join(halves[0], zeros, halves[1], zeros),
     'text after': join(...halves, text),
     'the first two bytes of a member after': join(...halves, Uint8Array.of(0x1f, 0x8b)),
-    'blocks of 4,000 bytes': join(...Array.from({ length: 75 }, (_, i) => gzipSync(data.subarray(4000 * i, 4000 * (i + 1)), { level: (i % 10) as 0 }))),
+    'blocks of 4,000 bytes': join(
+      ...Array.from({ length: 75 }, (_, i) =>
+        gzipSync(data.subarray(4000 * i, 4000 * (i + 1)), { level: (i % 10) as 0 }),
+      ),
+    ),
   })) {
     it(name, async () => expect(same(await collect(gunzip(packed)), data)).to.equal(true));
   }
@@ -77,9 +84,11 @@ describe('gzip files of several members, or with something after them', () => {
       [wrong, /^the gzip file of \d+ bytes is damaged; fetch it again/],
     ] as const) {
       const got: Uint8Array[] = [];
-      const error = await expectError((async () => {
-        for await (const piece of gunzip(packed)) got.push(piece);
-      })());
+      const error = await expectError(
+        (async () => {
+          for await (const piece of gunzip(packed)) got.push(piece);
+        })(),
+      );
       expect(error).to.have.property('code', 'format/corrupt');
       expect(error.message).to.match(message);
       const whole = join(...got);
@@ -121,17 +130,21 @@ describe('other packed data with something after them', () => {
   const data = mixedBytes(200_000);
 
   it('zlib data, as NRRD, MetaImage and GIfTI hold them', async () => {
-    for (const after of [zeros, text]) expect(same(await collect(unzlib(join(zlibSync(data), after))), data)).to.equal(true);
+    for (const after of [zeros, text])
+      expect(same(await collect(unzlib(join(zlibSync(data), after))), data)).to.equal(true);
     const wrong = zlibSync(data);
     wrong[wrong.length - 1] ^= 1;
-    expect((await expectError(collect(unzlib(join(wrong, zeros))))).message).to.match(/^the zlib data of \d+ bytes is damaged|^the zlib data of \d+ bytes are damaged/);
+    expect((await expectError(collect(unzlib(join(wrong, zeros))))).message).to.match(
+      /^the zlib data of \d+ bytes is damaged|^the zlib data of \d+ bytes are damaged/,
+    );
   });
 
   it('NRRD and MetaImage files', async () => {
     for (const path of ['nrrd/gzip.nrrd', 'nrrd/bzip2.nrrd', 'metaimage/zlib.mha']) {
       const bytes = await fetchFixture(path);
       const plain = valuesOf(await decodeBytes(bytes.slice(), path));
-      for (const after of [zeros, text]) expect(valuesOf(await decodeBytes(join(bytes, after), path)), path).to.deep.equal(plain);
+      for (const after of [zeros, text])
+        expect(valuesOf(await decodeBytes(join(bytes, after), path)), path).to.deep.equal(plain);
     }
   });
 
@@ -147,9 +160,11 @@ describe('other packed data with something after them', () => {
 
   it('chunks of HDF5', () => {
     const filters = [{ id: 1, name: 'deflate', parameters: [] }];
-    const undo = (stored: Uint8Array<ArrayBuffer>): Uint8Array => undoFilters(stored, filters, { skipped: 0, expected: data.length, budget: Budget.ofFile(stored.length) });
+    const undo = (stored: Uint8Array<ArrayBuffer>): Uint8Array =>
+      undoFilters(stored, filters, { skipped: 0, expected: data.length, budget: Budget.ofFile(stored.length) });
     const stored = zlibSync(data);
-    for (const packed of [stored, join(stored, zeros), join(stored, text)]) expect(same(undo(packed), data)).to.equal(true);
+    for (const packed of [stored, join(stored, zeros), join(stored, text)])
+      expect(same(undo(packed), data)).to.equal(true);
     stored[stored.length - 1] ^= 1;
     expect(() => undo(join(stored, zeros))).to.throw('wrong checksum');
   });
@@ -158,7 +173,13 @@ describe('other packed data with something after them', () => {
 describe('the decoder of deflate', () => {
   it('unpacks what fflate packs, on all levels, and says where it ends', () => {
     const inflater = new Inflater();
-    for (const data of [new Uint8Array(0), Uint8Array.of(7), new Uint8Array(400_000), mixedBytes(70_000), mixedBytes(500_000)]) {
+    for (const data of [
+      new Uint8Array(0),
+      Uint8Array.of(7),
+      new Uint8Array(400_000),
+      mixedBytes(70_000),
+      mixedBytes(500_000),
+    ]) {
       for (const level of [0, 1, 4, 6, 9] as const) {
         const packed = join(text, deflateSync(data, { level }), text);
         const stream = inflater.unpack(packed, text.length);
@@ -173,7 +194,9 @@ describe('the decoder of deflate', () => {
 
   it('unpacks what the browser packs', async () => {
     const data = mixedBytes(500_000);
-    const packed = new Uint8Array(await new Response(new Blob([data]).stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer());
+    const packed = new Uint8Array(
+      await new Response(new Blob([data]).stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer(),
+    );
     expect(same(await collect(unpackSeries(packed, 'gzip', 'it')), data)).to.equal(true);
   });
 
@@ -184,7 +207,8 @@ describe('the decoder of deflate', () => {
     const drain = (bytes: Uint8Array<ArrayBuffer>): void => {
       for (const piece of inflater.unpack(bytes, 0)) expect(piece.length).to.be.greaterThan(0);
     };
-    for (let length = 0; length < packed.length; length++) expect(() => drain(packed.slice(0, length)), `${length} bytes`).to.throw(DeflateError);
+    for (let length = 0; length < packed.length; length++)
+      expect(() => drain(packed.slice(0, length)), `${length} bytes`).to.throw(DeflateError);
     let refused = 0;
     for (let run = 0; run < 2000; run++) {
       const damaged = packed.slice();
@@ -207,6 +231,32 @@ function same(a: Uint8Array, b: Uint8Array): boolean {
 /** A member with all that its header may hold. Source: RFC 1952, 2.3 */
 function withAllFields(data: Uint8Array): Uint8Array {
   const plain = gzipSync(data);
-  const header = Uint8Array.of(0x1f, 0x8b, 8, 2 + 4 + 8 + 16, 0, 0, 0, 0, 0, 255, 6, 0, 66, 67, 2, 0, 1, 2, 97, 0, 98, 99, 0, 0, 0);
+  const header = Uint8Array.of(
+    0x1f,
+    0x8b,
+    8,
+    2 + 4 + 8 + 16,
+    0,
+    0,
+    0,
+    0,
+    0,
+    255,
+    6,
+    0,
+    66,
+    67,
+    2,
+    0,
+    1,
+    2,
+    97,
+    0,
+    98,
+    99,
+    0,
+    0,
+    0,
+  );
   return join(header, plain.subarray(10));
 }

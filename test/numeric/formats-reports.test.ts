@@ -29,23 +29,45 @@ interface NibabelAnswer {
 
 type Answers<T> = Readonly<Record<string, T | string>>;
 
-const load = (path: string): Promise<Volume> => loadVolume({ url: `/shared-data/reports/${path}`, limits: roomyLimits }, { signal: new AbortController().signal, onProgress: () => undefined });
+const load = (path: string): Promise<Volume> =>
+  loadVolume(
+    { url: `/shared-data/reports/${path}`, limits: roomyLimits },
+    { signal: new AbortController().signal, onProgress: () => undefined },
+  );
 
 async function answersOf<T>(context: Mocha.Context, folder: string): Promise<T> {
   return JSON.parse(new TextDecoder().decode(await fetchSharedData(context, `reports/${folder}/expected.json`))) as T;
 }
 
-function valueAt({ grid: { dimensions: [nx, ny] }, samples, slope, intercept }: Volume, [i, j, k]: readonly number[]): number {
+function valueAt(
+  {
+    grid: {
+      dimensions: [nx, ny],
+    },
+    samples,
+    slope,
+    intercept,
+  }: Volume,
+  [i, j, k]: readonly number[],
+): number {
   return slope * samples[i + nx * (j + ny * k)] + intercept;
 }
 
-function compareWithItk(volume: Volume, { size, spacing, origin_lps: origin, direction, min, max }: ItkAnswer, name: string): void {
+function compareWithItk(
+  volume: Volume,
+  { size, spacing, origin_lps: origin, direction, min, max }: ItkAnswer,
+  name: string,
+): void {
   const axes = size.length;
   expect(volume.grid.dimensions.slice(0, axes), name).to.deep.equal(size);
   const { indexToWorld } = volume.grid;
   for (let row = 0; row < axes; row++) {
     const sign = row < 2 ? -1 : 1;
-    for (let column = 0; column < axes; column++) expect(indexToWorld[row * 4 + column], `${name}: ${row} ${column}`).to.be.closeTo(sign * direction[row * axes + column] * spacing[column], 1e-6);
+    for (let column = 0; column < axes; column++)
+      expect(indexToWorld[row * 4 + column], `${name}: ${row} ${column}`).to.be.closeTo(
+        sign * direction[row * axes + column] * spacing[column],
+        1e-6,
+      );
     expect(indexToWorld[row * 4 + 3], `${name}: origin ${row}`).to.be.closeTo(sign * origin[row], 1e-3);
   }
   if (min !== undefined) expect(volume.range, name).to.deep.equal([min, max]);
@@ -53,11 +75,16 @@ function compareWithItk(volume: Volume, { size, spacing, origin_lps: origin, dir
 
 describe('files with which other viewers failed', () => {
   it('01: an NRRD file with spacings alone, as pynrrd and SimpleITK read it', async function () {
-    for (const [name, answer] of Object.entries(await answersOf<Record<string, ItkAnswer>>(this, '01-nrrd-spacings-only'))) {
+    for (const [name, answer] of Object.entries(
+      await answersOf<Record<string, ItkAnswer>>(this, '01-nrrd-spacings-only'),
+    )) {
       const volume = await load(`01-nrrd-spacings-only/${name}`);
       compareWithItk(volume, answer, name);
       expect(valueAt(volume, [3, 4, 5]), name).to.equal(answer.v);
-      expect(valuesOf(volume).reduce((sum, x) => sum + x, 0), name).to.equal((answer as unknown as { sum: number }).sum);
+      expect(
+        valuesOf(volume).reduce((sum, x) => sum + x, 0),
+        name,
+      ).to.equal((answer as unknown as { sum: number }).sum);
     }
   });
 
@@ -95,13 +122,18 @@ describe('files with which other viewers failed', () => {
     let compared = 0;
     for (const [name, answer] of Object.entries(answers)) {
       if (name === 'pair.hdr' || name === 'rgb24.nii') {
-        expect(await load(`05-nifti-headers/${name}`).catch((error: unknown) => error), name).to.have.property('code', 'format/unsupported');
+        expect(await load(`05-nifti-headers/${name}`).catch((error: unknown) => error), name).to.have.property(
+          'code',
+          'format/unsupported',
+        );
         continue;
       }
       if (typeof answer === 'string') continue; // nibabel reads none of these.
       const volume = await load(`05-nifti-headers/${name}`);
       expect(volume.grid.dimensions.slice(0, answer.shape.length), name).to.deep.equal(answer.shape.slice(0, 3));
-      answer.affine.flat().forEach((entry, i) => expect(volume.grid.indexToWorld[i], `${name}: ${i}`).to.be.closeTo(entry, 1e-4));
+      answer.affine
+        .flat()
+        .forEach((entry, i) => expect(volume.grid.indexToWorld[i], `${name}: ${i}`).to.be.closeTo(entry, 1e-4));
       // nibabel takes an offset of 0 as it is, and the header for data.
       const isOff = name === 'vox-offset-0.nii';
       expect(volume.range, name).to.deep.equal(isOff ? [100, 246] : [answer.min, answer.max]);
@@ -114,21 +146,33 @@ describe('files with which other viewers failed', () => {
   it('06, 07, 08 and 17: what has no answer of its own opens, with the values that gen.py wrote', async function () {
     await fetchSharedData(this, 'reports/README.md');
     const expected: readonly (readonly [string, readonly number[], readonly [number, number] | null])[] = [
-      ['07-far-from-origin/near.mha', [], null], ['07-far-from-origin/utm.mha', [], null], ['07-far-from-origin/utm-fine.mha', [], null],
-      ['07-far-from-origin/nano.mha', [], null], ['07-far-from-origin/microns.nii', [], null],
-      ['06-nan-background/negative.nii.gz', [], null], ['06-nan-background/solid.nii.gz', [], null], ['06-nan-background/solid-zero.nii.gz', [], null], ['06-nan-background/tmap.nii.gz', [], null],
+      ['07-far-from-origin/near.mha', [], null],
+      ['07-far-from-origin/utm.mha', [], null],
+      ['07-far-from-origin/utm-fine.mha', [], null],
+      ['07-far-from-origin/nano.mha', [], null],
+      ['07-far-from-origin/microns.nii', [], null],
+      ['06-nan-background/negative.nii.gz', [], null],
+      ['06-nan-background/solid.nii.gz', [], null],
+      ['06-nan-background/solid-zero.nii.gz', [], null],
+      ['06-nan-background/tmap.nii.gz', [], null],
       ['08-gantry-tilt/tilt.nii.gz', [], null],
-      ['17-thin-and-tiny/one-slice.nii.gz', [200, 200, 1], [20, 220]], ['17-thin-and-tiny/two-slices.nii.gz', [200, 200, 2], [20, 220]],
-      ['17-thin-and-tiny/wires.nii.gz', [128, 128, 128], [0, 255]], ['17-thin-and-tiny/speck.nii.gz', [128, 128, 128], [0, 255]],
-      ['17-thin-and-tiny/constant.nii.gz', [20, 20, 20], [7, 7]], ['17-thin-and-tiny/line.nii.gz', [1, 1, 40], [0, 234]],
-      ['17-thin-and-tiny/model-100m.mha', [100, 100, 30], [0, 100]], ['17-thin-and-tiny/model-500m.mha', [100, 100, 30], [0, 100]],
+      ['17-thin-and-tiny/one-slice.nii.gz', [200, 200, 1], [20, 220]],
+      ['17-thin-and-tiny/two-slices.nii.gz', [200, 200, 2], [20, 220]],
+      ['17-thin-and-tiny/wires.nii.gz', [128, 128, 128], [0, 255]],
+      ['17-thin-and-tiny/speck.nii.gz', [128, 128, 128], [0, 255]],
+      ['17-thin-and-tiny/constant.nii.gz', [20, 20, 20], [7, 7]],
+      ['17-thin-and-tiny/line.nii.gz', [1, 1, 40], [0, 234]],
+      ['17-thin-and-tiny/model-100m.mha', [100, 100, 30], [0, 100]],
+      ['17-thin-and-tiny/model-500m.mha', [100, 100, 30], [0, 100]],
     ];
     for (const [path, dimensions, range] of expected) {
       const volume = await load(path);
       expect(volume.range[1], path).to.be.at.least(volume.range[0]);
       if (range) expect(volume.range, path).to.deep.equal(range);
       if (range) expect(volume.grid.dimensions, path).to.deep.equal(dimensions);
-      expect(volume.hasNoData, path).to.equal(/solid\.|tmap/.test(path) || (path.includes('negative') && volume.hasNoData));
+      expect(volume.hasNoData, path).to.equal(
+        /solid\.|tmap/.test(path) || (path.includes('negative') && volume.hasNoData),
+      );
     }
   });
 });

@@ -7,23 +7,47 @@ import { finishVolume } from '../../src/formats/finish-volume.ts';
 import { loadVolume } from '../../src/worker/load.ts';
 import type { DecodeSettings } from '../../src/formats/base/decoded-volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { decodeBytes, decodeStack, expectError, fetchFixture, fixtureContext, roomyLimits, urlOf, valuesOf } from '../helpers/decode.ts';
+import {
+  decodeBytes,
+  decodeStack,
+  expectError,
+  fetchFixture,
+  fixtureContext,
+  roomyLimits,
+  urlOf,
+  valuesOf,
+} from '../helpers/decode.ts';
 
 const signal = new AbortController().signal;
 const ignore = (): void => undefined;
 
 /** A gray image whose pixels count up from a number. */
-function makeImage(from: number, { width = 3, height = 2, depth = 8 }: { width?: number; height?: number; depth?: 8 | 16 } = {}): Uint8Array<ArrayBuffer> {
+function makeImage(
+  from: number,
+  { width = 3, height = 2, depth = 8 }: { width?: number; height?: number; depth?: 8 | 16 } = {},
+): Uint8Array<ArrayBuffer> {
   const values = Array.from({ length: width * height }, (_, i) => from + i);
   const data = depth === 8 ? Uint8Array.from(values) : Uint16Array.from(values);
   return new Uint8Array(encode({ width, height, data, channels: 1, depth }));
 }
 
 /** Decode files that lie in memory, by their names, as one volume. */
-async function decodeFiles(files: Readonly<Record<string, Uint8Array<ArrayBuffer>>>, settings: DecodeSettings = {}): Promise<Volume> {
+async function decodeFiles(
+  files: Readonly<Record<string, Uint8Array<ArrayBuffer>>>,
+  settings: DecodeSettings = {},
+): Promise<Volume> {
   const names = Object.keys(files);
-  const fetchFile = async (url: string) => ({ bytes: files[url.slice(urlOf('').length)].slice(), url, contentType: '' });
-  const context = { onProgress: ignore, fetchFile, fetchFiles: (urls: readonly string[]) => fetchInOrder(urls, fetchFile, ignore), files: names.map(urlOf) };
+  const fetchFile = async (url: string) => ({
+    bytes: files[url.slice(urlOf('').length)].slice(),
+    url,
+    contentType: '',
+  });
+  const context = {
+    onProgress: ignore,
+    fetchFile,
+    fetchFiles: (urls: readonly string[]) => fetchInOrder(urls, fetchFile, ignore),
+    files: names.map(urlOf),
+  };
   return finishVolume(await decodeFile(await fetchFile(urlOf(names[0])), settings, context), roomyLimits);
 }
 
@@ -43,7 +67,9 @@ describe('a stack of images', () => {
 
   it('lies as a mosaic of the same slices', async () => {
     const stack = await decodeFiles(three, { spacing: [0.5, 2, 3] });
-    const tall = new Uint8Array(encode({ width: 3, height: 6, data: Uint8Array.from(threeValues), channels: 1, depth: 8 }));
+    const tall = new Uint8Array(
+      encode({ width: 3, height: 6, data: Uint8Array.from(threeValues), channels: 1, depth: 8 }),
+    );
     const mosaic = await decodeBytes(tall, 'tall.png', { spacing: [0.5, 2, 3], mosaic: { columns: 1, rows: 3 } });
     expect(stack.grid.indexToWorld).to.deep.equal(mosaic.grid.indexToWorld);
     expect(stack.samples).to.deep.equal(mosaic.samples);
@@ -56,7 +82,10 @@ describe('a stack of images', () => {
   });
 
   it('of other sizes, depths or formats is refused, and the file is named', async () => {
-    for (const [other, words] of [[makeImage(0, { width: 4 }), '4 x 2'], [makeImage(0, { depth: 16 }), '16 bits']] as const) {
+    for (const [other, words] of [
+      [makeImage(0, { width: 4 }), '4 x 2'],
+      [makeImage(0, { depth: 16 }), '16 bits'],
+    ] as const) {
       const error = await expectError(decodeFiles({ ...three, 'd.png': other }));
       expect(error.code).to.equal('format/corrupt');
       expect(error.message).to.contain('d.png').and.to.contain(words);
@@ -70,7 +99,7 @@ describe('a stack of images', () => {
     expect((await expectError(decodeFiles(three, { mosaic: { columns: 3, rows: 1 } }))).code).to.equal('mosaic/layout');
   });
 
-  it('is a radar\'s where elevations are given, a sweep an image', async () => {
+  it("is a radar's where elevations are given, a sweep an image", async () => {
     const sweep = makeImage(1, { width: 40, height: 36 });
     const volume = await decodeFiles({ 'a.png': sweep, 'b.png': sweep }, { elevations: [0.5, 1.5], range: [250, 500] });
     expect(isPolar(volume) && volume.grid.sweeps).to.have.length(2);
@@ -82,7 +111,13 @@ describe('a stack of images', () => {
     const first = makeImage(0, { width: 2000, height: 2000 });
     const count = (url: string) => (fetched++, fixtureContext().fetchFile(url));
     const refuse = (files: string[]) =>
-      expectError(decodeFile({ bytes: first.slice(), url: urlOf('a.png'), contentType: '' }, {}, { onProgress: ignore, fetchFile: count, fetchFiles: (urls) => fetchInOrder(urls, count, ignore), files }));
+      expectError(
+        decodeFile(
+          { bytes: first.slice(), url: urlOf('a.png'), contentType: '' },
+          {},
+          { onProgress: ignore, fetchFile: count, fetchFiles: (urls) => fetchInOrder(urls, count, ignore), files },
+        ),
+      );
     expect((await refuse(Array.from({ length: 8193 }, () => urlOf('a.png')))).code).to.equal('format/too-large');
     const large = await refuse(Array.from({ length: 1000 }, () => urlOf('a.png')));
     expect(large.code).to.equal('format/too-large');
@@ -106,7 +141,10 @@ describe('a stack of a header and its data', () => {
   }
 
   it('of fewer or more files than the header names is refused', async () => {
-    for (const names of [['nrrd/detached-list.nhdr', 'nrrd/data.raw'], ['metaimage/detached.mhd', 'nrrd/data.raw', 'nrrd/data.raw']]) {
+    for (const names of [
+      ['nrrd/detached-list.nhdr', 'nrrd/data.raw'],
+      ['metaimage/detached.mhd', 'nrrd/data.raw', 'nrrd/data.raw'],
+    ]) {
       const error = await expectError(decodeStack(names));
       expect(error.code).to.equal('format/unsupported');
       expect(error.message).to.contain('names');
@@ -129,7 +167,10 @@ describe('a manifest with files', () => {
     const volume = await decodeBytes(encodeText(manifest), 'a.json');
     expect(volume).to.deep.include({ unit: 'HU', title: 'T', format: 'MetaImage' });
     expect(valuesOf(volume).slice(0, 3)).to.deep.equal([-200, -178, -156]);
-    const images = await decodeBytes(encodeText({ files: ['mosaic/gray-3x2.png', 'mosaic/gray-3x2.png'], spacing: [1, 1, 4] }), 'a.json');
+    const images = await decodeBytes(
+      encodeText({ files: ['mosaic/gray-3x2.png', 'mosaic/gray-3x2.png'], spacing: [1, 1, 4] }),
+      'a.json',
+    );
     expect(images.grid.dimensions).to.deep.equal([12, 8, 2]);
     expect(images.grid.spacing).to.deep.equal([1, 1, 4]);
   });
@@ -149,18 +190,29 @@ describe('a manifest with files', () => {
 describe('loadVolume of a stack', () => {
   it('fetches the files in the worker, by URLs that are relative to the page', async () => {
     const url = '/test/fixtures/mosaic/gray-3x2.png';
-    const volume = await loadVolume({ url, files: [url, url, url], limits: roomyLimits }, { signal, onProgress: ignore });
+    const volume = await loadVolume(
+      { url, files: [url, url, url], limits: roomyLimits },
+      { signal, onProgress: ignore },
+    );
     expect(volume.grid.dimensions).to.deep.equal([12, 8, 3]);
   });
 
   it('finds the data beside a header', async () => {
-    const volume = await loadVolume({ url: '/test/fixtures/nrrd/detached-list.nhdr', limits: roomyLimits }, { signal, onProgress: ignore });
+    const volume = await loadVolume(
+      { url: '/test/fixtures/nrrd/detached-list.nhdr', limits: roomyLimits },
+      { signal, onProgress: ignore },
+    );
     expect(valuesOf(volume)).to.deep.equal(Array.from({ length: 24 }, (_, i) => 11 * i - 100));
   });
 
   it('says which file is missing', async () => {
     const url = '/test/fixtures/mosaic/gray-3x2.png';
-    const error = await expectError(loadVolume({ url, files: [url, '/test/fixtures/missing-slice.png'], limits: roomyLimits }, { signal, onProgress: ignore }));
+    const error = await expectError(
+      loadVolume(
+        { url, files: [url, '/test/fixtures/missing-slice.png'], limits: roomyLimits },
+        { signal, onProgress: ignore },
+      ),
+    );
     expect(error.code).to.equal('source/not-found');
     expect(error.message).to.contain('missing-slice.png');
   });
@@ -192,7 +244,18 @@ describe('files that are fetched in order', () => {
       for await (const _file of fetchInOrder(urls, fetchOne, (loaded, total) => seen.push([loaded, total])));
       return seen;
     };
-    expect(await reported(['a'])).to.deep.equal([[0, 10], [4, 10], [10, 10]]);
-    expect(await reported(['a', 'b'])).to.deep.equal([[0, 0], [4, 0], [10, 0], [10, 0], [14, 0], [20, 0]]);
+    expect(await reported(['a'])).to.deep.equal([
+      [0, 10],
+      [4, 10],
+      [10, 10],
+    ]);
+    expect(await reported(['a', 'b'])).to.deep.equal([
+      [0, 0],
+      [4, 0],
+      [10, 0],
+      [10, 0],
+      [14, 0],
+      [20, 0],
+    ]);
   });
 });

@@ -38,7 +38,11 @@ interface Watched {
 
 /** Load with a silent worker and a clock that goes when it is told to. */
 async function withSilence(run: (watched: Watched) => Promise<void>): Promise<void> {
-  const native = { Worker: globalThis.Worker, setInterval: globalThis.setInterval, clearInterval: globalThis.clearInterval };
+  const native = {
+    Worker: globalThis.Worker,
+    setInterval: globalThis.setInterval,
+    clearInterval: globalThis.clearInterval,
+  };
   const ticks = new Map<number, () => void>();
   Object.assign(globalThis, {
     Worker: SilentWorker,
@@ -49,8 +53,14 @@ async function withSilence(run: (watched: Watched) => Promise<void>): Promise<vo
     const reported: LoadProgress[] = [];
     const controller = new AbortController();
     let end: unknown;
-    const loading = loadVolume({ url: '/scan.nii', limits: roomyLimits }, { signal: controller.signal, onProgress: (progress) => reported.push(progress) });
-    loading.then((volume) => (end = volume), (error: unknown) => (end = error));
+    const loading = loadVolume(
+      { url: '/scan.nii', limits: roomyLimits },
+      { signal: controller.signal, onProgress: (progress) => reported.push(progress) },
+    );
+    loading.then(
+      (volume) => (end = volume),
+      (error: unknown) => (end = error),
+    );
     const pass = async (seconds: number): Promise<unknown> => {
       for (let i = 0; i < seconds; i++) ticks.forEach((act) => act());
       await new Promise((resolve) => setTimeout(resolve));
@@ -63,7 +73,10 @@ async function withSilence(run: (watched: Watched) => Promise<void>): Promise<vo
   }
 }
 
-const progress = (loaded: number, total: number, phase: LoadProgress['phase'] = 'fetch'): WorkerReport => ({ type: 'progress', progress: { loaded, total, phase } });
+const progress = (loaded: number, total: number, phase: LoadProgress['phase'] = 'fetch'): WorkerReport => ({
+  type: 'progress',
+  progress: { loaded, total, phase },
+});
 
 function expectStall(error: unknown, words: RegExp): void {
   expect(error).to.be.instanceOf(VolumeViewError).with.property('code', 'source/stalled');
@@ -107,7 +120,10 @@ describe('a load of which nothing is heard', () => {
     withSilence(async ({ worker, pass, reported }) => {
       worker.say({ type: 'ready' }, progress(50e6, 50e6));
       expect(await pass(109)).to.equal(undefined);
-      expect(reported.some(({ isStill }) => isStill), 'what works holds its place').to.equal(false);
+      expect(
+        reported.some(({ isStill }) => isStill),
+        'what works holds its place',
+      ).to.equal(false);
       expectStall(await pass(1), /for 110 seconds, after 50000000 bytes/);
       expect(worker.ended).to.equal(true);
     }));
@@ -136,7 +152,9 @@ describe('a worker from a text', () => {
       expect(held.size).to.equal(1);
       worker.terminate();
       expect(held.size).to.equal(0);
-      globalThis.Worker = function refuse() { throw new DOMException('no', 'SecurityError'); } as unknown as typeof Worker;
+      globalThis.Worker = function refuse() {
+        throw new DOMException('no', 'SecurityError');
+      } as unknown as typeof Worker;
       expect(() => startFromText('')).to.throw('no');
       expect(held.size).to.equal(0);
     } finally {

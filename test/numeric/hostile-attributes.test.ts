@@ -17,11 +17,46 @@ const longest = 20_000;
 const megabyte = 2 ** 20;
 
 const given: GivenAttributes = {
-  src: null, stack: null, mosaic: null, slices: null, spacing: null, coordinates: null, elevations: null, range: null, azimuth: null,
-  moment: null, beamModel: null, verticalExaggeration: null, clean: null, time: null, autoplay: null, playSpeed: null,
-  look: null, transferFunction: null, valueWindow: null, referenceLength: null, opacityFactor: null, lightFactor: null, projection: null, shading: null, surfaceValues: null, gradientOpacity: null, transferFunction2d: null, steps: null,
-  maxError: null, targetFps: null, region: null, rings: null, cameraOrbit: null, cameraTarget: null, minCameraOrbit: null, maxCameraOrbit: null, interpolationDecay: null, fieldOfView: null,
-  interaction: null, loading: null,
+  src: null,
+  stack: null,
+  mosaic: null,
+  slices: null,
+  spacing: null,
+  coordinates: null,
+  elevations: null,
+  range: null,
+  azimuth: null,
+  moment: null,
+  beamModel: null,
+  verticalExaggeration: null,
+  clean: null,
+  time: null,
+  autoplay: null,
+  playSpeed: null,
+  look: null,
+  transferFunction: null,
+  valueWindow: null,
+  referenceLength: null,
+  opacityFactor: null,
+  lightFactor: null,
+  projection: null,
+  shading: null,
+  surfaceValues: null,
+  gradientOpacity: null,
+  transferFunction2d: null,
+  steps: null,
+  maxError: null,
+  targetFps: null,
+  region: null,
+  rings: null,
+  cameraOrbit: null,
+  cameraTarget: null,
+  minCameraOrbit: null,
+  maxCameraOrbit: null,
+  interpolationDecay: null,
+  fieldOfView: null,
+  interaction: null,
+  loading: null,
 };
 
 /** All that is read of one attribute. @returns what was wrong with it, if anything */
@@ -38,7 +73,25 @@ function read(name: keyof GivenAttributes, text: string): VolumeViewError | null
   }
 }
 
-const parts = ['1', ' ', '.', '1.', '-', 'e1', '1 ', ',', '(', ')', '0 red 0,', 'x', '\t1x', '%', '#', '9deg ', ' 1'] as const;
+const parts = [
+  '1',
+  ' ',
+  '.',
+  '1.',
+  '-',
+  'e1',
+  '1 ',
+  ',',
+  '(',
+  ')',
+  '0 red 0,',
+  'x',
+  '\t1x',
+  '%',
+  '#',
+  '9deg ',
+  ' 1',
+] as const;
 const ends = ['', 'x', ' x', '!'] as const;
 
 function within(what: string, run: () => void): void {
@@ -52,7 +105,11 @@ describe('attributes of strangers', () => {
 
   for (const name of names) {
     it(`${name}: a megabyte is read, and not by the square`, () => {
-      for (const [text, length] of [['1', megabyte], ['1', 2 * megabyte], ['1', 4 * megabyte]] as const) {
+      for (const [text, length] of [
+        ['1', megabyte],
+        ['1', 2 * megabyte],
+        ['1', 4 * megabyte],
+      ] as const) {
         within(`${length} of ${text}`, () => read(name, `${text.repeat(length)}x`));
       }
       for (const part of parts) {
@@ -63,13 +120,24 @@ describe('attributes of strangers', () => {
 
   it('transfer functions: a megabyte is refused, and not by the square', async () => {
     for (const text of ['1'.repeat(megabyte), `${'1'.repeat(megabyte)}x`]) {
-      within('digits', () => expect(() => parseTransferFunction(`${text} red 1`, [0, 1])).to.throw(VolumeViewError, /at most 131,072/));
+      within('digits', () =>
+        expect(() => parseTransferFunction(`${text} red 1`, [0, 1])).to.throw(VolumeViewError, /at most 131,072/),
+      );
     }
     for (const part of parts) {
       for (const end of ends) {
         const text = part.repeat(2 ** 16 / part.length) + end;
-        for (const one of [text, `0 red 0, ${text}`, `0 ${text} 0`, `0 rgb(${text}) 0`, `0 red ${text}`, `${text} red 0`]) {
-          within(one.slice(0, 20), () => expect(() => parseTransferFunction(one, [0, 1]), one.slice(0, 20)).to.throw(VolumeViewError));
+        for (const one of [
+          text,
+          `0 red 0, ${text}`,
+          `0 ${text} 0`,
+          `0 rgb(${text}) 0`,
+          `0 red ${text}`,
+          `${text} red 0`,
+        ]) {
+          within(one.slice(0, 20), () =>
+            expect(() => parseTransferFunction(one, [0, 1]), one.slice(0, 20)).to.throw(VolumeViewError),
+          );
         }
       }
     }
@@ -87,14 +155,22 @@ describe('attributes of strangers', () => {
         return (error as Error).message;
       }
     };
-    expect(messageOf(`0 ${'a'.repeat(5000)} 1`)).to.contain('of 5,000 characters; expected at most 200').and.have.length.below(400);
+    expect(messageOf(`0 ${'a'.repeat(5000)} 1`))
+      .to.contain('of 5,000 characters; expected at most 200')
+      .and.have.length.below(400);
     expect(messageOf(`${'1'.repeat(201)} red 1`)).to.contain('of 201 characters');
     expect(messageOf(Array.from({ length: 1025 }, (_, i) => `${i} red 1`).join(','))).to.contain('1025 stops');
-    expect(parseTransferFunction(Array.from({ length: 1024 }, (_, i) => `${i}.25 color(display-p3 0.1 0.2 0.3) 1`).join(','), [0, 1])).to.have.length(1024);
+    expect(
+      parseTransferFunction(
+        Array.from({ length: 1024 }, (_, i) => `${i}.25 color(display-p3 0.1 0.2 0.3) 1`).join(','),
+        [0, 1],
+      ),
+    ).to.have.length(1024);
   });
 
   it('colours that are as long as they may be are read at once', () => {
-    for (const part of [...parts, 'rgb(', '1 1 1/', 'hsl(1 ', '0x', 'color(']) within(part, () => parseCssColor(part.repeat(200 / part.length)));
+    for (const part of [...parts, 'rgb(', '1 1 1/', 'hsl(1 ', '0x', 'color('])
+      within(part, () => parseCssColor(part.repeat(200 / part.length)));
   });
 
   it('the readers of properties and of mosaics take as little time', () => {
@@ -124,7 +200,10 @@ describe('attributes of strangers', () => {
       ['valueWindow', ['0 1e400', '-1.7e308 1.7e308']],
       ['region', ['0 0 0 1 1 1e400']],
       ['cameraTarget', ['1e400 0 0', '0 0 1e300']],
-      ['cameraOrbit', ['1e400deg 0deg 100%', '0deg 1e309rad 1', '0deg 0deg 1e400', '0deg 0deg 1e300%', '0deg 0deg 1e-300']],
+      [
+        'cameraOrbit',
+        ['1e400deg 0deg 100%', '0deg 1e309rad 1', '0deg 0deg 1e400', '0deg 0deg 1e300%', '0deg 0deg 1e-300'],
+      ],
       ['fieldOfView', ['1e400deg']],
       ['referenceLength', ['1e300', '1e-300']],
       ['opacityFactor', ['1e300']],
@@ -132,7 +211,8 @@ describe('attributes of strangers', () => {
       ['maxError', ['1e-300']],
       ['targetFps', ['1e300']],
     ];
-    for (const [name, texts] of bad) for (const text of texts) expect(read(name, text), `${name} ${text}`).to.be.instanceOf(VolumeViewError);
+    for (const [name, texts] of bad)
+      for (const text of texts) expect(read(name, text), `${name} ${text}`).to.be.instanceOf(VolumeViewError);
   });
 });
 
@@ -140,7 +220,13 @@ describe('slices of strangers', () => {
   it('lie where a radar can see', () => {
     const volume = cloudVolume(1);
     const host = document.createElement('volume-view');
-    const texts = ['type="section" from="1e300 0" to="0 0"', 'type="section" from="0 0" to="1e400 1"', 'type="cappi" height="1e300"', 'type="rhi" azimuth="1e300"', `type="cappi" height="${'1'.repeat(2 ** 18)}x"`];
+    const texts = [
+      'type="section" from="1e300 0" to="0 0"',
+      'type="section" from="0 0" to="1e400 1"',
+      'type="cappi" height="1e300"',
+      'type="rhi" azimuth="1e300"',
+      `type="cappi" height="${'1'.repeat(2 ** 18)}x"`,
+    ];
     for (const text of texts) {
       host.innerHTML = `<volume-slice ${text}></volume-slice>`;
       const { slices, error } = readSlices(host, volume, null);

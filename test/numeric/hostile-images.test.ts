@@ -16,7 +16,8 @@ import type { PngChunk } from '../helpers/png-bytes.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
 const mosaic = { columns: 1, rows: 1 };
-const refuse = async (bytes: Uint8Array<ArrayBuffer>): Promise<VolumeViewError> => expectError(decodeBytes(bytes, 'a.png', { mosaic }));
+const refuse = async (bytes: Uint8Array<ArrayBuffer>): Promise<VolumeViewError> =>
+  expectError(decodeBytes(bytes, 'a.png', { mosaic }));
 const zeros = (length: number): Uint8Array<ArrayBuffer> => zlibSync(new Uint8Array(length), { level: 9 });
 
 describe('a PNG of a stranger', () => {
@@ -29,12 +30,22 @@ describe('a PNG of a stranger', () => {
 
   it('has its profile left alone, and other parts that nobody needs', async () => {
     const profile: PngChunk = ['iCCP', Uint8Array.of(0x61, 0, 0, 1, 2, 3, 4, 5, 6)];
-    const parts: PngChunk[] = [profile, ['tEXt', new Uint8Array(9)], ['zTXt', new Uint8Array(3)], ['tRNS', new Uint8Array(1)], ['pHYs', new Uint8Array(2)]];
-    for (const part of parts) expect(Array.from((await readPng(grayPng(2, 2, [part]))).data), part[0]).to.deep.equal([0, 0, 0, 0]);
+    const parts: PngChunk[] = [
+      profile,
+      ['tEXt', new Uint8Array(9)],
+      ['zTXt', new Uint8Array(3)],
+      ['tRNS', new Uint8Array(1)],
+      ['pHYs', new Uint8Array(2)],
+    ];
+    for (const part of parts)
+      expect(Array.from((await readPng(grayPng(2, 2, [part]))).data), part[0]).to.deep.equal([0, 0, 0, 0]);
   });
 
   it('of 100 million pixels in one row or column is refused by its header', async () => {
-    for (const [width, height] of [[1, 1e8], [1e8, 1]]) {
+    for (const [width, height] of [
+      [1, 1e8],
+      [1e8, 1],
+    ]) {
       const error = await refuse(pngBytes([pngHeader(width, height), ['IDAT', zeros(1000)]]));
       expect(error.code).to.equal('format/too-large');
       expect(error.message).to.contain('on each edge');
@@ -45,9 +56,17 @@ describe('a PNG of a stranger', () => {
   const refused: [what: string, chunks: PngChunk[], said: string][] = [
     ['a second header', [pngHeader(2, 2), pngHeader(4000, 4000), ['IDAT', zeros(2 ** 24)]], 'two headers'],
     ['a part that must be known', [pngHeader(2, 2), ['ABCD', new Uint8Array(3)], ['IDAT', zeros(6)]], '"ABCD"'],
-    ['something before its header', [['tEXt', new Uint8Array(13)], pngHeader(2, 2), ['IDAT', zeros(6)]], 'does not begin with its header'],
+    [
+      'something before its header',
+      [['tEXt', new Uint8Array(13)], pngHeader(2, 2), ['IDAT', zeros(6)]],
+      'does not begin with its header',
+    ],
     ['two palettes', [pngHeader(2, 2, { colorType: 3 }), palette, palette, ['IDAT', zeros(6)]], 'two palettes'],
-    ['a palette of thousands', [pngHeader(2, 2, { colorType: 3 }), ['PLTE', new Uint8Array(3 * 4000)], ['IDAT', zeros(6)]], 'a palette of 12000 bytes'],
+    [
+      'a palette of thousands',
+      [pngHeader(2, 2, { colorType: 3 }), ['PLTE', new Uint8Array(3 * 4000)], ['IDAT', zeros(6)]],
+      'a palette of 12000 bytes',
+    ],
     ['colours of 4 bits', [pngHeader(2, 2, { colorType: 2, depth: 4 }), ['IDAT', zeros(6)]], 'which no PNG has'],
     ['no data', [pngHeader(2, 2)], 'is damaged'],
     ['data that end early', [pngHeader(2, 2), ['IDAT', zeros(5)]], 'ends early'],
@@ -70,14 +89,44 @@ describe('a PNG of a stranger', () => {
   it('of thousands of parts with a byte each is read', async () => {
     const packed = zeros(101 * 100);
     const parts = Array.from(packed, (byte): PngChunk => ['IDAT', Uint8Array.of(byte)]);
-    expect((await readPng(pngBytes([pngHeader(100, 100), ...parts, ...Array.from({ length: 3000 }, (): PngChunk => ['IDAT', new Uint8Array(1)])]))).data.length).to.equal(10_000);
+    expect(
+      (
+        await readPng(
+          pngBytes([
+            pngHeader(100, 100),
+            ...parts,
+            ...Array.from({ length: 3000 }, (): PngChunk => ['IDAT', new Uint8Array(1)]),
+          ]),
+        )
+      ).data.length,
+    ).to.equal(10_000);
   });
 });
 
 describe('our rows of a PNG', () => {
-  const combinations = [[0, 8], [0, 16], [2, 8], [2, 16], [4, 8], [4, 16], [6, 8], [6, 16]] as const;
-  const channels = new Map([[0, 1], [2, 3], [4, 2], [6, 4]]);
-  const sizes = [[1, 1], [13, 7], [3, 9], [8, 8], [17, 2]] as const;
+  const combinations = [
+    [0, 8],
+    [0, 16],
+    [2, 8],
+    [2, 16],
+    [4, 8],
+    [4, 16],
+    [6, 8],
+    [6, 16],
+  ] as const;
+  const channels = new Map([
+    [0, 1],
+    [2, 3],
+    [4, 2],
+    [6, 4],
+  ]);
+  const sizes = [
+    [1, 1],
+    [13, 7],
+    [3, 9],
+    [8, 8],
+    [17, 2],
+  ] as const;
 
   for (const interlace of [0, 1]) {
     it(`are those of fast-png, with every filter${interlace ? ', interlaced' : ''}`, async () => {
@@ -89,24 +138,45 @@ describe('our rows of a PNG', () => {
           const { data } = decode(png);
           const step = channels.get(colorType)!;
           const red = Array.from({ length: width * height }, (_, i) => data[i * step]);
-          const grays = Array.from({ length: width * height }, (_, i) => luma(step < 3 ? [red[i], red[i], red[i]] : [red[i], data[i * step + 1], data[i * step + 2]]));
-          expect(Array.from((await readPng(png)).data), `${colorType} ${depth} ${width}x${height}`).to.deep.equal(grays);
+          const grays = Array.from({ length: width * height }, (_, i) =>
+            luma(step < 3 ? [red[i], red[i], red[i]] : [red[i], data[i * step + 1], data[i * step + 2]]),
+          );
+          expect(Array.from((await readPng(png)).data), `${colorType} ${depth} ${width}x${height}`).to.deep.equal(
+            grays,
+          );
         }
       }
     });
   }
 
-  const luma = ([r, g, b]: number[]): number => (r === g && g === b ? r : Math.floor(0.2126 * r + 0.7152 * g + 0.0722 * b + 0.5));
+  const luma = ([r, g, b]: number[]): number =>
+    r === g && g === b ? r : Math.floor(0.2126 * r + 0.7152 * g + 0.0722 * b + 0.5);
 
   /** Rows of random bytes, each with a random filter. */
-  function noise({ width, height, pixel, interlace }: { width: number; height: number; pixel: number; interlace: number }, random: () => number): Uint8Array {
-    const passes = interlace ? [[0, 0, 8, 8], [4, 0, 8, 8], [0, 4, 4, 8], [2, 0, 4, 4], [0, 2, 2, 4], [1, 0, 2, 2], [0, 1, 1, 2]] : [[0, 0, 1, 1]];
+  function noise(
+    { width, height, pixel, interlace }: { width: number; height: number; pixel: number; interlace: number },
+    random: () => number,
+  ): Uint8Array {
+    const passes = interlace
+      ? [
+          [0, 0, 8, 8],
+          [4, 0, 8, 8],
+          [0, 4, 4, 8],
+          [2, 0, 4, 4],
+          [0, 2, 2, 4],
+          [1, 0, 2, 2],
+          [0, 1, 1, 2],
+        ]
+      : [[0, 0, 1, 1]];
     const rows: number[] = [];
     for (const [x, y, xStep, yStep] of passes) {
       const columns = Math.ceil((width - x) / xStep);
       if (columns < 1) continue;
       for (let row = y; row < height; row += yStep) {
-        rows.push(Math.floor(random() * 5), ...Array.from({ length: columns * pixel }, () => Math.floor(random() * 256)));
+        rows.push(
+          Math.floor(random() * 5),
+          ...Array.from({ length: columns * pixel }, () => Math.floor(random() * 256)),
+        );
       }
     }
     return Uint8Array.from(rows);
@@ -117,11 +187,23 @@ describe('a JPEG or a WebP of a stranger', () => {
   const budget = (): Budget => Budget.ofFile(1000);
 
   it('says its size before anybody decodes it', async () => {
-    expect(readImageSize(await fetchFixture('mosaic/flat-3x2.jpg'), 'image/jpeg')).to.deep.equal({ width: 96, height: 64 });
-    expect(readImageSize(await fetchFixture('mosaic/flat-3x2.webp'), 'image/webp')).to.deep.equal({ width: 96, height: 64 });
-    expect(readImageSize(await fetchFixture('mosaic/lossless-3x2.webp'), 'image/webp')).to.deep.equal({ width: 12, height: 8 });
+    expect(readImageSize(await fetchFixture('mosaic/flat-3x2.jpg'), 'image/jpeg')).to.deep.equal({
+      width: 96,
+      height: 64,
+    });
+    expect(readImageSize(await fetchFixture('mosaic/flat-3x2.webp'), 'image/webp')).to.deep.equal({
+      width: 96,
+      height: 64,
+    });
+    expect(readImageSize(await fetchFixture('mosaic/lossless-3x2.webp'), 'image/webp')).to.deep.equal({
+      width: 12,
+      height: 8,
+    });
     const extended = new Uint8Array(30);
-    extended.set([0x52, 0x49, 0x46, 0x46, 0, 0, 0, 0, 0x57, 0x45, 0x42, 0x50, 0x56, 0x50, 0x38, 0x58, 10, 0, 0, 0, 0, 0, 0, 0, 0xff, 0x03, 0, 0x0f, 0x27, 0]);
+    extended.set([
+      0x52, 0x49, 0x46, 0x46, 0, 0, 0, 0, 0x57, 0x45, 0x42, 0x50, 0x56, 0x50, 0x38, 0x58, 10, 0, 0, 0, 0, 0, 0, 0, 0xff,
+      0x03, 0, 0x0f, 0x27, 0,
+    ]);
     expect(readImageSize(extended, 'image/webp')).to.deep.equal({ width: 1024, height: 10_000 });
   });
 
@@ -140,7 +222,11 @@ describe('a JPEG or a WebP of a stranger', () => {
     return bytes;
   }
 
-  for (const [path, type] of [['mosaic/flat-3x2.jpg', 'image/jpeg'], ['mosaic/flat-3x2.webp', 'image/webp'], ['mosaic/lossless-3x2.webp', 'image/webp']] as const) {
+  for (const [path, type] of [
+    ['mosaic/flat-3x2.jpg', 'image/jpeg'],
+    ['mosaic/flat-3x2.webp', 'image/webp'],
+    ['mosaic/lossless-3x2.webp', 'image/webp'],
+  ] as const) {
     it(`${path}: what it asks for is paid before the browser is asked`, async () => {
       const bytes = await huge(path, 12_000);
       const own = globalThis.createImageBitmap;
@@ -157,11 +243,22 @@ describe('a JPEG or a WebP of a stranger', () => {
   }
 
   it('of more pixels than a texture has is refused, and one that says no size', async () => {
-    const large = await expectError(readImagePixels(await huge('mosaic/flat-3x2.jpg', 65_000), 'image/jpeg', { budget: budget() }));
+    const large = await expectError(
+      readImagePixels(await huge('mosaic/flat-3x2.jpg', 65_000), 'image/jpeg', { budget: budget() }),
+    );
     expect(large.message).to.contain('65000 x 65000 pixels');
-    for (const edge of [0]) expect((await expectError(readImagePixels(await huge('mosaic/flat-3x2.jpg', edge), 'image/jpeg', { budget: budget() }))).code).to.equal('format/corrupt');
+    for (const edge of [0])
+      expect(
+        (
+          await expectError(
+            readImagePixels(await huge('mosaic/flat-3x2.jpg', edge), 'image/jpeg', { budget: budget() }),
+          )
+        ).code,
+      ).to.equal('format/corrupt');
     const none = new Uint8Array(2 ** 16).fill(0xff);
-    expect((await expectError(readImagePixels(none, 'image/jpeg', { budget: budget() }))).message).to.contain('no size');
+    expect((await expectError(readImagePixels(none, 'image/jpeg', { budget: budget() }))).message).to.contain(
+      'no size',
+    );
   });
 
   it('gives back what the browser held', async () => {
@@ -174,7 +271,8 @@ describe('a JPEG or a WebP of a stranger', () => {
 
 describe('a stack of a stranger', () => {
   async function* slices(count: number, ended: Error | null): AsyncGenerator<Slice> {
-    for (let i = 0; i < count; i++) yield { name: `${i}.png`, image: { width: 100, height: 100, data: new Uint8Array(10_000).fill(i + 1) } };
+    for (let i = 0; i < count; i++)
+      yield { name: `${i}.png`, image: { width: 100, height: 100, data: new Uint8Array(10_000).fill(i + 1) } };
     if (ended) throw ended;
   }
 
@@ -197,7 +295,9 @@ describe('a stack of a stranger', () => {
       }
     }
     const { data } = await joinSlices(growing(), 100, budget);
-    expect(Array.from({ length: 100 }, (_, i) => data[i * 10_000 + 9_999])).to.deep.equal(Array.from({ length: 100 }, (_, i) => i + 1));
+    expect(Array.from({ length: 100 }, (_, i) => data[i * 10_000 + 9_999])).to.deep.equal(
+      Array.from({ length: 100 }, (_, i) => i + 1),
+    );
     expect(budget.leftBytes).to.equal(budget.allowedBytes - (2 ** 26 - 200_000) - data.length);
   });
 

@@ -45,7 +45,10 @@ describe('a manifest of a stranger', () => {
   ];
 
   it('is refused where it lists too much, and the message is short', async () => {
-    const schema = new Validator(JSON.parse(new TextDecoder().decode(await fetchFile('/schema/manifest.json'))) as Schema, '2020-12');
+    const schema = new Validator(
+      JSON.parse(new TextDecoder().decode(await fetchFile('/schema/manifest.json'))) as Schema,
+      '2020-12',
+    );
     for (const [field, text] of bad) {
       const error = refusal(text);
       expect(error.code, field).to.equal('manifest/invalid');
@@ -84,7 +87,11 @@ describe('a manifest of a stranger', () => {
     const fixture = { image: 'nifti/v1-le-f4.nii' };
     const error = await expectError(decodeBytes(encode(JSON.stringify({ ...fixture, slope: 1e308 })), 'a.json'));
     expect(error.message).to.contain('expected finite numbers');
-    for (const place of [{ spacing: [1e200, 1, 1] }, { spacing: [1, 1e-200, 1] }, { indexToWorld: [1, 0, 0, 1e300, 0, 1, 0, 0, 0, 0, 1, 0] }]) {
+    for (const place of [
+      { spacing: [1e200, 1, 1] },
+      { spacing: [1, 1e-200, 1] },
+      { indexToWorld: [1, 0, 0, 1e300, 0, 1, 0, 0, 0, 0, 1, 0] },
+    ]) {
       const far = await expectError(decodeBytes(encode(JSON.stringify({ ...fixture, ...place })), 'a.json'));
       expect(far.code, JSON.stringify(place)).to.equal('format/corrupt');
       expect(far.message).to.contain('from 1e-12 to 1e12');
@@ -95,7 +102,10 @@ describe('a manifest of a stranger', () => {
 describe('a unit of a stranger', () => {
   it('is a name, whatever objects have under it', async () => {
     for (const unit of ['constructor', '__proto__', 'toString', 'hasOwnProperty']) {
-      const appearance = await resolveAppearance(plainAppearance, { ...syntheticVolume({ dimensions: [4, 4, 4] }), unit });
+      const appearance = await resolveAppearance(plainAppearance, {
+        ...syntheticVolume({ dimensions: [4, 4, 4] }),
+        unit,
+      });
       expect(appearance.transferFunction.length, unit).to.be.greaterThan(1);
     }
   });
@@ -104,14 +114,22 @@ describe('a unit of a stranger', () => {
 describe('thousands of scans', () => {
   it('are not more than a manifest may list', () => {
     const sources = Array.from({ length: 10_001 }, (_, i) => ({ url: `${i}` }));
-    expect(() => new ScanSequence(sources, () => Promise.reject(new Error('no')))).to.throw(VolumeViewError, 'at most 10,000');
+    expect(() => new ScanSequence(sources, () => Promise.reject(new Error('no')))).to.throw(
+      VolumeViewError,
+      'at most 10,000',
+    );
   });
 
   it('have a timeline of a hundred marks, whose slider reaches all of them', async () => {
     if (!customElements.get('volume-timeline')) customElements.define('volume-timeline', VolumeTimeline);
     const view = document.createElement('volume-view');
     const times = Array.from({ length: 10_000 }, (_, i) => new Date(Date.UTC(2020, 1, 1) + 60_000 * i).toISOString());
-    Object.assign(view, { times, scan: { index: 4000, time: times[4000], count: times.length }, waiting: false, paused: true });
+    Object.assign(view, {
+      times,
+      scan: { index: 4000, time: times[4000], count: times.length },
+      waiting: false,
+      paused: true,
+    });
     const timeline = document.createElement('volume-timeline');
     const box = document.createElement('div');
     box.append(view, timeline);
@@ -121,7 +139,12 @@ describe('thousands of scans', () => {
       const root = timeline.shadowRoot!;
       expect(root.querySelectorAll('*').length).to.be.lessThan(250);
       expect(root.querySelectorAll('.tick').length).to.be.within(100, 125);
-      expect(Array.from(root.querySelectorAll('.name'), ({ textContent }) => textContent)).to.deep.equal(['00:00', '17:40', '11:20', '22:39']);
+      expect(Array.from(root.querySelectorAll('.name'), ({ textContent }) => textContent)).to.deep.equal([
+        '00:00',
+        '17:40',
+        '11:20',
+        '22:39',
+      ]);
       expect(root.querySelector('input')).to.include({ max: '9999', value: '4000' });
       expect(root.querySelector('.count')!.textContent).to.equal('4001 / 10000');
     } finally {

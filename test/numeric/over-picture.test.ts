@@ -21,7 +21,8 @@ afterEach(() => view.remove());
 it('of ring labels those are left out that a number would cover, and no other', () => {
   const labels = document.createElement('div');
   labels.className = 'labels';
-  labels.innerHTML = '<span style="position: absolute; left: 90px; top: 30px">50 km</span><span style="position: absolute; left: 5px; top: 80px">100 km</span>';
+  labels.innerHTML =
+    '<span style="position: absolute; left: 90px; top: 30px">50 km</span><span style="position: absolute; left: 5px; top: 80px">100 km</span>';
   picture.after(labels);
   const overlay = new LineOverlay(picture, { part: 'measure', opacity: 1, isDashed: true });
   overlay.show({ camera, width: 200, height: 100 }, [], '#fff', { at: [0, 0, 0], text: '96.5 km', isAbove: false });
@@ -35,7 +36,11 @@ it('handles of several owners are in the order in which they came', () => {
     handles.set([{ at: [0, 0, 0] as Vector3, name, place: '', keys: '' }]);
     return handles;
   });
-  expect([...view.shadowRoot!.querySelectorAll('button')].map(({ ariaLabel }) => ariaLabel)).to.deep.equal(['first', 'second', 'third']);
+  expect([...view.shadowRoot!.querySelectorAll('button')].map(({ ariaLabel }) => ariaLabel)).to.deep.equal([
+    'first',
+    'second',
+    'third',
+  ]);
   owners.forEach((handles) => handles.dispose());
   expect(view.shadowRoot!.children.length).to.equal(1);
 });

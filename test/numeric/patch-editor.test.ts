@@ -29,7 +29,11 @@ describe('edits of boxes and Gaussians', () => {
     expect(placeOfGrip(box, 'middle')).to.deep.equal([80, 17.5]);
     expect(moveGrip(box, 'middle', [500, 50], range)).to.deep.include({ values: [460, 540], gradients: [37.5, 62.5] });
     expect(moveGrip(box, 'middle', [500, -50], range)).to.deep.include({ gradients: [0, 25] });
-    expect(moveGrip(bell, 'middle', [2000, 300], range)).to.deep.include({ value: 1000, gradient: 100, widths: [15, 8] });
+    expect(moveGrip(bell, 'middle', [2000, 300], range)).to.deep.include({
+      value: 1000,
+      gradient: 100,
+      widths: [15, 8],
+    });
   });
 
   it('change the size by the corner: a box keeps its low one, a Gaussian its middle; neither vanishes', () => {
@@ -37,24 +41,44 @@ describe('edits of boxes and Gaussians', () => {
     expect(moveGrip(box, 'size', [0, 0], range)).to.deep.include({ values: [40, 44], gradients: [5, 5.4] });
     expect(moveGrip(bell, 'size', [260, 60], range)).to.deep.include({ value: 200, gradient: 20, widths: [30, 20] });
     expect(moveGrip(bell, 'size', [0, 0], range)).to.deep.include({ widths: [4, 0.4] });
-    expect(boxBetween([300, 60], [100, 20], box, range)).to.deep.equal({ ...box, values: [100, 300], gradients: [20, 60] });
+    expect(boxBetween([300, 60], [100, 20], box, range)).to.deep.equal({
+      ...box,
+      values: [100, 300],
+      gradients: [20, 60],
+    });
   });
 
   it('take numbers that make one, and leave it else', () => {
     expect(withNumber(box, 1, 90)).to.deep.include({ values: [40, 90] });
-    for (const [which, number] of [[1, 40], [2, -1], [3, 5]]) expect(withNumber(box, which, number)).to.equal(box);
+    for (const [which, number] of [
+      [1, 40],
+      [2, -1],
+      [3, 5],
+    ])
+      expect(withNumber(box, which, number)).to.equal(box);
     expect(withNumber(bell, 3, 9)).to.deep.include({ widths: [15, 9] });
-    for (const [which, number] of [[1, -1], [2, 0], [3, -2]]) expect(withNumber(bell, which, number)).to.equal(bell);
+    for (const [which, number] of [
+      [1, -1],
+      [2, 0],
+      [3, -2],
+    ])
+      expect(withNumber(bell, which, number)).to.equal(bell);
   });
 
   it('are written with as many digits as tell a narrow one from none', () => {
-    const narrow: Patch[] = [{ ...box, values: [101325.2, 101325.4], gradients: [5000.001, 5000.002] }, { ...bell, value: 2000000.25, widths: [0.125, 8] }];
-    expect(parsePatches(writePatches(narrow), units).map((patch) => ({ ...patch, color: 0 }))).to.deep.equal(narrow.map((patch) => ({ ...patch, color: 0 })));
+    const narrow: Patch[] = [
+      { ...box, values: [101325.2, 101325.4], gradients: [5000.001, 5000.002] },
+      { ...bell, value: 2000000.25, widths: [0.125, 8] },
+    ];
+    expect(parsePatches(writePatches(narrow), units).map((patch) => ({ ...patch, color: 0 }))).to.deep.equal(
+      narrow.map((patch) => ({ ...patch, color: 0 })),
+    );
     expect(withNumber(box, 1, 1e305), 'more than the attribute takes').to.equal(box);
   });
 
   it('begin with what can be read again', () => {
-    for (const kind of ['box', 'gaussian'] as const) expect(parsePatches(writePatches([newPatch(kind, 3, range)]), units)).to.have.length(1);
+    for (const kind of ['box', 'gaussian'] as const)
+      expect(parsePatches(writePatches([newPatch(kind, 3, range)]), units)).to.have.length(1);
   });
 });
 
@@ -64,13 +88,23 @@ function viewOf(transferFunction2d: string | null): EditedView & { appearance: A
     appearance: { transferFunction: null, transferFunction2d, opacityFactor: null, lightFactor: null },
     get optics() {
       const text = this.appearance.transferFunction2d ?? '';
-      return { transferFunction: [{ value: 0, color: [0, 0, 0] as const, opacity: 0 }, { value: 1, color: [1, 1, 1] as const, opacity: 1 }], patches: parsePatches(text, units), opacityFactor: 1, lightFactor: 1 };
+      return {
+        transferFunction: [
+          { value: 0, color: [0, 0, 0] as const, opacity: 0 },
+          { value: 1, color: [1, 1, 1] as const, opacity: 1 },
+        ],
+        patches: parsePatches(text, units),
+        opacityFactor: 1,
+        lightFactor: 1,
+      };
     },
   };
 }
 
 describe('a session of edits by value and gradient', () => {
-  const open = (text: string | null): { view: ReturnType<typeof viewOf>; session: EditSession; editor: PatchEditor; focused: unknown[] } => {
+  const open = (
+    text: string | null,
+  ): { view: ReturnType<typeof viewOf>; session: EditSession; editor: PatchEditor; focused: unknown[] } => {
     const [view, focused] = [viewOf(text), [] as unknown[]];
     const session = new EditSession(() => session.follow(view));
     session.follow(view);
@@ -89,7 +123,12 @@ describe('a session of edits by value and gradient', () => {
     expect(session.writeAttributes()).to.equal(`transfer-function-2d="${writePatches(editor.patches)}"`);
     editor.remove(0);
     editor.remove(0);
-    expect(view.appearance).to.deep.equal({ transferFunction: null, transferFunction2d: null, opacityFactor: null, lightFactor: null });
+    expect(view.appearance).to.deep.equal({
+      transferFunction: null,
+      transferFunction2d: null,
+      opacityFactor: null,
+      lightFactor: null,
+    });
     for (let i = 0; i < 4; i++) session.undo();
     expect(view.appearance.transferFunction2d).to.equal(writePatches([box]));
     expect(session.canUndo).to.equal(false);
@@ -99,7 +138,8 @@ describe('a session of edits by value and gradient', () => {
 
   it('has keys at its grips, and no more than eight parts', () => {
     const { session, editor } = open(writePatches([box]));
-    const press = (key: string, index = 0, shiftKey = false): boolean => editor.press(new KeyboardEvent('keydown', { key, shiftKey }), { index, grip: 'middle' });
+    const press = (key: string, index = 0, shiftKey = false): boolean =>
+      editor.press(new KeyboardEvent('keydown', { key, shiftKey }), { index, grip: 'middle' });
     press('ArrowRight');
     press('ArrowRight', 0, true);
     expect((editor.patches[0] as typeof box & { kind: 'box' }).values).to.deep.equal([150, 230]);
@@ -139,7 +179,9 @@ describe('a session of edits by value and gradient', () => {
     const { view, session, editor } = open(null);
     const before = session.look!.stops;
     editor.add('box');
-    Object.defineProperty(view, 'optics', { value: { ...view.optics, transferFunction: [{ value: 7, color: [1, 1, 1], opacity: 1 }] } });
+    Object.defineProperty(view, 'optics', {
+      value: { ...view.optics, transferFunction: [{ value: 7, color: [1, 1, 1], opacity: 1 }] },
+    });
     session.follow(view);
     expect(session.look!.stops).to.deep.equal(before);
   });
@@ -163,7 +205,12 @@ describe('a histogram of values and gradients', () => {
   };
 
   it('has the gradient of a linear field, per world unit', () => {
-    const volume = syntheticVolume({ dimensions: [20, 20, 20], kind: 'float32', spacing: [2, 2, 2], field: (x, y) => 30 * x + 40 * y });
+    const volume = syntheticVolume({
+      dimensions: [20, 20, 20],
+      kind: 'float32',
+      spacing: [2, 2, 2],
+      field: (x, y) => 30 * x + 40 * y,
+    });
     const samples = run(volume, 2000);
     expect(samples.values.length).to.equal(2000);
     const inside = samples.gradients.filter((g) => Math.abs(g - 50 / 40) < 1e-4).length;

@@ -14,25 +14,52 @@ import { createQuietLayer } from '../helpers/quiet-layer.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 /** Data in its left half alone, of which little shows. */
-const volume = { ...syntheticVolume({ dimensions: [10, 10, 10], kind: 'float32', field: (x) => (x > 0.5 ? NaN : 0.2) }), hasNoData: true };
+const volume = {
+  ...syntheticVolume({ dimensions: [10, 10, 10], kind: 'float32', field: (x) => (x > 0.5 ? NaN : 0.2) }),
+  hasNoData: true,
+};
 const layer = syntheticVolume({ dimensions: [10, 10, 10], kind: 'float32', field: () => 1 });
 
-async function pickAt(across: number, { styles, blend = 'mix' }: Pick<RayStyle, 'styles'> & { blend?: 'mix' | 'color' }): Promise<VolumePick | null> {
-  const optics = { ...plainOptics, projection: null, surfaces: null, shading: 'unlit', ...(styles && { styles }) } as unknown as VolumeOptics;
+async function pickAt(
+  across: number,
+  { styles, blend = 'mix' }: Pick<RayStyle, 'styles'> & { blend?: 'mix' | 'color' },
+): Promise<VolumePick | null> {
+  const optics = {
+    ...plainOptics,
+    projection: null,
+    surfaces: null,
+    shading: 'unlit',
+    ...(styles && { styles }),
+  } as unknown as VolumeOptics;
   const overlay = makeOverlay(overlayOf(volume, layer, { blend }), 'PET');
   const quiet = createQuietLayer();
   quiet.set(volume);
-  await Promise.all([quiet.setOptics(optics), quiet.setStyle(styleOf(optics)), quiet.setAttached((attached) => attached.setOverlay(overlay.shown))]);
-  const view = { view: viewMatrix(orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 30 }, [0, 0, 0], 0.6)), projection: projectionMatrix(0.6, 1, 1, 2) };
+  await Promise.all([
+    quiet.setOptics(optics),
+    quiet.setStyle(styleOf(optics)),
+    quiet.setAttached((attached) => attached.setOverlay(overlay.shown)),
+  ]);
+  const view = {
+    view: viewMatrix(orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 30 }, [0, 0, 0], 0.6)),
+    projection: projectionMatrix(0.6, 1, 1, 2),
+  };
   const viewer = {
-    volume, optics, drawn: true, place: { host: { clientWidth: 100, clientHeight: 100 } },
-    shown: { grid: volume.grid, cuts: { region: null, slices: [], cuts: [] }, labels: null, overlay }, scene: { getView: () => view }, controller: { twins: (looks: boolean) => quiet.twins(false, looks) },
+    volume,
+    optics,
+    drawn: true,
+    place: { host: { clientWidth: 100, clientHeight: 100 } },
+    shown: { grid: volume.grid, cuts: { region: null, slices: [], cuts: [] }, labels: null, overlay },
+    scene: { getView: () => view },
+    controller: { twins: (looks: boolean) => quiet.twins(false, looks) },
   };
   return pick(viewer as unknown as Viewer, [across, 50]);
 }
 
 describe('a pick where a layer shows, and the volume has no data', () => {
-  for (const [name, styles] of [['as it is', undefined], ['in a style', [{ weight: 1, styles: [{ kind: 'silhouette', retained: 0.5, boundary: 1, sharpness: 2 }] }]]] as const) {
+  for (const [name, styles] of [
+    ['as it is', undefined],
+    ['in a style', [{ weight: 1, styles: [{ kind: 'silhouette', retained: 0.5, boundary: 1, sharpness: 2 }] }]],
+  ] as const) {
     it(`tells the layer's value, and that there is none of the volume: ${name}`, async () => {
       const both = [await pickAt(40, { styles }), await pickAt(60, { styles })];
       const [there, attached] = both[0]?.voxel ? both : [both[1], both[0]];

@@ -14,7 +14,8 @@ import { ballPly, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
 
 /** All t of a ray, triangle by triangle, by the plane of each and the sides of its corners. */
 function meetAll(surface: Surface, { origin, direction }: WorldRay): number[] {
-  const volume = (a: Vector3, b: Vector3, c: Vector3): number => a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  const volume = (a: Vector3, b: Vector3, c: Vector3): number =>
+    a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
   const found = trianglesOf(surface).flatMap((corners) => {
     const [a, b, c] = corners.map((corner) => subtract(corner, origin));
     const sides = [volume(direction, a, b), volume(direction, b, c), volume(direction, c, a)];
@@ -35,7 +36,10 @@ describe('rays and surfaces', () => {
     let hits = 0;
     for (let i = 0; i < 200; i++) {
       const origin: Vector3 = [25 * Math.sin(i), 22 * Math.cos(1.7 * i), 20 * Math.sin(2.3 * i + 1)];
-      const direction: Vector3 = subtract([3 + 9 * Math.sin(5 * i), -4 + 9 * Math.sin(7 * i), 5 + 9 * Math.cos(3 * i)], origin);
+      const direction: Vector3 = subtract(
+        [3 + 9 * Math.sin(5 * i), -4 + 9 * Math.sin(7 * i), 5 + 9 * Math.cos(3 * i)],
+        origin,
+      );
       const [found, wanted] = [[...tree.meet({ origin, direction }, 0)], meetAll(surface, { origin, direction })];
       expect(found.length).to.equal(wanted.length);
       found.forEach((t, j) => expect(t).to.be.closeTo(wanted[j], 1e-9));
@@ -54,7 +58,10 @@ describe('rays and surfaces', () => {
   it('end at the nearest one that no ClipPlane cuts, wherever the volume is', async () => {
     const host = document.createElement('div');
     const [near, far] = [document.createElement('volume-surface'), document.createElement('volume-terrain')];
-    const parts: readonly [HTMLElement, ShownSurface][] = [[far, shownOf(await surfaceOf(ballPly([0.5, 0.5, 5], 0.4)))], [near, shownOf(await surfaceOf(ballPly([0.5, 0.5, 0.5], 0.3)))]];
+    const parts: readonly [HTMLElement, ShownSurface][] = [
+      [far, shownOf(await surfaceOf(ballPly([0.5, 0.5, 5], 0.4)))],
+      [near, shownOf(await surfaceOf(ballPly([0.5, 0.5, 0.5], 0.3)))],
+    ];
     for (const [element, surface] of parts) void socketOf(host).join({ key: 'surface', element, surface });
     const ray = { point: [0.5, 0.51, -1] as Vector3, direction: [0, 0, 1] as Vector3, lengthPerT: 1 };
     const box = { entry: 1, exit: 2, behind: null };
@@ -76,7 +83,11 @@ describe('rays and surfaces', () => {
     // A slice that hides it, and a ray beside the volume.
     const slice = { ...box, behind: [1, 1, 1, 1] as const };
     expect(last.stage(ray, { ...box, behind: [1, 1, 1, 1] }).behind).to.deep.equal(slice.behind);
-    expect(last.stage(ray, { entry: 3, exit: 2, behind: null })).to.deep.equal({ entry: 3, exit: 3, behind: [0.2, 0.4, 0.6, 1] });
+    expect(last.stage(ray, { entry: 3, exit: 2, behind: null })).to.deep.equal({
+      entry: 3,
+      exit: 3,
+      behind: [0.2, 0.4, 0.6, 1],
+    });
     expect(endAtSurface(host, { ...ray, point: [5, 5, -1] }, identity, 0)).to.equal(null);
   });
 
@@ -92,8 +103,26 @@ describe('rays and surfaces', () => {
     };
     const away = { kept: [], removed: null };
     expect(meetAfter(away)).to.be.closeTo(1.2, 0.01);
-    expect(meetAfter({ ...away, removed: [[0, 1], [0, 1], [0, 0.5]] })).to.be.closeTo(1.8, 0.01);
-    expect(meetAfter({ ...away, removed: [[0, 1], [0.505, 1], [0, 1]] })).to.equal(undefined);
+    expect(
+      meetAfter({
+        ...away,
+        removed: [
+          [0, 1],
+          [0, 1],
+          [0, 0.5],
+        ],
+      }),
+    ).to.be.closeTo(1.8, 0.01);
+    expect(
+      meetAfter({
+        ...away,
+        removed: [
+          [0, 1],
+          [0.505, 1],
+          [0, 1],
+        ],
+      }),
+    ).to.equal(undefined);
     expect(meetAfter({ ...away, kept: [{ normal: [0, 0, -1], at: -0.5 }] })).to.be.closeTo(1.2, 0.01);
     expect(meetAfter({ ...away, kept: [{ normal: [0, 0, 1], at: 0.5 }] })).to.be.closeTo(1.8, 0.01);
     // By a ClipPlane as well.

@@ -30,7 +30,11 @@ function setUp(volume: Volume) {
 }
 
 /** The rays of a layer's list. */
-async function stagesOfLayer(layer: VolumeLayer, rays: RaySetup, { stepLength, shapeT }: { readonly stepLength: number } & Pick<TwinFrame, 'shapeT'>): Promise<RayStages> {
+async function stagesOfLayer(
+  layer: VolumeLayer,
+  rays: RaySetup,
+  { stepLength, shapeT }: { readonly stepLength: number } & Pick<TwinFrame, 'shapeT'>,
+): Promise<RayStages> {
   const twins = layer.twins(shapeT !== undefined)!;
   const frame = { ...twins, rays, placesOnly: false, shapeT };
   await loadTwins(twins, frame);
@@ -46,7 +50,7 @@ async function layerOf(volume: Volume, optics: Optics): Promise<VolumeLayer> {
 }
 
 describe('the modules of a layer, in float64', () => {
-  it('are a whole ray, the reference\'s own', async () => {
+  it("are a whole ray, the reference's own", async () => {
     const volume = syntheticVolume({ dimensions: [14, 12, 10], kind: 'uint16' });
     const { rays, picked } = setUp(volume);
     const scene = { ...volume, ...plainOptics, stepLength: 0.6 };
@@ -59,12 +63,20 @@ describe('the modules of a layer, in float64', () => {
     }
   });
 
-  it('are a radar\'s, with slices, brightened once', async () => {
+  it("are a radar's, with slices, brightened once", async () => {
     const sweeps = [0.5, 3, 8].map((elevation) => ({ elevation, azimuths: evenAzimuths(36), gates: 30 }));
     const volume = radarVolume({ sweeps }, { verticalExaggeration: 4 });
     const { rays, picked } = setUp(volume);
     const stepLength = longestDiagonal(volume.grid) / 60;
-    const appearance = { ...plainOptics, transferFunction: [{ value: -30, color: [0.2, 0.3, 0.4], opacity: 0.1 }, { value: 90, color: [0.5, 0, 0.1], opacity: 0.2 }] as const, referenceLength: 1e5, lightFactor: 1.5 };
+    const appearance = {
+      ...plainOptics,
+      transferFunction: [
+        { value: -30, color: [0.2, 0.3, 0.4], opacity: 0.1 },
+        { value: 90, color: [0.5, 0, 0.1], opacity: 0.2 },
+      ] as const,
+      referenceLength: 1e5,
+      lightFactor: 1.5,
+    };
     const level: Slice = { kind: 'level', height: 2000 };
     const layer = await layerOf(volume, appearance);
     const bare = await stagesOfLayer(layer, rays, { stepLength });
@@ -87,8 +99,18 @@ describe('the modules of a layer, in float64', () => {
     const volume = syntheticVolume({ dimensions: [14, 12, 10], kind: 'uint16' });
     const { rays, picked } = setUp(volume);
     const layer = await layerOf(volume, plainOptics);
-    const shade = (name: string, act: ShadeStage): RayModule => ({ ...labelAppearances, name, twin: twinOf(later(() => Promise.resolve({})), () => ({ shades: [act] })) });
-    const [double, add] = [shade('double', (_, [r, g, b, a]) => [2 * r, g, b, a]), shade('add', (_, [r, g, b, a]) => [r + a, g, b, a])];
+    const shade = (name: string, act: ShadeStage): RayModule => ({
+      ...labelAppearances,
+      name,
+      twin: twinOf(
+        later(() => Promise.resolve({})),
+        () => ({ shades: [act] }),
+      ),
+    });
+    const [double, add] = [
+      shade('double', (_, [r, g, b, a]) => [2 * r, g, b, a]),
+      shade('add', (_, [r, g, b, a]) => [r + a, g, b, a]),
+    ];
     const redOf = async (modules: readonly RayModule[]): Promise<number> => {
       layer.setModules(modules);
       return castRay(await stagesOfLayer(layer, rays, { stepLength: 0.6 }), picked[1])[0];
@@ -101,12 +123,14 @@ describe('the modules of a layer, in float64', () => {
     expect(await redOf([lost]).catch(String)).to.include('the twin of double got "shades"');
   });
 
-  it('say so where one that a ray can\'t do without says nothing of float64', async () => {
+  it("say so where one that a ray can't do without says nothing of float64", async () => {
     const volume = syntheticVolume({ dimensions: [4, 4, 4] });
     const layer = await layerOf(volume, plainOptics);
     layer.setModules([{ ...layer.modules(false).find(({ name }) => name === 'composite')!, name: 'mute', twin: null }]);
     const error = await stagesOfLayer(layer, setUp(volume).rays, { stepLength: 1 }).catch((thrown: unknown) => thrown);
     expect(error).to.be.an.instanceOf(TypeError);
-    expect((error as Error).message).to.include('gather').and.to.include('mute');
+    expect((error as Error).message)
+      .to.include('gather')
+      .and.to.include('mute');
   });
 });

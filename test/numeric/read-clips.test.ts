@@ -25,19 +25,43 @@ interface Left {
   readonly message: string;
 }
 
-function cutLine(html: string, [from, to]: readonly [Vector3, Vector3], { of = volume, attributes = {}, clips = [] as Record<string, string>[] } = {}): Left {
+function cutLine(
+  html: string,
+  [from, to]: readonly [Vector3, Vector3],
+  { of = volume, attributes = {}, clips = [] as Record<string, string>[] } = {},
+): Left {
   const host = document.createElement('div');
   host.innerHTML = html;
   for (const [name, value] of Object.entries(attributes)) host.setAttribute(name, String(value));
-  for (const texts of clips) void socketOf(host).join({ key: 'volume-clip', clip: () => modelOf(texts).shape(null) ?? modelOf(texts).shape(room) });
+  for (const texts of clips)
+    void socketOf(host).join({
+      key: 'volume-clip',
+      clip: () => modelOf(texts).shape(null) ?? modelOf(texts).shape(room),
+    });
   const { cuts, error } = readClips(host, of);
   const items = cuts.flatMap((cut) => cut.items) as (HalfSpace | Cutout)[];
   const toUnit = invertAffine(unitToWorld(of.grid))!;
-  const ray = { point: transformPoint(toUnit, from), direction: transformDirection(toUnit, subtract(to, from)), lengthPerT: 1 };
-  const stages = [clipInterval(items.filter((item) => item.kind === 'half-space')), ...items.filter((item) => item.kind === 'cutout').map(cutoutInterval)];
-  const left = stages.reduce((interval, stage) => stage(ray, interval), { entry: 0, exit: 1, behind: null } as Parameters<(typeof stages)[0]>[1]);
+  const ray = {
+    point: transformPoint(toUnit, from),
+    direction: transformDirection(toUnit, subtract(to, from)),
+    lengthPerT: 1,
+  };
+  const stages = [
+    clipInterval(items.filter((item) => item.kind === 'half-space')),
+    ...items.filter((item) => item.kind === 'cutout').map(cutoutInterval),
+  ];
+  const left = stages.reduce((interval, stage) => stage(ray, interval), {
+    entry: 0,
+    exit: 1,
+    behind: null,
+  } as Parameters<(typeof stages)[0]>[1]);
   const round = (x: number): number => Math.round(x * 1e9) / 1e9 + 0;
-  return { from: round(left.entry), to: round(left.exit), gap: left.gap?.map(round) ?? null, message: error?.message ?? '' };
+  return {
+    from: round(left.entry),
+    to: round(left.exit),
+    gap: left.gap?.map(round) ?? null,
+    message: error?.message ?? '',
+  };
 }
 
 const room: ClipRoom = { low: [-10, -9, -8], high: [10, 9, 8], stretch: 1 };
@@ -48,7 +72,10 @@ function modelOf(texts: Record<string, string>): ClipModel {
   return model;
 }
 
-const alongX: readonly [Vector3, Vector3] = [[-10, 0.5, 0.5], [10, 0.5, 0.5]];
+const alongX: readonly [Vector3, Vector3] = [
+  [-10, 0.5, 0.5],
+  [10, 0.5, 0.5],
+];
 const plane = (numbers: string, more = ''): string => `<clipplane plane="${numbers}" ${more}></clipplane>`;
 const whole = { from: 0, to: 1, gap: null, message: '' };
 
@@ -57,30 +84,60 @@ describe('what cuts a volume', () => {
     expect(cutLine(plane('1 0 0 5'), alongX)).to.deep.equal({ ...whole, from: 0.25 });
     expect(cutLine(plane('-4, 0, 0, 20'), alongX)).to.deep.equal({ ...whole, to: 0.75 });
     expect(cutLine(plane('1 0 0 5') + plane('-1 0 0 5'), alongX)).to.deep.equal({ ...whole, from: 0.25, to: 0.75 });
-    for (const off of ['on="false"', 'enabled="FALSE"']) expect(cutLine(plane('1 0 0 5', off), alongX)).to.deep.equal(whole);
+    for (const off of ['on="false"', 'enabled="FALSE"'])
+      expect(cutLine(plane('1 0 0 5', off), alongX)).to.deep.equal(whole);
     expect(cutLine('<clipplane></clipplane>', alongX)).to.deep.equal(whole); // 0 1 0 0, and y is 0.5.
-    expect(cutLine('<ClipPlane DEF="a" plane="1 0 0 5"></ClipPlane><clipplane USE="a"></clipplane>', alongX)).to.deep.equal({ ...whole, from: 0.25 });
-    expect(cutLine(`<group>${plane('1 0 0 5')}</group>`, alongX), 'what is in a group cuts what is there').to.deep.equal(whole);
+    expect(
+      cutLine('<ClipPlane DEF="a" plane="1 0 0 5"></ClipPlane><clipplane USE="a"></clipplane>', alongX),
+    ).to.deep.equal({ ...whole, from: 0.25 });
+    expect(
+      cutLine(`<group>${plane('1 0 0 5')}</group>`, alongX),
+      'what is in a group cuts what is there',
+    ).to.deep.equal(whole);
   });
 
   it('is a box that is cut out, whichever corners are given; one beside the volume, or flat, removes nothing', () => {
-    for (const cutout of ['-5 -2 -2 2 3 3', '2,3,3,-5,-2,-2']) expect(cutLine('', alongX, { attributes: { cutout } })).to.deep.equal({ ...whole, gap: [0.25, 0.6] });
-    expect(cutLine('', alongX, { attributes: { cutout: '-1e300 -1e300 -1e300 2 1e300 1e300' } })).to.deep.equal({ ...whole, from: 0.6 });
-    for (const cutout of ['50 50 50 60 60 60', '-5 1 -2 2 3 3', '-5 -2 0.5 2 3 0.5', '']) expect(cutLine('', alongX, { attributes: { cutout } })).to.deep.equal(whole);
-    expect(cutLine('', alongX, { attributes: { cutout: '-50 -50 -50 50 50 50' } }).from, 'all is cut away, and that is no error').to.be.above(1);
+    for (const cutout of ['-5 -2 -2 2 3 3', '2,3,3,-5,-2,-2'])
+      expect(cutLine('', alongX, { attributes: { cutout } })).to.deep.equal({ ...whole, gap: [0.25, 0.6] });
+    expect(cutLine('', alongX, { attributes: { cutout: '-1e300 -1e300 -1e300 2 1e300 1e300' } })).to.deep.equal({
+      ...whole,
+      from: 0.6,
+    });
+    for (const cutout of ['50 50 50 60 60 60', '-5 1 -2 2 3 3', '-5 -2 0.5 2 3 0.5', ''])
+      expect(cutLine('', alongX, { attributes: { cutout } })).to.deep.equal(whole);
+    expect(
+      cutLine('', alongX, { attributes: { cutout: '-50 -50 -50 50 50 50' } }).from,
+      'all is cut away, and that is no error',
+    ).to.be.above(1);
   });
 
   it('are planes and boxes that stand elsewhere in the page', () => {
     expect(cutLine('', alongX, { clips: [{ normal: '2 0 0', at: '5' }] })).to.deep.equal({ ...whole, from: 0.75 });
     expect(cutLine('', alongX, { clips: [{ normal: '1 0 0' }] }), 'the middle').to.deep.equal({ ...whole, from: 0.5 });
-    expect(cutLine('', alongX, { clips: [{ type: 'box', box: '-5 -5 -5 5 5 5' }, { type: 'box', box: '-8 -5 -5 2 5 5' }] }), 'what both keep').to.deep.equal({ ...whole, from: 0.25, to: 0.6 });
-    expect(cutLine('', alongX, { clips: [{ type: 'box', keep: 'outside', box: '-5 -5 -5 5 5 5' }] })).to.deep.equal({ ...whole, gap: [0.25, 0.75] });
+    expect(
+      cutLine('', alongX, {
+        clips: [
+          { type: 'box', box: '-5 -5 -5 5 5 5' },
+          { type: 'box', box: '-8 -5 -5 2 5 5' },
+        ],
+      }),
+      'what both keep',
+    ).to.deep.equal({ ...whole, from: 0.25, to: 0.6 });
+    expect(cutLine('', alongX, { clips: [{ type: 'box', keep: 'outside', box: '-5 -5 -5 5 5 5' }] })).to.deep.equal({
+      ...whole,
+      gap: [0.25, 0.75],
+    });
   });
 
   it('of a radar is in metres before heights are stretched, but for ClipPlanes, which are in the scene as shapes are', () => {
     const radar = radarVolume(polarScenes['five sweeps'], { verticalExaggeration: 4 });
-    const up: readonly [Vector3, Vector3] = [[100, 100, 0], [100, 100, 16_000]];
-    expect(cutLine('', up, { of: radar, attributes: { cutout: '-1e5 -1e5 1000 1e5 1e5 2000' } }).gap).to.deep.equal([0.25, 0.5]);
+    const up: readonly [Vector3, Vector3] = [
+      [100, 100, 0],
+      [100, 100, 16_000],
+    ];
+    expect(cutLine('', up, { of: radar, attributes: { cutout: '-1e5 -1e5 1000 1e5 1e5 2000' } }).gap).to.deep.equal([
+      0.25, 0.5,
+    ]);
     expect(cutLine(plane('0 0 1 -4000'), up, { of: radar }).from).to.equal(0.25);
     expect(cutLine('', up, { of: radar, clips: [{ normal: '0 0 1', at: '1000' }] }).from).to.equal(0.25);
   });
@@ -90,24 +147,43 @@ describe('what cuts a volume', () => {
     const host = document.createElement('div');
     host.innerHTML = plane('0 0 1 -4000');
     host.setAttribute('cutout', '-1e7 -1e7 1500 1e7 0 2000');
-    const clips: Record<string, string>[] = [{ normal: '1 2 0', at: '50' }, { type: 'box', box: '-1e7 -1e7 -1e7 4e4 1e7 3000' }];
+    const clips: Record<string, string>[] = [
+      { normal: '1 2 0', at: '50' },
+      { type: 'box', box: '-1e7 -1e7 -1e7 4e4 1e7 3000' },
+    ];
     for (const texts of clips) void socketOf(host).join({ key: 'volume-clip', clip: () => modelOf(texts).shape(null) });
     const { cuts, away, error } = readClips(host, radar);
-    expect([error, away.kept.length, away.removed]).to.deep.equal([null, 8, [[-1e7, 1e7], [-1e7, 0], [6000, 8000]]]);
+    expect([error, away.kept.length, away.removed]).to.deep.equal([
+      null,
+      8,
+      [
+        [-1e7, 1e7],
+        [-1e7, 0],
+        [6000, 8000],
+      ],
+    ]);
     const items = cuts.flatMap((cut) => cut.items) as (HalfSpace | Cutout)[];
     const toUnit = invertAffine(unitToWorld(radar.grid))!;
     let kept = 0;
     for (let i = 0; i < 400; i++) {
       const place: Vector3 = [5e4 * Math.sin(i), 5e4 * Math.sin(1.7 * i), 7000 + 6999 * Math.sin(2.3 * i)];
       const point = transformPoint(toUnit, place);
-      const isShown = items.every((item) => item.kind === 'half-space'
-        ? dot(item.normal, point) >= item.offset
-        : !transformPoint(item.unitToBox, point).every((x) => x > 0 && x < 1));
+      const isShown = items.every((item) =>
+        item.kind === 'half-space'
+          ? dot(item.normal, point) >= item.offset
+          : !transformPoint(item.unitToBox, point).every((x) => x > 0 && x < 1),
+      );
       expect(isKept(away, place), String(place)).to.equal(isShown);
       kept += Number(isShown);
     }
     expect(kept).to.be.within(40, 360);
-    for (const [place, isThere] of [[[-9e6, 9e6, 7000], true], [[-9e6, 9e7, 7000], false], [[-9e6, -9e6, 7000], false], [[-9e6, 9e6, 3999], false]] as const) expect(isKept(away, place), String(place)).to.equal(isThere);
+    for (const [place, isThere] of [
+      [[-9e6, 9e6, 7000], true],
+      [[-9e6, 9e7, 7000], false],
+      [[-9e6, -9e6, 7000], false],
+      [[-9e6, 9e6, 3999], false],
+    ] as const)
+      expect(isKept(away, place), String(place)).to.equal(isThere);
   });
 
   it('can be six planes and one box; more are refused, and those stay', () => {
@@ -117,7 +193,10 @@ describe('what cuts a volume', () => {
     expect(seven.message).to.contain('got 7 planes').and.to.contain('at most 6');
     expect(seven.from).to.equal(0.25);
     expect(cutLine(six, alongX, { clips: [{ normal: '1 0 0' }] }).message).to.contain('got 7 planes');
-    const boxes = cutLine('', alongX, { attributes: { cutout: '-5 -2 -2 2 3 3' }, clips: [{ type: 'box', keep: 'outside', box: '3 -5 -5 5 5 5' }] });
+    const boxes = cutLine('', alongX, {
+      attributes: { cutout: '-5 -2 -2 2 3 3' },
+      clips: [{ type: 'box', keep: 'outside', box: '3 -5 -5 5 5 5' }],
+    });
     expect(boxes.message).to.contain('got 2 boxes');
     expect(boxes.gap).to.deep.equal([0.25, 0.6]);
   });
@@ -128,9 +207,17 @@ describe('what cuts a volume', () => {
       expect(message, text).to.contain('plane of a ClipPlane');
       expect(left.from, text).to.equal(0.25);
     }
-    for (const cutout of ['1 2 3', 'NaN 0 0 1 1 1', '0 0 0 1 1 x']) expect(cutLine('', alongX, { attributes: { cutout } }).message, cutout).to.contain('cutout got');
-    for (const [texts, said] of [[{ type: 'ball' }, 'plane or box'], [{ normal: '0 0 0' }, 'may not be 0 0 0'], [{ at: 'x' }, 'along the normal'], [{ at: '1e300' }, 'along the normal'],
-      [{ type: 'box', box: '1 2' }, '6 numbers'], [{ type: 'box', keep: 'both' }, 'inside or outside']] as const) expect(() => modelOf(texts), JSON.stringify(texts)).to.throw(said);
+    for (const cutout of ['1 2 3', 'NaN 0 0 1 1 1', '0 0 0 1 1 x'])
+      expect(cutLine('', alongX, { attributes: { cutout } }).message, cutout).to.contain('cutout got');
+    for (const [texts, said] of [
+      [{ type: 'ball' }, 'plane or box'],
+      [{ normal: '0 0 0' }, 'may not be 0 0 0'],
+      [{ at: 'x' }, 'along the normal'],
+      [{ at: '1e300' }, 'along the normal'],
+      [{ type: 'box', box: '1 2' }, '6 numbers'],
+      [{ type: 'box', keep: 'both' }, 'inside or outside'],
+    ] as const)
+      expect(() => modelOf(texts), JSON.stringify(texts)).to.throw(said);
   });
 });
 
@@ -149,7 +236,15 @@ describe('a plane or a box that is dragged', () => {
   it('of a box has six sides, none of which goes past the one across, and a middle that moves all of it', () => {
     const model = modelOf({ type: 'box', box: '-4 -4 -4 4 2 4' });
     const grips = model.grips(room);
-    expect(grips.map(({ at }) => at)).to.deep.equal([[0, -1, 0], [-4, -1, 0], [4, -1, 0], [0, -4, 0], [0, 2, 0], [0, -1, -4], [0, -1, 4]]);
+    expect(grips.map(({ at }) => at)).to.deep.equal([
+      [0, -1, 0],
+      [-4, -1, 0],
+      [4, -1, 0],
+      [0, -4, 0],
+      [0, 2, 0],
+      [0, -1, -4],
+      [0, -1, 4],
+    ]);
     model.move(2, [9, 5, 5], room);
     expect(model.shape(room)).to.deep.include({ box: [-4, -4, -4, 9, 2, 4] });
     model.move(3, [0, 7, 0], room);

@@ -53,7 +53,12 @@ class FakeElement implements ScanHost {
   async show(index: number): Promise<void> {
     this.#current.abort();
     const { signal } = (this.#current = new AbortController());
-    const done = await this.player.load({ index }, signal, () => {}).then(() => true, () => false);
+    const done = await this.player
+      .load({ index }, signal, () => {})
+      .then(
+        () => true,
+        () => false,
+      );
     if (signal.aborted) return;
     this.player.settled(done);
     if (done) this.player.drawn();
@@ -170,7 +175,11 @@ describe('playback', () => {
     const player = { play: (one: unknown) => settings.push(one) } as unknown as ScanPlayer;
     return { playback: new Playback((event) => events.push(event)), events, settings, player };
   }
-  const nameOf = (promise: Promise<void>): Promise<string> => promise.then(() => 'playing', ({ name }: DOMException) => name);
+  const nameOf = (promise: Promise<void>): Promise<string> =>
+    promise.then(
+      () => 'playing',
+      ({ name }: DOMException) => name,
+    );
 
   it('is paused at first, begins once, and tells each change once', () => {
     const { playback, events } = start();
@@ -191,7 +200,11 @@ describe('playback', () => {
     expect(await playing).to.equal('playing');
     playback.pause();
     playback.setSpeed(3);
-    expect(settings).to.deep.equal([{ on: true, speed: 7 }, { on: false, speed: 7 }, { on: false, speed: 3 }]);
+    expect(settings).to.deep.equal([
+      { on: true, speed: 7 },
+      { on: false, speed: 7 },
+      { on: false, speed: 3 },
+    ]);
   });
 
   it('begins by itself where the author says so, and outlives a source', () => {

@@ -7,21 +7,44 @@ import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.
 import { segmentOf } from '../../src/viewer/attachments/segment-controller.ts';
 import { atlasOf, fakeView, plainAppearance, viewOf } from '../helpers/fake-view.ts';
 
-const nodeOf = (attributes: string): Element => viewOf(`<SegmentedVolumeData ${attributes}></SegmentedVolumeData>`).firstElementChild!;
+const nodeOf = (attributes: string): Element =>
+  viewOf(`<SegmentedVolumeData ${attributes}></SegmentedVolumeData>`).firstElementChild!;
 
 const identifiers = (pixels: readonly number[]): string => atlasOf('segmentIdentifiers', pixels);
 const cartoon = '<CartoonVolumeStyle></CartoonVolumeStyle>';
 const edge = '<EdgeEnhancementVolumeStyle></EdgeEnhancementVolumeStyle>';
-const map = (pixels: string): string => `<OpacityMapVolumeStyle><PixelTexture image="2 1 4 ${pixels}"></PixelTexture></OpacityMapVolumeStyle>`;
+const map = (pixels: string): string =>
+  `<OpacityMapVolumeStyle><PixelTexture image="2 1 4 ${pixels}"></PixelTexture></OpacityMapVolumeStyle>`;
 
-describe('X3D\'s segments', () => {
+describe("X3D's segments", () => {
   it('are labels of the volume: some are not drawn, and some have colours and opacities of their own', async () => {
-    const view = fakeView(`<SegmentedVolumeData segmentEnabled="TRUE, true false">${identifiers([0, 1, 2, 7])}<OpacityMapVolumeStyle></OpacityMapVolumeStyle>${map('0x00000000 0xFF0000FF')}</SegmentedVolumeData>`);
+    const view = fakeView(
+      `<SegmentedVolumeData segmentEnabled="TRUE, true false">${identifiers([0, 1, 2, 7])}<OpacityMapVolumeStyle></OpacityMapVolumeStyle>${map('0x00000000 0xFF0000FF')}</SegmentedVolumeData>`,
+    );
     expect((await view.read()).styles, 'no style').to.equal(undefined);
-    const { map: { ids, numbers }, styles, functions } = view.shown.labels!.shown!;
-    expect([ids, [...numbers]]).to.deep.equal([[0, 1, 2, 7], [0, 1, 2, 3]]);
-    expect(styles.map(({ color, opacityFactor, group = 0 }) => [...color, opacityFactor, group])).to.deep.equal([[1, 1, 1, 1, 0], [1, 1, 1, 1, 1], [1, 1, 1, 0, 0], [1, 1, 1, 1, 0]]);
-    expect(functions!.map((stops) => stops.map(({ value, opacity, color }) => [value, opacity, ...color]))).to.deep.equal([[[0, 0, 0, 0, 0], [200, 1, 1, 0, 0]]]);
+    const {
+      map: { ids, numbers },
+      styles,
+      functions,
+    } = view.shown.labels!.shown!;
+    expect([ids, [...numbers]]).to.deep.equal([
+      [0, 1, 2, 7],
+      [0, 1, 2, 3],
+    ]);
+    expect(styles.map(({ color, opacityFactor, group = 0 }) => [...color, opacityFactor, group])).to.deep.equal([
+      [1, 1, 1, 1, 0],
+      [1, 1, 1, 1, 1],
+      [1, 1, 1, 0, 0],
+      [1, 1, 1, 1, 0],
+    ]);
+    expect(
+      functions!.map((stops) => stops.map(({ value, opacity, color }) => [value, opacity, ...color])),
+    ).to.deep.equal([
+      [
+        [0, 0, 0, 0, 0],
+        [200, 1, 1, 0, 0],
+      ],
+    ]);
     expect(view.errors.first).to.equal(null);
 
     view.host.firstElementChild!.setAttribute('segmentEnabled', 'false');
@@ -50,7 +73,9 @@ describe('X3D\'s segments', () => {
   });
 
   it('of an atlas have textures from black to white of it, unless the view says otherwise', async () => {
-    const view = fakeView(`<SegmentedVolumeData>${identifiers([0, 1, 2, 2])}${map('0x00000000 0xFF0000FF')}</SegmentedVolumeData>`);
+    const view = fakeView(
+      `<SegmentedVolumeData>${identifiers([0, 1, 2, 2])}${map('0x00000000 0xFF0000FF')}</SegmentedVolumeData>`,
+    );
     void socketOf(view.host).join({ key: 'atlas', attribute: () => 'ct.png' });
     const last = async (): Promise<number> => (await view.read(), view.shown.labels!.shown!.functions![0][1].value);
     expect(await last()).to.equal(255);
@@ -60,7 +85,9 @@ describe('X3D\'s segments', () => {
 
   it('have one style, that of the first that is drawn, and others are told', async () => {
     const html = `<SegmentedVolumeData segmentEnabled="false">${identifiers([0, 1, 2, 2])}${edge}${cartoon}${cartoon}</SegmentedVolumeData>`;
-    expect(readVolumeNodes(viewOf(html), plainAppearance).styles!.flatMap(({ styles }) => styles.map(({ kind }) => kind))).to.deep.equal(['cartoon']);
+    expect(
+      readVolumeNodes(viewOf(html), plainAppearance).styles!.flatMap(({ styles }) => styles.map(({ kind }) => kind)),
+    ).to.deep.equal(['cartoon']);
     const same = fakeView(html);
     await same.read();
     expect(same.errors.first).to.equal(null);
@@ -68,12 +95,17 @@ describe('X3D\'s segments', () => {
     const other = fakeView(html.replace('"false"', '"true"'));
     expect((await other.read()).styles![0].styles.map(({ kind }) => kind)).to.deep.equal(['edge']);
     expect(other.errors.first).to.include({ code: 'attribute/invalid' });
-    expect(other.errors.first!.message).to.match(/got <cartoonvolumestyle> for segment 1 and <edgeenhancementvolumestyle> for segment 0; .* All of them have that of segment 0/);
+    expect(other.errors.first!.message).to.match(
+      /got <cartoonvolumestyle> for segment 1 and <edgeenhancementvolumestyle> for segment 0; .* All of them have that of segment 0/,
+    );
     expect(other.shown.labels, 'and drawn').to.not.equal(null);
   });
 
   it('without a style beside some with one are told where they are drawn', () => {
-    const all = [{ node: 'a', key: '', texture: null }, { node: 'b', key: 'b', texture: null }];
+    const all = [
+      { node: 'a', key: '', texture: null },
+      { node: 'b', key: 'b', texture: null },
+    ];
     expect(leadOf(all, [])).to.equal(1);
     expect(leadOf(all, [true, false])).to.equal(-1);
     expect(reportStyles(all, [], [1])).to.equal(null);
@@ -85,13 +117,17 @@ describe('X3D\'s segments', () => {
   it('are spread over a pixel where X3DOM says how many there are', async () => {
     // 10 of them: segment n begins at (n + 1/2) / 10, as X3DOM 1.8.3 draws it.
     expect([0, 0.14, 0.16, 0.24, 0.26, 1].map((share) => segmentOf(share, 10))).to.deep.equal([0, 0, 1, 1, 2, 9]);
-    const view = fakeView(`<SegmentedVolumeData numberOfMaxSegments="10">${identifiers([0, 51, 77, 255])}</SegmentedVolumeData>`);
+    const view = fakeView(
+      `<SegmentedVolumeData numberOfMaxSegments="10">${identifiers([0, 51, 77, 255])}</SegmentedVolumeData>`,
+    );
     await view.read();
     expect(view.shown.labels!.shown!.map.ids).to.deep.equal([0, 1, 2, 9]);
   });
 
-  it('leave a page\'s own labels in their place', async () => {
-    const view = fakeView(`<volume-labels></volume-labels><SegmentedVolumeData>${identifiers([0, 1, 2, 2])}</SegmentedVolumeData>`);
+  it("leave a page's own labels in their place", async () => {
+    const view = fakeView(
+      `<volume-labels></volume-labels><SegmentedVolumeData>${identifiers([0, 1, 2, 2])}</SegmentedVolumeData>`,
+    );
     const error = await view.read().catch((thrown: unknown) => thrown);
     expect(error).to.be.instanceOf(VolumeViewError);
     expect((error as Error).message).to.match(/got <volume-labels> beside it.*The <volume-labels> is drawn/);
@@ -107,9 +143,26 @@ describe('X3D\'s segments', () => {
   });
 
   for (const [what, act, message] of [
-    ['no identifiers', () => readIdentifiers(nodeOf('')), /got no segment identifiers; expected an <ImageTextureAtlas containerField="segmentIdentifiers"/],
-    ['words that are no booleans', () => readEnabled(nodeOf('segmentEnabled="true 0"')), /segmentEnabled of SegmentedVolumeData got "true 0"; expected "true" or "false" for each segment/],
-    ['an atlas without slices', () => readIdentifiers(viewOf('<SegmentedVolumeData><ImageTextureAtlas containerField="segmentIdentifiers" url="a.png"></ImageTextureAtlas></SegmentedVolumeData>').firstElementChild!), /slicesOverX/],
+    [
+      'no identifiers',
+      () => readIdentifiers(nodeOf('')),
+      /got no segment identifiers; expected an <ImageTextureAtlas containerField="segmentIdentifiers"/,
+    ],
+    [
+      'words that are no booleans',
+      () => readEnabled(nodeOf('segmentEnabled="true 0"')),
+      /segmentEnabled of SegmentedVolumeData got "true 0"; expected "true" or "false" for each segment/,
+    ],
+    [
+      'an atlas without slices',
+      () =>
+        readIdentifiers(
+          viewOf(
+            '<SegmentedVolumeData><ImageTextureAtlas containerField="segmentIdentifiers" url="a.png"></ImageTextureAtlas></SegmentedVolumeData>',
+          ).firstElementChild!,
+        ),
+      /slicesOverX/,
+    ],
   ] as const) {
     it(`refuses ${what} in words`, () => {
       expect(act).to.throw(message).with.property('code', 'attribute/invalid');

@@ -22,10 +22,23 @@ function createView() {
   const settings = { region: { value: null as readonly number[] | null } };
   const work: Promise<unknown>[] = [];
   const viewer = { volume, shown, scene: { loadLines: async () => null }, invalidate: () => {}, reframe: () => {} };
-  socket.view = { host, awake: true, errors: new ErrorState({ file: '', changed: () => {}, failed: () => {} }), settings, viewer, volume, track: (one: Promise<unknown>) => work.push(one), reportFiles: () => {} } as unknown as SocketView;
+  socket.view = {
+    host,
+    awake: true,
+    errors: new ErrorState({ file: '', changed: () => {}, failed: () => {} }),
+    settings,
+    viewer,
+    volume,
+    track: (one: Promise<unknown>) => work.push(one),
+    reportFiles: () => {},
+  } as unknown as SocketView;
   const target = new SurfaceTarget(socket, document.createElement('i'));
   return {
-    socket, target, shown, settings, work,
+    socket,
+    target,
+    shown,
+    settings,
+    work,
     /** As the viewer does. */
     cut: (away: WorldCut): Promise<unknown> => {
       shown.cuts = { ...shown.cuts, away };
@@ -35,13 +48,21 @@ function createView() {
     /** The lowest place of what is in the picture; null where that is nothing. */
     get lowest(): number | null {
       const one = socket.last('surface');
-      return one ? Math.min(...trianglesOf(one.surface).flat().map(([, , z]) => z)) : null;
+      return one
+        ? Math.min(
+            ...trianglesOf(one.surface)
+              .flat()
+              .map(([, , z]) => z),
+          )
+        : null;
     },
   };
 }
 
 /** Runs a test with time that only passes where it says so, of the page's clock and timers. */
-async function withClock(test: (clock: { now: number; pass: (ms: number) => Promise<void> }) => Promise<void>): Promise<void> {
+async function withClock(
+  test: (clock: { now: number; pass: (ms: number) => Promise<void> }) => Promise<void>,
+): Promise<void> {
   const [now, timeout] = [performance.now.bind(performance), globalThis.setTimeout.bind(globalThis)];
   let timers: { at: number; act: () => void }[] = [];
   const clock = {
@@ -57,7 +78,8 @@ async function withClock(test: (clock: { now: number; pass: (ms: number) => Prom
     },
   };
   performance.now = () => clock.now;
-  globalThis.setTimeout = ((act: () => void, ms: number) => timers.push({ at: clock.now + ms, act })) as unknown as typeof globalThis.setTimeout;
+  globalThis.setTimeout = ((act: () => void, ms: number) =>
+    timers.push({ at: clock.now + ms, act })) as unknown as typeof globalThis.setTimeout;
   try {
     await test(clock);
   } finally {
@@ -78,15 +100,24 @@ describe('a surface that is cut with its volume', () => {
     let isCut = true;
     const controller = new SurfaceController({
       localName: 'volume-surface',
-      wanted: () => ({ request: { surface: 'mesh', url: `data:text/plain,${encodeURIComponent(ballPly([0, 0, 0], 5))}`, space: null }, look: { color: [1, 0, 0], usesOwnColors: false, isCut } }),
-      target: () => target, came: () => {}, progress: () => {}, failed: (error) => expect.fail(String(error)),
+      wanted: () => ({
+        request: { surface: 'mesh', url: `data:text/plain,${encodeURIComponent(ballPly([0, 0, 0], 5))}`, space: null },
+        look: { color: [1, 0, 0], usesOwnColors: false, isCut },
+      }),
+      target: () => target,
+      came: () => {},
+      progress: () => {},
+      failed: (error) => expect.fail(String(error)),
     });
     shown.cuts.away = above(1);
     controller.refresh();
     await Promise.all(work);
     expect(view.lowest).to.be.closeTo(1, 1e-6);
     const { places, cut } = socket.last('surface')!;
-    expect(places!.some(([, , z]) => z < -4.9), 'cameras frame the whole').to.equal(true);
+    expect(
+      places!.some(([, , z]) => z < -4.9),
+      'cameras frame the whole',
+    ).to.equal(true);
     expect([cut!.away, cut!.whole]).to.deep.equal([above(1), controller.surface]);
 
     await view.cut(above(-2));
@@ -97,7 +128,14 @@ describe('a surface that is cut with its volume', () => {
     await view.cut(above(6));
     expect(socket.last('surface')).to.equal(null);
     [shown.cuts.region, settings.region.value] = [{}, [-9, -9, 3, 9, 9, 9]];
-    await view.cut({ ...nothing, removed: [[-9, 9], [-9, 9], [0, 4]] });
+    await view.cut({
+      ...nothing,
+      removed: [
+        [-9, 9],
+        [-9, 9],
+        [0, 4],
+      ],
+    });
     expect(view.lowest).to.be.closeTo(4, 1e-6);
 
     isCut = false;
@@ -106,7 +144,14 @@ describe('a surface that is cut with its volume', () => {
     expect(socket.last('surface')!.surface).to.equal(controller.surface);
     await view.cut(above(0));
     expect(socket.last('surface')!.surface, 'nothing cuts it').to.equal(controller.surface);
-    shown.cuts.away = { ...nothing, removed: [[-9, 9], [-9, 9], [0, 4]] };
+    shown.cuts.away = {
+      ...nothing,
+      removed: [
+        [-9, 9],
+        [-9, 9],
+        [0, 4],
+      ],
+    };
     isCut = true;
     controller.refresh();
     await Promise.all(work);
@@ -115,68 +160,78 @@ describe('a surface that is cut with its volume', () => {
     expect(socket.parts).to.deep.equal([]);
   });
 
-  it('follows once in a frame, and the last word holds', () => withClock(async (clock) => {
-    const view = createView();
-    await view.target.prepareCuts();
-    await view.target.show({ surface: await surfaceOf(ballPly([0, 0, 0], 5)), color: [1, 1, 1], usesOwnColors: false, isCut: true });
-    await nextFrame();
-    const before = view.socket.version;
-    for (let i = 0; i < 10; i++) void view.cut(above(i / 10));
-    expect(view.socket.version - before).to.equal(1);
-    expect(view.lowest, 'the first at once').to.be.closeTo(0, 1e-6);
-    await clock.pass(20);
-    expect(view.socket.version - before).to.equal(2);
-    expect(view.lowest).to.be.closeTo(0.9, 1e-6);
-    // Frame by frame, though each change comes before another one would be due.
-    for (let i = 1; i < 5; i++) {
+  it('follows once in a frame, and the last word holds', () =>
+    withClock(async (clock) => {
+      const view = createView();
+      await view.target.prepareCuts();
+      await view.target.show({
+        surface: await surfaceOf(ballPly([0, 0, 0], 5)),
+        color: [1, 1, 1],
+        usesOwnColors: false,
+        isCut: true,
+      });
       await nextFrame();
-      void view.cut(above(-i));
-      expect(view.lowest).to.be.closeTo(-i, 1e-6);
-    }
-    await Promise.all(view.work);
-  }));
+      const before = view.socket.version;
+      for (let i = 0; i < 10; i++) void view.cut(above(i / 10));
+      expect(view.socket.version - before).to.equal(1);
+      expect(view.lowest, 'the first at once').to.be.closeTo(0, 1e-6);
+      await clock.pass(20);
+      expect(view.socket.version - before).to.equal(2);
+      expect(view.lowest).to.be.closeTo(0.9, 1e-6);
+      // Frame by frame, though each change comes before another one would be due.
+      for (let i = 1; i < 5; i++) {
+        await nextFrame();
+        void view.cut(above(-i));
+        expect(view.lowest).to.be.closeTo(-i, 1e-6);
+      }
+      await Promise.all(view.work);
+    }));
 
-  it('that takes long is cut anew when a drag pauses, or has gone on for ten times as long', () => withClock(async (clock) => {
-    const view = createView();
-    const ball = await surfaceOf(ballPly([0, 0, 0], 5));
-    let takes = 15;
-    const slow: Surface = { ...ball, get parts() {
-      clock.now += takes;
-      return ball.parts;
-    } };
-    await view.target.prepareCuts();
-    view.shown.cuts.away = above(0);
-    await view.target.show({ surface: slow, color: [1, 1, 1], usesOwnColors: false, isCut: true });
-    await clock.pass(5);
-    for (let i = 1; i < 4; i++) {
-      void view.cut(above(i));
-      await clock.pass(30);
-      expect(view.lowest, 'the last cut stays').to.be.closeTo(0, 1e-6);
-    }
-    await clock.pass(100);
-    expect(view.lowest, 'not yet').to.be.closeTo(0, 1e-6);
-    await clock.pass(25);
-    expect(view.lowest, 'a pause').to.be.closeTo(3, 1e-6);
-    await clock.pass(2000);
-    void view.cut(above(-1));
-    expect(view.lowest, 'after a long rest at once').to.be.closeTo(-1, 1e-6);
-    const seen = new Set<number | null>();
-    for (let i = 0; i < 100; i++) {
-      void view.cut(above(i / 1000));
-      seen.add(view.lowest);
-      await clock.pass(10);
-    }
-    expect(seen.size, 'a drag without a pause').to.be.within(3, 6);
-    await clock.pass(160);
-    expect(view.lowest).to.be.closeTo(0.099, 1e-6);
-    // One that takes no longer than a frame may follows in each frame again.
-    takes = 0;
-    void view.cut(above(2));
-    await clock.pass(160);
-    await nextFrame();
-    void view.cut(above(3));
-    expect(view.lowest).to.be.closeTo(3, 1e-6);
-    await view.target.leave();
-    await Promise.all(view.work);
-  }));
+  it('that takes long is cut anew when a drag pauses, or has gone on for ten times as long', () =>
+    withClock(async (clock) => {
+      const view = createView();
+      const ball = await surfaceOf(ballPly([0, 0, 0], 5));
+      let takes = 15;
+      const slow: Surface = {
+        ...ball,
+        get parts() {
+          clock.now += takes;
+          return ball.parts;
+        },
+      };
+      await view.target.prepareCuts();
+      view.shown.cuts.away = above(0);
+      await view.target.show({ surface: slow, color: [1, 1, 1], usesOwnColors: false, isCut: true });
+      await clock.pass(5);
+      for (let i = 1; i < 4; i++) {
+        void view.cut(above(i));
+        await clock.pass(30);
+        expect(view.lowest, 'the last cut stays').to.be.closeTo(0, 1e-6);
+      }
+      await clock.pass(100);
+      expect(view.lowest, 'not yet').to.be.closeTo(0, 1e-6);
+      await clock.pass(25);
+      expect(view.lowest, 'a pause').to.be.closeTo(3, 1e-6);
+      await clock.pass(2000);
+      void view.cut(above(-1));
+      expect(view.lowest, 'after a long rest at once').to.be.closeTo(-1, 1e-6);
+      const seen = new Set<number | null>();
+      for (let i = 0; i < 100; i++) {
+        void view.cut(above(i / 1000));
+        seen.add(view.lowest);
+        await clock.pass(10);
+      }
+      expect(seen.size, 'a drag without a pause').to.be.within(3, 6);
+      await clock.pass(160);
+      expect(view.lowest).to.be.closeTo(0.099, 1e-6);
+      // One that takes no longer than a frame may follows in each frame again.
+      takes = 0;
+      void view.cut(above(2));
+      await clock.pass(160);
+      await nextFrame();
+      void view.cut(above(3));
+      expect(view.lowest).to.be.closeTo(3, 1e-6);
+      await view.target.leave();
+      await Promise.all(view.work);
+    }));
 });

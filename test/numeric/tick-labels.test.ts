@@ -28,17 +28,30 @@ describe('the numbers along a scale', () => {
     expect(textsOf([12345678, 12345690], 6)).to.equal('12345680 +: −2 0 2 4 6 8 10');
     expect(textsOf([0.5, 0.5 + 1e-7])).to.equal('0.5 +: 0 2E−8 4E−8 6E−8 8E−8 1E−7');
     // One value alone, as a legend spans it.
-    expect(textsOf(legendDomain([{ value: -1e17, color: [1, 1, 1], opacity: 1 }], [-1e17, -1e17]))).to.equal('−1E17 +: −50000000000 0 50000000000');
+    expect(textsOf(legendDomain([{ value: -1e17, color: [1, 1, 1], opacity: 1 }], [-1e17, -1e17]))).to.equal(
+      '−1E17 +: −50000000000 0 50000000000',
+    );
   });
 
   it('have room: there are fewer of long ones', () => {
-    for (const domain of [[0, 1e300], [-2.5e300, 1e300], [-1.7e308, 1.7e308], [0, 5e-320], [-1e-300, 2.5e-300], [-1e17, -1e17 + 1600], [1e15, 1e15 + 8]] as const) {
+    for (const domain of [
+      [0, 1e300],
+      [-2.5e300, 1e300],
+      [-1.7e308, 1.7e308],
+      [0, 5e-320],
+      [-1e-300, 2.5e-300],
+      [-1e17, -1e17 + 1600],
+      [1e15, 1e15 + 8],
+    ] as const) {
       for (const max of [6, 9]) {
         const { ticks } = labelTicks(domain, max, language);
         expect(ticks, String(domain)).to.have.length.within(2, max + 1);
         expect(new Set(ticks.map(({ text }) => text)).size, `${domain.join(' ')}: all differ`).to.equal(ticks.length);
         const widest = Math.max(...ticks.map(({ text }) => text.length));
-        expect(ticks.length <= 3 || ticks.length * (widest + 1) <= 6 * max, `${domain.join(' ')}: ${ticks.map(({ text }) => text).join(' ')}`).to.equal(true);
+        expect(
+          ticks.length <= 3 || ticks.length * (widest + 1) <= 6 * max,
+          `${domain.join(' ')}: ${ticks.map(({ text }) => text).join(' ')}`,
+        ).to.equal(true);
         for (const { value } of ticks) expect(value).to.be.within(domain[0], domain[1]);
       }
     }

@@ -7,10 +7,16 @@ import type { Scene } from '../../src/viewer/model/scene.ts';
 import { timeSampling } from '../../src/viewer/frames/time-sampling.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 
-const outcomes: readonly SamplingOutcome[] = [{ maxCurvature: 4, share: 0.8, error: 0.1 }, { maxCurvature: 16, share: 0.4, error: 0.2 }];
+const outcomes: readonly SamplingOutcome[] = [
+  { maxCurvature: 4, share: 0.8, error: 0.1 },
+  { maxCurvature: 16, share: 0.4, error: 0.2 },
+];
 
 /** A view on a renderer whose clock tells what each kind of picture takes, ms; the first of each compiles, which takes a second more. */
-function viewOf(times: { all: number; spared: number }, goesOn = (): boolean => true): { view: DrawnView; drawn: number[] } {
+function viewOf(
+  times: { all: number; spared: number },
+  goesOn = (): boolean => true,
+): { view: DrawnView; drawn: number[] } {
   const drawn: number[] = [];
   let [now, maxCurvature] = [0, 0];
   performance.now = () => now;
@@ -24,7 +30,15 @@ function viewOf(times: { all: number; spared: number }, goesOn = (): boolean => 
     },
     finished: async () => {},
   } as unknown as Scene;
-  return { view: { scene, grid: cartesianGrid([64, 64, 64], [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]), size: { width: 100, height: 100 }, goesOn }, drawn };
+  return {
+    view: {
+      scene,
+      grid: cartesianGrid([64, 64, 64], [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]),
+      size: { width: 100, height: 100 },
+      goesOn,
+    },
+    drawn,
+  };
 }
 
 describe('what spared rays cost on a graphics processor', () => {
@@ -37,7 +51,10 @@ describe('what spared rays cost on a graphics processor', () => {
     const { view, drawn } = viewOf({ all: 10, spared: 21.5 });
     const foretold = (0.4 * 68 + 3) / 68;
     expect(await timeSampling(view, outcomes)).to.be.closeTo(2.15 / foretold, 1e-9);
-    expect(drawn.filter((curvature) => curvature > 0), 'the first outcome that saves half').to.deep.equal([16, 16, 16, 16]);
+    expect(
+      drawn.filter((curvature) => curvature > 0),
+      'the first outcome that saves half',
+    ).to.deep.equal([16, 16, 16, 16]);
     const { length } = drawn;
     await timeSampling(view, outcomes);
     expect(drawn.length).to.equal(length);
@@ -63,11 +80,21 @@ describe('what spared rays cost on a graphics processor', () => {
   });
 
   it('is not told by a clock that is coarser than what pictures take', async () => {
-    for (const times of [{ all: 4, spared: 8 }, { all: 0, spared: 0 }]) expect(await timeSampling(viewOf(times).view, outcomes)).to.equal(1);
+    for (const times of [
+      { all: 4, spared: 8 },
+      { all: 0, spared: 0 },
+    ])
+      expect(await timeSampling(viewOf(times).view, outcomes)).to.equal(1);
   });
 
   it('decides whether rays are spared', () => {
-    const plan = (cost?: number): number => planFrame({ a: 0, b: 1e-6 }, { ...unknownErrors, sampling: [[{ maxCurvature: 16, share: 0.4, error: 0.2, cost }]] }, { pixels: 512 ** 2, steps: 400 }, { budgetMs: 28 }).sampling.maxCurvature;
+    const plan = (cost?: number): number =>
+      planFrame(
+        { a: 0, b: 1e-6 },
+        { ...unknownErrors, sampling: [[{ maxCurvature: 16, share: 0.4, error: 0.2, cost }]] },
+        { pixels: 512 ** 2, steps: 400 },
+        { budgetMs: 28 },
+      ).sampling.maxCurvature;
     expect(plan()).to.equal(16);
     expect(plan(0.3)).to.equal(16);
     expect(plan(1.3)).to.equal(0);

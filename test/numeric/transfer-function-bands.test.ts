@@ -17,7 +17,7 @@ const dbz = { unit: 'dBZ', window: [-10, 60] as const };
 const plain = { unit: '', window: [0, 30] as const };
 
 describe('bands', () => {
-  it('are the paper\'s 15 of 5 dBZ where the unit is dBZ', () => {
+  it("are the paper's 15 of 5 dBZ where the unit is dBZ", () => {
     expect(chooseBandEdges(none, dbz)).to.deep.equal([-5, 0, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 55, 60, 65, 70]);
     expect(chooseBandEdges({ ...none, bands: '3' }, dbz)).to.deep.equal([-5, 20, 45, 70]);
   });
@@ -25,7 +25,10 @@ describe('bands', () => {
   it('else divide the window, at values that are short to read', () => {
     expect(chooseBandEdges(none, plain)).to.deep.equal(Array.from({ length: 16 }, (_, i) => 2 * i));
     expect(chooseBandEdges({ ...none, bands: '4' }, plain)).to.deep.equal([0, 7.5, 15, 22.5, 30]);
-    expect(chooseBandEdges({ ...none, bands: '2' }, { unit: '', window: [7, 7] }), 'data that are all the same').to.deep.equal([6.5, 7, 7.5]);
+    expect(
+      chooseBandEdges({ ...none, bands: '2' }, { unit: '', window: [7, 7] }),
+      'data that are all the same',
+    ).to.deep.equal([6.5, 7, 7.5]);
     const edges = chooseBandEdges({ ...none, bands: '7' }, { unit: 'HU', window: [-512.34567, 1033.21] });
     expect(edges.every((edge) => String(edge).length <= 6)).to.equal(true);
     edges.slice(1).forEach((edge, i) => expect(edge - edges[i]).to.be.closeTo(1545.6 / 7, 10));
@@ -35,9 +38,21 @@ describe('bands', () => {
     expect(chooseBandEdges({ bands: '3', bandEdges: ' 0, 10 50\n90 ' }, dbz)).to.deep.equal([0, 10, 50, 90]);
   });
 
-  for (const attributes of [{ bands: '0' }, { bands: '65' }, { bands: 'x' }, { bandEdges: '5' }, { bandEdges: '5 4' }, { bandEdges: '1 1' }, { bandEdges: 'a b' }, { bandEdges: '' }]) {
+  for (const attributes of [
+    { bands: '0' },
+    { bands: '65' },
+    { bands: 'x' },
+    { bandEdges: '5' },
+    { bandEdges: '5 4' },
+    { bandEdges: '1 1' },
+    { bandEdges: 'a b' },
+    { bandEdges: '' },
+  ]) {
     it(`refuse ${JSON.stringify(attributes)} in words`, () => {
-      expect(() => chooseBandEdges({ ...none, ...attributes }, plain)).to.throw(VolumeViewError, /^band.+ got ".*"; expected/);
+      expect(() => chooseBandEdges({ ...none, ...attributes }, plain)).to.throw(
+        VolumeViewError,
+        /^band.+ got ".*"; expected/,
+      );
     });
   }
 
@@ -54,7 +69,10 @@ describe('bands', () => {
   });
 
   it('keep the colour of a band that is transparent', () => {
-    const bands = [{ low: 0, high: 10, color: [1, 0.5, 0], opacity: 0 }, { low: 10, high: 20, color: [0, 1, 0], opacity: 0 }] as const;
+    const bands = [
+      { low: 0, high: 10, color: [1, 0.5, 0], opacity: 0 },
+      { low: 10, high: 20, color: [0, 1, 0], opacity: 0 },
+    ] as const;
     expect(bandsFromStops(stopsFromBands(bands), [0, 10, 20])).to.deep.equal(bands);
   });
 
@@ -98,7 +116,8 @@ describe('ticks', () => {
 describe('the axes of the chart', () => {
   it('spread small opacities, and make zero easy to hit', () => {
     expect([0, 0.001, 0.125, 1].map(toHeight)).to.deep.equal([0, 0.1, 0.5, 1]);
-    for (const opacity of [0.0005, 0.01, 0.3, 1]) expect(toOpacity(toHeight(opacity))).to.be.closeTo(opacity, opacity * 0.005);
+    for (const opacity of [0.0005, 0.01, 0.3, 1])
+      expect(toOpacity(toHeight(opacity))).to.be.closeTo(opacity, opacity * 0.005);
     expect([-1, 0, 0.02, 2].map(toOpacity)).to.deep.equal([0, 0, 0, 1]);
   });
 
@@ -114,7 +133,10 @@ describe('the axes of the chart', () => {
     counts.fill(1000, 20, 60);
     counts[99] = 1; // one stray voxel
     const histogram = { low: 0, high: 100, counts };
-    const optics = (stops: number[], window: [number, number]) => ({ transferFunction: stops.map((value) => ({ value, color: [0, 0, 0] as const, opacity: 0 })), window });
+    const optics = (stops: number[], window: [number, number]) => ({
+      transferFunction: stops.map((value) => ({ value, color: [0, 0, 0] as const, opacity: 0 })),
+      window,
+    });
     expect(chooseDomain(histogram, optics([30], [30, 40]))).to.deep.equal([20, 60]);
     expect(chooseDomain(histogram, optics([-7, 80], [10, 40]))).to.deep.equal([-7, 80]);
     const flat = { low: 3, high: 3, counts: new Uint32Array(100).fill(0, 0) };
@@ -151,7 +173,11 @@ describe('the drawing of a transfer function', () => {
   });
 
   it('is one of a single stop too', () => {
-    expect(paintStops([stops[1]], [9, 11]).map(({ share, opacity }) => [share, opacity])).to.deep.equal([[0, 0.5], [0.5, 0.5], [1, 0.5]]);
+    expect(paintStops([stops[1]], [9, 11]).map(({ share, opacity }) => [share, opacity])).to.deep.equal([
+      [0, 0.5],
+      [0.5, 0.5],
+      [1, 0.5],
+    ]);
   });
 });
 
@@ -159,11 +185,17 @@ describe('a legend in words', () => {
   it('names colours from where they begin', () => {
     const language = new Language('en', english);
     const stops: TransferFunction = [
-      { value: 0, color: [0, 0, 1], opacity: 0.1 }, { value: 50, color: [0, 0, 1], opacity: 0.1 },
-      { value: 50, color: [1, 0, 0], opacity: 0.1 }, { value: 100, color: [1, 0, 0], opacity: 0.1 },
+      { value: 0, color: [0, 0, 1], opacity: 0.1 },
+      { value: 50, color: [0, 0, 1], opacity: 0.1 },
+      { value: 50, color: [1, 0, 0], opacity: 0.1 },
+      { value: 100, color: [1, 0, 0], opacity: 0.1 },
     ];
-    expect(describeScale({ stops, domain: [0, 100], label: 'Speed', unit: 'm/s' }, language)).to.equal('Speed, 0 to 100 m/s: blue, red from 51.');
-    expect(describeScale({ stops, domain: [0, 100], label: '', unit: '' }, language)).to.equal('Colours, 0 to 100: blue, red from 51.');
+    expect(describeScale({ stops, domain: [0, 100], label: 'Speed', unit: 'm/s' }, language)).to.equal(
+      'Speed, 0 to 100 m/s: blue, red from 51.',
+    );
+    expect(describeScale({ stops, domain: [0, 100], label: '', unit: '' }, language)).to.equal(
+      'Colours, 0 to 100: blue, red from 51.',
+    );
   });
 
   it('spans the stops, or the data where they span nothing', () => {

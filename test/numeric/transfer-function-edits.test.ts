@@ -2,7 +2,15 @@ import { expect } from '@esm-bundle/chai';
 import { nameColor } from '../../src/editor/color-names.ts';
 import { english } from '../../src/messages/english-companions.ts';
 import { EditHistory } from '../../src/editor/edit-history.ts';
-import { addStop, addStopBeside, changeStop, colorAt, removeStop, simplifyStops, stopBounds } from '../../src/editor/transfer-function-edits.ts';
+import {
+  addStop,
+  addStopBeside,
+  changeStop,
+  colorAt,
+  removeStop,
+  simplifyStops,
+  stopBounds,
+} from '../../src/editor/transfer-function-edits.ts';
 import { colorTableStops } from '../../src/optics/transfer/color-tables.ts';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
@@ -22,7 +30,9 @@ const values = (of: TransferFunction) => of.map(({ value }) => value);
 /** The largest difference of a premultiplied channel between two functions. */
 function findDifference(a: TransferFunction, b: TransferFunction, [low, high]: [number, number]): number {
   const places = Array.from({ length: 997 }, (_, i) => low + ((high - low) * i) / 996);
-  return Math.max(...places.flatMap((value) => evaluate(a, value).map((channel, i) => Math.abs(channel - evaluate(b, value)[i]))));
+  return Math.max(
+    ...places.flatMap((value) => evaluate(a, value).map((channel, i) => Math.abs(channel - evaluate(b, value)[i]))),
+  );
 }
 
 describe('edits of a transfer function', () => {
@@ -55,7 +65,11 @@ describe('edits of a transfer function', () => {
   });
 
   it('add a stop beside another on the curve, which stays as it is', () => {
-    for (const [index, value, at] of [[0, 5, 1], [1, 20, 2], [2, 20, 2]]) {
+    for (const [index, value, at] of [
+      [0, 5, 1],
+      [1, 20, 2],
+      [2, 20, 2],
+    ]) {
       const added = addStopBeside(stops, index, [0, 40]);
       expect([added.stops[at].value, added.index]).to.deep.equal([value, at]);
       expect(findDifference(added.stops, stops, [-5, 45])).to.be.below(1e-12);
@@ -96,8 +110,10 @@ describe('fewer stops for a hand', () => {
     const clear = { value: 0, color: [1, 0, 0], opacity: 0 } as const;
     const many: TransferFunction = [
       ...Array.from({ length: 30 }, (_, i) => ({ ...clear, value: i })),
-      { ...clear, value: 40, color: [0, 0, 1] }, { ...clear, value: 50, color: [0, 1, 0] },
-      { value: 50, color: [0, 1, 0], opacity: 0.9 }, { value: 60, color: [0, 1, 0], opacity: 0.9 },
+      { ...clear, value: 40, color: [0, 0, 1] },
+      { ...clear, value: 50, color: [0, 1, 0] },
+      { value: 50, color: [0, 1, 0], opacity: 0.9 },
+      { value: 60, color: [0, 1, 0], opacity: 0.9 },
     ];
     const few = simplifyStops(many, 24);
     expect(values(few)).to.deep.equal([0, 29, 40, 50, 50, 60]);
@@ -106,7 +122,11 @@ describe('fewer stops for a hand', () => {
   it('come to an end with noise that no few stops can draw', () => {
     let seed = 1;
     const next = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
-    const noise = Array.from({ length: 1024 }, (_, value) => ({ value, color: [next(), next(), next()] as const, opacity: next() }));
+    const noise = Array.from({ length: 1024 }, (_, value) => ({
+      value,
+      color: [next(), next(), next()] as const,
+      opacity: next(),
+    }));
     expect(simplifyStops(noise, 24).length).to.be.within(2, 24);
   });
 });
@@ -118,7 +138,12 @@ describe('a transfer function as text', () => {
   });
 
   it('is read back within a ten-thousandth of the span and 1/255', async () => {
-    const windows: [number, number][] = [[-1024, 3071], [0, 1], [1e-9, 3e-9], [-5e6, 7e8]];
+    const windows: [number, number][] = [
+      [-1024, 3071],
+      [0, 1],
+      [1e-9, 3e-9],
+      [-5e6, 7e8],
+    ];
     for (const window of windows) {
       const original = await resolveTransferFunction('mri', window);
       const read = parseTransferFunction(writeTransferFunction(original), [0, 1]);
@@ -132,7 +157,9 @@ describe('a transfer function as text', () => {
   });
 
   it('keeps a single stop, and a jump', () => {
-    expect(writeTransferFunction([{ value: 1 / 3, color: [0, 0, 0], opacity: 1 / 3 }])).to.equal('0.333333333 #000000 33.33%');
+    expect(writeTransferFunction([{ value: 1 / 3, color: [0, 0, 0], opacity: 1 / 3 }])).to.equal(
+      '0.333333333 #000000 33.33%',
+    );
     const jump = [{ ...stops[0], value: 7.123456 }, { ...stops[1], value: 7.123456 }, stops[1]];
     const read = parseTransferFunction(writeTransferFunction(jump), [0, 1]);
     expect(read[0].value).to.equal(read[1].value);
@@ -173,9 +200,20 @@ describe('the history of edits', () => {
 
 describe('names of colours', () => {
   const names: Record<string, [number, number, number]> = {
-    red: [1, 0, 0], green: [0, 0.6, 0], blue: [0, 0, 1], yellow: [0.95, 0.9, 0], white: [1, 1, 1], black: [0, 0, 0],
-    grey: [0.5, 0.5, 0.5], orange: [1, 0.6, 0.05], brown: [0.5, 0.25, 0.05], turquoise: [0, 0.9, 0.9], pink: [1, 0, 0.8], violet: [0.55, 0.2, 0.9],
-    'light blue': [0.75, 0.8, 1], 'dark red': [0.4, 0, 0],
+    red: [1, 0, 0],
+    green: [0, 0.6, 0],
+    blue: [0, 0, 1],
+    yellow: [0.95, 0.9, 0],
+    white: [1, 1, 1],
+    black: [0, 0, 0],
+    grey: [0.5, 0.5, 0.5],
+    orange: [1, 0.6, 0.05],
+    brown: [0.5, 0.25, 0.05],
+    turquoise: [0, 0.9, 0.9],
+    pink: [1, 0, 0.8],
+    violet: [0.55, 0.2, 0.9],
+    'light blue': [0.75, 0.8, 1],
+    'dark red': [0.4, 0, 0],
   };
   for (const [name, color] of Object.entries(names)) {
     it(`${name} is ${color.join(' ')}`, () => expect(nameColor(color, english)).to.equal(name));

@@ -16,7 +16,8 @@ const stops: TransferFunction = [
 ];
 
 /** What a length of one data value shows. */
-const show = (value: number, ratio: number, lightFactor = 1) => attenuate(emission(brighten(stops, lightFactor), value), ratio);
+const show = (value: number, ratio: number, lightFactor = 1) =>
+  attenuate(emission(brighten(stops, lightFactor), value), ratio);
 
 describe('a transfer function', () => {
   it('is interpolated premultiplied, as CSS gradients are: a transparent blue tints nothing', () => {

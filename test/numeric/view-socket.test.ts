@@ -14,9 +14,17 @@ import { Viewer } from '../../src/viewer/view/viewer.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const optics: VolumeOptics = {
-  window: [0, 1], projection: null, shading: 'unlit', surfaces: null,
-  transferFunction: [{ value: 0, color: [0, 0, 0], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 1 }],
-  referenceLength: 1, opacityFactor: 1, lightFactor: 1,
+  window: [0, 1],
+  projection: null,
+  shading: 'unlit',
+  surfaces: null,
+  transferFunction: [
+    { value: 0, color: [0, 0, 0], opacity: 0 },
+    { value: 1, color: [1, 1, 1], opacity: 1 },
+  ],
+  referenceLength: 1,
+  opacityFactor: 1,
+  lightFactor: 1,
 };
 const volume = syntheticVolume({ dimensions: [8, 8, 8] });
 const wait = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
@@ -28,17 +36,41 @@ function makeView() {
   const scenes: Scene[] = [];
   const create = async (): Promise<Scene> => {
     const scene = {
-      name: `scene ${scenes.length + 1}`, canvas: document.createElement('canvas'), prepare: async () => {}, setStyle: async () => {}, setOptics: async () => {}, setRegion: () => {}, setSlices: () => {},
-      setLines: () => {}, bringVolume: async () => did.push('volume') > 0, authorCamera: () => null, getView: () => ({}), twins: () => null, dispose: () => {},
+      name: `scene ${scenes.length + 1}`,
+      canvas: document.createElement('canvas'),
+      prepare: async () => {},
+      setStyle: async () => {},
+      setOptics: async () => {},
+      setRegion: () => {},
+      setSlices: () => {},
+      setLines: () => {},
+      bringVolume: async () => did.push('volume') > 0,
+      authorCamera: () => null,
+      getView: () => ({}),
+      twins: () => null,
+      dispose: () => {},
     } as unknown as Scene;
     scenes.push(scene);
     return scene;
   };
   const visibility = { inSight: true, asked: false, mayBeNear: true, inHand: false };
-  const place = { host, container: document.createElement('div'), visibility, scenes: { create } } as unknown as ScenePlace;
+  const place = {
+    host,
+    container: document.createElement('div'),
+    visibility,
+    scenes: { create },
+  } as unknown as ScenePlace;
   const errors = new ErrorState({ file: '', changed: () => {}, failed: (_, error) => did.push(error.message) });
-  const presenter = new VolumePresenter({ host, settings: {}, awake: true, emit: () => {}, track: () => {} } as unknown as PresenterHost, errors);
-  const viewer = (presenter.viewer = new Viewer(place, { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: (error) => errors.report('scene', error) }));
+  const presenter = new VolumePresenter(
+    { host, settings: {}, awake: true, emit: () => {}, track: () => {} } as unknown as PresenterHost,
+    errors,
+  );
+  const viewer = (presenter.viewer = new Viewer(place, {
+    rendered: () => {},
+    cameraMoved: () => {},
+    labelRing: () => '',
+    drawingFailed: (error) => errors.report('scene', error),
+  }));
   viewer.loop.end(); // Nothing here draws pictures.
   return { host, did, scenes, viewer };
 }
@@ -112,7 +144,12 @@ describe('a part of a view', () => {
     const did: string[] = [];
     const view = {} as View;
     void socket.join({ key: 'a', place: (one) => did.push(`a ${one === view}`) });
-    void socket.join({ key: 'b', place: () => { throw new Error('a defect'); } });
+    void socket.join({
+      key: 'b',
+      place: () => {
+        throw new Error('a defect');
+      },
+    });
     void socket.join({ key: 'c', place: () => did.push('c') }, true);
     const { error } = console;
     const said: unknown[] = [];
@@ -132,7 +169,11 @@ describe('a part of a view', () => {
     const legend = document.createElement('p');
     void socket.join({ key: 'volume-surface', surface, cursor: [1, 2, 3] });
     void socket.join({ key: 'volume-legend', element: legend, surface: null, cursor: [4, 5, 6] });
-    expect([socket.last('surface'), socket.last('cursor'), socket.last('overlay')]).to.deep.equal([surface, [4, 5, 6], null]);
+    expect([socket.last('surface'), socket.last('cursor'), socket.last('overlay')]).to.deep.equal([
+      surface,
+      [4, 5, 6],
+      null,
+    ]);
     void socket.join({ key: 'atlas', attribute: (property) => (property === 'src' ? 'ct.png' : null) });
     expect([standIn(host, 'src'), standIn(host, 'alt')]).to.deep.equal(['ct.png', null]);
     expect(socketOf(host), 'one for each element').to.equal(socket);

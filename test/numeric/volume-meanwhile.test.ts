@@ -11,9 +11,17 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const optics: VolumeOptics = {
-  window: [0, 1], projection: null, shading: 'unlit', surfaces: null,
-  transferFunction: [{ value: 0, color: [0, 0, 0], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 1 }],
-  referenceLength: 1, opacityFactor: 1, lightFactor: 1,
+  window: [0, 1],
+  projection: null,
+  shading: 'unlit',
+  surfaces: null,
+  transferFunction: [
+    { value: 0, color: [0, 0, 0], opacity: 0 },
+    { value: 1, color: [1, 1, 1], opacity: 1 },
+  ],
+  referenceLength: 1,
+  opacityFactor: 1,
+  lightFactor: 1,
 };
 const coarse: Volume = { ...syntheticVolume({ dimensions: [4, 4, 4] }), coarse: true };
 const whole = syntheticVolume({ dimensions: [8, 8, 8] });
@@ -27,14 +35,35 @@ async function turns(count: number): Promise<void> {
 /** A viewer in sight, and the volumes that its scenes are given. @param author - the author's viewpoint */
 function view(author: AuthorCamera | null = null): { viewer: Viewer; volumes: Volume[] } {
   const volumes: Volume[] = [];
-  const create = async (): Promise<Scene> => ({
-    canvas: document.createElement('canvas'), prepare: () => turns(2), setStyle: async () => {}, setOptics: async () => {}, setRegion: () => {}, setSlices: () => {}, setLines: () => {},
-    bringVolume: async (one: Volume, givenUp: () => boolean) => !givenUp() && volumes.push(one) > 0,
-    authorCamera: () => author, dispose: () => {},
-  }) as unknown as Scene;
+  const create = async (): Promise<Scene> =>
+    ({
+      canvas: document.createElement('canvas'),
+      prepare: () => turns(2),
+      setStyle: async () => {},
+      setOptics: async () => {},
+      setRegion: () => {},
+      setSlices: () => {},
+      setLines: () => {},
+      bringVolume: async (one: Volume, givenUp: () => boolean) => !givenUp() && volumes.push(one) > 0,
+      authorCamera: () => author,
+      dispose: () => {},
+    }) as unknown as Scene;
   const visibility = { inSight: true, asked: false, mayBeNear: true, inHand: false };
-  const place = { host: document.createElement('div'), container: document.createElement('div'), visibility, scenes: { create } } as unknown as ScenePlace;
-  return { viewer: new Viewer(place, { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: () => {} }), volumes };
+  const place = {
+    host: document.createElement('div'),
+    container: document.createElement('div'),
+    visibility,
+    scenes: { create },
+  } as unknown as ScenePlace;
+  return {
+    viewer: new Viewer(place, {
+      rendered: () => {},
+      cameraMoved: () => {},
+      labelRing: () => '',
+      drawingFailed: () => {},
+    }),
+    volumes,
+  };
 }
 
 it('a scene that is just getting ready has the volume that the viewer shows, whenever that took the place of its stand-in', async () => {
@@ -52,8 +81,21 @@ it('a scene that is just getting ready has the volume that the viewer shows, whe
 });
 
 it('a person who turns a stand-in around the viewpoint of the author keeps what they see', async () => {
-  const frame = { frame: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], target: [0, 0, 0], fieldOfView: 1, radius: 20 } as const;
-  const { viewer } = view({ camera: { eye: [0, 0, 20], target: [0, 0, 0], up: [0, 1, 0], fieldOfView: 1 }, centerOfRotation: null, around: () => frame });
+  const frame = {
+    frame: [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ],
+    target: [0, 0, 0],
+    fieldOfView: 1,
+    radius: 20,
+  } as const;
+  const { viewer } = view({
+    camera: { eye: [0, 0, 20], target: [0, 0, 0], up: [0, 1, 0], fieldOfView: 1 },
+    centerOfRotation: null,
+    around: () => frame,
+  });
   await viewer.show({ ...whole, coarse: true }, optics, () => noCuts);
   await settle();
   rotate(viewer.rig, 0.5, 0);
@@ -65,8 +107,21 @@ it('a person who turns a stand-in around the viewpoint of the author keeps what 
 
 it('nothing stays of a stand-in whose source is taken away', () => {
   const reported: string[] = [];
-  const host = { settings: { src: null }, inPage: true, sourceGone: () => reported.push('gone') } as unknown as LoaderHost;
-  const presenter = { volume: null, viewer: { volume: coarse }, forgetModel: () => {}, empty: () => reported.push('emptied') };
-  new SourceLoader(host, { presenter, errors: { clear: () => {} }, playback: { forget: () => {} } } as unknown as LoaderParts).load();
+  const host = {
+    settings: { src: null },
+    inPage: true,
+    sourceGone: () => reported.push('gone'),
+  } as unknown as LoaderHost;
+  const presenter = {
+    volume: null,
+    viewer: { volume: coarse },
+    forgetModel: () => {},
+    empty: () => reported.push('emptied'),
+  };
+  new SourceLoader(host, {
+    presenter,
+    errors: { clear: () => {} },
+    playback: { forget: () => {} },
+  } as unknown as LoaderParts).load();
   expect(reported).to.deep.equal(['emptied', 'gone']);
 });

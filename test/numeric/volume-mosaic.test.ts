@@ -38,7 +38,13 @@ describe('mosaic tiles', () => {
   });
 
   // 409.6 pixels, as in the aorta mosaic; 3.5, whose edges fall on pixel centres; 10.25 with a remainder each way.
-  for (const [size, tiles] of [[4096, 10], [7, 2], [41, 4], [100, 7], [11, 6]] as const) {
+  for (const [size, tiles] of [
+    [4096, 10],
+    [7, 2],
+    [41, 4],
+    [100, 7],
+    [11, 6],
+  ] as const) {
     it(`of ${size} / ${tiles} pixels hold no value of a neighbour`, () => {
       // A pixel belongs to the tile that its centre lies in; each tile has one value.
       const tileOf = (p: number): number => Math.floor(((p + 0.5) * tiles) / size + 1e-12);

@@ -34,7 +34,9 @@ const ways = [
   `import { b } from './b.ts?raw';\nexport const a = b;`,
 ];
 for (const way of ways) {
-  await check(`a cycle by ${JSON.stringify(way)} is found`, () => assert.deepEqual(findAmong([way, back]), [['a.ts', 'b.ts']]));
+  await check(`a cycle by ${JSON.stringify(way)} is found`, () =>
+    assert.deepEqual(findAmong([way, back]), [['a.ts', 'b.ts']]),
+  );
 }
 await check('a cycle of types alone is found, over three files', () => {
   const types = ['b', 'c', 'a'].map((next) => `export type T = import('./${next}.ts').T[];`);

@@ -11,16 +11,27 @@ await check('a broken link is found, in a page and to a heading', () => {
   const folder = mkdtempSync(join(tmpdir(), 'volume-view-links-'));
   try {
     const [one, other] = ['one.md', 'other.md'].map((name) => join(folder, name));
-    writeFileSync(one, '# One, `first`\n[a](other.md) [b](other.md#its-heading) [c](#one-first) [d](https://example.org)\n```\n[x](no.md)\n```\n[e](no.md) [f](other.md#no) [g](#no)\n');
+    writeFileSync(
+      one,
+      '# One, `first`\n[a](other.md) [b](other.md#its-heading) [c](#one-first) [d](https://example.org)\n```\n[x](no.md)\n```\n[e](no.md) [f](other.md#no) [g](#no)\n',
+    );
     writeFileSync(other, '## Its heading\n');
-    assert.deepEqual(findBrokenLinks([one, other]).map((line) => line.split(': ')[1]), ['no.md', 'other.md#no', '#no']);
+    assert.deepEqual(
+      findBrokenLinks([one, other]).map((line) => line.split(': ')[1]),
+      ['no.md', 'other.md#no', '#no'],
+    );
   } finally {
     rmSync(folder, { recursive: true });
   }
 });
 
-const pages = readdirSync(join(projectRoot, 'docs'), { recursive: true }).map(String).filter((name) => name.endsWith('.md')).map((name) => `docs/${name}`);
-const files = ['README.md', 'CHANGELOG.md', 'CREDITS.md', 'test/bench/peers/README.md', ...pages].map((name) => join(projectRoot, name));
+const pages = readdirSync(join(projectRoot, 'docs'), { recursive: true })
+  .map(String)
+  .filter((name) => name.endsWith('.md'))
+  .map((name) => `docs/${name}`);
+const files = ['README.md', 'CHANGELOG.md', 'CREDITS.md', 'test/bench/peers/README.md', ...pages].map((name) =>
+  join(projectRoot, name),
+);
 
 await check('the pages of this project have none', () => {
   assert.deepEqual(findBrokenLinks(files), []);
@@ -28,9 +39,14 @@ await check('the pages of this project have none', () => {
 
 await check('docs/README.md leads to every page', () => {
   const index = readFileSync(join(projectRoot, 'docs/README.md'), 'utf8');
-  const guides = pages.map((path) => path.slice('docs/'.length)).filter((path) => !path.includes('/') && path !== 'README.md');
+  const guides = pages
+    .map((path) => path.slice('docs/'.length))
+    .filter((path) => !path.includes('/') && path !== 'README.md');
   assert.ok(guides.length > 20);
-  assert.deepEqual(guides.filter((path) => !index.includes(`](${path})`)), []);
+  assert.deepEqual(
+    guides.filter((path) => !index.includes(`](${path})`)),
+    [],
+  );
 });
 
 await check('each element has a page of its own, and the index leads to it', () => {
@@ -39,14 +55,20 @@ await check('each element has a page of its own, and the index leads to it', () 
   const index = readFileSync(join(projectRoot, 'docs/reference.md'), 'utf8');
   for (const name of elements) {
     assert.ok(index.includes(`](reference/${name}.md)`), `docs/reference.md has no link to ${name}`);
-    assert.match(readFileSync(join(projectRoot, `docs/reference/${name}.md`), 'utf8'), new RegExp(`^# \`<${name}>\`\n`));
+    assert.match(
+      readFileSync(join(projectRoot, `docs/reference/${name}.md`), 'utf8'),
+      new RegExp(`^# \`<${name}>\`\n`),
+    );
   }
 });
 
 await check('no page has the marks of a merge that was not finished', () => {
   const marks = /^(<{7} |={7}$|>{7} )/m;
   assert.match(`a\n${'<'.repeat(7)} HEAD\nb`, marks);
-  assert.deepEqual(files.filter((file) => marks.test(readFileSync(file, 'utf8'))), []);
+  assert.deepEqual(
+    files.filter((file) => marks.test(readFileSync(file, 'utf8'))),
+    [],
+  );
 });
 
 finish();

@@ -15,7 +15,9 @@ const read = (name) => JSON.parse(readFileSync(join(projectRoot, name), 'utf8'))
  */
 function admits(range, major) {
   return range.split('||').some((part) => {
-    const bounds = [...part.matchAll(/(>=|>|<=|<|\^|~|=)?\s*v?(\d+|\*|x)/g)].filter(({ index }) => index === 0 || part[index - 1] !== '.');
+    const bounds = [...part.matchAll(/(>=|>|<=|<|\^|~|=)?\s*v?(\d+|\*|x)/g)].filter(
+      ({ index }) => index === 0 || part[index - 1] !== '.',
+    );
     return bounds.every(([, sign = '=', number]) => {
       if (number === '*' || number === 'x') return true;
       if (sign === '>=' || sign === '>') return Number(number) <= major;
@@ -29,7 +31,19 @@ function admits(range, major) {
 const min = Number(/\d+/.exec(read('package.json').engines.node)?.[0]);
 
 await check('ranges are read as they are meant', () => {
-  const ranges = { '>=18': true, '>=22.0.0': false, '^20.19.0 || ^22.13.0 || >=24': true, '^22.13.0 || >=24': false, '18 || 20 || >=22': true, '>= 14': true, '*': true, '': true, '>=10 <20': false, '>=16.0.0 <23': true, '20.x': true };
+  const ranges = {
+    '>=18': true,
+    '>=22.0.0': false,
+    '^20.19.0 || ^22.13.0 || >=24': true,
+    '^22.13.0 || >=24': false,
+    '18 || 20 || >=22': true,
+    '>= 14': true,
+    '*': true,
+    '': true,
+    '>=10 <20': false,
+    '>=16.0.0 <23': true,
+    '20.x': true,
+  };
   for (const [range, expected] of Object.entries(ranges)) assert.equal(admits(range, 20), expected, range);
 });
 

@@ -24,7 +24,10 @@ function lint(path, text) {
   mkdirSync(dirname(file), { recursive: true });
   writeFileSync(file, text);
   const oxlint = join(projectRoot, 'node_modules/oxlint/bin/oxlint');
-  const { status, stdout } = spawnSync(process.execPath, [oxlint, '--deny-warnings', path], { cwd: copy, encoding: 'utf8' });
+  const { status, stdout } = spawnSync(process.execPath, [oxlint, '--deny-warnings', path], {
+    cwd: copy,
+    encoding: 'utf8',
+  });
   rmSync(file);
   return status === 0 ? '' : stdout;
 }
@@ -43,11 +46,23 @@ const refused = [
   ['src/radar/a.ts', `export * from './gpu/b.ts';`, /radar may not import from radar\/gpu/],
   ['src/x3d/a.ts', `export * from '../viewer/b.ts';`, /x3d may not import from viewer/],
   ['src/x3d/nodes/a.ts', `export * from '../../viewer/cuts/b.ts';`, /x3d\/nodes may not import from viewer/],
-  ['src/optics/transfer/a.ts', `export * from '../rays/b.ts';`, /optics\/transfer may not import from optics\/rays; it may from: nowhere/],
+  [
+    'src/optics/transfer/a.ts',
+    `export * from '../rays/b.ts';`,
+    /optics\/transfer may not import from optics\/rays; it may from: nowhere/,
+  ],
   ['src/viewer/cuts/a.ts', `export type { B } from '../view/b.ts';`, /viewer\/cuts may not import from viewer\/view/],
-  ['src/viewer/cuts/a.ts', `export const load = () => import('../session/b.ts');`, /viewer\/cuts may not import from viewer\/session/],
+  [
+    'src/viewer/cuts/a.ts',
+    `export const load = () => import('../session/b.ts');`,
+    /viewer\/cuts may not import from viewer\/session/,
+  ],
   ['src/viewer/other/a.ts', `export * from '../model/b.ts';`, /viewer\/other is not among the folders of viewer/],
-  ['components/volume-clip/a.ts', `export * from '../volume-view/b.ts';`, /volume-clip may not import from components\/volume-view/],
+  [
+    'components/volume-clip/a.ts',
+    `export * from '../volume-view/b.ts';`,
+    /volume-clip may not import from components\/volume-view/,
+  ],
   ['src/x3d/a.ts', `export * from '../../components/b.ts';`, /x3d may not import from components/],
   ['src/x3d/a.ts', `export * from '../sources/b.ts';`, /x3d may not import from sources/],
   ['src/viewer/a.ts', `export * from '../x3d/b.ts';`, /viewer may not import from x3d/],
@@ -60,21 +75,47 @@ const refused = [
   ['src/editor/a.ts', `export * from '../viewer/b.ts';`, /editor may not import from viewer/],
   ['src/messages/a.ts', `export * from '../optics/b.ts';`, /messages may not import from optics/],
   ['components/a.ts', `export { update } from '@shoelace-style/localize';`, /only messages may import/],
-  ['components/a.ts', "import { html } from 'lit';\nexport const a = (b: string) => html`<p>${b}, metres</p>`;", /a template says "metres"/],
-  ['components/a.ts', "import { html } from 'lit';\nexport const a = () => html`<i title=\"Größe\"></i>`;", /a template says "Größe"/],
+  [
+    'components/a.ts',
+    "import { html } from 'lit';\nexport const a = (b: string) => html`<p>${b}, metres</p>`;",
+    /a template says "metres"/,
+  ],
+  [
+    'components/a.ts',
+    'import { html } from \'lit\';\nexport const a = () => html`<i title="Größe"></i>`;',
+    /a template says "Größe"/,
+  ],
   ['src/volume/a.ts', `export const width = (): number => document.body.clientWidth;`, /document/],
   ['src/index.ts', `export const answer = 42;`, /re-exports only/],
   ['src/x3d/a.ts', `// ${MARKER}: later\nexport const a = 1;`, /unfinished/],
-  ['src/viewer/view/a.ts', `export const a = (view: { b: number }): unknown => (view as unknown as Record<string, unknown>)._presenter;`, /_presenter is private to its object/],
-  ['src/viewer/view/a.ts', `export class A {\n  private _b = 1;\n  isSame(other: A): boolean {\n    return other._b === this._b;\n  }\n}`, /_b is private to its object/],
-  ['components/volume-clip/a.ts', `export const a = (view: Element): unknown => 'x' in view && (view as { x?: { y?: unknown } } & Record<string, unknown>)?._clips;`, /_clips is private/],
-  ['components/volume-clip/a.ts', `export function a({ _volume: b }: Record<string, unknown>): unknown {\n  return b;\n}`, /_volume is private/],
+  [
+    'src/viewer/view/a.ts',
+    `export const a = (view: { b: number }): unknown => (view as unknown as Record<string, unknown>)._presenter;`,
+    /_presenter is private to its object/,
+  ],
+  [
+    'src/viewer/view/a.ts',
+    `export class A {\n  private _b = 1;\n  isSame(other: A): boolean {\n    return other._b === this._b;\n  }\n}`,
+    /_b is private to its object/,
+  ],
+  [
+    'components/volume-clip/a.ts',
+    `export const a = (view: Element): unknown => 'x' in view && (view as { x?: { y?: unknown } } & Record<string, unknown>)?._clips;`,
+    /_clips is private/,
+  ],
+  [
+    'components/volume-clip/a.ts',
+    `export function a({ _volume: b }: Record<string, unknown>): unknown {\n  return b;\n}`,
+    /_volume is private/,
+  ],
   ['src/x3d/nodes/a.ts', `export interface A {\n  readonly _atlas?: string;\n}`, /_atlas is private/],
   ['components/volume-clip/a.ts', `export interface A {\n  _inPane(): void;\n}`, /_inPane is private/],
   ['test/numeric/a.test.ts', `it.${FOCUS}('a', () => {});`, /focused or skipped/],
 ];
 for (const [path, text, message] of refused) {
-  await check(`lint refuses in ${path}: ${JSON.stringify(text)}`, () => assert.match(lint(String(path), String(text)), /** @type {RegExp} */ (message)));
+  await check(`lint refuses in ${path}: ${JSON.stringify(text)}`, () =>
+    assert.match(lint(String(path), String(text)), /** @type {RegExp} */ (message)),
+  );
 }
 
 const accepted = [
@@ -82,12 +123,21 @@ const accepted = [
   ['src/renderer/a.ts', `export { default } from '../../shaders/b.glsl?raw';`],
   ['src/radar/gpu/a.ts', `export { x } from '../b.ts';\nexport { y } from '../../renderer/c.ts';`],
   ['components/a.ts', `export { html } from 'lit';\nexport const load = () => import('../src/x3d/b.ts');`],
-  ['components/a.ts', "import { html } from 'lit';\nexport const a = (b: string) => html`<p part=\"hint\" title=${b}>${b} · 5 &gt; 4</p>`;"],
+  [
+    'components/a.ts',
+    'import { html } from \'lit\';\nexport const a = (b: string) => html`<p part="hint" title=${b}>${b} · 5 &gt; 4</p>`;',
+  ],
   ['src/x3d/nodes/a.ts', `export type { B } from '../../viewer/model/b.ts';`],
   ['src/viewer/cuts/a.ts', `export type { B } from '../model/b.ts';`],
-  ['components/volume-clip/a.ts', `export type { B } from '../volume-view/b.ts';\nexport { c } from '../internal/c.ts';`],
+  [
+    'components/volume-clip/a.ts',
+    `export type { B } from '../volume-view/b.ts';\nexport { c } from '../internal/c.ts';`,
+  ],
   ['src/x3d/a.ts', `export const a = (node: { _vf: unknown }): unknown => node._vf;`],
-  ['components/volume-clip/a.ts', `export class A {\n  private _b = 1;\n  get b(): number {\n    return this._b;\n  }\n}`],
+  [
+    'components/volume-clip/a.ts',
+    `export class A {\n  private _b = 1;\n  get b(): number {\n    return this._b;\n  }\n}`,
+  ],
   ['components/volume-clip/a.ts', `export const a = ({ b: _b, ...rest }: Record<string, unknown>): unknown => rest;`],
   ['src/index.ts', `export { VolumeView } from '../components/volume-view/volume-view.ts';`],
 ];

@@ -10,7 +10,10 @@ import { projectRoot } from '../../scripts/shared-data.mjs';
  * @returns {string[]} relative to the project's root
  */
 export function listCode(kind) {
-  const git = spawnSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], { cwd: projectRoot, encoding: 'utf8' });
+  const git = spawnSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], {
+    cwd: projectRoot,
+    encoding: 'utf8',
+  });
   assert.equal(git.status, 0, `git ls-files: ${git.stderr}`);
   return git.stdout.split('\n').filter((path) => kind.test(path) && existsSync(join(projectRoot, path)));
 }

@@ -1,7 +1,17 @@
 // volume-view-prepare as npm would publish it: packed, unpacked, and run where nothing of this checkout is but its dependencies.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  realpathSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -27,14 +37,26 @@ function run(...args) {
 const fixture = (name) => join(projectRoot, 'test/fixtures', name);
 
 await check('npm pack takes what the program needs, and no source', () => {
-  const npm = spawnSync('npm', ['pack', '--json', '--ignore-scripts', '--pack-destination', consumer], { cwd: folder, encoding: 'utf8', shell: process.platform === 'win32' });
+  const npm = spawnSync('npm', ['pack', '--json', '--ignore-scripts', '--pack-destination', consumer], {
+    cwd: folder,
+    encoding: 'utf8',
+    shell: process.platform === 'win32',
+  });
   assert.equal(npm.status, 0, npm.stderr);
   const [pack] = Object.values(JSON.parse(npm.stdout));
   const paths = pack.files.map((/** @type {{ path: string }} */ { path }) => path);
-  assert.deepEqual(paths.filter((/** @type {string} */ path) => !/^(dist\/|package\.json$|README\.md$|LICENSE$)/.test(path)), []);
-  for (const path of ['dist/index.js', 'dist/volume-view-prepare.js', 'README.md', 'LICENSE']) assert.ok(paths.includes(path), path);
-  assert.equal(spawnSync('tar', ['-xzf', join(consumer, pack.filename), '-C', installed, '--strip-components=1']).status, 0);
-  for (const name of Object.keys(JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')).dependencies)) linkDependency(name);
+  assert.deepEqual(
+    paths.filter((/** @type {string} */ path) => !/^(dist\/|package\.json$|README\.md$|LICENSE$)/.test(path)),
+    [],
+  );
+  for (const path of ['dist/index.js', 'dist/volume-view-prepare.js', 'README.md', 'LICENSE'])
+    assert.ok(paths.includes(path), path);
+  assert.equal(
+    spawnSync('tar', ['-xzf', join(consumer, pack.filename), '-C', installed, '--strip-components=1']).status,
+    0,
+  );
+  for (const name of Object.keys(JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')).dependencies))
+    linkDependency(name);
   return `${pack.size} bytes`;
 });
 
@@ -43,8 +65,11 @@ function linkDependency(name) {
   const target = join(consumer, 'node_modules', name);
   if (existsSync(target)) return;
   symlinkSync(join(projectRoot, 'node_modules', name), target, 'junction');
-  const { dependencies = {} } = JSON.parse(readFileSync(join(projectRoot, 'node_modules', name, 'package.json'), 'utf8'));
-  for (const inner of Object.keys(dependencies)) if (existsSync(join(projectRoot, 'node_modules', inner))) linkDependency(inner);
+  const { dependencies = {} } = JSON.parse(
+    readFileSync(join(projectRoot, 'node_modules', name, 'package.json'), 'utf8'),
+  );
+  for (const inner of Object.keys(dependencies))
+    if (existsSync(join(projectRoot, 'node_modules', inner))) linkDependency(inner);
 }
 
 // The numbers of the file are those of test/fixtures/make-radar-fixtures.py, which h5py wrote: 16 radials in the first sweep.
@@ -63,7 +88,10 @@ await check('a radar file becomes an image and its manifest', () => {
 
 await check('the modules are there for scripts too', async () => {
   const { makeRadarMosaic } = await import(pathToFileURL(join(installed, 'dist/index.js')).href);
-  const { manifest, png } = await makeRadarMosaic(new Uint8Array(readFileSync(fixture('radar/cfradial1-nc4.nc'))), 'scan.nc');
+  const { manifest, png } = await makeRadarMosaic(
+    new Uint8Array(readFileSync(fixture('radar/cfradial1-nc4.nc'))),
+    'scan.nc',
+  );
   assert.ok(manifest.slices > 0 && png.length > 100);
 });
 
@@ -99,7 +127,8 @@ await check('what can not be done is said in words, with exit status 1', () => {
 await check('files are named without folders, whatever a radar file calls its quantity', async () => {
   const { nameFiles } = await import(pathToFileURL(join(installed, 'dist/index.js')).href);
   assert.equal(nameFiles('/data/scan.h5.gz', 'DBZH'), 'scan-DBZH');
-  for (const moment of ['../../etc/cron', '..', '/tmp/x', 'a\\b', 'C:x', 'a\0b', '\u001b[2J']) assert.match(nameFiles('scan.h5', moment), /^scan-[\w.-]+$/);
+  for (const moment of ['../../etc/cron', '..', '/tmp/x', 'a\\b', 'C:x', 'a\0b', '\u001b[2J'])
+    assert.match(nameFiles('scan.h5', moment), /^scan-[\w.-]+$/);
   assert.doesNotMatch(nameFiles('scan.h5', '../x'), /\.\.\//);
   assert.equal(nameFiles('.h5', '.x').startsWith('.'), false);
   assert.ok(nameFiles('s'.repeat(4000), 'm'.repeat(4000)).length < 250);

@@ -7,7 +7,9 @@ import { setTimeout as wait } from 'node:timers/promises';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { check, finish } from './checks.mjs';
 
-const files = ['volume-view.js', 'volume-view.iife.js', 'x3dom.js', 'decode-worker.js', 'embed.html'].map((name) => join(projectRoot, 'dist', name));
+const files = ['volume-view.js', 'volume-view.iife.js', 'x3dom.js', 'decode-worker.js', 'embed.html'].map((name) =>
+  join(projectRoot, 'dist', name),
+);
 
 await check('dist is whole while it is built again, and the build leaves nothing beside it', async () => {
   assert.ok(files.every(existsSync), 'dist is built');
@@ -21,7 +23,10 @@ await check('dist is whole while it is built again, and the build leaves nothing
   assert.equal(build.exitCode, 0);
   assert.ok(looks > 50, `${looks} looks`);
   assert.ok(gaps <= 1, `${gaps} of ${looks} looks found files missing`); // One may fall between the two renames.
-  assert.deepEqual(readdirSync(projectRoot).filter((name) => name.startsWith('dist-')), []);
+  assert.deepEqual(
+    readdirSync(projectRoot).filter((name) => name.startsWith('dist-')),
+    [],
+  );
   return `${looks} looks`;
 });
 finish();

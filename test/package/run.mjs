@@ -1,7 +1,17 @@
 // The package as npm would publish it. `npm run test:package` builds it first; `npm test` has built it already.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  realpathSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -19,8 +29,16 @@ import { checkTagData } from './tag-data.mjs';
  * @param {string[]} args
  */
 function runTool(script, args) {
-  const options = { cwd: projectRoot, encoding: /** @type {const} */ ('utf8'), env: { ...process.env, NO_COLOR: '1', FORCE_COLOR: '0' } };
-  const { status, stdout, stderr } = spawnSync(process.execPath, [join(projectRoot, 'node_modules', script), ...args], options);
+  const options = {
+    cwd: projectRoot,
+    encoding: /** @type {const} */ ('utf8'),
+    env: { ...process.env, NO_COLOR: '1', FORCE_COLOR: '0' },
+  };
+  const { status, stdout, stderr } = spawnSync(
+    process.execPath,
+    [join(projectRoot, 'node_modules', script), ...args],
+    options,
+  );
   assert.equal(status, 0, stdout + stderr);
   return stdout;
 }
@@ -58,24 +76,45 @@ await check('npm pack finds every file that the package names', () => {
   tarball = join(consumer, packs[0].filename);
   unpack();
   const paths = new Set(files.map((file) => file.path));
-  const targets = Object.values(manifest.exports).flatMap((target) => (typeof target === 'string' ? [target] : Object.values(target)));
-  const named = [...targets, manifest.customElements, 'README.md', 'LICENSE', 'dist/decode-worker.js', 'dist/THIRD-PARTY-LICENSES.txt'];
-  const missing = named.map((path) => path.replace(/^\.\//, '')).filter((path) => !path.includes('*') && !paths.has(path));
+  const targets = Object.values(manifest.exports).flatMap((target) =>
+    typeof target === 'string' ? [target] : Object.values(target),
+  );
+  const named = [
+    ...targets,
+    manifest.customElements,
+    'README.md',
+    'LICENSE',
+    'dist/decode-worker.js',
+    'dist/THIRD-PARTY-LICENSES.txt',
+  ];
+  const missing = named
+    .map((path) => path.replace(/^\.\//, ''))
+    .filter((path) => !path.includes('*') && !paths.has(path));
   assert.deepEqual(missing, []);
 });
 
 await check('npm pack leaves sources, tests and demos at home', () => {
-  const allowed = /^(dist\/|schema\/|package\.json$|README\.md$|LICENSE$|CREDITS\.md$|custom-elements\.json$|vscode\.html-custom-data\.json$|web-types\.json$)/;
-  assert.deepEqual(files.map((file) => file.path).filter((path) => !allowed.test(path)), []);
+  const allowed =
+    /^(dist\/|schema\/|package\.json$|README\.md$|LICENSE$|CREDITS\.md$|custom-elements\.json$|vscode\.html-custom-data\.json$|web-types\.json$)/;
+  assert.deepEqual(
+    files.map((file) => file.path).filter((path) => !allowed.test(path)),
+    [],
+  );
 });
 
 await check('the colour tables are what their source gives', () => {
-  const { status, stderr } = spawnSync(process.execPath, [join(projectRoot, 'scripts/make-color-tables.mjs'), '--check'], { encoding: 'utf8' });
+  const { status, stderr } = spawnSync(
+    process.execPath,
+    [join(projectRoot, 'scripts/make-color-tables.mjs'), '--check'],
+    { encoding: 'utf8' },
+  );
   assert.equal(status, 0, stderr);
 });
 
 await check('the map under radars is what its source gives', () => {
-  const { status, stderr } = spawnSync(process.execPath, [join(projectRoot, 'scripts/make-map-data.mjs'), '--check'], { encoding: 'utf8' });
+  const { status, stderr } = spawnSync(process.execPath, [join(projectRoot, 'scripts/make-map-data.mjs'), '--check'], {
+    encoding: 'utf8',
+  });
   assert.equal(status, 0, stderr);
 });
 
@@ -83,14 +122,31 @@ await check('publint finds nothing', () => void runTool('publint/src/cli.js', ['
 
 await check('are-the-types-wrong finds nothing', () => {
   // The classic scripts and the style sheet have no module interface, hence no types.
-  const scripts = ['./volume-view.iife.js', './x3dom.js', './volume-view.css', './custom-elements.json', './vscode.html-custom-data.json', './web-types.json', './schema/manifest.json'];
-  runTool('@arethetypeswrong/cli/dist/index.js', [tarball, '--profile', 'esm-only', '--exclude-entrypoints', ...scripts]);
+  const scripts = [
+    './volume-view.iife.js',
+    './x3dom.js',
+    './volume-view.css',
+    './custom-elements.json',
+    './vscode.html-custom-data.json',
+    './web-types.json',
+    './schema/manifest.json',
+  ];
+  runTool('@arethetypeswrong/cli/dist/index.js', [
+    tarball,
+    '--profile',
+    'esm-only',
+    '--exclude-entrypoints',
+    ...scripts,
+  ]);
 });
 
 await check('imports in Node, which has no DOM', () => {
   for (const name of [manifest.name, `${manifest.name}/volume-view.js`]) {
     const code = `if (globalThis.document) throw new Error('there is a DOM'); console.log(Object.keys(await import('${name}')).join())`;
-    const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', code], { cwd: consumer, encoding: 'utf8' });
+    const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', code], {
+      cwd: consumer,
+      encoding: 'utf8',
+    });
     assert.equal(status, 0, stderr);
     assert.match(stdout, /\bVolumeView\b/, name);
   }
@@ -99,22 +155,39 @@ await check('imports in Node, which has no DOM', () => {
 /** @param {string} path */
 const load = (path) => import(pathToFileURL(join(projectRoot, path)).href);
 
-await check('every element has an entry that defines it and one that does not, by a pattern of the package', async () => {
-  const tags = readdirSync(join(projectRoot, 'components')).filter((name) => name !== 'internal' && existsSync(join(projectRoot, 'components', name, 'define.ts')));
-  const { elements } = await load('dist/esm/components/internal/elements.js');
-  assert.deepEqual(new Set(tags), new Set([...Object.keys(elements), 'volume-view']), 'a folder of components is a line of the table');
-  for (const tag of tags) {
-    for (const path of [`${manifest.name}/${tag}.js`, `${manifest.name}/elements/${tag}.js`]) {
-      const code = `console.log(import.meta.resolve('${path}'), Object.keys(await import('${path}')).join())`;
-      const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', code], { cwd: consumer, encoding: 'utf8' });
-      assert.equal(status, 0, stderr);
-      const className = stdout.trim().split(' ')[1].split(',').find((name) => /^Volume[A-Z]\w+$/.test(name) && name !== 'VolumeViewError');
-      assert.equal(className?.toLowerCase(), tag.replaceAll('-', ''), `${path} is ${stdout}`);
+await check(
+  'every element has an entry that defines it and one that does not, by a pattern of the package',
+  async () => {
+    const tags = readdirSync(join(projectRoot, 'components')).filter(
+      (name) => name !== 'internal' && existsSync(join(projectRoot, 'components', name, 'define.ts')),
+    );
+    const { elements } = await load('dist/esm/components/internal/elements.js');
+    assert.deepEqual(
+      new Set(tags),
+      new Set([...Object.keys(elements), 'volume-view']),
+      'a folder of components is a line of the table',
+    );
+    for (const tag of tags) {
+      for (const path of [`${manifest.name}/${tag}.js`, `${manifest.name}/elements/${tag}.js`]) {
+        const code = `console.log(import.meta.resolve('${path}'), Object.keys(await import('${path}')).join())`;
+        const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', code], {
+          cwd: consumer,
+          encoding: 'utf8',
+        });
+        assert.equal(status, 0, stderr);
+        const className = stdout
+          .trim()
+          .split(' ')[1]
+          .split(',')
+          .find((name) => /^Volume[A-Z]\w+$/.test(name) && name !== 'VolumeViewError');
+        assert.equal(className?.toLowerCase(), tag.replaceAll('-', ''), `${path} is ${stdout}`);
+      }
+      for (const file of [`dist/types/components/${tag}/define.d.ts`, `dist/types/components/${tag}/${tag}.d.ts`])
+        assert.ok(existsSync(join(projectRoot, file)), file);
     }
-    for (const file of [`dist/types/components/${tag}/define.d.ts`, `dist/types/components/${tag}/${tag}.d.ts`]) assert.ok(existsSync(join(projectRoot, file)), file);
-  }
-  return `${tags.length} elements`;
-});
+    return `${tags.length} elements`;
+  },
+);
 
 /** What a bundler keeps of a module that imports something of the package. @param {string} code */
 async function bundle(code) {
@@ -123,19 +196,31 @@ async function bundle(code) {
     root: consumer,
     configFile: false,
     logLevel: 'error',
-    build: { write: false, minify: false, lib: { entry: 'entry.js', formats: ['es'] }, rolldownOptions: { external: /^(lit|@shoelace)/ } },
+    build: {
+      write: false,
+      minify: false,
+      lib: { entry: 'entry.js', formats: ['es'] },
+      rolldownOptions: { external: /^(lit|@shoelace)/ },
+    },
   });
   const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);
-  return output.filter((part) => part.type === 'chunk').map((part) => part.code).join('\n');
+  return output
+    .filter((part) => part.type === 'chunk')
+    .map((part) => part.code)
+    .join('\n');
 }
 
 const definesLegend = /define\("volume-legend"/;
 
 await check('a class alone defines nothing, and is left out where it is not used', async () => {
-  const used = await bundle(`import { VolumeLegend } from '${manifest.name}/elements/volume-legend.js'; console.log(VolumeLegend);`);
+  const used = await bundle(
+    `import { VolumeLegend } from '${manifest.name}/elements/volume-legend.js'; console.log(VolumeLegend);`,
+  );
   assert.match(used, /VolumeLegend = class/);
   assert.doesNotMatch(used, definesLegend);
-  const unused = await bundle(`import { VolumeLegend } from '${manifest.name}/elements/volume-legend.js'; console.log(1);`);
+  const unused = await bundle(
+    `import { VolumeLegend } from '${manifest.name}/elements/volume-legend.js'; console.log(1);`,
+  );
   assert.doesNotMatch(unused, /VolumeLegend/);
 });
 
@@ -149,37 +234,60 @@ await check('the version of the elements is that of the package', async () => {
   assert.equal((await load('dist/esm/components/internal/version.js')).version, manifest.version);
 });
 
-await check('consumers\' bundlers can see the worker and x3dom, and those that do not look for them beside the bundle', () => {
-  // Beside the file that names them, hence beside the bundle where a bundler leaves the address as it is.
-  assert.match(read('dist/create-worker.js'), /new Worker\(new URL\('\.\/decode-worker\.js', import\.meta\.url\), \{ type: "module" \}\)/);
-  assert.match(read('dist/x3dom-url.js'), /new URL\('\.\/x3dom\.js', import\.meta\.url\)/);
-  const others = files.filter(({ path }) => path.startsWith('dist/esm/') && path.endsWith('.js') && read(path).replace(/\/\*[^]*?\*\//g, '').includes('import.meta.url'));
-  assert.deepEqual(others, []);
-});
+await check(
+  "consumers' bundlers can see the worker and x3dom, and those that do not look for them beside the bundle",
+  () => {
+    // Beside the file that names them, hence beside the bundle where a bundler leaves the address as it is.
+    assert.match(
+      read('dist/create-worker.js'),
+      /new Worker\(new URL\('\.\/decode-worker\.js', import\.meta\.url\), \{ type: "module" \}\)/,
+    );
+    assert.match(read('dist/x3dom-url.js'), /new URL\('\.\/x3dom\.js', import\.meta\.url\)/);
+    const others = files.filter(
+      ({ path }) =>
+        path.startsWith('dist/esm/') &&
+        path.endsWith('.js') &&
+        read(path)
+          .replace(/\/\*[^]*?\*\//g, '')
+          .includes('import.meta.url'),
+    );
+    assert.deepEqual(others, []);
+  },
+);
 
 await check('a bundler takes the worker and x3dom along', async () => {
   writeFileSync(join(consumer, 'index.html'), '<script type="module" src="./main.js"></script>');
   writeFileSync(join(consumer, 'main.js'), `import '${manifest.name}';`);
   await build({ root: consumer, configFile: false, logLevel: 'error' });
   const assets = readdirSync(join(consumer, 'dist/assets'));
-  for (const name of ['decode-worker', 'x3dom']) assert.ok(assets.some((asset) => asset.startsWith(name)), `${name} is not in ${assets.join()}`);
+  for (const name of ['decode-worker', 'x3dom'])
+    assert.ok(
+      assets.some((asset) => asset.startsWith(name)),
+      `${name} is not in ${assets.join()}`,
+    );
 });
 
 await check('x3dom is in no module and in no script but its own', () => {
   // The text is loaded where a bundler has left the file behind.
   const own = ['dist/x3dom.js', 'dist/esm/src/x3d/x3dom-as-text.js'];
-  const holding = files.filter((file) => file.path.endsWith('.js') && !own.includes(file.path) && read(file.path).includes('x3dom.X3DCanvas='));
+  const holding = files.filter(
+    (file) => file.path.endsWith('.js') && !own.includes(file.path) && read(file.path).includes('x3dom.X3DCanvas='),
+  );
   assert.deepEqual(holding, []);
 });
 
 await check('declarations import .js, not .ts', () => {
-  const wrong = files.filter((file) => file.path.endsWith('.d.ts') && /(from|import)\s*\(?\s*['"]\.[^'"]*\.ts['"]/.test(read(file.path)));
+  const wrong = files.filter(
+    (file) => file.path.endsWith('.d.ts') && /(from|import)\s*\(?\s*['"]\.[^'"]*\.ts['"]/.test(read(file.path)),
+  );
   assert.deepEqual(wrong, []);
 });
 
 await check('the custom-elements manifest describes <volume-view>', () => {
   const { modules } = JSON.parse(read(manifest.customElements));
-  const names = modules.flatMap((/** @type {any} */ module) => module.declarations.map((/** @type {any} */ one) => one.tagName));
+  const names = modules.flatMap((/** @type {any} */ module) =>
+    module.declarations.map((/** @type {any} */ one) => one.tagName),
+  );
   assert.ok(names.includes('volume-view'));
 });
 
@@ -201,20 +309,29 @@ for (const { path, size } of files.filter((file) => /^dist\/(chunks\/)?[^/]+\.js
 }
 // All that is loaded at once counts, and the worker's reader of NIfTI.
 await check('all scripts are in ASCII: a page without a character set reads them right too', () => {
-  const scripts = readdirSync(join(projectRoot, 'dist'), { recursive: true }).map(String).filter((name) => name.endsWith('.js') && !name.startsWith('types'));
+  const scripts = readdirSync(join(projectRoot, 'dist'), { recursive: true })
+    .map(String)
+    .filter((name) => name.endsWith('.js') && !name.startsWith('types'));
   assert.ok(scripts.length > 20);
   const others = scripts.filter((name) => /[^\0-\x7f]/.test(readFileSync(join(projectRoot, 'dist', name), 'utf8')));
   assert.deepEqual(others, []);
 });
 
-await check('the page for frames takes every attribute of <volume-view> but those that are for scripts or for the page around it', () => {
-  /** @type {{ modules: { declarations?: { tagName?: string, attributes?: { name: string, deprecated?: unknown }[] }[] }[] }} */
-  const { modules } = JSON.parse(read('custom-elements.json'));
-  const view = modules.flatMap(({ declarations }) => declarations ?? []).find(({ tagName }) => tagName === 'volume-view');
-  const taken = new Set([...read('dist/embed.js').matchAll(/'([a-z0-9-]+)'/g)].map(([, name]) => name));
-  const others = view?.attributes?.filter(({ name, deprecated }) => !deprecated && !taken.has(name)).map(({ name }) => name);
-  assert.deepEqual(new Set(others), new Set(['crosshair', 'cursor', 'height', 'pickable', 'poster', 'width']));
-});
+await check(
+  'the page for frames takes every attribute of <volume-view> but those that are for scripts or for the page around it',
+  () => {
+    /** @type {{ modules: { declarations?: { tagName?: string, attributes?: { name: string, deprecated?: unknown }[] }[] }[] }} */
+    const { modules } = JSON.parse(read('custom-elements.json'));
+    const view = modules
+      .flatMap(({ declarations }) => declarations ?? [])
+      .find(({ tagName }) => tagName === 'volume-view');
+    const taken = new Set([...read('dist/embed.js').matchAll(/'([a-z0-9-]+)'/g)].map(([, name]) => name));
+    const others = view?.attributes
+      ?.filter(({ name, deprecated }) => !deprecated && !taken.has(name))
+      .map(({ name }) => name);
+    assert.deepEqual(new Set(others), new Set(['crosshair', 'cursor', 'height', 'pickable', 'poster', 'width']));
+  },
+);
 
 await check('our own code for a page with a NIfTI file is below 67 kB gzipped', async () => {
   const bytes = sumOwnBytes(await measureBytes());
@@ -222,31 +339,58 @@ await check('our own code for a page with a NIfTI file is below 67 kB gzipped', 
   return `${bytes} bytes`;
 });
 
-await check('the classic script for a page with a NIfTI file is below 80 kB gzipped: few parts of it come at once', () => {
-  const [atOnce, worker] = measureClassic();
-  const bytes = atOnce.gzipped + worker.gzipped;
-  assert.ok(bytes < 80_000, `${bytes} bytes`);
-  return `${bytes} bytes`;
-});
+await check(
+  'the classic script for a page with a NIfTI file is below 80 kB gzipped: few parts of it come at once',
+  () => {
+    const [atOnce, worker] = measureClassic();
+    const bytes = atOnce.gzipped + worker.gzipped;
+    assert.ok(bytes < 80_000, `${bytes} bytes`);
+    return `${bytes} bytes`;
+  },
+);
 
-await check('the classic script\'s worker for NIfTI makes a volume fit by itself, as each one has to in WebGL 1', async () => {
-  const folder = join(projectRoot, 'dist/classic');
-  const part = readdirSync(folder).map((name) => readFileSync(join(folder, name), 'utf8')).find((text) => text.includes('left out of this worker'));
-  /** @type {Record<string, any>} */
-  const world = createContext({ fetch, Response, URL, TextDecoder, DecompressionStream, ReadableStream, DOMException, AbortController, performance, setTimeout, clearTimeout, console, location: { href: 'http://localhost/' }, origin: 'http://localhost' });
-  runInContext(part ?? '', world);
-  /** @type {{ text: string }} */
-  const { text } = runInContext('const own = {}; Object.values(volumeViewParts)[0](() => own, () => own, own); own', world);
-  const reported = new Promise((resolve) => {
-    world.postMessage = (/** @type {{ type: string }} */ message) => ['ready', 'progress'].includes(message.type) || resolve(message);
-  });
-  runInContext(text, world);
-  const url = `data:application/octet-stream;base64,${readFileSync(join(projectRoot, 'test/fixtures/nifti/v1-le-i2.nii')).toString('base64')}`;
-  world.onmessage({ data: { request: { url }, pageOrigin: 'http://localhost' } });
-  world.onmessage({ data: { limits: { maxVoxelsPerAxis: 3, maxAtlasSize: 4096, maxBytes: 2 ** 30 } } });
-  const { type, message, volume } = await reported;
-  assert.equal(type, 'done', message);
-  assert.deepEqual([...volume.reduced.to], [3, 2, 3]);
-});
+await check(
+  "the classic script's worker for NIfTI makes a volume fit by itself, as each one has to in WebGL 1",
+  async () => {
+    const folder = join(projectRoot, 'dist/classic');
+    const part = readdirSync(folder)
+      .map((name) => readFileSync(join(folder, name), 'utf8'))
+      .find((text) => text.includes('left out of this worker'));
+    /** @type {Record<string, any>} */
+    const world = createContext({
+      fetch,
+      Response,
+      URL,
+      TextDecoder,
+      DecompressionStream,
+      ReadableStream,
+      DOMException,
+      AbortController,
+      performance,
+      setTimeout,
+      clearTimeout,
+      console,
+      location: { href: 'http://localhost/' },
+      origin: 'http://localhost',
+    });
+    runInContext(part ?? '', world);
+    /** @type {{ text: string }} */
+    const { text } = runInContext(
+      'const own = {}; Object.values(volumeViewParts)[0](() => own, () => own, own); own',
+      world,
+    );
+    const reported = new Promise((resolve) => {
+      world.postMessage = (/** @type {{ type: string }} */ message) =>
+        ['ready', 'progress'].includes(message.type) || resolve(message);
+    });
+    runInContext(text, world);
+    const url = `data:application/octet-stream;base64,${readFileSync(join(projectRoot, 'test/fixtures/nifti/v1-le-i2.nii')).toString('base64')}`;
+    world.onmessage({ data: { request: { url }, pageOrigin: 'http://localhost' } });
+    world.onmessage({ data: { limits: { maxVoxelsPerAxis: 3, maxAtlasSize: 4096, maxBytes: 2 ** 30 } } });
+    const { type, message, volume } = await reported;
+    assert.equal(type, 'done', message);
+    assert.deepEqual([...volume.reduced.to], [3, 2, 3]);
+  },
+);
 
 finish();

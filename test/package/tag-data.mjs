@@ -5,7 +5,9 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 
-const tags = readdirSync(join(projectRoot, 'components')).filter((name) => name !== 'internal' && existsSync(join(projectRoot, 'components', name, 'define.ts')));
+const tags = readdirSync(join(projectRoot, 'components')).filter(
+  (name) => name !== 'internal' && existsSync(join(projectRoot, 'components', name, 'define.ts')),
+);
 
 /** @param {string} path */
 const read = (path) => readFileSync(join(projectRoot, path), 'utf8');
@@ -20,7 +22,11 @@ const readJson = (path) => JSON.parse(read(path));
 async function listAttributes(tag) {
   const module = await import(pathToFileURL(join(projectRoot, `dist/esm/components/${tag}/${tag}.js`)).href);
   const element = Object.values(module).find((one) => one.observedAttributes); // Which makes Lit gather them.
-  return new Map([...element.elementProperties].filter(([, { attribute }]) => typeof attribute === 'string').map(([name, { attribute }]) => [attribute, name]));
+  return new Map(
+    [...element.elementProperties]
+      .filter(([, { attribute }]) => typeof attribute === 'string')
+      .map(([name, { attribute }]) => [attribute, name]),
+  );
 }
 
 /** @returns {Promise<string>} how many there are */
@@ -40,8 +46,13 @@ export async function checkTagData() {
       assert.deepEqual(new Set(list.map(({ name }) => name)), new Set(tags), file);
       const reported = list.find(({ name }) => name === tag);
       assert.ok(reported?.description, `${file} describes <${tag}>`);
-      assert.deepEqual(new Set(reported.attributes.map(({ name }) => name)), new Set(attributes.keys()), `${file}: <${tag}>`);
-      for (const { name, description } of reported.attributes) assert.ok(description, `${file} describes ${name} of <${tag}>`);
+      assert.deepEqual(
+        new Set(reported.attributes.map(({ name }) => name)),
+        new Set(attributes.keys()),
+        `${file}: <${tag}>`,
+      );
+      for (const { name, description } of reported.attributes)
+        assert.ok(description, `${file} describes ${name} of <${tag}>`);
     }
     for (const [name, text] of Object.entries(types)) {
       const className = tag.replace(/(^|-)(.)/g, (_, __, letter) => letter.toUpperCase());
@@ -49,7 +60,8 @@ export async function checkTagData() {
       const own = text.slice(from, text.indexOf('\n}', from));
       assert.ok(from > 0 && text.includes(`'${tag}':`), `the types for ${name} have <${tag}>`);
       for (const [attribute, property] of attributes) {
-        for (const key of new Set([attribute, property])) assert.match(own, new RegExp(`^ *'?${key}'?\\?:`, 'm'), `the types for ${name}: ${key} of <${tag}>`);
+        for (const key of new Set([attribute, property]))
+          assert.match(own, new RegExp(`^ *'?${key}'?\\?:`, 'm'), `the types for ${name}: ${key} of <${tag}>`);
       }
     }
   }

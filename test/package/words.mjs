@@ -21,9 +21,11 @@ const words = [
 ];
 
 const folders = ['src', 'components', 'shaders', 'packages/prepare/src'];
-const files = folders.flatMap((folder) => readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' })
-  .map((name) => `${folder}/${name.replaceAll('\\', '/')}`)
-  .filter((name) => /\.(?:ts|glsl)$/.test(name)));
+const files = folders.flatMap((folder) =>
+  readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' })
+    .map((name) => `${folder}/${name.replaceAll('\\', '/')}`)
+    .filter((name) => /\.(?:ts|glsl)$/.test(name)),
+);
 
 /** Comments of a text, each with the number of its line; names of code in backticks or braces are no words. @param {string} text */
 function listComments(text) {
@@ -38,14 +40,21 @@ function listComments(text) {
 }
 
 await check('a list that finds nothing is no list', () => {
-  const [found] = listComments('const a = 1; // Who is told of it.\n').filter(({ comment }) => words.some(([word]) => word.test(comment)));
+  const [found] = listComments('const a = 1; // Who is told of it.\n').filter(({ comment }) =>
+    words.some(([word]) => word.test(comment)),
+  );
   assert.equal(found?.line, 1);
   assert.deepEqual(listComments('const url = "http://a"; wear(sheet);'), []);
 });
 
 await check('comments have no private words', () => {
-  const found = files.flatMap((file) => listComments(readFileSync(join(projectRoot, file), 'utf8'))
-    .flatMap(({ line, comment }) => words.filter(([word]) => word.test(comment)).map(([word, better]) => `${file}:${line}: "${word.exec(comment)?.[0]}"; write: ${better}`)));
+  const found = files.flatMap((file) =>
+    listComments(readFileSync(join(projectRoot, file), 'utf8')).flatMap(({ line, comment }) =>
+      words
+        .filter(([word]) => word.test(comment))
+        .map(([word, better]) => `${file}:${line}: "${word.exec(comment)?.[0]}"; write: ${better}`),
+    ),
+  );
   assert.deepEqual(found, []);
   return `${files.length} files`;
 });

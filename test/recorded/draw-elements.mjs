@@ -51,17 +51,28 @@ async function drawInPage({ attributes, children, width, height, ownSize }) {
  * @param {ElementScene} scene
  * @returns {Promise<import('./picture.mjs').Picture>}
  */
-async function drawScene(browser, url, { name, attributes, children = '', width = 200, height = 150, pixelRatio, webgl1 }) {
+async function drawScene(
+  browser,
+  url,
+  { name, attributes, children = '', width = 200, height = 150, pixelRatio, webgl1 },
+) {
   const page = await browser.newPage({ viewport: { width: 640, height: 480 }, deviceScaleFactor: pixelRatio ?? 1 });
   try {
     if (webgl1) await page.addInitScript(withoutWebGl2);
     await page.goto(`${url}test/recorded/page.html`);
     await page.addScriptTag({ type: 'module', url: `${url}${pageScript}` });
     const ownSize = pixelRatio !== undefined;
-    const dataUrl = await page.evaluate(drawInPage, { attributes: { steps, ...attributes }, children, width, height, ownSize });
+    const dataUrl = await page.evaluate(drawInPage, {
+      attributes: { steps, ...attributes },
+      children,
+      width,
+      height,
+      ownSize,
+    });
     const picture = readPng(Buffer.from(dataUrl.split(',')[1], 'base64'));
     const expected = [width, height].map((side) => side * (pixelRatio ?? 1)).join(' x ');
-    if (`${picture.width} x ${picture.height}` !== expected) throw new Error(`the picture got ${picture.width} x ${picture.height} pixels; expected ${expected}`);
+    if (`${picture.width} x ${picture.height}` !== expected)
+      throw new Error(`the picture got ${picture.width} x ${picture.height} pixels; expected ${expected}`);
     return { name, family: familyOf(name), kind: 'bytes', ...picture };
   } finally {
     await page.close();

@@ -40,7 +40,12 @@ export function drawInner(wanted, drawn) {
       /** @type {string[]} */
       const names = await page.evaluate(async (path) => (await import(path)).listNames(), module);
       for (const name of names.filter((one) => wanted(nameOf(one, webgl2)))) {
-        drawn(await drawScene(page, name, webgl2).catch((error) => ({ name: nameOf(name, webgl2), failure: String(error) })));
+        drawn(
+          await drawScene(page, name, webgl2).catch((error) => ({
+            name: nameOf(name, webgl2),
+            failure: String(error),
+          })),
+        );
       }
       await page.close();
     }

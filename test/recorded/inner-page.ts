@@ -19,7 +19,13 @@ export async function drawInside(name: string, webgl2: boolean): Promise<DrawnIn
   if (!scene) throw new Error(`a scene got the name "${name}"; expected one of ${listNames().join('; ')}`);
   const data = await withDrawing(scene.shown, webgl2, scene.use);
   const { width, height } = scene.shown;
-  return { family: scene.family, width, height, kind: data instanceof Float32Array ? 'floats' : 'bytes', data: await toDataUrl(Uint8Array.from(new Uint8Array(data.buffer))) };
+  return {
+    family: scene.family,
+    width,
+    height,
+    kind: data instanceof Float32Array ? 'floats' : 'bytes',
+    data: await toDataUrl(Uint8Array.from(new Uint8Array(data.buffer))),
+  };
 }
 
 function toDataUrl(bytes: Uint8Array<ArrayBuffer>): Promise<string> {

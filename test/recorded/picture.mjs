@@ -22,7 +22,8 @@ export const hashOf = ({ data }) => createHash('sha256').update(data).digest('he
  */
 export function readPng(png) {
   const { width, height, channels, depth, data: samples } = decode(png);
-  if (depth !== 8 || (channels !== 3 && channels !== 4)) throw new Error(`a picture got ${channels} channels of ${depth} bits; expected 3 or 4 of 8 bits`);
+  if (depth !== 8 || (channels !== 3 && channels !== 4))
+    throw new Error(`a picture got ${channels} channels of ${depth} bits; expected 3 or 4 of 8 bits`);
   const data = new Uint8Array(width * height * 4);
   for (let pixel = 0; pixel < width * height; pixel++) {
     const alpha = channels === 4 ? samples[pixel * 4 + 3] : 255;
@@ -47,7 +48,10 @@ export function toFile({ name, kind, width, height, data }) {
     rgb.set(data.subarray(pixel * 4, pixel * 4 + 3), pixel * 3);
     rgb.fill(data[pixel * 4 + 3], (width * height + pixel) * 3, (width * height + pixel + 1) * 3);
   }
-  return { file: `${fileName(name)}.png`, bytes: encode({ width, height: 2 * height, channels: 3, depth: 8, data: rgb }) };
+  return {
+    file: `${fileName(name)}.png`,
+    bytes: encode({ width, height: 2 * height, channels: 3, depth: 8, data: rgb }),
+  };
 }
 
 /**
@@ -129,7 +133,8 @@ export function findFaults(pictures) {
     const faults = isBlank(picture) ? [`${picture.name}: the picture is blank`] : [];
     const hash = hashOf(picture);
     const twin = seen.get(hash);
-    if (twin && twin.family !== picture.family) faults.push(`${picture.name}: the same picture as that of ${twin.name}`);
+    if (twin && twin.family !== picture.family)
+      faults.push(`${picture.name}: the same picture as that of ${twin.name}`);
     if (!twin) seen.set(hash, picture);
     if (files.has(fileName(picture.name))) faults.push(`${picture.name}: another picture has the same file`);
     files.add(fileName(picture.name));

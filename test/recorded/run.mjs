@@ -27,12 +27,18 @@ async function drawAll(wanted) {
   const drawn = (/** @type {Picture | { name: string, failure: string }} */ result) => {
     if ('failure' in result) faults.push(`${result.name}: ${result.failure}`);
     else pictures.push(result);
-    process.stderr.write(`\r\u001b[K${Math.round((performance.now() - began) / 1000)} s, ${pictures.length} pictures, ${result.name}`);
+    process.stderr.write(
+      `\r\u001b[K${Math.round((performance.now() - began) / 1000)} s, ${pictures.length} pictures, ${result.name}`,
+    );
   };
   const inner = await drawInner(wanted, drawn);
   const machine = elementScenes.some(({ name }) => wanted(name)) ? await drawElements(wanted, drawn) : inner;
   process.stderr.write('\r\u001b[K');
-  return { pictures, faults: [...faults, ...findFaults(pictures)], where: { browser: machine.browser, renderer: machine.renderer } };
+  return {
+    pictures,
+    faults: [...faults, ...findFaults(pictures)],
+    where: { browser: machine.browser, renderer: machine.renderer },
+  };
 }
 
 /** @param {string} folder @param {Picture} picture */
@@ -49,7 +55,12 @@ function toJson({ browser, renderer, pictures }) {
 }
 
 /** @param {Picture} picture @returns {Entry} */
-const entryOf = (picture) => ({ name: picture.name, width: picture.width, height: picture.height, sha256: hashOf(picture) });
+const entryOf = (picture) => ({
+  name: picture.name,
+  width: picture.width,
+  height: picture.height,
+  sha256: hashOf(picture),
+});
 
 /**
  * How far a picture is from the recorded one.
@@ -97,7 +108,10 @@ async function main(args) {
   const recorded = existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : null;
   if (options.check) {
     if (!recorded) throw new Error(`--check got ${file}, which is not there; expected what \`npm run record\` writes`);
-    if (isElsewhere(where, recorded)) console.log(`recorded elsewhere, where other hashes are to be expected: ${recorded.browser}, ${recorded.renderer}`);
+    if (isElsewhere(where, recorded))
+      console.log(
+        `recorded elsewhere, where other hashes are to be expected: ${recorded.browser}, ${recorded.renderer}`,
+      );
     const changes = compare(pictures, recorded, options);
     for (const change of changes) console.log(change);
     console.log(changes.length > 0 ? `${changes.length} are not as recorded` : 'all are as recorded');
@@ -105,7 +119,8 @@ async function main(args) {
   }
   const { pictures: folder } = options;
   if (folder) for (const picture of pictures) writePicture(folder, picture);
-  if (options.only && recorded && isElsewhere(where, recorded)) throw new Error(`--only got another browser or renderer than the rest of ${file}; record all of it`);
+  if (options.only && recorded && isElsewhere(where, recorded))
+    throw new Error(`--only got another browser or renderer than the rest of ${file}; record all of it`);
   const kept = options.only ? (recorded?.pictures ?? []).filter(({ name }) => !name.includes(options.only)) : [];
   writeFileSync(file, toJson({ ...where, pictures: [...kept, ...pictures.map(entryOf)] }));
   console.log(`written: ${file}`);

@@ -45,7 +45,12 @@ export interface Radar {
 export type Cut =
   | { readonly cut: 'sweep'; readonly number: number }
   | { readonly cut: 'height'; readonly metres: number }
-  | { readonly cut: 'upright'; readonly from: readonly [number, number]; readonly direction: readonly [number, number]; readonly length: number };
+  | {
+      readonly cut: 'upright';
+      readonly from: readonly [number, number];
+      readonly direction: readonly [number, number];
+      readonly length: number;
+    };
 
 export interface Shown {
   readonly volume: Box | Radar;
@@ -90,7 +95,8 @@ export async function withDrawing<T>(shown: Shown, webgl2: boolean, use: (drawin
   document.body.append(host, container);
   const scene = await VolumeScene.create(host, container, () => {}, fieldProviders);
   try {
-    if (scene.device.webgl2 !== webgl2) throw new Error(`the scene got WebGL ${scene.device.webgl2 ? 2 : 1}; expected the other one`);
+    if (scene.device.webgl2 !== webgl2)
+      throw new Error(`the scene got WebGL ${scene.device.webgl2 ? 2 : 1}; expected the other one`);
     return use(startDrawing(scene, shown, await applyTo(scene, shown)));
   } finally {
     scene.dispose();
@@ -103,9 +109,9 @@ const buildVolume = (options: Box | Radar): Volume =>
   'field' in options
     ? syntheticVolume(options)
     : radarVolume(
-      { sweeps: options.sweeps, moments: [options.isVelocity ? ['VRAD', 'velocity'] : ['DBZH', 'reflectivity']] },
-      { verticalExaggeration: options.exaggeration, ...(options.straightBeams ? { beamModel: 'straight' } : {}) },
-    );
+        { sweeps: options.sweeps, moments: [options.isVelocity ? ['VRAD', 'velocity'] : ['DBZH', 'reflectivity']] },
+        { verticalExaggeration: options.exaggeration, ...(options.straightBeams ? { beamModel: 'straight' } : {}) },
+      );
 
 function toSlice(cut: Cut): Slice {
   if (cut.cut === 'sweep') return { kind: 'cone', sweep: cut.number };
@@ -128,7 +134,9 @@ async function applyTo(scene: VolumeScene, shown: Shown): Promise<number> {
   });
   scene.setSlices((shown.cuts ?? []).map(toSlice));
   scene.setRegion(shown.region ? cutRegion(volume.grid, shown.region) : null);
-  scene.setCamera(orbitCamera({ ...shown.orbit, radius: shown.orbit.radius * diagonal }, boundingSphere(volume.grid).center, 0.6));
+  scene.setCamera(
+    orbitCamera({ ...shown.orbit, radius: shown.orbit.radius * diagonal }, boundingSphere(volume.grid).center, 0.6),
+  );
   return diagonal / shown.steps;
 }
 
@@ -156,7 +164,12 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
       draw();
       const first = Math.floor(stride / 2);
       const [columns, lines] = [width, height].map((pixels) => Math.floor((pixels - 1 - first) / stride) + 1);
-      const floats = probe(scene, [1, 0.5, 0.25].map((share) => share * stepLength), { stride, first: [first, first], width: columns, height: lines }, { width, height });
+      const floats = probe(
+        scene,
+        [1, 0.5, 0.25].map((share) => share * stepLength),
+        { stride, first: [first, first], width: columns, height: lines },
+        { width, height },
+      );
       if (!floats) throw new Error('the scene got no probe; expected a device that draws floats');
       return Float32Array.from(floats.flatMap((some) => [...some]));
     },

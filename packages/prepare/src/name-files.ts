@@ -1,6 +1,10 @@
 import { basename } from 'node:path';
 
-const word = (text: string): string => text.replace(/[^\p{L}\p{N}._-]+/gu, '_').replace(/^\.+/, '_').slice(0, 100);
+const word = (text: string): string =>
+  text
+    .replace(/[^\p{L}\p{N}._-]+/gu, '_')
+    .replace(/^\.+/, '_')
+    .slice(0, 100);
 
 /**
  * The name, without an extension, of the files that are made from one file: the name of that file, and the quantity that is shown. Both

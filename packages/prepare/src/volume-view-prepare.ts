@@ -17,18 +17,30 @@ volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
 class Misuse extends Error {}
 
 async function writeMosaic(path: string, moment: string | undefined, out: string | undefined): Promise<void> {
-  const { png, manifest, rounding, partial } = await makeRadarMosaic(new Uint8Array(readFileSync(path)), basename(path), moment);
+  const { png, manifest, rounding, partial } = await makeRadarMosaic(
+    new Uint8Array(readFileSync(path)),
+    basename(path),
+    moment,
+  );
   const name = out ?? nameFiles(path, manifest.moment ?? '');
   writeFileSync(`${name}.png`, png);
   writeFileSync(`${name}.json`, formatManifest({ image: `${basename(name)}.png`, ...manifest }));
-  const exact = rounding === 0 ? 'values exactly as in the file' : `values within ${rounding.toPrecision(2)} ${manifest.unit ?? ''}`;
-  console.log(`${name}.png and ${name}.json: ${manifest.slices} sweeps of ${inspect(manifest.moment)}, ${png.length} bytes, ${exact}`);
+  const exact =
+    rounding === 0
+      ? 'values exactly as in the file'
+      : `values within ${rounding.toPrecision(2)} ${manifest.unit ?? ''}`;
+  console.log(
+    `${name}.png and ${name}.json: ${manifest.slices} sweeps of ${inspect(manifest.moment)}, ${png.length} bytes, ${exact}`,
+  );
   if (partial) console.error(`not all: ${partial}`);
 }
 
 function writeVolumePage(path: string, alt: string | undefined, out: string | undefined): void {
   const { size } = statSync(path);
-  if (size > maxPageBytes) throw new RangeError(`${basename(path)} has ${Math.round(size / 2 ** 20)} MiB; expected at most ${maxPageBytes / 2 ** 20}: put it on a web server`);
+  if (size > maxPageBytes)
+    throw new RangeError(
+      `${basename(path)} has ${Math.round(size / 2 ** 20)} MiB; expected at most ${maxPageBytes / 2 ** 20}: put it on a web server`,
+    );
   const name = `${out ?? nameFiles(path)}.html`;
   writeFileSync(name, writePage(readFileSync(path), alt ?? basename(path)));
   console.log(`${name}: put volume-view.iife.js of the package volume-view beside it, and open it`);

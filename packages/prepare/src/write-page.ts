@@ -12,7 +12,9 @@ const escape = (text: string): string => text.replace(/[&<>"]/g, (sign) => entit
  */
 export function writePage(bytes: Uint8Array, alt: string): string {
   if (bytes.length > maxPageBytes) {
-    throw new RangeError(`the file has ${Math.round(bytes.length / 2 ** 20)} MiB; expected at most ${maxPageBytes / 2 ** 20}: put it on a web server`);
+    throw new RangeError(
+      `the file has ${Math.round(bytes.length / 2 ** 20)} MiB; expected at most ${maxPageBytes / 2 ** 20}: put it on a web server`,
+    );
   }
   const url = `data:application/octet-stream;base64,${Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength).toString('base64')}`;
   return `<!doctype html>

@@ -32,9 +32,11 @@ export function labelAppearance(decoded: DecodedCartesianVolume): SuggestedAppea
   labels.sort((a, b) => a - b);
   const [lowest, highest] = [labels[0], labels[labels.length - 1]];
   if (named) return { window: [lowest, Math.max(highest, lowest + 1)], isDiscrete: true };
-  if (labels.length < 3) return { window: [lowest, Math.max(highest, lowest + 1)], transferFunction: maskAppearance(decoded) };
+  if (labels.length < 3)
+    return { window: [lowest, Math.max(highest, lowest + 1)], transferFunction: maskAppearance(decoded) };
   const things = labels.filter((label) => label !== 0);
-  if (indexed || lowest < 0 || things.length > maxColored || !Number.isSafeInteger(highest)) return { window: [lowest, highest], isDiscrete: true };
+  if (indexed || lowest < 0 || things.length > maxColored || !Number.isSafeInteger(highest))
+    return { window: [lowest, highest], isDiscrete: true };
   const stops = things.map((label, i) => {
     const color = colors[i % colors.length];
     const from = i === 0 ? `${label - 0.5} ${color} 0, ` : '';
@@ -69,6 +71,7 @@ function maskAppearance({ samples, grid: { dimensions, spacing } }: DecodedCarte
   }
   const reference = Math.max(...dimensions.map((n, axis) => n * spacing[axis])) / 100;
   const usual = ((voxels / Math.max(1, runs)) * spacing[0]) / reference;
-  const percent = (share: number): string => `${(100 * share * Math.min(maxOpacity, 1 - Math.exp(-depth / usual))).toFixed(2)}%`;
+  const percent = (share: number): string =>
+    `${(100 * share * Math.min(maxOpacity, 1 - Math.exp(-depth / usual))).toFixed(2)}%`;
   return `40% #3d2418 0, 52% #6b4430 ${percent(0.5)}, 78% #c89b74 ${percent(0.8)}, 100% #fdebd3 ${percent(1)}`;
 }

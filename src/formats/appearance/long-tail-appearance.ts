@@ -19,15 +19,20 @@ const beyond = 0.005;
  * Dark and thin where the body takes up little, so that the hot spots inside stay visible. The colours are hot iron,
  * the usual ones of nuclear medicine.
  */
-const hotIron = '0% #160b39 0, 4% #2a115c 0.4%, 12% #5f187f 1.2%, 30% #b1325a 4%, 52% #ec6824 10%, 78% #f9b931 22%, 100% #fdf9c8 40%';
+const hotIron =
+  '0% #160b39 0, 4% #2a115c 0.4%, 12% #5f187f 1.2%, 30% #b1325a 4%, 52% #ec6824 10%, 78% #f9b931 22%, 100% #fdf9c8 40%';
 
 /**
  * The appearance of values with a long tail, such as the uptake of a tracer in PET: a few places glow many times as
  * bright as the body. A window around these alone would show nothing else. Null for any other values.
  */
-export function longTailAppearance({ samples, slope, intercept }: DecodedCartesianVolume, { low, high, counts }: Histogram): SuggestedAppearance | null {
+export function longTailAppearance(
+  { samples, slope, intercept }: DecodedCartesianVolume,
+  { low, high, counts }: Histogram,
+): SuggestedAppearance | null {
   const firstBin = otsuBin(counts);
-  if (!(high > low) || low < -0.02 * high || sum(counts.subarray(firstBin)) > glowing.share * samples.length) return null;
+  if (!(high > low) || low < -0.02 * high || sum(counts.subarray(firstBin)) > glowing.share * samples.length)
+    return null;
   const glowFrom = low + (firstBin / counts.length) * (high - low);
   /** Counts of values by how many doublings they lie below the highest one. */
   const logs = new Uint32Array(logBins);
@@ -44,7 +49,10 @@ export function longTailAppearance({ samples, slope, intercept }: DecodedCartesi
   const body = logs.subarray(bodyBin, glowBin);
   if (sum(body) < bodyTimes * sum(glow)) return null;
   if (valueAt(glowBin + quantile(glow, 0.5)) < glowing.times * valueAt(bodyBin + quantile(body, 0.5))) return null;
-  return { window: [0, valueAt(bodyBin + quantile(logs.subarray(bodyBin), 1 - beyond) + 1)], transferFunction: hotIron };
+  return {
+    window: [0, valueAt(bodyBin + quantile(logs.subarray(bodyBin), 1 - beyond) + 1)],
+    transferFunction: hotIron,
+  };
 }
 
 function sum(counts: Uint32Array): number {

@@ -21,7 +21,11 @@ const lookedAt = 2 ** 16;
 /** Whether two changes of the value seldom follow each other directly. In a scan the value changes nearly everywhere. */
 function hasRuns(samples: Samples): boolean {
   let [changes, next] = [0, 0];
-  for (let i = (samples.length >> 1) - (lookedAt >> 1), changed = false; i < (samples.length >> 1) + (lookedAt >> 1); i++) {
+  for (
+    let i = (samples.length >> 1) - (lookedAt >> 1), changed = false;
+    i < (samples.length >> 1) + (lookedAt >> 1);
+    i++
+  ) {
     const isOther = samples[i] !== samples[i - 1];
     if (isOther) changes++;
     if (isOther && changed) next++;
@@ -34,15 +38,31 @@ function hasRuns(samples: Samples): boolean {
  * The appearance that the values suggest, for files and manifests that give none. The code for everything except plain
  * pictures is loaded only when it may be needed.
  */
-export async function suggestAppearance(decoded: DecodedCartesianVolume, histogram: Histogram): Promise<SuggestedAppearance> {
+export async function suggestAppearance(
+  decoded: DecodedCartesianVolume,
+  histogram: Histogram,
+): Promise<SuggestedAppearance> {
   const { window, transferFunction, unit } = decoded;
   const { low, counts } = histogram;
   const high = counts.subarray(counts.length / 8).reduce((sum, count) => sum + count);
-  const isUnusual = unit === '' && (decoded.isLabels || decoded.intent || decoded.indexed || low < 0 || hasRuns(decoded.samples) || counts.filter(Boolean).length < fewBins || high < fewHigh * decoded.samples.length);
-  const found = isUnusual ? (await loadReader(() => import('./unusual-appearance.ts'))).findUnusualAppearance(decoded, histogram) : null;
+  const isUnusual =
+    unit === '' &&
+    (decoded.isLabels ||
+      decoded.intent ||
+      decoded.indexed ||
+      low < 0 ||
+      hasRuns(decoded.samples) ||
+      counts.filter(Boolean).length < fewBins ||
+      high < fewHigh * decoded.samples.length);
+  const found = isUnusual
+    ? (await loadReader(() => import('./unusual-appearance.ts'))).findUnusualAppearance(decoded, histogram)
+    : null;
   return {
     ...found,
-    window: (decoded.intent && found?.transferFunction === 'diverging' ? null : window) ?? found?.window ?? windowFromHistogram(histogram),
+    window:
+      (decoded.intent && found?.transferFunction === 'diverging' ? null : window) ??
+      found?.window ??
+      windowFromHistogram(histogram),
     transferFunction: transferFunction ?? presetOfUnit(unit) ?? found?.transferFunction,
   };
 }

@@ -10,10 +10,15 @@ import type { SuggestedAppearance } from './suggested-appearance.ts';
  * The appearance of Hounsfield units, of labels, of a mask, of values on both sides of 0, and of a few values far above
  * all others; null for anything else.
  */
-export function findUnusualAppearance(decoded: DecodedCartesianVolume, histogram: Histogram): SuggestedAppearance | null {
+export function findUnusualAppearance(
+  decoded: DecodedCartesianVolume,
+  histogram: Histogram,
+): SuggestedAppearance | null {
   if (isCt(histogram)) return { transferFunction: presetOfUnit('HU') };
   if (statistics.includes(decoded.intent ?? 0)) return statisticAppearance(decoded, histogram);
-  return decoded.isLabels || areLabels(decoded) ? labelAppearance(decoded) : signedAppearance(histogram) ?? longTailAppearance(decoded, histogram);
+  return decoded.isLabels || areLabels(decoded)
+    ? labelAppearance(decoded)
+    : (signedAppearance(histogram) ?? longTailAppearance(decoded, histogram));
 }
 
 /**
@@ -41,7 +46,10 @@ function isCt({ low, high, counts }: Histogram): boolean {
   const total = counts.reduce((sum, count) => sum + count, 0);
   /** Share of the values between two numbers, for each 100 units. */
   const density = (from: number, to: number): number => {
-    const bins = counts.subarray(Math.max(0, Math.round((from - low) / width)), Math.max(0, Math.round((to - low) / width)));
+    const bins = counts.subarray(
+      Math.max(0, Math.round((from - low) / width)),
+      Math.max(0, Math.round((to - low) / width)),
+    );
     return (bins.reduce((sum, count) => sum + count, 0) / total) * (100 / (to - from));
   };
   const [air, tissue, between] = [density(-1100, -700), density(-200, 200), density(-600, -300)];
@@ -73,7 +81,15 @@ const manyLabels = 256;
  * Whether whole numbers lie in patches along the rows: two changes of the value seldom follow each other directly, and
  * any value may follow any other.
  */
-function areLabels({ samples: all, slope, intercept, indexed, grid: { dimensions: [nx, ny, nz] } }: DecodedCartesianVolume): boolean {
+function areLabels({
+  samples: all,
+  slope,
+  intercept,
+  indexed,
+  grid: {
+    dimensions: [nx, ny, nz],
+  },
+}: DecodedCartesianVolume): boolean {
   const samples = indexed?.samples ?? all;
   const values = new Map<number, number>(); // Value to its number, in the order in which they were found.
   const changes = new Map<number, number>();
@@ -107,7 +123,9 @@ function areLabels({ samples: all, slope, intercept, indexed, grid: { dimensions
   rising.sort((a, b) => a - b);
   const numbers = rising.map((value) => values.get(value)!);
   const count = (from: number, to: number): number => changes.get(from * maxLabels + to) ?? 0;
-  const near = numbers.slice(1).reduce((sum, number, i) => sum + count(numbers[i], number) + count(number, numbers[i]), 0);
+  const near = numbers
+    .slice(1)
+    .reduce((sum, number, i) => sum + count(numbers[i], number) + count(number, numbers[i]), 0);
   const arePatches = steps < 0.3 * met && (values.size <= fewLabels || near < 0.5 * met);
   if (!arePatches) return false;
   if (values.size > manyLabels) return changes.size < 0.5 * met;
@@ -126,5 +144,7 @@ function signedAppearance({ low, high, counts }: Histogram): SuggestedAppearance
   // Values around 0 are more frequent than elsewhere: they are background or noise.
   const around = counts.subarray(Math.max(0, zero - 8), zero + 9).reduce((sum, count) => sum + count, 0);
   const total = counts.reduce((sum, count) => sum + count, 0);
-  return around > (2 * 17 / counts.length) * total ? { window: [-farthest, farthest], transferFunction: 'diverging' } : null;
+  return around > ((2 * 17) / counts.length) * total
+    ? { window: [-farthest, farthest], transferFunction: 'diverging' }
+    : null;
 }

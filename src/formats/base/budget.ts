@@ -35,7 +35,10 @@ export class Budget {
    * @param deviceBytes - maximum that a load may hold on this device
    * @param effort - share of the usual steps, 0 to 1
    */
-  constructor(readonly deviceBytes = usualDeviceBytes, readonly effort = 1) {}
+  constructor(
+    readonly deviceBytes = usualDeviceBytes,
+    readonly effort = 1,
+  ) {}
 
   /** The budget of a load of one file. @param fileBytes - its length */
   static ofFile(fileBytes: number): Budget {
@@ -100,5 +103,7 @@ export class Budget {
 }
 
 function say(bytes: number): string {
-  return bytes < 2 ** 20 ? `${bytes.toLocaleString('en')} bytes` : `${(bytes / 2 ** 20).toLocaleString('en', { maximumFractionDigits: 1 })} MiB`;
+  return bytes < 2 ** 20
+    ? `${bytes.toLocaleString('en')} bytes`
+    : `${(bytes / 2 ** 20).toLocaleString('en', { maximumFractionDigits: 1 })} MiB`;
 }

@@ -19,7 +19,11 @@ export function describeLoss(data: Uint8Array | Uint8ClampedArray, channels: num
   const alpha = channels % 2 === 0 ? (channels - 1) * bytes : 0;
   let [hasColors, isTransparent] = [false, false];
   for (let at = 0; at < data.length && !(hasColors && isTransparent); at += channels * bytes) {
-    if (channels > 2 && Math.max(Math.abs(data[at] - data[at + bytes]), Math.abs(data[at] - data[at + 2 * bytes])) > colorStep) hasColors = true;
+    if (
+      channels > 2 &&
+      Math.max(Math.abs(data[at] - data[at + bytes]), Math.abs(data[at] - data[at + 2 * bytes])) > colorStep
+    )
+      hasColors = true;
     if (alpha > 0 && data[at + alpha] < 0xff) isTransparent = true;
   }
   return [
@@ -29,7 +33,11 @@ export function describeLoss(data: Uint8Array | Uint8ClampedArray, channels: num
 }
 
 /** Bring an image whose channels lie together (gray, gray + alpha, RGB, RGBA) to one channel. */
-export function combineChannels(data: GrayImage['data'] | Uint8ClampedArray, channels: number, use: ChannelUse): GrayImage['data'] {
+export function combineChannels(
+  data: GrayImage['data'] | Uint8ClampedArray,
+  channels: number,
+  use: ChannelUse,
+): GrayImage['data'] {
   return use === 'gray' ? luma(data, channels) : joinBytes(data, channels);
 }
 

@@ -10,6 +10,9 @@ export const maxFiles = 2 ** 13;
 export function checkFileCount(what: string, count: number): void {
   if (!(count >= 1)) throw new VolumeViewError('format/corrupt', `${what} got no files; expected at least one`);
   if (count > maxFiles) {
-    throw new VolumeViewError('format/too-large', `${what} got ${count.toLocaleString('en')} files for one volume; expected at most ${maxFiles.toLocaleString('en')}`);
+    throw new VolumeViewError(
+      'format/too-large',
+      `${what} got ${count.toLocaleString('en')} files for one volume; expected at most ${maxFiles.toLocaleString('en')}`,
+    );
   }
 }

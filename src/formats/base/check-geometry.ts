@@ -20,21 +20,35 @@ export function checkGeometry(volume: DecodedVolume): void {
     );
   }
   if (!Number.isFinite(slope) || slope === 0 || !Number.isFinite(intercept)) {
-    throw new VolumeViewError('format/corrupt', `the ${format} scales its values by ${slope} and shifts them by ${intercept}; expected finite numbers, the first one not 0`);
+    throw new VolumeViewError(
+      'format/corrupt',
+      `the ${format} scales its values by ${slope} and shifts them by ${intercept}; expected finite numbers, the first one not 0`,
+    );
   }
 }
 
 function areSoundSweeps({ sweeps, beamWidth, box }: Extract<DecodedVolume['grid'], { kind: 'polar' }>): boolean {
-  const all = sweeps.flatMap(({ elevation, firstGate, gateLength, gates }) => [elevation, firstGate, gateLength, gates * gateLength]);
+  const all = sweeps.flatMap(({ elevation, firstGate, gateLength, gates }) => [
+    elevation,
+    firstGate,
+    gateLength,
+    gates * gateLength,
+  ]);
   return (
     [beamWidth, ...box.low, ...box.high, ...all].every((n) => Math.abs(n) <= longest) &&
-    sweeps.every(({ azimuths, elevations, gateLength }) => gateLength > 0 && azimuths.every(Number.isFinite) && (elevations?.every(Number.isFinite) ?? true))
+    sweeps.every(
+      ({ azimuths, elevations, gateLength }) =>
+        gateLength > 0 && azimuths.every(Number.isFinite) && (elevations?.every(Number.isFinite) ?? true),
+    )
   );
 }
 
 /** @throws {VolumeViewError} `format/corrupt` */
 export function refuseRange({ range, format }: Pick<Volume, 'range' | 'format'>): never {
-  throw new VolumeViewError('format/corrupt', `the ${format} has values from ${range[0]} to ${range[1]}, which lie too far apart; expected finite numbers: check its slope and intercept, or its data`);
+  throw new VolumeViewError(
+    'format/corrupt',
+    `the ${format} has values from ${range[0]} to ${range[1]}, which lie too far apart; expected finite numbers: check its slope and intercept, or its data`,
+  );
 }
 
 const say = (n: number): string => String(Number(n.toPrecision(4)));

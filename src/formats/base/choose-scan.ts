@@ -32,5 +32,8 @@ export function chooseScan(times: ScanTimes, wanted: ScanTarget): ScanChoice {
 
 function checkIndex(index: number, count: number): number {
   if (index < count) return index;
-  throw new VolumeViewError('attribute/invalid', `time got "${index}"; expected the number of a scan, from 0 to ${count - 1}, or a time such as "2018-12-20T06:06:28Z".`);
+  throw new VolumeViewError(
+    'attribute/invalid',
+    `time got "${index}"; expected the number of a scan, from 0 to ${count - 1}, or a time such as "2018-12-20T06:06:28Z".`,
+  );
 }

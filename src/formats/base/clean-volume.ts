@@ -19,12 +19,18 @@ type Cleaned = Pick<Volume, 'slope' | 'intercept' | 'range' | 'window' | 'transf
  * @returns in words, what is hidden; null where nothing is
  * @throws {VolumeViewError} `attribute/invalid` for labels, and where it does not follow from the volume at which value things begin
  */
-export async function cleanVolume(cleaning: Cleaning, volume: Cleaned, { samples, dimensions }: { readonly samples: Samples; readonly dimensions: Vector3 }): Promise<string | null> {
-  if (volume.isDiscrete) throw refuseCleaning(cleaning, 'a volume of measured values: to hide a label, write <volume-label hidden>');
+export async function cleanVolume(
+  cleaning: Cleaning,
+  volume: Cleaned,
+  { samples, dimensions }: { readonly samples: Samples; readonly dimensions: Vector3 },
+): Promise<string | null> {
+  if (volume.isDiscrete)
+    throw refuseCleaning(cleaning, 'a volume of measured values: to hide a label, write <volume-label hidden>');
   const from = cleaning === 'auto' ? await findBegin(volume) : cleaning;
   const { slope, intercept } = volume;
   const found = findSmallParts(dimensions, (voxel) => slope * samples[voxel] + intercept > from);
-  if (!found) return `clean hides nothing: above ${from} there are more than ${maxRuns.toLocaleString('en')} rows of voxels, as in noise; a higher value, as in clean="${writeHigher(volume, from)}", may help`;
+  if (!found)
+    return `clean hides nothing: above ${from} there are more than ${maxRuns.toLocaleString('en')} rows of voxels, as in noise; a higher value, as in clean="${writeHigher(volume, from)}", may help`;
   if (found.parts === 0) return null;
   const hidden = storedUpTo(from, volume, samples);
   found.visit((first, end) => void samples.fill(hidden, first, end));
@@ -40,7 +46,11 @@ export function refuseCleaning(cleaning: Cleaning, expected: string): Error {
 async function findBegin({ transferFunction, window, range }: Cleaned): Promise<number> {
   const stops = await resolveTransferFunction(transferFunction ?? defaultPreset, window ?? range);
   const first = stops.findIndex(({ opacity }) => opacity > 0);
-  if (first < 1) throw refuseCleaning('auto', 'the value from which on something is shown, like clean="150": the lowest values of this volume show, too');
+  if (first < 1)
+    throw refuseCleaning(
+      'auto',
+      'the value from which on something is shown, like clean="150": the lowest values of this volume show, too',
+    );
   return stops[first - 1].value;
 }
 

@@ -10,7 +10,11 @@ export const maxFileSamplesBytes = 2 ** 31 - 1;
  * @param lengths - samples along each axis
  * @throws {VolumeViewError} `format/too-large`
  */
-export function countSampleBytes(what: string, lengths: readonly number[], type: Pick<NumberType, 'name' | 'bytesPerSample'>): number {
+export function countSampleBytes(
+  what: string,
+  lengths: readonly number[],
+  type: Pick<NumberType, 'name' | 'bytesPerSample'>,
+): number {
   const voxels = lengths.reduce((product, n) => product * n, 1);
   const bytes = voxels * type.bytesPerSample;
   if (bytes <= maxFileSamplesBytes) return bytes;

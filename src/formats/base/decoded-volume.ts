@@ -10,7 +10,10 @@ import type { MosaicValues, RadarSettings } from './radar-settings.ts';
 /** What a format's reader returns: a volume, except for what is computed from its samples. */
 export type DecodedVolume = DecodedCartesianVolume | DecodedPolarVolume;
 
-type Decoded = Omit<Volume, 'grid' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced' | 'coarse' | 'isDiscrete' | 'referenceLength'>;
+type Decoded = Omit<
+  Volume,
+  'grid' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced' | 'coarse' | 'isDiscrete' | 'referenceLength'
+>;
 
 export type DecodedCartesianVolume = Decoded & {
   readonly grid: CartesianGrid;

@@ -12,7 +12,10 @@ interface ForeignFormat {
   matches(start: FileStart, bytes: Uint8Array): boolean;
 }
 
-const begins = (...signatures: readonly string[]): ForeignFormat['matches'] => (_, bytes) => signatures.some((one) => startsWith(bytes, one));
+const begins =
+  (...signatures: readonly string[]): ForeignFormat['matches'] =>
+  (_, bytes) =>
+    signatures.some((one) => startsWith(bytes, one));
 const asPng = 'to PNG, one file for each slice, and list them in src with the attribute stack';
 
 /** Sources: each format's own description, in the manuals of its tools. */
@@ -22,23 +25,69 @@ const foreign: readonly ForeignFormat[] = [
     advice: 'with all files of its series to NIfTI: dcm2niix -z y folder',
     // After a preamble, or, in old files, from the first group on (0002 or 0008, with a value representation of two
     // letters).
-    matches: (_, bytes) => startsWith(bytes.subarray(128), 'DICM') ||
+    matches: (_, bytes) =>
+      startsWith(bytes.subarray(128), 'DICM') ||
       ([2, 8].includes(bytes[0]) && bytes[1] === 0 && bytes[3] === 0 && /^[A-Z]{2}$/.test(latin(bytes.subarray(4), 2))),
   },
-  { name: 'a FreeSurfer volume (MGH)', advice: 'to NIfTI: mri_convert file.mgz file.nii.gz', matches: (_, bytes) => startsWith(bytes, '\0\0\0\x01') && bytes.length > 284 },
-  { name: 'a VTK file', advice: 'to MetaImage (.mha) or NRRD, with ParaView or 3D Slicer', matches: ({ text }) => text.startsWith('# vtk DataFile') || /^(<\?xml[^>]{0,100}>\s*)?<VTKFile/.test(text) },
-  { name: 'a Philips PAR/REC header', advice: 'to NIfTI: dcm2niix -z y file.par', matches: ({ text }) => text.startsWith('# === DATA DESCRIPTION FILE') },
+  {
+    name: 'a FreeSurfer volume (MGH)',
+    advice: 'to NIfTI: mri_convert file.mgz file.nii.gz',
+    matches: (_, bytes) => startsWith(bytes, '\0\0\0\x01') && bytes.length > 284,
+  },
+  {
+    name: 'a VTK file',
+    advice: 'to MetaImage (.mha) or NRRD, with ParaView or 3D Slicer',
+    matches: ({ text }) => text.startsWith('# vtk DataFile') || /^(<\?xml[^>]{0,100}>\s*)?<VTKFile/.test(text),
+  },
+  {
+    name: 'a Philips PAR/REC header',
+    advice: 'to NIfTI: dcm2niix -z y file.par',
+    matches: ({ text }) => text.startsWith('# === DATA DESCRIPTION FILE'),
+  },
   { name: 'a TIFF image', advice: asPng, matches: begins('II*\0', 'MM\0*', 'II+\0', 'MM\0+') },
-  { name: 'a GIF, BMP, JPEG 2000 or AVIF image', advice: asPng, matches: (_, bytes) => startsWith(bytes, 'GIF8') || startsWith(bytes, '\0\0\0\x0cjP  ') || /^....ftypavi[fs]/s.test(latin(bytes, 12)) || (startsWith(bytes, 'BM') && bytes[6] === 0 && bytes[7] === 0 && bytes[8] === 0 && bytes[9] === 0 && bytes.length > 54) },
-  { name: 'a GRIB file', advice: 'to another format: model fields on maps are not read; of radars, ODIM_H5 and CfRadial are', matches: begins('GRIB') },
+  {
+    name: 'a GIF, BMP, JPEG 2000 or AVIF image',
+    advice: asPng,
+    matches: (_, bytes) =>
+      startsWith(bytes, 'GIF8') ||
+      startsWith(bytes, '\0\0\0\x0cjP  ') ||
+      /^....ftypavi[fs]/s.test(latin(bytes, 12)) ||
+      (startsWith(bytes, 'BM') &&
+        bytes[6] === 0 &&
+        bytes[7] === 0 &&
+        bytes[8] === 0 &&
+        bytes[9] === 0 &&
+        bytes.length > 54),
+  },
+  {
+    name: 'a GRIB file',
+    advice: 'to another format: model fields on maps are not read; of radars, ODIM_H5 and CfRadial are',
+    matches: begins('GRIB'),
+  },
   { name: 'a BUFR file', advice: 'to ODIM_H5, with the OPERA software of EUMETNET', matches: begins('BUFR') },
   { name: 'an HDF4 file', advice: 'to HDF5: h4toh5 file.hdf file.h5', matches: begins('\x0e\x03\x13\x01') },
-  { name: 'a Rainbow radar file', advice: 'to CfRadial, with Py-ART or xradar', matches: ({ text }) => /^(<\?xml[^>]{0,100}>\s*)?<volume version=/.test(text) },
-  { name: 'a Universal Format (UF) radar file', advice: 'to CfRadial, with Py-ART: pyart.io.read_uf and write_cfradial', matches: begins('UF', '\0\0\x0f\xa0UF') },
-  { name: 'a file packed by compress (.Z)', advice: 'into the file that it holds: gzip -d file.Z', matches: begins('\x1f\x9d') },
+  {
+    name: 'a Rainbow radar file',
+    advice: 'to CfRadial, with Py-ART or xradar',
+    matches: ({ text }) => /^(<\?xml[^>]{0,100}>\s*)?<volume version=/.test(text),
+  },
+  {
+    name: 'a Universal Format (UF) radar file',
+    advice: 'to CfRadial, with Py-ART: pyart.io.read_uf and write_cfradial',
+    matches: begins('UF', '\0\0\x0f\xa0UF'),
+  },
+  {
+    name: 'a file packed by compress (.Z)',
+    advice: 'into the file that it holds: gzip -d file.Z',
+    matches: begins('\x1f\x9d'),
+  },
   { name: 'a file packed by bzip2', advice: 'into the file that it holds: bzip2 -d file.bz2', matches: begins('BZh') },
   { name: 'a file packed by xz', advice: 'into the file that it holds: xz -d file.xz', matches: begins('\xfd7zXZ\0') },
-  { name: 'a file packed by Zstandard', advice: 'into the file that it holds: zstd -d file.zst', matches: begins('\x28\xb5\x2f\xfd') },
+  {
+    name: 'a file packed by Zstandard',
+    advice: 'into the file that it holds: zstd -d file.zst',
+    matches: begins('\x28\xb5\x2f\xfd'),
+  },
   { name: 'a zip archive', advice: 'into the files that it holds: unpack it', matches: begins('PK\x03\x04') },
 ];
 

@@ -43,7 +43,11 @@ export interface ReadContext extends FileAccess {
 }
 
 /** Makes a volume from a file; throws {VolumeViewError} `format/…`. */
-export type FormatReader = (input: DecodeInput, settings: DecodeSettings, context: ReadContext) => Promise<DecodedVolume>;
+export type FormatReader = (
+  input: DecodeInput,
+  settings: DecodeSettings,
+  context: ReadContext,
+) => Promise<DecodedVolume>;
 
 /** The settings that an image's reader receives. */
 export interface ImageSettings {

@@ -23,8 +23,10 @@ interface NumberArray<T> {
   new (buffer: ArrayBuffer, byteOffset: number, length: number): T;
 }
 
-export const viewAs = <T>(Type: NumberArray<T>): View<T> => ({ buffer, byteOffset, byteLength }) =>
-  new Type(buffer, byteOffset, byteLength / Type.BYTES_PER_ELEMENT);
+export const viewAs =
+  <T>(Type: NumberArray<T>): View<T> =>
+  ({ buffer, byteOffset, byteLength }) =>
+    new Type(buffer, byteOffset, byteLength / Type.BYTES_PER_ELEMENT);
 
 const integers = (name: string, bytes: number, view: View<Integers>): NumberType => ({
   name,

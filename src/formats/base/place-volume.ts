@@ -9,5 +9,8 @@ import { respace } from './respace.ts';
 export function placeVolume(volume: DecodedCartesianVolume, settings: DecodeSettings): DecodedCartesianVolume {
   const { dimensions, indexToWorld } = volume.grid;
   const own = settings.indexToWorld ?? indexToWorld;
-  return { ...volume, grid: cartesianGrid(dimensions, settings.spacing ? respace(own, dimensions, settings.spacing) : own) };
+  return {
+    ...volume,
+    grid: cartesianGrid(dimensions, settings.spacing ? respace(own, dimensions, settings.spacing) : own),
+  };
 }

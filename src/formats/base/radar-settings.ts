@@ -76,4 +76,9 @@ export interface PolarMosaicSettings {
 }
 
 /** What only a manifest can say about a radar's mosaic. */
-export type MosaicValues = Partial<Pick<PolarMosaicSettings, 'slope' | 'intercept' | 'unit' | 'beamWidth' | 'nyquist' | 'site' | 'time' | 'sweeps' | 'moment'>>;
+export type MosaicValues = Partial<
+  Pick<
+    PolarMosaicSettings,
+    'slope' | 'intercept' | 'unit' | 'beamWidth' | 'nyquist' | 'site' | 'time' | 'sweeps' | 'moment'
+  >
+>;

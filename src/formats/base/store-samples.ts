@@ -84,7 +84,9 @@ function storeIntegers(values: Integers, { budget, chooseWhole }: Rescale): Stor
   // Numbers of the same width overwrite the file's: a large volume is not copied.
   const isAsWide = Store.BYTES_PER_ELEMENT === values.BYTES_PER_ELEMENT;
   if (!isAsWide) take(budget, values.length * Store.BYTES_PER_ELEMENT);
-  const samples = isAsWide ? new Store(values.buffer as ArrayBuffer, values.byteOffset, values.length) : new Store(values.length);
+  const samples = isAsWide
+    ? new Store(values.buffer as ArrayBuffer, values.byteOffset, values.length)
+    : new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = values[i] - offset;
   return { samples, scale: 1, ...whole, offset };
 }
@@ -99,15 +101,20 @@ function storeBigInts(values: BigInt64Array | BigUint64Array, { budget, chooseWh
   }
   const { store: Store, from } = chooseStore({ low: Number(low), high: Number(high), range: Number(high - low) });
   // Subtracted as 64-bit integers, because doubles can't tell 2^60 from 2^60 + 1.
-  const detail = from === 'detail' ? low + BigInt(chooseOffset(Float64Array.from(values, (value) => Number(value - low)))) : 0n;
+  const detail =
+    from === 'detail' ? low + BigInt(chooseOffset(Float64Array.from(values, (value) => Number(value - low)))) : 0n;
   const whole = from === 'detail' ? chooseWhole?.(values, detail, BigInt, budget) : null;
   const offset = whole?.offset ?? (from === 'low' ? low : detail);
   const samples = new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = Number(values[i] - offset);
   // A double can't hold offset + sample exactly for such large values, so some are rounded.
   const stored = (i: number): bigint => BigInt(Number(offset) + samples[i]);
-  const errors = from === 'low' && !Number.isSafeInteger(Number(high)) ? Array.from(values, (value, i) => Math.abs(Number(stored(i) - value))).filter((error) => error > 0) : [];
-  const rounded = errors.length > 0 ? { count: errors.length, by: errors.reduce((max, error) => Math.max(max, error)) } : undefined;
+  const errors =
+    from === 'low' && !Number.isSafeInteger(Number(high))
+      ? Array.from(values, (value, i) => Math.abs(Number(stored(i) - value))).filter((error) => error > 0)
+      : [];
+  const rounded =
+    errors.length > 0 ? { count: errors.length, by: errors.reduce((max, error) => Math.max(max, error)) } : undefined;
   return { samples, scale: 1, rounded, ...whole, offset: Number(offset) };
 }
 
@@ -133,15 +140,22 @@ function chooseStore(values: { low: number; high: number; range: number }): {
 /** Floats from here on are stored as shares of a power of two: a GPU rounds the inverse of their span to 0. */
 const largestAsIs = 2 ** 100;
 
-function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array, { budget, chooseWhole }: Rescale): StoredSamples {
+function storeFloats(
+  values: Float32Array<ArrayBuffer> | Float64Array,
+  { budget, chooseWhole }: Rescale,
+): StoredSamples {
   const [low, high] = rangeOf(values);
   const isFloat32 = values instanceof Float32Array;
   const detail = chooseOffset(values);
   const farthest = Math.max(-low, high);
-  const whole = chooseWhole && farthest > exactInFloat32 && farthest < 2 ** 64 && low < high && values.every(isWhole) ? chooseWhole(values, detail, Number, budget) : null;
+  const whole =
+    chooseWhole && farthest > exactInFloat32 && farthest < 2 ** 64 && low < high && values.every(isWhole)
+      ? chooseWhole(values, detail, Number, budget)
+      : null;
   // A shift must not round values that 32 bits hold exactly. If all values are the same double, that one is the offset,
   // and is kept exactly.
-  const isHarmed = isFloat32 && detail !== 0 && values.some((value) => Math.abs(Math.fround(value - detail) + detail - value) > 0);
+  const isHarmed =
+    isFloat32 && detail !== 0 && values.some((value) => Math.abs(Math.fround(value - detail) + detail - value) > 0);
   const offset = whole?.offset ?? (low === high && !isFloat32 ? low : isHarmed ? 0 : detail);
   const largest = low === high ? Math.max(1, Math.abs(low)) : Math.max(offset - low, high - offset);
   const scale = isFloat32 && largest < largestAsIs ? 1 : chooseScale(largest);

@@ -5,7 +5,11 @@ import type { Budget } from './budget.ts';
  * its bytes themselves.
  * @param bytes - and what needs them, as in `Budget.take`
  */
-export function takeDuring<Result>(budget: Budget, { bytes, what }: { bytes: number; what: string }, read: () => Result): Result {
+export function takeDuring<Result>(
+  budget: Budget,
+  { bytes, what }: { bytes: number; what: string },
+  read: () => Result,
+): Result {
   budget.take(bytes, what);
   try {
     return read();

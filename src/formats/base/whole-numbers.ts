@@ -16,7 +16,12 @@ export interface WholeNumbers<T> {
  * @param detail - the offset that suits most of the values that differ little from their neighbours
  * @param of - converts a number to the values' own type
  */
-export function chooseWhole<T extends number | bigint>(values: ArrayLike<T>, detail: T, of: (value: number) => T, budget?: Budget): WholeNumbers<T> {
+export function chooseWhole<T extends number | bigint>(
+  values: ArrayLike<T>,
+  detail: T,
+  of: (value: number) => T,
+  budget?: Budget,
+): WholeNumbers<T> {
   const roundedBy = (offset: T): Rounded => {
     let [count, by] = [0, 0];
     for (let i = 0; i < values.length; i++) {
@@ -32,7 +37,9 @@ export function chooseWhole<T extends number | bigint>(values: ArrayLike<T>, det
   const usual = shifted.count === 0 ? shifted : roundedBy(of(0));
   const [offset, rounded]: readonly [T, Rounded] = shifted.count <= usual.count ? [detail, shifted] : [of(0), usual];
   if (rounded.count === 0) return { offset };
-  const indexed = indexNumbers(values, (value) => (Number.isNaN(value) || Math.abs(Number(value)) === Infinity ? 0 : Number(value)));
+  const indexed = indexNumbers(values, (value) =>
+    Number.isNaN(value) || Math.abs(Number(value)) === Infinity ? 0 : Number(value),
+  );
   if (!indexed) return { offset, rounded };
   budget?.take(indexed.samples.byteLength, 'the samples');
   return { offset, indexed };

@@ -40,7 +40,10 @@ export class Bunzip2Output {
   private length = 0;
   private crc = 0;
 
-  constructor(private readonly atMost: number, readonly budget: Budget) {}
+  constructor(
+    private readonly atMost: number,
+    readonly budget: Budget,
+  ) {}
 
   startBlock(): void {
     this.crc = -1;
@@ -49,7 +52,10 @@ export class Bunzip2Output {
   write(byte: number, count: number): void {
     const end = this.length + count;
     if (end > this.atMost) {
-      throw new VolumeViewError('format/too-large', `the bzip2 data unpack to more than ${this.atMost.toLocaleString('en')} bytes; check the file`);
+      throw new VolumeViewError(
+        'format/too-large',
+        `the bzip2 data unpack to more than ${this.atMost.toLocaleString('en')} bytes; check the file`,
+      );
     }
     if (end > this.bytes.length) this.grow(end);
     while (this.length < end) {

@@ -13,7 +13,14 @@ const symbolsPerSelector = 50;
 
 /** True where bytes begin with bzip2's signature. */
 export function isBzip2(bytes: Uint8Array): boolean {
-  return bytes.length > 3 && bytes[0] === 0x42 && bytes[1] === 0x5a && bytes[2] === 0x68 && bytes[3] >= 0x31 && bytes[3] <= 0x39;
+  return (
+    bytes.length > 3 &&
+    bytes[0] === 0x42 &&
+    bytes[1] === 0x5a &&
+    bytes[2] === 0x68 &&
+    bytes[3] >= 0x31 &&
+    bytes[3] <= 0x39
+  );
 }
 
 /** Sorting so many bytes of a block counts as one step. */
@@ -33,11 +40,15 @@ const anyFileBytes = 2 ** 22;
  * its budget
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
-export function bunzip2(bytes: Uint8Array, atMost: number, room = new Bunzip2Room(Budget.ofFile(anyFileBytes))): Uint8Array<ArrayBuffer> {
+export function bunzip2(
+  bytes: Uint8Array,
+  atMost: number,
+  room = new Bunzip2Room(Budget.ofFile(anyFileBytes)),
+): Uint8Array<ArrayBuffer> {
   if (!isBzip2(bytes)) throw corrupt('has no bzip2 header');
   const output = new Bunzip2Output(atMost, room.budget);
   try {
-    for (let at = 0; isBzip2(bytes.subarray(at, at + 4)); ) {
+    for (let at = 0; isBzip2(bytes.subarray(at, at + 4));) {
       const largest = 100_000 * (bytes[at + 3] - 0x30);
       at = unpackBlocks(new BitReader(bytes, at + 4), output, () => room.links(largest));
       output.budget.step(stepsPerStream, 'a bzip2 stream');
@@ -73,7 +84,10 @@ class BitReader {
   private pending = 0;
   private count = 0;
 
-  constructor(private readonly bytes: Uint8Array, private position: number) {}
+  constructor(
+    private readonly bytes: Uint8Array,
+    private position: number,
+  ) {}
 
   /** Index of the first byte of which no bit was read. */
   get end(): number {

@@ -22,7 +22,11 @@ export function gunzip(bytes: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Arra
  * own decoder continues.
  * @param what - for messages
  */
-export async function* unpack(bytes: Uint8Array<ArrayBuffer>, form: 'gzip' | 'deflate', what: string): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+export async function* unpack(
+  bytes: Uint8Array<ArrayBuffer>,
+  form: 'gzip' | 'deflate',
+  what: string,
+): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(form)).getReader();
   let given = 0;
   try {

@@ -10,9 +10,14 @@ const longestCopy = 258;
 const longestCode = 15;
 
 /** Lengths of copies: the base of each code, and the number of extra bits. Source: RFC 1951, 3.2.5 */
-const lengthBases = [3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 15, 17, 19, 23, 27, 31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258];
+const lengthBases = [
+  3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 15, 17, 19, 23, 27, 31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258,
+];
 const lengthBits = [0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0];
-const distanceBases = [1, 2, 3, 4, 5, 7, 9, 13, 17, 25, 33, 49, 65, 97, 129, 193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577];
+const distanceBases = [
+  1, 2, 3, 4, 5, 7, 9, 13, 17, 25, 33, 49, 65, 97, 129, 193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145,
+  8193, 12289, 16385, 24577,
+];
 const distanceBits = [0, 0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 9, 9, 10, 10, 11, 11, 12, 12, 13, 13];
 
 /** The order in which a block lists the lengths of the code for its codes. */
@@ -53,7 +58,7 @@ export class Inflater {
     this.#bytes = bytes;
     this.#position = start;
     this.#pending = this.#pendingBits = this.#length = this.#given = 0;
-    for (let isLast = false; !isLast; ) {
+    for (let isLast = false; !isLast;) {
       isLast = this.#read(1) === 1;
       const kind = this.#read(2);
       if (kind === 3) throw new DeflateError(false);
@@ -124,7 +129,7 @@ export class Inflater {
     for (let i = 0, count = 4 + this.#read(4); i < count; i++) own[orderOfLengths[i]] = this.#read(3);
     const code = makeCode(own);
     const lengths = new Uint8Array(literals + distances);
-    for (let at = 0; at < lengths.length; ) {
+    for (let at = 0; at < lengths.length;) {
       const symbol = this.#readSymbol(code);
       if (symbol < 16) {
         lengths[at++] = symbol;
@@ -134,7 +139,7 @@ export class Inflater {
       const value = symbol === 16 ? lengths[at - 1] : 0;
       const count = symbol === 16 ? 3 + this.#read(2) : symbol === 17 ? 3 + this.#read(3) : 11 + this.#read(7);
       if (at + count > lengths.length) throw new DeflateError(false);
-      lengths.fill(value, at, at += count);
+      lengths.fill(value, at, (at += count));
     }
     return [makeCode(lengths.subarray(0, literals)), makeCode(lengths.subarray(literals))];
   }
@@ -176,7 +181,10 @@ let fixed: [literals: Code, distances: Code] | undefined;
 /** Source: RFC 1951, 3.2.6 */
 function fixedCodes(): [literals: Code, distances: Code] {
   const lengthOf = (symbol: number): number => (symbol < 144 ? 8 : symbol < 256 ? 9 : symbol < 280 ? 7 : 8);
-  return (fixed ??= [makeCode(Uint8Array.from({ length: 288 }, (_, symbol) => lengthOf(symbol))), makeCode(new Uint8Array(32).fill(5))]);
+  return (fixed ??= [
+    makeCode(Uint8Array.from({ length: 288 }, (_, symbol) => lengthOf(symbol))),
+    makeCode(new Uint8Array(32).fill(5)),
+  ]);
 }
 
 /**

@@ -15,13 +15,21 @@ const maxEmptyMembers = 2 ** 16;
  * @param what - for messages: 'the gzip file of 992 bytes'
  * @throws {VolumeViewError} `format/corrupt`, after the valid part was yielded
  */
-export function* unpackSeries(bytes: Uint8Array<ArrayBuffer>, form: 'gzip' | 'deflate', what: string): Generator<Uint8Array<ArrayBuffer>> {
+export function* unpackSeries(
+  bytes: Uint8Array<ArrayBuffer>,
+  form: 'gzip' | 'deflate',
+  what: string,
+): Generator<Uint8Array<ArrayBuffer>> {
   try {
     if (form === 'gzip') yield* unpackMembers(bytes);
     else yield* unpackZlib(bytes);
   } catch (cause) {
     if (!(cause instanceof DeflateError)) throw cause;
-    throw new VolumeViewError('format/corrupt', `${what} ${cause.message}; fetch it again, or compress the data again`, { cause });
+    throw new VolumeViewError(
+      'format/corrupt',
+      `${what} ${cause.message}; fetch it again, or compress the data again`,
+      { cause },
+    );
   }
 }
 
@@ -41,7 +49,8 @@ function* unpackMembers(bytes: Uint8Array<ArrayBuffer>): Generator<Uint8Array<Ar
     at = next.value + 8;
     if (at > bytes.length) throw new DeflateError(true);
     const view = new DataView(bytes.buffer, bytes.byteOffset + next.value, 8);
-    if (view.getUint32(0, true) !== ~crc >>> 0 || view.getUint32(4, true) !== length % 2 ** 32) throw new DeflateError(false);
+    if (view.getUint32(0, true) !== ~crc >>> 0 || view.getUint32(4, true) !== length % 2 ** 32)
+      throw new DeflateError(false);
     while (bytes[at] === 0) at++;
     if (!startsWith(bytes.subarray(at, at + 4), '\x1f\x8b\x08')) return;
   }
@@ -76,7 +85,8 @@ function* unpackZlib(bytes: Uint8Array<ArrayBuffer>): Generator<Uint8Array<Array
     yield next.value;
   }
   if (next.value + 4 > bytes.length) throw new DeflateError(true);
-  if (new DataView(bytes.buffer, bytes.byteOffset + next.value).getUint32(0) !== sum.value) throw new DeflateError(false);
+  if (new DataView(bytes.buffer, bytes.byteOffset + next.value).getUint32(0) !== sum.value)
+    throw new DeflateError(false);
 }
 
 /** CRC-32 as gzip has it, the lowest bit first. Source: RFC 1952, 8 */

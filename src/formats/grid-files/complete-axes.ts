@@ -13,7 +13,10 @@ export function completeAxes(what: string, steps: readonly Vector3[], origin: Ve
   const [a, b = findUpright(a), c = normalize(cross(a, b))] = steps;
   const affine = [a[0], b[0], c[0], origin[0], a[1], b[1], c[1], origin[1], a[2], b[2], c[2], origin[2], 0, 0, 0, 1];
   if (affine.every(Number.isFinite) && invertAffine(affine)) return affine;
-  throw corruptFile(what, `got the axes ${steps.map((step) => `(${step.join(', ')})`).join(' ')}; expected finite lengths above 0, and directions that do not lie in one plane`);
+  throw corruptFile(
+    what,
+    `got the axes ${steps.map((step) => `(${step.join(', ')})`).join(' ')}; expected finite lengths above 0, and directions that do not lie in one plane`,
+  );
 }
 
 /** A direction perpendicular to a line; along a world axis if the line is. */

@@ -18,10 +18,15 @@ export function expandPattern(what: string, text: string): string[] | null {
   const place = findPlace(pattern);
   if (!place) return null;
   const count = Math.floor((last - first) / step) + 1;
-  if (!Number.isFinite(count)) throw corruptFile(what, `got the files "${shorten(text)}"; expected a step other than 0`);
+  if (!Number.isFinite(count))
+    throw corruptFile(what, `got the files "${shorten(text)}"; expected a step other than 0`);
   checkFileCount(what, count);
-  if (place.width > 32) throw corruptFile(what, `got a number of ${place.width} digits in "${shorten(text)}"; expected 32 at most`);
-  return Array.from({ length: count }, (_, i) => place.before + pad(first + i * step, place.width, place.fill) + place.after);
+  if (place.width > 32)
+    throw corruptFile(what, `got a number of ${place.width} digits in "${shorten(text)}"; expected 32 at most`);
+  return Array.from(
+    { length: count },
+    (_, i) => place.before + pad(first + i * step, place.width, place.fill) + place.after,
+  );
 }
 
 /** Counts the whole numbers at a text's end, four at most. */
@@ -42,7 +47,13 @@ function endOfName(text: string, words: number): number {
 function findPlace(name: string): { before: string; width: number; fill: '0' | ' '; after: string } | null {
   for (let at = name.indexOf('%'); at >= 0; at = name.indexOf('%', at + 1)) {
     const [all, zero, width] = /^%(0?)(\d{0,9})[diu]/.exec(name.slice(at, at + 16)) ?? [];
-    if (all !== undefined) return { before: name.slice(0, at), width: Number(width), fill: zero ? '0' : ' ', after: name.slice(at + all.length) };
+    if (all !== undefined)
+      return {
+        before: name.slice(0, at),
+        width: Number(width),
+        fill: zero ? '0' : ' ',
+        after: name.slice(at + all.length),
+      };
   }
   return null;
 }
@@ -69,19 +80,33 @@ export function findDataFiles(
 ): readonly string[] | null {
   if (!names) {
     if (further.length === 0) return null;
-    throw unsupportedFile(what, `has its data in its own file, and the stack has ${further.length} more; leave them out`);
+    throw unsupportedFile(
+      what,
+      `has its data in its own file, and the stack has ${further.length} more; leave them out`,
+    );
   }
   checkFileCount(what, names.length);
   if (further.length === 0) return names.map((name) => resolveName(what, name, input.url));
   if (further.length === names.length) return further;
-  throw unsupportedFile(what, `names ${names.length} data file${names.length > 1 ? 's' : ''} and the stack has ${further.length} other files; expected all of them, in the header's order`);
+  throw unsupportedFile(
+    what,
+    `names ${names.length} data file${names.length > 1 ? 's' : ''} and the stack has ${further.length} other files; expected all of them, in the header's order`,
+  );
 }
 
 /** Bytes of samples in each file. @throws {VolumeViewError} `format/corrupt` if the files can't hold equal parts */
-export function shareBytes(what: string, bytesInAll: number, bytesPerSample: number, files: readonly string[] | null): number {
+export function shareBytes(
+  what: string,
+  bytesInAll: number,
+  bytesPerSample: number,
+  files: readonly string[] | null,
+): number {
   const each = bytesInAll / (files?.length ?? 1);
   if (Number.isInteger(each / bytesPerSample)) return each;
-  throw corruptFile(what, `names ${files?.length} data files, which can not hold equal parts of its ${bytesInAll / bytesPerSample} samples; the list is not complete`);
+  throw corruptFile(
+    what,
+    `names ${files?.length} data files, which can not hold equal parts of its ${bytesInAll / bytesPerSample} samples; the list is not complete`,
+  );
 }
 
 /**
@@ -91,13 +116,20 @@ export function shareBytes(what: string, bytesInAll: number, bytesPerSample: num
 function resolveName(what: string, name: string, base: string): string {
   if (name === '') throw corruptFile(what, 'names no data file; expected a file name');
   // oxlint-disable-next-line no-control-regex -- They are what is looked for.
-  if (/[\0-\x1f]/.test(name)) throw corruptFile(what, 'names a data file with a control character in its name; the file is damaged');
+  if (/[\0-\x1f]/.test(name))
+    throw corruptFile(what, 'names a data file with a control character in its name; the file is damaged');
   const path = name.replaceAll('\\', '/');
   if (path.startsWith('/') || /^[a-z][a-z\d+.-]*:/i.test(path)) {
-    throw unsupportedFile(what, `names the data file "${shorten(name)}", an absolute path; expected a name relative to the header: edit it, or list header and data in a stack`);
+    throw unsupportedFile(
+      what,
+      `names the data file "${shorten(name)}", an absolute path; expected a name relative to the header: edit it, or list header and data in a stack`,
+    );
   }
   if (!/^https?:/.test(base)) {
-    throw unsupportedFile(what, `names the data file "${shorten(name)}", which can not be found from ${nameOf(base)}; expected header and data listed in a stack, or the data in the header's file`);
+    throw unsupportedFile(
+      what,
+      `names the data file "${shorten(name)}", which can not be found from ${nameOf(base)}; expected header and data listed in a stack, or the data in the header's file`,
+    );
   }
   return new URL(path.split('/').map(encodeURIComponent).join('/'), base).href;
 }

@@ -7,7 +7,12 @@ import { yieldOnce } from '../base/piece-reader.ts';
  * @param urls - absolute; null if the samples are in the header's own file
  * @param count - number of files that are needed: the first ones
  */
-export function listDataFiles(urls: readonly string[] | null, header: DecodeInput, context: ReadContext, count: number): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+export function listDataFiles(
+  urls: readonly string[] | null,
+  header: DecodeInput,
+  context: ReadContext,
+  count: number,
+): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   return urls ? fetchBytesOf(urls.slice(0, count), context) : yieldOnce(header.bytes);
 }
 

@@ -5,7 +5,12 @@ import type { Vector3 } from '../../volume/matrix.ts';
  * @param bytes - from the volume's first sample on
  * @param strides - samples from one voxel to the next along i, j and k
  */
-export function pickVolume(bytes: Uint8Array<ArrayBuffer>, bytesPerSample: number, dimensions: Vector3, strides: Vector3): Uint8Array<ArrayBuffer> {
+export function pickVolume(
+  bytes: Uint8Array<ArrayBuffer>,
+  bytesPerSample: number,
+  dimensions: Vector3,
+  strides: Vector3,
+): Uint8Array<ArrayBuffer> {
   const [nx, ny, nz] = dimensions;
   if (nx * ny * nz * bytesPerSample === bytes.length) return bytes;
   const picked = new Uint8Array(nx * ny * nz * bytesPerSample);

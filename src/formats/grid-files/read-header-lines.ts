@@ -17,8 +17,9 @@ export interface HeaderLine {
  */
 export function* readHeaderLines(what: string, bytes: Uint8Array): Generator<HeaderLine> {
   const decoder = new TextDecoder();
-  for (let at = 0; at < bytes.length; ) {
-    if (at > maxHeaderBytes) throw corruptFile(what, `does not end within ${maxHeaderBytes.toLocaleString('en')} bytes; the file is damaged`);
+  for (let at = 0; at < bytes.length;) {
+    if (at > maxHeaderBytes)
+      throw corruptFile(what, `does not end within ${maxHeaderBytes.toLocaleString('en')} bytes; the file is damaged`);
     const within = bytes.subarray(at, at + maxHeaderBytes).indexOf(0x0a);
     const end = within < 0 ? Math.min(bytes.length, at + maxHeaderBytes) : at + within;
     const next = within < 0 ? end : end + 1;
@@ -45,5 +46,8 @@ const maxValueLength = 4096;
 /** @throws {VolumeViewError} `format/corrupt` */
 export function checkValue(what: string, name: string, value: string): string {
   if (value.length <= maxValueLength) return value;
-  throw corruptFile(what, `got ${value.length.toLocaleString('en')} characters as ${name.slice(0, 40)}; expected at most ${maxValueLength.toLocaleString('en')}`);
+  throw corruptFile(
+    what,
+    `got ${value.length.toLocaleString('en')} characters as ${name.slice(0, 40)}; expected at most ${maxValueLength.toLocaleString('en')}`,
+  );
 }

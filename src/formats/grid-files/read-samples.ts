@@ -65,7 +65,11 @@ interface FilePart {
 }
 
 /** @returns `wanted` bytes, taken from the budget */
-async function readFile(file: Uint8Array<ArrayBuffer>, { layout, start, budget }: FilePart, wanted: number): Promise<Uint8Array<ArrayBuffer>> {
+async function readFile(
+  file: Uint8Array<ArrayBuffer>,
+  { layout, start, budget }: FilePart,
+  wanted: number,
+): Promise<Uint8Array<ArrayBuffer>> {
   const { what, type, encoding, skipUnpacked = 0 } = layout;
   const from = findStart(file, layout, start);
   switch (encoding) {
@@ -76,8 +80,13 @@ async function readFile(file: Uint8Array<ArrayBuffer>, { layout, start, budget }
     }
     case 'deflate': {
       const packed = file.subarray(from);
-      if (skipUnpacked + wanted > packed.length * maxDeflateRatio) throw endsEarly(layout, `${packed.length} packed bytes`, wanted);
-      if (!isGzip(packed) && !isZlib(packed)) throw corruptFile(what, 'has data that begin neither as gzip nor as zlib do; it is damaged, or not compressed as it says');
+      if (skipUnpacked + wanted > packed.length * maxDeflateRatio)
+        throw endsEarly(layout, `${packed.length} packed bytes`, wanted);
+      if (!isGzip(packed) && !isZlib(packed))
+        throw corruptFile(
+          what,
+          'has data that begin neither as gzip nor as zlib do; it is damaged, or not compressed as it says',
+        );
       budget.take(wanted, what);
       return readPieces(isGzip(packed) ? gunzip(packed) : unzlib(packed), { layout, from: skipUnpacked, wanted });
     }
@@ -113,7 +122,11 @@ async function readPieces(
     if (bytes.length < wanted) throw endsEarly(layout, `${Math.max(0, reader.total - from)} bytes`, wanted);
     if (layout.encoding !== 'deflate' || wanted < layout.bytesPerFile) return bytes;
     await reader.drain(1);
-    if (reader.total > from + wanted) throw corruptFile(layout.what, `unpacks to more than the ${wanted} bytes that its header asks for; it is damaged, or its header is of another file`);
+    if (reader.total > from + wanted)
+      throw corruptFile(
+        layout.what,
+        `unpacks to more than the ${wanted} bytes that its header asks for; it is damaged, or its header is of another file`,
+      );
     return bytes;
   } finally {
     await reader.stop();

@@ -9,9 +9,15 @@ const longestNumber = 64;
  * @returns their bytes, in this machine's order
  * @throws {VolumeViewError} `format/corrupt`
  */
-export function readTextNumbers(what: string, text: Uint8Array, count: number, type: NumberType): Uint8Array<ArrayBuffer> {
+export function readTextNumbers(
+  what: string,
+  text: Uint8Array,
+  count: number,
+  type: NumberType,
+): Uint8Array<ArrayBuffer> {
   // A number and its separator take two characters: a shorter text can't hold `count` numbers.
-  if (count > (text.length + 1) / 2) throw corruptFile(what, `asks for ${count} numbers, and ${text.length} characters follow; the file is cut short`);
+  if (count > (text.length + 1) / 2)
+    throw corruptFile(what, `asks for ${count} numbers, and ${text.length} characters follow; the file is cut short`);
   const bytes = new Uint8Array(count * type.bytesPerSample);
   const values = type.read.view(bytes);
   let at = 0;
@@ -21,7 +27,8 @@ export function readTextNumbers(what: string, text: Uint8Array, count: number, t
     while (at < text.length && !isGap(text[at]) && at - start < longestNumber) at++;
     if (start === at) throw corruptFile(what, `asks for ${count} numbers and got ${i}; the file is cut short`);
     const token = String.fromCharCode(...text.subarray(start, at));
-    if (!setNumber(values, i, token)) throw corruptFile(what, `got "${token}" as number ${i + 1}; expected a number of type ${type.name}`);
+    if (!setNumber(values, i, token))
+      throw corruptFile(what, `got "${token}" as number ${i + 1}; expected a number of type ${type.name}`);
   }
   return bytes;
 }

@@ -66,12 +66,18 @@ function readAttribute(cursor: Cursor, end: number): { name: string; value: Attr
   const shapeAt = new Cursor(cursor.file, cursor.position + padded(typeBytes));
   cursor.skip(padded(typeBytes) + padded(shapeBytes));
   const isShared = version > 1 && (flags & 1) !== 0;
-  const type = readDataType(isShared ? new Cursor(cursor.file, followShared(typeAt, messageTypes.datatype).position) : typeAt);
+  const type = readDataType(
+    isShared ? new Cursor(cursor.file, followShared(typeAt, messageTypes.datatype).position) : typeAt,
+  );
   const shape = readShape(shapeAt);
   if (shape === null || type.kind === 'other') return { name, value: null };
   const count = countElements(shape);
-  if (!(cursor.position + count * type.bytes <= end)) throw corruptHdf5(`has an attribute "${name.slice(0, 40)}" that is longer than its message`);
-  cursor.file.budget.take(count * (type.kind === 'number' ? 8 : 2 * type.bytes + overhead), `the attribute "${name.slice(0, 40)}"`);
+  if (!(cursor.position + count * type.bytes <= end))
+    throw corruptHdf5(`has an attribute "${name.slice(0, 40)}" that is longer than its message`);
+  cursor.file.budget.take(
+    count * (type.kind === 'number' ? 8 : 2 * type.bytes + overhead),
+    `the attribute "${name.slice(0, 40)}"`,
+  );
   return { name, value: readValue(cursor, type, count) };
 }
 

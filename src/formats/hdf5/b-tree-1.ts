@@ -11,7 +11,12 @@ const bytesPerEntry = 200;
  * @returns the key and the target address of each entry of the leaves
  * Source: HDF5 File Format Specification 3.0, III.A.1
  */
-export function readTree<Key>(file: Hdf5Bytes, root: number, nodeType: number, readKey: (cursor: Cursor) => Key): { key: Key; address: number }[] {
+export function readTree<Key>(
+  file: Hdf5Bytes,
+  root: number,
+  nodeType: number,
+  readKey: (cursor: Cursor) => Key,
+): { key: Key; address: number }[] {
   const found: { key: Key; address: number }[] = [];
   const visited = new Set<number>();
   const visit = (address: number, parentLevel: number): void => {

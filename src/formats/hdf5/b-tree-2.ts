@@ -31,7 +31,12 @@ export function readTree2(file: Hdf5Bytes, address: number, readRecord: (cursor:
   const records = cursor.u16();
   if (root === noAddress || records === 0) return;
   if (recordBytes === 0 || depth > 32) throw corruptHdf5('has a B-tree without sane sizes');
-  const tree = { file, recordBytes, readRecord, ...sizeCounts({ nodeBytes, recordBytes, depth, addressBytes: file.addressBytes }) };
+  const tree = {
+    file,
+    recordBytes,
+    readRecord,
+    ...sizeCounts({ nodeBytes, recordBytes, depth, addressBytes: file.addressBytes }),
+  };
   visitNode(tree, { address: root, records }, depth);
 }
 

@@ -70,7 +70,10 @@ function listInTree(file: Hdf5Bytes, layout: ChunkedLayout): Chunk[] {
     cursor.skip(8);
     return { start, bytes, skipped };
   };
-  return readTree(file, layout.address, 1, readKey).map(({ key, address }) => ({ ...key, position: file.base + address }));
+  return readTree(file, layout.address, 1, readKey).map(({ key, address }) => ({
+    ...key,
+    position: file.base + address,
+  }));
 }
 
 /** Source: HDF5 File Format Specification 3.0, VII.C */
@@ -84,7 +87,8 @@ function listInFixedArray(cursor: Cursor, array: ChunkedArray, unfiltered: numbe
   const entries = cursor.length();
   const data = cursor.address();
   if (data === noAddress) return [];
-  if (entries !== countChunks(array) || pageBits > 30) throw corruptHdf5(`has an index of ${entries} chunks for ${countChunks(array)}`);
+  if (entries !== countChunks(array) || pageBits > 30)
+    throw corruptHdf5(`has an index of ${entries} chunks for ${countChunks(array)}`);
   const sizeBytes = entryBytes - file.addressBytes - 4;
   if (array.isFiltered ? !(sizeBytes >= 1 && sizeBytes <= 8) : entryBytes !== file.addressBytes) {
     throw corruptHdf5(`has an index of chunks with ${entryBytes} bytes for each`);
@@ -104,10 +108,13 @@ function listInFixedArray(cursor: Cursor, array: ChunkedArray, unfiltered: numbe
     if (isPaged && i > 0 && i % pageEntries === 0) block.skip(4); // The checksum of the previous page.
     const next = block.position + entryBytes;
     const address = block.address();
-    const stored = array.isFiltered ? { bytes: block.unsigned(sizeBytes), skipped: block.u32() } : { bytes: unfiltered, skipped: 0 };
+    const stored = array.isFiltered
+      ? { bytes: block.unsigned(sizeBytes), skipped: block.u32() }
+      : { bytes: unfiltered, skipped: 0 };
     block.position = next;
     const isWritten = !written || (written[page >> 3] & (0x80 >> (page & 7))) !== 0;
-    if (isWritten && address !== noAddress) chunks.push({ start: startOf(array, i), position: file.base + address, ...stored });
+    if (isWritten && address !== noAddress)
+      chunks.push({ start: startOf(array, i), position: file.base + address, ...stored });
   }
   return chunks;
 }
@@ -130,7 +137,9 @@ function keepSane(chunks: Chunk[], { layout, shape }: ChunkedArray): Chunk[] {
 
 /** Removes chunks beyond the array's present shape: they belong to what it may grow to, and hold nothing yet. */
 function keepInside(chunks: Chunk[], { shape, maxShape }: ChunkedArray): Chunk[] {
-  return shape.every((length, axis) => length === maxShape[axis]) ? chunks : chunks.filter(({ start }) => start.every((at, axis) => at < shape[axis]));
+  return shape.every((length, axis) => length === maxShape[axis])
+    ? chunks
+    : chunks.filter(({ start }) => start.every((at, axis) => at < shape[axis]));
 }
 
 /** The number of chunks that the array may grow to. */

@@ -25,7 +25,8 @@ export function copyBox(source: Box, target: Box, start: readonly number[], elem
       target.bytes.set(source.bytes.subarray(begin, begin + (to - from) * elementBytes), at);
       return;
     }
-    for (let i = from; i < to; i++) copyAxis(axis + 1, sourceAt * source.shape[axis] + i, targetAt * target.shape[axis] + start[axis] + i);
+    for (let i = from; i < to; i++)
+      copyAxis(axis + 1, sourceAt * source.shape[axis] + i, targetAt * target.shape[axis] + start[axis] + i);
   };
   copyAxis(0, 0, 0);
 }

@@ -65,7 +65,10 @@ export class Hdf5Dataset implements DataArray {
     this.#file = file;
     this.#messages = messages;
     this.#dataType = readDataType(new Cursor(file, find(messageTypes.datatype).position));
-    const { shape, maxShape } = readExtent(new Cursor(file, find(messageTypes.dataspace).position)) ?? { shape: [0], maxShape: [0] };
+    const { shape, maxShape } = readExtent(new Cursor(file, find(messageTypes.dataspace).position)) ?? {
+      shape: [0],
+      maxShape: [0],
+    };
     this.shape = shape;
     this.#maxShape = maxShape;
     this.type = elementTypeOf(this.#dataType);
@@ -81,9 +84,12 @@ export class Hdf5Dataset implements DataArray {
 
   readRows(from: number, count: number): Numbers {
     const type = this.#dataType;
-    if (type.kind !== 'number') throw unsupportedHdf5(`${this.path} as ${type.kind === 'other' ? type.name : 'text'}`, 'plain-numbers');
+    if (type.kind !== 'number')
+      throw unsupportedHdf5(`${this.path} as ${type.kind === 'other' ? type.name : 'text'}`, 'plain-numbers');
     const made = count * countElements(this.shape.slice(1)) * bytesOfDecoding(type);
-    return takeDuring(this.#file.budget, { bytes: made, what: this.path }, () => decodeNumbers(this.#readBytes(from, count), type.type, type.littleEndian));
+    return takeDuring(this.#file.budget, { bytes: made, what: this.path }, () =>
+      decodeNumbers(this.#readBytes(from, count), type.type, type.littleEndian),
+    );
   }
 
   readTexts(): readonly string[] {
@@ -95,7 +101,11 @@ export class Hdf5Dataset implements DataArray {
     const type = this.#dataType;
     const bytes = this.#readBytes(0, this.shape[0] ?? 1);
     if (type.kind === 'text-elsewhere') return readTextsElsewhere(this.#file, bytes);
-    if (type.kind !== 'text') throw unsupportedHdf5(`${this.path} as ${type.kind === 'other' ? type.name : 'numbers'}, where text belongs`, 'plain-numbers');
+    if (type.kind !== 'text')
+      throw unsupportedHdf5(
+        `${this.path} as ${type.kind === 'other' ? type.name : 'numbers'}, where text belongs`,
+        'plain-numbers',
+      );
     // NetCDF stores characters one by one; a row of them is a text.
     const textBytes = type.bytes === 1 ? (this.shape.at(-1) ?? 1) : type.bytes;
     const texts = textBytes === 0 ? 0 : Math.floor(bytes.length / textBytes);
@@ -108,20 +118,29 @@ export class Hdf5Dataset implements DataArray {
     if (!(from >= 0 && count >= 0 && from + count <= rows)) {
       throw corruptHdf5(`asks for rows ${from} to ${from + count} of ${this.path}, which has ${rows}`);
     }
-    if (findMessage(this.#messages, messageTypes.externalFiles)) throw unsupportedHdf5(`the values of ${this.path} in other files`, 'one-file');
+    if (findMessage(this.#messages, messageTypes.externalFiles))
+      throw unsupportedHdf5(`the values of ${this.path} in other files`, 'one-file');
     const rowElements = countElements(this.shape.slice(1));
     const rowBytes = rowElements * this.#dataType.bytes;
     refuseTooMany(this.path, Math.max(count * rowElements, (count * rowBytes) / 8));
-    if (this.#layout.kind === 'chunked') return this.#readChunked(this.#layout, { from, count, bytes: count * rowBytes });
+    if (this.#layout.kind === 'chunked')
+      return this.#readChunked(this.#layout, { from, count, bytes: count * rowBytes });
     const { position, bytes } = this.#layout;
     if (position === noAddress) return this.#makeFilled(count * rowBytes);
-    if ((from + count) * rowBytes > bytes) throw corruptHdf5(`holds ${bytes} bytes of ${this.path}; expected ${(from + count) * rowBytes}`);
+    if ((from + count) * rowBytes > bytes)
+      throw corruptHdf5(`holds ${bytes} bytes of ${this.path}; expected ${(from + count) * rowBytes}`);
     return this.#file.slice(position + from * rowBytes, count * rowBytes).slice();
   }
 
   #readChunked(layout: ChunkedLayout, rows: { from: number; count: number; bytes: number }): Uint8Array<ArrayBuffer> {
     const elementBytes = this.#dataType.bytes;
-    this.#chunks ??= listChunks(this.#file, { layout, shape: this.shape, elementBytes, isFiltered: this.#filters.length > 0, maxShape: this.#maxShape });
+    this.#chunks ??= listChunks(this.#file, {
+      layout,
+      shape: this.shape,
+      elementBytes,
+      isFiltered: this.#filters.length > 0,
+      maxShape: this.#maxShape,
+    });
     const chunkBytes = countElements(layout.chunk) * elementBytes;
     this.#checkChunk(chunkBytes);
     const shape = [rows.count, ...this.shape.slice(1)];
@@ -157,8 +176,13 @@ export class Hdf5Dataset implements DataArray {
     const isPlain = layout.hasPlainEdges && chunk.start.some((at, axis) => at + layout.chunk[axis] > this.shape[axis]);
     const filters = isPlain ? [] : this.#filters;
     // Refuse a size that the stored bytes can't expand to before memory is allocated.
-    if (expected > maxDeflateRatio * chunk.bytes) throw corruptHdf5(`has a chunk of ${chunk.bytes} bytes for ${expected} of ${this.path}`);
-    const bytes = undoFilters(this.#file.slice(chunk.position, chunk.bytes), filters, { skipped: chunk.skipped, expected, budget });
+    if (expected > maxDeflateRatio * chunk.bytes)
+      throw corruptHdf5(`has a chunk of ${chunk.bytes} bytes for ${expected} of ${this.path}`);
+    const bytes = undoFilters(this.#file.slice(chunk.position, chunk.bytes), filters, {
+      skipped: chunk.skipped,
+      expected,
+      budget,
+    });
     if (this.#keptBytes + bytes.length > maxKeptBytes) {
       this.#kept.clear();
       budget.giveBack(this.#keptBytes);
@@ -173,7 +197,10 @@ export class Hdf5Dataset implements DataArray {
   /** Bytes for parts that were never written: the fill value, or 0. */
   #makeFilled(bytes: number): Uint8Array<ArrayBuffer> {
     const filled = new Uint8Array(bytes);
-    const fill = this.#layout.kind === 'chunked' || this.#layout.position === noAddress ? readFillValue(this.#file, this.#messages) : null;
+    const fill =
+      this.#layout.kind === 'chunked' || this.#layout.position === noAddress
+        ? readFillValue(this.#file, this.#messages)
+        : null;
     if (!fill || fill.length !== this.#dataType.bytes || fill.every((byte) => byte === 0)) return filled;
     filled.set(fill.subarray(0, bytes));
     for (let done = fill.length; done < bytes; done *= 2) filled.copyWithin(done, 0, Math.min(done, bytes - done));

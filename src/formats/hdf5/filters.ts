@@ -18,10 +18,24 @@ export interface Filter {
 const deflate = 1;
 const shuffle = 2;
 const fletcher32 = 3;
-const names = new Map([[4, 'SZIP'], [5, 'N-bit'], [6, 'scale-offset'], [307, 'bzip2'], [32000, 'LZF'], [32001, 'Blosc'], [32004, 'LZ4'], [32015, 'Zstandard']]);
+const names = new Map([
+  [4, 'SZIP'],
+  [5, 'N-bit'],
+  [6, 'scale-offset'],
+  [307, 'bzip2'],
+  [32000, 'LZF'],
+  [32001, 'Blosc'],
+  [32004, 'LZ4'],
+  [32015, 'Zstandard'],
+]);
 
 /** Filters that h5repack can undo, and one that only h5py knows; all others are plugins. */
-const remedies = new Map<number, Remedy>([[4, 'repack'], [5, 'repack'], [6, 'repack'], [32000, 'h5py']]);
+const remedies = new Map<number, Remedy>([
+  [4, 'repack'],
+  [5, 'repack'],
+  [6, 'repack'],
+  [32000, 'h5py'],
+]);
 
 /** Unpacking so many bytes counts as one step. */
 const bytesPerStep = 16;
@@ -88,14 +102,22 @@ export function undoFilters(
  */
 function inflate(bytes: Uint8Array<ArrayBuffer>, maxBytes: number): Uint8Array<ArrayBuffer> {
   const [method, flags] = bytes;
-  const isZlib = bytes.length >= 6 && (method & 0x0f) === 8 && (method * 256 + flags) % 31 === 0 && (flags & 0x20) === 0;
+  const isZlib =
+    bytes.length >= 6 && (method & 0x0f) === 8 && (method * 256 + flags) % 31 === 0 && (flags & 0x20) === 0;
   if (!isZlib) throw corruptHdf5('has a chunk that is not compressed as it says');
-  const whole = unpackInto(bytes.subarray(2, bytes.length - 4), new Uint8Array(Math.min(maxBytes, maxDeflateRatio * bytes.length)));
+  const whole = unpackInto(
+    bytes.subarray(2, bytes.length - 4),
+    new Uint8Array(Math.min(maxBytes, maxDeflateRatio * bytes.length)),
+  );
   const sum = new Adler32();
   sum.add(whole);
   const checksumAt = (end: number): number => new DataView(bytes.buffer, bytes.byteOffset + end, 4).getUint32(0);
   // zlib ignores what follows a stream, and so does HDF5's own library.
-  if (checksumAt(bytes.length - 4) !== sum.value && checksumAt(Math.min(findEnd(bytes), bytes.length - 4)) !== sum.value) throw corruptHdf5('has a chunk with a wrong checksum');
+  if (
+    checksumAt(bytes.length - 4) !== sum.value &&
+    checksumAt(Math.min(findEnd(bytes), bytes.length - 4)) !== sum.value
+  )
+    throw corruptHdf5('has a chunk with a wrong checksum');
   return whole;
 }
 
@@ -126,7 +148,8 @@ function unshuffle(bytes: Uint8Array<ArrayBuffer>, elementBytes: number): Uint8A
   if (elementBytes < 2 || elements < 2) return bytes;
   const whole = new Uint8Array(bytes.length);
   for (let part = 0; part < elementBytes; part++) {
-    for (let i = 0, from = part * elements, to = part; i < elements; i++, from++, to += elementBytes) whole[to] = bytes[from];
+    for (let i = 0, from = part * elements, to = part; i < elements; i++, from++, to += elementBytes)
+      whole[to] = bytes[from];
   }
   whole.set(bytes.subarray(elements * elementBytes), elements * elementBytes);
   return whole;

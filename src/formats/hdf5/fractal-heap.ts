@@ -45,7 +45,8 @@ export function readFractalHeap(file: Hdf5Bytes, address: number): FractalHeap {
   cursor.skip(2);
   const root = cursor.address();
   const rootRows = cursor.u16();
-  if (!(width > 0 && firstBytes > 0 && maxDirect >= firstBytes && heapBits <= 64)) throw corruptHdf5('has a heap without sane sizes');
+  if (!(width > 0 && firstBytes > 0 && maxDirect >= firstBytes && heapBits <= 64))
+    throw corruptHdf5('has a heap without sane sizes');
   const directRows = Math.log2(maxDirect) - Math.log2(firstBytes) + 2;
   const table = { file, width, firstBytes, directRows, offsetBytes: Math.ceil(heapBits / 8) };
   const sizeBytes = Math.min(bytesToHold(maxDirect), bytesToHold(maxManaged));
@@ -57,7 +58,10 @@ export function readFractalHeap(file: Hdf5Bytes, address: number): FractalHeap {
       if (kind === 2) return { position: id.position, size: idBytes - 1 };
       const offset = id.unsigned(table.offsetBytes);
       const size = id.unsigned(sizeBytes);
-      const position = rootRows === 0 ? file.at(root).position + offset : findManaged(table, { address: root, rows: rootRows }, offset);
+      const position =
+        rootRows === 0
+          ? file.at(root).position + offset
+          : findManaged(table, { address: root, rows: rootRows }, offset);
       return { position, size };
     },
   };

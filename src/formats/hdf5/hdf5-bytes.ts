@@ -109,7 +109,8 @@ export class Cursor {
   /** Checks the four characters at the start of a structure. */
   expect(signature: string): void {
     const got = String.fromCharCode(...this.slice(signature.length));
-    if (got !== signature) throw corruptHdf5(`has no ${signature} where one belongs (byte ${this.position - signature.length})`);
+    if (got !== signature)
+      throw corruptHdf5(`has no ${signature} where one belongs (byte ${this.position - signature.length})`);
   }
 
   /** Checks a version. */

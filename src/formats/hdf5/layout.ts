@@ -5,8 +5,7 @@ import type { Message } from './object-header.ts';
 /** Where the elements of an array are. */
 export type Layout =
   /** In one piece; `noAddress` if nothing was ever written. */
-  | { readonly kind: 'whole'; readonly position: number; readonly bytes: number }
-  | ChunkedLayout;
+  { readonly kind: 'whole'; readonly position: number; readonly bytes: number } | ChunkedLayout;
 
 export interface ChunkedLayout {
   readonly kind: 'chunked';
@@ -45,7 +44,13 @@ export function readLayout(file: Hdf5Bytes, message: Message): Layout {
   if (version >= 4) return readNewChunks(cursor);
   const axes = cursor.u8();
   const address = cursor.address();
-  return { kind: 'chunked', chunk: readChunk(axes, () => cursor.u32()), index: { kind: 'b-tree' }, hasPlainEdges: false, address };
+  return {
+    kind: 'chunked',
+    chunk: readChunk(axes, () => cursor.u32()),
+    index: { kind: 'b-tree' },
+    hasPlainEdges: false,
+    address,
+  };
 }
 
 function readFirstLayout(cursor: Cursor): Layout {
@@ -59,7 +64,8 @@ function readFirstLayout(cursor: Cursor): Layout {
   }
   const address = cursor.address();
   const lengths = Array.from({ length: axes }, () => cursor.u32());
-  if (kind === 2) return { kind: 'chunked', chunk: lengths.slice(0, -1), index: { kind: 'b-tree' }, hasPlainEdges: false, address };
+  if (kind === 2)
+    return { kind: 'chunked', chunk: lengths.slice(0, -1), index: { kind: 'b-tree' }, hasPlainEdges: false, address };
   return { kind: 'whole', position: place(cursor.file, address), bytes: Infinity };
 }
 
@@ -92,7 +98,9 @@ function readIndexKind(cursor: Cursor, flags: number): ChunkIndexKind {
       cursor.skip(1);
       return { kind: 'fixed-array' };
     default:
-      throw unsupportedHdf5(kind <= 5 ? 'chunks of an array without an end, in the newest way' : `chunks in the way number ${kind}`);
+      throw unsupportedHdf5(
+        kind <= 5 ? 'chunks of an array without an end, in the newest way' : `chunks in the way number ${kind}`,
+      );
   }
 }
 

@@ -60,7 +60,8 @@ export function readLinks(file: Hdf5Bytes, messages: readonly Message[]): Map<st
   const links = new Links(file);
   const table = findMessage(messages, messageTypes.symbolTable);
   if (table) readSymbolTable(new Cursor(file, table.position), links);
-  for (const message of messages) if (message.type === messageTypes.link) readLink(new Cursor(file, message.position), links);
+  for (const message of messages)
+    if (message.type === messageTypes.link) readLink(new Cursor(file, message.position), links);
   const info = findMessage(messages, messageTypes.linkInfo);
   if (info) readLinkHeap(new Cursor(file, info.position), links);
   return links.inOrder();

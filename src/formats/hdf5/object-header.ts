@@ -48,7 +48,9 @@ const bytesPerMessage = 96;
  * Source: HDF5 File Format Specification 3.0, IV.A.1
  */
 export function readMessages(file: Hdf5Bytes, address: number): readonly Message[] {
-  return readHeader(file, address).map((message) => (message.isShared ? followShared(new Cursor(file, message.position), message.type) : message));
+  return readHeader(file, address).map((message) =>
+    message.isShared ? followShared(new Cursor(file, message.position), message.type) : message,
+  );
 }
 
 /** The first message of a type. */

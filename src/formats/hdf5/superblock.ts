@@ -11,7 +11,8 @@ import { corruptHdf5, Cursor, Hdf5Bytes, noAddress, unsupportedHdf5 } from './hd
  */
 export function openBytes(bytes: Uint8Array<ArrayBuffer>, budget?: Budget): { file: Hdf5Bytes; root: number } {
   const start = findHdf5(bytes);
-  if (start < 0) throw new VolumeViewError('format/unknown', 'the file has no HDF5 signature; expected an HDF5 or NetCDF-4 file');
+  if (start < 0)
+    throw new VolumeViewError('format/unknown', 'the file has no HDF5 signature; expected an HDF5 or NetCDF-4 file');
   const file = new Hdf5Bytes(bytes, budget);
   const cursor = new Cursor(file, start + 8);
   const version = cursor.expectVersion('a superblock', 0, 1, 2, 3);
@@ -27,7 +28,10 @@ export function openBytes(bytes: Uint8Array<ArrayBuffer>, budget?: Budget): { fi
   const root = cursor.address();
   if (file.base === noAddress || end === noAddress) throw corruptHdf5('does not say where it begins and ends');
   if (end > bytes.length) {
-    throw new VolumeViewError('format/corrupt', `the HDF5 file ends early: got ${bytes.length} bytes; its header asks for ${end}; fetch it again`);
+    throw new VolumeViewError(
+      'format/corrupt',
+      `the HDF5 file ends early: got ${bytes.length} bytes; its header asks for ${end}; fetch it again`,
+    );
   }
   return { file, root };
 }

@@ -11,7 +11,19 @@ export type DataType =
   /** References, compounds and other types that no radar value has. */
   | { readonly kind: 'other'; readonly bytes: number; readonly name: string };
 
-const others = ['', '', 'a time', '', 'a bit field', 'an opaque value', 'a compound', 'a reference', '', 'a sequence', 'an array'];
+const others = [
+  '',
+  '',
+  'a time',
+  '',
+  'a bit field',
+  'an opaque value',
+  'a compound',
+  'a reference',
+  '',
+  'a sequence',
+  'an array',
+];
 
 /**
  * Source: HDF5 File Format Specification 3.0, IV.A.2.d
@@ -49,7 +61,8 @@ function readInteger(cursor: Cursor, flags: number, bytes: number): DataType {
   const offset = cursor.u16();
   const precision = cursor.u16();
   const isWhole = offset === 0 && precision === 8 * bytes;
-  if (!isWhole || ![1, 2, 4, 8].includes(bytes)) return { kind: 'other', bytes, name: `an integer of ${precision} bits in ${bytes} bytes` };
+  if (!isWhole || ![1, 2, 4, 8].includes(bytes))
+    return { kind: 'other', bytes, name: `an integer of ${precision} bits in ${bytes} bytes` };
   const type = `${flags & 0x08 ? '' : 'u'}int${8 * bytes}` as NumberType;
   return { kind: 'number', bytes, type, littleEndian: (flags & 1) === 0 };
 }

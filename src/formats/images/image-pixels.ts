@@ -24,7 +24,10 @@ export async function readImagePixels(
   { channels: use = 'gray', budget }: ImageSettings,
 ): Promise<GrayImage> {
   if (use === 'high-low' && type === 'image/jpeg') {
-    throw new VolumeViewError('format/unsupported', 'channels "high-low" got a JPEG, which changes the low byte of every value; save the mosaic as PNG or lossless WebP');
+    throw new VolumeViewError(
+      'format/unsupported',
+      'channels "high-low" got a JPEG, which changes the low byte of every value; save the mosaic as PNG or lossless WebP',
+    );
   }
   const size = readImageSize(bytes, type);
   const pixels = size.width * size.height;
@@ -35,7 +38,10 @@ export async function readImagePixels(
   if (typeof OffscreenCanvas === 'undefined' && typeof document === 'undefined') throw new NeedsMainThread();
   let bitmap: ImageBitmap;
   try {
-    bitmap = await createImageBitmap(new Blob([bytes], { type }), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
+    bitmap = await createImageBitmap(new Blob([bytes], { type }), {
+      colorSpaceConversion: 'none',
+      premultiplyAlpha: 'none',
+    });
   } catch (cause) {
     throw new VolumeViewError(
       'format/corrupt',
@@ -55,7 +61,10 @@ export async function readImagePixels(
 /** The browser rotates a JPEG whose header says that it lies on its side. */
 function checkSize({ width, height }: ImageBitmap, said: ImageSize, type: ImageType): void {
   if ((width === said.width && height === said.height) || (width === said.height && height === said.width)) return;
-  throw new VolumeViewError('format/corrupt', `this ${type} got ${width} x ${height} pixels; expected ${said.width} x ${said.height} as its header says; save it again`);
+  throw new VolumeViewError(
+    'format/corrupt',
+    `this ${type} got ${width} x ${height} pixels; expected ${said.width} x ${said.height} as its header says; save it again`,
+  );
 }
 
 function readBitmap(bitmap: ImageBitmap, use: ChannelUse): GrayImage {
@@ -80,7 +89,10 @@ function createContext(width: number, height: number): CanvasRenderingContext2D 
     typeof OffscreenCanvas === 'undefined'
       ? Object.assign(document.createElement('canvas'), { width, height })
       : new OffscreenCanvas(width, height);
-  const context = canvas.getContext('2d', settings) as CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | null;
+  const context = canvas.getContext('2d', settings) as
+    | CanvasRenderingContext2D
+    | OffscreenCanvasRenderingContext2D
+    | null;
   // Safari 16.4 to 16.6 has OffscreenCanvas in workers but gives no 2D context for some.
   if (!context) throw new NeedsMainThread();
   return context;

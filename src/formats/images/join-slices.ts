@@ -18,7 +18,11 @@ export interface Slice {
  * @param budget - the slices' bytes are taken from it
  * @throws {VolumeViewError} `format/too-large` before anything is allocated, `format/corrupt` if their sizes differ
  */
-export async function joinSlices(slices: AsyncIterable<Slice>, count: number, budget = new Budget()): Promise<GrayImage> {
+export async function joinSlices(
+  slices: AsyncIterable<Slice>,
+  count: number,
+  budget = new Budget(),
+): Promise<GrayImage> {
   let first: Slice | null = null;
   let parts = new PartGatherer(0, stack, budget);
   const left = new Set<string>();
@@ -35,13 +39,21 @@ export async function joinSlices(slices: AsyncIterable<Slice>, count: number, bu
   }
   const all = parts.finish();
   const data = first?.image.data instanceof Uint16Array ? new Uint16Array(all.buffer) : all;
-  return { width: first?.image.width ?? 0, height: (first?.image.height ?? 0) * count, data, ...(left.size > 0 ? { left: [...left] } : {}) };
+  return {
+    width: first?.image.width ?? 0,
+    height: (first?.image.height ?? 0) * count,
+    data,
+    ...(left.size > 0 ? { left: [...left] } : {}),
+  };
 }
 
 function checkLike(first: Slice, slice: Slice): void {
   const [expected, got] = [describeImage(first.image), describeImage(slice.image)];
   if (got === expected) return;
-  throw new VolumeViewError('format/corrupt', `the stack got ${slice.name} of ${got}; expected ${expected} as in ${first.name}: the slices of a volume are alike`);
+  throw new VolumeViewError(
+    'format/corrupt',
+    `the stack got ${slice.name} of ${got}; expected ${expected} as in ${first.name}: the slices of a volume are alike`,
+  );
 }
 
 function describeImage({ width, height, data }: GrayImage): string {

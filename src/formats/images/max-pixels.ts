@@ -14,9 +14,16 @@ const maxEdge = 2 ** 18;
  * @param what - 'the PNG'
  * @throws {VolumeViewError} `format/too-large`
  */
-export function refusePixels(what: string, { width, height }: { readonly width: number; readonly height: number }): void {
+export function refusePixels(
+  what: string,
+  { width, height }: { readonly width: number; readonly height: number },
+): void {
   const got = `${what} got ${width} x ${height} pixels`;
-  if (width * height > maxPixels) throw new VolumeViewError('format/too-large', `${got}; expected at most ${maxPixels.toLocaleString('en')} in all`);
+  if (width * height > maxPixels)
+    throw new VolumeViewError('format/too-large', `${got}; expected at most ${maxPixels.toLocaleString('en')} in all`);
   if (Math.max(width, height) <= maxEdge) return;
-  throw new VolumeViewError('format/too-large', `${got}; expected at most ${maxEdge.toLocaleString('en')} on each edge. Lay the slices out in a mosaic of several columns and rows`);
+  throw new VolumeViewError(
+    'format/too-large',
+    `${got}; expected at most ${maxEdge.toLocaleString('en')} on each edge. Lay the slices out in a mosaic of several columns and rows`,
+  );
 }

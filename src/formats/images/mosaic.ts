@@ -10,7 +10,8 @@ import type { DecodedCartesianVolume, DecodeSettings } from '../base/decoded-vol
 import { respace } from '../base/respace.ts';
 
 /** An image can't give its spacing, and a wrong spacing is hard to see in a picture that is squashed or upside down. */
-const hint = '<volume-view>: a mosaic got no spacing, so its voxels are shown as cubes and its slices from feet to head. Write spacing="X Y Z", ' +
+const hint =
+  '<volume-view>: a mosaic got no spacing, so its voxels are shown as cubes and its slices from feet to head. Write spacing="X Y Z", ' +
   'the size of a pixel and the distance of the slices; make Z negative if they run from head to feet.';
 
 let warned = false;
@@ -26,7 +27,12 @@ function warnOnce(): void {
  * @param format - the image's format, for the volume's `format`
  * @throws {VolumeViewError} `mosaic/layout`, `format/too-large`
  */
-export function readMosaic(image: GrayImage, format: string, settings: DecodeSettings, budget = Budget.ofFile(image.data.byteLength)): DecodedCartesianVolume {
+export function readMosaic(
+  image: GrayImage,
+  format: string,
+  settings: DecodeSettings,
+  budget = Budget.ofFile(image.data.byteLength),
+): DecodedCartesianVolume {
   if (!settings.mosaic) {
     throw new VolumeViewError(
       'mosaic/layout',
@@ -38,11 +44,18 @@ export function readMosaic(image: GrayImage, format: string, settings: DecodeSet
   const dimensions = mosaicDimensions(image, layout);
   const [tileWidth, tileHeight] = measureTile(image, layout);
   // `spacing` is per pixel; a tile of 409.6 pixels becomes 410 voxels that are a little smaller.
-  const perVoxel = ([x, y, z]: Vector3): Vector3 => [(x * tileWidth) / dimensions[0], (y * tileHeight) / dimensions[1], z];
+  const perVoxel = ([x, y, z]: Vector3): Vector3 => [
+    (x * tileWidth) / dimensions[0],
+    (y * tileHeight) / dimensions[1],
+    z,
+  ];
   if (!settings.indexToWorld && !settings.spacing) warnOnce();
   const placed = settings.indexToWorld ?? axialIndexToWorld(dimensions, perVoxel([1, 1, 1]));
   return {
-    grid: cartesianGrid(dimensions, settings.spacing ? respace(placed, dimensions, perVoxel(settings.spacing)) : placed),
+    grid: cartesianGrid(
+      dimensions,
+      settings.spacing ? respace(placed, dimensions, perVoxel(settings.spacing)) : placed,
+    ),
     // The tiles of one column have the order of a volume's slices: no copy is needed.
     samples: isOneColumn(image, layout) ? image.data : cutTiles(image, layout, budget),
     slope: 1,

@@ -44,7 +44,9 @@ export function readPngHeader(bytes: Uint8Array<ArrayBuffer>): PngHeader {
   if (width === 0 || height === 0) throw corruptPng(`header got a size of ${width} x ${height}`);
   const color = colorTypes.get(colorType);
   if (!color?.depths.includes(depth) || method !== 0 || filter !== 0 || interlace > 1) {
-    throw corruptPng(`header got ${depth} bits of colour type ${colorType}, methods ${method}, ${filter} and ${interlace}, which no PNG has`);
+    throw corruptPng(
+      `header got ${depth} bits of colour type ${colorType}, methods ${method}, ${filter} and ${interlace}, which no PNG has`,
+    );
   }
   return { width, height, depth, channels: color.channels, isPalette: colorType === 3, isInterlaced: interlace === 1 };
 }
@@ -59,7 +61,7 @@ export function readPngParts(bytes: Uint8Array<ArrayBuffer>, header: PngHeader):
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let palette = new Uint8Array(0);
   const packed: Uint8Array<ArrayBuffer>[] = [];
-  for (let at = signatureBytes; ; ) {
+  for (let at = signatureBytes; ;) {
     const length = at + chunkFrame <= bytes.length ? view.getUint32(at) : Infinity;
     if (at + chunkFrame + length > bytes.length) throw corruptPng('ends early');
     const type = typeAt(bytes, at);
@@ -72,7 +74,8 @@ export function readPngParts(bytes: Uint8Array<ArrayBuffer>, header: PngHeader):
     if (type === 'IEND') return { header, palette, packed };
     if (type === 'IDAT') packed.push(body);
     else if (type === 'PLTE') palette = readPalette(body, palette);
-    else if (isCritical && at > signatureBytes) throw corruptPng(type === 'IHDR' ? 'has two headers' : `needs what is unknown here, its part "${type}"`);
+    else if (isCritical && at > signatureBytes)
+      throw corruptPng(type === 'IHDR' ? 'has two headers' : `needs what is unknown here, its part "${type}"`);
     at += chunkFrame + length;
   }
 }

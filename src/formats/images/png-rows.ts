@@ -39,7 +39,10 @@ export function bytesPerRow({ width, depth, channels }: PngHeader): number {
  * @returns `bytesPerRow` * height bytes, 16-bit numbers in PNG's own order, the high byte first
  * @throws {VolumeViewError} `format/corrupt`
  */
-export async function unpackRows({ header }: Pick<PngParts, 'header'>, packed: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
+export async function unpackRows(
+  { header }: Pick<PngParts, 'header'>,
+  packed: Uint8Array<ArrayBuffer>,
+): Promise<Uint8Array<ArrayBuffer>> {
   let picture = new RowWriter(header);
   try {
     await unpack(packed, picture);
@@ -68,12 +71,15 @@ async function unpack(packed: Uint8Array<ArrayBuffer>, picture: RowWriter): Prom
 /** Yields bytes piece by piece, each when the reader asks for it. */
 function pieces(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<ArrayBuffer>> {
   let at = 0;
-  return new ReadableStream({
-    pull(controller) {
-      if (at >= bytes.length) return controller.close();
-      controller.enqueue(bytes.subarray(at, (at += pieceBytes)));
+  return new ReadableStream(
+    {
+      pull(controller) {
+        if (at >= bytes.length) return controller.close();
+        controller.enqueue(bytes.subarray(at, (at += pieceBytes)));
+      },
     },
-  }, { highWaterMark: 0 });
+    { highWaterMark: 0 },
+  );
 }
 
 /** Receives unpacked bytes, and puts the rows that they make in their places. */
@@ -93,7 +99,10 @@ class RowWriter {
   #isFull = false;
 
   /** @param data - bytes of all rows, which are overwritten */
-  constructor(header: PngHeader, readonly data = new Uint8Array(bytesPerRow(header) * header.height)) {
+  constructor(
+    header: PngHeader,
+    readonly data = new Uint8Array(bytesPerRow(header) * header.height),
+  ) {
     this.#header = header;
     this.#step = Math.max(1, (header.depth * header.channels) / 8);
     this.#passes = [...(header.isInterlaced ? interlacedPasses : wholePicture)];
@@ -105,7 +114,7 @@ class RowWriter {
   }
 
   take(piece: Uint8Array): void {
-    for (let at = 0; at < piece.length && !this.#isFull; ) {
+    for (let at = 0; at < piece.length && !this.#isFull;) {
       const part = piece.subarray(at, at + this.#line.length - this.#filled);
       this.#line.set(part, this.#filled);
       this.#filled += part.length;

@@ -20,14 +20,19 @@ const what = 'the PNG';
  * @param budget - the bytes of the returned samples stay taken from it
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, `format/unsupported`
  */
-export async function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 'gray', budget = Budget.ofFile(bytes.length)): Promise<GrayImage> {
+export async function readPng(
+  bytes: Uint8Array<ArrayBuffer>,
+  use: ChannelUse = 'gray',
+  budget = Budget.ofFile(bytes.length),
+): Promise<GrayImage> {
   const header = readPngHeader(bytes);
   const unpacked = checkSize(header);
   const parts = readPngParts(bytes, header);
   const packed = joinPacked(parts, budget);
   // Deflate makes data longer only by a little. So packed data longer than this unpack to more than the picture: a
   // bomb.
-  if (unpacked * 2 + 2 ** 20 < packed.length) throw corruptPng(`holds ${packed.length} bytes for a picture of ${unpacked}`);
+  if (unpacked * 2 + 2 ** 20 < packed.length)
+    throw corruptPng(`holds ${packed.length} bytes for a picture of ${unpacked}`);
   budget.take(unpacked, what);
   const rows = await unpackRows(parts, packed);
   if (parts.packed.length > 1) budget.giveBack(packed.length);
@@ -39,7 +44,10 @@ export async function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 
 }
 
 /** A palette is a picture of its own. */
-function listLeft({ header: { depth, channels, isPalette }, palette }: PngParts, rows: Uint8Array<ArrayBuffer>): string[] {
+function listLeft(
+  { header: { depth, channels, isPalette }, palette }: PngParts,
+  rows: Uint8Array<ArrayBuffer>,
+): string[] {
   if (isPalette) return describeLoss(palette, 3);
   if (channels === 1) return [];
   return describeLoss(rows, channels, Math.max(1, depth / 8));
@@ -50,11 +58,17 @@ function checkSize(header: PngHeader): number {
   const { height, depth } = header;
   refusePixels('the PNG', header);
   if (header.isInterlaced && depth < 8) {
-    throw new VolumeViewError('format/unsupported', `an interlaced PNG of ${depth} bits is not supported; save it without interlacing`);
+    throw new VolumeViewError(
+      'format/unsupported',
+      `an interlaced PNG of ${depth} bits is not supported; save it without interlacing`,
+    );
   }
   const unpacked = height * bytesPerRow(header);
   if (unpacked > 2 ** 31) {
-    throw new VolumeViewError('format/too-large', `the PNG unpacks to ${unpacked.toLocaleString('en')} bytes; save it as 8-bit gray`);
+    throw new VolumeViewError(
+      'format/too-large',
+      `the PNG unpacks to ${unpacked.toLocaleString('en')} bytes; save it as 8-bit gray`,
+    );
   }
   return unpacked;
 }
@@ -73,7 +87,12 @@ function joinPacked({ packed }: PngParts, budget: Budget): Uint8Array<ArrayBuffe
   return joined;
 }
 
-function toOneChannel({ header, palette }: PngParts, rows: Uint8Array<ArrayBuffer>, use: ChannelUse, budget: Budget): GrayImage['data'] {
+function toOneChannel(
+  { header, palette }: PngParts,
+  rows: Uint8Array<ArrayBuffer>,
+  use: ChannelUse,
+  budget: Budget,
+): GrayImage['data'] {
   const { width, height, depth, channels, isPalette } = header;
   const pixels = width * height;
   if (depth === 16 && hostIsLittleEndian) swapPairs(rows);
@@ -82,7 +101,9 @@ function toOneChannel({ header, palette }: PngParts, rows: Uint8Array<ArrayBuffe
     if (isPalette && palette.length === 0) throw corruptPng('has no palette');
     budget.take(pixels, what);
     const values = depth === 8 ? rows.slice() : unpackBits(rows, header);
-    const table = isPalette ? combineChannels(palette.slice(), 3, 'gray') : Uint8Array.from({ length: 2 ** depth }, (_, i) => (i * 255) / (2 ** depth - 1));
+    const table = isPalette
+      ? combineChannels(palette.slice(), 3, 'gray')
+      : Uint8Array.from({ length: 2 ** depth }, (_, i) => (i * 255) / (2 ** depth - 1));
     for (let i = 0; i < pixels; i++) {
       if (values[i] >= table.length) throw corruptPng(`names colour ${values[i]} of a palette of ${table.length}`);
       values[i] = table[values[i]];

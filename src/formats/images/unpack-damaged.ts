@@ -15,7 +15,8 @@ interface Taker {
 export function unpackDamaged(packed: Uint8Array<ArrayBuffer>, picture: Taker, pieceBytes: number): void {
   try {
     const inflator = new Unzlib((piece) => picture.take(piece));
-    for (let at = 0; at < packed.length && !picture.isFull; at += pieceBytes) inflator.push(packed.subarray(at, at + pieceBytes));
+    for (let at = 0; at < packed.length && !picture.isFull; at += pieceBytes)
+      inflator.push(packed.subarray(at, at + pieceBytes));
     if (!picture.isFull) inflator.push(new Uint8Array(0), true);
   } catch (cause) {
     throw corruptPng(`is damaged (${cause instanceof Error ? cause.message : String(cause)})`, { cause });

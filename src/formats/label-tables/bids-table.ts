@@ -1,7 +1,8 @@
 import { colorOf, linesOf, quote, TableRows } from './label-table.ts';
 import type { LabelTable } from './label-table.ts';
 
-const isNone = (cell: string | undefined): boolean => cell === undefined || cell.trim() === '' || cell.trim().toLowerCase() === 'n/a';
+const isNone = (cell: string | undefined): boolean =>
+  cell === undefined || cell.trim() === '' || cell.trim().toLowerCase() === 'n/a';
 
 /** Whether a text begins with the columns of a BIDS table. */
 export function isBidsTable(text: string): boolean {
@@ -32,7 +33,8 @@ export function readBidsTable(text: string): LabelTable {
     }
     const written = isNone(cell('color')) ? null : cell('color')!.trim();
     const color = written === null ? null : readHex(written);
-    if (written !== null && !color) rows.report(`${where} got the color ${quote(written)}; expected one like "#ff8800". Another one is chosen`);
+    if (written !== null && !color)
+      rows.report(`${where} got the color ${quote(written)}; expected one like "#ff8800". Another one is chosen`);
     const name = [cell('name'), cell('abbreviation')].find((one) => !isNone(one)) ?? '';
     rows.add(where, { id: Number(index), name, color, opacity: 1, hidden: false });
   }

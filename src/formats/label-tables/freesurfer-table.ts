@@ -21,7 +21,9 @@ function readRow(line: string): Row | null {
   if (first < 0 || words.length - first < 3 || !isWhole(words[0])) return null;
   const [red, green, blue, alpha = 0] = words.slice(first).map(Number);
   const numbers = [red, green, blue, alpha];
-  return numbers.every((number) => number >= 0 && number <= 255) ? { id: Number(words[0]), name: words.slice(1, first).join(' '), numbers } : null;
+  return numbers.every((number) => number >= 0 && number <= 255)
+    ? { id: Number(words[0]), name: words.slice(1, first).join(' '), numbers }
+    : null;
 }
 
 export function isFreeSurferTable(text: string): boolean {

@@ -2,7 +2,8 @@ import { colorOf, linesOf, quote, TableRows } from './label-table.ts';
 import type { LabelTable } from './label-table.ts';
 
 /** IDX, R, G, B, A, VIS, MSH, and the name in quotes. */
-const row = /^\s*([+-]?\d+)\s+(\d{1,3})\s+(\d{1,3})\s+(\d{1,3})\s+(\d{0,8}\.?\d{1,18}(?:e-?\d{1,2})?)\s+([01])\s+([01])\s+"([^"]*)"\s*$/i;
+const row =
+  /^\s*([+-]?\d+)\s+(\d{1,3})\s+(\d{1,3})\s+(\d{1,3})\s+(\d{0,8}\.?\d{1,18}(?:e-?\d{1,2})?)\s+([01])\s+([01])\s+"([^"]*)"\s*$/i;
 
 const longestLine = 1000;
 
@@ -24,7 +25,12 @@ export function readItkSnapTable(text: string): LabelTable {
     const match = matchRow(line);
     const color = match && colorOf(match.slice(2, 5).map(Number));
     const opacity = Number(match?.[5]);
-    if (!match || !color || !(opacity <= 1)) rows.refuse(where, quote(line), 'an id, red, green and blue from 0 to 255, alpha from 0 to 1, two flags, and a name in quotes');
+    if (!match || !color || !(opacity <= 1))
+      rows.refuse(
+        where,
+        quote(line),
+        'an id, red, green and blue from 0 to 255, alpha from 0 to 1, two flags, and a name in quotes',
+      );
     else rows.add(where, { id: Number(match[1]), name: match[8], color, opacity, hidden: match[6] === '0' });
   }
   return rows.finish('ITK-SNAP');

@@ -47,8 +47,10 @@ export class TableRows {
   /** @param where - of the row, in words: 'line 3' */
   add(where: string, row: LabelRow): void {
     if (!Number.isSafeInteger(row.id)) return this.refuse(where, `the id ${row.id}`, 'a whole number');
-    if (this.rows.has(row.id)) return this.report(`${where}: label ${row.id} is there already, and the first one holds`);
-    if (this.rows.size >= maxRows) return this.report(`${where}: expected at most ${maxRows.toLocaleString('en')} labels; this one is left out`);
+    if (this.rows.has(row.id))
+      return this.report(`${where}: label ${row.id} is there already, and the first one holds`);
+    if (this.rows.size >= maxRows)
+      return this.report(`${where}: expected at most ${maxRows.toLocaleString('en')} labels; this one is left out`);
     this.rows.set(row.id, { ...row, name: clean(row.name, longest.name) });
   }
 
@@ -69,15 +71,26 @@ export class TableRows {
 
 /** A name in one line, without control characters. */
 function clean(text: string, maxLength: number): string {
-  return Array.from(text.slice(0, 4 * maxLength).replace(/[\p{Cc}\p{Zl}\p{Zp}\s]+/gu, ' ').trim()).slice(0, maxLength).join('');
+  return Array.from(
+    text
+      .slice(0, 4 * maxLength)
+      .replace(/[\p{Cc}\p{Zl}\p{Zp}\s]+/gu, ' ')
+      .trim(),
+  )
+    .slice(0, maxLength)
+    .join('');
 }
 
 /** Lines with their numbers, without empty lines and lines that begin with the comment sign. */
-export function* linesOf(text: string, comment: string | null): Generator<{ readonly where: string; readonly line: string }> {
+export function* linesOf(
+  text: string,
+  comment: string | null,
+): Generator<{ readonly where: string; readonly line: string }> {
   let number = 0;
   for (const line of text.split(/\r\n|\n|\r/)) {
     number++;
-    if (line.trim() !== '' && !(comment !== null && line.trimStart().startsWith(comment))) yield { where: `line ${number}`, line };
+    if (line.trim() !== '' && !(comment !== null && line.trimStart().startsWith(comment)))
+      yield { where: `line ${number}`, line };
   }
 }
 

@@ -31,10 +31,17 @@ export function readNiiVueTable(text: string): LabelTable {
       continue;
     }
     const color = colorOf([red[i], green[i], blue[i]].map((channel) => (typeof channel === 'number' ? channel : NaN)));
-    if (!color && red.length > 0) rows.report(`${where} got no colour from 0 to 255 in "R", "G" and "B". Another one is chosen`);
+    if (!color && red.length > 0)
+      rows.report(`${where} got no colour from 0 to 255 in "R", "G" and "B". Another one is chosen`);
     const alpha = alphas[i];
     const opacity = typeof alpha === 'number' && alpha >= 0 && alpha <= 255 ? alpha / 255 : 1;
-    rows.add(where, { id, name: typeof names[i] === 'string' ? (names[i] as string) : '', color, opacity, hidden: false });
+    rows.add(where, {
+      id,
+      name: typeof names[i] === 'string' ? (names[i] as string) : '',
+      color,
+      opacity,
+      hidden: false,
+    });
   }
   return rows.finish('NiiVue');
 }

@@ -16,7 +16,8 @@ const readers = [
   { matches: isFreeSurferTable, read: readFreeSurferTable },
 ] as const;
 
-const expected = 'expected names and colours of labels as BIDS (columns index, name, color), FreeSurfer (No. Name R G B A), ITK-SNAP (IDX R G B A VIS MSH "LABEL") or NiiVue (JSON with R, G, B, I, labels) write them';
+const expected =
+  'expected names and colours of labels as BIDS (columns index, name, color), FreeSurfer (No. Name R G B A), ITK-SNAP (IDX R G B A VIS MSH "LABEL") or NiiVue (JSON with R, G, B, I, labels) write them';
 
 /**
  * Reads a table of label names and colours in any of the known formats.
@@ -24,19 +25,29 @@ const expected = 'expected names and colours of labels as BIDS (columns index, n
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt` or `format/too-large`
  */
 export function readLabelTable(bytes: Uint8Array, name: string): LabelTable {
-  if (bytes.length > maxTableBytes) throw new VolumeViewError('format/too-large', `the table ${name} has ${bytes.length.toLocaleString('en')} bytes; expected at most ${maxTableBytes.toLocaleString('en')}`);
+  if (bytes.length > maxTableBytes)
+    throw new VolumeViewError(
+      'format/too-large',
+      `the table ${name} has ${bytes.length.toLocaleString('en')} bytes; expected at most ${maxTableBytes.toLocaleString('en')}`,
+    );
   const text = new TextDecoder().decode(bytes); // Without byte order mark.
   const reader = readers.find(({ matches }) => matches(text));
-  if (!reader) throw new VolumeViewError('format/unknown', `the table ${name} is of no kind that is known; ${expected}`);
+  if (!reader)
+    throw new VolumeViewError('format/unknown', `the table ${name} is of no kind that is known; ${expected}`);
   const table = read(reader.read, text, name);
   if (table.rows.size > 0) return table;
-  throw new VolumeViewError('format/corrupt', `the table ${name} has no label that can be read; ${expected}.${table.problems.length > 0 ? ` The first problem: ${table.problems[0]}.` : ''}`);
+  throw new VolumeViewError(
+    'format/corrupt',
+    `the table ${name} has no label that can be read; ${expected}.${table.problems.length > 0 ? ` The first problem: ${table.problems[0]}.` : ''}`,
+  );
 }
 
 function read(reader: (text: string) => LabelTable, text: string, name: string): LabelTable {
   try {
     return reader(text);
   } catch (cause) {
-    throw new VolumeViewError('format/corrupt', `the table ${name} is no JSON that can be read; ${expected}`, { cause });
+    throw new VolumeViewError('format/corrupt', `the table ${name} is no JSON that can be read; ${expected}`, {
+      cause,
+    });
   }
 }

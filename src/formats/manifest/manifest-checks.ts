@@ -18,7 +18,8 @@ export const maxText = 10_000;
 export const maxList = 100_000;
 
 export const text: Check<string> = (value) => {
-  if (typeof value !== 'string' || value.length > maxText) throw new Expected(`a text of at most ${maxText.toLocaleString('en')} characters`);
+  if (typeof value !== 'string' || value.length > maxText)
+    throw new Expected(`a text of at most ${maxText.toLocaleString('en')} characters`);
   return value;
 };
 
@@ -40,7 +41,12 @@ export const filledText: Check<string> = (value) => {
 };
 
 export const filledTexts: Check<readonly string[]> = (value) => {
-  if (!Array.isArray(value) || value.length === 0 || value.length > maxList || !value.every((one) => typeof one === 'string' && one !== '')) {
+  if (
+    !Array.isArray(value) ||
+    value.length === 0 ||
+    value.length > maxList ||
+    !value.every((one) => typeof one === 'string' && one !== '')
+  ) {
     throw new Expected('a list of texts, none of them empty');
   }
   return value as string[];
@@ -80,7 +86,13 @@ export const nonZeroTriple: Check<Vector3> = (value) => {
 };
 
 export const ascendingPair: Check<[number, number]> = (value) => {
-  if (!Array.isArray(value) || value.length !== 2 || !value.every(isFinite) || value[0] >= value[1] || !isFinite(value[1] - value[0])) {
+  if (
+    !Array.isArray(value) ||
+    value.length !== 2 ||
+    !value.every(isFinite) ||
+    value[0] >= value[1] ||
+    !isFinite(value[1] - value[0])
+  ) {
     throw new Expected('two ascending numbers, [low, high]');
   }
   return value as [number, number];

@@ -20,37 +20,60 @@ const farthest = 1e9;
  * @param expected - in words
  * @param fits - whether the second one is valid
  */
-const pair = (expected: string, fits: (second: number) => boolean): Check<readonly [number, number]> => (value) => {
-  if (!Array.isArray(value) || value.length !== 2 || !value.every((n) => isFinite(n) && Math.abs(n) <= farthest) || !fits(value[1])) throw new Expected(expected);
-  return value as unknown as readonly [number, number];
-};
+const pair =
+  (expected: string, fits: (second: number) => boolean): Check<readonly [number, number]> =>
+  (value) => {
+    if (
+      !Array.isArray(value) ||
+      value.length !== 2 ||
+      !value.every((n) => isFinite(n) && Math.abs(n) <= farthest) ||
+      !fits(value[1])
+    )
+      throw new Expected(expected);
+    return value as unknown as readonly [number, number];
+  };
 
-export const rangePair = pair('[first, gate length] in metres up to 1e9, the gate length above 0', (length) => length > 0);
+export const rangePair = pair(
+  '[first, gate length] in metres up to 1e9, the gate length above 0',
+  (length) => length > 0,
+);
 
 export const azimuthPair = pair('[first, step] in degrees up to 1e9, the step not 0', (step) => step !== 0);
 
 export const angles: Check<readonly number[]> = (value) => {
-  if (!Array.isArray(value) || value.length === 0 || value.length > maxTiles || !value.every((angle) => isFinite(angle) && Math.abs(angle) <= 90)) {
+  if (
+    !Array.isArray(value) ||
+    value.length === 0 ||
+    value.length > maxTiles ||
+    !value.every((angle) => isFinite(angle) && Math.abs(angle) <= 90)
+  ) {
     throw new Expected(`a list of up to ${maxTiles.toLocaleString('en')} degrees from -90 to 90, one a tile`);
   }
   return value as number[];
 };
 
 export const utcTime: Check<string> = (value) => {
-  const isTime = typeof value === 'string' && value.length < 50 && /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z$/.test(value) && !Number.isNaN(Date.parse(value));
+  const isTime =
+    typeof value === 'string' &&
+    value.length < 50 &&
+    /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z$/.test(value) &&
+    !Number.isNaN(Date.parse(value));
   if (!isTime) throw new Expected('a time in UTC, such as "2018-12-20T06:06:28Z"');
   return value;
 };
 
-export const site: Check<ManifestSite> = (value) => readFields(value, { name: shortText, latitude: finite, longitude: finite, height: finite });
+export const site: Check<ManifestSite> = (value) =>
+  readFields(value, { name: shortText, latitude: finite, longitude: finite, height: finite });
 
 const numbers: Check<readonly number[]> = (value) => {
-  if (!Array.isArray(value) || value.length === 0 || value.length > maxList || !value.every(isFinite)) throw new Expected(`a list of up to ${maxList.toLocaleString('en')} numbers`);
+  if (!Array.isArray(value) || value.length === 0 || value.length > maxList || !value.every(isFinite))
+    throw new Expected(`a list of up to ${maxList.toLocaleString('en')} numbers`);
   return value;
 };
 
 const radialElevations: Check<readonly number[]> = (value) => {
-  if (!numbers(value).every((angle) => Math.abs(angle) <= 90)) throw new Expected('a list of degrees from -90 to 90, one a ray');
+  if (!numbers(value).every((angle) => Math.abs(angle) <= 90))
+    throw new Expected('a list of degrees from -90 to 90, one a ray');
   return value as number[];
 };
 
@@ -67,7 +90,8 @@ const sweep: Check<ManifestSweep> = (value) =>
   });
 
 export const sweeps: Check<readonly ManifestSweep[]> = (value) => {
-  if (!Array.isArray(value) || value.length > maxTiles) throw new Expected(`a list of up to ${maxTiles.toLocaleString('en')} objects, one a tile`);
+  if (!Array.isArray(value) || value.length > maxTiles)
+    throw new Expected(`a list of up to ${maxTiles.toLocaleString('en')} objects, one a tile`);
   return value.map((one: unknown, i) => {
     try {
       return sweep(one);
@@ -78,7 +102,10 @@ export const sweeps: Check<readonly ManifestSweep[]> = (value) => {
 };
 
 /** The known fields of an object; others are ignored. */
-function readFields<T extends object>(value: unknown, checks: { readonly [K in keyof T]-?: Check<NonNullable<T[K]>> }): T {
+function readFields<T extends object>(
+  value: unknown,
+  checks: { readonly [K in keyof T]-?: Check<NonNullable<T[K]>> },
+): T {
   if (typeof value !== 'object' || value === null || Array.isArray(value)) throw new Expected('an object');
   const given = value as Record<string, unknown>;
   const fields: Partial<T> = {};

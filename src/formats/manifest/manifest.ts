@@ -1,7 +1,22 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import type { ChannelUse } from '../base/channels.ts';
-import { affine, ascendingPair, channelUse, count, Expected, filledShortText, filledText, filledTexts, finite, mosaicText, nonZero, nonZeroTriple, shortText, text } from './manifest-checks.ts';
+import {
+  affine,
+  ascendingPair,
+  channelUse,
+  count,
+  Expected,
+  filledShortText,
+  filledText,
+  filledTexts,
+  finite,
+  mosaicText,
+  nonZero,
+  nonZeroTriple,
+  shortText,
+  text,
+} from './manifest-checks.ts';
 import type { Check } from './manifest-checks.ts';
 import { angles, azimuthPair, positive, rangePair, site, sweeps, utcTime } from './manifest-radar.ts';
 import type { ManifestSite, ManifestSweep } from '../base/radar-settings.ts';
@@ -84,7 +99,8 @@ function readScans(scans: unknown, shared: Partial<Manifest>): Manifest[] {
     return fail('scans', scans, `a list of 1 to ${maxScans.toLocaleString('en')} objects, one a scan`);
   }
   const list = scans.map((scan: unknown, i): Manifest => {
-    if (!isObject(scan) || scan.scans !== undefined) return fail('scans', scan, `{ "image": …, "time": … } at place ${i + 1}`);
+    if (!isObject(scan) || scan.scans !== undefined)
+      return fail('scans', scan, `{ "image": …, "time": … } at place ${i + 1}`);
     const own = readFields(scan, `scans[${i}].`);
     checkSource(own, `scans[${i}].`);
     return { ...empty, ...shared, ...own };
@@ -101,7 +117,11 @@ function readScans(scans: unknown, shared: Partial<Manifest>): Manifest[] {
 /** @param where - goes before a field's name in an error message */
 function checkSource({ image, files }: Partial<Manifest>, where = ''): void {
   if (image === undefined && files === undefined) {
-    failWith(`${where}image`, 'nothing', 'the URL of a mosaic image, a volume\'s file or a radar scan, or "files", a list of URLs');
+    failWith(
+      `${where}image`,
+      'nothing',
+      'the URL of a mosaic image, a volume\'s file or a radar scan, or "files", a list of URLs',
+    );
   }
   if (image !== undefined && files !== undefined) fail(`${where}files`, files, 'none together with "image"');
 }
@@ -147,7 +167,10 @@ function readFields(fields: Fields, where = ''): Partial<Manifest> {
 
 function parseObject(bytes: Uint8Array): Fields {
   if (bytes.length > maxBytes) {
-    throw new VolumeViewError('format/too-large', `the manifest got ${bytes.length.toLocaleString('en')} bytes; expected at most ${maxBytes.toLocaleString('en')}: list fewer scans, or their sweeps in manifests of their own`);
+    throw new VolumeViewError(
+      'format/too-large',
+      `the manifest got ${bytes.length.toLocaleString('en')} bytes; expected at most ${maxBytes.toLocaleString('en')}: list fewer scans, or their sweeps in manifests of their own`,
+    );
   }
   let value: unknown;
   try {
@@ -156,7 +179,11 @@ function parseObject(bytes: Uint8Array): Fields {
     const why = cause instanceof Error ? cause.message : String(cause);
     throw new VolumeViewError('manifest/invalid', `the manifest is not JSON: ${why}`, { cause });
   }
-  if (!isObject(value)) throw new VolumeViewError('manifest/invalid', 'the manifest got another JSON value; expected an object { "image": … }');
+  if (!isObject(value))
+    throw new VolumeViewError(
+      'manifest/invalid',
+      'the manifest got another JSON value; expected an object { "image": … }',
+    );
   return value;
 }
 
@@ -186,6 +213,13 @@ function describe(value: unknown, depth = 0): string {
   if (typeof value === 'string') return JSON.stringify(value.slice(0, 80));
   if (typeof value !== 'object' || value === null) return String(value);
   if (depth > 2) return '…';
-  if (Array.isArray(value)) return `[${value.slice(0, 20).map((one) => describe(one, depth + 1)).join(',')}${value.length > 20 ? ',…' : ''}]`;
-  return `{${Object.keys(value).slice(0, 10).map((key) => `${JSON.stringify(key.slice(0, 40))}:${describe((value as Fields)[key], depth + 1)}`).join(',')}}`;
+  if (Array.isArray(value))
+    return `[${value
+      .slice(0, 20)
+      .map((one) => describe(one, depth + 1))
+      .join(',')}${value.length > 20 ? ',…' : ''}]`;
+  return `{${Object.keys(value)
+    .slice(0, 10)
+    .map((key) => `${JSON.stringify(key.slice(0, 40))}:${describe((value as Fields)[key], depth + 1)}`)
+    .join(',')}}`;
 }

@@ -18,14 +18,24 @@ const bytesPerCharacter = 32;
  */
 export const readManifestVolume: FormatReader = async (input, settings, context) => {
   if (context.isPart) {
-    throw new VolumeViewError('manifest/invalid', `the manifest's "image" got another manifest, ${nameOf(input.url)}; expected an image or a NIfTI file`);
+    throw new VolumeViewError(
+      'manifest/invalid',
+      `the manifest's "image" got another manifest, ${nameOf(input.url)}; expected an image or a NIfTI file`,
+    );
   }
   // Objects and lists of JSON take a few tens of bytes for each character.
   context.budget.take(input.bytes.length * bytesPerCharacter, 'the manifest');
   const { scans, ...single } = readManifest(input.bytes);
   context.budget.giveBack(input.bytes.length * bytesPerCharacter);
   if (scans) context.onScans?.(scans.map(({ time }) => time));
-  const manifest = scans ? scans[chooseScan(scans.map(({ time }) => time), settings.scan ?? { index: 0 }).index] : single;
+  const manifest = scans
+    ? scans[
+        chooseScan(
+          scans.map(({ time }) => time),
+          settings.scan ?? { index: 0 },
+        ).index
+      ]
+    : single;
   const urls = resolveFiles(manifest, input.url);
   const merged = mergeSettings(settings, manifest);
   if (isRadar(merged)) context.onRadar?.();
@@ -46,9 +56,16 @@ function resolveFile(field: 'image' | 'files', file: string, base: string): stri
     const { protocol, href } = new URL(file, base);
     if (/^(https?|data):$/.test(protocol)) return href;
   } catch (cause) {
-    throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got "${file}", which is no URL from ${nameOf(base)}; expected an absolute URL there`, { cause });
+    throw new VolumeViewError(
+      'manifest/invalid',
+      `the manifest's "${field}" got "${file}", which is no URL from ${nameOf(base)}; expected an absolute URL there`,
+      { cause },
+    );
   }
-  throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got "${file.slice(0, 100)}"; expected a URL that begins with http:, https: or data:, or one relative to the manifest's`);
+  throw new VolumeViewError(
+    'manifest/invalid',
+    `the manifest's "${field}" got "${file.slice(0, 100)}"; expected a URL that begins with http:, https: or data:, or one relative to the manifest's`,
+  );
 }
 
 function mergeSettings(settings: DecodeSettings, manifest: Manifest): DecodeSettings {

@@ -13,7 +13,11 @@ export function checkMesh(mesh: Mesh): Mesh {
   let kept = 0;
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = [indices[i], indices[i + 1], indices[i + 2]];
-    if (!(Math.max(a, b, c) < vertices)) throw corrupt(format, `has a triangle with the vertex ${Math.max(a, b, c)}; expected numbers from 0 to ${vertices - 1}`);
+    if (!(Math.max(a, b, c) < vertices))
+      throw corrupt(
+        format,
+        `has a triangle with the vertex ${Math.max(a, b, c)}; expected numbers from 0 to ${vertices - 1}`,
+      );
     checkPlace(mesh, a);
     checkPlace(mesh, b);
     checkPlace(mesh, c);
@@ -22,13 +26,26 @@ export function checkMesh(mesh: Mesh): Mesh {
     indices[kept++] = b;
     indices[kept++] = c;
   }
-  if (kept === 0) throw new VolumeViewError('format/unsupported', `the ${format} has no triangles; expected a surface, and not points or lines`);
-  return { ...mesh, indices: indices.slice(0, kept), normals: normalize(mesh.normals), colors: mesh.colors?.every((share) => share >= 0 && share <= 1) ? mesh.colors : null };
+  if (kept === 0)
+    throw new VolumeViewError(
+      'format/unsupported',
+      `the ${format} has no triangles; expected a surface, and not points or lines`,
+    );
+  return {
+    ...mesh,
+    indices: indices.slice(0, kept),
+    normals: normalize(mesh.normals),
+    colors: mesh.colors?.every((share) => share >= 0 && share <= 1) ? mesh.colors : null,
+  };
 }
 
 function checkPlace({ positions, format }: Mesh, vertex: number): void {
   for (let i = 3 * vertex; i < 3 * vertex + 3; i++) {
-    if (!(Math.abs(positions[i]) <= farthest)) throw corrupt(format, `has a vertex, number ${vertex.toLocaleString('en')}, at ${[...positions.subarray(3 * vertex, 3 * vertex + 3)].join(', ')}; expected finite numbers`);
+    if (!(Math.abs(positions[i]) <= farthest))
+      throw corrupt(
+        format,
+        `has a vertex, number ${vertex.toLocaleString('en')}, at ${[...positions.subarray(3 * vertex, 3 * vertex + 3)].join(', ')}; expected finite numbers`,
+      );
   }
 }
 

@@ -19,7 +19,13 @@ export function finishMesh(mesh: Mesh, space: MeshSpace | null): Surface {
   if (own === 'lps') turnAround(lit);
   if (own === 'gltf') standUp(lit);
   const parts = splitMesh(lit);
-  return { parts, ...boundsOf(parts.map((part) => part.positions)), triangles: lit.indices.length / 3, format: mesh.format, notes: mesh.left ?? [] };
+  return {
+    parts,
+    ...boundsOf(parts.map((part) => part.positions)),
+    triangles: lit.indices.length / 3,
+    format: mesh.format,
+    notes: mesh.left ?? [],
+  };
 }
 
 /** Half a turn around the axis to the head: from left and back to right and front. */
@@ -34,7 +40,10 @@ function turnAround({ positions, normals }: Mesh): void {
 
 /** From glTF's space (metres, y up, the subject looks to +z) to millimetres to the right, front and head. */
 function standUp({ positions, normals }: Mesh): void {
-  for (const [numbers, unit] of [[positions, 1000], [normals!, 1]] as const) {
+  for (const [numbers, unit] of [
+    [positions, 1000],
+    [normals!, 1],
+  ] as const) {
     for (let i = 0; i < numbers.length; i += 3) {
       const [x, y, z] = numbers.subarray(i, i + 3);
       numbers.set([-unit * x, unit * z, unit * y], i);

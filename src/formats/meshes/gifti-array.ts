@@ -14,7 +14,9 @@ export interface GiftiArray {
   readonly transforms: Map<string, string>[];
 }
 
-const types: Readonly<Record<string, { readonly bytes: number; readonly read: (view: DataView, at: number, isLittle: boolean) => number }>> = {
+const types: Readonly<
+  Record<string, { readonly bytes: number; readonly read: (view: DataView, at: number, isLittle: boolean) => number }>
+> = {
   NIFTI_TYPE_UINT8: { bytes: 1, read: (view, at) => view.getUint8(at) },
   NIFTI_TYPE_INT32: { bytes: 4, read: (view, at, isLittle) => view.getInt32(at, isLittle) },
   NIFTI_TYPE_UINT32: { bytes: 4, read: (view, at, isLittle) => view.getUint32(at, isLittle) },
@@ -26,7 +28,8 @@ const types: Readonly<Record<string, { readonly bytes: number; readonly read: (v
 export async function decodeArray(array: GiftiArray): Promise<Float64Array> {
   const { attributes, count, rows } = array;
   const [encoding, order] = [attributes.get('Encoding') ?? '', attributes.get('ArrayIndexingOrder')];
-  if (count !== 3 * rows) throw corrupt('GIfTI file', `has an array of ${count} numbers in ${rows} rows; expected three in each`);
+  if (count !== 3 * rows)
+    throw corrupt('GIfTI file', `has an array of ${count} numbers in ${rows} rows; expected three in each`);
   const numbers = encoding === 'ASCII' ? readText(array) : await readBytes(array, encoding);
   array.data = '';
   return order === 'ColumnMajorOrder' ? turn(numbers, rows) : numbers;
@@ -45,9 +48,21 @@ function readText({ data, count }: GiftiArray): Float64Array {
 
 async function readBytes({ data, attributes, count }: GiftiArray, encoding: string): Promise<Float64Array> {
   const type = types[attributes.get('DataType') ?? ''];
-  if (!type) throw new VolumeViewError('format/unsupported', `the GIfTI file has numbers of the type "${String(attributes.get('DataType')).slice(0, 40)}"; expected one of ${Object.keys(types).join(', ')}`);
-  if (encoding === 'ExternalFileBinary') throw new VolumeViewError('format/unsupported', 'the GIfTI file has its numbers in another file (ExternalFileBinary); expected them in the file itself. Convert it: wb_command -gifti-convert GZIP_BASE64_BINARY in.gii out.gii');
-  if (encoding !== 'Base64Binary' && encoding !== 'GZipBase64Binary') throw new VolumeViewError('format/unsupported', `the GIfTI file has the encoding "${encoding.slice(0, 40)}"; expected ASCII, Base64Binary or GZipBase64Binary`);
+  if (!type)
+    throw new VolumeViewError(
+      'format/unsupported',
+      `the GIfTI file has numbers of the type "${String(attributes.get('DataType')).slice(0, 40)}"; expected one of ${Object.keys(types).join(', ')}`,
+    );
+  if (encoding === 'ExternalFileBinary')
+    throw new VolumeViewError(
+      'format/unsupported',
+      'the GIfTI file has its numbers in another file (ExternalFileBinary); expected them in the file itself. Convert it: wb_command -gifti-convert GZIP_BASE64_BINARY in.gii out.gii',
+    );
+  if (encoding !== 'Base64Binary' && encoding !== 'GZipBase64Binary')
+    throw new VolumeViewError(
+      'format/unsupported',
+      `the GIfTI file has the encoding "${encoding.slice(0, 40)}"; expected ASCII, Base64Binary or GZipBase64Binary`,
+    );
   const packed = decodeBase64(data);
   if (!packed) throw corrupt('GIfTI file', 'has data that are no Base64');
   const length = count * type.bytes;

@@ -11,17 +11,22 @@ const worlds = ['NIFTI_XFORM_SCANNER_ANAT', 'NIFTI_XFORM_ALIGNED_ANAT', 'NIFTI_X
  * calls unknown, and contain the transform to the world.
  * @returns null if they are in world coordinates already
  */
-export function giftiTransform({ transforms }: GiftiArray): ((places: Float64Array) => Float32Array<ArrayBuffer>) | null {
+export function giftiTransform({
+  transforms,
+}: GiftiArray): ((places: Float64Array) => Float32Array<ArrayBuffer>) | null {
   const from = transforms.map((one) => one.get('DataSpace')?.trim() ?? '');
   if (from.some((space) => worlds.includes(space))) return null;
-  const to = (world: string): Map<string, string> | undefined => transforms.find((one) => one.get('TransformedSpace')?.trim() === world);
+  const to = (world: string): Map<string, string> | undefined =>
+    transforms.find((one) => one.get('TransformedSpace')?.trim() === world);
   const chosen = worlds.map(to).find(Boolean);
   if (!chosen) return null;
   const matrix = (chosen.get('MatrixData') ?? '').trim().split(/\s+/).map(Number);
-  if (matrix.length !== 16 || !matrix.every(Number.isFinite)) throw corrupt('GIfTI file', 'has a transform that is no matrix of 16 numbers');
+  if (matrix.length !== 16 || !matrix.every(Number.isFinite))
+    throw corrupt('GIfTI file', 'has a transform that is no matrix of 16 numbers');
   return (places) => {
     const moved = new Float32Array(places.length);
-    for (let i = 0; i < places.length; i += 3) moved.set(transformPoint(matrix, [places[i], places[i + 1], places[i + 2]]), i);
+    for (let i = 0; i < places.length; i += 3)
+      moved.set(transformPoint(matrix, [places[i], places[i + 1], places[i + 2]]), i);
     return moved;
   };
 }

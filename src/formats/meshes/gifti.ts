@@ -17,9 +17,14 @@ export function isGifti(text: string): boolean {
  */
 export async function readGifti(bytes: Uint8Array<ArrayBuffer>): Promise<Mesh> {
   const arrays = listArrays(new TextDecoder().decode(bytes));
-  const [points, triangles, normals] = ['POINTSET', 'TRIANGLE', 'VECTOR'].map((intent) => arrays.find((one) => one.attributes.get('Intent') === `NIFTI_INTENT_${intent}`));
+  const [points, triangles, normals] = ['POINTSET', 'TRIANGLE', 'VECTOR'].map((intent) =>
+    arrays.find((one) => one.attributes.get('Intent') === `NIFTI_INTENT_${intent}`),
+  );
   if (!points || !triangles) {
-    throw new VolumeViewError('format/unsupported', `the GIfTI file has no surface: it has ${arrays.length} arrays, ${points ? '' : 'none of places'}${points || triangles ? '' : ', '}${triangles ? '' : 'none of triangles'}; expected a file ".surf.gii" with both`);
+    throw new VolumeViewError(
+      'format/unsupported',
+      `the GIfTI file has no surface: it has ${arrays.length} arrays, ${points ? '' : 'none of places'}${points || triangles ? '' : ', '}${triangles ? '' : 'none of triangles'}; expected a file ".surf.gii" with both`,
+    );
   }
   checkCounts('GIfTI file', points.count / 3, triangles.count / 3);
   const places = await decodeArray(points);
@@ -38,15 +43,20 @@ export async function readGifti(bytes: Uint8Array<ArrayBuffer>): Promise<Mesh> {
 }
 
 function listLeft(arrays: readonly GiftiArray[]): Pick<Mesh, 'left'> {
-  const [places, triangles] = ['POINTSET', 'TRIANGLE'].map((intent) => arrays.filter((one) => one.attributes.get('Intent') === `NIFTI_INTENT_${intent}`).length);
-  return places > 1 || triangles > 1 ? { left: [`of its ${places} arrays of places and ${triangles} of triangles the first ones are shown`] } : {};
+  const [places, triangles] = ['POINTSET', 'TRIANGLE'].map(
+    (intent) => arrays.filter((one) => one.attributes.get('Intent') === `NIFTI_INTENT_${intent}`).length,
+  );
+  return places > 1 || triangles > 1
+    ? { left: [`of its ${places} arrays of places and ${triangles} of triangles the first ones are shown`] }
+    : {};
 }
 
 function asIndices(numbers: ArrayLike<number>): Uint32Array<ArrayBuffer> {
   const indices = new Uint32Array(numbers.length);
   for (let i = 0; i < numbers.length; i++) {
     // A cast would turn an invalid index into another vertex.
-    if (!(numbers[i] >= 0) || !Number.isInteger(numbers[i])) throw corrupt('GIfTI file', `has a triangle with the corner ${numbers[i]}`);
+    if (!(numbers[i] >= 0) || !Number.isInteger(numbers[i]))
+      throw corrupt('GIfTI file', `has a triangle with the corner ${numbers[i]}`);
     indices[i] = numbers[i];
   }
   return indices;
@@ -79,14 +89,28 @@ function listArrays(text: string): readonly GiftiArray[] {
       },
     });
   } catch (cause) {
-    throw new VolumeViewError('format/corrupt', `the GIfTI file is no XML that can be read: ${String(cause).slice(0, 200)}. Fetch it again, or write it again`, { cause });
+    throw new VolumeViewError(
+      'format/corrupt',
+      `the GIfTI file is no XML that can be read: ${String(cause).slice(0, 200)}. Fetch it again, or write it again`,
+      { cause },
+    );
   }
-  if (root !== 'GIFTI') throw new VolumeViewError('format/unknown', `the file is an XML of "${String(root).slice(0, 40)}"; expected a surface: GIfTI, STL, OBJ, PLY or glTF`);
+  if (root !== 'GIFTI')
+    throw new VolumeViewError(
+      'format/unknown',
+      `the file is an XML of "${String(root).slice(0, 40)}"; expected a surface: GIfTI, STL, OBJ, PLY or glTF`,
+    );
   return arrays;
 }
 
 function makeArray(attributes: ReadonlyMap<string, string>): GiftiArray {
   const dimensions = Number(attributes.get('Dimensionality') ?? 2);
   const lengths = Array.from({ length: Math.min(6, dimensions) || 0 }, (_, i) => Number(attributes.get(`Dim${i}`)));
-  return { attributes, count: lengths.reduce((product, one) => product * one, 1), rows: lengths[0] ?? 0, data: '', transforms: [] };
+  return {
+    attributes,
+    count: lengths.reduce((product, one) => product * one, 1),
+    rows: lengths[0] ?? 0,
+    data: '',
+    transforms: [],
+  };
 }

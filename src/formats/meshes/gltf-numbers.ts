@@ -14,16 +14,22 @@ export interface Numbers {
 }
 
 /** Bytes of a number, how to read it, and the integer that stands for 1. */
-const types: ReadonlyMap<unknown, readonly [bytes: number, read: (view: DataView, at: number) => number, one: number]> = new Map([
-  [5120, [1, (view, at) => view.getInt8(at), 127]],
-  [5121, [1, (view, at) => view.getUint8(at), 255]],
-  [5122, [2, (view, at) => view.getInt16(at, true), 32767]],
-  [5123, [2, (view, at) => view.getUint16(at, true), 65535]],
-  [5125, [4, (view, at) => view.getUint32(at, true), 4294967295]],
-  [5126, [4, (view, at) => view.getFloat32(at, true), 1]],
-]);
+const types: ReadonlyMap<unknown, readonly [bytes: number, read: (view: DataView, at: number) => number, one: number]> =
+  new Map([
+    [5120, [1, (view, at) => view.getInt8(at), 127]],
+    [5121, [1, (view, at) => view.getUint8(at), 255]],
+    [5122, [2, (view, at) => view.getInt16(at, true), 32767]],
+    [5123, [2, (view, at) => view.getUint16(at, true), 65535]],
+    [5125, [4, (view, at) => view.getUint32(at, true), 4294967295]],
+    [5126, [4, (view, at) => view.getFloat32(at, true), 1]],
+  ]);
 
-const sizes: ReadonlyMap<unknown, number> = new Map([['SCALAR', 1], ['VEC2', 2], ['VEC3', 3], ['VEC4', 4]]);
+const sizes: ReadonlyMap<unknown, number> = new Map([
+  ['SCALAR', 1],
+  ['VEC2', 2],
+  ['VEC3', 3],
+  ['VEC4', 4],
+]);
 
 /**
  * Reads accessors by their index.
@@ -34,10 +40,16 @@ const sizes: ReadonlyMap<unknown, number> = new Map([['SCALAR', 1], ['VEC2', 2],
  */
 export function numbersReader(json: Json, chunk: Uint8Array<ArrayBuffer> | null): (index: number) => Numbers {
   const [accessors, views, buffers] = ['accessors', 'bufferViews', 'buffers'].map((name) => listOf(json, name));
-  const data = buffers.map(({ uri }, i) => (uri === undefined && i === 0 ? chunk : typeof uri === 'string' ? decodeUri(uri) : null));
+  const data = buffers.map(({ uri }, i) =>
+    uri === undefined && i === 0 ? chunk : typeof uri === 'string' ? decodeUri(uri) : null,
+  );
 
   /** Reads numbers of a type from an offset in a buffer view on. */
-  const read = ({ bufferView, byteOffset = 0, componentType, normalized }: Json, count: number, size: number): Float64Array => {
+  const read = (
+    { bufferView, byteOffset = 0, componentType, normalized }: Json,
+    count: number,
+    size: number,
+  ): Float64Array => {
     const view = views[Number(bufferView)];
     const bytes = view && data[Number(view['buffer'])];
     const [length, readOne, one] = types.get(componentType) ?? [0, () => Number.NaN, 1];
@@ -45,11 +57,20 @@ export function numbersReader(json: Json, chunk: Uint8Array<ArrayBuffer> | null)
     const stride = Number(view['byteStride'] ?? length * size);
     const begin = Number(view['byteOffset'] ?? 0) + Number(byteOffset);
     const end = begin + (count - 1) * stride + length * size;
-    if (!(begin >= 0 && stride > 0 && end <= bytes.length)) throw corrupt(format, `ends early: its data have ${bytes.length.toLocaleString('en')} bytes; expected at least ${end.toLocaleString('en')}`);
+    if (!(begin >= 0 && stride > 0 && end <= bytes.length))
+      throw corrupt(
+        format,
+        `ends early: its data have ${bytes.length.toLocaleString('en')} bytes; expected at least ${end.toLocaleString('en')}`,
+      );
     const values = new Float64Array(count * size);
     const reader = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
     const unit = normalized === true ? one : 1;
-    for (let i = 0; i < count; i++) for (let c = 0; c < size; c++) values[i * size + c] = Math.max(normalized === true ? -1 : -Infinity, readOne(reader, begin + i * stride + c * length) / unit);
+    for (let i = 0; i < count; i++)
+      for (let c = 0; c < size; c++)
+        values[i * size + c] = Math.max(
+          normalized === true ? -1 : -Infinity,
+          readOne(reader, begin + i * stride + c * length) / unit,
+        );
     return values;
   };
 
@@ -61,13 +82,17 @@ export function numbersReader(json: Json, chunk: Uint8Array<ArrayBuffer> | null)
     checkCounts(format, count, 0);
     // Without a buffer view all values are 0.
     const values = accessor['bufferView'] === undefined ? new Float64Array(count * size) : read(accessor, count, size);
-    const sparse = accessor['sparse'] as { readonly count?: unknown; readonly indices?: Json; readonly values?: Json } | undefined;
+    const sparse = accessor['sparse'] as
+      | { readonly count?: unknown; readonly indices?: Json; readonly values?: Json }
+      | undefined;
     if (sparse?.indices && sparse.values) {
       const few = Number(sparse.count);
       if (!(few > 0 && few <= count)) throw corrupt(format, 'has more numbers that stand apart than numbers');
       const places = read(sparse.indices, few, 1);
       const others = read({ ...accessor, byteOffset: 0, ...sparse.values }, few, size);
-      places.forEach((place, i) => place < count && values.set(others.subarray(i * size, (i + 1) * size), place * size));
+      places.forEach(
+        (place, i) => place < count && values.set(others.subarray(i * size, (i + 1) * size), place * size),
+      );
     }
     return { count, size, values };
   };

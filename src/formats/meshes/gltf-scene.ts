@@ -58,7 +58,11 @@ export function listPrimitives(json: Json): readonly Primitive[] {
     const { node: index } = next;
     if (seen.has(index)) throw corrupt(format, `has the node ${index} in two places, or within itself`);
     seen.add(index);
-    if (seen.size > maxNodes) throw new VolumeViewError('format/too-large', `the glTF has more than ${maxNodes.toLocaleString('en')} nodes; expected fewer. Join its parts into one mesh`);
+    if (seen.size > maxNodes)
+      throw new VolumeViewError(
+        'format/too-large',
+        `the glTF has more than ${maxNodes.toLocaleString('en')} nodes; expected fewer. Join its parts into one mesh`,
+      );
     const node = nodes[index];
     const toScene = multiply(next.toScene, matrixOf(node));
     for (const child of children[index]) waiting.push({ node: child, toScene });
@@ -67,12 +71,21 @@ export function listPrimitives(json: Json): readonly Primitive[] {
   return found;
 }
 
-function primitivesOf(json: Json, mesh: Json | undefined, toScene: Matrix4, counts: { vertices: number; triangles: number }): Primitive[] {
+function primitivesOf(
+  json: Json,
+  mesh: Json | undefined,
+  toScene: Matrix4,
+  counts: { vertices: number; triangles: number },
+): Primitive[] {
   if (!mesh) throw corrupt(format, 'has a node whose mesh is missing');
   const accessors = listOf(json, 'accessors');
   const accessor = (value: unknown): number | null => {
     if (value === undefined) return null;
-    if (!accessors[Number(value)]) throw corrupt(format, `names an accessor, ${JSON.stringify(value).slice(0, 20)}, that is not one of its ${accessors.length}`);
+    if (!accessors[Number(value)])
+      throw corrupt(
+        format,
+        `names an accessor, ${JSON.stringify(value).slice(0, 20)}, that is not one of its ${accessors.length}`,
+      );
     return Number(value);
   };
   const found: Primitive[] = [];
@@ -87,7 +100,15 @@ function primitivesOf(json: Json, mesh: Json | undefined, toScene: Matrix4, coun
     counts.vertices += vertices;
     counts.triangles += mode === 4 ? Math.floor(corners / 3) : Math.max(0, corners - 2);
     checkCounts(format, counts.vertices, counts.triangles);
-    found.push({ toScene, mode, position, normal: accessor(attributes['NORMAL']), color: accessor(attributes['COLOR_0']), indices, light: lightOf(json, primitive['material']) });
+    found.push({
+      toScene,
+      mode,
+      position,
+      normal: accessor(attributes['NORMAL']),
+      color: accessor(attributes['COLOR_0']),
+      indices,
+      light: lightOf(json, primitive['material']),
+    });
   }
   return found;
 }
@@ -97,7 +118,8 @@ function lightOf(json: Json, index: unknown): readonly number[] {
   const material = index === undefined ? {} : (listOf(json, 'materials')[Number(index)] ?? {});
   const matter = material['pbrMetallicRoughness'];
   const factor = isObject(matter) ? matter['baseColorFactor'] : null;
-  const isColor = Array.isArray(factor) && factor.slice(0, 3).every((share) => typeof share === 'number' && share >= 0 && share <= 1);
+  const isColor =
+    Array.isArray(factor) && factor.slice(0, 3).every((share) => typeof share === 'number' && share >= 0 && share <= 1);
   return isColor && factor.length >= 3 ? (factor.slice(0, 3) as number[]) : [1, 1, 1];
 }
 
@@ -111,22 +133,36 @@ function matrixOf(node: Json): Matrix4 {
   const [right, up, out] = fieldOf(node, 'translation', [0, 0, 0]);
   // The matrix of a unit quaternion.
   return [
-    a * (1 - 2 * (y * y + z * z)), b * 2 * (x * y - z * w), c * 2 * (x * z + y * w), right,
-    a * 2 * (x * y + z * w), b * (1 - 2 * (x * x + z * z)), c * 2 * (y * z - x * w), up,
-    a * 2 * (x * z - y * w), b * 2 * (y * z + x * w), c * (1 - 2 * (x * x + y * y)), out,
-    0, 0, 0, 1,
+    a * (1 - 2 * (y * y + z * z)),
+    b * 2 * (x * y - z * w),
+    c * 2 * (x * z + y * w),
+    right,
+    a * 2 * (x * y + z * w),
+    b * (1 - 2 * (x * x + z * z)),
+    c * 2 * (y * z - x * w),
+    up,
+    a * 2 * (x * z - y * w),
+    b * 2 * (y * z + x * w),
+    c * (1 - 2 * (x * x + y * y)),
+    out,
+    0,
+    0,
+    0,
+    1,
   ];
 }
 
 function fieldOf(node: Json, name: string, usual: readonly number[]): readonly number[] {
   const value = node[name] ?? usual;
-  if (!Array.isArray(value) || value.length !== usual.length || !value.every(Number.isFinite)) throw corrupt(format, `has a node whose ${name} is not ${usual.length} finite numbers`);
+  if (!Array.isArray(value) || value.length !== usual.length || !value.every(Number.isFinite))
+    throw corrupt(format, `has a node whose ${name} is not ${usual.length} finite numbers`);
   return value as readonly number[];
 }
 
 function numbersOf(json: Json, name: string, count: number): readonly number[] {
   const list = json[name] ?? [];
   const isIndex = (x: unknown): boolean => Number.isInteger(x) && (x as number) >= 0 && (x as number) < count;
-  if (!Array.isArray(list) || !list.every(isIndex)) throw corrupt(format, `has "${name}" that are not numbers of its ${count} nodes`);
+  if (!Array.isArray(list) || !list.every(isIndex))
+    throw corrupt(format, `has "${name}" that are not numbers of its ${count} nodes`);
   return list as readonly number[];
 }

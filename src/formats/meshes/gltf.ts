@@ -28,7 +28,9 @@ export function readGltf(bytes: Uint8Array<ArrayBuffer>): Mesh {
 /** What of a file is not in its triangles, and would be seen. */
 function listLeft(json: Json): string[] {
   const hasTexture = (material: Json): boolean => JSON.stringify(material).includes('"baseColorTexture"');
-  const hasOthers = listOf(json, 'meshes').some((mesh) => listOf(mesh, 'primitives').some(({ mode }) => typeof mode === 'number' && mode < 4));
+  const hasOthers = listOf(json, 'meshes').some((mesh) =>
+    listOf(mesh, 'primitives').some(({ mode }) => typeof mode === 'number' && mode < 4),
+  );
   const scenes = listOf(json, 'scenes').length;
   const left = [
     listOf(json, 'materials').some(hasTexture) ? 'its pictures (textures)' : '',
@@ -58,7 +60,10 @@ function parseJson(bytes: Uint8Array): Json {
  * The two parts of a `.glb`: its JSON and its binary chunk. @throws {VolumeViewError} `format/corrupt`,
  * `format/unsupported`
  */
-function splitGlb(bytes: Uint8Array<ArrayBuffer>): { readonly json: Json; readonly chunk: Uint8Array<ArrayBuffer> | null } {
+function splitGlb(bytes: Uint8Array<ArrayBuffer>): {
+  readonly json: Json;
+  readonly chunk: Uint8Array<ArrayBuffer> | null;
+} {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   if (bytes.length < 20) throw corrupt(format, 'ends in its header');
   const version = view.getUint32(4, true);
@@ -66,7 +71,11 @@ function splitGlb(bytes: Uint8Array<ArrayBuffer>): { readonly json: Json; readon
   const chunkAt = (at: number): Uint8Array<ArrayBuffer> | null => {
     if (at + 8 > bytes.length) return null;
     const end = at + 8 + view.getUint32(at, true);
-    if (end > bytes.length) throw corrupt(format, `ends early: it has ${bytes.length.toLocaleString('en')} bytes; expected at least ${end.toLocaleString('en')}`);
+    if (end > bytes.length)
+      throw corrupt(
+        format,
+        `ends early: it has ${bytes.length.toLocaleString('en')} bytes; expected at least ${end.toLocaleString('en')}`,
+      );
     return bytes.subarray(at + 8, end);
   };
   const first = chunkAt(12)!;
@@ -76,11 +85,25 @@ function splitGlb(bytes: Uint8Array<ArrayBuffer>): { readonly json: Json; readon
 /** @throws {VolumeViewError} `format/unsupported` if a file requires an extension that is not supported */
 function checkNeeds(json: Json): void {
   const { version } = (json['asset'] ?? {}) as Json;
-  if (!String(version).startsWith('2.')) throw unsupported(`is of version ${String(version).slice(0, 20)}`, 'version 2.0');
-  const needs = [json['extensionsRequired'] ?? []].flat().map(String).filter((name) => !harmless.test(name));
-  if (needs.length > 0) throw unsupported(`is packed or extended by ${needs.join(', ').slice(0, 200)}`, 'plain data: write it again without compression');
-  const other = listOf(json, 'buffers').map(({ uri }) => uri).find((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
-  if (other !== undefined) throw unsupported(`has its data in another file, "${(other as string).slice(0, 80)}"`, 'one file: write it as .glb');
+  if (!String(version).startsWith('2.'))
+    throw unsupported(`is of version ${String(version).slice(0, 20)}`, 'version 2.0');
+  const needs = [json['extensionsRequired'] ?? []]
+    .flat()
+    .map(String)
+    .filter((name) => !harmless.test(name));
+  if (needs.length > 0)
+    throw unsupported(
+      `is packed or extended by ${needs.join(', ').slice(0, 200)}`,
+      'plain data: write it again without compression',
+    );
+  const other = listOf(json, 'buffers')
+    .map(({ uri }) => uri)
+    .find((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
+  if (other !== undefined)
+    throw unsupported(
+      `has its data in another file, "${(other as string).slice(0, 80)}"`,
+      'one file: write it as .glb',
+    );
 }
 
 function unsupported(what: string, expected: string): VolumeViewError {
@@ -107,7 +130,8 @@ function join(primitives: readonly Primitive[], read: (index: number) => Numbers
     const { count } = places[i];
     addVectors(places[i], positions, first, (p) => transformPoint(primitive.toScene, p));
     if (normals) addVectors(vectors(numbers(primitive.normal!)), normals, first, normalsBy(primitive.toScene));
-    if (colors) addColors(primitive, primitive.color === null ? null : numbers(primitive.color), colors, [first, count]);
+    if (colors)
+      addColors(primitive, primitive.color === null ? null : numbers(primitive.color), colors, [first, count]);
     corners.push(cornersOf(primitive, primitive.indices === null ? null : numbers(primitive.indices), first, count));
     first += count;
   });
@@ -122,7 +146,12 @@ function vectors(numbers: Numbers): Numbers {
   return numbers;
 }
 
-function addVectors({ count, values }: Numbers, into: Float32Array, first: number, map: (vector: Vector3) => Vector3): void {
+function addVectors(
+  { count, values }: Numbers,
+  into: Float32Array,
+  first: number,
+  map: (vector: Vector3) => Vector3,
+): void {
   for (let i = 0; i < count; i++) into.set(map([values[3 * i], values[3 * i + 1], values[3 * i + 2]]), 3 * (first + i));
 }
 
@@ -137,7 +166,12 @@ function normalsBy(m: Matrix4): (normal: Vector3) => Vector3 {
   return (n) => [side * dot(a, n), side * dot(b, n), side * dot(c, n)];
 }
 
-function addColors({ light }: Primitive, numbers: Numbers | null, into: Float32Array, [first, count]: readonly [number, number]): void {
+function addColors(
+  { light }: Primitive,
+  numbers: Numbers | null,
+  into: Float32Array,
+  [first, count]: readonly [number, number],
+): void {
   for (let i = 0; i < count; i++) {
     for (let c = 0; c < 3; c++) {
       const share = numbers && i < numbers.count && c < numbers.size ? numbers.values[i * numbers.size + c] : 1;
@@ -152,18 +186,29 @@ function toScreen(light: number): number {
 }
 
 /** Corners of triangles, as vertex indices of the whole mesh. */
-function cornersOf({ mode, toScene }: Primitive, numbers: Numbers | null, first: number, vertices: number): Uint32Array {
+function cornersOf(
+  { mode, toScene }: Primitive,
+  numbers: Numbers | null,
+  first: number,
+  vertices: number,
+): Uint32Array {
   const count = numbers ? numbers.count : vertices;
   const at = (i: number): number => {
     const vertex = numbers ? numbers.values[i * numbers.size] : i;
-    if (!(vertex >= 0 && vertex < vertices)) throw corrupt(format, `has a triangle with the vertex ${vertex}; expected numbers from 0 to ${vertices - 1}`);
+    if (!(vertex >= 0 && vertex < vertices))
+      throw corrupt(format, `has a triangle with the vertex ${vertex}; expected numbers from 0 to ${vertices - 1}`);
     return first + vertex;
   };
   const triangles = mode === 4 ? Math.floor(count / 3) : Math.max(0, count - 2);
   const corners = new Uint32Array(3 * triangles);
   const isMirrored = determinant(toScene) < 0;
   for (let t = 0; t < triangles; t++) {
-    const [a, b, c] = mode === 4 ? [3 * t, 3 * t + 1, 3 * t + 2] : mode === 6 ? [0, t + 1, t + 2] : [t, t + 1 + (t % 2), t + 2 - (t % 2)];
+    const [a, b, c] =
+      mode === 4
+        ? [3 * t, 3 * t + 1, 3 * t + 2]
+        : mode === 6
+          ? [0, t + 1, t + 2]
+          : [t, t + 1 + (t % 2), t + 2 - (t % 2)];
     corners.set(isMirrored ? [at(a), at(c), at(b)] : [at(a), at(b), at(c)], 3 * t);
   }
   return corners;

@@ -33,7 +33,13 @@ export function makeNormals(mesh: Mesh, crease = sharp): Mesh & { readonly norma
       renamed[corners[i]] = group;
     }
   }
-  return { ...mesh, positions: pick(positions, origins, count), colors: colors && pick(colors, origins, count), normals: unit(sums.slice(0, 3 * count)), indices: renamed };
+  return {
+    ...mesh,
+    positions: pick(positions, origins, count),
+    colors: colors && pick(colors, origins, count),
+    normals: unit(sums.slice(0, 3 * count)),
+    indices: renamed,
+  };
 }
 
 /** Normals of the faces; their length is twice the face's area. */
@@ -41,8 +47,16 @@ function faceNormals(positions: Float32Array, indices: Uint32Array): Float32Arra
   const normals = new Float32Array(indices.length);
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = [3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2]];
-    const [ux, uy, uz] = [positions[b] - positions[a], positions[b + 1] - positions[a + 1], positions[b + 2] - positions[a + 2]];
-    const [vx, vy, vz] = [positions[c] - positions[a], positions[c + 1] - positions[a + 1], positions[c + 2] - positions[a + 2]];
+    const [ux, uy, uz] = [
+      positions[b] - positions[a],
+      positions[b + 1] - positions[a + 1],
+      positions[b + 2] - positions[a + 2],
+    ];
+    const [vx, vy, vz] = [
+      positions[c] - positions[a],
+      positions[c + 1] - positions[a + 1],
+      positions[c + 2] - positions[a + 2],
+    ];
     normals[i] = uy * vz - uz * vy;
     normals[i + 1] = uz * vx - ux * vz;
     normals[i + 2] = ux * vy - uy * vx;
@@ -71,7 +85,8 @@ function cosineOf(sums: Float32Array, group: number, faces: Float32Array, face: 
 
 function pick(numbers: Float32Array, origins: Uint32Array, count: number): Float32Array<ArrayBuffer> {
   const picked = new Float32Array(3 * count);
-  for (let i = 0; i < count; i++) for (let axis = 0; axis < 3; axis++) picked[3 * i + axis] = numbers[3 * origins[i] + axis];
+  for (let i = 0; i < count; i++)
+    for (let axis = 0; axis < 3; axis++) picked[3 * i + axis] = numbers[3 * origins[i] + axis];
   return picked;
 }
 

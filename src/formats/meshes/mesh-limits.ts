@@ -19,7 +19,8 @@ export const farthest = 1e9;
  */
 export function checkCounts(format: string, vertices: number, triangles: number): void {
   for (const count of [vertices, triangles]) {
-    if (!Number.isSafeInteger(count) || count < 0) throw corrupt(format, `says that it has ${count} parts; expected whole numbers`);
+    if (!Number.isSafeInteger(count) || count < 0)
+      throw corrupt(format, `says that it has ${count} parts; expected whole numbers`);
   }
   refuseMany(format, triangles, maxTriangles, 'triangles');
   refuseMany(format, vertices, maxVertices, 'vertices');
@@ -27,7 +28,10 @@ export function checkCounts(format: string, vertices: number, triangles: number)
 
 function refuseMany(format: string, count: number, max: number, what: string): void {
   if (count <= max) return;
-  throw new VolumeViewError('format/too-large', `the ${format} has ${count.toLocaleString('en')} ${what} or more; expected at most ${max.toLocaleString('en')}. Make a copy with fewer triangles ("decimate" in MeshLab, Blender or 3D Slicer)`);
+  throw new VolumeViewError(
+    'format/too-large',
+    `the ${format} has ${count.toLocaleString('en')} ${what} or more; expected at most ${max.toLocaleString('en')}. Make a copy with fewer triangles ("decimate" in MeshLab, Blender or 3D Slicer)`,
+  );
 }
 
 /** @param what - is wrong with it, for example "ends early" */

@@ -26,5 +26,7 @@ export class NumberList<T extends Float32Array<ArrayBuffer> | Uint32Array<ArrayB
   }
 }
 
-export const floatList = (): NumberList<Float32Array<ArrayBuffer>> => new NumberList((length) => new Float32Array(length));
-export const wholeList = (): NumberList<Uint32Array<ArrayBuffer>> => new NumberList((length) => new Uint32Array(length));
+export const floatList = (): NumberList<Float32Array<ArrayBuffer>> =>
+  new NumberList((length) => new Float32Array(length));
+export const wholeList = (): NumberList<Uint32Array<ArrayBuffer>> =>
+  new NumberList((length) => new Uint32Array(length));

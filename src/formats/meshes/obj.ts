@@ -6,8 +6,15 @@ import { TextScanner } from './text-scanner.ts';
 
 /** Whether a text is an OBJ: its first lines that are not comments begin with keywords of that format. */
 export function isObj(text: string): boolean {
-  const lines = text.split(/\r?\n/).slice(0, -1).filter((line) => !/^\s*(#.*)?$/.test(line));
-  return lines.length > 0 && /^\s*(v|vn|vt|vp|f|o|g|s|mtllib|usemtl)\s/.test(lines[0]) && lines.every((line) => /^\s*[a-z_]+(\s|$)/i.test(line));
+  const lines = text
+    .split(/\r?\n/)
+    .slice(0, -1)
+    .filter((line) => !/^\s*(#.*)?$/.test(line));
+  return (
+    lines.length > 0 &&
+    /^\s*(v|vn|vt|vp|f|o|g|s|mtllib|usemtl)\s/.test(lines[0]) &&
+    lines.every((line) => /^\s*[a-z_]+(\s|$)/i.test(line))
+  );
 }
 
 /** The parts of an OBJ that have been read. */
@@ -25,7 +32,15 @@ class Reading {
 }
 
 /** What lines are of which nothing is shown. */
-const leftOut: Readonly<Record<string, string>> = { usemtl: 'materials', map_Kd: 'materials', l: 'lines', p: 'points', curv: 'curves', curv2: 'curves', surf: 'free-form surfaces' };
+const leftOut: Readonly<Record<string, string>> = {
+  usemtl: 'materials',
+  map_Kd: 'materials',
+  l: 'lines',
+  p: 'points',
+  curv: 'curves',
+  curv2: 'curves',
+  surf: 'free-form surfaces',
+};
 
 /**
  * Reads the faces of an OBJ: positions, normals, and colours that follow positions. Faces of more than three corners
@@ -49,7 +64,8 @@ export function readObj(bytes: Uint8Array): Mesh {
 
 function readVertex(scanner: TextScanner, { places, colors }: Reading): void {
   const numbers: number[] = [];
-  for (let number = scanner.number(); !Number.isNaN(number) && numbers.length < 8; number = scanner.number()) numbers.push(number);
+  for (let number = scanner.number(); !Number.isNaN(number) && numbers.length < 8; number = scanner.number())
+    numbers.push(number);
   if (numbers.length < 3) throw corrupt('OBJ', `has no vertex of three numbers in line ${scanner.line}`);
   for (let i = 0; i < 3; i++) places.push(numbers[i]);
   // After the position comes its weight, or its colour, or both.
@@ -70,7 +86,11 @@ function readFace(scanner: TextScanner, { places, normals, corners, cornerNormal
     const [place, , normal] = word.split('/');
     const corner = indexOf(place, counts[0]);
     const cornerNormal = normal ? indexOf(normal, counts[1]) + 1 : 0;
-    if (corner < 0 || cornerNormal < 0 || Number.isNaN(corner + cornerNormal)) throw corrupt('OBJ', `got "${word.slice(0, 40)}" in a face in line ${scanner.line}; expected numbers of vertices, of which there are ${counts[0].toLocaleString('en')} before it, and of normals`);
+    if (corner < 0 || cornerNormal < 0 || Number.isNaN(corner + cornerNormal))
+      throw corrupt(
+        'OBJ',
+        `got "${word.slice(0, 40)}" in a face in line ${scanner.line}; expected numbers of vertices, of which there are ${counts[0].toLocaleString('en')} before it, and of normals`,
+      );
     if (count === 0) [first, firstNormal] = [corner, cornerNormal];
     else if (count > 1) {
       [first, last, corner].forEach((one) => corners.push(one));
@@ -92,9 +112,20 @@ function indexOf(text: string, count: number): number {
 /** A vertex for each pair of place and normal that faces name. */
 function join({ places, colors, normals, corners, cornerNormals, space, others }: Reading): Mesh {
   const hasColors = colors.length === places.length && colors.length > 0;
-  const base = { space, format: 'OBJ', ...(others.size > 0 ? { left: [`its ${[...others].join(', ')} are not shown`] } : {}) };
+  const base = {
+    space,
+    format: 'OBJ',
+    ...(others.size > 0 ? { left: [`its ${[...others].join(', ')} are not shown`] } : {}),
+  };
   const every = cornerNormals.take();
-  if (every.length === 0 || every.includes(0)) return { ...base, positions: places.take(), normals: null, indices: corners.take(), colors: hasColors ? colors.take() : null };
+  if (every.length === 0 || every.includes(0))
+    return {
+      ...base,
+      positions: places.take(),
+      normals: null,
+      indices: corners.take(),
+      colors: hasColors ? colors.take() : null,
+    };
   const [ownPlaces, ownNormals, ownColors] = [0, 1, 2].map(() => floatList());
   const found = new Map<number, number>();
   const indices = corners.take();
@@ -113,5 +144,11 @@ function join({ places, colors, normals, corners, cornerNormals, space, others }
     }
     indices[i] = vertex;
   }
-  return { ...base, positions: ownPlaces.take(), normals: ownNormals.take(), indices, colors: hasColors ? ownColors.take() : null };
+  return {
+    ...base,
+    positions: ownPlaces.take(),
+    normals: ownNormals.take(),
+    indices,
+    colors: hasColors ? ownColors.take() : null,
+  };
 }

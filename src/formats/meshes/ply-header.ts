@@ -2,7 +2,22 @@ import { corrupt } from './mesh-limits.ts';
 
 /** Bytes of each of PLY's number types, under both names. */
 const sizes: Readonly<Record<string, number>> = {
-  char: 1, int8: 1, uchar: 1, uint8: 1, short: 2, int16: 2, ushort: 2, uint16: 2, int: 4, int32: 4, uint: 4, uint32: 4, float: 4, float32: 4, double: 8, float64: 8,
+  char: 1,
+  int8: 1,
+  uchar: 1,
+  uint8: 1,
+  short: 2,
+  int16: 2,
+  ushort: 2,
+  uint16: 2,
+  int: 4,
+  int32: 4,
+  uint: 4,
+  uint32: 4,
+  float: 4,
+  float32: 4,
+  double: 8,
+  float64: 8,
 };
 
 type PlyType = string;
@@ -50,9 +65,14 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
     else if (word === 'comment' || word === 'obj_info') comments.push(line);
     else if (word === 'element') elements.push({ name: words[0] ?? '', count: Number(words[1]), properties: [] });
     else if (word === 'property') elements.at(-1)?.properties.push(readProperty(words));
-    else if (word !== '') throw corrupt('PLY', `got "${word.slice(0, 40)}" in its header; expected format, comment, element or property`);
+    else if (word !== '')
+      throw corrupt('PLY', `got "${word.slice(0, 40)}" in its header; expected format, comment, element or property`);
   }
-  if (form !== 'ascii' && form !== 'binary_little_endian' && form !== 'binary_big_endian') throw corrupt('PLY', `has the format "${form.slice(0, 40)}"; expected ascii, binary_little_endian or binary_big_endian`);
+  if (form !== 'ascii' && form !== 'binary_little_endian' && form !== 'binary_big_endian')
+    throw corrupt(
+      'PLY',
+      `has the format "${form.slice(0, 40)}"; expected ascii, binary_little_endian or binary_big_endian`,
+    );
   const wrong = elements.find(({ count }) => !Number.isSafeInteger(count) || count < 0);
   if (wrong) throw corrupt('PLY', `has no count of "${wrong.name.slice(0, 40)}"`);
   return { form, elements, comments: comments.join('\n'), length: end.index + end[0].length };
@@ -63,7 +83,11 @@ function readProperty(words: readonly string[]): PlyProperty {
   const [type = '', name = ''] = words.slice(isList ? 2 : 0);
   const countType = isList ? (words[1] ?? '') : null;
   for (const one of [countType ?? 'int', type]) {
-    if (!Object.hasOwn(sizes, one)) throw corrupt('PLY', `has numbers of the type "${one.slice(0, 40)}"; expected one of ${Object.keys(sizes).join(', ')}`);
+    if (!Object.hasOwn(sizes, one))
+      throw corrupt(
+        'PLY',
+        `has numbers of the type "${one.slice(0, 40)}"; expected one of ${Object.keys(sizes).join(', ')}`,
+      );
   }
   return { name, type, countType };
 }

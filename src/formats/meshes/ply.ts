@@ -25,10 +25,14 @@ const whites: Readonly<Record<string, number>> = { uchar: 255, uint8: 255, ushor
 export function readPly(bytes: Uint8Array): Mesh {
   const header = readPlyHeader(bytes);
   const [vertices, faces] = ['vertex', 'face'].map((name) => header.elements.find((element) => element.name === name));
-  if (!vertices || !faces?.count) throw corrupt('PLY', 'has no faces (a cloud of points, maybe); expected the elements "vertex" and "face"');
+  if (!vertices || !faces?.count)
+    throw corrupt('PLY', 'has no faces (a cloud of points, maybe); expected the elements "vertex" and "face"');
   checkCounts('PLY', vertices.count, faces.count);
   checkRoom(bytes, header);
-  const next = header.form === 'ascii' ? textNumbers(bytes, header.length) : binaryNumbers(bytes, header.length, header.form === 'binary_little_endian');
+  const next =
+    header.form === 'ascii'
+      ? textNumbers(bytes, header.length)
+      : binaryNumbers(bytes, header.length, header.form === 'binary_little_endian');
   let [data, indices]: [Pick<Mesh, keyof typeof kept> | null, Mesh['indices'] | null] = [null, null];
   for (const element of header.elements) {
     if (element === vertices) data = readVertices(element, next);
@@ -36,14 +40,26 @@ export function readPly(bytes: Uint8Array): Mesh {
     else skip(element, next);
     if (data && indices) break;
   }
-  return { ...data!, indices: indices!, space: readSpace(header.comments), format: 'PLY', ...listLeft(header.elements) };
+  return {
+    ...data!,
+    indices: indices!,
+    space: readSpace(header.comments),
+    format: 'PLY',
+    ...listLeft(header.elements),
+  };
 }
 
 /** Elements that are a part of the shape, or colour it. */
-const shapes: Readonly<Record<string, string>> = { edge: 'edges', tristrips: 'strips of triangles', material: 'materials' };
+const shapes: Readonly<Record<string, string>> = {
+  edge: 'edges',
+  tristrips: 'strips of triangles',
+  material: 'materials',
+};
 
 function listLeft(elements: readonly PlyElement[]): Pick<Mesh, 'left'> {
-  const others = elements.filter(({ name, count }) => Object.hasOwn(shapes, name) && count > 0).map(({ name, count }) => `${count.toLocaleString('en')} ${shapes[name]}`);
+  const others = elements
+    .filter(({ name, count }) => Object.hasOwn(shapes, name) && count > 0)
+    .map(({ name, count }) => `${count.toLocaleString('en')} ${shapes[name]}`);
   return others.length > 0 ? { left: [`not shown: ${others.join(', ')}`] } : {};
 }
 
@@ -51,14 +67,20 @@ function listLeft(elements: readonly PlyElement[]): Pick<Mesh, 'left'> {
 function checkRoom(bytes: Uint8Array, { elements, form, length }: PlyHeader): void {
   const smallest = form === 'ascii' ? 2 : 1;
   const minBytes = elements.reduce((sum, { count, properties }) => sum + count * properties.length * smallest, 0);
-  if (minBytes - 1 > bytes.length - length) throw corrupt('PLY', `ends early: it has ${bytes.length.toLocaleString('en')} bytes; expected at least ${(length + minBytes).toLocaleString('en')}`);
+  if (minBytes - 1 > bytes.length - length)
+    throw corrupt(
+      'PLY',
+      `ends early: it has ${bytes.length.toLocaleString('en')} bytes; expected at least ${(length + minBytes).toLocaleString('en')}`,
+    );
 }
 
 function readVertices({ count, properties }: PlyElement, next: NextNumber): Pick<Mesh, keyof typeof kept> {
   const names = properties.map(({ name }) => name);
-  const has = (wanted: readonly string[]): boolean => wanted.every((name) => properties[names.indexOf(name)]?.countType === null);
+  const has = (wanted: readonly string[]): boolean =>
+    wanted.every((name) => properties[names.indexOf(name)]?.countType === null);
   if (!has(kept.positions)) throw corrupt('PLY', 'has vertices without x, y and z');
-  const room = (wanted: readonly string[]): Float32Array<ArrayBuffer> | null => (has(wanted) ? new Float32Array(3 * count) : null);
+  const room = (wanted: readonly string[]): Float32Array<ArrayBuffer> | null =>
+    has(wanted) ? new Float32Array(3 * count) : null;
   const arrays = { positions: room(kept.positions), normals: room(kept.normals), colors: room(kept.colors) };
   const targets = properties.map((property) => targetOf(property, arrays));
   for (let vertex = 0; vertex < count; vertex++) {
@@ -71,7 +93,10 @@ function readVertices({ count, properties }: PlyElement, next: NextNumber): Pick
   return { ...arrays, positions: arrays.positions! };
 }
 
-function targetOf({ name, type }: PlyProperty, arrays: Record<keyof typeof kept, Float32Array | null>): { array: Float32Array; axis: number; white: number } | null {
+function targetOf(
+  { name, type }: PlyProperty,
+  arrays: Record<keyof typeof kept, Float32Array | null>,
+): { array: Float32Array; axis: number; white: number } | null {
   for (const kind of Object.keys(kept) as (keyof typeof kept)[]) {
     const axis = (kept[kind] as readonly string[]).indexOf(name);
     const array = arrays[kind];
@@ -93,9 +118,14 @@ function readFaces({ count, properties }: PlyElement, next: NextNumber): Mesh['i
   return indices.take();
 }
 
-function readFace({ type, countType }: PlyProperty, next: NextNumber, indices: NumberList<Uint32Array<ArrayBuffer>>): void {
+function readFace(
+  { type, countType }: PlyProperty,
+  next: NextNumber,
+  indices: NumberList<Uint32Array<ArrayBuffer>>,
+): void {
   const corners = next(countType!);
-  if (!(corners >= 3 && corners <= maxCorners)) throw corrupt('PLY', `has a face of ${corners} corners; expected 3 to ${maxCorners}`);
+  if (!(corners >= 3 && corners <= maxCorners))
+    throw corrupt('PLY', `has a face of ${corners} corners; expected 3 to ${maxCorners}`);
   const first = cornerOf(next(type));
   let last = cornerOf(next(type));
   for (let corner = 2; corner < corners; corner++) {
@@ -109,7 +139,8 @@ function readFace({ type, countType }: PlyProperty, next: NextNumber, indices: N
 
 /** A list of unsigned integers would turn -1 into a large number, and a fraction into 0. */
 function cornerOf(number: number): number {
-  if (!Number.isSafeInteger(number) || number < 0 || number >= 2 ** 32) throw corrupt('PLY', `has a face with the corner ${number}; expected numbers of vertices`);
+  if (!Number.isSafeInteger(number) || number < 0 || number >= 2 ** 32)
+    throw corrupt('PLY', `has a face with the corner ${number}; expected numbers of vertices`);
   return number;
 }
 

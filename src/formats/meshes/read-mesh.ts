@@ -27,7 +27,8 @@ export async function readMesh(bytes: Uint8Array<ArrayBuffer>, name: string): Pr
   const text = new TextDecoder('latin1').decode(plain.subarray(0, 4096));
   if (isPly(text)) return readPly(plain);
   if (isBinaryStl(plain)) return readStl(plain);
-  if (text.startsWith('glTF') || isGltfJson(text, plain)) return (await loadReader(() => import('./gltf.ts'))).readGltf(plain);
+  if (text.startsWith('glTF') || isGltfJson(text, plain))
+    return (await loadReader(() => import('./gltf.ts'))).readGltf(plain);
   const other = others.find(([, is]) => is(text, plain));
   if (other) throw unknown(name, `is a ${other[0]}`);
   if (isGifti(text)) return readGifti(plain);
@@ -41,11 +42,17 @@ export async function readMesh(bytes: Uint8Array<ArrayBuffer>, name: string): Pr
 /** Members of the JSON come in any order: the one that identifies glTF may be the last. */
 function isGltfJson(text: string, bytes: Uint8Array): boolean {
   if (!/^\s*\{/.test(text)) return false;
-  return /"(asset|bufferViews|accessors|meshes)"/.test(text) || new TextDecoder('latin1').decode(bytes.subarray(-4096)).includes('"asset"');
+  return (
+    /"(asset|bufferViews|accessors|meshes)"/.test(text) ||
+    new TextDecoder('latin1').decode(bytes.subarray(-4096)).includes('"asset"')
+  );
 }
 
 function unknown(name: string, what: string): VolumeViewError {
-  return new VolumeViewError('format/unknown', `${name} ${what}; expected a surface of triangles: STL, OBJ, PLY, GIfTI or glTF. MeshLab, 3D Slicer and Connectome Workbench convert others`);
+  return new VolumeViewError(
+    'format/unknown',
+    `${name} ${what}; expected a surface of triangles: STL, OBJ, PLY, GIfTI or glTF. MeshLab, 3D Slicer and Connectome Workbench convert others`,
+  );
 }
 
 /** Unpacks a whole gzip file. @throws {VolumeViewError} `format/too-large`, `format/corrupt` */
@@ -54,7 +61,11 @@ export async function unpackAll(bytes: Uint8Array<ArrayBuffer>, maxBytes: number
   let sum = 0;
   for await (const piece of gunzip(bytes)) {
     sum += piece.length;
-    if (sum > maxBytes) throw new VolumeViewError('format/too-large', `the gzip file unpacks to ${maxBytes.toLocaleString('en')} bytes or more; expected at most so many`);
+    if (sum > maxBytes)
+      throw new VolumeViewError(
+        'format/too-large',
+        `the gzip file unpacks to ${maxBytes.toLocaleString('en')} bytes or more; expected at most so many`,
+      );
     pieces.push(piece);
   }
   return new Uint8Array(await new Blob(pieces).arrayBuffer());

@@ -5,7 +5,12 @@ import type { Mesh } from './mesh.ts';
 export const maxPartVertices = 65_535;
 
 /** Splits a mesh into parts of at most `maxPartVertices` vertices. Vertices that two parts need are in both. */
-export function splitMesh({ positions, normals, indices, colors }: Mesh & { readonly normals: Float32Array }): SurfacePart[] {
+export function splitMesh({
+  positions,
+  normals,
+  indices,
+  colors,
+}: Mesh & { readonly normals: Float32Array }): SurfacePart[] {
   const parts: SurfacePart[] = [];
   /**
    * For each vertex: its number in the current part, counted from 1, plus the offset at which that part's numbers
@@ -18,10 +23,16 @@ export function splitMesh({ positions, normals, indices, colors }: Mesh & { read
   const close = (end: number): void => {
     const pick = (numbers: Float32Array): Float32Array<ArrayBuffer> => {
       const picked = new Float32Array(3 * count);
-      for (let i = 0; i < count; i++) for (let axis = 0; axis < 3; axis++) picked[3 * i + axis] = numbers[3 * own[i] + axis];
+      for (let i = 0; i < count; i++)
+        for (let axis = 0; axis < 3; axis++) picked[3 * i + axis] = numbers[3 * own[i] + axis];
       return picked;
     };
-    parts.push({ positions: pick(positions), normals: pick(normals), indices: corners.slice(0, end - begin), colors: colors && pick(colors) });
+    parts.push({
+      positions: pick(positions),
+      normals: pick(normals),
+      indices: corners.slice(0, end - begin),
+      colors: colors && pick(colors),
+    });
     [begin, count, base] = [end, 0, base + count];
   };
   for (let i = 0; i < indices.length; i += 3) {

@@ -29,7 +29,8 @@ export function isTextStl(text: string): boolean {
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
 export function readStl(bytes: Uint8Array): Mesh {
-  if (isBinaryStl(bytes) || !isTextStl(new TextDecoder('latin1').decode(bytes.subarray(0, 1000)))) return readBinary(bytes);
+  if (isBinaryStl(bytes) || !isTextStl(new TextDecoder('latin1').decode(bytes.subarray(0, 1000))))
+    return readBinary(bytes);
   return readText(bytes);
 }
 
@@ -41,7 +42,11 @@ function readBinary(bytes: Uint8Array): Mesh {
   if (bytes.length < head) throw corrupt('STL', `has ${bytes.length} bytes; expected at least ${head}`);
   const triangles = countOf(bytes);
   checkCounts('STL', 3 * triangles, triangles);
-  if (bytes.length < head + each * triangles) throw corrupt('STL', `ends early: it says that it has ${triangles.toLocaleString('en')} triangles, and has bytes for ${Math.floor((bytes.length - head) / each).toLocaleString('en')}`);
+  if (bytes.length < head + each * triangles)
+    throw corrupt(
+      'STL',
+      `ends early: it says that it has ${triangles.toLocaleString('en')} triangles, and has bytes for ${Math.floor((bytes.length - head) / each).toLocaleString('en')}`,
+    );
   const view = new DataView(bytes.buffer, bytes.byteOffset);
   const positions = new Float32Array(9 * triangles);
   for (let triangle = 0; triangle < triangles; triangle++) {
@@ -58,11 +63,17 @@ function readText(bytes: Uint8Array): Mesh {
   for (; !scanner.isAtEnd; scanner.nextLine()) {
     const word = scanner.word().toLowerCase();
     if (word === 'vertex') for (let i = 0; i < 3; i++) positions.push(scanner.number());
-    else if (!keywords.has(word)) throw corrupt('STL', `got "${word.slice(0, 40)}" in line ${scanner.line}; expected facet, outer loop, vertex, endloop, endfacet or endsolid`);
+    else if (!keywords.has(word))
+      throw corrupt(
+        'STL',
+        `got "${word.slice(0, 40)}" in line ${scanner.line}; expected facet, outer loop, vertex, endloop, endfacet or endsolid`,
+      );
     else if (word === 'solid') title ||= scanner.rest();
-    else if (word === 'endloop' && positions.length % 9 > 0) throw corrupt('STL', `has a facet that is no triangle before line ${scanner.line}`);
+    else if (word === 'endloop' && positions.length % 9 > 0)
+      throw corrupt('STL', `has a facet that is no triangle before line ${scanner.line}`);
     if (word === 'vertex') {
-      const last = positions.at(positions.length - 1) + positions.at(positions.length - 2) + positions.at(positions.length - 3);
+      const last =
+        positions.at(positions.length - 1) + positions.at(positions.length - 2) + positions.at(positions.length - 3);
       if (!Number.isFinite(last)) throw corrupt('STL', `has no vertex of three numbers in line ${scanner.line}`);
       checkCounts('STL', positions.length / 3, Math.floor(positions.length / 9));
     }

@@ -11,7 +11,10 @@ export class TextScanner {
   /** Counted from 1. */
   line = 1;
 
-  constructor(readonly bytes: Uint8Array, public at = 0) {}
+  constructor(
+    readonly bytes: Uint8Array,
+    public at = 0,
+  ) {}
 
   get isAtEnd(): boolean {
     return this.at >= this.bytes.length;
@@ -44,7 +47,8 @@ export class TextScanner {
 
   /** The next number, also from a later line. @returns NaN if the next word is not a number */
   anyNumber(): number {
-    for (; this.at < this.bytes.length && this.bytes[this.at] <= 32; this.at++) if (this.bytes[this.at] === newline) this.line++;
+    for (; this.at < this.bytes.length && this.bytes[this.at] <= 32; this.at++)
+      if (this.bytes[this.at] === newline) this.line++;
     return this.number();
   }
 
@@ -73,7 +77,12 @@ export class TextScanner {
       this.at = from;
       return Number.NaN;
     }
-    const value = exponent < 0 ? (exponent < -22 ? mantissa * 10 ** exponent : mantissa / exact[-exponent]) : mantissa * (exact[exponent] ?? 10 ** exponent);
+    const value =
+      exponent < 0
+        ? exponent < -22
+          ? mantissa * 10 ** exponent
+          : mantissa / exact[-exponent]
+        : mantissa * (exact[exponent] ?? 10 ** exponent);
     return isNegative ? -value : value;
   }
 
@@ -83,7 +92,8 @@ export class TextScanner {
     const sign = this.bytes[this.at] === minus ? -1 : 1;
     if (sign < 0 || this.bytes[this.at] === plus) this.at++;
     let [value, any] = [0, false];
-    for (; this.bytes[this.at] >= zero && this.bytes[this.at] <= nine; this.at++, any = true) value = Math.min(1000, 10 * value + (this.bytes[this.at] - zero));
+    for (; this.bytes[this.at] >= zero && this.bytes[this.at] <= nine; this.at++, any = true)
+      value = Math.min(1000, 10 * value + (this.bytes[this.at] - zero));
     return any ? sign * value : Number.NaN;
   }
 

@@ -32,7 +32,10 @@ export function weld(mesh: Mesh): Mesh {
 
 /** Mixes the bits of three numbers, so that positions on a lattice get different hashes. */
 function hash(x: number, y: number, z: number): number {
-  let mixed = Math.imul(x, 0x9e3779b1) ^ Math.imul((y << 11) | (y >>> 21), 0x85ebca6b) ^ Math.imul((z << 22) | (z >>> 10), 0xc2b2ae35);
+  let mixed =
+    Math.imul(x, 0x9e3779b1) ^
+    Math.imul((y << 11) | (y >>> 21), 0x85ebca6b) ^
+    Math.imul((z << 22) | (z >>> 10), 0xc2b2ae35);
   mixed ^= mixed >>> 15;
   mixed = Math.imul(mixed, 0x2c1b3c6d);
   return (mixed ^ (mixed >>> 13)) >>> 0;

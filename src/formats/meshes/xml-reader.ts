@@ -19,7 +19,7 @@ const entities: Readonly<Record<string, string>> = { lt: '<', gt: '>', amp: '&',
  */
 export function readXml(text: string, listener: XmlListener): void {
   const open: string[] = [];
-  for (let at = 0; at < text.length; ) {
+  for (let at = 0; at < text.length;) {
     const tag = text.indexOf('<', at);
     const end = tag < 0 ? text.length : tag;
     if (end > at && open.length > 0) listener.text(decodeEntities(text.slice(at, end)));
@@ -66,7 +66,8 @@ function readTag(text: string, tag: number, open: string[], listener: XmlListene
   return at + end[0].length;
 }
 
-const attributeAt = (text: string, at: number): RegExpExecArray | null => match(/\s+([^\s<>/="'&]+)\s*=\s*(?:"([^"<]*)"|'([^'<]*)')/y, text, at);
+const attributeAt = (text: string, at: number): RegExpExecArray | null =>
+  match(/\s+([^\s<>/="'&]+)\s*=\s*(?:"([^"<]*)"|'([^'<]*)')/y, text, at);
 
 function match(pattern: RegExp, text: string, at: number): RegExpExecArray | null {
   pattern.lastIndex = at;
@@ -87,9 +88,12 @@ function endOfDeclaration(text: string, from: number): number {
 
 function decodeEntities(text: string): string {
   if (!text.includes('&')) return text;
-  return text.replace(/&(?:#(\d{1,7})|#x([\da-f]{1,6})|(\w+));/gi, (all, decimal?: string, hex?: string, name?: string) => {
-    if (name) return Object.hasOwn(entities, name) ? entities[name] : all;
-    const code = decimal ? Number(decimal) : Number.parseInt(hex!, 16);
-    return code <= 0x10ffff ? String.fromCodePoint(code) : all;
-  });
+  return text.replace(
+    /&(?:#(\d{1,7})|#x([\da-f]{1,6})|(\w+));/gi,
+    (all, decimal?: string, hex?: string, name?: string) => {
+      if (name) return Object.hasOwn(entities, name) ? entities[name] : all;
+      const code = decimal ? Number(decimal) : Number.parseInt(hex!, 16);
+      return code <= 0x10ffff ? String.fromCodePoint(code) : all;
+    },
+  );
 }

@@ -6,7 +6,8 @@ export const metaImage: VolumeFormat = {
   endings: ['mha', 'mhd'],
   beginning: 'the lines of a MetaImage header',
   // Lines `name = value`; one of the first says what the object is, or how many axes it has.
-  matches: ({ text }) => /^(?:[A-Za-z]\w*[ \t]*[=:][^\r\n]*\r?\n)*(?:ObjectType[ \t]*[=:][ \t]*Image|NDims[ \t]*[=:][ \t]*\d)/.test(text),
+  matches: ({ text }) =>
+    /^(?:[A-Za-z]\w*[ \t]*[=:][^\r\n]*\r?\n)*(?:ObjectType[ \t]*[=:][ \t]*Image|NDims[ \t]*[=:][ \t]*\d)/.test(text),
   takesFiles: true,
   load: async () => (await import('./read-metaimage.ts')).readMetaImage,
 };

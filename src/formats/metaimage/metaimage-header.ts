@@ -46,7 +46,8 @@ export function readMetaImageHeader(bytes: Uint8Array): MetaImageHeader {
     if (!cut?.name) throw corruptFile(what, `got the line "${text.slice(0, 60)}"; expected "name = value"`);
     const { name } = cut;
     fields.set(name, cut.value);
-    if (name === 'ElementDataFile') return { fields, dataFiles: listNames(checkValue(what, name, cut.value), lines), end: next };
+    if (name === 'ElementDataFile')
+      return { fields, dataFiles: listNames(checkValue(what, name, cut.value), lines), end: next };
   }
   throw corruptFile(what, 'ends without ElementDataFile; the file is cut short');
 }
@@ -60,19 +61,29 @@ function listNames(value: string, rest: Iterable<{ text: string }>): string[] | 
 
 /** Source: MetaIO's metaTypes.h; its "long" has 32 bits. */
 const types = new Map<string, NumberType>([
-  ['MET_CHAR', numberTypes.int8], ['MET_UCHAR', numberTypes.uint8],
-  ['MET_SHORT', numberTypes.int16], ['MET_USHORT', numberTypes.uint16],
-  ['MET_INT', numberTypes.int32], ['MET_UINT', numberTypes.uint32],
-  ['MET_LONG', numberTypes.int32], ['MET_ULONG', numberTypes.uint32],
-  ['MET_LONG_LONG', numberTypes.int64], ['MET_ULONG_LONG', numberTypes.uint64],
-  ['MET_FLOAT', numberTypes.float32], ['MET_DOUBLE', numberTypes.float64],
+  ['MET_CHAR', numberTypes.int8],
+  ['MET_UCHAR', numberTypes.uint8],
+  ['MET_SHORT', numberTypes.int16],
+  ['MET_USHORT', numberTypes.uint16],
+  ['MET_INT', numberTypes.int32],
+  ['MET_UINT', numberTypes.uint32],
+  ['MET_LONG', numberTypes.int32],
+  ['MET_ULONG', numberTypes.uint32],
+  ['MET_LONG_LONG', numberTypes.int64],
+  ['MET_ULONG_LONG', numberTypes.uint64],
+  ['MET_FLOAT', numberTypes.float32],
+  ['MET_DOUBLE', numberTypes.float64],
 ]);
 
 export function readType(header: MetaImageHeader): NumberType {
   const name = needField(header, 'ElementType');
   const type = types.get(name.toUpperCase());
   if (type) return type;
-  if (/_ARRAY$|^MET_(STRING|OTHER|NONE|ASCII_CHAR|FLOAT_MATRIX)$/i.test(name)) throw unsupportedFile(what, `got the type ${name}; expected one number per voxel, such as MET_SHORT: convert the file first`);
+  if (/_ARRAY$|^MET_(STRING|OTHER|NONE|ASCII_CHAR|FLOAT_MATRIX)$/i.test(name))
+    throw unsupportedFile(
+      what,
+      `got the type ${name}; expected one number per voxel, such as MET_SHORT: convert the file first`,
+    );
   throw corruptFile(what, `got the type "${name.slice(0, 40)}"; expected one of ${[...types.keys()].join(', ')}`);
 }
 

@@ -30,20 +30,45 @@ export const readMetaImage: FormatReader = async (input, settings, context) => {
   const bytes = await readData(input, context, { header, type, wanted, bytesInAll: wanted * volumes });
   const isText = !readFlag(header, 'BinaryData', true);
   const littleEndian = isText ? hostIsLittleEndian : !readFlag(header, 'BinaryDataByteOrderMSB', false);
-  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget, chooseWhole: await wholeNumbersOf(type) });
+  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, {
+    slope: 1,
+    intercept: 0,
+    budget: context.budget,
+    chooseWhole: await wholeNumbersOf(type),
+  });
   const format = `MetaImage${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`;
-  return placeVolume({ grid: cartesianGrid(dimensions, indexToWorld), samples, slope: scale, intercept: offset, indexed, rounded, unit: '', format, anatomical: isAnatomical(header), ...listLeft(volumes, ...listUnused(header)) }, settings);
+  return placeVolume(
+    {
+      grid: cartesianGrid(dimensions, indexToWorld),
+      samples,
+      slope: scale,
+      intercept: offset,
+      indexed,
+      rounded,
+      unit: '',
+      format,
+      anatomical: isAnatomical(header),
+      ...listLeft(volumes, ...listUnused(header)),
+    },
+    settings,
+  );
 };
 
 function readSizes(header: MetaImageHeader): number[] {
   needField(header, 'NDims');
   const [axes] = readNumbers(header, 'NDims', 1) ?? [NaN];
-  if (!(Number.isInteger(axes) && axes >= 1 && axes <= 10)) throw corruptFile(what, `got ${axes} axes; expected 1 to 10`);
+  if (!(Number.isInteger(axes) && axes >= 1 && axes <= 10))
+    throw corruptFile(what, `got ${axes} axes; expected 1 to 10`);
   needField(header, 'DimSize');
   const sizes = readNumbers(header, 'DimSize', axes) ?? [];
-  if (!sizes.every((n) => Number.isSafeInteger(n) && n >= 1)) throw corruptFile(what, `got DimSize ${sizes.join(' ')}; expected whole numbers from 1`);
+  if (!sizes.every((n) => Number.isSafeInteger(n) && n >= 1))
+    throw corruptFile(what, `got DimSize ${sizes.join(' ')}; expected whole numbers from 1`);
   const [channels] = readNumbers(header, 'ElementNumberOfChannels', 1) ?? [1];
-  if (channels !== 1) throw unsupportedFile('the MetaImage file', `holds ${channels} numbers per voxel (ElementNumberOfChannels); a transfer function needs one: convert it first`);
+  if (channels !== 1)
+    throw unsupportedFile(
+      'the MetaImage file',
+      `holds ${channels} numbers per voxel (ElementNumberOfChannels); a transfer function needs one: convert it first`,
+    );
   return sizes;
 }
 
@@ -61,15 +86,23 @@ function readAffine(header: MetaImageHeader, axes: number): Matrix4 {
     return [-x, -y, z];
   };
   const steps = Array.from({ length: used }, (_, axis) =>
-    toWorld((component) => (spacing?.[axis] ?? 1) * (directions?.[axis * axes + component] ?? (axis === component ? 1 : 0))),
+    toWorld(
+      (component) => (spacing?.[axis] ?? 1) * (directions?.[axis * axes + component] ?? (axis === component ? 1 : 0)),
+    ),
   );
-  return completeAxes(what, steps, toWorld((component) => offset?.[component] ?? 0));
+  return completeAxes(
+    what,
+    steps,
+    toWorld((component) => offset?.[component] ?? 0),
+  );
 }
 
 /** Whether the header gives the patient's orientation; MetaIO writes "???" if it is unknown. */
 function isAnatomical({ fields }: MetaImageHeader): boolean {
   const letters = fields.get('AnatomicalOrientation')?.trim();
-  return letters ? /^[RLAPSI]{2,3}$/i.test(letters) : ['TransformMatrix', 'Rotation', 'Orientation'].some((name) => fields.get(name));
+  return letters
+    ? /^[RLAPSI]{2,3}$/i.test(letters)
+    : ['TransformMatrix', 'Rotation', 'Orientation'].some((name) => fields.get(name));
 }
 
 /** Fields about values and lengths that ITK ignores, and this reader too. */
@@ -78,8 +111,12 @@ function listUnused(header: MetaImageHeader): (string | null)[] {
   const [intercept] = readNumbers(header, 'ElementToIntensityFunctionOffset', 1) ?? [0];
   const unit = header.fields.get('DistanceUnits')?.trim() ?? '';
   return [
-    slope !== 1 || intercept !== 0 ? `ElementToIntensityFunction: values are shown as they are stored, and not times ${slope} plus ${intercept}` : null,
-    unit !== '' && !/^(mm|\?|unknown)$/i.test(unit) ? `DistanceUnits "${unit.slice(0, 40)}": lengths are taken for millimetres` : null,
+    slope !== 1 || intercept !== 0
+      ? `ElementToIntensityFunction: values are shown as they are stored, and not times ${slope} plus ${intercept}`
+      : null,
+    unit !== '' && !/^(mm|\?|unknown)$/i.test(unit)
+      ? `DistanceUnits "${unit.slice(0, 40)}": lengths are taken for millimetres`
+      : null,
   ];
 }
 
@@ -91,7 +128,11 @@ interface Wanted {
   readonly bytesInAll: number;
 }
 
-async function readData(input: DecodeInput, context: ReadContext, { header, type, wanted, bytesInAll }: Wanted): Promise<Uint8Array<ArrayBuffer>> {
+async function readData(
+  input: DecodeInput,
+  context: ReadContext,
+  { header, type, wanted, bytesInAll }: Wanted,
+): Promise<Uint8Array<ArrayBuffer>> {
   const names = findDataFiles(what, header.dataFiles, input, context);
   const bytesPerFile = shareBytes(what, bytesInAll, type.bytesPerSample, names);
   const own = names ? input : trimToData(input, header);
@@ -104,7 +145,11 @@ function trimToData(input: DecodeInput, header: MetaImageHeader): DecodeInput {
   const [packed] = readNumbers(header, 'CompressedDataSize', 1) ?? [0];
   if (!readFlag(header, 'CompressedData', false) || !(packed > 0)) return input;
   const end = header.end + packed;
-  if (end > input.bytes.length) throw corruptFile('the MetaImage file', `ends early: got ${input.bytes.length - header.end} packed bytes; its header says ${packed}`);
+  if (end > input.bytes.length)
+    throw corruptFile(
+      'the MetaImage file',
+      `ends early: got ${input.bytes.length - header.end} packed bytes; its header says ${packed}`,
+    );
   return { ...input, bytes: input.bytes.subarray(0, end) };
 }
 
@@ -112,8 +157,10 @@ function describeSource(header: MetaImageHeader, type: NumberType, bytesPerFile:
   const isPacked = readFlag(header, 'CompressedData', false);
   const isText = !readFlag(header, 'BinaryData', true);
   const [headerSize] = readNumbers(header, 'HeaderSize', 1) ?? [0];
-  if (!(Number.isSafeInteger(headerSize) && headerSize >= -1)) throw corruptFile(what, `got HeaderSize ${headerSize}; expected a whole number from -1`);
-  if (headerSize === -1 && (isPacked || isText)) throw corruptFile(what, 'got HeaderSize -1 with data that are no plain numbers; expected CompressedData = False');
+  if (!(Number.isSafeInteger(headerSize) && headerSize >= -1))
+    throw corruptFile(what, `got HeaderSize ${headerSize}; expected a whole number from -1`);
+  if (headerSize === -1 && (isPacked || isText))
+    throw corruptFile(what, 'got HeaderSize -1 with data that are no plain numbers; expected CompressedData = False');
   const isLocal = header.dataFiles === null;
   return {
     what: 'the MetaImage file',

@@ -11,7 +11,18 @@ import { takeDuring } from '../base/take-during.ts';
 
 /** Types by their code; the last five exist only in CDF-5. */
 const types: readonly (ElementType | undefined)[] = [
-  undefined, 'int8', 'text', 'int16', 'int32', 'float32', 'float64', 'uint8', 'uint16', 'uint32', 'int64', 'uint64',
+  undefined,
+  'int8',
+  'text',
+  'int16',
+  'int32',
+  'float32',
+  'float64',
+  'uint8',
+  'uint16',
+  'uint32',
+  'int64',
+  'uint64',
 ];
 const tags = { dimensions: 10, variables: 11, attributes: 12 };
 
@@ -51,7 +62,11 @@ export function isNetcdf3(bytes: Uint8Array): boolean {
  * Source: NetCDF Classic Format Specification, NetCDF user's guide, appendix B
  */
 export function openNetcdf3(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): DataGroup {
-  if (!isNetcdf3(bytes)) throw new VolumeViewError('format/unknown', 'the file has no NetCDF-3 signature; expected a file that begins with CDF');
+  if (!isNetcdf3(bytes))
+    throw new VolumeViewError(
+      'format/unknown',
+      'the file has no NetCDF-3 signature; expected a file that begins with CDF',
+    );
   const file = readHeader(bytes, budget);
   const arrays = new Map([...file.variables].map(([name, variable]) => [name, new Netcdf3Array(file, variable)]));
   return {
@@ -85,7 +100,9 @@ class Netcdf3Array implements DataArray {
     const { type } = this;
     // 64-bit integers become doubles.
     const made = count * countElements(this.shape.slice(1)) * bytesOf(type) * (type.endsWith('int64') ? 2 : 1);
-    return takeDuring(this.#file.budget, { bytes: made, what: this.path }, () => decodeNumbers(this.#readBytes(from, count), type, false));
+    return takeDuring(this.#file.budget, { bytes: made, what: this.path }, () =>
+      decodeNumbers(this.#readBytes(from, count), type, false),
+    );
   }
 
   readTexts(): readonly string[] {
@@ -102,14 +119,16 @@ class Netcdf3Array implements DataArray {
     const { bytes, recordBytes } = this.#file;
     const { begin, isRecord } = this.#variable;
     const rows = this.shape[0] ?? 1;
-    if (!(from >= 0 && count >= 0 && from + count <= rows)) throw corrupt(`asks for rows ${from} to ${from + count} of ${this.path}, which has ${rows}`);
+    if (!(from >= 0 && count >= 0 && from + count <= rows))
+      throw corrupt(`asks for rows ${from} to ${from + count} of ${this.path}, which has ${rows}`);
     const rowElements = countElements(this.shape.slice(1));
     const rowBytes = rowElements * bytesOf(this.type);
     refuseTooMany(this.path, count * rowElements);
     if (rowBytes === 0) return new Uint8Array(0); // Empty rows: the file may have any number of them.
     const step = isRecord ? recordBytes : rowBytes;
     const end = begin + (from + count - 1) * step + rowBytes;
-    if (count > 0 && !(end <= bytes.length)) throw corrupt(`ends early: got ${bytes.length} bytes; ${this.path} ends at ${end}`);
+    if (count > 0 && !(end <= bytes.length))
+      throw corrupt(`ends early: got ${bytes.length} bytes; ${this.path} ends at ${end}`);
     if (!isRecord) return bytes.slice(begin + from * rowBytes, begin + (from + count) * rowBytes);
     this.#file.budget.step(count, this.path);
     const rowsBytes = new Uint8Array(count * rowBytes);
@@ -137,9 +156,17 @@ function readHeader(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Netcdf3 {
   const first = records.reduce((min, { begin }) => Math.min(min, begin), Infinity);
   const isOpen = stated === cursor.maxCount; // An unfinished file: the reader counts the records that are there.
   const count = isOpen && recordBytes > 0 ? Math.max(0, Math.floor((bytes.length - first) / recordBytes)) : stated;
-  const complete = variables.map((variable) => (variable.isRecord ? { ...variable, shape: [count, ...variable.shape.slice(1)] } : variable));
+  const complete = variables.map((variable) =>
+    variable.isRecord ? { ...variable, shape: [count, ...variable.shape.slice(1)] } : variable,
+  );
   checkEnd(bytes, complete, recordBytes);
-  return { bytes, budget, attributes, variables: new Map(complete.map((variable) => [variable.name, variable])), recordBytes };
+  return {
+    bytes,
+    budget,
+    attributes,
+    variables: new Map(complete.map((variable) => [variable.name, variable])),
+    recordBytes,
+  };
 }
 
 function readVariable(cursor: HeaderCursor, dimensions: readonly number[]): Variable {
@@ -165,7 +192,10 @@ function readAttributes(cursor: HeaderCursor): Map<string, AttributeValue> {
       const type = types[cursor.u32()];
       if (!type) throw corrupt(`has an attribute ${name} of an unknown type`);
       const bytes = cursor.padded(cursor.count() * bytesOf(type));
-      const value = type === 'text' ? decodeText(bytes) : Float64Array.from(decodeNumbers(bytes.slice(), type as NumberType, false));
+      const value =
+        type === 'text'
+          ? decodeText(bytes)
+          : Float64Array.from(decodeNumbers(bytes.slice(), type as NumberType, false));
       return [name, value] as const;
     }),
   );
@@ -235,7 +265,8 @@ class HeaderCursor {
     const count = this.count();
     if (got === 0 && count === 0) return [];
     // Each item takes at least 8 bytes, so a count that does not fit into the file is refused.
-    if (got !== tag || !(count * 8 <= this.#bytes.length)) throw corrupt(`has a list of ${count} with the tag ${got}; expected the tag ${tag}`);
+    if (got !== tag || !(count * 8 <= this.#bytes.length))
+      throw corrupt(`has a list of ${count} with the tag ${got}; expected the tag ${tag}`);
     return Array.from({ length: count }, readItem);
   }
 
@@ -256,5 +287,8 @@ function pad(length: number): number {
 }
 
 function corrupt(what: string): VolumeViewError {
-  return new VolumeViewError('format/corrupt', `the NetCDF file ${what}; it is damaged or was cut short: fetch it again`);
+  return new VolumeViewError(
+    'format/corrupt',
+    `the NetCDF file ${what}; it is damaged or was cut short: fetch it again`,
+  );
 }

@@ -54,16 +54,25 @@ function readQform(header: NiftiHeader): Matrix4 {
   const [x, y, z] = readZooms(header);
   const qfac = header.pixdim[0] === -1 ? -1 : 1;
   const rotation = rotationOf(a, b, c, d);
-  return multiply([...withOffset(rotation, header.qoffset), 0, 0, 0, 1], scaleAndTranslate([x, y, qfac * z], [0, 0, 0]));
+  return multiply(
+    [...withOffset(rotation, header.qoffset), 0, 0, 0, 1],
+    scaleAndTranslate([x, y, qfac * z], [0, 0, 0]),
+  );
 }
 
 /** Rotation matrix, nine numbers, of a quaternion that need not have unit length. */
 function rotationOf(a: number, b: number, c: number, d: number): number[] {
   const s = 2 / (a * a + b * b + c * c + d * d);
   return [
-    1 - s * (c * c + d * d), s * (b * c - a * d), s * (b * d + a * c),
-    s * (b * c + a * d), 1 - s * (b * b + d * d), s * (c * d - a * b),
-    s * (b * d - a * c), s * (c * d + a * b), 1 - s * (b * b + c * c),
+    1 - s * (c * c + d * d),
+    s * (b * c - a * d),
+    s * (b * d + a * c),
+    s * (b * c + a * d),
+    1 - s * (b * b + d * d),
+    s * (c * d - a * b),
+    s * (b * d - a * c),
+    s * (c * d + a * b),
+    1 - s * (b * b + c * c),
   ];
 }
 

@@ -15,17 +15,31 @@ export function readRareHeader(bytes: Uint8Array, found: NiftiStart | null): Nif
   const { version, littleEndian, magic } = found;
   checkMark(version, magic);
   if (bytes.length < headerSizes[version]) {
-    throw new VolumeViewError('format/corrupt', `the NIfTI-${version} header got ${bytes.length} bytes; expected ${headerSizes[version]}`);
+    throw new VolumeViewError(
+      'format/corrupt',
+      `the NIfTI-${version} header got ${bytes.length} bytes; expected ${headerSizes[version]}`,
+    );
   }
   return readVersion2(viewOf(bytes), littleEndian);
 }
 
 /** The error for an unpacked gzip file that no format claims. */
 function notNifti(bytes: Uint8Array): VolumeViewError {
-  if (isGzip(bytes)) return new VolumeViewError('format/unsupported', 'what is packed is a gzip file again, of which volume-view reads one layer; unpack it once: gzip -d file.gz');
-  const foreign = findForeign({ bytes, unpacked: null, text: new TextDecoder().decode(bytes.subarray(0, 512)).trimStart() });
+  if (isGzip(bytes))
+    return new VolumeViewError(
+      'format/unsupported',
+      'what is packed is a gzip file again, of which volume-view reads one layer; unpack it once: gzip -d file.gz',
+    );
+  const foreign = findForeign({
+    bytes,
+    unpacked: null,
+    text: new TextDecoder().decode(bytes.subarray(0, 512)).trimStart(),
+  });
   return foreign
-    ? new VolumeViewError('format/unsupported', `what is packed is ${foreign.name}, which volume-view does not read; convert it ${foreign.advice}`)
+    ? new VolumeViewError(
+        'format/unsupported',
+        `what is packed is ${foreign.name}, which volume-view does not read; convert it ${foreign.advice}`,
+      )
     : new VolumeViewError('format/unknown', 'the data do not begin with a NIfTI header');
 }
 
@@ -39,11 +53,17 @@ function checkMark(version: 1 | 2, magic: string): void {
   }
   if (!magic.startsWith(single)) {
     throw version === 1
-      ? new VolumeViewError('format/unsupported', 'this is an Analyze 7.5 header, or a NIfTI one without its mark; convert the file to NIfTI (.nii)')
+      ? new VolumeViewError(
+          'format/unsupported',
+          'this is an Analyze 7.5 header, or a NIfTI one without its mark; convert the file to NIfTI (.nii)',
+        )
       : new VolumeViewError('format/corrupt', 'the NIfTI-2 header lacks its mark "n+2"');
   }
   if (version === 2 && magic.slice(3) !== '\0\r\n\x1a\n') {
-    throw new VolumeViewError('format/corrupt', 'the NIfTI-2 mark has other line ends: the file was transferred as text; transfer it as binary data');
+    throw new VolumeViewError(
+      'format/corrupt',
+      'the NIfTI-2 mark has other line ends: the file was transferred as text; transfer it as binary data',
+    );
   }
 }
 

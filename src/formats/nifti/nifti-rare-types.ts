@@ -25,10 +25,14 @@ export function readRareType(code: number): NumberType {
   const type = rareTypes.get(code);
   if (type) return type;
   const refused = refusedTypes.get(code);
-  if (refused) throw new VolumeViewError('format/unsupported', `the NIfTI file holds ${refused}; convert it to numbers first`);
+  if (refused)
+    throw new VolumeViewError('format/unsupported', `the NIfTI file holds ${refused}; convert it to numbers first`);
   const known = [...niftiTypes.keys(), ...rareTypes.keys()];
   known.sort((a, b) => a - b);
-  throw new VolumeViewError('format/corrupt', `the NIfTI header got datatype ${code}; expected one of ${known.join(', ')}`);
+  throw new VolumeViewError(
+    'format/corrupt',
+    `the NIfTI header got datatype ${code}; expected one of ${known.join(', ')}`,
+  );
 }
 
 /**
@@ -48,7 +52,9 @@ function readBinary128({ buffer, byteOffset, byteLength }: Uint8Array<ArrayBuffe
     if (exponent === 0x7fff) values[i] = fraction === 0 ? sign * Infinity : NaN;
     else if (exponent === 0) values[i] = 0; // Subnormals, below 2^-16382, become 0 as doubles.
     // In two steps, because 2^exponent alone may overflow or underflow although the product does not.
-    else values[i] = sign * (1 + fraction) * 2 ** Math.floor((exponent - 16383) / 2) * 2 ** Math.ceil((exponent - 16383) / 2);
+    else
+      values[i] =
+        sign * (1 + fraction) * 2 ** Math.floor((exponent - 16383) / 2) * 2 ** Math.ceil((exponent - 16383) / 2);
   }
   return values;
 }

@@ -34,7 +34,10 @@ export const readNiftiFile: FormatReader = async ({ bytes }, settings, { onProgr
   onProgress(0, bytes.length);
   const isPacked = isGzip(bytes);
   const pieces = isPacked ? gunzip(bytes) : yieldOnce(bytes);
-  return placeVolume(await readNifti({ pieces, atMost: isPacked ? bytes.length * maxDeflateRatio : bytes.length, onProgress, budget }), settings);
+  return placeVolume(
+    await readNifti({ pieces, atMost: isPacked ? bytes.length * maxDeflateRatio : bytes.length, onProgress, budget }),
+    settings,
+  );
 };
 
 /**
@@ -55,8 +58,16 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
   const { dimensions, volumes, numbers } = readDimensions(header);
   const type = await readType(header);
   const rescale = readRescale(header);
-  const bytes = await readSamples(reader, source, { header, bytes: countSampleBytes('the NIfTI header', dimensions, type), isSeries: volumes * numbers > 1 });
-  const stored = storeSamples(bytes, type, header.littleEndian, { ...rescale, budget: source.budget, chooseWhole: await wholeNumbersOf(type) });
+  const bytes = await readSamples(reader, source, {
+    header,
+    bytes: countSampleBytes('the NIfTI header', dimensions, type),
+    isSeries: volumes * numbers > 1,
+  });
+  const stored = storeSamples(bytes, type, header.littleEndian, {
+    ...rescale,
+    budget: source.budget,
+    chooseWhole: await wholeNumbersOf(type),
+  });
   const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : rescale;
   const { indexToWorld, anatomical } = resolveAffine(header, dimensions);
   return {
@@ -69,7 +80,11 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
     ...(slope === 1 && intercept === 0 ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
     unit: '',
     format: `NIfTI-${header.version}${volumes * numbers > 1 ? `, volume 1 of ${volumes * numbers}` : ''}`,
-    ...listLeft(volumes, numbers > 1 ? `number${numbers > 2 ? 's 2 to' : ''} ${numbers} of each voxel` : null, type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null),
+    ...listLeft(
+      volumes,
+      numbers > 1 ? `number${numbers > 2 ? 's 2 to' : ''} ${numbers} of each voxel` : null,
+      type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null,
+    ),
     isLabels: header.intent === 1002,
     intent: header.intent,
     ...readWindow(header),
@@ -99,10 +114,17 @@ function readDimensions(header: NiftiHeader): { dimensions: Vector3; volumes: nu
   }
   const lengths = header.dim.slice(1, 1 + axes);
   if (lengths.slice(0, 3).some((n) => !(n >= 1))) {
-    throw new VolumeViewError('format/corrupt', `the NIfTI header got dimensions ${lengths.join(' x ')}; expected whole numbers from 1`);
+    throw new VolumeViewError(
+      'format/corrupt',
+      `the NIfTI header got dimensions ${lengths.join(' x ')}; expected whole numbers from 1`,
+    );
   }
   const [nx, ny = 1, nz = 1, time = 1, numbers = 1, ...series] = lengths;
-  return { dimensions: [nx, ny, nz], volumes: [time, ...series].reduce((product, n) => product * Math.max(1, n), 1), numbers: Math.max(1, numbers) };
+  return {
+    dimensions: [nx, ny, nz],
+    volumes: [time, ...series].reduce((product, n) => product * Math.max(1, n), 1),
+    numbers: Math.max(1, numbers),
+  };
 }
 
 async function readType({ datatype }: NiftiHeader): Promise<NumberType> {
@@ -117,7 +139,10 @@ function readRescale(header: NiftiHeader): { slope: number; intercept: number } 
   const { slope, intercept } = header;
   if (slope === 0 || !Number.isFinite(slope)) return { slope: 1, intercept: 0 };
   if (!Number.isFinite(intercept)) {
-    throw new VolumeViewError('format/corrupt', `the NIfTI header got scl_slope ${slope} with scl_inter ${intercept}; expected a finite number`);
+    throw new VolumeViewError(
+      'format/corrupt',
+      `the NIfTI header got scl_slope ${slope} with scl_inter ${intercept}; expected a finite number`,
+    );
   }
   return { slope, intercept };
 }
@@ -133,7 +158,10 @@ async function readSamples(
 ): Promise<Uint8Array<ArrayBuffer>> {
   const { offset } = wanted.header;
   const fail = (got: string): VolumeViewError =>
-    new VolumeViewError('format/corrupt', `the NIfTI file ends early: got ${got}; its header asks for ${offset + wanted.bytes} bytes`);
+    new VolumeViewError(
+      'format/corrupt',
+      `the NIfTI file ends early: got ${got}; its header asks for ${offset + wanted.bytes} bytes`,
+    );
   // Refuse a header that announces more data than the file can hold, before memory is allocated.
   if (offset + wanted.bytes > source.atMost) throw fail(`at most ${source.atMost} bytes`);
   source.budget.take(wanted.bytes, 'the NIfTI file');

@@ -10,8 +10,14 @@ import type { NrrdFields } from './nrrd-header.ts';
  * treated as LPS, as in ITK.
  */
 const spaces = new Map<string, readonly [number, number]>([
-  ['ras', [1, 1]], ['rast', [1, 1]], ['rightanteriorsuperior', [1, 1]], ['rightanteriorsuperiortime', [1, 1]],
-  ['las', [-1, 1]], ['last', [-1, 1]], ['leftanteriorsuperior', [-1, 1]], ['leftanteriorsuperiortime', [-1, 1]],
+  ['ras', [1, 1]],
+  ['rast', [1, 1]],
+  ['rightanteriorsuperior', [1, 1]],
+  ['rightanteriorsuperiortime', [1, 1]],
+  ['las', [-1, 1]],
+  ['last', [-1, 1]],
+  ['leftanteriorsuperior', [-1, 1]],
+  ['leftanteriorsuperiortime', [-1, 1]],
 ]);
 
 /** Whether the header says that its space is a patient's. */
@@ -28,10 +34,18 @@ const nameSpace = (fields: NrrdFields): string => (fields.get('space') ?? '').to
 export function readAffine(fields: NrrdFields, axes: readonly NrrdAxis[]): Matrix4 {
   const [x, y] = spaces.get(nameSpace(fields)) ?? [-1, -1];
   const units = quoted(fields.get('spaceunits') ?? '').map(millimetresPer);
-  const toWorld = (v: Vector3): Vector3 => [x * v[0] * (units[0] ?? 1), y * v[1] * (units[1] ?? 1), v[2] * (units[2] ?? 1)];
+  const toWorld = (v: Vector3): Vector3 => [
+    x * v[0] * (units[0] ?? 1),
+    y * v[1] * (units[1] ?? 1),
+    v[2] * (units[2] ?? 1),
+  ];
   const steps = axes.map((axis, i) => toWorld(stepOf(axis, i)));
   const [origin] = splitVectors(fields.get('spaceorigin') ?? '');
-  return completeAxes(what, steps, toWorld(origin === undefined || /^none$/i.test(origin) ? firstOf(axes) : readVector(origin)));
+  return completeAxes(
+    what,
+    steps,
+    toWorld(origin === undefined || /^none$/i.test(origin) ? firstOf(axes) : readVector(origin)),
+  );
 }
 
 function stepOf({ direction, spacing, unit }: NrrdAxis, axis: number): Vector3 {
@@ -42,17 +56,36 @@ function stepOf({ direction, spacing, unit }: NrrdAxis, axis: number): Vector3 {
 
 /** The position of the first sample, from the ranges of axes that have no direction. */
 function firstOf(axes: readonly NrrdAxis[]): Vector3 {
-  const [x = 0, y = 0, z = 0] = axes.map(({ direction, first, unit }) => (direction ? 0 : first * millimetresPer(unit)));
+  const [x = 0, y = 0, z = 0] = axes.map(({ direction, first, unit }) =>
+    direction ? 0 : first * millimetresPer(unit),
+  );
   return [x, y, z];
 }
 
 /** Millimetres in a unit of length; 1 if the unit is unknown. */
 function millimetresPer(unit: string): number {
-  const name = unit.trim().toLowerCase().replace(/(er|re)s?$/, '');
+  const name = unit
+    .trim()
+    .toLowerCase()
+    .replace(/(er|re)s?$/, '');
   return lengths.get(name) ?? 1;
 }
 
 const lengths = new Map([
-  ['nm', 1e-6], ['nanomet', 1e-6], ['um', 1e-3], ['µm', 1e-3], ['μm', 1e-3], ['micron', 1e-3], ['microns', 1e-3], ['micromet', 1e-3],
-  ['mm', 1], ['millimet', 1], ['cm', 10], ['centimet', 10], ['m', 1000], ['met', 1000], ['km', 1e6], ['kilomet', 1e6],
+  ['nm', 1e-6],
+  ['nanomet', 1e-6],
+  ['um', 1e-3],
+  ['µm', 1e-3],
+  ['μm', 1e-3],
+  ['micron', 1e-3],
+  ['microns', 1e-3],
+  ['micromet', 1e-3],
+  ['mm', 1],
+  ['millimet', 1],
+  ['cm', 10],
+  ['centimet', 10],
+  ['m', 1000],
+  ['met', 1000],
+  ['km', 1e6],
+  ['kilomet', 1e6],
 ]);

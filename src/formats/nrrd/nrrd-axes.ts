@@ -25,7 +25,8 @@ export function readAxes(fields: NrrdFields): NrrdAxis[] {
   const each = (name: string, split: (text: string) => string[]): string[] => {
     const text = fields.get(name);
     const list = text === undefined ? [] : split(text);
-    if (text !== undefined && list.length !== dimension) throw corruptFile(what, `got ${list.length} ${name} "${text.slice(0, 60)}"; expected ${dimension}, one an axis`);
+    if (text !== undefined && list.length !== dimension)
+      throw corruptFile(what, `got ${list.length} ${name} "${text.slice(0, 60)}"; expected ${dimension}, one an axis`);
     return list;
   };
   needField(fields, 'sizes');
@@ -39,14 +40,19 @@ export function readAxes(fields: NrrdFields): NrrdAxis[] {
     size: readSize(size),
     kind: (kinds[axis] ?? '').toLowerCase().replace(/^(none|\?\?\?)$/, ''),
     direction: directions[axis] === undefined ? null : readDirection(directions[axis]),
-    ...readRange(readSize(size), spacings[axis], { min: mins[axis], max: maxs[axis], isNode: /^node$/i.test(centers[axis] ?? '') }),
+    ...readRange(readSize(size), spacings[axis], {
+      min: mins[axis],
+      max: maxs[axis],
+      isNode: /^node$/i.test(centers[axis] ?? ''),
+    }),
     unit: units[axis] ?? '',
   }));
 }
 
 const words = (text: string): string[] => text.split(/\s+/);
 export const splitVectors = (text: string): string[] => text.match(/none|\([^)]*\)/gi) ?? [];
-export const quoted = (text: string): string[] => Array.from(text.matchAll(/"((?:[^"\\]|\\.)*)"/g), ([, inner]) => inner);
+export const quoted = (text: string): string[] =>
+  Array.from(text.matchAll(/"((?:[^"\\]|\\.)*)"/g), ([, inner]) => inner);
 
 function readSize(text: string): number {
   const size = Number(text);
@@ -68,7 +74,11 @@ function readSpacing(text: string | undefined): number {
  * Source: *Definition of NRRD File Format*, "axis mins", "centers"; Teem's nrrdOriginCalculate treats samples of
  * unknown centering as cells
  */
-function readRange(size: number, spacingText: string | undefined, { min, max, isNode }: { readonly min?: string; readonly max?: string; readonly isNode: boolean }): Pick<NrrdAxis, 'spacing' | 'first'> {
+function readRange(
+  size: number,
+  spacingText: string | undefined,
+  { min, max, isNode }: { readonly min?: string; readonly max?: string; readonly isNode: boolean },
+): Pick<NrrdAxis, 'spacing' | 'first'> {
   const [low, high] = [min, max].map((text) => Number(text ?? NaN));
   const isSaid = spacingText !== undefined && !/^nan$/i.test(spacingText);
   const computed = (high - low) / (isNode ? size - 1 : size);
@@ -85,15 +95,20 @@ function readDirection(text: string): Vector3 | 'none' {
 
 /** '(1, 0, 0)'; numbers that a space of fewer dimensions lacks are 0. */
 export function readVector(text: string): Vector3 {
-  const numbers = text.replace(/[()]/g, '').split(',').map((part) => (part.trim() === '' ? NaN : Number(part)));
-  if (numbers.every(Number.isFinite) && numbers.length >= 1 && numbers.length <= 4) return [numbers[0], numbers[1] ?? 0, numbers[2] ?? 0];
+  const numbers = text
+    .replace(/[()]/g, '')
+    .split(',')
+    .map((part) => (part.trim() === '' ? NaN : Number(part)));
+  if (numbers.every(Number.isFinite) && numbers.length >= 1 && numbers.length <= 4)
+    return [numbers[0], numbers[1] ?? 0, numbers[2] ?? 0];
   throw corruptFile(what, `got the vector "${text.slice(0, 60)}"; expected numbers such as (1,0,0)`);
 }
 
 /** The error for voxels of more than one number, or null. */
 function refuseKind(kind: string): string | null {
   if (/color/.test(kind)) return 'colours: a transfer function needs one number per voxel';
-  if (/complex|vector|normal|gradient|quaternion|matrix/.test(kind)) return `several numbers per voxel (${kind}): a transfer function needs one`;
+  if (/complex|vector|normal|gradient|quaternion|matrix/.test(kind))
+    return `several numbers per voxel (${kind}): a transfer function needs one`;
   return null;
 }
 
@@ -113,17 +128,23 @@ export interface NrrdLayout {
  * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`
  */
 export function chooseAxes(all: readonly NrrdAxis[]): NrrdLayout {
-  const isSpatial = ({ direction, kind }: NrrdAxis): boolean => (direction === null ? /^(|domain|space)$/.test(kind) : direction !== 'none');
+  const isSpatial = ({ direction, kind }: NrrdAxis): boolean =>
+    direction === null ? /^(|domain|space)$/.test(kind) : direction !== 'none';
   const strides: number[] = [];
   all.reduce((stride, { size }) => (strides.push(stride), stride * size), 1);
   const spatial = all.flatMap((axis, i) => (isSpatial(axis) ? [i] : [])).slice(0, 3);
-  if (spatial.length === 0) throw corruptFile(what, 'got no axis that lies in space; expected kinds "domain" or "space" for one to three');
+  if (spatial.length === 0)
+    throw corruptFile(what, 'got no axis that lies in space; expected kinds "domain" or "space" for one to three');
   const others = all.filter((_, i) => !spatial.includes(i));
   for (const { size, kind } of others) {
     const refused = size > 1 ? refuseKind(kind) : null;
     if (refused) throw unsupportedFile('the NRRD file', `holds ${refused}; convert it to one number per voxel first`);
   }
-  const pick = (values: readonly number[]): Vector3 => [values[spatial[0]], values[spatial[1]] ?? 1, values[spatial[2]] ?? 1];
+  const pick = (values: readonly number[]): Vector3 => [
+    values[spatial[0]],
+    values[spatial[1]] ?? 1,
+    values[spatial[2]] ?? 1,
+  ];
   return {
     dimensions: pick(all.map(({ size }) => size)),
     strides: pick(strides),

@@ -39,14 +39,16 @@ export function readNrrdHeader(bytes: Uint8Array): NrrdHeader {
     if (end >= 0) break;
   }
   const dataFile = fields.get('datafile');
-  if (dataFile === undefined && end < 0) throw corruptFile(what, 'ends without an empty line after it; the file is cut short');
+  if (dataFile === undefined && end < 0)
+    throw corruptFile(what, 'ends without an empty line after it; the file is cut short');
   const dataFiles = dataFile === undefined ? null : isList ? listed : (expandPattern(what, dataFile) ?? [dataFile]);
   return { fields, segments, dataFiles, end: end < 0 ? bytes.length : end };
 }
 
 function checkVersion(line: string): void {
   const digits = /^NRRD(\d{4})\s*$/.exec(line)?.[1];
-  if (digits === undefined) throw corruptFile(what, `got the first line "${line.slice(0, 20)}"; expected NRRD0001 to NRRD0005`);
+  if (digits === undefined)
+    throw corruptFile(what, `got the first line "${line.slice(0, 20)}"; expected NRRD0001 to NRRD0005`);
   const version = Number(digits);
   if (version >= 1 && version <= 5) return;
   throw unsupportedFile(what, `got the mark "${line.slice(0, 20)}"; expected NRRD0001 to NRRD0005`);
@@ -91,25 +93,40 @@ export function readType(fields: NrrdFields): NumberType {
   const name = needField(fields, 'type').replace(/\s+/g, ' ').toLowerCase();
   const found = typeNames.find(([, names]) => names.split('|').includes(name));
   if (found) return found[0];
-  if (name === 'block') throw unsupportedFile(what, 'got the type "block", bytes of unknown meaning; convert the file to numbers first');
-  throw corruptFile(what, `got the type "${name.slice(0, 40)}"; expected one such as ${typeNames.map(([type]) => type.name).join(', ')}`);
+  if (name === 'block')
+    throw unsupportedFile(what, 'got the type "block", bytes of unknown meaning; convert the file to numbers first');
+  throw corruptFile(
+    what,
+    `got the type "${name.slice(0, 40)}"; expected one such as ${typeNames.map(([type]) => type.name).join(', ')}`,
+  );
 }
 
 const encodings = new Map<string, 'raw' | 'deflate' | 'bzip2' | 'text'>([
-  ['raw', 'raw'], ['gz', 'deflate'], ['gzip', 'deflate'], ['bz2', 'bzip2'], ['bzip2', 'bzip2'], ['txt', 'text'], ['text', 'text'], ['ascii', 'text'],
+  ['raw', 'raw'],
+  ['gz', 'deflate'],
+  ['gzip', 'deflate'],
+  ['bz2', 'bzip2'],
+  ['bzip2', 'bzip2'],
+  ['txt', 'text'],
+  ['text', 'text'],
+  ['ascii', 'text'],
 ]);
 
 export function readEncoding(fields: NrrdFields): 'raw' | 'deflate' | 'bzip2' | 'text' {
   const name = needField(fields, 'encoding').toLowerCase();
   const encoding = encodings.get(name);
   if (encoding) return encoding;
-  throw unsupportedFile(what, `got the encoding "${name.slice(0, 40)}"; expected raw, gzip, bzip2 or ascii: write the file again with one of them`);
+  throw unsupportedFile(
+    what,
+    `got the encoding "${name.slice(0, 40)}"; expected raw, gzip, bzip2 or ascii: write the file again with one of them`,
+  );
 }
 
 /** Little-endian if the header does not say it, as in Teem on today's machines. */
 export function isLittleEndian(fields: NrrdFields): boolean {
   const name = (fields.get('endian') ?? 'little').toLowerCase();
-  if (name !== 'little' && name !== 'big') throw corruptFile(what, `got the endian "${name.slice(0, 40)}"; expected little or big`);
+  if (name !== 'little' && name !== 'big')
+    throw corruptFile(what, `got the endian "${name.slice(0, 40)}"; expected little or big`);
   return name === 'little';
 }
 

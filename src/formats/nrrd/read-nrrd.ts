@@ -36,7 +36,10 @@ export const readNrrd: FormatReader = async (input, settings, context) => {
   const wanted: Wanted = { header, type, all, layout };
   const { volumes } = layout;
   const segments = header.segments.size > 0 ? await loadReader(() => import('./segments.ts')) : null;
-  const labels = segments && { isLabels: true, named: segments.nameSegments(segments.readSegments(header.segments, volumes)) };
+  const labels = segments && {
+    isLabels: true,
+    named: segments.nameSegments(segments.readSegments(header.segments, volumes)),
+  };
   const merged = segments && volumes > 1 ? await mergeLayers(input, context, wanted, segments) : null;
   const volume = {
     grid: cartesianGrid(layout.dimensions, indexToWorld),
@@ -61,17 +64,37 @@ interface Wanted {
 
 type Stored = Pick<DecodedCartesianVolume, 'samples' | 'slope' | 'intercept' | 'indexed' | 'rounded'>;
 
-async function store(bytes: Uint8Array<ArrayBuffer>, { header: { fields }, type }: Wanted, { budget }: ReadContext): Promise<Stored> {
+async function store(
+  bytes: Uint8Array<ArrayBuffer>,
+  { header: { fields }, type }: Wanted,
+  { budget }: ReadContext,
+): Promise<Stored> {
   const littleEndian = readEncoding(fields) === 'text' ? hostIsLittleEndian : isLittleEndian(fields);
-  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget, chooseWhole: await wholeNumbersOf(type) });
+  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, {
+    slope: 1,
+    intercept: 0,
+    budget,
+    chooseWhole: await wholeNumbersOf(type),
+  });
   return { samples, slope: scale, intercept: offset, indexed, rounded };
 }
 
 type SegmentPart = typeof segmentPart;
 
 /** Merges all layers of a segmentation. */
-async function mergeLayers(input: DecodeInput, context: ReadContext, wanted: Wanted, { SegmentMerger, listLayers, readSegments }: SegmentPart): Promise<MergedSegments & Pick<Stored, 'slope' | 'intercept'>> {
-  const { header, type, all, layout: { dimensions, strides, volumes }, layout } = wanted;
+async function mergeLayers(
+  input: DecodeInput,
+  context: ReadContext,
+  wanted: Wanted,
+  { SegmentMerger, listLayers, readSegments }: SegmentPart,
+): Promise<MergedSegments & Pick<Stored, 'slope' | 'intercept'>> {
+  const {
+    header,
+    type,
+    all,
+    layout: { dimensions, strides, volumes },
+    layout,
+  } = wanted;
   const { bytesPerSample } = type;
   const voxels = dimensions.reduce((product, n) => product * n, 1);
   const bytes = await readSpan(input, context, wanted, voxels * volumes);
@@ -88,7 +111,10 @@ async function mergeLayers(input: DecodeInput, context: ReadContext, wanted: Wan
 
 /** The first volume's samples, i fastest, as they lie in the file. */
 async function readFirst(input: DecodeInput, context: ReadContext, wanted: Wanted): Promise<Uint8Array<ArrayBuffer>> {
-  const { type, layout: { dimensions, strides } } = wanted;
+  const {
+    type,
+    layout: { dimensions, strides },
+  } = wanted;
   // The number of samples from the volume's first one to its last one; samples of other volumes may lie between.
   const span = 1 + dimensions.reduce((sum, n, axis) => sum + (n - 1) * strides[axis], 0);
   const picked = countSampleBytes(what, dimensions, type);
@@ -100,7 +126,12 @@ async function readFirst(input: DecodeInput, context: ReadContext, wanted: Wante
 }
 
 /** The array's first samples, as they lie in the file. */
-async function readSpan(input: DecodeInput, context: ReadContext, { header, type, all }: Wanted, span: number): Promise<Uint8Array<ArrayBuffer>> {
+async function readSpan(
+  input: DecodeInput,
+  context: ReadContext,
+  { header, type, all }: Wanted,
+  span: number,
+): Promise<Uint8Array<ArrayBuffer>> {
   const wanted = countSampleBytes(what, [span], type);
   const bytesInAll = all.reduce((product, { size }) => product * size, 1) * type.bytesPerSample;
   const names = findDataFiles(what, header.dataFiles, input, context);
@@ -112,7 +143,8 @@ async function readSpan(input: DecodeInput, context: ReadContext, { header, type
 function describeSource({ fields, dataFiles, end }: NrrdHeader, type: NumberType, bytesPerFile: number): SampleLayout {
   const encoding = readEncoding(fields);
   const skip = readCount(fields, 'byteskip', -1);
-  if (skip < 0 && encoding !== 'raw') throw corruptFile(what, 'got byte skip -1 with data that are packed; expected encoding raw');
+  if (skip < 0 && encoding !== 'raw')
+    throw corruptFile(what, 'got byte skip -1 with data that are packed; expected encoding raw');
   const isPacked = encoding === 'deflate' || encoding === 'bzip2';
   return {
     what: 'the NRRD file',
@@ -135,5 +167,7 @@ function readSampleUnit(fields: NrrdFields): string {
 /** Values that were converted to whole numbers may have an `old min` and `old max`: no reader applies them. */
 function describeOldRange(fields: NrrdFields): string | null {
   const [low, high] = ['oldmin', 'oldmax'].map((name) => Number(fields.get(name) ?? NaN));
-  return Number.isFinite(high - low) ? `old min and old max: values are shown as they are stored, and not from ${low} to ${high}` : null;
+  return Number.isFinite(high - low)
+    ? `old min and old max: values are shown as they are stored, and not from ${low} to ${high}`
+    : null;
 }

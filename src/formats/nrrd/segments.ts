@@ -29,11 +29,14 @@ export function readSegments(keys: ReadonlyMap<string, string>, layers: number):
   numbers.sort((a, b) => a - b);
   return numbers.map((number) => {
     const text = (name: string): string => keys.get(`Segment${number}_${name}`)?.trim() ?? '';
-    const whole = (name: string, fallback: number): number => (/^-?\d+$/.test(text(name)) ? Number(text(name)) : fallback);
+    const whole = (name: string, fallback: number): number =>
+      /^-?\d+$/.test(text(name)) ? Number(text(name)) : fallback;
     const channels = text('Color').split(/\s+/).map(Number);
     const isColor = channels.length === 3 && channels.every((channel) => channel >= 0 && channel <= 1);
     return {
-      name: Array.from((text('Name') || text('ID')).replace(/[\p{Cc}\p{Zl}\p{Zp}\s]+/gu, ' ')).slice(0, longest).join(''),
+      name: Array.from((text('Name') || text('ID')).replace(/[\p{Cc}\p{Zl}\p{Zp}\s]+/gu, ' '))
+        .slice(0, longest)
+        .join(''),
       color: isColor ? (channels as unknown as Vector3) : null,
       value: whole('LabelValue', layers > 1 ? 1 : number + 1),
       layer: whole('Layer', layers > 1 ? number : 0),
@@ -46,7 +49,8 @@ export function listLayers(all: readonly NrrdAxis[], { axes }: NrrdLayout): numb
   let [starts, stride] = [[0], 1];
   for (const axis of all) {
     const step = stride;
-    if (!axes.includes(axis)) starts = Array.from({ length: axis.size }, (_, i) => starts.map((start) => start + i * step)).flat();
+    if (!axes.includes(axis))
+      starts = Array.from({ length: axis.size }, (_, i) => starts.map((start) => start + i * step)).flat();
     stride *= axis.size;
   }
   return starts;
@@ -89,7 +93,11 @@ export class SegmentMerger {
     if (known !== undefined) return known;
     const isFree = Number.isInteger(value) && value > 0 && value < maxLabels && !this.#named.has(value);
     const id = isFree ? value : Math.max(0, ...this.#named.keys()) + 1;
-    if (id >= maxLabels) throw unsupportedFile('the NRRD file', `holds segments with values from ${value} on; expected at most 65,535 segments`);
+    if (id >= maxLabels)
+      throw unsupportedFile(
+        'the NRRD file',
+        `holds segments with values from ${value} on; expected at most 65,535 segments`,
+      );
     this.#ids.set(key, id);
     this.#named.set(id, { id, name, color });
     return id;
@@ -118,9 +126,19 @@ export class SegmentMerger {
 
   finish(): MergedSegments {
     const called = (id: number): string => `"${this.#named.get(id)!.name || id}"`;
-    const left = Array.from(this.#hidden, ([below, above]) => Array.from(above, ([id, count]) => `${count.toLocaleString('en')} of the ${this.#voxels.get(below)!.toLocaleString('en')} voxels of the segment ${called(below)} are hidden by ${called(id)}, which overlaps it`)).flat();
+    const left = Array.from(this.#hidden, ([below, above]) =>
+      Array.from(
+        above,
+        ([id, count]) =>
+          `${count.toLocaleString('en')} of the ${this.#voxels.get(below)!.toLocaleString('en')} voxels of the segment ${called(below)} are hidden by ${called(id)}, which overlaps it`,
+      ),
+    ).flat();
     const isSmall = Math.max(0, ...this.#named.keys()) < 256;
-    return { samples: isSmall ? Uint8Array.from(this.#samples) : this.#samples, named: [...this.#named.values()], left };
+    return {
+      samples: isSmall ? Uint8Array.from(this.#samples) : this.#samples,
+      named: [...this.#named.values()],
+      left,
+    };
   }
 }
 

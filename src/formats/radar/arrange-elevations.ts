@@ -17,10 +17,16 @@ export function ownElevations({ elevation, elevations }: RadarSweep): Float64Arr
  * @param radials - index of each in the file, by azimuth; -1 for one without data
  * @param limits - degrees: the elevations of the sweeps below and above. Elevations are clamped to them
  */
-export function arrangeElevations(sweep: RadarSweep, radials: Int32Array, [low, high]: readonly [number, number]): Float64Array<ArrayBuffer> | undefined {
+export function arrangeElevations(
+  sweep: RadarSweep,
+  radials: Int32Array,
+  [low, high]: readonly [number, number],
+): Float64Array<ArrayBuffer> | undefined {
   const own = ownElevations(sweep);
   if (!own) return undefined;
-  const arranged = Float64Array.from(radials, (radial) => (radial < 0 ? NaN : Math.min(high, Math.max(low, own[radial]))));
+  const arranged = Float64Array.from(radials, (radial) =>
+    radial < 0 ? NaN : Math.min(high, Math.max(low, own[radial])),
+  );
   const at = (i: number): number => arranged[(i + radials.length) % radials.length];
   return arranged.map((one, i) => (radials[i] < 0 ? meanOf([at(i - 1), at(i + 1)].filter(Number.isFinite)) : one));
 }

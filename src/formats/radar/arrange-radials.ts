@@ -39,7 +39,10 @@ export function arrangeRadials(azimuths: ArrayLike<number>, beamWidth: number): 
   sorted.sort((a, b) => a.azimuth - b.azimuth);
   const spacing = normalSpacing(sorted, beamWidth);
   const radials = fillGaps(dropRepeats(sorted, Math.max(nearestRadials, nearestShare * spacing)), spacing);
-  return { azimuths: Float64Array.from(radials, (radial) => radial.azimuth), radials: Int32Array.from(radials, (radial) => radial.index) };
+  return {
+    azimuths: Float64Array.from(radials, (radial) => radial.azimuth),
+    radials: Int32Array.from(radials, (radial) => radial.index),
+  };
 }
 
 function wrapDegrees(azimuth: number): number {
@@ -49,7 +52,9 @@ function wrapDegrees(azimuth: number): number {
 
 /** Degrees from each radial to the next one, around the circle. */
 function gapsOf(radials: readonly Radial[]): number[] {
-  return radials.map(({ azimuth }, i) => (i + 1 < radials.length ? radials[i + 1].azimuth - azimuth : radials[0].azimuth + 360 - azimuth));
+  return radials.map(({ azimuth }, i) =>
+    i + 1 < radials.length ? radials[i + 1].azimuth - azimuth : radials[0].azimuth + 360 - azimuth,
+  );
 }
 
 /** The median gap. A gap that is not interpolated is not a spacing, but the outside of a sector. */

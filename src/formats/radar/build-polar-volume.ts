@@ -42,18 +42,30 @@ const bytesPerRadial = 64;
  * nothing to show, `format/too-large`
  * @param budget - of the load; macrocells, which are made later, take from it too
  */
-export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budget = Budget.ofFile(anyFileBytes)): DecodedPolarVolume {
+export function buildPolarVolume(
+  file: RadarFile,
+  settings: PolarSettings,
+  budget = Budget.ofFile(anyFileBytes),
+): DecodedPolarVolume {
   const moment = chooseMoment(file, settings.moment);
   const beamWidth = checkBeamWidth(file.beamWidth);
   const { chosen, left, details } = chooseSweeps(file, moment.name, beamWidth, budget);
   left.push(...(file.left ?? []), ...new Set(chosen.flatMap(({ sweep }) => sweep.left ?? [])));
-  details.push(...(settings.moment === undefined ? describeChoice(file, moment) : []), ...(file.details ?? []), ...describeInvalid(chosen));
+  details.push(
+    ...(settings.moment === undefined ? describeChoice(file, moment) : []),
+    ...(file.details ?? []),
+    ...describeInvalid(chosen),
+  );
   const radials = chosen.reduce((sum, { sweep }) => sum + sweep.azimuths.length, 0);
   budget.take(radials * bytesPerRadial, 'the radials of the radar file');
   budget.step(radials * stepsPerRadial, 'the radials of the radar file');
   const orders = chosen.map(({ sweep }) => arrangeRadials(sweep.azimuths, beamWidth));
   const sweeps = placeSweeps(chosen, orders);
-  const joined = joinSamples(chosen.map(({ data }) => data), countGates(sweeps), budget);
+  const joined = joinSamples(
+    chosen.map(({ data }) => data),
+    countGates(sweeps),
+    budget,
+  );
   orders.forEach(({ radials }, i) => copyRadials(joined, chosen[i], radials, sweeps[i]));
   const { samples, slope, intercept } = joined;
   budget.giveBack(chosen.reduce((sum, { data }) => sum + data.samples.byteLength, 0));
@@ -67,13 +79,20 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budge
     slope,
     intercept,
     unit: moment.unit,
-    makeMacrocells: () => buildPolarMacrocells(samples, grid, (gates) => budget.step(gates / gatesPerStep, 'the radar file')),
+    makeMacrocells: () =>
+      buildPolarMacrocells(samples, grid, (gates) => budget.step(gates / gatesPerStep, 'the radar file')),
     format: file.format,
     radar: {
       moment: moment.name,
       moments: file.moments.map(({ name }) => name),
       site: file.site,
-      sweeps: chosen.map(({ sweep: { elevation, azimuths }, data: { gates, firstGate, gateLength } }) => ({ elevation, radials: azimuths.length, gates, firstGate, gateLength })),
+      sweeps: chosen.map(({ sweep: { elevation, azimuths }, data: { gates, firstGate, gateLength } }) => ({
+        elevation,
+        radials: azimuths.length,
+        gates,
+        firstGate,
+        gateLength,
+      })),
       left: file.partial === undefined ? left : [file.partial, ...left],
       details,
       ...(file.time === undefined ? {} : { time: file.time }),
@@ -84,11 +103,19 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budge
 
 function describeInvalid(chosen: readonly ChosenSweep[]): string[] {
   const invalid = chosen.reduce((sum, { data }) => sum + (data.invalid ?? 0), 0);
-  return invalid > 0 ? [`${invalid.toLocaleString('en')} gates hold no data: their values are outside of what the file calls valid (valid_min, valid_max, valid_range)`] : [];
+  return invalid > 0
+    ? [
+        `${invalid.toLocaleString('en')} gates hold no data: their values are outside of what the file calls valid (valid_min, valid_max, valid_range)`,
+      ]
+    : [];
 }
 
 /** Sweeps with the box around them. */
-function frameSweeps(open: SweepGeometry, samples: Samples, verticalExaggeration = chooseExaggeration(open)): PolarGrid {
+function frameSweeps(
+  open: SweepGeometry,
+  samples: Samples,
+  verticalExaggeration = chooseExaggeration(open),
+): PolarGrid {
   const box = boxAround(open, samples);
   const dimensions = boxDimensions(box, Math.min(...open.sweeps.map(({ gateLength }) => gateLength)));
   const indexToWorld = boxIndexToWorld(box, dimensions, verticalExaggeration);
@@ -108,8 +135,19 @@ function placeSweeps(chosen: readonly ChosenSweep[], orders: readonly RadialOrde
   let offset = 0;
   return chosen.map(({ sweep, data: { firstGate, gateLength, gates } }, i) => {
     const { azimuths, radials } = orders[i];
-    const elevations = arrangeElevations(sweep, radials, [chosen[i - 1]?.sweep.elevation ?? -90, chosen[i + 1]?.sweep.elevation ?? 90]);
-    const placed: Sweep = { elevation: sweep.elevation, azimuths, ...(elevations ? { elevations } : {}), firstGate, gateLength, gates, offset };
+    const elevations = arrangeElevations(sweep, radials, [
+      chosen[i - 1]?.sweep.elevation ?? -90,
+      chosen[i + 1]?.sweep.elevation ?? 90,
+    ]);
+    const placed: Sweep = {
+      elevation: sweep.elevation,
+      azimuths,
+      ...(elevations ? { elevations } : {}),
+      firstGate,
+      gateLength,
+      gates,
+      offset,
+    };
     offset += azimuths.length * gates;
     return placed;
   });
@@ -124,7 +162,12 @@ function countGates(sweeps: readonly Sweep[]): number {
   return gates;
 }
 
-function copyRadials(joined: JoinedSamples, { data }: ChosenSweep, radials: Int32Array, { offset, gates }: Sweep): void {
+function copyRadials(
+  joined: JoinedSamples,
+  { data }: ChosenSweep,
+  radials: Int32Array,
+  { offset, gates }: Sweep,
+): void {
   radials.forEach((radial, i) => {
     if (radial >= 0) joined.copyRadial(data, radial, offset + i * gates);
   });
@@ -137,7 +180,11 @@ function copyRadials(joined: JoinedSamples, { data }: ChosenSweep, radials: Int3
  * @returns difference of stored values; half way between whole numbers for integers, so that rounding can't separate
  * equal numbers
  */
-function chooseFold(moment: RadarMoment, chosen: readonly ChosenSweep[], { samples, slope }: JoinedSamples): number | undefined {
+function chooseFold(
+  moment: RadarMoment,
+  chosen: readonly ChosenSweep[],
+  { samples, slope }: JoinedSamples,
+): number | undefined {
   const limits = chosen.map(({ sweep }) => sweep.nyquist ?? Infinity).filter((nyquist) => nyquist > 0);
   const nyquist = Math.min(...limits);
   if (!isFolding(moment) || !Number.isFinite(nyquist)) return undefined;

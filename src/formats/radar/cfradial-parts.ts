@@ -57,7 +57,9 @@ export function isNumericVariable(array: DataArray): boolean {
 
 /** Position of the antenna. For a moving one, its first position. */
 export function readSite(root: DataGroup): RadarFile['site'] {
-  const name = ['site_name', 'instrument_name'].map((key) => firstText(root, key)).find((text) => text && text !== 'None');
+  const name = ['site_name', 'instrument_name']
+    .map((key) => firstText(root, key))
+    .find((text) => text && text !== 'None');
   const latitude = firstNumber(root, 'latitude');
   const longitude = firstNumber(root, 'longitude');
   const height = firstNumber(root, 'altitude');
@@ -85,13 +87,18 @@ export function readStart(root: DataGroup): string | undefined {
 /** What the file says about a moment. */
 export function describeMoment(name: string, array: DataArray): RadarMoment {
   const unit = normaliseUnit(textOf(array.attributes.get('units')) ?? '');
-  return { name, unit, kind: momentKindOf({ name, unit, standardName: textOf(array.attributes.get('standard_name')) ?? '' }) };
+  return {
+    name,
+    unit,
+    kind: momentKindOf({ name, unit, standardName: textOf(array.attributes.get('standard_name')) ?? '' }),
+  };
 }
 
 /** Middles of radials, 0 <= azimuth < 360. */
 export function wrapAzimuths(numbers: Numbers, path: string): Float64Array<ArrayBuffer> {
   return Float64Array.from(numbers, (azimuth) => {
-    if (!(Math.abs(azimuth) <= 720)) throw corrupt(`got the azimuth ${azimuth} in ${path}; expected degrees from 0 to 360`);
+    if (!(Math.abs(azimuth) <= 720))
+      throw corrupt(`got the azimuth ${azimuth} in ${path}; expected degrees from 0 to 360`);
     // A tiny negative angle becomes 360 itself in floating point.
     return (((azimuth % 360) + 360) % 360) % 360;
   });
@@ -107,14 +114,20 @@ export function meanElevation(numbers: Numbers, path: string): number {
 }
 
 /** Elevations of radials; undefined if the file has none for them. */
-export function readElevations(array: DataArray | null, radials: { readonly from: number; readonly count: number }): Float64Array<ArrayBuffer> | undefined {
+export function readElevations(
+  array: DataArray | null,
+  radials: { readonly from: number; readonly count: number },
+): Float64Array<ArrayBuffer> | undefined {
   if (!array || !isNumeric(array)) return undefined;
   const numbers = Float64Array.from(array.readRows(radials.from, radials.count));
   return numbers.length === radials.count ? numbers : undefined;
 }
 
 /** For each radial 1 if the antenna was between sweeps; undefined if the file does not say it. Source: CfRadial 1.4, 5.4 */
-export function readTransitions(array: DataArray | null, radials: { readonly from: number; readonly count: number }): Uint8Array | undefined {
+export function readTransitions(
+  array: DataArray | null,
+  radials: { readonly from: number; readonly count: number },
+): Uint8Array | undefined {
   if (!array || !isNumeric(array) || array.shape.length !== 1) return undefined;
   const flags = Uint8Array.from(array.readRows(radials.from, radials.count), (flag) => Number(flag === 1));
   return flags.length === radials.count && flags.includes(1) ? flags : undefined;
@@ -128,13 +141,19 @@ export function isCone(mode: string | undefined): boolean {
 /** What is said of sweeps of other modes. @param modes - of all sweeps */
 export function describeModes(modes: readonly (string | undefined)[]): string[] {
   const others = modes.filter((mode) => !isCone(mode)).map((mode) => mode!.trim().slice(0, 40));
-  return others.length > 0 ? [`${others.length} of ${modes.length} sweeps are left out: the antenna did not keep its elevation, or did not look at the weather (sweep_mode: ${[...new Set(others)].slice(0, 8).join(', ')})`] : [];
+  return others.length > 0
+    ? [
+        `${others.length} of ${modes.length} sweeps are left out: the antenna did not keep its elevation, or did not look at the weather (sweep_mode: ${[...new Set(others)].slice(0, 8).join(', ')})`,
+      ]
+    : [];
 }
 
 /** What has to be known of a radar that moves: all its radials are drawn from one place. Source: CfRadial 1.4, 4.5 */
 export function describePlatform(root: DataGroup): string[] {
   const moves = /^(true|1)$/i.test(firstText(root, 'platform_is_mobile')?.trim() ?? '');
-  return moves ? ['the radar moved while it scanned (platform_is_mobile): all is shown as if it had stayed where it began'] : [];
+  return moves
+    ? ['the radar moved while it scanned (platform_is_mobile): all is shown as if it had stayed where it began']
+    : [];
 }
 
 /**
@@ -162,7 +181,8 @@ function measureRange(array: DataArray, numbers: Numbers): Pick<SweepData, 'firs
     throw corrupt(`got gates from ${firstGate} m on of ${gateLength} m in ${array.path}; expected ascending ranges`);
   }
   let farthest = 0;
-  for (let i = 0; i < numbers.length; i++) farthest = Math.max(farthest, Math.abs(scale * numbers[i] - firstGate - i * gateLength));
+  for (let i = 0; i < numbers.length; i++)
+    farthest = Math.max(farthest, Math.abs(scale * numbers[i] - firstGate - i * gateLength));
   if (farthest <= 0.1 * gateLength) return { firstGate, gateLength };
   throw new VolumeViewError(
     'format/unsupported',
@@ -172,20 +192,34 @@ function measureRange(array: DataArray, numbers: Numbers): Pick<SweepData, 'firs
 
 /** Numbers of a moment as samples. */
 export function packArray(array: DataArray, numbers: Numbers): PackedGates {
-  if (!isNumeric(array)) throw new VolumeViewError('format/unsupported', `${array.path} holds no numbers; expected integers or floats`);
+  if (!isNumeric(array))
+    throw new VolumeViewError('format/unsupported', `${array.path} holds no numbers; expected integers or floats`);
   const slope = numberOf(array.attributes.get('scale_factor')) ?? 1;
   const intercept = numberOf(array.attributes.get('add_offset')) ?? 0;
   if (!(Number.isFinite(slope) && slope !== 0 && Number.isFinite(intercept))) {
-    throw corrupt(`got scale_factor ${slope} and add_offset ${intercept} at ${array.path}; expected finite numbers, the first not 0`);
+    throw corrupt(
+      `got scale_factor ${slope} and add_offset ${intercept} at ${array.path}; expected finite numbers, the first not 0`,
+    );
   }
   const unsigned = textOf(array.attributes.get('_Unsigned'))?.toLowerCase() === 'true';
   const [noData, valid] = [noDataOf(array), validRangeOf(array)];
-  const mask = (mask: number) => ({ slope, intercept, noData: noData.map((n) => n & mask), valid: validOf(valid.map((n) => (Number.isFinite(n) ? n & mask : n))) });
+  const mask = (mask: number) => ({
+    slope,
+    intercept,
+    noData: noData.map((n) => n & mask),
+    valid: validOf(valid.map((n) => (Number.isFinite(n) ? n & mask : n))),
+  });
   if (unsigned && numbers instanceof Int8Array) {
-    return packGates(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.length), { type: 'uint8', ...mask(0xff) });
+    return packGates(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.length), {
+      type: 'uint8',
+      ...mask(0xff),
+    });
   }
   if (unsigned && numbers instanceof Int16Array) {
-    return packGates(new Uint16Array(numbers.buffer, numbers.byteOffset, numbers.length), { type: 'uint16', ...mask(0xffff) });
+    return packGates(new Uint16Array(numbers.buffer, numbers.byteOffset, numbers.length), {
+      type: 'uint16',
+      ...mask(0xffff),
+    });
   }
   return packGates(numbers, { type: array.type, slope, intercept, noData, valid: validOf(valid) });
 }
@@ -196,7 +230,10 @@ export function packArray(array: DataArray, numbers: Numbers): PackedGates {
  */
 function validRangeOf({ attributes, type }: DataArray): readonly [number, number] {
   const range = attributes.get('valid_range');
-  const pair = range instanceof Float64Array && range.length === 2 ? range : ['valid_min', 'valid_max'].map((name) => numbersOf(attributes.get(name))[0]);
+  const pair =
+    range instanceof Float64Array && range.length === 2
+      ? range
+      : ['valid_min', 'valid_max'].map((name) => numbersOf(attributes.get(name))[0]);
   const [low, high] = Array.from(pair, (number) => (number !== undefined && canHold(type, number) ? number : NaN));
   return [Number.isNaN(low) ? -Infinity : low, Number.isNaN(high) ? Infinity : high];
 }
@@ -216,18 +253,26 @@ function canHold(type: DataArray['type'], number: number): boolean {
 }
 
 /** What a variable of flags calls one that says that there are no data. */
-const emptyMeaning = /^(no_?data|no_?value|missing(_?(data|value))?|fill(_?value)?|bad_?data|not_?(measured|scanned|available)|undefined?|unavailable|invalid(_?data)?)$/i;
+const emptyMeaning =
+  /^(no_?data|no_?value|missing(_?(data|value))?|fill(_?value)?|bad_?data|not_?(measured|scanned|available)|undefined?|unavailable|invalid(_?data)?)$/i;
 
 /** Flags that stand for no data. Source: CF conventions 1.11, 3.5: flag_values and flag_meanings, of which there are as many */
 function emptyFlagsOf({ attributes }: DataArray): number[] {
   const values = attributes.get('flag_values');
   const meanings = textOf(attributes.get('flag_meanings'))?.trim().split(/\s+/) ?? [];
-  return values instanceof Float64Array && values.length === meanings.length ? [...values].filter((_, i) => emptyMeaning.test(meanings[i])) : [];
+  return values instanceof Float64Array && values.length === meanings.length
+    ? [...values].filter((_, i) => emptyMeaning.test(meanings[i]))
+    : [];
 }
 
 /** NetCDF's fill values for parts that were never written. Source: netcdf.h, NC_FILL_…; single bytes have none. */
 const defaultFills: Readonly<Partial<Record<NumberType, number>>> = {
-  int16: -32767, uint16: 65535, int32: -2147483647, uint32: 4294967295, float32: 9.969209968386869e36, float64: 9.969209968386869e36,
+  int16: -32767,
+  uint16: 65535,
+  int32: -2147483647,
+  uint32: 4294967295,
+  float32: 9.969209968386869e36,
+  float64: 9.969209968386869e36,
 };
 
 function noDataOf(array: DataArray): number[] {
@@ -243,5 +288,8 @@ function numbersOf(value: AttributeValue | undefined): number[] {
 }
 
 export function corrupt(what: string): VolumeViewError {
-  return new VolumeViewError('format/corrupt', `the CfRadial file ${what}; check the program that wrote it, or fetch it again`);
+  return new VolumeViewError(
+    'format/corrupt',
+    `the CfRadial file ${what}; check the program that wrote it, or fetch it again`,
+  );
 }

@@ -6,8 +6,23 @@ import { openHdf5 } from '../hdf5/hdf5.ts';
 import { isNetcdf3, openNetcdf3 } from '../netcdf/netcdf3.ts';
 import { takeDuring } from '../base/take-during.ts';
 import {
-  corrupt, describeModes, describeMoment, describePlatform, firstNumber, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime, readTransitions,
-  requireNumbers, wrapAzimuths,
+  corrupt,
+  describeModes,
+  describeMoment,
+  describePlatform,
+  firstNumber,
+  isCone,
+  isNumericVariable,
+  meanElevation,
+  packArray,
+  readElevations,
+  readRange,
+  readSite,
+  readStart,
+  readTime,
+  readTransitions,
+  requireNumbers,
+  wrapAzimuths,
 } from './cfradial-parts.ts';
 import { padRows } from './gate-samples.ts';
 import type { PackedGates } from './gate-samples.ts';
@@ -41,7 +56,10 @@ interface Scan {
  * of its sweeps
  * Source: CfRadial data file format 1.4, NCAR
  */
-export async function readCfradial1(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
+export async function readCfradial1(
+  bytes: Uint8Array<ArrayBuffer>,
+  budget = Budget.ofFile(bytes.length),
+): Promise<RadarFile> {
   return readCfradial1Tree(isNetcdf3(bytes) ? openNetcdf3(bytes, budget) : openHdf5(bytes, budget), budget);
 }
 
@@ -53,13 +71,20 @@ export function isCfradial1(root: DataGroup): boolean {
 /** The same as `readCfradial1`, for a file that is open. */
 export function readCfradial1Tree(root: DataGroup, budget: Budget): RadarFile {
   if (!isCfradial1(root)) {
-    throw new VolumeViewError('format/unsupported', 'the NetCDF file has no sweep_start_ray_index and azimuth; expected a radar scan in CfRadial 1');
+    throw new VolumeViewError(
+      'format/unsupported',
+      'the NetCDF file has no sweep_start_ray_index and azimuth; expected a radar scan in CfRadial 1',
+    );
   }
   const scan = openScan(root, budget);
   const modes = readModes(root);
   const all = listRadials(root);
   const cones = all.filter(({ sweep }) => isCone(modes[sweep]));
-  if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds no sweeps of constant elevation, but range-height scans or the like; expected some');
+  if (cones.length === 0)
+    throw new VolumeViewError(
+      'format/unsupported',
+      'the CfRadial file holds no sweeps of constant elevation, but range-height scans or the like; expected some',
+    );
   const time = readStart(root) ?? readTime(root, 0);
   // The vertical width is preferred, because it determines how far sweeps reach up and down.
   const beamWidth = firstNumber(root, 'radar_beam_width_v') ?? firstNumber(root, 'radar_beam_width_h');
@@ -85,7 +110,9 @@ function openScan(root: DataGroup, budget: Budget): Scan {
   const gates = root.array('range')?.shape.at(-1) ?? 0;
   const isRagged = root.names.includes('ray_n_gates') && root.names.includes('ray_start_index');
   if (isRagged) budget.take(radials * bytesPerRaggedRadial, 'the radials of the CfRadial file');
-  const ragged = isRagged ? { gates: requireNumbers(root, 'ray_n_gates', radials), starts: requireNumbers(root, 'ray_start_index', radials) } : null;
+  const ragged = isRagged
+    ? { gates: requireNumbers(root, 'ray_n_gates', radials), starts: requireNumbers(root, 'ray_start_index', radials) }
+    : null;
   const points = ragged ? ragged.gates.reduce((sum, count) => sum + count, 0) : NaN;
   const holdsGates = (array: DataArray): boolean => {
     const { shape } = array;
@@ -109,7 +136,8 @@ function listRadials(root: DataGroup): Radials[] {
   const ends = requireNumbers(root, 'sweep_end_ray_index', sweeps);
   return Array.from({ length: sweeps }, (_, sweep) => {
     const [from, end] = [starts[sweep], ends[sweep]];
-    if (!(from >= 0 && end >= from && end < radials)) throw corrupt(`got the radials ${from} to ${end} for sweep ${sweep}; expected some of 0 to ${radials - 1}`);
+    if (!(from >= 0 && end >= from && end < radials))
+      throw corrupt(`got the radials ${from} to ${end} for sweep ${sweep}; expected some of 0 to ${radials - 1}`);
     refuseSweep(`sweep ${sweep}`, end - from + 1, 1);
     return { sweep, from, count: end - from + 1 };
   });
@@ -134,7 +162,10 @@ function readSweep(scan: Scan, radials: Radials): RadarSweep {
   const ofRadials = readElevations(elevations, radials);
   const transitions = readTransitions(root.array('antenna_transition'), radials);
   return {
-    elevation: fixed !== undefined && Math.abs(fixed) <= 180 ? fixed : meanElevation(elevations!.readRows(from, count), elevations!.path),
+    elevation:
+      fixed !== undefined && Math.abs(fixed) <= 180
+        ? fixed
+        : meanElevation(elevations!.readRows(from, count), elevations!.path),
     azimuths: wrapAzimuths(azimuths.readRows(from, count), azimuths.path),
     ...(ofRadials ? { elevations: ofRadials } : {}),
     ...(transitions ? { transitions } : {}),
@@ -180,13 +211,21 @@ function readPlace(root: DataGroup, { from }: Radials): Pick<SweepData, 'firstGa
 }
 
 /** Reads radials of different lengths. Each of them is a part of one long row. */
-function readRagged({ ragged, budget }: Scan, array: DataArray, { from, count, gates }: Radials & { readonly gates: number }): PackedGates {
+function readRagged(
+  { ragged, budget }: Scan,
+  array: DataArray,
+  { from, count, gates }: Radials & { readonly gates: number },
+): PackedGates {
   if (!ragged) throw corrupt(`has no ray_start_index for ${array.path}`);
   const lengths = Array.from(ragged.gates.subarray(from, from + count));
   const starts = ragged.starts.subarray(from, from + count);
   // In all files that are known, radials follow one another; then they are one part of the row.
   const isRun = lengths.every((length, i) => length >= 0 && (i === 0 || starts[i] === starts[i - 1] + lengths[i - 1]));
-  if (!isRun) throw new VolumeViewError('format/unsupported', `${array.path} got radials that do not follow one another; expected ray_start_index to ascend without gaps`);
+  if (!isRun)
+    throw new VolumeViewError(
+      'format/unsupported',
+      `${array.path} got radials that do not follow one another; expected ray_start_index to ascend without gaps`,
+    );
   const values = lengths.reduce((sum, length) => sum + length, 0);
   // The values take memory in addition to the rectangle that is made of them.
   return takeDuring(budget, { bytes: 4 * values, what: array.path }, () => {

@@ -4,7 +4,22 @@ import { textOf } from '../base/data-tree.ts';
 import type { DataArray, DataGroup } from '../base/data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import {
-  corrupt, describeModes, describeMoment, describePlatform, firstNumber, firstText, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime, readTransitions,
+  corrupt,
+  describeModes,
+  describeMoment,
+  describePlatform,
+  firstNumber,
+  firstText,
+  isCone,
+  isNumericVariable,
+  meanElevation,
+  packArray,
+  readElevations,
+  readRange,
+  readSite,
+  readStart,
+  readTime,
+  readTransitions,
   wrapAzimuths,
 } from './cfradial-parts.ts';
 import type { RadarFile, RadarMoment, RadarSweep } from './radar-file.ts';
@@ -24,7 +39,10 @@ interface Cfradial2Sweep extends RadarSweep {
  * of its sweeps
  * Source: CfRadial2 data file format 2.1, NCAR; WMO Manual on Codes I.2, FM 301-XXIV
  */
-export async function readCfradial2(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
+export async function readCfradial2(
+  bytes: Uint8Array<ArrayBuffer>,
+  budget = Budget.ofFile(bytes.length),
+): Promise<RadarFile> {
   return readCfradial2Tree(openHdf5(bytes, budget), budget);
 }
 
@@ -36,17 +54,29 @@ export function isCfradial2(root: DataGroup): boolean {
 /** The same as `readCfradial2`, for a file that is open. */
 export function readCfradial2Tree(root: DataGroup, budget: Budget): RadarFile {
   const groups = listSweeps(root);
-  if (groups.length === 0) throw new VolumeViewError('format/unsupported', 'the NetCDF-4 file has no groups of sweeps; expected a radar scan in CfRadial 2');
+  if (groups.length === 0)
+    throw new VolumeViewError(
+      'format/unsupported',
+      'the NetCDF-4 file has no groups of sweeps; expected a radar scan in CfRadial 2',
+    );
   const modes = groups.map(({ group }) => firstText(group, 'sweep_mode'));
   const cones = groups.filter((_, i) => isCone(modes[i]));
-  if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds no sweeps of constant elevation, but range-height scans or the like; expected some');
+  if (cones.length === 0)
+    throw new VolumeViewError(
+      'format/unsupported',
+      'the CfRadial file holds no sweeps of constant elevation, but range-height scans or the like; expected some',
+    );
   const sweeps = cones.map(({ group, index }) => readSweep({ root, group, index }, budget));
   const moments = new Map(sweeps.flatMap(({ found }) => found).map((moment) => [moment.name, moment]));
   const times = sweeps.map((sweep) => sweep.time).filter((time) => time !== undefined);
   const time = readStart(root) ?? times[0];
   const parameters = [root, root.group('radar_parameters')].filter((group) => group !== null);
   const beamWidth = parameters
-    .flatMap((group) => ['radar_beam_width_v', 'beam_width_v', 'radar_beam_width_h', 'beam_width_h'].map((name) => firstNumber(group, name)))
+    .flatMap((group) =>
+      ['radar_beam_width_v', 'beam_width_v', 'radar_beam_width_h', 'beam_width_h'].map((name) =>
+        firstNumber(group, name),
+      ),
+    )
     .find((width) => width !== undefined && width > 0);
   return {
     format: `CfRadial ${/(2\.\d+)/.exec(`${textOf(root.attributes.get('Conventions')) ?? ''} ${textOf(root.attributes.get('version')) ?? ''}`)?.[1] ?? '2'}`,
@@ -71,10 +101,15 @@ function listSweeps(root: DataGroup): { group: DataGroup; index: number }[] {
   const held = new Set(root.names);
   const names = stated.length > 0 && stated.every((name) => held.has(name)) ? stated : found;
   refuseManySweeps(names.length);
-  return names.map((name, index) => ({ group: root.group(name), index })).filter((entry): entry is { group: DataGroup; index: number } => entry.group !== null);
+  return names
+    .map((name, index) => ({ group: root.group(name), index }))
+    .filter((entry): entry is { group: DataGroup; index: number } => entry.group !== null);
 }
 
-function readSweep({ root, group, index }: { root: DataGroup; group: DataGroup; index: number }, budget: Budget): Cfradial2Sweep {
+function readSweep(
+  { root, group, index }: { root: DataGroup; group: DataGroup; index: number },
+  budget: Budget,
+): Cfradial2Sweep {
   const azimuths = group.array('azimuth');
   const range = group.array('range');
   if (!azimuths || !range || azimuths.shape.length !== 1 || range.shape.length !== 1) {
@@ -111,13 +146,23 @@ function findMoments(group: DataGroup, radials: number, gates: number): Map<stri
   const moments = new Map<string, DataArray>();
   for (const name of group.names) {
     const array = group.array(name);
-    if (array && isNumericVariable(array) && array.shape.length === 2 && array.shape[0] === radials && array.shape[1] === gates) moments.set(name, array);
+    if (
+      array &&
+      isNumericVariable(array) &&
+      array.shape.length === 2 &&
+      array.shape[0] === radials &&
+      array.shape[1] === gates
+    )
+      moments.set(name, array);
   }
   return moments;
 }
 
 function readElevation(root: DataGroup, group: DataGroup, index: number): number {
-  const fixed = firstNumber(group, 'sweep_fixed_angle') ?? firstNumber(group, 'fixed_angle') ?? firstNumber(root, 'sweep_fixed_angle', index);
+  const fixed =
+    firstNumber(group, 'sweep_fixed_angle') ??
+    firstNumber(group, 'fixed_angle') ??
+    firstNumber(root, 'sweep_fixed_angle', index);
   if (fixed !== undefined && Math.abs(fixed) <= 180) return fixed;
   const elevations = group.array('elevation');
   if (!elevations) throw corrupt(`has neither sweep_fixed_angle nor elevation in ${group.path}`);

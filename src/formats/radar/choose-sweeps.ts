@@ -41,7 +41,10 @@ interface Kept extends ChosenSweep {
 export function chooseMoment(file: RadarFile, name: string | undefined): RadarMoment {
   const { moments } = file;
   if (moments.length === 0) {
-    throw new VolumeViewError('format/unsupported', `the ${file.format} file holds no quantity that can be shown; expected one such as reflectivity`);
+    throw new VolumeViewError(
+      'format/unsupported',
+      `the ${file.format} file holds no quantity that can be shown; expected one such as reflectivity`,
+    );
   }
   if (name === undefined) {
     const reflectivities = moments.filter(({ kind }) => kind === 'reflectivity');
@@ -50,7 +53,10 @@ export function chooseMoment(file: RadarFile, name: string | undefined): RadarMo
   }
   const moment = moments.find((one) => one.name === name);
   if (moment) return moment;
-  const names = moments.slice(0, 40).map((one) => one.name.slice(0, 40)).join(', ');
+  const names = moments
+    .slice(0, 40)
+    .map((one) => one.name.slice(0, 40))
+    .join(', ');
   throw new VolumeViewError('attribute/invalid', `moment got "${name}"; expected one that the file holds: ${names}`);
 }
 
@@ -63,7 +69,10 @@ export function describeChoice(file: RadarFile, moment: RadarMoment): string[] {
   const others = file.moments.filter(({ kind, name }) => kind === moment.kind && name !== moment.name);
   const count = countSweeps(file, moment);
   if (others.length === 0 || count === file.sweeps.length) return [];
-  const words = others.slice(0, 8).map((one) => `${one.name.slice(0, 40)} ${countSweeps(file, one)}`).join(', ');
+  const words = others
+    .slice(0, 8)
+    .map((one) => `${one.name.slice(0, 40)} ${countSweeps(file, one)}`)
+    .join(', ');
   return [`${moment.name} is shown, as most sweeps hold it: ${count} of ${file.sweeps.length} (${words})`];
 }
 
@@ -77,14 +86,23 @@ export function describeChoice(file: RadarFile, moment: RadarMoment): string[] {
  * @param budget - of the load
  * @throws {VolumeViewError} `format/unsupported` if no sweep holds the moment, `format/corrupt`, `format/too-large`
  */
-export function chooseSweeps(file: RadarFile, moment: string, beamWidth: number, budget = Budget.ofFile(anyFileBytes)): { chosen: ChosenSweep[]; left: string[]; details: string[] } {
+export function chooseSweeps(
+  file: RadarFile,
+  moment: string,
+  beamWidth: number,
+  budget = Budget.ofFile(anyFileBytes),
+): { chosen: ChosenSweep[]; left: string[]; details: string[] } {
   const { candidates, unused, left, details } = listCandidates(file, moment);
   if (candidates.length === 0) {
-    throw new VolumeViewError('format/unsupported', `the ${file.format} file lists the moment ${moment}, but none of its ${file.sweeps.length} sweeps holds any; choose another moment`);
+    throw new VolumeViewError(
+      'format/unsupported',
+      `the ${file.format} file lists the moment ${moment}, but none of its ${file.sweeps.length} sweeps holds any; choose another moment`,
+    );
   }
   const nearest = Math.max(nearestSweeps, beamWidth / 5);
   const kept: Kept[] = [];
-  const findSame = ({ elevation }: RadarSweep): Kept | undefined => kept.find((other) => Math.abs(other.sweep.elevation - elevation) < nearest);
+  const findSame = ({ elevation }: RadarSweep): Kept | undefined =>
+    kept.find((other) => Math.abs(other.sweep.elevation - elevation) < nearest);
   const add = (one: Candidate, mayBeEmpty: boolean): boolean => {
     budget.step(stepsPerSweep, one.name);
     const same = findSame(one.sweep);
@@ -132,24 +150,44 @@ function listCandidates({ sweeps }: RadarFile, moment: string): Candidates {
     inTransition += whole.azimuths.length - sweep.azimuths.length;
     const name = `sweep ${i + 1} at ${formatDegrees(sweep.elevation)}`;
     const grid = Math.abs(sweep.elevation) <= 90 ? sweep.gridOf(moment) : null;
-    if (!grid || grid.gates < 1 || sweep.azimuths.length < 1 || !(grid.gateLength > 0)) return void unused.push({ sweep, why: `${name} holds no ${moment}` });
+    if (!grid || grid.gates < 1 || sweep.azimuths.length < 1 || !(grid.gateLength > 0))
+      return void unused.push({ sweep, why: `${name} holds no ${moment}` });
     const fault = sweep.faultOf?.(moment);
     if (fault) faulty.push({ sweep, name, grid, fault });
     else sound.push({ sweep, name, grid });
   });
   const isAllFaulty = sound.length === 0;
   const candidates: Candidate[] = isAllFaulty ? faulty : sound;
-  const left = faulty.length > 0 && isAllFaulty ? [`all sweeps are faulty, as their radar says (${[...new Set(faulty.map(({ fault }) => fault))].slice(0, 4).join('; ')}): they are shown all the same`] : [];
-  if (!isAllFaulty) unused.push(...faulty.map(({ sweep, name, fault }) => ({ sweep, why: `${name} is left out: its radar says that it is faulty (${fault})` })));
+  const left =
+    faulty.length > 0 && isAllFaulty
+      ? [
+          `all sweeps are faulty, as their radar says (${[...new Set(faulty.map(({ fault }) => fault))].slice(0, 4).join('; ')}): they are shown all the same`,
+        ]
+      : [];
+  if (!isAllFaulty)
+    unused.push(
+      ...faulty.map(({ sweep, name, fault }) => ({
+        sweep,
+        why: `${name} is left out: its radar says that it is faulty (${fault})`,
+      })),
+    );
   const details: string[] = [];
-  if (inTransition > 0) details.push(`${inTransition} radials are left out: the antenna was on its way between sweeps (antenna_transition)`);
+  if (inTransition > 0)
+    details.push(
+      `${inTransition} radials are left out: the antenna was on its way between sweeps (antenna_transition)`,
+    );
   const reachOf = ({ firstGate, gates, gateLength }: SweepGates): number => firstGate + gates * gateLength;
   candidates.sort((a, b) => reachOf(b.grid) - reachOf(a.grid) || b.sweep.azimuths.length - a.sweep.azimuths.length);
   return { candidates, unused, left, details };
 }
 
 /** @param all - the sweeps that are shown, including this one */
-function readSweep({ sweep, name, grid }: Candidate, moment: string, all: readonly (Candidate | Kept)[], budget: Budget): SweepData | null {
+function readSweep(
+  { sweep, name, grid }: Candidate,
+  moment: string,
+  all: readonly (Candidate | Kept)[],
+  budget: Budget,
+): SweepData | null {
   refuseGates(name, grid);
   const gates = sweep.azimuths.length * grid.gates;
   refuseShown({

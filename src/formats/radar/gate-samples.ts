@@ -52,7 +52,12 @@ export function packGates(numbers: Numbers, packing: Packing): PackedGates {
     else samples[i] = number + shift;
     if (isOutside && !isNoData.has(number)) invalid++;
   }
-  return { samples, slope: packing.slope, intercept: packing.intercept - packing.slope * shift, ...(invalid > 0 ? { invalid } : {}) };
+  return {
+    samples,
+    slope: packing.slope,
+    intercept: packing.intercept - packing.slope * shift,
+    ...(invalid > 0 ? { invalid } : {}),
+  };
 }
 
 /** The sample value that means no data. */
@@ -65,7 +70,10 @@ function allocate(length: number, bits: number, isWide: boolean): Samples {
   return isWide ? new Float32Array(length) : new Uint16Array(length);
 }
 
-function packFloats(numbers: Numbers, { slope, intercept, noData, valid: [min, max] = [-Infinity, Infinity] }: Packing): PackedGates {
+function packFloats(
+  numbers: Numbers,
+  { slope, intercept, noData, valid: [min, max] = [-Infinity, Infinity] }: Packing,
+): PackedGates {
   // What stands for no data is written in double precision, and stored in the array's.
   const isNoData = new Set(numbers instanceof Float32Array ? noData.map(Math.fround) : noData);
   const samples = new Float32Array(numbers.length);

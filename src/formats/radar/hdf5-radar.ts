@@ -11,12 +11,18 @@ import type { RadarFile } from './radar-file.ts';
  * which.
  * @throws {VolumeViewError} as the readers do; `format/unsupported` if it is none of them
  */
-export async function readHdf5Radar(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
+export async function readHdf5Radar(
+  bytes: Uint8Array<ArrayBuffer>,
+  budget = Budget.ofFile(bytes.length),
+): Promise<RadarFile> {
   const root = openHdf5(bytes, budget);
   if (isOdim(root)) return readOdimTree(root, budget);
   if (isCfradial1(root)) return readCfradial1Tree(root, budget);
   if (isCfradial2(root)) return readCfradial2Tree(root, budget);
-  const held = root.names.slice(0, 6).map((name) => name.slice(0, 40)).join(', ');
+  const held = root.names
+    .slice(0, 6)
+    .map((name) => name.slice(0, 40))
+    .join(', ');
   throw new VolumeViewError(
     'format/unsupported',
     `the HDF5 file is no radar scan that is known here: it holds ${held || 'nothing'}; expected ODIM_H5, CfRadial 1 or CfRadial 2`,

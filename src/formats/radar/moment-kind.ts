@@ -61,7 +61,11 @@ export function isFolding({ name, kind }: RadarMoment): boolean {
   return kind === 'velocity' && !unfoldedNames.test(name);
 }
 
-const unitsOfKind: Readonly<Partial<Record<MomentKind, string>>> = { reflectivity: 'dBZ', velocity: 'm/s', 'spectrum-width': 'm/s' };
+const unitsOfKind: Readonly<Partial<Record<MomentKind, string>>> = {
+  reflectivity: 'dBZ',
+  velocity: 'm/s',
+  'spectrum-width': 'm/s',
+};
 
 const units: readonly (readonly [RegExp, string])[] = [
   [/^dbz$/i, 'dBZ'],

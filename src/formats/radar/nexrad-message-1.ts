@@ -14,14 +14,29 @@ const degreesPerUnit = 180 / 32768;
  */
 export function readMessage1(body: DataView<ArrayBuffer>): NexradRadial {
   const header = partOf(body, 0, headerLength, 'a header');
-  const surveillance = { firstGate: header.getInt16(18), gateLength: header.getUint16(22), gates: header.getUint16(26) };
+  const surveillance = {
+    firstGate: header.getInt16(18),
+    gateLength: header.getUint16(22),
+    gates: header.getUint16(26),
+  };
   const doppler = { firstGate: header.getInt16(20), gateLength: header.getUint16(24), gates: header.getUint16(28) };
   const moments = new Map<string, NexradGates>();
-  const addMoment = (name: string, pointerAt: number, grid: typeof doppler, packing: { scale: number; offset: number }): void => {
+  const addMoment = (
+    name: string,
+    pointerAt: number,
+    grid: typeof doppler,
+    packing: { scale: number; offset: number },
+  ): void => {
     const pointer = header.getUint16(pointerAt);
     if (pointer === 0 || grid.gates === 0) return;
     const { firstGate, gateLength, gates } = grid;
-    moments.set(name, { firstGate, gateLength, ...packing, bits: 8, codes: partOf(body, pointer, gates, `${gates} gates of ${name}`) });
+    moments.set(name, {
+      firstGate,
+      gateLength,
+      ...packing,
+      bits: 8,
+      codes: partOf(body, pointer, gates, `${gates} gates of ${name}`),
+    });
   };
   addMoment('REF', 36, surveillance, { scale: 2, offset: 66 });
   // Velocity has steps of half a metre per second, or of one.

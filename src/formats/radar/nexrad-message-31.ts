@@ -22,7 +22,10 @@ const maxBlocks = 32;
 export function readMessage31(body: DataView<ArrayBuffer>): NexradRadial {
   const header = partOf(body, 0, headerLength, 'a header');
   if (header.getUint8(16) !== 0) {
-    throw new VolumeViewError('format/unsupported', `the NEXRAD file packs its radials one by one (method ${header.getUint8(16)}); expected them as they are`);
+    throw new VolumeViewError(
+      'format/unsupported',
+      `the NEXRAD file packs its radials one by one (method ${header.getUint8(16)}); expected them as they are`,
+    );
   }
   const count = header.getUint16(30);
   if (count > maxBlocks) throw corruptRadial(`${count} blocks`, `at most ${maxBlocks}`);

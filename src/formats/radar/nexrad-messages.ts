@@ -21,7 +21,10 @@ export interface NexradMessage {
  * @throws {VolumeViewError} `format/corrupt`
  * Source: Interface Control Document for the RDA/RPG, 2620002 (NOAA/NWS Radar Operations Center), table II
  */
-export function* splitMessages(record: Uint8Array<ArrayBuffer>, onCut: (missing: number) => void): Generator<NexradMessage> {
+export function* splitMessages(
+  record: Uint8Array<ArrayBuffer>,
+  onCut: (missing: number) => void,
+): Generator<NexradMessage> {
   const view = new DataView(record.buffer, record.byteOffset, record.length);
   let position = 0;
   while (position + lineHeader + messageHeader <= record.length) {
@@ -34,9 +37,16 @@ export function* splitMessages(record: Uint8Array<ArrayBuffer>, onCut: (missing:
     const needed = isFramed ? Math.min(end, header + Math.max(length, messageHeader)) : end;
     if (needed > record.length) return onCut(needed - record.length);
     if (!isFramed && length < messageHeader) {
-      throw new VolumeViewError('format/corrupt', `the NEXRAD message at byte ${position} of its record got a length of ${length}; expected at least ${messageHeader}`);
+      throw new VolumeViewError(
+        'format/corrupt',
+        `the NEXRAD message at byte ${position} of its record got a length of ${length}; expected at least ${messageHeader}`,
+      );
     }
-    const body = new DataView(record.buffer, record.byteOffset + header + messageHeader, Math.min(end, record.length) - header - messageHeader);
+    const body = new DataView(
+      record.buffer,
+      record.byteOffset + header + messageHeader,
+      Math.min(end, record.length) - header - messageHeader,
+    );
     yield { type, segment: view.getUint16(header + 14), body };
     position = end;
   }

@@ -60,21 +60,33 @@ export function checkRadial(radial: NexradRadial): NexradRadial {
   for (const [name, { gateLength, firstGate, scale, offset }] of moments) {
     if (!(gateLength > 0)) throw corruptRadial(`gates of ${gateLength} m for ${name}`, 'a length above 0');
     if (!(Number.isFinite(scale) && scale > 0 && Number.isFinite(offset) && Number.isFinite(1 / scale))) {
-      throw corruptRadial(`scale ${scale} and offset ${offset} for ${name}, its gates from ${firstGate} m`, 'numbers, the scale above 0');
+      throw corruptRadial(
+        `scale ${scale} and offset ${offset} for ${name}, its gates from ${firstGate} m`,
+        'numbers, the scale above 0',
+      );
     }
   }
   return radial;
 }
 
 export function corruptRadial(got: string, expected: string): VolumeViewError {
-  return new VolumeViewError('format/corrupt', `a radial of the NEXRAD file got ${got}; expected ${expected}. The file is damaged`);
+  return new VolumeViewError(
+    'format/corrupt',
+    `a radial of the NEXRAD file got ${got}; expected ${expected}. The file is damaged`,
+  );
 }
 
 /**
  * A part of a message.
  * @throws {VolumeViewError} `format/corrupt` if the message is too short
  */
-export function partOf(body: DataView<ArrayBuffer>, start: number, length: number, what: string): DataView<ArrayBuffer> {
-  if (start + length > body.byteLength) throw corruptRadial(`${what} to byte ${start + length}`, `at most ${body.byteLength}, the length of its message`);
+export function partOf(
+  body: DataView<ArrayBuffer>,
+  start: number,
+  length: number,
+  what: string,
+): DataView<ArrayBuffer> {
+  if (start + length > body.byteLength)
+    throw corruptRadial(`${what} to byte ${start + length}`, `at most ${body.byteLength}, the length of its message`);
   return new DataView(body.buffer, body.byteOffset + start, length);
 }

@@ -46,10 +46,13 @@ export function isNexrad(bytes: Uint8Array): boolean {
  */
 export function splitRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): NexradRecords[] {
   if (!isNexrad(bytes)) {
-    throw new VolumeViewError('format/unknown', 'the file does not begin with "AR2V" or "ARCHIVE2"; expected NEXRAD Level II');
+    throw new VolumeViewError(
+      'format/unknown',
+      'the file does not begin with "AR2V" or "ARCHIVE2"; expected NEXRAD Level II',
+    );
   }
   const volumes: NexradRecords[] = [];
-  for (let begin = 0; begin < bytes.length && volumes.length < maxVolumes; ) {
+  for (let begin = 0; begin < bytes.length && volumes.length < maxVolumes;) {
     const rest = bytes.subarray(begin);
     const station = /^[A-Z0-9]{4}$/.exec(latin1(rest.subarray(20, headerLength)))?.[0] ?? '';
     if (isBzip2(rest.subarray(headerLength + controlLength))) {
@@ -73,7 +76,10 @@ function findHeader(bytes: Uint8Array, from: number): number {
   return bytes.length;
 }
 
-function unpackRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Pick<NexradRecords, 'records' | 'cut'> & { readonly next: number } {
+function unpackRecords(
+  bytes: Uint8Array<ArrayBuffer>,
+  budget: Budget,
+): Pick<NexradRecords, 'records' | 'cut'> & { readonly next: number } {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const records: Uint8Array<ArrayBuffer>[] = [];
   const room = new Bunzip2Room(budget);
@@ -91,7 +97,11 @@ function unpackRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Pick<Nex
     if (length === 0) break;
     if (end > bytes.length) {
       room.release();
-      return { records, next: bytes.length, cut: `record ${records.length + 1} needs ${end - bytes.length} bytes more than the file has` };
+      return {
+        records,
+        next: bytes.length,
+        cut: `record ${records.length + 1} needs ${end - bytes.length} bytes more than the file has`,
+      };
     }
     const record = bunzip2(bytes.subarray(start, end), Math.min(maxRecordBytes, maxBytes - unpacked), room);
     budget.take(record.length + bytesPerRecord, 'a record of the NEXRAD file');

@@ -44,14 +44,27 @@ function checkGrid(radials: readonly NexradRadial[], name: string): void {
   const [first] = all;
   for (const gates of all) {
     if (!isSameGrid(gates, first)) {
-      throw corruptRadial(`${describeGrid(gates)} for ${name}`, `${describeGrid(first)}, as the first one of its sweep`);
+      throw corruptRadial(
+        `${describeGrid(gates)} for ${name}`,
+        `${describeGrid(first)}, as the first one of its sweep`,
+      );
     }
   }
-  refuseSweep(`${name} of the sweep at ${radials[0].elevation.toFixed(1)}°`, radials.length, Math.max(1, longestOf(all)));
+  refuseSweep(
+    `${name} of the sweep at ${radials[0].elevation.toFixed(1)}°`,
+    radials.length,
+    Math.max(1, longestOf(all)),
+  );
 }
 
 function isSameGrid(a: NexradGates, b: NexradGates): boolean {
-  return a.firstGate === b.firstGate && a.gateLength === b.gateLength && a.scale === b.scale && a.offset === b.offset && a.bits === b.bits;
+  return (
+    a.firstGate === b.firstGate &&
+    a.gateLength === b.gateLength &&
+    a.scale === b.scale &&
+    a.offset === b.offset &&
+    a.bits === b.bits
+  );
 }
 
 /** Radials may have different numbers of gates: all are padded to the longest. */

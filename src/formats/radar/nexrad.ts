@@ -29,7 +29,15 @@ const bytesPerMoment = 320;
 const stepsPerMessage = 64;
 
 /** Units of the moments. Source: ICD 2620002, table XVII-B */
-const units: Readonly<Record<string, string>> = { REF: 'dBZ', VEL: 'm/s', SW: 'm/s', ZDR: 'dB', PHI: 'degrees', RHO: '', CFP: 'dB' };
+const units: Readonly<Record<string, string>> = {
+  REF: 'dBZ',
+  VEL: 'm/s',
+  SW: 'm/s',
+  ZDR: 'dB',
+  PHI: 'degrees',
+  RHO: '',
+  CFP: 'dB',
+};
 
 /** What the messages of a file hold, in its order. */
 interface Contents {
@@ -52,17 +60,28 @@ interface Contents {
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`
  * Sources: Interface Control Documents for the RDA/RPG, 2620002, and for the Archive II/User, 2620010
  */
-export async function readNexrad(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
+export async function readNexrad(
+  bytes: Uint8Array<ArrayBuffer>,
+  budget = Budget.ofFile(bytes.length),
+): Promise<RadarFile> {
   const unpacked = isGzip(bytes) ? await unpackGzip(bytes, budget) : { bytes };
   const volumes = splitRecords(unpacked.bytes, budget);
   const all = volumes.flatMap(({ station, records, cut }, i) => {
-    const contents: Contents = { radials: [], station, cuts: [], cut: (i === volumes.length - 1 ? unpacked.cut : undefined) ?? cut };
+    const contents: Contents = {
+      radials: [],
+      station,
+      cuts: [],
+      cut: (i === volumes.length - 1 ? unpacked.cut : undefined) ?? cut,
+    };
     for (const record of records) readRecord(record, contents, budget);
     return splitVolumes(contents);
   });
   if (all.length === 0) {
     const cut = unpacked.cut ?? volumes.find((volume) => volume.cut)?.cut;
-    throw new VolumeViewError('format/corrupt', `the NEXRAD file holds no radials${cut ? `: ${cut}` : ''}; expected messages 31 or 1. Fetch it again`);
+    throw new VolumeViewError(
+      'format/corrupt',
+      `the NEXRAD file holds no radials${cut ? `: ${cut}` : ''}; expected messages 31 or 1. Fetch it again`,
+    );
   }
   const contents = all.reduce((best, one) => (isMoreComplete(one, best) ? one : best));
   const { radials, station } = contents;
@@ -83,7 +102,10 @@ export async function readNexrad(bytes: Uint8Array<ArrayBuffer>, budget = Budget
 }
 
 /** Unpacks a gzip file as far as it is complete. */
-async function unpackGzip(packed: Uint8Array<ArrayBuffer>, budget: Budget): Promise<{ bytes: Uint8Array<ArrayBuffer>; cut?: string }> {
+async function unpackGzip(
+  packed: Uint8Array<ArrayBuffer>,
+  budget: Budget,
+): Promise<{ bytes: Uint8Array<ArrayBuffer>; cut?: string }> {
   const pieces: Uint8Array<ArrayBuffer>[] = [];
   let length = 0;
   let cut: string | undefined;
@@ -93,7 +115,10 @@ async function unpackGzip(packed: Uint8Array<ArrayBuffer>, budget: Budget): Prom
       pieces.push(piece);
       length += piece.length;
       if (length > maxBytes) {
-        throw new VolumeViewError('format/too-large', `the gzip file unpacks to more than ${maxBytes.toLocaleString('en')} bytes; expected a NEXRAD file`);
+        throw new VolumeViewError(
+          'format/too-large',
+          `the gzip file unpacks to more than ${maxBytes.toLocaleString('en')} bytes; expected a NEXRAD file`,
+        );
       }
     }
   } catch (error) {
@@ -122,7 +147,8 @@ function readRecord(record: Uint8Array<ArrayBuffer>, contents: Contents, budget:
     if (radial) {
       budget.take(bytesPerRadial + bytesPerMoment * radial.moments.size, 'the radials of the NEXRAD file');
       contents.radials.push(radial);
-    } else if ((type === 5 || type === 7) && segment === 1 && contents.cuts.length === 0) contents.cuts = readCuts(body);
+    } else if ((type === 5 || type === 7) && segment === 1 && contents.cuts.length === 0)
+      contents.cuts = readCuts(body);
   }
 }
 
@@ -147,15 +173,21 @@ function isMoreComplete(one: Contents, other: Contents): boolean {
 /** Notes about the other volumes of a file. */
 function describeOthers(all: readonly Contents[], shown: Contents): string[] {
   if (all.length === 1) return [];
-  const describe = ({ radials }: Contents): string => `that of ${isoTime(radials[0].time) ?? 'no time'} with ${groupByCut(radials).length} sweeps`;
+  const describe = ({ radials }: Contents): string =>
+    `that of ${isoTime(radials[0].time) ?? 'no time'} with ${groupByCut(radials).length} sweeps`;
   return all
     .filter((volume) => volume !== shown)
-    .map((volume) => `of the ${all.length} volumes of the file, the radar having begun again, ${describe(volume)} is left out; ${describe(shown)}, the more complete one, is shown`);
+    .map(
+      (volume) =>
+        `of the ${all.length} volumes of the file, the radar having begun again, ${describe(volume)} is left out; ${describe(shown)}, the more complete one, is shown`,
+    );
 }
 
 function describeBad(radials: readonly NexradRadial[]): string[] {
   const bad = radials.filter(({ isBad }) => isBad).length;
-  return bad > 0 ? [`${bad} of ${radials.length} radials are left out: the radar marks them as bad, or as not sent (spot blanking)`] : [];
+  return bad > 0
+    ? [`${bad} of ${radials.length} radials are left out: the radar marks them as bad, or as not sent (spot blanking)`]
+    : [];
 }
 
 /** @throws {VolumeViewError} `format/too-large` */

@@ -9,7 +9,11 @@ export type Lineage = readonly DataGroup[];
 export type Section = 'what' | 'where' | 'how';
 
 /** The first of several attribute names that the groups' `what`, `where` or `how` has, the most specific group first. */
-export function findAttribute(lineage: Lineage, section: Section, names: readonly string[]): AttributeValue | undefined {
+export function findAttribute(
+  lineage: Lineage,
+  section: Section,
+  names: readonly string[],
+): AttributeValue | undefined {
   for (const group of lineage) {
     const attributes = group.group(section)?.attributes;
     for (const name of names) {
@@ -29,7 +33,12 @@ export function findText(lineage: Lineage, section: Section, ...names: string[])
 }
 
 /** @throws {VolumeViewError} `format/corrupt`, if the number is absent or out of range */
-export function requireNumber(lineage: Lineage, section: Section, name: string, range: readonly [number, number]): number {
+export function requireNumber(
+  lineage: Lineage,
+  section: Section,
+  name: string,
+  range: readonly [number, number],
+): number {
   const value = findNumber(lineage, section, name);
   if (value !== undefined && value >= range[0] && value <= range[1]) return value;
   throw new VolumeViewError(
@@ -56,7 +65,9 @@ export function joinTime(date: string | undefined, time: string | undefined): st
 /** Groups called 'dataset1', 'dataset2', … in the order of their numbers. */
 export function listGroups(parent: DataGroup, prefix: string): DataGroup[] {
   const pattern = new RegExp(`^${prefix}(\\d+)$`);
-  const found = parent.names.map((name) => ({ name, number: Number(pattern.exec(name)?.[1] ?? NaN) })).filter(({ number }) => !Number.isNaN(number));
+  const found = parent.names
+    .map((name) => ({ name, number: Number(pattern.exec(name)?.[1] ?? NaN) }))
+    .filter(({ number }) => !Number.isNaN(number));
   refuseManySweeps(found.length, `groups ${prefix}1, ${prefix}2, … in ${parent.path}`);
   found.sort((a, b) => a.number - b.number);
   return found.map(({ name }) => parent.group(name)).filter((group) => group !== null);

@@ -4,7 +4,15 @@ import type { AttributeValue, DataArray, DataGroup } from '../base/data-tree.ts'
 import { packGates } from './gate-samples.ts';
 import { momentKindOf } from './moment-kind.ts';
 import { odimUnit } from './odim-units.ts';
-import { findAttribute, findNumber, findText, isInMetres, joinTime, listGroups, requireNumber } from './odim-attributes.ts';
+import {
+  findAttribute,
+  findNumber,
+  findText,
+  isInMetres,
+  joinTime,
+  listGroups,
+  requireNumber,
+} from './odim-attributes.ts';
 import type { Lineage } from './odim-attributes.ts';
 import type { RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
 import { anyFileBytes, refuseSweep } from './radar-limits.ts';
@@ -32,7 +40,12 @@ interface Stored {
  * @param budget - the angles of its radials are taken from it
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
-export function readOdimSweep(root: DataGroup, dataset: DataGroup, version = '2.2', budget = Budget.ofFile(anyFileBytes)): OdimSweep | null {
+export function readOdimSweep(
+  root: DataGroup,
+  dataset: DataGroup,
+  version = '2.2',
+  budget = Budget.ofFile(anyFileBytes),
+): OdimSweep | null {
   const stored = findMoments(root, dataset);
   const [first] = stored.values();
   if (!first) return null;
@@ -75,7 +88,10 @@ function findMoments(root: DataGroup, dataset: DataGroup): Map<string, Stored> {
     const [radials] = array.shape;
     const [known] = stored.values();
     if (known && known.array.shape[0] !== radials) {
-      throw new VolumeViewError('format/corrupt', `${array.path} got ${radials} radials; expected ${known.array.shape[0]}, as ${known.array.path} has`);
+      throw new VolumeViewError(
+        'format/corrupt',
+        `${array.path} got ${radials} radials; expected ${known.array.shape[0]}, as ${known.array.path} has`,
+      );
     }
     stored.set(quantity, { array, lineage });
   }
@@ -85,12 +101,18 @@ function findMoments(root: DataGroup, dataset: DataGroup): Map<string, Stored> {
 function checkShape(array: DataArray, lineage: Lineage): void {
   const [radials, gates] = array.shape;
   if (array.shape.length !== 2) {
-    throw new VolumeViewError('format/corrupt', `${array.path} got ${array.shape.length} axes; expected 2, radials and gates`);
+    throw new VolumeViewError(
+      'format/corrupt',
+      `${array.path} got ${array.shape.length} axes; expected 2, radials and gates`,
+    );
   }
   refuseSweep(array.path, radials, gates);
   const stated = [findNumber(lineage, 'where', 'nrays') ?? radials, findNumber(lineage, 'where', 'nbins') ?? gates];
   if (stated[0] === radials && stated[1] === gates) return;
-  throw new VolumeViewError('format/corrupt', `${array.path} got ${radials} radials of ${gates} gates; expected ${stated.join(' of ')}, as where/nrays and where/nbins say`);
+  throw new VolumeViewError(
+    'format/corrupt',
+    `${array.path} got ${radials} radials of ${gates} gates; expected ${stated.join(' of ')}, as where/nrays and where/nbins say`,
+  );
 }
 
 function describe(name: string, version: string): RadarMoment {
@@ -107,7 +129,10 @@ function readAzimuths(lineage: Lineage, radials: number): Float64Array<ArrayBuff
   const azimuths = new Float64Array(radials);
   const sector = readSector(lineage);
   for (let radial = 0; radial < radials; radial++) {
-    const middle = starts && stops ? starts[radial] + turnTo(stops[radial] - starts[radial]) / 2 : sector.from + ((radial + 0.5) * sector.width) / radials;
+    const middle =
+      starts && stops
+        ? starts[radial] + turnTo(stops[radial] - starts[radial]) / 2
+        : sector.from + ((radial + 0.5) * sector.width) / radials;
     azimuths[radial] = wrap(middle);
   }
   return azimuths;
@@ -121,7 +146,7 @@ function readAngles(lineage: Lineage, radials: number): readonly [Float64Array, 
   const text = findText(lineage, 'how', 'azangles');
   if (text === undefined || text.length > radials * longestPair) return null;
   const pairs = text.split(',').map((pair) => pair.split(':').map(Number));
-  if ( pairs.length !== radials) return null;
+  if (pairs.length !== radials) return null;
   const both = [0, 1].map((side) => Float64Array.from(pairs, (pair) => pair[side]));
   return both.every((angles) => isAngles(angles, radials)) ? [both[0], both[1]] : null;
 }
@@ -139,18 +164,25 @@ function readElevations(lineage: Lineage, radials: number): Float64Array<ArrayBu
 /** If the file has only start angles, each radial stops where the next starts; the last is as wide as the one before. */
 function nextStarts(starts: Float64Array): Float64Array {
   const last = starts.length - 1;
-  return starts.map((start, radial) => (radial < last ? starts[radial + 1] : start + (last > 0 ? turnTo(start - starts[last - 1]) : 360)));
+  return starts.map((start, radial) =>
+    radial < last ? starts[radial + 1] : start + (last > 0 ? turnTo(start - starts[last - 1]) : 360),
+  );
 }
 
 function isAngles(value: AttributeValue | undefined, radials: number): value is Float64Array {
-  return value instanceof Float64Array && value.length === radials && value.every((angle) => Number.isFinite(angle) && Math.abs(angle) <= 720);
+  return (
+    value instanceof Float64Array &&
+    value.length === radials &&
+    value.every((angle) => Number.isFinite(angle) && Math.abs(angle) <= 720)
+  );
 }
 
 /** Where the first radial starts, and the angle that all cover: the whole circle, or the sector of an AZIM object. */
 function readSector(lineage: Lineage): { from: number; width: number } {
   const from = findNumber(lineage, 'where', 'startaz');
   const to = findNumber(lineage, 'where', 'stopaz');
-  if (from !== undefined && to !== undefined && Number.isFinite(from + to)) return { from, width: wrap(to - from) || 360 };
+  if (from !== undefined && to !== undefined && Number.isFinite(from + to))
+    return { from, width: wrap(to - from) || 360 };
   const start = findNumber(lineage, 'how', 'astart') ?? 0;
   return { from: Number.isFinite(start) ? start : 0, width: 360 };
 }
@@ -196,7 +228,10 @@ function readGrid({ array, lineage }: Stored, version: string): SweepGates {
   const gateLength = requireNumber(lineage, 'where', 'rscale', [0.01, 1e5]);
   const { metres, stated } = readStart(lineage, version, gateLength);
   if (!(Math.abs(metres) < farthestStart)) {
-    throw new VolumeViewError('format/corrupt', `${array.path} got rstart ${stated}; expected where the first gate begins, in ${isInMetres(version) ? 'metres, as ODIM_H5 2.4 has it' : 'kilometres'}`);
+    throw new VolumeViewError(
+      'format/corrupt',
+      `${array.path} got rstart ${stated}; expected where the first gate begins, in ${isInMetres(version) ? 'metres, as ODIM_H5 2.4 has it' : 'kilometres'}`,
+    );
   }
   return { firstGate: metres + gateLength / 2, gateLength, gates: array.shape[1] };
 }
@@ -261,9 +296,14 @@ function readGates(stored: Stored, version: string): SweepData {
   const slope = findNumber(lineage, 'what', 'gain') ?? 1;
   const intercept = findNumber(lineage, 'what', 'offset') ?? 0;
   if (!(Number.isFinite(slope) && slope !== 0 && Number.isFinite(intercept))) {
-    throw new VolumeViewError('format/corrupt', `${array.path} got gain ${slope} and offset ${intercept}; expected finite numbers, the gain not 0`);
+    throw new VolumeViewError(
+      'format/corrupt',
+      `${array.path} got gain ${slope} and offset ${intercept}; expected finite numbers, the gain not 0`,
+    );
   }
-  const noData = ['nodata', 'undetect'].map((name) => findNumber(lineage, 'what', name)).filter((number) => number !== undefined);
+  const noData = ['nodata', 'undetect']
+    .map((name) => findNumber(lineage, 'what', name))
+    .filter((number) => number !== undefined);
   const packed = packGates(array.readRows(0, array.shape[0]), { type: array.type, slope, intercept, noData });
   return { ...grid, ...packed };
 }

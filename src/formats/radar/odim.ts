@@ -27,7 +27,10 @@ const otherObjects: Readonly<Record<string, string>> = {
  * of its sweeps
  * Source: EUMETNET OPERA weather radar information model for implementation with the HDF5 file format, 2.0 to 2.4
  */
-export async function readOdim(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
+export async function readOdim(
+  bytes: Uint8Array<ArrayBuffer>,
+  budget = Budget.ofFile(bytes.length),
+): Promise<RadarFile> {
   return readOdimTree(openHdf5(bytes, budget), budget);
 }
 
@@ -46,10 +49,16 @@ export function readOdimTree(root: DataGroup, budget: Budget): RadarFile {
   const scans = groups.filter((group) => isScan(group, details));
   details.push(...describeQuality(scans));
   const sweeps = scans.map((group) => readOdimSweep(root, group, version, budget)).filter((sweep) => sweep !== null);
-  if (sweeps.length === 0) throw new VolumeViewError('format/corrupt', `the ODIM_H5 file holds no scan; expected groups dataset1, dataset2, … with data${details.length > 0 ? `; ${details[0]}` : ''}`);
+  if (sweeps.length === 0)
+    throw new VolumeViewError(
+      'format/corrupt',
+      `the ODIM_H5 file holds no scan; expected groups dataset1, dataset2, … with data${details.length > 0 ? `; ${details[0]}` : ''}`,
+    );
   const time = firstTime(sweeps) ?? joinTime(findText([root], 'what', 'date'), findText([root], 'what', 'time'));
   // The vertical width is preferred, because it determines how far sweeps reach up and down.
-  const beamWidth = ['beamwV', 'beamwidth', 'beamwH'].map((name) => findNumber([root, ...groups], 'how', name)).find((width) => width !== undefined && width > 0);
+  const beamWidth = ['beamwV', 'beamwidth', 'beamwH']
+    .map((name) => findNumber([root, ...groups], 'how', name))
+    .find((width) => width !== undefined && width > 0);
   const moments = new Map(sweeps.flatMap((sweep) => sweep.found).map((moment) => [moment.name, moment]));
   return {
     format: `ODIM_H5 ${version}`,
@@ -72,19 +81,29 @@ function isScan(dataset: DataGroup, details: string[]): boolean {
 
 /** Fields of quality beside the data: each says what it says in its own way, and none that a gate is no data. Source: ODIM_H5 2.4, 4.5 and table 8, how/task */
 function describeQuality(scans: readonly DataGroup[]): string[] {
-  const groups = scans.flatMap((scan) => [scan, ...listGroups(scan, 'data')]).flatMap((parent) => listGroups(parent, 'quality'));
+  const groups = scans
+    .flatMap((scan) => [scan, ...listGroups(scan, 'data')])
+    .flatMap((parent) => listGroups(parent, 'quality'));
   const tasks = new Set(groups.map((group) => findText([group], 'how', 'task')?.slice(0, 60) ?? 'no how/task'));
-  return groups.length > 0 ? [`${groups.length} fields of quality are not used (${[...tasks].slice(0, 8).join(', ')})`] : [];
+  return groups.length > 0
+    ? [`${groups.length} fields of quality are not used (${[...tasks].slice(0, 8).join(', ')})`]
+    : [];
 }
 
 function checkObject(root: DataGroup): void {
   const object = findText([root], 'what', 'object');
   if (object === undefined) {
-    throw new VolumeViewError('format/unsupported', 'the HDF5 file has no what/object; expected a polar volume of ODIM_H5 (PVOL or SCAN)');
+    throw new VolumeViewError(
+      'format/unsupported',
+      'the HDF5 file has no what/object; expected a polar volume of ODIM_H5 (PVOL or SCAN)',
+    );
   }
   if (['PVOL', 'SCAN', 'AZIM'].includes(object)) return;
   const words = Object.hasOwn(otherObjects, object) ? `, ${otherObjects[object]}` : '';
-  throw new VolumeViewError('format/unsupported', `the ODIM_H5 file got the object ${object}${words}; expected a polar volume (PVOL) or a scan (SCAN)`);
+  throw new VolumeViewError(
+    'format/unsupported',
+    `the ODIM_H5 file got the object ${object}${words}; expected a polar volume (PVOL) or a scan (SCAN)`,
+  );
 }
 
 function firstTime(sweeps: readonly OdimSweep[]): string | undefined {

@@ -51,7 +51,9 @@ function cutTiles(image: GrayImage, { mosaic, slices, elevations }: PolarMosaicS
   }
   refuseManySweeps(elevations.length);
   if (elevations.length > mosaic.columns * mosaic.rows) {
-    throw layout(`elevations got ${elevations.length} angles; expected at most ${mosaic.columns * mosaic.rows}, the tiles of a ${mosaic.columns}x${mosaic.rows} mosaic`);
+    throw layout(
+      `elevations got ${elevations.length} angles; expected at most ${mosaic.columns * mosaic.rows}, the tiles of a ${mosaic.columns}x${mosaic.rows} mosaic`,
+    );
   }
   const { columns, rows } = checkMosaicLayout(image, mosaic, elevations.length);
   const [width, height] = [image.width / columns, image.height / rows];
@@ -61,30 +63,63 @@ function cutTiles(image: GrayImage, { mosaic, slices, elevations }: PolarMosaicS
         `${width} x ${height}; expected tiles of whole pixels, as each is a gate`,
     );
   }
-  return elevations.map((_, i) => ({ left: (i % columns) * width, top: Math.floor(i / columns) * height, width, height }));
+  return elevations.map((_, i) => ({
+    left: (i % columns) * width,
+    top: Math.floor(i / columns) * height,
+    width,
+    height,
+  }));
 }
 
 /** The settings of one tile: its own, else those for all tiles. */
-function describeTile(settings: PolarMosaicSettings, index: number): Omit<PolarMosaicSettings, 'elevations'> & ManifestSweep & { elevation: number } {
+function describeTile(
+  settings: PolarMosaicSettings,
+  index: number,
+): Omit<PolarMosaicSettings, 'elevations'> & ManifestSweep & { elevation: number } {
   const { sweeps = [], elevations, ...all } = settings;
   if (sweeps.length > elevations.length) {
-    throw layout(`sweeps got ${sweeps.length} tiles; expected at most ${elevations.length}, as many as there are elevations`);
+    throw layout(
+      `sweeps got ${sweeps.length} tiles; expected at most ${elevations.length}, as many as there are elevations`,
+    );
   }
   return { ...all, ...sweeps[index], elevation: elevations[index] };
 }
 
 function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<typeof describeTile>): RadarSweep {
-  const { rays: radials = about.azimuths?.length ?? tile.height, gates = tile.width, range, elevation, nyquist, time, slope, intercept } = about;
+  const {
+    rays: radials = about.azimuths?.length ?? tile.height,
+    gates = tile.width,
+    range,
+    elevation,
+    nyquist,
+    time,
+    slope,
+    intercept,
+  } = about;
   const where = `the tile of elevation ${elevation}°`;
   if (radials > tile.height || gates > tile.width) {
-    throw layout(`${where} got ${radials} radials of ${gates} gates; expected at most ${tile.height} of ${tile.width}, the pixels of a tile`);
+    throw layout(
+      `${where} got ${radials} radials of ${gates} gates; expected at most ${tile.height} of ${tile.width}, the pixels of a tile`,
+    );
   }
   refuseSweep(where, radials, gates);
-  if (!range || !(range[1] > 0 && Math.abs(range[0]) <= farthest && range[0] + gates * range[1] > 0 && range[0] + gates * range[1] <= farthest)) {
-    throw layout(`${where} got ${range ? `a range of "${range.join(' ')}"` : 'no range'}; expected range="FIRST GATE-LENGTH", metres to the middle of the first gate and from gate to gate, such as range="250 500", with gates between the radar and 1e9 metres`);
+  if (
+    !range ||
+    !(
+      range[1] > 0 &&
+      Math.abs(range[0]) <= farthest &&
+      range[0] + gates * range[1] > 0 &&
+      range[0] + gates * range[1] <= farthest
+    )
+  ) {
+    throw layout(
+      `${where} got ${range ? `a range of "${range.join(' ')}"` : 'no range'}; expected range="FIRST GATE-LENGTH", metres to the middle of the first gate and from gate to gate, such as range="250 500", with gates between the radar and 1e9 metres`,
+    );
   }
   if (about.elevations && about.elevations.length !== radials) {
-    throw layout(`${where} got ${about.elevations.length} elevations and ${radials} radials; expected one elevation a radial`);
+    throw layout(
+      `${where} got ${about.elevations.length} elevations and ${radials} radials; expected one elevation a radial`,
+    );
   }
   refuseSweep(where, radials, gates);
   const [firstGate, gateLength] = range;
@@ -97,7 +132,9 @@ function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<
     moments: [name],
     gridOf: (moment) => (moment === name ? { firstGate, gateLength, gates } : null),
     read: (moment) =>
-      moment === name ? { firstGate, gateLength, gates, samples: copyPixels(image, tile, { radials, gates }), slope, intercept } : null,
+      moment === name
+        ? { firstGate, gateLength, gates, samples: copyPixels(image, tile, { radials, gates }), slope, intercept }
+        : null,
   };
 }
 
@@ -107,8 +144,11 @@ function readAzimuths({ azimuths, azimuth }: ManifestSweep, radials: number, whe
   }
   const [first, step] = azimuth ?? [180 / radials, 360 / radials];
   const all = azimuths ?? [first, step];
-  if (!all.every((angle) => Math.abs(angle) <= farthest)) throw layout(`${where} got azimuths that are no angles; expected degrees clockwise from north`);
-  return Float64Array.from({ length: radials }, (_, radial) => wrapDegrees(azimuths?.[radial] ?? first + radial * step));
+  if (!all.every((angle) => Math.abs(angle) <= farthest))
+    throw layout(`${where} got azimuths that are no angles; expected degrees clockwise from north`);
+  return Float64Array.from({ length: radials }, (_, radial) =>
+    wrapDegrees(azimuths?.[radial] ?? first + radial * step),
+  );
 }
 
 function wrapDegrees(angle: number): number {
@@ -116,7 +156,11 @@ function wrapDegrees(angle: number): number {
   return (((angle % 360) + 360) % 360) % 360;
 }
 
-function copyPixels({ data, width }: GrayImage, tile: Tile, { radials, gates }: { radials: number; gates: number }): GrayImage['data'] {
+function copyPixels(
+  { data, width }: GrayImage,
+  tile: Tile,
+  { radials, gates }: { radials: number; gates: number },
+): GrayImage['data'] {
   const samples = data instanceof Uint8Array ? new Uint8Array(radials * gates) : new Uint16Array(radials * gates);
   for (let radial = 0; radial < radials; radial++) {
     const from = (tile.top + radial) * width + tile.left;

@@ -6,7 +6,12 @@ export interface RadarFile {
   /** 'ODIM_H5 2.2', 'NEXRAD Level II', 'CfRadial 1.3', … */
   readonly format: string;
   /** Degrees north, degrees east, metres above sea level of the antenna; what the file does not say is absent. */
-  readonly site: { readonly name?: string; readonly latitude?: number; readonly longitude?: number; readonly height?: number };
+  readonly site: {
+    readonly name?: string;
+    readonly latitude?: number;
+    readonly longitude?: number;
+    readonly height?: number;
+  };
   /** When the scan began, ISO 8601 in UTC with seconds ('2018-12-20T06:06:28Z'); absent if the file does not say it. */
   readonly time?: string;
   /** Width of the beam (3 dB), degrees. */

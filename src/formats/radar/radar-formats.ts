@@ -5,7 +5,10 @@ import type { RadarKind } from './read-radar.ts';
 
 const words = 'a radar scan (ODIM_H5, CfRadial, NEXRAD Level II)';
 
-const load = (kind: RadarKind): VolumeFormat['load'] => async () => (await import('./read-radar.ts')).radarReader(kind);
+const load =
+  (kind: RadarKind): VolumeFormat['load'] =>
+  async () =>
+    (await import('./read-radar.ts')).radarReader(kind);
 
 /** ODIM_H5, and CfRadial in NetCDF-4. */
 export const hdf5: VolumeFormat = {
@@ -38,7 +41,11 @@ export const nexrad: VolumeFormat = {
 };
 
 /** The reader's name for each of them. */
-export const radarKinds = new Map<object, RadarKind>([[hdf5, 'hdf5'], [netcdf3, 'netcdf3'], [nexrad, 'nexrad']]);
+export const radarKinds = new Map<object, RadarKind>([
+  [hdf5, 'hdf5'],
+  [netcdf3, 'netcdf3'],
+  [nexrad, 'nexrad'],
+]);
 
 /** The volume header of an Archive II file; older ones say ARCHIVE2. */
 function isNexrad(bytes: Uint8Array): boolean {

@@ -30,10 +30,17 @@ export function refuseManySweeps(sweeps: number, what = 'sweeps'): void {
 /** @throws {VolumeViewError} `format/too-large` for an implausibly large sweep, `format/corrupt` for an empty one */
 export function refuseSweep(where: string, radials: number, gates: number): void {
   if (!(radials >= 1 && gates >= 1)) {
-    throw new VolumeViewError('format/corrupt', `${where} got ${radials} radials of ${gates} gates; expected at least one of each`);
+    throw new VolumeViewError(
+      'format/corrupt',
+      `${where} got ${radials} radials of ${gates} gates; expected at least one of each`,
+    );
   }
   if (radials > maxRadials) throw tooLarge(`${radials} radials in ${where}`, `at most ${maxRadials}`);
-  if (radials * gates > maxGates) throw tooLarge(`${radials} radials of ${gates} gates in ${where}`, `at most ${maxGates.toLocaleString('en')} gates`);
+  if (radials * gates > maxGates)
+    throw tooLarge(
+      `${radials} radials of ${gates} gates in ${where}`,
+      `at most ${maxGates.toLocaleString('en')} gates`,
+    );
 }
 
 /**
@@ -43,11 +50,16 @@ export function refuseSweep(where: string, radials: number, gates: number): void
  */
 export function refuseShown(all: { readonly sweeps: number; readonly radials: number; readonly gates: number }): void {
   const { sweeps, radials, gates } = all;
-  if (sweeps > maxShownSweeps) throw tooLarge(`more than ${maxShownSweeps} sweeps of different elevations`, `at most ${maxShownSweeps}`);
+  if (sweeps > maxShownSweeps)
+    throw tooLarge(`more than ${maxShownSweeps} sweeps of different elevations`, `at most ${maxShownSweeps}`);
   if (sweeps * radials > maxShownRadials) {
-    throw tooLarge(`${sweeps} sweeps of up to ${radials} radials`, `at most ${maxShownRadials.toLocaleString('en')} radials`);
+    throw tooLarge(
+      `${sweeps} sweeps of up to ${radials} radials`,
+      `at most ${maxShownRadials.toLocaleString('en')} radials`,
+    );
   }
-  if (gates > maxShownGates) throw tooLarge(`${gates} gates of one moment`, `at most ${maxShownGates}. Use a file with fewer sweeps`);
+  if (gates > maxShownGates)
+    throw tooLarge(`${gates} gates of one moment`, `at most ${maxShownGates}. Use a file with fewer sweeps`);
 }
 
 /**
@@ -70,7 +82,10 @@ export function refuseGates(where: string, { firstGate, gateLength, gates }: Swe
 export function refuseScale(where: string, { slope, intercept }: Pick<SweepData, 'slope' | 'intercept'>): void {
   const highest = Math.abs(slope) * 65535 + Math.abs(intercept);
   if (slope !== 0 && Number.isFinite(1 / slope) && Number.isFinite(Math.fround(highest))) return;
-  throw new VolumeViewError('format/corrupt', `${where} got the scale ${slope} and the offset ${intercept}; expected numbers of a usual size. Check the program that wrote the file`);
+  throw new VolumeViewError(
+    'format/corrupt',
+    `${where} got the scale ${slope} and the offset ${intercept}; expected numbers of a usual size. Check the program that wrote the file`,
+  );
 }
 
 function tooLarge(got: string, expected: string): VolumeViewError {

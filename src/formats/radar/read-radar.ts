@@ -36,14 +36,33 @@ export async function openRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>,
  * @param budget - of the load
  * @throws {VolumeViewError} `mosaic/layout`
  */
-export async function readRadarMosaic(image: GrayImage, format: string, settings: DecodeSettings, budget: Budget): Promise<DecodedVolume> {
+export async function readRadarMosaic(
+  image: GrayImage,
+  format: string,
+  settings: DecodeSettings,
+  budget: Budget,
+): Promise<DecodedVolume> {
   const { elevations, values = {} } = settings;
   if (!elevations) {
-    throw new VolumeViewError('mosaic/layout', 'coordinates="spherical" got a mosaic without elevations; expected elevations="0.5 1.2 …", degrees, one for each tile');
+    throw new VolumeViewError(
+      'mosaic/layout',
+      'coordinates="spherical" got a mosaic without elevations; expected elevations="0.5 1.2 …", degrees, one for each tile',
+    );
   }
   const { readPolarMosaic } = await import('./polar-mosaic.ts');
   const { mosaic, slices, range, azimuth } = settings; // From attributes, else from the manifest.
   const { slope = 1, intercept = 0, unit = '', moment = settings.moment } = values;
-  const file = readPolarMosaic(image, format, { ...values, mosaic, slices, elevations, range, azimuth, slope, intercept, unit, moment });
+  const file = readPolarMosaic(image, format, {
+    ...values,
+    mosaic,
+    slices,
+    elevations,
+    range,
+    azimuth,
+    slope,
+    intercept,
+    unit,
+    moment,
+  });
   return buildPolarVolume(file, settings, budget);
 }

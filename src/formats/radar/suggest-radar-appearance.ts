@@ -29,7 +29,8 @@ export function suggestRadarAppearance(volume: PolarOutline): RadarAppearance {
 }
 
 function chooseScale({ unit, range, histogram }: PolarOutline): Scale {
-  if (!(range[1] > range[0])) return { preset: 'turbo', window: [range[0] - 0.5, range[0] + 0.5], opacityOf: () => 0.1 };
+  if (!(range[1] > range[0]))
+    return { preset: 'turbo', window: [range[0] - 0.5, range[0] + 0.5], opacityOf: () => 0.1 };
   if (unit === 'm/s') return velocityScale(histogram, range);
   if (unit === 'dBZ' && shareFrom(histogram, rain.from) >= rain.share) return rainScale(range);
   return ownScale(histogram);
@@ -49,7 +50,11 @@ function velocityScale(histogram: Histogram, range: readonly [number, number]): 
   const fastest = Math.max(...range.map(Math.abs));
   const usual = 1.15 * Math.max(Math.abs(quantile(histogram, 0.01)), Math.abs(quantile(histogram, 0.99)));
   const limit = Math.min(fastest, usual) || fastest;
-  return { preset: 'radar-velocity', window: [-limit, limit], opacityOf: (value) => 0.015 + 0.2 * Math.min(1, Math.abs(value) / limit) ** 1.5 };
+  return {
+    preset: 'radar-velocity',
+    window: [-limit, limit],
+    opacityOf: (value) => 0.015 + 0.2 * Math.min(1, Math.abs(value) / limit) ** 1.5,
+  };
 }
 
 /**
@@ -59,7 +64,11 @@ function velocityScale(histogram: Histogram, range: readonly [number, number]): 
 function ownScale(histogram: Histogram): Scale {
   const [low, high] = [quantile(histogram, 0.02), quantile(histogram, 0.998)];
   const window: [number, number] = high > low ? [low, high] : [histogram.low, histogram.high];
-  return { preset: 'turbo', window, opacityOf: (value) => 0.2 * Math.min(1, Math.max(0, (value - window[0]) / (window[1] - window[0]))) ** 2 };
+  return {
+    preset: 'turbo',
+    window,
+    opacityOf: (value) => 0.2 * Math.min(1, Math.max(0, (value - window[0]) / (window[1] - window[0]))) ** 2,
+  };
 }
 
 function quantile({ low, high, counts }: Histogram, share: number): number {
@@ -93,9 +102,18 @@ function suggestLength(volume: PolarOutline, { opacityOf }: Scale): number {
   const common = longestEdgeShare(grid);
   const depths: number[] = [];
   const [lowest] = grid.sweeps;
-  for (let radial = 0; radial < lowest.azimuths.length; radial += Math.ceil(lowest.azimuths.length / lookedAt.radials)) {
+  for (
+    let radial = 0;
+    radial < lowest.azimuths.length;
+    radial += Math.ceil(lowest.azimuths.length / lookedAt.radials)
+  ) {
     for (let gate = 0; gate < lowest.gates; gate += Math.ceil(lowest.gates / lookedAt.gates)) {
-      const depth = depthOfColumn(volume, lowest.azimuths[radial], lowest.firstGate + gate * lowest.gateLength, opacityOf);
+      const depth = depthOfColumn(
+        volume,
+        lowest.azimuths[radial],
+        lowest.firstGate + gate * lowest.gateLength,
+        opacityOf,
+      );
       if (depth > 0) depths.push(depth);
     }
   }
@@ -106,7 +124,12 @@ function suggestLength(volume: PolarOutline, { opacityOf }: Scale): number {
 
 /** World length times extinction, from the lowest sweep up. */
 function depthOfColumn(volume: PolarOutline, azimuth: number, range: number, opacityOf: Scale['opacityOf']): number {
-  const { grid: { sweeps, beamWidth }, samples, slope, intercept } = volume;
+  const {
+    grid: { sweeps, beamWidth },
+    samples,
+    slope,
+    intercept,
+  } = volume;
   const stretch = stretchOf(volume.grid);
   const lowestStored = samples instanceof Float32Array ? -Infinity : 1;
   return sweeps.reduce((sum, sweep, i) => {

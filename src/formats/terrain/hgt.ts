@@ -40,18 +40,28 @@ export function isOnEarth([south, west]: readonly [number, number]): boolean {
  * @param corner - degrees north and east; null to take it from the name
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `attribute/invalid`
  */
-export async function readHgt(bytes: Uint8Array<ArrayBuffer>, name: string, corner: readonly [number, number] | null): Promise<HgtTile> {
+export async function readHgt(
+  bytes: Uint8Array<ArrayBuffer>,
+  name: string,
+  corner: readonly [number, number] | null,
+): Promise<HgtTile> {
   const largest = 2 * sides[1] ** 2;
   const plain = isGzip(bytes) ? await unpackAll(bytes, largest) : bytes;
   const side = sides.find((one) => 2 * one * one === plain.length);
   if (!side) {
     const isZip = plain[0] === 0x50 && plain[1] === 0x4b;
-    throw new VolumeViewError('format/unknown', `${name} has ${plain.length.toLocaleString('en')} bytes${isZip ? ' and is a zip archive: unpack it' : ''}; expected heights as SRTM has them, ".hgt", of ${sides.map((one) => `${(2 * one * one).toLocaleString('en')} bytes (${one} x ${one} samples)`).join(' or ')}`);
+    throw new VolumeViewError(
+      'format/unknown',
+      `${name} has ${plain.length.toLocaleString('en')} bytes${isZip ? ' and is a zip archive: unpack it' : ''}; expected heights as SRTM has them, ".hgt", of ${sides.map((one) => `${(2 * one * one).toLocaleString('en')} bytes (${one} x ${one} samples)`).join(' or ')}`,
+    );
   }
   const [south, west] = corner ?? cornerOf(name) ?? fail(name);
   return { south, west, side, heights: new DataView(plain.buffer, plain.byteOffset, plain.length) };
 }
 
 function fail(name: string): never {
-  throw new VolumeViewError('attribute/invalid', `${name} does not say where it is; expected a name such as N46E007.hgt, for the south-west corner at 46 degrees north and 7 degrees east, or corner="46 7"`);
+  throw new VolumeViewError(
+    'attribute/invalid',
+    `${name} does not say where it is; expected a name such as N46E007.hgt, for the south-west corner at 46 degrees north and 7 degrees east, or corner="46 7"`,
+  );
 }

@@ -13,7 +13,11 @@ export interface Lattice {
 }
 
 /** @param isSeen - whether a sample of the raster is used, by its row and column */
-export function makeLattice({ rows, columns, heights }: TerrainRaster, stride: number, isSeen: (row: number, column: number) => boolean): Lattice {
+export function makeLattice(
+  { rows, columns, heights }: TerrainRaster,
+  stride: number,
+  isSeen: (row: number, column: number) => boolean,
+): Lattice {
   const [down, across] = [rows, columns].map((count) => Math.floor((count - 1) / stride) + 1);
   let size = 3;
   while (size < Math.max(down, across)) size = 2 * size - 1;

@@ -56,8 +56,22 @@ export function makeTerrain(raster: TerrainRaster, radar: TerrainRadar, maxTrian
     [a, b, c].forEach((corner) => indices.push(nameOf(corner)));
     addError(raster, lattice, [a, b, c], off);
   });
-  if (indices.length === 0) throw new VolumeViewError('format/unsupported', 'the tiles of <volume-terrain> have no heights within the radar\'s reach; expected some that are no voids');
-  const mesh = makeNormals({ positions: places.take(), normals: null, indices: indices.take(), colors: colors.take(), space: null, format: 'HGT' }, 180);
+  if (indices.length === 0)
+    throw new VolumeViewError(
+      'format/unsupported',
+      "the tiles of <volume-terrain> have no heights within the radar's reach; expected some that are no voids",
+    );
+  const mesh = makeNormals(
+    {
+      positions: places.take(),
+      normals: null,
+      indices: indices.take(),
+      colors: colors.take(),
+      space: null,
+      format: 'HGT',
+    },
+    180,
+  );
   const parts = splitMesh(mesh);
   const all = heights.take();
   const terrain: TerrainFacts = {
@@ -66,14 +80,28 @@ export function makeTerrain(raster: TerrainRaster, radar: TerrainRadar, maxTrian
     heights: [all.reduce((a, b) => Math.min(a, b)), all.reduce((a, b) => Math.max(a, b))],
     voids: seen.voids / Math.max(1, seen.all),
   };
-  return { parts, ...boundsOf(parts.map((part) => part.positions)), triangles: mesh.indices.length / 3, format: 'HGT', notes: noteOn(terrain, radar, antenna), terrain };
+  return {
+    parts,
+    ...boundsOf(parts.map((part) => part.positions)),
+    triangles: mesh.indices.length / 3,
+    format: 'HGT',
+    notes: noteOn(terrain, radar, antenna),
+    terrain,
+  };
 }
 
 /** Simplifies until there are few triangles: with a larger error, and then with fewer samples. */
-function thin(raster: TerrainRaster, { site, reach }: TerrainRadar, max: number): { lattice: Lattice; errors: Float32Array; error: number; seen: { all: number; voids: number } } {
+function thin(
+  raster: TerrainRaster,
+  { site, reach }: TerrainRadar,
+  max: number,
+): { lattice: Lattice; errors: Float32Array; error: number; seen: { all: number; voids: number } } {
   const seen = { all: 0, voids: 0 };
   const isSeen = (row: number, column: number): boolean => {
-    const [east, north] = placeFromEarth(site, { latitude: raster.north - row * raster.spacing, longitude: raster.west + column * raster.spacing });
+    const [east, north] = placeFromEarth(site, {
+      latitude: raster.north - row * raster.spacing,
+      longitude: raster.west + column * raster.spacing,
+    });
     return Math.hypot(east, north) <= reach;
   };
   let stride = Math.ceil((Math.max(raster.rows, raster.columns) - 1) / (maxSide - 1));
@@ -86,7 +114,12 @@ function thin(raster: TerrainRaster, { site, reach }: TerrainRadar, max: number)
   }
 }
 
-function countVoids({ rows, columns, heights }: TerrainRaster, stride: number, isSeen: (row: number, column: number) => boolean, seen: { all: number; voids: number }): void {
+function countVoids(
+  { rows, columns, heights }: TerrainRaster,
+  stride: number,
+  isSeen: (row: number, column: number) => boolean,
+  seen: { all: number; voids: number },
+): void {
   for (let row = 0; row < rows; row += stride) {
     for (let column = 0; column < columns; column += stride) {
       if (!isSeen(row, column)) continue;
@@ -97,11 +130,17 @@ function countVoids({ rows, columns, heights }: TerrainRaster, stride: number, i
 }
 
 function pointOf({ north, west, spacing }: TerrainRaster, { size, stride }: Lattice, corner: number): EarthPoint {
-  return { latitude: north - Math.floor(corner / size) * stride * spacing, longitude: west + (corner % size) * stride * spacing };
+  return {
+    latitude: north - Math.floor(corner / size) * stride * spacing,
+    longitude: west + (corner % size) * stride * spacing,
+  };
 }
 
 /** Metres above the sea of the sample nearest to a place; 0 if there is none. */
-export function heightAt({ north, west, spacing, rows, columns, heights }: TerrainRaster, { latitude, longitude }: EarthPoint): number {
+export function heightAt(
+  { north, west, spacing, rows, columns, heights }: TerrainRaster,
+  { latitude, longitude }: EarthPoint,
+): number {
   const [row, column] = [Math.round((north - latitude) / spacing), Math.round((longitude - west) / spacing)];
   const height = row >= 0 && row < rows && column >= 0 && column < columns ? heights[row * columns + column] : noHeight;
   return height === noHeight ? 0 : height;
@@ -109,8 +148,15 @@ export function heightAt({ north, west, spacing, rows, columns, heights }: Terra
 
 function noteOn({ voids }: TerrainFacts, { height }: TerrainRadar, antenna: number): string[] {
   return [
-    ...(voids > 0 ? [`${(100 * voids).toFixed(voids < 0.01 ? 2 : 0)} % of the terrain has no heights in its files, and is left open`] : []),
-    ...(height === null ? [`the radar's file does not say how high the antenna is; it is taken to stand on the ground, ${antenna} m above the sea`] : []),
+    ...(voids > 0
+      ? [
+          `${(100 * voids).toFixed(voids < 0.01 ? 2 : 0)} % of the terrain has no heights in its files, and is left open`,
+        ]
+      : []),
+    ...(height === null
+      ? [
+          `the radar's file does not say how high the antenna is; it is taken to stand on the ground, ${antenna} m above the sea`,
+        ]
+      : []),
   ];
 }
-

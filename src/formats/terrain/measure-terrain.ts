@@ -11,8 +11,16 @@ export interface TerrainError {
 }
 
 /** Adds the error of one triangle of a lattice. Its corners are indices in the lattice. */
-export function addError(raster: TerrainRaster, { size, stride, heights }: Lattice, corners: readonly [number, number, number], sum: TerrainError): void {
-  const [xs, ys] = [corners.map((corner) => (corner % size) * stride), corners.map((corner) => Math.floor(corner / size) * stride)];
+export function addError(
+  raster: TerrainRaster,
+  { size, stride, heights }: Lattice,
+  corners: readonly [number, number, number],
+  sum: TerrainError,
+): void {
+  const [xs, ys] = [
+    corners.map((corner) => (corner % size) * stride),
+    corners.map((corner) => Math.floor(corner / size) * stride),
+  ];
   const [ha, hb, hc] = corners.map((corner) => heights[corner]);
   const area = (xs[1] - xs[0]) * (ys[2] - ys[0]) - (xs[2] - xs[0]) * (ys[1] - ys[0]);
   for (let y = Math.min(...ys); y <= Math.min(raster.rows - 1, Math.max(...ys)); y++) {

@@ -16,5 +16,9 @@ export function terrainColor(height: number): readonly [number, number, number] 
   if (above === 0) return stops[0][1];
   const [[low, lowColor], [high, highColor]] = [stops[above - 1], stops[above]];
   const share = (height - low) / (high - low);
-  return [0, 1, 2].map((i) => lowColor[i] + share * (highColor[i] - lowColor[i])) as unknown as [number, number, number];
+  return [0, 1, 2].map((i) => lowColor[i] + share * (highColor[i] - lowColor[i])) as unknown as [
+    number,
+    number,
+    number,
+  ];
 }

@@ -42,8 +42,18 @@ export function latticeErrors({ size, heights }: Lattice): Float32Array {
   return errors;
 }
 
-const diagonals = [[-1, -1], [1, -1], [-1, 1], [1, 1]] as const;
-const sides = [[-1, 0], [1, 0], [0, -1], [0, 1]] as const;
+const diagonals = [
+  [-1, -1],
+  [1, -1],
+  [-1, 1],
+  [1, 1],
+] as const;
+const sides = [
+  [-1, 0],
+  [1, 0],
+  [0, -1],
+  [0, 1],
+] as const;
 
 /**
  * Receives the corners of each triangle, as indices in the lattice, counterclockwise seen from above with the first row
@@ -52,7 +62,12 @@ const sides = [[-1, 0], [1, 0], [0, -1], [0, 1]] as const;
 type TriangleListener = (a: number, b: number, c: number) => void;
 
 /** Cuts a lattice into triangles whose error is at most `error`. Triangles with a corner without height are left out. */
-export function eachTriangle({ size, heights }: Lattice, errors: Float32Array, error: number, onTriangle: TriangleListener): void {
+export function eachTriangle(
+  { size, heights }: Lattice,
+  errors: Float32Array,
+  error: number,
+  onTriangle: TriangleListener,
+): void {
   const split = (a: number, b: number, c: number): void => {
     const middle = (a + b) / 2;
     const leg = Math.abs(a - c);

@@ -3,7 +3,8 @@ import type { Messages } from '../messages.ts';
 /** German. Not yet reviewed by a native speaker of the field. */
 export const messages: Messages = {
   volumePicture: 'Volumenbild',
-  cameraKeys: 'Pfeiltasten drehen es, mit Umschalttaste verschieben sie es, Plus und Minus vergrößern und verkleinern, 0 zeigt die erste Ansicht.',
+  cameraKeys:
+    'Pfeiltasten drehen es, mit Umschalttaste verschieben sie es, Plus und Minus vergrößern und verkleinern, 0 zeigt die erste Ansicht.',
   loading: 'Wird geladen',
   loadingPercent: (percent) => `${percent} geladen`,
   decoding: 'Wird dekodiert',
@@ -31,8 +32,10 @@ export const messages: Messages = {
   blankPicture: 'Hier ist nichts zu sehen.',
   blankCauses: {
     noData: 'Die Datei hat keine Werte: alle Voxel sind als „ohne Daten“ gekennzeichnet.',
-    transparent: 'Die Transferfunktion ist überall durchsichtig: ihre Deckkraft muss über 0 liegen (transfer-function).',
-    values: (low, high) => `Alle Werte, von ${low} bis ${high}, sind durchsichtig. Mit einem anderen Wert für value-window oder transfer-function wären sie zu sehen.`,
+    transparent:
+      'Die Transferfunktion ist überall durchsichtig: ihre Deckkraft muss über 0 liegen (transfer-function).',
+    values: (low, high) =>
+      `Alle Werte, von ${low} bis ${high}, sind durchsichtig. Mit einem anderen Wert für value-window oder transfer-function wären sie zu sehen.`,
     labels: 'Alle Beschriftungen sind ausgeblendet.',
     cut: 'Was weggeschnitten ist, lässt nichts übrig (region, Schnitte, Schnittebenen).',
     sight: 'Das Volumen liegt außerhalb des Bildes (camera-orbit, camera-target).',
@@ -46,11 +49,30 @@ export const messages: Messages = {
   pauseScans: 'Anhalten',
   views: 'Ansichten',
   view: {
-    front: 'Vorne', back: 'Hinten', left: 'Links', right: 'Rechts', top: 'Oben', bottom: 'Unten',
-    south: 'Von Süden', north: 'Von Norden', west: 'Von Westen', east: 'Von Osten', above: 'Von oben',
+    front: 'Vorne',
+    back: 'Hinten',
+    left: 'Links',
+    right: 'Rechts',
+    top: 'Oben',
+    bottom: 'Unten',
+    south: 'Von Süden',
+    north: 'Von Norden',
+    west: 'Von Westen',
+    east: 'Von Osten',
+    above: 'Von oben',
   },
   letter: {
-    front: 'A', back: 'P', left: 'L', right: 'R', top: 'S', bottom: 'I', south: 'S', north: 'N', west: 'W', east: 'O', above: '',
+    front: 'A',
+    back: 'P',
+    left: 'L',
+    right: 'R',
+    top: 'S',
+    bottom: 'I',
+    south: 'S',
+    north: 'N',
+    west: 'W',
+    east: 'O',
+    above: '',
   },
   orientation: 'Orientierung',
   zoomIn: 'Vergrößern',
@@ -68,7 +90,8 @@ export const messages: Messages = {
   copyEmbed: 'Code zum Einbetten kopieren',
   copiedEmbed: 'Kopiert: der Code eines Frames mit dieser Ansicht.',
   copyEmbedByHand: 'Diesen Code kopieren:',
-  embedMissing: (address) => `Unter ${address} ist keine Seite für Frames. embed.html, embed.css, embed.js und volume-view.iife.js des Pakets gehören dorthin.`,
+  embedMissing: (address) =>
+    `Unter ${address} ist keine Seite für Frames. embed.html, embed.css, embed.js und volume-view.iife.js des Pakets gehören dorthin.`,
   embedFailed: 'Der Code konnte nicht erzeugt werden.',
   help: 'Hilfe',
   close: 'Schließen',
@@ -77,12 +100,20 @@ export const messages: Messages = {
   saveFailed: 'Das Bild konnte nicht gespeichert werden.',
   helpLines: [
     ['Drehen', 'Ziehen, ein Finger oder Pfeiltasten'],
-    ['Verschieben', 'Mit der rechten Maustaste oder Umschalttaste ziehen, zwei Finger, oder Umschalttaste und Pfeiltasten'],
+    [
+      'Verschieben',
+      'Mit der rechten Maustaste oder Umschalttaste ziehen, zwei Finger, oder Umschalttaste und Pfeiltasten',
+    ],
     ['Zoomen', 'Mausrad nach einem Klick, zwei Finger, oder + und −'],
     ['Erste Ansicht', 'Doppelklick oder 0'],
   ],
 
-  slice: { axial: 'Axialer Schnitt', coronal: 'Koronarer Schnitt', sagittal: 'Sagittaler Schnitt', oblique: 'Schräger Schnitt' },
+  slice: {
+    axial: 'Axialer Schnitt',
+    coronal: 'Koronarer Schnitt',
+    sagittal: 'Sagittaler Schnitt',
+    oblique: 'Schräger Schnitt',
+  },
   sliceAt: (slice, place) => `${slice}, ${place}`,
   millimetres: (length) => `${length} mm`,
   slab: {
@@ -91,16 +122,28 @@ export const messages: Messages = {
     min: (thickness) => `Minimum aus ${thickness}`,
   },
   window: (width, level) => `W ${width}  L ${level}`,
-  windowWords: ({ width, level, black, white }) => `Fensterbreite ${width}, Fensterlage ${level}: schwarz bis ${black}, weiß ab ${white}`,
-  sliceKeys: 'Bild auf und Bild ab wechseln den Schnitt, Pfeiltasten bewegen das Fadenkreuz, Plus und Minus zoomen, 0 zeigt alles.',
+  windowWords: ({ width, level, black, white }) =>
+    `Fensterbreite ${width}, Fensterlage ${level}: schwarz bis ${black}, weiß ab ${white}`,
+  sliceKeys:
+    'Bild auf und Bild ab wechseln den Schnitt, Pfeiltasten bewegen das Fadenkreuz, Plus und Minus zoomen, 0 zeigt alles.',
   noValue: 'hier kein Wert',
 
   noView: (id) => `Auf dieser Seite gibt es kein <volume-view${id === null ? '' : ` id="${id}"`}>.`,
   noVolume: 'Noch kein Volumen geladen.',
   range: (low, high) => `${low} bis ${high}`,
   colors: {
-    red: 'Rot', orange: 'Orange', yellow: 'Gelb', green: 'Grün', turquoise: 'Türkis', blue: 'Blau', violet: 'Violett',
-    pink: 'Rosa', brown: 'Braun', white: 'Weiß', grey: 'Grau', black: 'Schwarz',
+    red: 'Rot',
+    orange: 'Orange',
+    yellow: 'Gelb',
+    green: 'Grün',
+    turquoise: 'Türkis',
+    blue: 'Blau',
+    violet: 'Violett',
+    pink: 'Rosa',
+    brown: 'Braun',
+    white: 'Weiß',
+    grey: 'Grau',
+    black: 'Schwarz',
   },
   lightColor: (color) => `helles ${color}`,
   darkColor: (color) => `dunkles ${color}`,
@@ -120,7 +163,8 @@ export const messages: Messages = {
   transferFunction: 'Transferfunktion',
   stopOf: (number, count) => `Stützpunkt ${number} von ${count}`,
   stopState: (value, opacity, color) => `${value}, Deckkraft ${opacity}, ${color}`,
-  stopKeys: 'Pfeiltasten bewegen ihn, mit Umschalttaste zehnmal so weit. Einfg fügt einen Stützpunkt hinzu, Entf löscht diesen.',
+  stopKeys:
+    'Pfeiltasten bewegen ihn, mit Umschalttaste zehnmal so weit. Einfg fügt einen Stützpunkt hinzu, Entf löscht diesen.',
   valueIn: (unit) => (unit ? `Wert (${unit})` : 'Wert'),
   opacityPercent: 'Deckkraft (%)',
   color: 'Farbe',
@@ -163,13 +207,19 @@ export const messages: Messages = {
   pointHint: 'Auf das Bild zeigen oder tippen.',
   nothingThere: 'Dort ist nichts zu sehen.',
   crosshair: 'Fadenkreuz',
-  crosshairKeys: 'Pfeiltasten bewegen das Fadenkreuz, mit Umschalttaste weiter. Eingabe hält den Ort fest, Escape beendet.',
+  crosshairKeys:
+    'Pfeiltasten bewegen das Fadenkreuz, mit Umschalttaste weiter. Eingabe hält den Ort fest, Escape beendet.',
 
-  handleKeys: 'Pfeiltasten bewegen ihn über das Bild, Bild auf und Bild ab weiter weg und näher, mit Umschalttaste weiter.',
+  handleKeys:
+    'Pfeiltasten bewegen ihn über das Bild, Bild auf und Bild ab weiter weg und näher, mit Umschalttaste weiter.',
   handleKeysAlong: 'Pfeiltasten, Bild auf und Bild ab bewegen ihn, mit Umschalttaste weiter.',
   clipPlane: 'Schnittebene',
   clipBox: 'Schnittquader',
-  clipSides: [['Quader, untere x', 'Quader, obere x'], ['Quader, untere y', 'Quader, obere y'], ['Quader, untere z', 'Quader, obere z']],
+  clipSides: [
+    ['Quader, untere x', 'Quader, obere x'],
+    ['Quader, untere y', 'Quader, obere y'],
+    ['Quader, untere z', 'Quader, obere z'],
+  ],
 
   labelList: 'Beschriftungen',
   findLabel: 'Beschriftung suchen',
@@ -211,7 +261,8 @@ export const messages: Messages = {
   boxOf: (number, count) => `Rechteck ${number} von ${count}`,
   gaussianOf: (number, count) => `Gaußfunktion ${number} von ${count}`,
   sizeOf: (name) => `Größe: ${name}`,
-  patchState: (values, gradients, opacity, color) => `Werte ${values}, Gradienten ${gradients}, Deckkraft ${opacity}, ${color}`,
+  patchState: (values, gradients, opacity, color) =>
+    `Werte ${values}, Gradienten ${gradients}, Deckkraft ${opacity}, ${color}`,
   patchKeys: 'Pfeiltasten bewegen es, mit Umschalttaste zehnmal so weit. Einfg fügt eines hinzu, Entf löscht dieses.',
   drawBox: 'Ein Rechteck in das Diagramm zeichnen oder unten eines hinzufügen.',
   valueFrom: 'Wert von',

@@ -3,7 +3,8 @@ import type { Messages } from '../messages.ts';
 /** French. Not yet reviewed by a native speaker of the field. */
 export const messages: Messages = {
   volumePicture: 'Image d’un volume',
-  cameraKeys: 'Les flèches la tournent, avec Maj elles la déplacent, plus et moins zooment, 0 revient à la première vue.',
+  cameraKeys:
+    'Les flèches la tournent, avec Maj elles la déplacent, plus et moins zooment, 0 revient à la première vue.',
   loading: 'Chargement',
   loadingPercent: (percent) => `Chargement : ${percent}`,
   decoding: 'Décodage',
@@ -31,8 +32,10 @@ export const messages: Messages = {
   blankPicture: 'Rien à voir ici.',
   blankCauses: {
     noData: 'Le fichier n’a pas de valeurs : tous ses voxels sont marqués « sans données ».',
-    transparent: 'La fonction de transfert est transparente partout : ses opacités doivent dépasser 0 (transfer-function).',
-    values: (low, high) => `Toutes les valeurs, de ${low} à ${high}, sont transparentes. Une autre value-window ou transfer-function les montrerait.`,
+    transparent:
+      'La fonction de transfert est transparente partout : ses opacités doivent dépasser 0 (transfer-function).',
+    values: (low, high) =>
+      `Toutes les valeurs, de ${low} à ${high}, sont transparentes. Une autre value-window ou transfer-function les montrerait.`,
     labels: 'Toutes les étiquettes sont masquées.',
     cut: 'Les coupes ne laissent rien à voir (region, coupes, plans de coupe).',
     sight: 'Le volume est hors de vue (camera-orbit, camera-target).',
@@ -46,11 +49,30 @@ export const messages: Messages = {
   pauseScans: 'Pause',
   views: 'Vues',
   view: {
-    front: 'Devant', back: 'Derrière', left: 'Gauche', right: 'Droite', top: 'Dessus', bottom: 'Dessous',
-    south: 'Depuis le sud', north: 'Depuis le nord', west: 'Depuis l’ouest', east: 'Depuis l’est', above: 'D’en haut',
+    front: 'Devant',
+    back: 'Derrière',
+    left: 'Gauche',
+    right: 'Droite',
+    top: 'Dessus',
+    bottom: 'Dessous',
+    south: 'Depuis le sud',
+    north: 'Depuis le nord',
+    west: 'Depuis l’ouest',
+    east: 'Depuis l’est',
+    above: 'D’en haut',
   },
   letter: {
-    front: 'A', back: 'P', left: 'L', right: 'R', top: 'S', bottom: 'I', south: 'S', north: 'N', west: 'O', east: 'E', above: '',
+    front: 'A',
+    back: 'P',
+    left: 'L',
+    right: 'R',
+    top: 'S',
+    bottom: 'I',
+    south: 'S',
+    north: 'N',
+    west: 'O',
+    east: 'E',
+    above: '',
   },
   orientation: 'Orientation',
   zoomIn: 'Agrandir',
@@ -68,7 +90,8 @@ export const messages: Messages = {
   copyEmbed: 'Copier le code d’intégration',
   copiedEmbed: 'Copié : le code d’un cadre avec cette vue.',
   copyEmbedByHand: 'Copiez ce code :',
-  embedMissing: (address) => `Il n’y a pas de page pour les cadres à ${address}. Mettez-y embed.html, embed.css, embed.js et volume-view.iife.js du paquet.`,
+  embedMissing: (address) =>
+    `Il n’y a pas de page pour les cadres à ${address}. Mettez-y embed.html, embed.css, embed.js et volume-view.iife.js du paquet.`,
   embedFailed: 'Le code n’a pas pu être créé.',
   help: 'Aide',
   close: 'Fermer',
@@ -91,16 +114,28 @@ export const messages: Messages = {
     min: (thickness) => `minimum de ${thickness}`,
   },
   window: (width, level) => `W ${width}  L ${level}`,
-  windowWords: ({ width, level, black, white }) => `Fenêtre ${width}, niveau ${level} : noir jusqu’à ${black}, blanc à partir de ${white}`,
-  sliceKeys: 'Page préc. et Page suiv. changent de coupe, les flèches déplacent le réticule, plus et moins zooment, 0 montre tout.',
+  windowWords: ({ width, level, black, white }) =>
+    `Fenêtre ${width}, niveau ${level} : noir jusqu’à ${black}, blanc à partir de ${white}`,
+  sliceKeys:
+    'Page préc. et Page suiv. changent de coupe, les flèches déplacent le réticule, plus et moins zooment, 0 montre tout.',
   noValue: 'pas de valeur ici',
 
   noView: (id) => `Il n’y a pas de <volume-view${id === null ? '' : ` id="${id}"`}> dans cette page.`,
   noVolume: 'Aucun volume n’est encore chargé.',
   range: (low, high) => `${low} à ${high}`,
   colors: {
-    red: 'rouge', orange: 'orange', yellow: 'jaune', green: 'vert', turquoise: 'turquoise', blue: 'bleu', violet: 'violet',
-    pink: 'rose', brown: 'brun', white: 'blanc', grey: 'gris', black: 'noir',
+    red: 'rouge',
+    orange: 'orange',
+    yellow: 'jaune',
+    green: 'vert',
+    turquoise: 'turquoise',
+    blue: 'bleu',
+    violet: 'violet',
+    pink: 'rose',
+    brown: 'brun',
+    white: 'blanc',
+    grey: 'gris',
+    black: 'noir',
   },
   lightColor: (color) => `${color} clair`,
   darkColor: (color) => `${color} foncé`,
@@ -165,11 +200,16 @@ export const messages: Messages = {
   crosshair: 'Réticule',
   crosshairKeys: 'Les flèches déplacent le réticule, avec Maj plus loin. Entrée retient la position, Échap termine.',
 
-  handleKeys: 'Les flèches la déplacent dans l’image, Page préc. et Page suiv. plus loin et plus près, avec Maj davantage.',
+  handleKeys:
+    'Les flèches la déplacent dans l’image, Page préc. et Page suiv. plus loin et plus près, avec Maj davantage.',
   handleKeysAlong: 'Les flèches, Page préc. et Page suiv. la déplacent, avec Maj davantage.',
   clipPlane: 'Plan de coupe',
   clipBox: 'Boîte de coupe',
-  clipSides: [['Boîte, x inférieur', 'Boîte, x supérieur'], ['Boîte, y inférieur', 'Boîte, y supérieur'], ['Boîte, z inférieur', 'Boîte, z supérieur']],
+  clipSides: [
+    ['Boîte, x inférieur', 'Boîte, x supérieur'],
+    ['Boîte, y inférieur', 'Boîte, y supérieur'],
+    ['Boîte, z inférieur', 'Boîte, z supérieur'],
+  ],
 
   labelList: 'Étiquettes',
   findLabel: 'Chercher une étiquette',
@@ -211,7 +251,8 @@ export const messages: Messages = {
   boxOf: (number, count) => `Rectangle ${number} sur ${count}`,
   gaussianOf: (number, count) => `Gaussienne ${number} sur ${count}`,
   sizeOf: (name) => `Taille : ${name}`,
-  patchState: (values, gradients, opacity, color) => `valeurs ${values}, gradients ${gradients}, opacité ${opacity}, ${color}`,
+  patchState: (values, gradients, opacity, color) =>
+    `valeurs ${values}, gradients ${gradients}, opacité ${opacity}, ${color}`,
   patchKeys: 'Les flèches le déplacent, avec Maj dix fois plus loin. Inser en ajoute un, Suppr supprime celui-ci.',
   drawBox: 'Dessinez un rectangle dans le graphique ou ajoutez-en un dessous.',
   valueFrom: 'Valeur de',

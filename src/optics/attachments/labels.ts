@@ -66,7 +66,11 @@ function isAlike(a: LabelStyle, b: LabelStyle): boolean {
 }
 
 /** Applies a label's style to a share of a piece of a ray: extinction times the factor, colours times the label's colour. */
-export function apply([red, green, blue, alpha]: Premultiplied, { color, opacityFactor }: LabelStyle, share: number): Premultiplied {
+export function apply(
+  [red, green, blue, alpha]: Premultiplied,
+  { color, opacityFactor }: LabelStyle,
+  share: number,
+): Premultiplied {
   if (!(alpha > 0)) return [0, 0, 0, 0];
   const opacity = opacityFactor > 0 ? -Math.expm1(opacityFactor * share * Math.log1p(-alpha)) : 0;
   const ratio = opacity / alpha;

@@ -80,7 +80,9 @@ export function cartesianOverlay({ volume, over }: ShownOverlay): FieldStage {
   return {
     sampleAt: (place) => {
       const there: Vector3 = toUnit ? transformPoint(toUnit, place) : [-1, -1, -1];
-      return there.every((x) => x >= -edgeSlack && x <= 1 + edgeSlack) ? field.sampleAt(there) : { value: NaN, valid: false };
+      return there.every((x) => x >= -edgeSlack && x <= 1 + edgeSlack)
+        ? field.sampleAt(there)
+        : { value: NaN, valid: false };
     },
     isFolded: () => false,
   };
@@ -98,17 +100,29 @@ export function overlayField(field: FieldStage): SecondFieldStage {
  * @param diameter - of the rays: world length of one unit of a segment's span
  */
 export function overlayStages(
-  overlay: ShownOverlay, field: FieldStage, { optics, diameter }: { readonly optics: OpticalFactors & { readonly referenceLength: number }; readonly diameter: number },
+  overlay: ShownOverlay,
+  field: FieldStage,
+  {
+    optics,
+    diameter,
+  }: { readonly optics: OpticalFactors & { readonly referenceLength: number }; readonly diameter: number },
 ): Pick<RayStages, 'moreFields' | 'shades'> {
   return {
     moreFields: [overlayField(field)],
-    shades: [overlayShade(overlay, field, { lightFactor: optics.lightFactor, opticalScale: (diameter * optics.opacityFactor * overlay.opacityFactor) / optics.referenceLength })],
+    shades: [
+      overlayShade(overlay, field, {
+        lightFactor: optics.lightFactor,
+        opticalScale: (diameter * optics.opacityFactor * overlay.opacityFactor) / optics.referenceLength,
+      }),
+    ],
   };
 }
 
 /** Twin: overlayShade in shaders/chunks/attachments/overlay.glsl, which explains it. */
 export function overlayShade(
-  overlay: ShownOverlay, field: Pick<FieldStage, 'isFolded'>, { lightFactor, opticalScale }: { readonly lightFactor: number; readonly opticalScale: number },
+  overlay: ShownOverlay,
+  field: Pick<FieldStage, 'isFolded'>,
+  { lightFactor, opticalScale }: { readonly lightFactor: number; readonly opticalScale: number },
 ): ShadeStage {
   const means = exactMeans(overlayColors(overlay, lightFactor));
   const appearance = (segment: Segment): { readonly mean: Premultiplied; readonly known: number } => {
@@ -122,13 +136,13 @@ export function overlayShade(
   };
   return overlay.blend === 'mix'
     ? (segment, seen) => {
-      const { mean, known } = appearance(segment);
-      return mix(seen, mean, known * segment.span * opticalScale);
-    }
+        const { mean, known } = appearance(segment);
+        return mix(seen, mean, known * segment.span * opticalScale);
+      }
     : (segment, seen) => {
-      const { mean, known } = appearance(segment);
-      return tint(seen, mean, { known, missing: overlay.missing });
-    };
+        const { mean, known } = appearance(segment);
+        return tint(seen, mean, { known, missing: overlay.missing });
+      };
 }
 
 /** Adds the extinctions, and the light of both. @param ratio - this length, divided by the length to which the mean belongs */
@@ -137,15 +151,21 @@ function mix(seen: Premultiplied, mean: Premultiplied, ratio: number): Premultip
   if (!(depth > 0)) return seen;
   const before = Math.min(deepest, -Math.log1p(-seen[3]));
   const opacity = -Math.expm1(-(before + depth));
-  const of = (c: number): number => (opacity / (before + depth)) * ((seen[3] > 0 ? (before * seen[c]) / seen[3] : 0) + (depth * mean[c]) / mean[3]);
+  const of = (c: number): number =>
+    (opacity / (before + depth)) * ((seen[3] > 0 ? (before * seen[c]) / seen[3] : 0) + (depth * mean[c]) / mean[3]);
   return [of(0), of(1), of(2), opacity];
 }
 
 /** Keeps the volume's extinction, and gives it the layer's colour. */
-function tint(seen: Premultiplied, mean: Premultiplied, { known, missing }: { readonly known: number; readonly missing: Color | null }): Premultiplied {
+function tint(
+  seen: Premultiplied,
+  mean: Premultiplied,
+  { known, missing }: { readonly known: number; readonly missing: Color | null },
+): Premultiplied {
   const own = known * Math.min(1, mean[3] / fullColor);
   const lacking = missing ? 1 - known : 0;
   const of = (c: number): number =>
-    (1 - own - lacking) * seen[c] + seen[3] * ((own > 0 ? (own * mean[c]) / mean[3] : 0) + lacking * (missing?.[c] ?? 0));
+    (1 - own - lacking) * seen[c] +
+    seen[3] * ((own > 0 ? (own * mean[c]) / mean[3] : 0) + lacking * (missing?.[c] ?? 0));
   return [of(0), of(1), of(2), seen[3]];
 }

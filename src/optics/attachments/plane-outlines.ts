@@ -22,7 +22,10 @@ const nearest = 1e-3;
  * are visible.
  * @param planes - each with the half-spaces that limit it, in addition to the bounds of the visible volume
  */
-export function outlinesOf(planes: readonly (Plane & { readonly within?: readonly HalfSpace[] })[], rays: RaySetup): Outline[] {
+export function outlinesOf(
+  planes: readonly (Plane & { readonly within?: readonly HalfSpace[] })[],
+  rays: RaySetup,
+): Outline[] {
   const project = projector(rays);
   const bounds = [...cube(identity), ...(rays.unitToRegion === identity ? [] : cube(rays.unitToRegion))];
   return planes.flatMap((plane) => {
@@ -37,9 +40,19 @@ export function outlinesOf(planes: readonly (Plane & { readonly within?: readonl
  * @param middle - of the rectangle, in device coordinates
  * Twin: shaders/chunks/attachments/outlines.glsl
  */
-export function meetsOutline([fromX, fromY, toX, toY]: Outline, middle: readonly [number, number], reach: readonly [number, number]): boolean {
+export function meetsOutline(
+  [fromX, fromY, toX, toY]: Outline,
+  middle: readonly [number, number],
+  reach: readonly [number, number],
+): boolean {
   const [ax, ay, bx, by] = [fromX - middle[0], fromY - middle[1], toX - middle[0], toY - middle[1]];
-  if (Math.min(ax, bx) > reach[0] || Math.max(ax, bx) < -reach[0] || Math.min(ay, by) > reach[1] || Math.max(ay, by) < -reach[1]) return false;
+  if (
+    Math.min(ax, bx) > reach[0] ||
+    Math.max(ax, bx) < -reach[0] ||
+    Math.min(ay, by) > reach[1] ||
+    Math.max(ay, by) < -reach[1]
+  )
+    return false;
   return Math.abs(ax * by - ay * bx) <= Math.abs(bx - ax) * reach[1] + Math.abs(by - ay) * reach[0];
 }
 
@@ -47,7 +60,10 @@ export function meetsOutline([fromX, fromY, toX, toY]: Outline, middle: readonly
 function cube(m: Matrix4): HalfSpace[] {
   return [0, 1, 2].flatMap((axis): HalfSpace[] => {
     const normal: Vector3 = [m[4 * axis], m[4 * axis + 1], m[4 * axis + 2]];
-    return [{ normal, offset: -m[4 * axis + 3] }, { normal: scale(normal, -1), offset: m[4 * axis + 3] - 1 }];
+    return [
+      { normal, offset: -m[4 * axis + 3] },
+      { normal: scale(normal, -1), offset: m[4 * axis + 3] - 1 },
+    ];
   });
 }
 
@@ -56,7 +72,12 @@ function largeSquare({ normal, offset }: Plane): Vector3[] {
   const along = normal.map(Math.abs);
   const axis = along.indexOf(Math.max(...along));
   const others = [(axis + 1) % 3, (axis + 2) % 3];
-  return [[-1, -1], [2, -1], [2, 2], [-1, 2]].map((place) => {
+  return [
+    [-1, -1],
+    [2, -1],
+    [2, 2],
+    [-1, 2],
+  ].map((place) => {
     const corner: [number, number, number] = [0, 0, 0];
     others.forEach((other, i) => (corner[other] = place[i]));
     corner[axis] = (offset - dot(normal, corner)) / normal[axis];
@@ -88,10 +109,14 @@ function projector({ point: [p0, px, py], direction: [d0, dx, dy], eyeT }: RaySe
   const isParallel = eyeT === -Infinity;
   const eye = isParallel ? p0 : (p0.map((x, axis) => x + eyeT * d0[axis]) as unknown as Vector3);
   const [across, up] = isParallel ? [px, py] : [dx, dy];
-  const m = invertAffine([0, 1, 2].flatMap((axis) => [across[axis], up[axis], d0[axis], eye[axis]]).concat(0, 0, 0, 1))!; // Rays are not all in a plane.
-  const row = (r: number, p: Vector3): number => m[4 * r] * p[0] + m[4 * r + 1] * p[1] + m[4 * r + 2] * p[2] + m[4 * r + 3];
+  const m = invertAffine(
+    [0, 1, 2].flatMap((axis) => [across[axis], up[axis], d0[axis], eye[axis]]).concat(0, 0, 0, 1),
+  )!; // Rays are not all in a plane.
+  const row = (r: number, p: Vector3): number =>
+    m[4 * r] * p[0] + m[4 * r + 1] * p[1] + m[4 * r + 2] * p[2] + m[4 * r + 3];
   return {
     place: (p) => (isParallel ? [row(0, p), row(1, p)] : [row(0, p) / row(2, p), row(1, p) / row(2, p)]),
-    before: (depth) => (isParallel ? { normal: [0, 0, 0], offset: -1 } : { normal: [m[8], m[9], m[10]], offset: depth - m[11] }),
+    before: (depth) =>
+      isParallel ? { normal: [0, 0, 0], offset: -1 } : { normal: [m[8], m[9], m[10]], offset: depth - m[11] },
   };
 }

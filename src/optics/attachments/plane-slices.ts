@@ -44,7 +44,11 @@ export function straightColor(transferFunction: TransferFunction, value: number)
  * @param colors - of the transfer function, brightened
  * Twin: shaders/chunks/attachments/plane-slices.glsl
  */
-export function planeInterval(planes: readonly PlaneSlice[], field: FieldStage, colors: TransferFunction): IntervalStage {
+export function planeInterval(
+  planes: readonly PlaneSlice[],
+  field: FieldStage,
+  colors: TransferFunction,
+): IntervalStage {
   return (ray, interval) => {
     const { entry, exit, gap } = interval;
     let [found, nearest] = [interval, Infinity];
@@ -58,7 +62,11 @@ export function planeInterval(planes: readonly PlaneSlice[], field: FieldStage, 
       const color = valid ? (window ? grayOf(value, window) : straightColor(colors, value)) : null;
       if (!color) continue;
       nearest = t;
-      found = { ...interval, exit: t < entry + slack ? Math.min(entry, exit) : Math.min(exit, t), behind: [...color, 1] };
+      found = {
+        ...interval,
+        exit: t < entry + slack ? Math.min(entry, exit) : Math.min(exit, t),
+        behind: [...color, 1],
+      };
     }
     return found;
   };
@@ -73,7 +81,8 @@ export function sampleSlab(field: FieldStage, place: Vector3, { way, kind }: Pla
     total: exit,
     pieces: [[entry, exit]],
     sampleAt: (share) => field.sampleAt(placeAt(share)),
-    kinksAlong: (begin, end) => (field.kinksAlong?.(placeAt(begin), placeAt(end)) ?? []).map((share) => begin + share * (end - begin)),
+    kinksAlong: (begin, end) =>
+      (field.kinksAlong?.(placeAt(begin), placeAt(end)) ?? []).map((share) => begin + share * (end - begin)),
   };
   if (!(exit > entry)) return { value: NaN, valid: false };
   const merged = mergeLine(kind);

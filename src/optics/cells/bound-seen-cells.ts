@@ -20,7 +20,10 @@ type Corner = readonly [x: number, y: number, w: number];
  * @returns null if no cell is in the picture
  */
 export function boundSeenCells(
-  { grid, macrocells: { dimensions: cells } }: { readonly grid: GridFrame; readonly macrocells: Pick<Macrocells, 'dimensions'> },
+  {
+    grid,
+    macrocells: { dimensions: cells },
+  }: { readonly grid: GridFrame; readonly macrocells: Pick<Macrocells, 'dimensions'> },
   seen: Uint8Array,
   { view, projection }: { readonly view: Matrix4; readonly projection: Matrix4 },
 ): DeviceRectangle | null {
@@ -30,11 +33,19 @@ export function boundSeenCells(
   let bounds: DeviceRectangle = nowhere;
   /** Where the cells of a row, from one index to another, appear in the picture. */
   const appear = (from: number, to: number, j: number, k: number): Appearance => {
-    const corners = cornersOf([edge(from, 0), edge(j, 1), edge(k, 2)], [edge(to, 0), edge(j + 1, 1), edge(k + 1, 2)], toClip);
+    const corners = cornersOf(
+      [edge(from, 0), edge(j, 1), edge(k, 2)],
+      [edge(to, 0), edge(j + 1, 1), edge(k + 1, 2)],
+      toClip,
+    );
     const isAhead = corners.every(([, , w]) => w >= min);
     const whole = boundPlaces(isAhead ? corners : cutCorners(corners, min));
     const part = clampToPicture(whole);
-    return { part, isWhole: isAhead && whole.every((at, side) => at === part[side]), saysMore: part[0] < part[2] && part[1] < part[3] && join(bounds, part).some((at, side) => at !== bounds[side]) };
+    return {
+      part,
+      isWhole: isAhead && whole.every((at, side) => at === part[side]),
+      saysMore: part[0] < part[2] && part[1] < part[3] && join(bounds, part).some((at, side) => at !== bounds[side]),
+    };
   };
   for (let k = 0; k < cells[2]; k++) {
     for (let j = 0; j < cells[1]; j++) {
@@ -84,10 +95,15 @@ function join(a: DeviceRectangle, b: DeviceRectangle): DeviceRectangle {
 function cutCorners(corners: readonly Corner[], min: number): Corner[] {
   const ahead = corners.filter(([, , w]) => w >= min);
   const behind = corners.filter(([, , w]) => w < min);
-  return [...ahead, ...ahead.flatMap((a) => behind.map((b): Corner => {
-    const share = (a[2] - min) / (a[2] - b[2]);
-    return [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), min];
-  }))];
+  return [
+    ...ahead,
+    ...ahead.flatMap((a) =>
+      behind.map((b): Corner => {
+        const share = (a[2] - min) / (a[2] - b[2]);
+        return [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), min];
+      }),
+    ),
+  ];
 }
 
 function boundPlaces(corners: readonly Corner[]): DeviceRectangle {
@@ -106,7 +122,11 @@ function cornersOf(low: Vector3, high: Vector3, m: Matrix4): Corner[] {
   const corners: Corner[] = [];
   for (let corner = 0; corner < 8; corner++) {
     const [x, y, z] = [(corner & 1 ? high : low)[0], (corner & 2 ? high : low)[1], (corner & 4 ? high : low)[2]];
-    corners.push([m[0] * x + m[1] * y + m[2] * z + m[3], m[4] * x + m[5] * y + m[6] * z + m[7], m[12] * x + m[13] * y + m[14] * z + m[15]]);
+    corners.push([
+      m[0] * x + m[1] * y + m[2] * z + m[3],
+      m[4] * x + m[5] * y + m[6] * z + m[7],
+      m[12] * x + m[13] * y + m[14] * z + m[15],
+    ]);
   }
   return corners;
 }

@@ -27,7 +27,9 @@ export function boxesIn(over: Grid, layer: Grid): ((cell: Vector3) => UnitBox) |
     const middle = cell.map((at, axis) => (edge(at, axis) + edge(at + 1, axis)) / 2) as unknown as Vector3;
     const half = cell.map((at, axis) => (edge(at + 1, axis) - edge(at, axis)) / 2);
     const center = transformPoint(matrix, middle);
-    const reach = [0, 1, 2].map((row) => half.reduce((sum, h, axis) => sum + h * Math.abs(matrix[4 * row + axis]), 0) + rounding);
+    const reach = [0, 1, 2].map(
+      (row) => half.reduce((sum, h, axis) => sum + h * Math.abs(matrix[4 * row + axis]), 0) + rounding,
+    );
     const [low, high] = [-1, 1].map((side) => center.map((x, axis) => x + side * reach[axis]) as unknown as Vector3);
     return { low, high };
   };
@@ -52,21 +54,27 @@ export function countTouched({ low, high }: UnitBox, dimensions: Vector3): numbe
  * Smallest and largest data value of the voxels that the samples in a box interpolate. If these have no data, the smallest
  * is above the largest.
  */
-export function boxReader({ samples, grid: { dimensions }, slope, intercept }: Volume): (box: UnitBox) => readonly [low: number, high: number] {
+export function boxReader({
+  samples,
+  grid: { dimensions },
+  slope,
+  intercept,
+}: Volume): (box: UnitBox) => readonly [low: number, high: number] {
   const [nx, ny] = dimensions;
   const inside = (index: number, axis: number): number => Math.min(dimensions[axis] - 1, Math.max(0, index));
   return ({ low, high }) => {
     const first = low.map((x, axis) => inside(Math.floor(x * dimensions[axis] - 0.5 - voxelRounding), axis));
     const last = high.map((x, axis) => inside(Math.ceil(x * dimensions[axis] - 0.5 + voxelRounding), axis));
     let [min, max] = [Infinity, -Infinity];
-    for (let z = first[2]; z <= last[2]; z++) for (let y = first[1]; y <= last[1]; y++) {
-      const row = nx * (y + ny * z);
-      for (let at = row + first[0]; at <= row + last[0]; at++) {
-        const stored = samples[at];
-        if (stored < min) min = stored; // Both comparisons are false for NaN.
-        if (stored > max) max = stored;
+    for (let z = first[2]; z <= last[2]; z++)
+      for (let y = first[1]; y <= last[1]; y++) {
+        const row = nx * (y + ny * z);
+        for (let at = row + first[0]; at <= row + last[0]; at++) {
+          const stored = samples[at];
+          if (stored < min) min = stored; // Both comparisons are false for NaN.
+          if (stored > max) max = stored;
+        }
       }
-    }
     if (!(min <= max)) return [Infinity, -Infinity];
     const ends = [slope * min + intercept, slope * max + intercept];
     return [Math.min(...ends), Math.max(...ends)];

@@ -24,7 +24,12 @@ export interface SeenVolume {
    * The optical depth that could be missed in a cell when labels and a layer are included, times the samples per voxel.
    * @param depthIn - that depth from a transfer function alone
    */
-  readonly more?: (cell: number, depthIn: (range: EmissionRange) => number, kind: RangeKind, samplesAVoxel: number) => number;
+  readonly more?: (
+    cell: number,
+    depthIn: (range: EmissionRange) => number,
+    kind: RangeKind,
+    samplesAVoxel: number,
+  ) => number;
   /** Whether an object may hide what is behind it, even if a ray's way through it is very short. */
   readonly hasSurfaces?: boolean;
   /** Optical depths of visible things between values, where the transfer function does not show them. */
@@ -57,9 +62,15 @@ export const detailCodes = [1, 2, 4, 8] as const;
  * @returns with `isQuick` at least as much, and much faster: as if any two values of the cell could lie next to each other
  */
 export function measureMissable(
-  { volume, transferFunction, opticalScale, more, jumps = [], style }: SeenVolume, kind: RangeKind,
+  { volume, transferFunction, opticalScale, more, jumps = [], style }: SeenVolume,
+  kind: RangeKind,
 ): (cell: number, samplesAVoxel: number, isQuick?: boolean) => number {
-  const { macrocells: { low, high, roughness }, slope, intercept, grid } = volume;
+  const {
+    macrocells: { low, high, roughness },
+    slope,
+    intercept,
+    grid,
+  } = volume;
   const emission = rangeEmission(transferFunction);
   const length = thingLength * finestSpacing(grid) * opticalScale;
   return (cell, samplesAVoxel, isQuick = false) => {
@@ -71,7 +82,8 @@ export function measureMissable(
     // for this, but the error reports it.
     const isBent = kind === 'among' && apart > 0;
     const styled = isBent && style ? style(min, max) : unstyled;
-    const depthIn = (of: EmissionRange): number => (styled.max * of[kind](min, max, apart) + (styled.apart > 0 ? styled.apart * of.largest(min, max) : 0)) * length;
+    const depthIn = (of: EmissionRange): number =>
+      (styled.max * of[kind](min, max, apart) + (styled.apart > 0 ? styled.apart * of.largest(min, max) : 0)) * length;
     const jump = isBent ? jumps.reduce((sum, depth) => sum + depth(min, max, length / samplesAVoxel), 0) : 0;
     return -Math.expm1(-(more ? more(cell, depthIn, kind, samplesAVoxel) : depthIn(emission)) / samplesAVoxel - jump);
   };
@@ -89,8 +101,13 @@ export function* seekDetail(seen: SeenVolume, lost: number): Waiting<Uint8Array<
   for (let cell = 0; cell < codes.length; cell++) {
     if (cell % cellsAtOnce === cellsAtOnce - 1) yield;
     if (!seen.cells[cell]) continue;
-    const code = detailCodes.findIndex((samples) => missable(cell, samples, true) <= lost || missable(cell, samples) <= lost);
-    codes[cell] = Math.min(code < 0 ? detailCodes.length - 1 : code, found(cell) ? codeToAppearance : detailCodes.length - 1);
+    const code = detailCodes.findIndex(
+      (samples) => missable(cell, samples, true) <= lost || missable(cell, samples) <= lost,
+    );
+    codes[cell] = Math.min(
+      code < 0 ? detailCodes.length - 1 : code,
+      found(cell) ? codeToAppearance : detailCodes.length - 1,
+    );
   }
   return codes;
 }
@@ -98,7 +115,14 @@ export function* seekDetail(seen: SeenVolume, lost: number): Waiting<Uint8Array<
 /** The code of a cell in which rays search for opaque values: two samples per voxel. */
 const codeToAppearance = 1;
 
-function findsIn({ volume: { macrocells: { low, high }, slope, intercept }, found = [] }: SeenVolume): (cell: number) => boolean {
+function findsIn({
+  volume: {
+    macrocells: { low, high },
+    slope,
+    intercept,
+  },
+  found = [],
+}: SeenVolume): (cell: number) => boolean {
   const stored = found.map((value) => (value - intercept) / slope);
   return (cell) => stored.some((value) => value >= low[cell] && value <= high[cell]);
 }

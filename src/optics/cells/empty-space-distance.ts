@@ -77,13 +77,15 @@ function listVisibleSpans(transferFunction: TransferFunction): VisibleSpan[] {
     before.openHigh = span.openHigh && (span.high > before.high || before.openHigh);
     before.high = span.high;
   };
-  if (transferFunction[0].opacity > 0) add({ low: -Infinity, high: transferFunction[0].value, openLow: false, openHigh: true });
+  if (transferFunction[0].opacity > 0)
+    add({ low: -Infinity, high: transferFunction[0].value, openLow: false, openHigh: true });
   for (let i = 0; i < last; i++) {
     const [from, to] = [transferFunction[i], transferFunction[i + 1]];
     if (from.opacity === 0 && to.opacity === 0) continue;
     add({ low: from.value, high: to.value, openLow: from.opacity === 0, openHigh: to.opacity === 0 });
   }
-  if (transferFunction[last].opacity > 0) add({ low: transferFunction[last].value, high: Infinity, openLow: false, openHigh: false });
+  if (transferFunction[last].opacity > 0)
+    add({ low: transferFunction[last].value, high: Infinity, openLow: false, openHigh: false });
   return spans;
 }
 
@@ -114,7 +116,8 @@ function spread(distances: Uint8Array, [nx, ny, nz]: readonly [number, number, n
   const [row, slice] = [nx + 2, (nx + 2) * (ny + 2)];
   const framed = new Uint8Array(slice * (nz + 2)).fill(maxRings);
   const copyRows = (copy: (at: number, from: number) => void): void => {
-    for (let z = 0; z < nz; z++) for (let y = 0; y < ny; y++) copy((z + 1) * slice + (y + 1) * row + 1, nx * (y + ny * z));
+    for (let z = 0; z < nz; z++)
+      for (let y = 0; y < ny; y++) copy((z + 1) * slice + (y + 1) * row + 1, nx * (y + ny * z));
   };
   copyRows((at, from) => framed.set(distances.subarray(from, from + nx), at));
   const before = Int32Array.from(half, ([dx, dy, dz]) => -(dx + dy * row + dz * slice));
@@ -126,8 +129,12 @@ function spread(distances: Uint8Array, [nx, ny, nz]: readonly [number, number, n
     }
     framed[cell] = min;
   };
-  for (let z = 1; z <= nz; z++) for (let y = 1; y <= ny; y++) for (let x = 1, cell = z * slice + y * row + 1; x <= nx; x++, cell++) if (framed[cell] > 0) relax(cell, 1);
-  for (let z = nz; z >= 1; z--) for (let y = ny; y >= 1; y--) for (let x = nx, cell = z * slice + y * row + nx; x >= 1; x--, cell--) if (framed[cell] > 0) relax(cell, -1);
+  for (let z = 1; z <= nz; z++)
+    for (let y = 1; y <= ny; y++)
+      for (let x = 1, cell = z * slice + y * row + 1; x <= nx; x++, cell++) if (framed[cell] > 0) relax(cell, 1);
+  for (let z = nz; z >= 1; z--)
+    for (let y = ny; y >= 1; y--)
+      for (let x = nx, cell = z * slice + y * row + nx; x >= 1; x--, cell--) if (framed[cell] > 0) relax(cell, -1);
   const spreadOut = new Uint8Array(distances.length);
   copyRows((at, from) => spreadOut.set(framed.subarray(at, at + nx), from));
   return spreadOut;

@@ -17,12 +17,18 @@ export interface CellAppearances {
 
 /** @param styles - by label number */
 export function appearanceOfCells({ starts, numbers }: LabelCells, styles: readonly LabelStyle[]): CellAppearances {
-  const factors = styles.map(({ color, opacityFactor }) => [opacityFactor, ...color.map((channel) => channel * opacityFactor)]);
+  const factors = styles.map(({ color, opacityFactor }) => [
+    opacityFactor,
+    ...color.map((channel) => channel * opacityFactor),
+  ]);
   const max = new Float32Array(starts.length - 1);
   const spread = new Float32Array(starts.length - 1);
   const groups = new Uint8Array(starts.length - 1);
   for (let cell = 0; cell < max.length; cell++) {
-    const [low, high] = [[Infinity, Infinity, Infinity, Infinity], [0, 0, 0, 0]];
+    const [low, high] = [
+      [Infinity, Infinity, Infinity, Infinity],
+      [0, 0, 0, 0],
+    ];
     for (let at = starts[cell]; at < starts[cell + 1]; at++) {
       const one = factors[numbers[at]];
       if (one[0] > 0) groups[cell] |= 1 << (styles[numbers[at]].group ?? 0);
@@ -44,8 +50,16 @@ export function appearanceOfCells({ starts, numbers }: LabelCells, styles: reado
 const unknown = { among: 1, offLine: 0.5 } as const;
 
 /** The optical depth that could be missed in a cell when labels are included: see `SeenVolume`. */
-export function labelledDetail({ max, spread, groups }: CellAppearances, { volume, transferFunction, functions = [], opticalScale }: Omit<SeenVolume, 'cells' | 'more'>): NonNullable<SeenVolume['more']> {
-  const { macrocells: { low, high }, slope, intercept, grid } = volume;
+export function labelledDetail(
+  { max, spread, groups }: CellAppearances,
+  { volume, transferFunction, functions = [], opticalScale }: Omit<SeenVolume, 'cells' | 'more'>,
+): NonNullable<SeenVolume['more']> {
+  const {
+    macrocells: { low, high },
+    slope,
+    intercept,
+    grid,
+  } = volume;
   const all = [transferFunction, ...functions];
   const ranges = all.map((one) => rangeEmission(one));
   const length = finestSpacing(grid) * opticalScale;
@@ -59,7 +73,9 @@ export function labelledDetail({ max, spread, groups }: CellAppearances, { volum
     const ends = [slope * low[cell] + intercept, slope * high[cell] + intercept];
     const [from, to] = [Math.min(...ends), Math.max(...ends)];
     // An upper bound: the emission at one of the ends, plus the largest change of emission between them.
-    const largestOf = (group: number): number => Math.min(...ends.map((value) => Math.max(...emission(all[group], value)))) + ranges[group].among(from, to, to - from);
+    const largestOf = (group: number): number =>
+      Math.min(...ends.map((value) => Math.max(...emission(all[group], value)))) +
+      ranges[group].among(from, to, to - from);
     return missed + unknown[kind] * differs * Math.max(...present.map(largestOf)) * length;
   };
 }

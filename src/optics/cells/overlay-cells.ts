@@ -37,8 +37,17 @@ const maxReads = 2 ** 23;
 const none: readonly [number, number] = [Infinity, -Infinity];
 
 export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
-  const { dimensions: [nx, ny, nz], low: { length } } = over.macrocells;
-  const cells = { low: new Float64Array(length).fill(Infinity), high: new Float64Array(length).fill(-Infinity), roughness: new Float64Array(length), ends: new Uint8Array(length), edge: isPolar(over) ? none : measureEdge(volume) };
+  const {
+    dimensions: [nx, ny, nz],
+    low: { length },
+  } = over.macrocells;
+  const cells = {
+    low: new Float64Array(length).fill(Infinity),
+    high: new Float64Array(length).fill(-Infinity),
+    roughness: new Float64Array(length),
+    ends: new Uint8Array(length),
+    edge: isPolar(over) ? none : measureEdge(volume),
+  };
   const { macrocells, slope, intercept } = volume;
   const include = (cell: number, from: number): void => {
     if (!(macrocells.low[from] <= macrocells.high[from])) return;
@@ -57,31 +66,43 @@ export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
   const read = boxReader(volume);
   const isFine = length * countTouched(boxOf([0, 0, 0]), volume.grid.dimensions) <= maxReads;
   const [mx, my] = macrocells.dimensions;
-  for (let k = 0, cell = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++, cell++) {
-    const box = boxOf([i, j, k]);
-    if (isOutside(box)) continue;
-    cells.ends[cell] = Number(reachesBeyond(box));
-    const { first, last } = blocksOf(box, volume);
-    for (let z = first[2]; z <= last[2]; z++) for (let y = first[1]; y <= last[1]; y++) for (let x = first[0]; x <= last[0]; x++) include(cell, x + mx * (y + my * z));
-    if (!isFine || !(cells.low[cell] <= cells.high[cell])) continue;
-    const [min, max] = read(box);
-    cells.low[cell] = min;
-    cells.high[cell] = max;
-  }
+  for (let k = 0, cell = 0; k < nz; k++)
+    for (let j = 0; j < ny; j++)
+      for (let i = 0; i < nx; i++, cell++) {
+        const box = boxOf([i, j, k]);
+        if (isOutside(box)) continue;
+        cells.ends[cell] = Number(reachesBeyond(box));
+        const { first, last } = blocksOf(box, volume);
+        for (let z = first[2]; z <= last[2]; z++)
+          for (let y = first[1]; y <= last[1]; y++)
+            for (let x = first[0]; x <= last[0]; x++) include(cell, x + mx * (y + my * z));
+        if (!isFine || !(cells.low[cell] <= cells.high[cell])) continue;
+        const [min, max] = read(box);
+        cells.low[cell] = min;
+        cells.high[cell] = max;
+      }
   return cells;
 }
 
 /** Smallest and largest value of the outermost voxels. */
-function measureEdge({ samples, grid: { dimensions: [nx, ny, nz] }, slope, intercept }: Volume): readonly [number, number] {
+function measureEdge({
+  samples,
+  grid: {
+    dimensions: [nx, ny, nz],
+  },
+  slope,
+  intercept,
+}: Volume): readonly [number, number] {
   let [low, high] = none;
-  for (let k = 0; k < nz; k++) for (let j = 0; j < ny; j++) {
-    const step = k === 0 || k === nz - 1 || j === 0 || j === ny - 1 ? 1 : Math.max(1, nx - 1);
-    for (let i = 0; i < nx; i += step) {
-      const value = slope * samples[i + nx * (j + ny * k)] + intercept;
-      if (value < low) low = value;
-      if (value > high) high = value;
+  for (let k = 0; k < nz; k++)
+    for (let j = 0; j < ny; j++) {
+      const step = k === 0 || k === nz - 1 || j === 0 || j === ny - 1 ? 1 : Math.max(1, nx - 1);
+      for (let i = 0; i < nx; i += step) {
+        const value = slope * samples[i + nx * (j + ny * k)] + intercept;
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
     }
-  }
   return [low, high];
 }
 
@@ -92,16 +113,26 @@ function measureEdge({ samples, grid: { dimensions: [nx, ny, nz] }, slope, inter
 const shared = 0.25;
 
 /** The macrocells of a layer that hold everything in a box: from the first to the last along each axis. */
-function blocksOf({ low, high }: UnitBox, { grid: { dimensions }, macrocells }: Volume): { readonly first: Vector3; readonly last: Vector3 } {
-  const toBlock = (position: number, axis: number): number => Math.min(macrocells.dimensions[axis] - 1, Math.max(0, Math.floor(position / cellSize)));
+function blocksOf(
+  { low, high }: UnitBox,
+  { grid: { dimensions }, macrocells }: Volume,
+): { readonly first: Vector3; readonly last: Vector3 } {
+  const toBlock = (position: number, axis: number): number =>
+    Math.min(macrocells.dimensions[axis] - 1, Math.max(0, Math.floor(position / cellSize)));
   const from = low.map((x, axis) => toBlock(x * dimensions[axis] + shared, axis));
   const to = high.map((x, axis) => toBlock(x * dimensions[axis] - shared, axis));
   // A box may be smaller than the shared part.
-  return { first: from.map((at, axis) => Math.min(at, to[axis])) as unknown as Vector3, last: to.map((at, axis) => Math.max(at, from[axis])) as unknown as Vector3 };
+  return {
+    first: from.map((at, axis) => Math.min(at, to[axis])) as unknown as Vector3,
+    last: to.map((at, axis) => Math.max(at, from[axis])) as unknown as Vector3,
+  };
 }
 
 /** Where a layer itself is visible, whatever values the volume has there: a byte per macrocell. Null for a layer that only colours. */
-export function shownByOverlay({ low, high }: OverlayCells, { blend, transferFunction }: ShownOverlay): Uint8Array | null {
+export function shownByOverlay(
+  { low, high }: OverlayCells,
+  { blend, transferFunction }: ShownOverlay,
+): Uint8Array | null {
   if (blend === 'color') return null;
   const shows = contributionOf(transferFunction);
   return Uint8Array.from(low, (min, cell) => Number(min <= high[cell] && shows(min, high[cell])));
@@ -111,10 +142,17 @@ export function shownByOverlay({ low, high }: OverlayCells, { blend, transferFun
  * What a layer adds to the optical depth that could be missed in a cell: see `SeenVolume`. If the layer's voxels are larger than the
  * volume's, the layer is straighter between samples. If they are smaller, it may take any value between its smallest and its largest.
  */
-export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { seen, lightFactor }: {
-  readonly seen: Omit<SeenVolume, 'cells'>;
-  readonly lightFactor: number;
-}): NonNullable<SeenVolume['more']> {
+export function overlaidDetail(
+  cells: OverlayCells,
+  overlay: ShownOverlay,
+  {
+    seen,
+    lightFactor,
+  }: {
+    readonly seen: Omit<SeenVolume, 'cells'>;
+    readonly lightFactor: number;
+  },
+): NonNullable<SeenVolume['more']> {
   const { grid, macrocells, slope, intercept } = seen.volume;
   const colors = overlayColors(overlay, lightFactor);
   const range = rangeEmission(colors);
@@ -140,7 +178,9 @@ export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { see
       const reach = (length * overlay.opacityFactor) / samplesAVoxel;
       // Where a step leaves the layer, half of the step counts.
       const atEdge = cells.ends[cell] ? seenOf(reach / 4).largest(...cells.edge) : 0;
-      return missed - samplesAVoxel * Math.log1p(-Math.min(maxSeen, Math.max(atEdge, seenOf(reach).among(low, high, apart))));
+      return (
+        missed - samplesAVoxel * Math.log1p(-Math.min(maxSeen, Math.max(atEdge, seenOf(reach).among(low, high, apart))))
+      );
     }
     const largest = cells.ends[cell] ? Math.max(...emission(colors, low), ...emission(colors, high)) : 0;
     const change = Math.max(largest, range[kind](low, high, apart));
@@ -148,7 +188,8 @@ export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { see
     const ends = [slope * macrocells.low[cell] + intercept, slope * macrocells.high[cell] + intercept];
     const [from, to] = [Math.min(...ends), Math.max(...ends)];
     if (!Number.isFinite(to - from)) return missed;
-    const max = Math.min(...ends.map((value) => emission(seen.transferFunction, value)[3])) + own.among(from, to, to - from);
+    const max =
+      Math.min(...ends.map((value) => emission(seen.transferFunction, value)[3])) + own.among(from, to, to - from);
     return missed + Math.min(1, change / fullColor) * max * length;
   };
 }
@@ -170,7 +211,10 @@ function rangeSeen(colors: TransferFunction): (ratio: number) => SeenRange {
   return (ratio) => {
     const read = (of: TransferFunction, value: number): Premultiplied => attenuate(emission(of, value), ratio);
     const { among } = known.get(ratio) ?? rangeEmission(colors, read);
-    const found = { among, largest: (low: number, high: number) => (low <= high ? read(colors, low)[3] + among(low, high, high - low) : 0) };
+    const found = {
+      among,
+      largest: (low: number, high: number) => (low <= high ? read(colors, low)[3] + among(low, high, high - low) : 0),
+    };
     known.set(ratio, found);
     return found;
   };

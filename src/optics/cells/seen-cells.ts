@@ -8,7 +8,9 @@ import type { Contribution } from './empty-space-distance.ts';
  * @returns a byte per cell, i fastest: 1 if something is visible, else 0
  */
 export function findSeenCells(
-  { low, high }: Macrocells, contributions: readonly Contribution[], { slope, intercept }: { slope: number; intercept: number },
+  { low, high }: Macrocells,
+  contributions: readonly Contribution[],
+  { slope, intercept }: { slope: number; intercept: number },
 ): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(low, (min, cell) => {
     if (!(min <= high[cell])) return 0; // no data

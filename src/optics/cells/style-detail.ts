@@ -55,18 +55,31 @@ export function rangeStyles(chains: readonly StyleChain[], appearance: StyledApp
     const facing = byFacing(1);
     const min = Math.min(flatFactor(styles), facing[0]);
     const max = Math.max(flatFactor(styles), facing[1]);
-    return { weight, hasColors: styles.some(isColored), min, max, byChange, byReach: (along: number) => byReach(perReach > 0 ? Math.min(1, along * perReach) : 0) };
+    return {
+      weight,
+      hasColors: styles.some(isColored),
+      min,
+      max,
+      byChange,
+      byReach: (along: number) => byReach(perReach > 0 ? Math.min(1, along * perReach) : 0),
+    };
   });
   return (low, high) => {
     const perVoxel = change(low, high);
     const along = toChange * perVoxel;
     const weighed = weighUpTo(perVoxel, flatOf(chains) * flat);
-    return all.reduce<StyleChange>((sum, one) => {
-      const [ofChange, ofReach] = [one.byChange(shareOfChange(Math.min(1e30, along))), one.byReach(Math.min(1e30, along))];
-      const max = one.max * ofChange[1] * ofReach[1];
-      const apart = max - one.min * ofChange[0] * ofReach[0] + (one.hasColors ? weighed * max : 0);
-      return { max: sum.max + one.weight * max, apart: sum.apart + one.weight * apart };
-    }, { max: 0, apart: 0 });
+    return all.reduce<StyleChange>(
+      (sum, one) => {
+        const [ofChange, ofReach] = [
+          one.byChange(shareOfChange(Math.min(1e30, along))),
+          one.byReach(Math.min(1e30, along)),
+        ];
+        const max = one.max * ofChange[1] * ofReach[1];
+        const apart = max - one.min * ofChange[0] * ofReach[0] + (one.hasColors ? weighed * max : 0);
+        return { max: sum.max + one.weight * max, apart: sum.apart + one.weight * apart };
+      },
+      { max: 0, apart: 0 },
+    );
   };
 }
 

@@ -26,7 +26,12 @@ export function emptyQuad(): Quad {
  * @param quad - is filled, in the picture's own unit
  * Twin: shaders/chunks/depth/between-pixels.glsl
  */
-export function interpolateQuad({ data, width, height }: Pixels, stride: number, [x, y]: readonly [number, number], quad: Quad): void {
+export function interpolateQuad(
+  { data, width, height }: Pixels,
+  stride: number,
+  [x, y]: readonly [number, number],
+  quad: Quad,
+): void {
   const columns = Math.ceil(width / stride);
   const rows = Math.ceil(height / stride);
   const place = (i: number, j: number): number =>
@@ -35,19 +40,34 @@ export function interpolateQuad({ data, width, height }: Pixels, stride: number,
   const [leftOfA, rightOfB, leftOfC, rightOfD] = [place(-1, 0), place(2, 0), place(-1, 1), place(2, 1)];
   const [belowA, belowB, aboveC, aboveD] = [place(0, -1), place(1, -1), place(0, 2), place(1, 2)];
   const at = (index: number, channel: number): number => data[index + channel];
-  const curvature = (i: number, j: number, k: number, channel: number): number => Math.abs(at(i, channel) - 2 * at(j, channel) + at(k, channel));
+  const curvature = (i: number, j: number, k: number, channel: number): number =>
+    Math.abs(at(i, channel) - 2 * at(j, channel) + at(k, channel));
   quad.curvature = quad.brightest = 0;
   for (let n = 0; n < 4; n++) {
     quad.colors[n] = at(a, n);
     quad.colors[4 + n] = (9 * (at(a, n) + at(b, n)) - at(leftOfA, n) - at(rightOfB, n)) / 16;
     quad.colors[8 + n] = (9 * (at(a, n) + at(c, n)) - at(belowA, n) - at(aboveC, n)) / 16;
-    const outer = at(leftOfA, n) + at(rightOfB, n) + at(leftOfC, n) + at(rightOfD, n) + at(belowA, n) + at(belowB, n) + at(aboveC, n) + at(aboveD, n);
+    const outer =
+      at(leftOfA, n) +
+      at(rightOfB, n) +
+      at(leftOfC, n) +
+      at(rightOfD, n) +
+      at(belowA, n) +
+      at(belowB, n) +
+      at(aboveC, n) +
+      at(aboveD, n);
     quad.colors[12 + n] = (10 * (at(a, n) + at(b, n) + at(c, n) + at(d, n)) - outer) / 32;
     quad.brightest = Math.max(quad.brightest, at(a, n), at(b, n), at(c, n), at(d, n));
     quad.curvature = Math.max(
       quad.curvature,
-      curvature(leftOfA, a, b, n), curvature(a, b, rightOfB, n), curvature(leftOfC, c, d, n), curvature(c, d, rightOfD, n),
-      curvature(belowA, a, c, n), curvature(a, c, aboveC, n), curvature(belowB, b, d, n), curvature(b, d, aboveD, n),
+      curvature(leftOfA, a, b, n),
+      curvature(a, b, rightOfB, n),
+      curvature(leftOfC, c, d, n),
+      curvature(c, d, rightOfD, n),
+      curvature(belowA, a, c, n),
+      curvature(a, c, aboveC, n),
+      curvature(belowB, b, d, n),
+      curvature(b, d, aboveD, n),
     );
   }
 }

@@ -33,22 +33,29 @@ export function viewMatrix({ eye, target, up }: Camera): Matrix4 {
   const backward = normalize(subtract(eye, target));
   const right = normalize(cross(up, backward));
   const upward = cross(backward, right);
-  return [
-    ...right, -dot(right, eye),
-    ...upward, -dot(upward, eye),
-    ...backward, -dot(backward, eye),
-    0, 0, 0, 1,
-  ];
+  return [...right, -dot(right, eye), ...upward, -dot(upward, eye), ...backward, -dot(backward, eye), 0, 0, 0, 1];
 }
 
 /** Row-major perspective projection. */
 export function projectionMatrix(fieldOfView: number, aspect: number, near: number, far: number): Matrix4 {
   const f = 1 / Math.tan(fieldOfView / 2);
   return [
-    f / aspect, 0, 0, 0,
-    0, f, 0, 0,
-    0, 0, (near + far) / (near - far), (2 * near * far) / (near - far),
-    0, 0, -1, 0,
+    f / aspect,
+    0,
+    0,
+    0,
+    0,
+    f,
+    0,
+    0,
+    0,
+    0,
+    (near + far) / (near - far),
+    (2 * near * far) / (near - far),
+    0,
+    0,
+    -1,
+    0,
   ];
 }
 

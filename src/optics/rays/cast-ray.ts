@@ -1,7 +1,17 @@
 import { add, scale } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { countSteps } from './count-steps.ts';
-import type { CubicPiece, FieldStage, Gathering, Interval, Path, RayStages, Sample, SecondFieldStage, Seen } from './ray-stages.ts';
+import type {
+  CubicPiece,
+  FieldStage,
+  Gathering,
+  Interval,
+  Path,
+  RayStages,
+  Sample,
+  SecondFieldStage,
+  Seen,
+} from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
 import { slackOf } from './slack.ts';
@@ -34,7 +44,8 @@ function see({ field, moreFields, classify, shades, step }: RayStages, ray: Ray)
     ray,
     step,
     sampleAt: (place) => sampleAll(field, moreFields, place),
-    seeSegment: (segment) => shades.reduce((seen, stage) => stage(segment, seen, ray), classify.classifySegment(segment)),
+    seeSegment: (segment) =>
+      shades.reduce((seen, stage) => stage(segment, seen, ray), classify.classifySegment(segment)),
   };
 }
 
@@ -44,7 +55,9 @@ function sampleAll(field: FieldStage, moreFields: readonly SecondFieldStage[], p
 
 function pathOf({ field, moreFields, minSubsteps }: RayStages, ray: Ray, { entry, exit, gap }: Interval): Path {
   const isWhole = !gap || exit <= gap[0];
-  const spans: [number, number][] = isWhole ? [[entry, exit]] : [[entry, gap[0]], ...(exit > gap[1] + slackOf(ray) ? [[gap[1], exit] as [number, number]] : [])];
+  const spans: [number, number][] = isWhole
+    ? [[entry, exit]]
+    : [[entry, gap[0]], ...(exit > gap[1] + slackOf(ray) ? [[gap[1], exit] as [number, number]] : [])];
   const pieces = spans.map((span) => span.map((t) => (t - entry) * ray.lengthPerT) as [number, number]);
   const placeAt = (along: number): Vector3 => add(ray.point, scale(ray.direction, entry + along / ray.lengthPerT));
   return {
@@ -52,7 +65,9 @@ function pathOf({ field, moreFields, minSubsteps }: RayStages, ray: Ray, { entry
     pieces,
     sampleAt: (along) => sampleAll(field, moreFields, placeAt(along)),
     minSubstepsAt: minSubsteps && ((along) => minSubsteps(placeAt(along))),
-    kinksAlong: field.kinksAlong && ((from, to) => field.kinksAlong!(placeAt(from), placeAt(to)).map((share) => from + share * (to - from))),
+    kinksAlong:
+      field.kinksAlong &&
+      ((from, to) => field.kinksAlong!(placeAt(from), placeAt(to)).map((share) => from + share * (to - from))),
   };
 }
 
@@ -65,7 +80,11 @@ function walk(stages: RayStages, path: Path, gathering: Gathering): void {
 }
 
 /** Goes through a piece of a path from kink to kink. Twin: shaders/chunks/walk/walk-voxels.glsl */
-export function walkKinks({ sampleAt, kinksAlong }: Path, [begin, end]: readonly [number, number], add: (piece: CubicPiece) => void): void {
+export function walkKinks(
+  { sampleAt, kinksAlong }: Path,
+  [begin, end]: readonly [number, number],
+  add: (piece: CubicPiece) => void,
+): void {
   let [from, front] = [begin, sampleAt(begin)];
   for (const to of [...kinksAlong!(begin, end), end]) {
     const back = sampleAt(to);
@@ -74,14 +93,20 @@ export function walkKinks({ sampleAt, kinksAlong }: Path, [begin, end]: readonly
   }
 }
 
-function walkPiece({ step, maxSubsteps }: RayStages, { sampleAt, minSubstepsAt }: Path, [from, to]: readonly [number, number], gathering: Gathering): void {
+function walkPiece(
+  { step, maxSubsteps }: RayStages,
+  { sampleAt, minSubstepsAt }: Path,
+  [from, to]: readonly [number, number],
+  gathering: Gathering,
+): void {
   const count = countSteps(to - from, step);
   let front = sampleAt(from);
   for (let i = 0; i < count; i++) {
     const begin = from + i * step;
     const end = i < count - 1 ? begin + step : to;
     const last = sampleAt(end);
-    const wanted = maxSubsteps > 1 && (front.valid || last.valid) ? Math.min(maxSubsteps, gathering.chooseSubsteps(front, last)) : 1;
+    const wanted =
+      maxSubsteps > 1 && (front.valid || last.valid) ? Math.min(maxSubsteps, gathering.chooseSubsteps(front, last)) : 1;
     const substeps = Math.max(wanted, minSubstepsAt?.(begin) ?? 1);
     const span = (end - begin) / substeps;
     for (let substep = 1; substep <= substeps; substep++) {

@@ -14,7 +14,10 @@ interface PictureOptics extends OpticalFactors {
 }
 
 /** The last optics of each transfer function: it takes longer to prepare them than to cast a ray. */
-const kept = new WeakMap<TransferFunction, { readonly lightFactor: number; readonly voxelRatio: number; readonly optics: RayOptics }>();
+const kept = new WeakMap<
+  TransferFunction,
+  { readonly lightFactor: number; readonly voxelRatio: number; readonly optics: RayOptics }
+>();
 
 function prepare(transferFunction: TransferFunction, lightFactor: number, voxelRatio: number): RayOptics {
   const last = kept.get(transferFunction);
@@ -28,7 +31,12 @@ function prepare(transferFunction: TransferFunction, lightFactor: number, voxelR
  * The classification of values in a picture by its transfer function.
  * @param diameter - of the rays: world length of one unit of a segment's span
  */
-export function classifyPicture({ transferFunction, lightFactor, opacityFactor, referenceLength }: PictureOptics, grid: GridFrame, diameter: number, field: FieldStage): ClassifyStage {
+export function classifyPicture(
+  { transferFunction, lightFactor, opacityFactor, referenceLength }: PictureOptics,
+  grid: GridFrame,
+  diameter: number,
+  field: FieldStage,
+): ClassifyStage {
   const optics = prepare(transferFunction, lightFactor, (finestSpacing(grid) / referenceLength) * opacityFactor);
   return transferFunctionClassify(optics, field, (diameter * opacityFactor) / referenceLength);
 }

@@ -37,7 +37,9 @@ function keep({ normal, offset }: HalfSpace, { point, direction }: Ray, interval
   const given = dot(normal, direction);
   const slope = Math.abs(given) < parallel ? parallel : given;
   const t = (offset - dot(normal, point)) / slope;
-  return slope > 0 ? { ...interval, entry: Math.max(interval.entry, t) } : { ...interval, exit: Math.min(interval.exit, t) };
+  return slope > 0
+    ? { ...interval, entry: Math.max(interval.entry, t) }
+    : { ...interval, exit: Math.min(interval.exit, t) };
 }
 
 /** Cuts a box out of rays: a ray begins behind it, ends in front of it, or has a gap. Twin: shaders/chunks/walk/cutout.glsl */

@@ -21,8 +21,12 @@ export interface BoxInVoxels {
 
 /** @param unitToBox - row-major: to a box's unit cube @param dimensions - number of voxels along the unit cube's edges */
 export function measureBox(unitToBox: Matrix4, dimensions: Vector3): BoxInVoxels {
-  const size = [0, 4, 8].map((row) => 1 / changePerVoxel([unitToBox[row], unitToBox[row + 1], unitToBox[row + 2]], dimensions)) as unknown as Vector3;
-  const rows = size.map((scale, i) => [0, 1, 2, 3].map((column) => scale * unitToBox[4 * i + column])) as unknown as BoxInVoxels['rows'];
+  const size = [0, 4, 8].map(
+    (row) => 1 / changePerVoxel([unitToBox[row], unitToBox[row + 1], unitToBox[row + 2]], dimensions),
+  ) as unknown as Vector3;
+  const rows = size.map((scale, i) =>
+    [0, 1, 2, 3].map((column) => scale * unitToBox[4 * i + column]),
+  ) as unknown as BoxInVoxels['rows'];
   return { rows, size };
 }
 
@@ -35,14 +39,22 @@ export function changePerVoxel(normal: Vector3, dimensions: Vector3): number {
  * How much light applies at a place: 0 at a cut and beyond, 1 from one voxel inside on. A cut face shows values; taps of gradients
  * beyond it would show data that was cut away. Source: Weiskopf, Engel and Ertl 2003. Twin: shaders/chunks/shade/lit.glsl, fadeAtCuts
  */
-export function fadeAtCuts({ unitToRegion, halfSpaces, unitToCutout }: CutFaces, dimensions: Vector3): (place: Vector3) => number {
+export function fadeAtCuts(
+  { unitToRegion, halfSpaces, unitToCutout }: CutFaces,
+  dimensions: Vector3,
+): (place: Vector3) => number {
   const boxes = [identity, unitToRegion].map((one) => measureBox(one, dimensions));
   const cutout = unitToCutout && measureBox(unitToCutout, dimensions);
-  const planes = halfSpaces.map(({ normal, offset }) => ({ normal, offset, scale: 1 / changePerVoxel(normal, dimensions) }));
+  const planes = halfSpaces.map(({ normal, offset }) => ({
+    normal,
+    offset,
+    scale: 1 / changePerVoxel(normal, dimensions),
+  }));
   return (place) => {
     let depth = cutout ? -depthInBox(cutout, place) : 1;
     for (const box of boxes) depth = Math.min(depth, depthInBox(box, place));
-    for (const { normal, offset, scale } of planes) depth = Math.min(depth, scale * (normal[0] * place[0] + normal[1] * place[1] + normal[2] * place[2] - offset));
+    for (const { normal, offset, scale } of planes)
+      depth = Math.min(depth, scale * (normal[0] * place[0] + normal[1] * place[1] + normal[2] * place[2] - offset));
     return Math.min(1, Math.max(0, depth));
   };
 }

@@ -28,7 +28,11 @@ export const nearestEnd = 1e-6;
  * @param surfaceT - t of the nearest shape; Infinity if there is none
  * Twin: shaders/chunks/depth/depth-jumps.glsl
  */
-export function rayEnd([entry, exit]: readonly [number, number], surfaceT: number, { planeDepth, stepLength }: EndScale): RayEnd {
+export function rayEnd(
+  [entry, exit]: readonly [number, number],
+  surfaceT: number,
+  { planeDepth, stepLength }: EndScale,
+): RayEnd {
   const t = Math.max(entry, Math.min(exit, surfaceT));
   const isCut = surfaceT < exit;
   const isMiss = !(entry < exit);

@@ -4,7 +4,12 @@ import type { Pixels } from './between-pixels.ts';
  * A pixel that an edge runs through gets more rays in addition to the one through its middle. These are their places, in pixels across and
  * up. All five form a lattice: each has its own of five rows and of five columns, so edges of any slope have five levels.
  */
-export const edgeOffsets: readonly (readonly [number, number])[] = [[0.2, 0.4], [-0.4, 0.2], [0.4, -0.2], [-0.2, -0.4]];
+export const edgeOffsets: readonly (readonly [number, number])[] = [
+  [0.2, 0.4],
+  [-0.4, 0.2],
+  [0.4, -0.2],
+  [-0.2, -0.4],
+];
 
 /**
  * Finds the quads of 2 x 2 pixels that an edge runs through: one of their pixels has a second difference above a limit
@@ -27,7 +32,8 @@ export function findEdges({ data, width, height }: Pixels, max: number): Float32
     for (let x = 0; x < width; x++) {
       const at = y * row + 4 * x;
       if (quads[first + (x >> 1)] === 1) continue;
-      if (bends(x > 0 ? at - 4 : at, at, x + 1 < width ? at + 4 : at) || bends(at - below, at, at + above)) quads[first + (x >> 1)] = 1;
+      if (bends(x > 0 ? at - 4 : at, at, x + 1 < width ? at + 4 : at) || bends(at - below, at, at + above))
+        quads[first + (x >> 1)] = 1;
     }
   }
   const found = new Float32Array(quads.reduce((sum, one) => sum + one, 0));
@@ -46,6 +52,8 @@ export function meanAtEdges(pictures: readonly ArrayLike<number>[], quads: Float
   const chosen = new Set(quads);
   return Float64Array.from(pictures[0], (middle, i) => {
     const [x, y] = [(i >> 2) % width, Math.floor((i >> 2) / width)];
-    return chosen.has((y >> 1) * columns + (x >> 1)) ? pictures.reduce((sum, one) => sum + one[i], 0) / pictures.length : middle;
+    return chosen.has((y >> 1) * columns + (x >> 1))
+      ? pictures.reduce((sum, one) => sum + one[i], 0) / pictures.length
+      : middle;
   });
 }

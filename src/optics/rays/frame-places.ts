@@ -29,9 +29,16 @@ export function framePlaces(
   let target = scale(back, (farthest(depths, Math.max) + farthest(depths, Math.min)) / 2);
   let distance = -Infinity;
   const tangent = Math.tan(fieldOfView / 2) * framedShare;
-  for (const [axis, slope] of [[cross(up, back), tangent * aspect], [up, tangent]] as const) {
+  for (const [axis, slope] of [
+    [cross(up, back), tangent * aspect],
+    [up, tangent],
+  ] as const) {
     // An eye at c, at distance d, has a place at x in its picture if |x - c| <= slope (d - depth).
-    const toEnd = (sign: number): number => farthest(places.map((place, i) => (sign * dot(axis, place)) / slope + depths[i]), Math.max);
+    const toEnd = (sign: number): number =>
+      farthest(
+        places.map((place, i) => (sign * dot(axis, place)) / slope + depths[i]),
+        Math.max,
+      );
     const [right, left] = [toEnd(1), toEnd(-1)];
     const center = fixed ? dot(axis, fixed) / slope : (right - left) / 2;
     distance = Math.max(distance, right - center, left + center);

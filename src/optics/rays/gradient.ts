@@ -20,7 +20,11 @@ export type GradientStage = (place: Vector3, known: Sample) => Gradient;
  * data has no direction.
  * @param tapAt - the sample one voxel along an axis from the place, on one side
  */
-export function differ(known: Sample, tapAt: (axis: number, side: -1 | 1) => Sample, isFolded: FieldStage['isFolded']): Vector3 {
+export function differ(
+  known: Sample,
+  tapAt: (axis: number, side: -1 | 1) => Sample,
+  isFolded: FieldStage['isFolded'],
+): Vector3 {
   if (!known.valid) return [0, 0, 0];
   const counts = (tap: Sample): boolean => tap.valid && !isFolded(known.value, tap.value);
   const change = (axis: number): number => {
@@ -41,7 +45,11 @@ export function cartesianGradient(field: FieldStage, grid: GridFrame): GradientS
   return (place, known) => {
     const tap = (axis: number, side: number): Vector3 => {
       const by = side / grid.dimensions[axis];
-      return [axis === 0 ? place[0] + by : place[0], axis === 1 ? place[1] + by : place[1], axis === 2 ? place[2] + by : place[2]];
+      return [
+        axis === 0 ? place[0] + by : place[0],
+        axis === 1 ? place[1] + by : place[1],
+        axis === 2 ? place[2] + by : place[2],
+      ];
     };
     const perVoxel = differ(known, (axis, side) => field.sampleAt(tap(axis, side)), field.isFolded);
     return { perVoxel, world: transformDirection(toWorld, perVoxel) };
@@ -82,4 +90,3 @@ export function weighChange(perVoxel: Vector3, flat: number): number {
   const g = length(perVoxel) / flat;
   return 1 - 1 / (1 + g * g);
 }
-

@@ -18,7 +18,8 @@ export function interpolate(samples: Samples, dimensions: Vector3, p: Vector3): 
   let weights = 0;
   for (let corner = 0; corner < 8; corner++) {
     const [right, up, back] = [corner & 1, (corner >> 1) & 1, corner >> 2];
-    const value = samples[Math.min(i + right, nx - 1) + nx * (Math.min(j + up, ny - 1) + ny * Math.min(k + back, nz - 1))];
+    const value =
+      samples[Math.min(i + right, nx - 1) + nx * (Math.min(j + up, ny - 1) + ny * Math.min(k + back, nz - 1))];
     if (!Number.isFinite(value)) continue;
     if (weights === 0) base = value;
     const weight = (right ? x - i : 1 - (x - i)) * (up ? y - j : 1 - (y - j)) * (back ? z - k : 1 - (z - k));

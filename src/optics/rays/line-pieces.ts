@@ -10,7 +10,10 @@ import type { CubicPiece, Sample } from './ray-stages.ts';
  * Twin: shaders/chunks/gather/extreme.glsl, gatherPiece
  */
 export function searchPiece(
-  { from, to, front, back }: CubicPiece, sign: 1 | -1, sampleAt: (at: number) => Sample, take: (found: Sample, at: number) => number,
+  { from, to, front, back }: CubicPiece,
+  sign: 1 | -1,
+  sampleAt: (at: number) => Sample,
+  take: (found: Sample, at: number) => number,
 ): void {
   const third = (to - from) / 3;
   const [b, c] = [sampleAt(from + third), sampleAt(from + 2 * third)];
@@ -26,11 +29,16 @@ export function searchPiece(
 
 /** Samples a piece at its ends and where it turns, in order: these are all its extremes. @param pass - gets each sample and its place */
 export function passPiece(
-  { from, to, front, back }: CubicPiece, sign: 1 | -1, sampleAt: (at: number) => Sample, pass: (found: Sample, at: number) => void,
+  { from, to, front, back }: CubicPiece,
+  sign: 1 | -1,
+  sampleAt: (at: number) => Sample,
+  pass: (found: Sample, at: number) => void,
 ): void {
   const third = (to - from) / 3;
   const values = valuesOf([front, sampleAt(from + third), sampleAt(from + 2 * third), back], sign);
-  const turns = values ? [turnOfCubic(values, 1), turnOfCubic(values, -1)].filter((turn) => turn > 0 && turn < 3) : [1, 2];
+  const turns = values
+    ? [turnOfCubic(values, 1), turnOfCubic(values, -1)].filter((turn) => turn > 0 && turn < 3)
+    : [1, 2];
   turns.sort((a, b) => a - b);
   pass(front, from);
   for (const turn of turns) pass(sampleAt(from + turn * third), from + turn * third);
@@ -39,14 +47,20 @@ export function passPiece(
 
 /** null if one of the samples has no data: then the values are no cubic. */
 function valuesOf(samples: readonly Sample[], sign: 1 | -1): CubicValues | null {
-  return samples.every(({ valid }) => valid) ? (samples.map(({ value }) => sign * value) as unknown as CubicValues) : null;
+  return samples.every(({ valid }) => valid)
+    ? (samples.map(({ value }) => sign * value) as unknown as CubicValues)
+    : null;
 }
 
 /**
  * The mean of a piece by Simpson's rule, which is exact for cubics.
  * @param weigh - gets each sample, and the length that it stands for
  */
-export function weighPiece({ from, to, front, back }: CubicPiece, sampleAt: (at: number) => Sample, weigh: (found: Sample, span: number) => void): void {
+export function weighPiece(
+  { from, to, front, back }: CubicPiece,
+  sampleAt: (at: number) => Sample,
+  weigh: (found: Sample, span: number) => void,
+): void {
   const sixth = (to - from) / 6;
   weigh(front, sixth);
   weigh(sampleAt(from + 3 * sixth), 4 * sixth);

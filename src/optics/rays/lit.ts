@@ -30,7 +30,14 @@ export const pointField: SecondFieldStage = (place, known) => ({ ...known, point
 export type LightStage = (known: Sample, toEye: Vector3) => Shade;
 
 /** Twin: shaders/chunks/shade/lit-sample.glsl, shadeSample */
-export function lightAt({ grid, gradient, flat, lights = headlightAlone, material = plainMaterial, cuts = uncut }: LitScene): LightStage {
+export function lightAt({
+  grid,
+  gradient,
+  flat,
+  lights = headlightAlone,
+  material = plainMaterial,
+  cuts = uncut,
+}: LitScene): LightStage {
   const toWorld = unitToWorld(grid);
   const fade = fadeAtCuts(cuts, grid.dimensions);
   return (known, toEye) => {
@@ -38,9 +45,16 @@ export function lightAt({ grid, gradient, flat, lights = headlightAlone, materia
     const { perVoxel, world } = gradient(place, known);
     const weight = fade(place) * weighChange(perVoxel, flat);
     if (!(weight > 0)) return unlit;
-    const shade = shadeSurface(lights, material, { place: transformPoint(toWorld, place), normal: scale(world, 1 / Math.max(length(world), Number.MIN_VALUE)), toEye });
+    const shade = shadeSurface(lights, material, {
+      place: transformPoint(toWorld, place),
+      normal: scale(world, 1 / Math.max(length(world), Number.MIN_VALUE)),
+      toEye,
+    });
     const [red, green, blue] = shade.diffuse;
-    return { diffuse: [1 + weight * (red - 1), 1 + weight * (green - 1), 1 + weight * (blue - 1)], specular: scale(shade.specular, weight) };
+    return {
+      diffuse: [1 + weight * (red - 1), 1 + weight * (green - 1), 1 + weight * (blue - 1)],
+      specular: scale(shade.specular, weight),
+    };
   };
 }
 
@@ -67,7 +81,10 @@ export function litShade(scene: LitScene): ShadeStage {
     const near = shadeAt(front.valid ? front : back);
     const far = shadeAt(back.valid ? back : front);
     const channel = (c: 0 | 1 | 2): number =>
-      Math.min(seen[3], (seen[c] * (near.diffuse[c] + far.diffuse[c]) + seen[3] * (near.specular[c] + far.specular[c])) / 2);
+      Math.min(
+        seen[3],
+        (seen[c] * (near.diffuse[c] + far.diffuse[c]) + seen[3] * (near.specular[c] + far.specular[c])) / 2,
+      );
     return [channel(0), channel(1), channel(2), seen[3]];
   };
 }

@@ -27,7 +27,10 @@ export function perWorldUnit(grid: GridFrame & { readonly kind?: string }): numb
 
 /** Patches whose colours are multiplied by the light factor; each channel saturates at white. */
 export function lightPatches(patches: readonly Patch[], lightFactor: number): readonly Patch[] {
-  return patches.map((patch) => ({ ...patch, color: patch.color.map((x) => Math.min(1, x * lightFactor)) as unknown as Vector3 }));
+  return patches.map((patch) => ({
+    ...patch,
+    color: patch.color.map((x) => Math.min(1, x * lightFactor)) as unknown as Vector3,
+  }));
 }
 
 /**
@@ -36,9 +39,15 @@ export function lightPatches(patches: readonly Patch[], lightFactor: number): re
  * Everything else is as in `usual`, the classification by a transfer function.
  * Twin: shaders/chunks/classify/patches.glsl
  */
-export function patchClassify(usual: ClassifyStage, { patches, grid, gradient, field, opticalScale }: PatchScene): ClassifyStage {
+export function patchClassify(
+  usual: ClassifyStage,
+  { patches, grid, gradient, field, opticalScale }: PatchScene,
+): ClassifyStage {
   const toWorld = perWorldUnit(grid);
-  const placeOf = (known: Sample): ValueAndGradient => [known.value, toWorld * length(gradient(known.point as Vector3, known).world)];
+  const placeOf = (known: Sample): ValueAndGradient => [
+    known.value,
+    toWorld * length(gradient(known.point as Vector3, known).world),
+  ];
   return {
     ...usual,
     classifySegment: ({ front, back, span }) => {

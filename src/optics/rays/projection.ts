@@ -44,7 +44,10 @@ function gatherExtreme({ classify, step }: Seen, sign: 1 | -1, threshold?: numbe
 export function seekExtreme(
   step: number,
   sign: 1 | -1,
-  { counts = ({ valid }) => valid, threshold }: { readonly counts?: (sample: Sample, at: number) => boolean; readonly threshold?: number } = {},
+  {
+    counts = ({ valid }) => valid,
+    threshold,
+  }: { readonly counts?: (sample: Sample, at: number) => boolean; readonly threshold?: number } = {},
 ): { add(segment: Segment): void; addPiece(piece: CubicPiece, path: Path): void; find(path: Path): Found | null } {
   let best: Found = { value: -Infinity, at: 0 };
   let isExact = false;
@@ -55,7 +58,11 @@ export function seekExtreme(
   };
   let isPast = false;
   const pass = (sample: Sample, at: number): void => {
-    isPast ||= threshold !== undefined && counts(sample, at) && best.value >= sign * threshold && sign * sample.value < best.value;
+    isPast ||=
+      threshold !== undefined &&
+      counts(sample, at) &&
+      best.value >= sign * threshold &&
+      sign * sample.value < best.value;
     if (!isPast) consider(sample, at);
   };
   return {
@@ -71,7 +78,8 @@ export function seekExtreme(
     find: (path) => {
       if (best.value === -Infinity) return null;
       if (isExact) return best;
-      for (let round = 0; round < refinements; round++) refine(best, { path, reach: step / 4 ** round, sign }, consider);
+      for (let round = 0; round < refinements; round++)
+        refine(best, { path, reach: step / 4 ** round, sign }, consider);
       return best;
     },
   };
@@ -152,7 +160,10 @@ function meanOf(): { weigh(sample: Sample, span: number): void; find(): Sample }
 const nothing: Sample = { value: NaN, valid: false };
 
 /** Combines all values of a line into one, from kink to kink. */
-export function mergeLine(kind: ProjectionKind): { addPiece(piece: CubicPiece, path: Path): void; find(path: Path): Sample } {
+export function mergeLine(kind: ProjectionKind): {
+  addPiece(piece: CubicPiece, path: Path): void;
+  find(path: Path): Sample;
+} {
   if (kind === 'average') {
     const { weigh, find } = meanOf();
     return { addPiece: (piece, { sampleAt }) => weighPiece(piece, sampleAt, weigh), find };

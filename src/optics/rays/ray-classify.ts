@@ -22,7 +22,11 @@ export interface RayOptics {
  * @param voxelRatio - length of a voxel / reference length, times the opacity factor
  */
 export function prepareOptics(transferFunction: TransferFunction, voxelRatio: number): RayOptics {
-  return { transferFunction, means: exactMeans(transferFunction), substeps: buildSubstepTable(integrateForTable(transferFunction), voxelRatio) };
+  return {
+    transferFunction,
+    means: exactMeans(transferFunction),
+    substeps: buildSubstepTable(integrateForTable(transferFunction), voxelRatio),
+  };
 }
 
 /**
@@ -30,7 +34,11 @@ export function prepareOptics(transferFunction: TransferFunction, voxelRatio: nu
  * @param opticalScale - reference lengths per bounding diameter, times the opacity factor
  * Twin: shaders/chunks/classify/classify.glsl
  */
-export function transferFunctionClassify({ transferFunction, means, substeps }: RayOptics, field: FieldStage, opticalScale: number): ClassifyStage {
+export function transferFunctionClassify(
+  { transferFunction, means, substeps }: RayOptics,
+  field: FieldStage,
+  opticalScale: number,
+): ClassifyStage {
   const largest = largestOpacity(transferFunction);
   return {
     classifySegment: ({ front, back, span }) => {

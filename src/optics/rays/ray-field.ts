@@ -13,12 +13,25 @@ interface Scaling {
 }
 
 /** The field of samples on a cartesian grid. @param isDiscrete - as in a volume. Twin: shaders/chunks/field/sample-volume.glsl */
-export function cartesianField(
-  { samples, dimensions, isDiscrete, ...scaling }: Scaling & { readonly samples: Samples; readonly dimensions: Vector3; readonly isDiscrete?: boolean },
-): FieldStage {
-  const kinksAlong = (from: Vector3, to: Vector3): number[] => meetVoxelPlanes(inVoxels(dimensions, from), subtract(inVoxels(dimensions, to), inVoxels(dimensions, from)), dimensions);
-  if (isDiscrete) return { ...storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0), kinksAlong };
-  return { ...storedField((place) => interpolate(samples, dimensions, place), scaling), kinksBetween: (from, to) => kinksBetween(dimensions, from, to), kinksAlong };
+export function cartesianField({
+  samples,
+  dimensions,
+  isDiscrete,
+  ...scaling
+}: Scaling & { readonly samples: Samples; readonly dimensions: Vector3; readonly isDiscrete?: boolean }): FieldStage {
+  const kinksAlong = (from: Vector3, to: Vector3): number[] =>
+    meetVoxelPlanes(
+      inVoxels(dimensions, from),
+      subtract(inVoxels(dimensions, to), inVoxels(dimensions, from)),
+      dimensions,
+    );
+  if (isDiscrete)
+    return { ...storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0), kinksAlong };
+  return {
+    ...storedField((place) => interpolate(samples, dimensions, place), scaling),
+    kinksBetween: (from, to) => kinksBetween(dimensions, from, to),
+    kinksAlong,
+  };
 }
 
 /** A place of the unit cube in voxels: whole numbers are at their centres. */
@@ -48,7 +61,11 @@ export function kinksBetween(dimensions: Vector3, from: Vector3, to: Vector3): n
  * @param storedAt - stored value at a place of the unit cube; NaN if there is no data
  * @param foldFrom - stored values that differ by more than this are on two sides of a fold
  */
-export function storedField(storedAt: (place: Vector3) => number, { slope, intercept }: Scaling, foldFrom = Infinity): FieldStage {
+export function storedField(
+  storedAt: (place: Vector3) => number,
+  { slope, intercept }: Scaling,
+  foldFrom = Infinity,
+): FieldStage {
   return {
     sampleAt: (place) => {
       const value = slope * storedAt(place) + intercept;

@@ -1,6 +1,16 @@
 import { boundingSphere, unitToWorld } from '../../volume/grid.ts';
 import type { GridFrame } from '../../volume/grid.ts';
-import { add, identity, invertAffine, length, multiply, scale, subtract, transformDirection, transformPoint } from '../../volume/matrix.ts';
+import {
+  add,
+  identity,
+  invertAffine,
+  length,
+  multiply,
+  scale,
+  subtract,
+  transformDirection,
+  transformPoint,
+} from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 
 /**
@@ -35,7 +45,12 @@ export const wholePicture: RaySetup['bounds'] = [-1, -1, 1, 1];
  * @param region - its bounds end the rays; null if only the grid's own bounds do
  * @returns null if the grid is singular: no ray can cross it
  */
-export function setUpRays(grid: GridFrame, view: Matrix4, projection: Matrix4, region: GridFrame | null = null): RaySetup | null {
+export function setUpRays(
+  grid: GridFrame,
+  view: Matrix4,
+  projection: Matrix4,
+  region: GridFrame | null = null,
+): RaySetup | null {
   const toWorld = unitToWorld(grid);
   const toRegion = region ? invertAffine(unitToWorld(region)) : null;
   const toUnit = invertAffine(toWorld);
@@ -62,13 +77,13 @@ export function setUpRays(grid: GridFrame, view: Matrix4, projection: Matrix4, r
   const toUnitDirection = (d: Vector3): Vector3 => transformDirection(toUnit, transformDirection(eyeToWorld, d));
 
   const eyeToPixel = ([x, y, z]: Vector3): number[] =>
-    (perspective
+    perspective
       ? [(x * projection[0]) / -z - projection[2], (y * projection[5]) / -z - projection[6]]
-      : [x * projection[0] + projection[3], y * projection[5] + projection[7]]);
+      : [x * projection[0] + projection[3], y * projection[5] + projection[7]];
   const shown = region ? unitToWorld(region) : toWorld;
-  const cornersInEye = unitCorners.map((corner) => add(
-    centerInEye, transformDirection(view, subtract(transformPoint(shown, corner), sphere.center)),
-  ));
+  const cornersInEye = unitCorners.map((corner) =>
+    add(centerInEye, transformDirection(view, subtract(transformPoint(shown, corner), sphere.center))),
+  );
   const isInFront = !perspective || cornersInEye.every(([, , z]) => -z > minDepth * diameter);
 
   const pixels = [pixelToEye(0, 0), pixelToEye(1, 0), pixelToEye(0, 1)];
@@ -97,7 +112,10 @@ function boundsOf(places: readonly number[][]): RaySetup['bounds'] {
   const [x, y] = [0, 1].map((axis) => places.map((place) => place[axis]));
   if (![...x, ...y].every(Number.isFinite)) return wholePicture;
   return [
-    clamp(Math.min(...x) - margin), clamp(Math.min(...y) - margin), clamp(Math.max(...x) + margin), clamp(Math.max(...y) + margin),
+    clamp(Math.min(...x) - margin),
+    clamp(Math.min(...y) - margin),
+    clamp(Math.max(...x) + margin),
+    clamp(Math.max(...y) + margin),
   ];
 }
 
@@ -110,7 +128,11 @@ export interface PixelLattice {
 }
 
 /** The rays of a lattice's pixels, as if they were a separate picture. @param picture - size of the whole picture in pixels */
-export function raysOfLattice(rays: RaySetup, picture: { width: number; height: number }, lattice: PixelLattice): RaySetup {
+export function raysOfLattice(
+  rays: RaySetup,
+  picture: { width: number; height: number },
+  lattice: PixelLattice,
+): RaySetup {
   const { stride, first } = lattice;
   // The middle of pixel i of n is at (2 i + 1) / n - 1.
   const span = (pixels: number, all: number, begin: number): { scale: number; shift: number } => ({
@@ -119,8 +141,11 @@ export function raysOfLattice(rays: RaySetup, picture: { width: number; height: 
   });
   const x = span(lattice.width, picture.width, first[0]);
   const y = span(lattice.height, picture.height, first[1]);
-  const place = ([c, dx, dy]: RaySetup['point']): RaySetup['point'] =>
-    [add(c, add(scale(dx, x.shift), scale(dy, y.shift))), scale(dx, x.scale), scale(dy, y.scale)];
+  const place = ([c, dx, dy]: RaySetup['point']): RaySetup['point'] => [
+    add(c, add(scale(dx, x.shift), scale(dy, y.shift))),
+    scale(dx, x.scale),
+    scale(dy, y.scale),
+  ];
   const [left, bottom, right, top] = rays.bounds;
   // Round to whole pixels: an edge across a pixel would be antialiased, and rasterizers move corners to a grid of their own.
   const snap = (edge: number, along: typeof x, pixels: number, round: (pixel: number) => number): number => {
@@ -132,7 +157,12 @@ export function raysOfLattice(rays: RaySetup, picture: { width: number; height: 
     ...rays,
     point: place(rays.point),
     direction: place(rays.direction),
-    bounds: [snap(left, x, width, Math.floor), snap(bottom, y, height, Math.floor), snap(right, x, width, Math.ceil), snap(top, y, height, Math.ceil)],
+    bounds: [
+      snap(left, x, width, Math.floor),
+      snap(bottom, y, height, Math.floor),
+      snap(right, x, width, Math.ceil),
+      snap(top, y, height, Math.ceil),
+    ],
   };
 }
 

@@ -1,6 +1,15 @@
 import { finestSpacing, unitToWorld } from '../../volume/grid.ts';
 import type { GridFrame } from '../../volume/grid.ts';
-import { add, dot, length, normalize, scale, subtract, transformDirection, transformPoint } from '../../volume/matrix.ts';
+import {
+  add,
+  dot,
+  length,
+  normalize,
+  scale,
+  subtract,
+  transformDirection,
+  transformPoint,
+} from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { fadeAtCuts, uncut } from './cut-fade.ts';
 import { flatShare, weighChange } from './gradient.ts';
@@ -10,7 +19,15 @@ import type { LitMaterial, SceneLights, Shade } from '../transfer/lights.ts';
 import type { LitScene } from './lit.ts';
 import type { Sample, ShadeStage } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
-import { buildStyleTable, flatFactor, flatOf, gradientReach, shadedOf, shareOfChange, styleColumns } from '../transfer/volume-styles.ts';
+import {
+  buildStyleTable,
+  flatFactor,
+  flatOf,
+  gradientReach,
+  shadedOf,
+  shareOfChange,
+  styleColumns,
+} from '../transfer/volume-styles.ts';
 import type { StyleChain, Styled, StyledPlace, StyleMaterial, VolumeStyle } from '../transfer/volume-styles.ts';
 
 /** A volume that is drawn in X3D's rendering styles, as far as single places need it. */
@@ -41,9 +58,15 @@ const { ambient, shininess } = plainMaterial;
 const plain: StyleMaterial = { ambient, diffuse: white, specular: white, emissive: [0, 0, 0], shininess };
 
 /** The shares of each kind of light that a material reflects, as a `LitMaterial`, and the colours that multiply them. */
-export function splitMaterial(material: StyleMaterial | null): { readonly shares: LitMaterial; readonly colors: StyleMaterial } {
+export function splitMaterial(material: StyleMaterial | null): {
+  readonly shares: LitMaterial;
+  readonly colors: StyleMaterial;
+} {
   if (!material) return { shares: plainMaterial, colors: plain };
-  return { shares: { ambient: material.ambient, diffuse: 1, specular: 1, shininess: material.shininess }, colors: material };
+  return {
+    shares: { ambient: material.ambient, diffuse: 1, specular: 1, shininess: material.shininess },
+    colors: material,
+  };
 }
 
 /**
@@ -71,7 +94,11 @@ export function stylesAt(scene: StyledPlaces): (ray: Ray) => (known: Sample) => 
   const toChange = perReferenceLength(grid, referenceLength) / flat;
   const lightFlat = (scene.flatPart ?? flatOf(chains)) * flat;
   const tables = chains.map(({ weight, styles }) => ({
-    weight, table: buildStyleTable(styles), flat: flatFactor(styles), shaded: shadedOf(styles), perReach: perGradientReach(styles, flat, referenceLength),
+    weight,
+    table: buildStyleTable(styles),
+    flat: flatFactor(styles),
+    shaded: shadedOf(styles),
+    perReach: perGradientReach(styles, flat, referenceLength),
   }));
   const styleAt = (known: Sample, toEye: Vector3): Styled => {
     const place = known.point as Vector3;
@@ -80,12 +107,22 @@ export function stylesAt(scene: StyledPlaces): (ray: Ray) => (known: Sample) => 
     const normal = scale(world, 1 / Math.max(length(world), 1e-300));
     const at = { place: transformPoint(toWorld, place), normal, toEye };
     const here: StyledPlace = {
-      facing: Math.min(1, Math.abs(dot(normal, toEye))), towards: towardsLights(lights, at), change: toChange * length(world), weight: fade(place) * weighChange(perVoxel, lightFlat),
+      facing: Math.min(1, Math.abs(dot(normal, toEye))),
+      towards: towardsLights(lights, at),
+      change: toChange * length(world),
+      weight: fade(place) * weighChange(perVoxel, lightFlat),
     };
     return tables.reduce<Styled>((sum, { weight, table, flat: flatOpacity, shaded, perReach }) => {
       const { shares, colors } = splitMaterial(shaded?.material ?? null);
-      const one = lookUpStyle({ table, flat: flatOpacity, perReach, shade: shaded ? shadeSurface(lights, shares, at) : null, colors }, here);
-      return { gain: add(sum.gain, scale(one.gain, weight)), more: add(sum.more, scale(one.more, weight)), opacity: sum.opacity + weight * one.opacity };
+      const one = lookUpStyle(
+        { table, flat: flatOpacity, perReach, shade: shaded ? shadeSurface(lights, shares, at) : null, colors },
+        here,
+      );
+      return {
+        gain: add(sum.gain, scale(one.gain, weight)),
+        more: add(sum.more, scale(one.more, weight)),
+        opacity: sum.opacity + weight * one.opacity,
+      };
     }, nothing);
   };
   return keepLast((ray: Ray) => {
@@ -120,7 +157,10 @@ export function styledShade(scene: StyledScene): ShadeStage {
 const nothing: Styled = { gain: [0, 0, 0], more: [0, 0, 0], opacity: 0 };
 
 /** How much a surface faces the lights: the mean of n . l by intensity, for the side that faces the eye. */
-function towardsLights({ headlight, lights }: SceneLights, { place, normal, toEye }: { readonly place: Vector3; readonly normal: Vector3; readonly toEye: Vector3 }): number {
+function towardsLights(
+  { headlight, lights }: SceneLights,
+  { place, normal, toEye }: { readonly place: Vector3; readonly normal: Vector3; readonly toEye: Vector3 },
+): number {
   const facing = dot(normal, toEye);
   const side = Math.min(1, Math.max(-1, facing / softFacing));
   let [sum, weights] = headlight ? [Math.abs(facing), 1] : [0, 0];
@@ -133,7 +173,16 @@ function towardsLights({ headlight, lights }: SceneLights, { place, normal, toEy
 }
 
 /** The effect of a chain at a place. */
-function lookUpStyle({ table, flat, perReach, shade, colors }: { table: Float64Array; flat: number; perReach: number; shade: Shade | null; colors: StyleMaterial }, { facing, towards, change, weight }: StyledPlace): Styled {
+function lookUpStyle(
+  {
+    table,
+    flat,
+    perReach,
+    shade,
+    colors,
+  }: { table: Float64Array; flat: number; perReach: number; shade: Shade | null; colors: StyleMaterial },
+  { facing, towards, change, weight }: StyledPlace,
+): Styled {
   let [gain, more]: [Vector3, Vector3] = [white, [0, 0, 0]];
   const apply = (factor: Vector3, plus: Vector3): void => {
     const kept: Vector3 = [1 + weight * (factor[0] - 1), 1 + weight * (factor[1] - 1), 1 + weight * (factor[2] - 1)];
@@ -146,9 +195,14 @@ function lookUpStyle({ table, flat, perReach, shade, colors }: { table: Float64A
   };
   applyRow(0, 0.5 + 0.5 * towards);
   applyRow(1, facing);
-  if (shade) apply(multiplyEach(shade.diffuse, colors.diffuse), add(multiplyEach(shade.specular, colors.specular), colors.emissive));
+  if (shade)
+    apply(
+      multiplyEach(shade.diffuse, colors.diffuse),
+      add(multiplyEach(shade.specular, colors.specular), colors.emissive),
+    );
   applyRow(2, facing);
-  const opacity = (flat + weight * (lookUpRow(table, 3, facing)[0] - flat)) * lookUpRow(table, 3, shareOfChange(change))[1];
+  const opacity =
+    (flat + weight * (lookUpRow(table, 3, facing)[0] - flat)) * lookUpRow(table, 3, shareOfChange(change))[1];
   return { gain, more, opacity: opacity * (perReach > 0 ? lookUpRow(table, 3, change * perReach)[2] : 1) };
 }
 

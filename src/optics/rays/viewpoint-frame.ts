@@ -17,7 +17,11 @@ export interface ViewpointFrame {
  * The frame in which a camera turns around its centre of rotation. If there is none, or the camera stands at it or right above it, it turns
  * around the point of its axis that is nearest to the subject.
  */
-export function frameViewpoint(camera: Camera, centerOfRotation: Vector3 | null, subject: { center: Vector3; radius: number }): ViewpointFrame {
+export function frameViewpoint(
+  camera: Camera,
+  centerOfRotation: Vector3 | null,
+  subject: { center: Vector3; radius: number },
+): ViewpointFrame {
   const forward = normalize(subtract(camera.target, camera.eye));
   const ahead = dot(subtract(subject.center, camera.eye), forward);
   const target = centerOfRotation ?? add(camera.eye, scale(forward, Math.max(ahead, subject.radius * 0.1)));

@@ -23,7 +23,8 @@ export function voteOfCorners(samples: Samples, [nx, ny, nz]: Vector3, place: Ve
   let winner = values[0];
   if (values.some((value) => value !== winner)) {
     const face = [(1 - up) * (1 - right), up * (1 - right), (1 - up) * right, up * right];
-    const votesFor = (candidate: number): number => values.reduce((sum, value, c) => sum + (value === candidate ? face[c & 3] * (c < 4 ? 1 - deep : deep) : 0), 0);
+    const votesFor = (candidate: number): number =>
+      values.reduce((sum, value, c) => sum + (value === candidate ? face[c & 3] * (c < 4 ? 1 - deep : deep) : 0), 0);
     let max = -1;
     for (const candidate of values) {
       const votes = votesFor(candidate);

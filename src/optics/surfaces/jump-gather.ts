@@ -38,7 +38,8 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
     };
     const wholeParts = countParts(voxel, step);
     const limit = maxHidden / wholeParts;
-    const passes = ({ front, back }: Segment): boolean => front.valid && back.valid && countUpTo(front.value) !== countUpTo(back.value);
+    const passes = ({ front, back }: Segment): boolean =>
+      front.valid && back.valid && countUpTo(front.value) !== countUpTo(back.value);
     const addPart = (segment: Segment, { sampleAt }: Path): void => {
       const { front, back, begin, span } = segment;
       const color = seeSegment(segment);
@@ -49,7 +50,11 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
         take(segment, color);
         return;
       }
-      const turns = isWhole ? [turnOfCubic(cubic, 1), turnOfCubic(cubic, -1)].filter((turn) => turn > 0 && turn < 3).map((turn) => (turn / 3) * span) : [];
+      const turns = isWhole
+        ? [turnOfCubic(cubic, 1), turnOfCubic(cubic, -1)]
+            .filter((turn) => turn > 0 && turn < 3)
+            .map((turn) => (turn / 3) * span)
+        : [];
       lookCloser(segment, turns, sampleAt);
     };
     const lookCloser = (segment: Segment, turns: readonly number[], sampleAt: Path['sampleAt']): void => {
@@ -59,10 +64,19 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
         const mark = turns.reduce((next, turn) => (turn > at && turn < next ? turn : next), span);
         // After the last sample, the rest is taken in one piece.
         const end = appearance >= maxLooks ? span : Math.min(mark, at + length);
-        const piece = { front: known, back: end === span ? segment.back : sampleAt(begin + end), begin: begin + at, span: end - at };
+        const piece = {
+          front: known,
+          back: end === span ? segment.back : sampleAt(begin + end),
+          begin: begin + at,
+          span: end - at,
+        };
         const color = seeSegment(piece);
         const visible = 1 - gathered[3];
-        const isHalved = appearance < maxLooks && visible > nothing && end - at > span / 2 ** maxHalvings && (visible * color[3] > limit || passes(piece));
+        const isHalved =
+          appearance < maxLooks &&
+          visible > nothing &&
+          end - at > span / 2 ** maxHalvings &&
+          (visible * color[3] > limit || passes(piece));
         if (isHalved) {
           length = (end - at) / 2;
           continue;
@@ -83,7 +97,8 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
           known = next;
         }
       },
-      chooseSubsteps: (front, back) => classify.countSubsteps([front.value, back.value], 1 - gathered[3], [front, back]),
+      chooseSubsteps: (front, back) =>
+        classify.countSubsteps([front.value, back.value], 1 - gathered[3], [front, back]),
       finish: () => gathered,
     };
   };
@@ -99,5 +114,8 @@ function countParts(voxel: number, step: number): number {
 /** Whether a cubic may pass a value between its ends. The Bernstein coefficients bound the cubic. */
 function mayTurn([a, b, c, d]: CubicValues, countUpTo: (value: number) => number): boolean {
   const inner = [(-5 * a + 18 * b - 9 * c + 2 * d) / 6, (2 * a - 9 * b + 18 * c - 5 * d) / 6];
-  return countUpTo(Math.min(a, d, ...inner)) < countUpTo(Math.min(a, d)) || countUpTo(Math.max(a, d, ...inner)) > countUpTo(Math.max(a, d));
+  return (
+    countUpTo(Math.min(a, d, ...inner)) < countUpTo(Math.min(a, d)) ||
+    countUpTo(Math.max(a, d, ...inner)) > countUpTo(Math.max(a, d))
+  );
 }

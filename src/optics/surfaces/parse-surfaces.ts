@@ -16,7 +16,10 @@ const maxLength = 4 * maxSurfaces * maxWord;
  */
 export function parseSurfaces(text: string, window: readonly [number, number]): IsoSurface[] {
   if (text.trim() === '') return [];
-  if (text.length > maxLength) throw invalid(`got ${text.length.toLocaleString('en')} characters; expected at most ${maxLength.toLocaleString('en')}`);
+  if (text.length > maxLength)
+    throw invalid(
+      `got ${text.length.toLocaleString('en')} characters; expected at most ${maxLength.toLocaleString('en')}`,
+    );
   const parts = splitOutsideBrackets(text, ',');
   if (parts.length > maxSurfaces) throw invalid(`got ${parts.length} surfaces; expected at most ${maxSurfaces}`);
   const surfaces = parts.map((part, i) => parseSurface(part, i + 1, window));
@@ -35,25 +38,40 @@ interface Said {
  * How rays are drawn with surfaces. They are lit unless the author sets `unlit`.
  * @throws {VolumeViewError} as `parseSurfaces`
  */
-export function readSurfaces(text: string, window: readonly [number, number], { transferFunction, shading }: Said): SurfaceStyle | null {
+export function readSurfaces(
+  text: string,
+  window: readonly [number, number],
+  { transferFunction, shading }: Said,
+): SurfaceStyle | null {
   const surfaces = parseSurfaces(text, window);
-  return surfaces.length > 0 ? { surfaces, ...(transferFunction === null && { clear: true }), ...(shading === 'unlit' && { plain: true }) } : null;
+  return surfaces.length > 0
+    ? { surfaces, ...(transferFunction === null && { clear: true }), ...(shading === 'unlit' && { plain: true }) }
+    : null;
 }
 
 function parseSurface(part: string, number: number, window: readonly [number, number]): IsoSurface {
   const words = splitOutsideBrackets(part.trim(), ' ').filter((word) => word !== '');
   const where = `surface ${number}, "${part.trim().slice(0, 60)}",`;
   if (words.length < 2 || words.length > 3) {
-    throw invalid(`${where} got ${words.length === 0 ? 'nothing' : `${words.length} part${words.length > 1 ? 's' : ''}`}; expected a value, a colour and perhaps an opacity, like "300 white 60%"`);
+    throw invalid(
+      `${where} got ${words.length === 0 ? 'nothing' : `${words.length} part${words.length > 1 ? 's' : ''}`}; expected a value, a colour and perhaps an opacity, like "300 white 60%"`,
+    );
   }
   const tooLong = words.find((word) => word.length > maxWord);
-  if (tooLong) throw invalid(`${where} got "${tooLong.slice(0, 60)}…" of ${tooLong.length.toLocaleString('en')} characters; expected at most ${maxWord}`);
+  if (tooLong)
+    throw invalid(
+      `${where} got "${tooLong.slice(0, 60)}…" of ${tooLong.length.toLocaleString('en')} characters; expected at most ${maxWord}`,
+    );
   const [valueWord, colorWord, opacityWord = '1'] = words;
   const value = parseValue(valueWord, window);
   const opacity = parseOpacity(opacityWord);
   const parsed = parseCssColor(colorWord);
-  if (value === null) throw invalid(`${where} got the value "${valueWord}"; expected a number in data units or a percentage of the window`);
-  if (!parsed) throw invalid(`${where} got the colour "${colorWord}"; expected a CSS colour, like orange, #f80 or rgb(255 136 0)`);
+  if (value === null)
+    throw invalid(
+      `${where} got the value "${valueWord}"; expected a number in data units or a percentage of the window`,
+    );
+  if (!parsed)
+    throw invalid(`${where} got the colour "${colorWord}"; expected a CSS colour, like orange, #f80 or rgb(255 136 0)`);
   if (opacity === null) throw invalid(`${where} got the opacity "${opacityWord}"; expected 0 to 1, or 0% to 100%`);
   return { value, color: parsed.color, opacity: opacity * parsed.alpha };
 }

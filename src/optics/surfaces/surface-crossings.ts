@@ -41,7 +41,12 @@ export interface Looking {
  * crossing counts once, whatever the steps.
  * Source: regula falsi with the weights of Dowell and Jarratt 1971 ("Illinois"). Twin: shaders/chunks/gather/surface-crossings.glsl
  */
-export function crossSurfaces(values: readonly number[], leg: Leg, appearance: Looking, refinements = surfaceRefinements): Crossing[] {
+export function crossSurfaces(
+  values: readonly number[],
+  leg: Leg,
+  appearance: Looking,
+  refinements = surfaceRefinements,
+): Crossing[] {
   const crossings: Crossing[] = [];
   let [share, value] = [0, leg.front.value];
   for (const surface of listCrossed(values, leg)) {
@@ -60,7 +65,10 @@ function listCrossed(values: readonly number[], { from, back }: Leg): number[] {
 }
 
 function refine(
-  { front, back }: Leg, { share, value, wanted }: { readonly share: number; readonly value: number; readonly wanted: number }, { sampleAt, kinksBetween }: Looking, refinements: number,
+  { front, back }: Leg,
+  { share, value, wanted }: { readonly share: number; readonly value: number; readonly wanted: number },
+  { sampleAt, kinksBetween }: Looking,
+  refinements: number,
 ): { share: number; hit: Sample } {
   const isAbove = back.value >= wanted;
   let [a, b] = [share, 1];
@@ -116,7 +124,10 @@ export interface Turn {
  * Twin: shaders/chunks/gather/surface-crossings.glsl, findTurn
  */
 export function findTurn(
-  values: readonly number[], { front, back, span }: Segment, { sample, span: spanBefore, isShown }: Around, { sampleAt, kinksBetween }: Looking,
+  values: readonly number[],
+  { front, back, span }: Segment,
+  { sample, span: spanBefore, isShown }: Around,
+  { sampleAt, kinksBetween }: Looking,
 ): Turn | null {
   let [a, b, c] = [sample.value, front.value, back.value];
   let [ta, tb, tc] = [-spanBefore, 0, span];
@@ -124,9 +135,15 @@ export function findTurn(
   if (!(isTop || (a >= b && c >= b)) || (a === b && b === c)) return null;
   const reach = b + (isTop ? b - Math.min(a, c) : b - Math.max(a, c));
   const known = front.value;
-  const isBeyond = (value: number): boolean => values.some((wanted) => known >= wanted !== isTop && value >= wanted === isTop);
+  const isBeyond = (value: number): boolean =>
+    values.some((wanted) => known >= wanted !== isTop && value >= wanted === isTop);
   if (!isBeyond(reach)) return null;
-  const kinks = kinksBetween ? [...kinksBetween(front.point as Vector3, back.point as Vector3).map((share) => share * span), ...kinksBetween(front.point as Vector3, sample.point as Vector3).map((share) => -share * spanBefore)] : [];
+  const kinks = kinksBetween
+    ? [
+        ...kinksBetween(front.point as Vector3, back.point as Vector3).map((share) => share * span),
+        ...kinksBetween(front.point as Vector3, sample.point as Vector3).map((share) => -share * spanBefore),
+      ]
+    : [];
   for (let i = 0; i < kinks.length + grazingProbes; i++) {
     const [before, after] = [(b - a) / (tb - ta), (c - b) / (tc - tb)];
     const bend = (after - before) / (tc - ta);
@@ -138,8 +155,11 @@ export function findTurn(
     if (isBeyond(found.value)) return isShown || at > 0 ? { at, top: found } : null;
     const isBetter = isTop ? found.value > b : found.value < b;
     // Kinks come in any order. If the place lies beyond a neighbour, the end of the whole becomes the new neighbour.
-    if (isBetter && at > tb) [ta, a, tb, b, tc, c] = at < tc ? [tb, b, at, found.value, tc, c] : [tb, b, at, found.value, span, back.value];
-    else if (isBetter) [ta, a, tb, b, tc, c] = at > ta ? [ta, a, at, found.value, tb, b] : [-spanBefore, sample.value, at, found.value, tb, b];
+    if (isBetter && at > tb)
+      [ta, a, tb, b, tc, c] = at < tc ? [tb, b, at, found.value, tc, c] : [tb, b, at, found.value, span, back.value];
+    else if (isBetter)
+      [ta, a, tb, b, tc, c] =
+        at > ta ? [ta, a, at, found.value, tb, b] : [-spanBefore, sample.value, at, found.value, tb, b];
     else if (at > tb && at < tc) [tc, c] = [at, found.value];
     else if (at < tb && at > ta) [ta, a] = [at, found.value];
     else if (!isKink) return null;

@@ -34,7 +34,8 @@ const maxSeen = 0.9999;
 /** Optical depth of surfaces that a ray may pass, in and out again. */
 export function depthOfSurfaces(surfaces: readonly IsoSurface[]): JumpDepth {
   const depths = surfaces.map(({ opacity }) => -2 * Math.log1p(-Math.min(maxSeen, opacity)));
-  return (low, high) => surfaces.reduce((sum, { value }, i) => (low <= value && high >= value ? sum + depths[i] : sum), 0);
+  return (low, high) =>
+    surfaces.reduce((sum, { value }, i) => (low <= value && high >= value ? sum + depths[i] : sum), 0);
 }
 
 /** The surfaces in a volume. */
@@ -73,9 +74,17 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
         if (leg.isNew) gather(piece, isClear ? clear : seen.seeSegment(piece));
         [share, front] = [to, back];
       };
-      for (const { surface, share: at, hit } of crossSurfaces(values, leg, appearanceOf(seen), scene.refinements ?? surfaceRefinements)) {
+      for (const { surface, share: at, hit } of crossSurfaces(
+        values,
+        leg,
+        appearanceOf(seen),
+        scene.refinements ?? surfaceRefinements,
+      )) {
         gatherTo(at, hit);
-        gather({ front: hit, back: hit, begin: leg.begin + at * leg.span, span: 0 }, seeSurface(scene, surface, hit, seen.ray));
+        gather(
+          { front: hit, back: hit, begin: leg.begin + at * leg.span, span: 0 },
+          seeSurface(scene, surface, hit, seen.ray),
+        );
       }
       gatherTo(1, leg.back);
     };
@@ -87,8 +96,15 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
         before = segment;
       },
       chooseSubsteps: (front, back) => {
-        const min = runs(seen, front, back) && mayGraze(values, [front.value, back.value], changeBefore(before, seen)) ? (seen.field.kinksBetween ? kinkedSubsteps : maxSubsteps) : 1;
-        return isClear ? min : Math.max(min, seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3], [front, back]));
+        const min =
+          runs(seen, front, back) && mayGraze(values, [front.value, back.value], changeBefore(before, seen))
+            ? seen.field.kinksBetween
+              ? kinkedSubsteps
+              : maxSubsteps
+            : 1;
+        return isClear
+          ? min
+          : Math.max(min, seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3], [front, back]));
       },
       finish: () => gathered,
     };
@@ -113,10 +129,16 @@ function changeBefore(before: Segment | null, seen: Seen): number {
 }
 
 /** The colour of a surface where a ray passes it. */
-function seeSurface({ surfaces, light, toEye, stylesOf }: SurfaceScene, surface: number, hit: Sample, ray: Ray): Premultiplied {
+function seeSurface(
+  { surfaces, light, toEye, stylesOf }: SurfaceScene,
+  surface: number,
+  hit: Sample,
+  ray: Ray,
+): Premultiplied {
   const { color, opacity } = surfaces[surface];
   const own: Premultiplied = [color[0] * opacity, color[1] * opacity, color[2] * opacity, opacity];
-  const known: Premultiplied = hit.style === undefined ? own : labelShade({ front: hit, back: hit, begin: 0, span: 0 }, own, ray);
+  const known: Premultiplied =
+    hit.style === undefined ? own : labelShade({ front: hit, back: hit, begin: 0, span: 0 }, own, ray);
   if (stylesOf) return styleSurface(known, stylesOf(ray)(hit));
   const [red, green, blue, alpha] = known;
   if (!light) return known;
@@ -128,7 +150,9 @@ function seeSurface({ surfaces, light, toEye, stylesOf }: SurfaceScene, surface:
 function styleSurface([red, green, blue, alpha]: Premultiplied, { gain, more, opacity }: Styled): Premultiplied {
   if (!(alpha > 0)) return [0, 0, 0, 0];
   const styled = Math.min(1, alpha * opacity);
-  const [r, g, b] = [red, green, blue].map((x, c) => styled * Math.min(1, Math.max(0, (x / alpha) * gain[c] + more[c])));
+  const [r, g, b] = [red, green, blue].map(
+    (x, c) => styled * Math.min(1, Math.max(0, (x / alpha) * gain[c] + more[c])),
+  );
   return [r, g, b, styled];
 }
 
@@ -140,11 +164,24 @@ function listLegs(values: readonly number[], segment: Segment, before: Segment |
   const isNext = before !== null && before.span > 0 && before.begin + before.span > begin - 1e-6 * span;
   const sample = isNext ? before.front : seen.sampleAt(between(front, back, -1));
   const spanBefore = isNext ? before.span : span;
-  const turn: Turn | null = runs(seen, sample, front) ? findTurn(values, segment, { sample, span: spanBefore, isShown: isNext }, appearanceOf(seen)) : null;
+  const turn: Turn | null = runs(seen, sample, front)
+    ? findTurn(values, segment, { sample, span: spanBefore, isShown: isNext }, appearanceOf(seen))
+    : null;
   if (!turn) return [whole];
   const { at, top } = turn;
-  if (at > 0) return [{ ...whole, back: top, span: at }, { front: top, back, begin: begin + at, span: span - at, from: top.value, isNew: true }];
+  if (at > 0)
+    return [
+      { ...whole, back: top, span: at },
+      { front: top, back, begin: begin + at, span: span - at, from: top.value, isNew: true },
+    ];
   // The part before it was already gathered, except for the surfaces that were missed.
-  const rise: Leg = { front: sample, back: top, begin: begin - spanBefore, span: spanBefore + at, from: front.value, isNew: false };
+  const rise: Leg = {
+    front: sample,
+    back: top,
+    begin: begin - spanBefore,
+    span: spanBefore + at,
+    from: front.value,
+    isNew: false,
+  };
   return [rise, { front: top, back: front, begin: begin + at, span: -at, from: top.value, isNew: false }, whole];
 }

@@ -45,7 +45,9 @@ export class TriangleTree {
       if (!this.#crosses(box, origin, inverse, from)) continue;
       const first = this.#firsts[box];
       if (first > 0) open.push(first, first + 1);
-      else for (let i = 0; i < this.#counts[box]; i++) this.#meetTriangle(this.#order[-1 - first + i], { origin, direction }, from, found);
+      else
+        for (let i = 0; i < this.#counts[box]; i++)
+          this.#meetTriangle(this.#order[-1 - first + i], { origin, direction }, from, found);
     }
     const sorted = Float64Array.from(found);
     sorted.sort();
@@ -54,7 +56,10 @@ export class TriangleTree {
 
   /** @returns the boxes to cut next */
   #cut(box: number, from: number, to: number): [number, number, number][] {
-    const bounds = this.#bounds.subarray(6 * box, 6 * box + 6).fill(Infinity, 0, 3).fill(-Infinity, 3);
+    const bounds = this.#bounds
+      .subarray(6 * box, 6 * box + 6)
+      .fill(Infinity, 0, 3)
+      .fill(-Infinity, 3);
     const middles = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
     for (let i = from; i < to; i++) {
       for (let axis = 0; axis < 3; axis++) {
@@ -84,12 +89,19 @@ export class TriangleTree {
     const first = this.#boxes;
     this.#firsts[box] = first;
     this.#boxes += 2;
-    return [[first, from, low], [first + 1, low, to]];
+    return [
+      [first, from, low],
+      [first + 1, low, to],
+    ];
   }
 
   #corners(triangle: number, axis: number): [number, number, number] {
     const { positions, indices } = this.part;
-    return [positions[3 * indices[3 * triangle] + axis], positions[3 * indices[3 * triangle + 1] + axis], positions[3 * indices[3 * triangle + 2] + axis]];
+    return [
+      positions[3 * indices[3 * triangle] + axis],
+      positions[3 * indices[3 * triangle + 1] + axis],
+      positions[3 * indices[3 * triangle + 2] + axis],
+    ];
   }
 
   #crosses(box: number, origin: Vector3, inverse: readonly number[], from: number): boolean {

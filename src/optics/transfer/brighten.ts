@@ -24,7 +24,11 @@ function light(color: Color, lightFactor: number): Color {
 }
 
 /** Stops between two neighbours, where a channel starts or stops being saturated. */
-function saturations(transferFunction: TransferFunction, [from, to]: readonly [Stop, Stop], lightFactor: number): Stop[] {
+function saturations(
+  transferFunction: TransferFunction,
+  [from, to]: readonly [Stop, Stop],
+  lightFactor: number,
+): Stop[] {
   const shares: number[] = [];
   for (let c = 0; c < 3; c++) {
     // How far the brightened channel is above its bound, at both ends.

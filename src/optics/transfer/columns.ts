@@ -56,19 +56,29 @@ interface Column {
  * @param transferFunction - already brightened; at least one stop
  * @param threshold - maps a data value to its share
  */
-export function cutColumns(transferFunction: TransferFunction, threshold: (value: number) => Threshold, tolerance = usualTolerance): Columns {
+export function cutColumns(
+  transferFunction: TransferFunction,
+  threshold: (value: number) => Threshold,
+  tolerance = usualTolerance,
+): Columns {
   const columns: Column[] = [];
   const add = (to: Threshold, start: Premultiplied, end: Premultiplied): void => {
     const from = columns.at(-1)?.to ?? { share: -endless, edge: -endless };
     if (Math.fround(to.edge) > Math.fround(from.edge)) columns.push({ start, end, from, to });
   };
-  const stops = transferFunction.map((stop, i) => ({ stop, at: placeEdge(transferFunction, i, threshold(stop.value)) }));
+  const stops = transferFunction.map((stop, i) => ({
+    stop,
+    at: placeEdge(transferFunction, i, threshold(stop.value)),
+  }));
   const below = emission(transferFunction, -Infinity);
   add(stops[0].at, below, below);
   stops.slice(1).forEach((to, i) => {
     const from = stops[i];
     if (from.stop.value === to.stop.value) return;
-    const piece: Piece = [{ ...from.stop, value: 0 }, { ...to.stop, value: 1 }];
+    const piece: Piece = [
+      { ...from.stop, value: 0 },
+      { ...to.stop, value: 1 },
+    ];
     // Only exactly this value is fully opaque: extinction falls from there at once.
     if (from.stop.opacity >= 1 && to.stop.opacity < 1) {
       const { share, edge } = from.at;
@@ -81,9 +91,15 @@ export function cutColumns(transferFunction: TransferFunction, threshold: (value
   });
   const above = emission(transferFunction, Infinity);
   add({ share: endless, edge: endless }, above, above);
-  if (columns.length > Math.max(maxColumns, 2 * transferFunction.length)) return cutColumns(transferFunction, threshold, 4 * tolerance);
+  if (columns.length > Math.max(maxColumns, 2 * transferFunction.length))
+    return cutColumns(transferFunction, threshold, 4 * tolerance);
   const edges = Float32Array.from([-endless, ...columns.map(({ to }) => to.edge)]);
-  return { edges, starts: Float32Array.from(columns.flatMap(({ start }) => start)), ends: Float32Array.from(columns.flatMap(({ end }) => end)), ...sumUp(columns) };
+  return {
+    edges,
+    starts: Float32Array.from(columns.flatMap(({ start }) => start)),
+    ends: Float32Array.from(columns.flatMap(({ end }) => end)),
+    ...sumUp(columns),
+  };
 }
 
 /**
@@ -95,7 +111,12 @@ function placeEdge(transferFunction: TransferFunction, at: number, { share, edge
   let [first, last] = [at, at];
   while (transferFunction[first - 1]?.value === value) first--;
   while (transferFunction[last + 1]?.value === value) last++;
-  const [before, left, right, after] = [transferFunction[first - 1], transferFunction[first], transferFunction[last], transferFunction[last + 1]];
+  const [before, left, right, after] = [
+    transferFunction[first - 1],
+    transferFunction[first],
+    transferFunction[last],
+    transferFunction[last + 1],
+  ];
   if (!looksSame(left, right) || right.opacity >= 1) return { share, edge };
   const reach = Math.abs(share - edge);
   if (!after || looksSame(right, after)) return { share, edge: share - reach };
@@ -108,7 +129,10 @@ function straighten(piece: Piece, tolerance: number): [number, Premultiplied, Pr
   const follow = (from: number, to: number, halvings: number): void => {
     const [start, end] = [emission(piece, from), emission(piece, to)];
     if (halvings === maxHalvings || isStraight(piece, [from, to], [start, end], tolerance)) {
-      lines.push([to, ...(halvings === maxHalvings ? withMean(piece, [from, to], [start, end]) : [start, end] as const)]);
+      lines.push([
+        to,
+        ...(halvings === maxHalvings ? withMean(piece, [from, to], [start, end]) : ([start, end] as const)),
+      ]);
       return;
     }
     follow(from, (from + to) / 2, halvings + 1);
@@ -118,7 +142,12 @@ function straighten(piece: Piece, tolerance: number): [number, Premultiplied, Pr
   return lines;
 }
 
-function isStraight(piece: Piece, [from, to]: readonly [number, number], [start, end]: readonly [Premultiplied, Premultiplied], tolerance: number): boolean {
+function isStraight(
+  piece: Piece,
+  [from, to]: readonly [number, number],
+  [start, end]: readonly [Premultiplied, Premultiplied],
+  tolerance: number,
+): boolean {
   return [0.25, 0.5, 0.75].every((t) => {
     const exact = emission(piece, from + t * (to - from));
     const allowed = tolerance * (exact[3] + min);
@@ -127,7 +156,11 @@ function isStraight(piece: Piece, [from, to]: readonly [number, number], [start,
 }
 
 /** Next to the pole, the line continues that of its neighbour, and its end is chosen so that the mean is right. */
-function withMean(piece: Piece, [from, to]: readonly [number, number], [start, end]: readonly [Premultiplied, Premultiplied]): [Premultiplied, Premultiplied] {
+function withMean(
+  piece: Piece,
+  [from, to]: readonly [number, number],
+  [start, end]: readonly [Premultiplied, Premultiplied],
+): [Premultiplied, Premultiplied] {
   const mean = meanOverSpan(piece, from, to);
   const mirror = (x: number, c: number): number => Math.max(0, 2 * mean[c] - x);
   return end[3] > start[3] ? [start, start.map(mirror) as Premultiplied] : [end.map(mirror) as Premultiplied, end];
@@ -139,7 +172,10 @@ function sumUp(columns: readonly Column[]): Pick<Columns, 'sumsAtStart' | 'sumsA
     for (let c = 0; c < 4; c++) {
       const [a, b] = [Math.fround(start[c]), Math.fround(end[c])];
       // The integral is 0 at the first stop; below it, the integral is negative.
-      const sum = k < 2 ? 0 : sumsAtEnd[4 * k - 4 + c] + Math.fround(columns[k - 1].end[c]) * (from.share - Math.fround(from.edge));
+      const sum =
+        k < 2
+          ? 0
+          : sumsAtEnd[4 * k - 4 + c] + Math.fround(columns[k - 1].end[c]) * (from.share - Math.fround(from.edge));
       const width = k === 0 || k === columns.length - 1 ? 0 : Math.max(0, to.share - from.share);
       sumsAtStart[4 * k + c] = sum - a * (from.share - Math.fround(from.edge));
       sumsAtEnd[4 * k + c] = sum + 0.5 * (a + b) * width - b * (to.share - Math.fround(to.edge));
@@ -162,8 +198,12 @@ export function locateShare({ edges, starts, ends, sumsAtStart, sumsAtEnd }: Col
   const [low, high] = [edges[column], edges[column + 1]];
   const t = (share - low) / (high - low);
   const [edge, emissions, sums] = t > 0.5 ? [high, ends, sumsAtEnd] : [low, starts, sumsAtStart];
-  const at = [0, 1, 2, 3].map((c) => starts[column * 4 + c] + t * (ends[column * 4 + c] - starts[column * 4 + c])) as Premultiplied;
-  const sum = at.map((x, c) => sums[column * 4 + c] + 0.5 * (x + emissions[column * 4 + c]) * (share - edge)) as Premultiplied;
+  const at = [0, 1, 2, 3].map(
+    (c) => starts[column * 4 + c] + t * (ends[column * 4 + c] - starts[column * 4 + c]),
+  ) as Premultiplied;
+  const sum = at.map(
+    (x, c) => sums[column * 4 + c] + 0.5 * (x + emissions[column * 4 + c]) * (share - edge),
+  ) as Premultiplied;
   return { column, emission: at, sum };
 }
 

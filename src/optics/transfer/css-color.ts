@@ -20,7 +20,22 @@ import {
 import type { Color } from './transfer-function.ts';
 
 // Only the colour spaces of CSS Color 4; culori's others stay out of the bundle.
-for (const mode of [modeRgb, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeP3, modeA98, modeProphoto, modeRec2020, modeXyz50, modeXyz65]) {
+for (const mode of [
+  modeRgb,
+  modeHsl,
+  modeHwb,
+  modeLab,
+  modeLch,
+  modeLrgb,
+  modeOklab,
+  modeOklch,
+  modeP3,
+  modeA98,
+  modeProphoto,
+  modeRec2020,
+  modeXyz50,
+  modeXyz65,
+]) {
   useMode(mode as typeof modeRgb);
 }
 const toRgb = converter('rgb');

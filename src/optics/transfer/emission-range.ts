@@ -31,7 +31,10 @@ type Extremes = readonly Float32Array[];
  * @param transferFunction - already brightened
  * @param emission - measured instead of the emission, for instance the visible effect of a length
  */
-export function rangeEmission(transferFunction: TransferFunction, emission: (transferFunction: TransferFunction, value: number) => Premultiplied = emissionOf): EmissionRange {
+export function rangeEmission(
+  transferFunction: TransferFunction,
+  emission: (transferFunction: TransferFunction, value: number) => Premultiplied = emissionOf,
+): EmissionRange {
   const [low, high] = domainOf(transferFunction);
   // A bin's width may be too small for a float, so divide first.
   const inBins = (length: number): number => (length / (high - low)) * bins;
@@ -63,8 +66,10 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
       highest[i] += beyond;
     }
     return {
-      min: buildExtremes(min, Math.min), max: buildExtremes(max, Math.max),
-      lowest: buildExtremes(lowest, Math.min), highest: buildExtremes(highest, Math.max),
+      min: buildExtremes(min, Math.min),
+      max: buildExtremes(max, Math.max),
+      lowest: buildExtremes(lowest, Math.min),
+      highest: buildExtremes(highest, Math.max),
     };
   });
   const binOf = (value: number): number => Math.min(bins - 1, Math.max(0, Math.floor(inBins(value - low))));
@@ -73,14 +78,23 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
     extremeOf(max, first, last, Math.max) - extremeOf(min, first, last, Math.min);
   const bend = ({ lowest, highest }: Channel, first: number, last: number): number =>
     extremeOf(highest, first, last, Math.max) - extremeOf(lowest, first, last, Math.min);
-  const differences = new Windows(1, (first, last) => [Math.max(...channels.map((channel) => difference(channel, first, last)))]);
-  const differencesAndBends = new Windows(2 * channels.length, (first, last) => channels.flatMap((channel) => [difference(channel, first, last), bend(channel, first, last)]));
+  const differences = new Windows(1, (first, last) => [
+    Math.max(...channels.map((channel) => difference(channel, first, last))),
+  ]);
+  const differencesAndBends = new Windows(2 * channels.length, (first, last) =>
+    channels.flatMap((channel) => [difference(channel, first, last), bend(channel, first, last)]),
+  );
   /**
    * The largest measure of windows. Together, the windows hold every pair of values that are near enough to each other.
    * @param parts - number of windows that begin per reach; each is wider than the reach by the distance between their starts
    * @param measure - of the known numbers, the index of a window's first number, and the number of bins in the window
    */
-  const largestOf = ([from, to, apart]: readonly [number, number, number], parts: number, windows: Windows, measure: (known: Float64Array, at: number, count: number) => number): number => {
+  const largestOf = (
+    [from, to, apart]: readonly [number, number, number],
+    parts: number,
+    windows: Windows,
+    measure: (known: Float64Array, at: number, count: number) => number,
+  ): number => {
     const [first, last] = [binOf(from), binOf(to)];
     const reach = Math.min(last - first, Math.ceil(inBins(apart)) + 1);
     const step = Math.floor(reach / parts);
@@ -96,12 +110,14 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
     largest: (from, to) => Math.max(...channels.map(({ max }) => extremeOf(max, binOf(from), binOf(to), Math.max))),
     among: (...where) => largestOf(where, 8, differences, (known, at) => known[at]),
     // A function whose slope lies between two slopes is off its chord by at most a quarter of their difference, times the width.
-    offLine: (...where) => largestOf(where, 2, differencesAndBends, (known, at, count) => {
-      const times = Math.max(minWidth, Math.min(count, inBins(where[2]))) / 4;
-      let largest = 0;
-      for (let n = at; n < at + 2 * channels.length; n += 2) largest = Math.max(largest, Math.min(known[n], known[n + 1] * times));
-      return largest;
-    }),
+    offLine: (...where) =>
+      largestOf(where, 2, differencesAndBends, (known, at, count) => {
+        const times = Math.max(minWidth, Math.min(count, inBins(where[2]))) / 4;
+        let largest = 0;
+        for (let n = at; n < at + 2 * channels.length; n += 2)
+          largest = Math.max(largest, Math.min(known[n], known[n + 1] * times));
+        return largest;
+      }),
   };
 }
 
@@ -111,7 +127,10 @@ class Windows {
   readonly #known: Float64Array[] = [];
 
   /** @param numbers - how many numbers a window has */
-  constructor(readonly numbers: number, readonly measure: (first: number, last: number) => readonly number[]) {}
+  constructor(
+    readonly numbers: number,
+    readonly measure: (first: number, last: number) => readonly number[],
+  ) {}
 
   /** All windows with this number of bins; the one from `first` to `last` has been measured. */
   with(first: number, last: number): Float64Array {

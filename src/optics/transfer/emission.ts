@@ -40,10 +40,18 @@ export function domainOf(transferFunction: TransferFunction): [number, number] {
 }
 
 /** Nodes of the Gauss-Legendre rule on [0, 1]. None is at an end, so jumps need no special case. */
-const nodes = [0.5 - 0.5 * 0.906179845938664, 0.5 - 0.5 * 0.5384693101056831, 0.5, 0.5 + 0.5 * 0.5384693101056831, 0.5 + 0.5 * 0.906179845938664] as const;
+const nodes = [
+  0.5 - 0.5 * 0.906179845938664,
+  0.5 - 0.5 * 0.5384693101056831,
+  0.5,
+  0.5 + 0.5 * 0.5384693101056831,
+  0.5 + 0.5 * 0.906179845938664,
+] as const;
 
 /** Their weights. */
-const weights = [0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324, 0.11846344252809454] as const;
+const weights = [
+  0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324, 0.11846344252809454,
+] as const;
 
 /**
  * Mean emission over the data values between two, in any order. If both are equal, the emission there.
@@ -78,7 +86,8 @@ function addPiece(
   halvings = 0,
 ): void {
   const { start, end, share } = piece;
-  const emissionAt = (node: number): Premultiplied => emissionOf(evaluateBetween(ends[0], ends[1], start + node * (end - start)));
+  const emissionAt = (node: number): Premultiplied =>
+    emissionOf(evaluateBetween(ends[0], ends[1], start + node * (end - start)));
   const first = emissionAt(nodes[0]);
   const last = emissionAt(nodes[4]);
   if (Math.abs(last[3] - first[3]) > smoothDifference && halvings < maxHalvings) {

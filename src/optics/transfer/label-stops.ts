@@ -44,7 +44,11 @@ export function labelStops(looks: readonly LabelAppearance[]): TransferFunction 
 /** The transfer function of labels without settings in the page. @param ids - ascending @param named - names and colours from the file */
 export function plainLabelStops(ids: readonly number[], named: readonly NamedLabel[] = []): TransferFunction {
   const colors = new Map(named.map(({ id, color }) => [id, color]));
-  return labelStops(ids.filter((id) => id !== 0).map((id, i) => ({ id, color: colors.get(id) ?? paletteColor(i), opacity: labelOpacity })));
+  return labelStops(
+    ids
+      .filter((id) => id !== 0)
+      .map((id, i) => ({ id, color: colors.get(id) ?? paletteColor(i), opacity: labelOpacity })),
+  );
 }
 
 const made = new WeakMap<TransferFunction, readonly [ids: readonly number[], stops: TransferFunction]>();

@@ -73,7 +73,11 @@ export interface Shade {
  * @param toEye - of length 1, world
  * Source: Blinn 1977; attenuation and spot as in ISO/IEC 19775-1, 17.2.2. Twin: shaders/chunks/shade/lit.glsl and lights.glsl
  */
-export function shadeSurface({ headlight, lights }: SceneLights, material: LitMaterial, at: { readonly place: Vector3; readonly normal: Vector3; readonly toEye: Vector3 }): Shade {
+export function shadeSurface(
+  { headlight, lights }: SceneLights,
+  material: LitMaterial,
+  at: { readonly place: Vector3; readonly normal: Vector3; readonly toEye: Vector3 },
+): Shade {
   const facing = dot(at.normal, at.toEye);
   const head = headlight ? 1 : 0;
   const gray = (x: number): Vector3 => [x, x, x];
@@ -83,7 +87,8 @@ export function shadeSurface({ headlight, lights }: SceneLights, material: LitMa
   for (const light of lights.slice(0, maxLights)) {
     const { toLight, reach } = beamOf(light, at.place);
     const [lit, half] = [dot(at.normal, toLight), dot(at.normal, normalize(add(toLight, at.toEye)))];
-    const sides = (x: number, power: number): number => front * Math.max(0, x) ** power + (1 - front) * Math.max(0, -x) ** power;
+    const sides = (x: number, power: number): number =>
+      front * Math.max(0, x) ** power + (1 - front) * Math.max(0, -x) ** power;
     const seen = sides(lit, 1);
     const glint = sides(half, material.shininess) * clamp(seen / softSpecular);
     const fraction = light.ambientIntensity * material.ambient + light.intensity * material.diffuse * seen;
@@ -94,7 +99,10 @@ export function shadeSurface({ headlight, lights }: SceneLights, material: LitMa
 }
 
 /** The direction to a light, and the share of its light that reaches a place. */
-function beamOf({ kind, direction, location, attenuation, radius, beamWidth, cutOffAngle }: SceneLight, place: Vector3): { toLight: Vector3; reach: number } {
+function beamOf(
+  { kind, direction, location, attenuation, radius, beamWidth, cutOffAngle }: SceneLight,
+  place: Vector3,
+): { toLight: Vector3; reach: number } {
   if (kind === 'directional') return { toLight: scale(direction, -1), reach: 1 };
   const offset = subtract(location, place);
   const distance = Math.max(length(offset), 1e-12);

@@ -26,7 +26,8 @@ export function findOpaqueJumps(transferFunction: TransferFunction, voxelRatio: 
     const from = transferFunction[i];
     const change = Math.abs(voxelOpacity(to.opacity, voxelRatio) - voxelOpacity(from.opacity, voxelRatio));
     if (to.value === from.value) found.push({ value: to.value, change });
-    else if (Math.max(from.opacity, to.opacity) > maxOpacity) found.push(...findInPiece([from, to], { change, narrow: narrow * domain, voxelRatio }));
+    else if (Math.max(from.opacity, to.opacity) > maxOpacity)
+      found.push(...findInPiece([from, to], { change, narrow: narrow * domain, voxelRatio }));
   });
   const strong = found.filter(({ change }) => change >= seen);
   strong.sort((a, b) => b.change - a.change);
@@ -41,7 +42,14 @@ function voxelOpacity(opacity: number, voxelRatio: number): number {
 }
 
 /** The value where half of the change is reached and, in a wide piece, also the steep end at full opacity. */
-function findInPiece([from, to]: readonly [Stop, Stop], { change, narrow: width, voxelRatio }: { readonly change: number; readonly narrow: number; readonly voxelRatio: number }): { value: number; change: number }[] {
+function findInPiece(
+  [from, to]: readonly [Stop, Stop],
+  {
+    change,
+    narrow: width,
+    voxelRatio,
+  }: { readonly change: number; readonly narrow: number; readonly voxelRatio: number },
+): { value: number; change: number }[] {
   const at = (t: number): number => voxelOpacity(from.opacity + t * (to.opacity - from.opacity), voxelRatio);
   const span = to.value - from.value;
   const half = (at(0) + at(1)) / 2;

@@ -23,13 +23,18 @@ export const maxWord = 200;
  * @throws {VolumeViewError} `transfer-function/syntax`: the message names the stop
  */
 export function parseTransferFunction(text: string, window: readonly [number, number]): TransferFunction {
-  if (text.length > maxLength) throw syntax(`got ${text.length.toLocaleString('en')} characters; expected at most ${maxLength.toLocaleString('en')}`);
+  if (text.length > maxLength)
+    throw syntax(
+      `got ${text.length.toLocaleString('en')} characters; expected at most ${maxLength.toLocaleString('en')}`,
+    );
   const parts = splitOutsideBrackets(text, ',');
   if (parts.length > maxStops) throw syntax(`got ${parts.length} stops; expected at most ${maxStops}`);
   const stops = parts.map((part, i) => parseStop(part, i + 1, window));
   for (let i = 1; i < stops.length; i++) {
     if (stops[i].value < stops[i - 1].value) {
-      throw syntax(`stop ${i + 1} got the value ${stops[i].value}, which is below ${stops[i - 1].value} before it; expected values that rise`);
+      throw syntax(
+        `stop ${i + 1} got the value ${stops[i].value}, which is below ${stops[i - 1].value} before it; expected values that rise`,
+      );
     }
   }
   return stops;
@@ -39,17 +44,25 @@ function parseStop(part: string, number: number, window: readonly [number, numbe
   const words = splitOutsideBrackets(part.trim(), ' ').filter((word) => word !== '');
   const where = `stop ${number}, "${part.trim().slice(0, 60)}",`;
   if (words.length < 3) {
-    throw syntax(`${where} got ${words.length === 0 ? 'nothing' : `${words.length} part${words.length > 1 ? 's' : ''}`}; expected a value, a colour and an opacity, like "150 orange 2%"`);
+    throw syntax(
+      `${where} got ${words.length === 0 ? 'nothing' : `${words.length} part${words.length > 1 ? 's' : ''}`}; expected a value, a colour and an opacity, like "150 orange 2%"`,
+    );
   }
   const value = parseValue(words[0], window);
   const opacity = parseOpacity(words[words.length - 1]);
   const colorText = words.slice(1, -1).join(' ');
   const tooLong = words.find((word) => word.length > maxWord) ?? (colorText.length > maxWord ? colorText : undefined);
-  if (tooLong) throw syntax(`${where} got "${tooLong.slice(0, 60)}…" of ${tooLong.length.toLocaleString('en')} characters; expected at most ${maxWord}`);
+  if (tooLong)
+    throw syntax(
+      `${where} got "${tooLong.slice(0, 60)}…" of ${tooLong.length.toLocaleString('en')} characters; expected at most ${maxWord}`,
+    );
   const parsed = parseCssColor(colorText);
-  if (value === null) throw syntax(`${where} got the value "${words[0]}"; expected a number in data units or a percentage of the window`);
-  if (opacity === null) throw syntax(`${where} got the opacity "${words[words.length - 1]}"; expected 0 to 1, or 0% to 100%`);
-  if (!parsed) throw syntax(`${where} got the colour "${colorText}"; expected a CSS colour, like orange, #f80 or rgb(255 136 0)`);
+  if (value === null)
+    throw syntax(`${where} got the value "${words[0]}"; expected a number in data units or a percentage of the window`);
+  if (opacity === null)
+    throw syntax(`${where} got the opacity "${words[words.length - 1]}"; expected 0 to 1, or 0% to 100%`);
+  if (!parsed)
+    throw syntax(`${where} got the colour "${colorText}"; expected a CSS colour, like orange, #f80 or rgb(255 136 0)`);
   return { value, color: parsed.color, opacity: opacity * parsed.alpha };
 }
 

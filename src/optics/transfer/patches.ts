@@ -65,8 +65,12 @@ export function minGradient(patch: Patch): number {
 
 /** Optical depth of patches that may contain values of a range, whatever their gradients. */
 export function depthOfPatches(patches: readonly Patch[]): JumpDepth {
-  const parts = patches.map((patch) => ({ span: spanOfPatch(patch), depth: extinction(Math.min(0.9999, patch.opacity)) }));
-  return (low, high, length) => length * parts.reduce((sum, { span, depth }) => (low <= span[1] && high >= span[0] ? sum + depth : sum), 0);
+  const parts = patches.map((patch) => ({
+    span: spanOfPatch(patch),
+    depth: extinction(Math.min(0.9999, patch.opacity)),
+  }));
+  return (low, high, length) =>
+    length * parts.reduce((sum, { span, depth }) => (low <= span[1] && high >= span[0] ? sum + depth : sum), 0);
 }
 
 /**
@@ -100,7 +104,11 @@ export function meanOfPatch(patch: Patch, from: ValueAndGradient, to: ValueAndGr
 }
 
 /** The share of a way that lies inside the box. */
-function meanOfBox(sides: readonly (readonly [number, number])[], from: ValueAndGradient, to: ValueAndGradient): number {
+function meanOfBox(
+  sides: readonly (readonly [number, number])[],
+  from: ValueAndGradient,
+  to: ValueAndGradient,
+): number {
   let [begin, end] = [0, 1];
   sides.forEach(([low, high], i) => {
     const step = to[i] - from[i];
@@ -119,7 +127,8 @@ function meanOfBox(sides: readonly (readonly [number, number])[], from: ValueAnd
 function meanOfGaussian(from: readonly number[], to: readonly number[]): number {
   const step = to.map((x, i) => x - from[i]);
   const length = Math.hypot(...step);
-  if (length < shortWay) return (gaussianAt(from) + 4 * gaussianAt(from.map((x, i) => x + step[i] / 2)) + gaussianAt(to)) / 6;
+  if (length < shortWay)
+    return (gaussianAt(from) + 4 * gaussianAt(from.map((x, i) => x + step[i] / 2)) + gaussianAt(to)) / 6;
   const start = (from[0] * step[0] + from[1] * step[1]) / length;
   const off = from[0] ** 2 + from[1] ** 2 - start ** 2;
   const half = Math.sqrt(Math.max(0, gaussianReach ** 2 - off));
@@ -156,7 +165,10 @@ const steps = 100;
  * to the data, and the function keeps the patches' opacity there.
  * @param range - of the data
  */
-export function outlinePatches(patches: readonly Patch[], [min, max]: readonly [number, number] = [-Infinity, Infinity]): TransferFunction {
+export function outlinePatches(
+  patches: readonly Patch[],
+  [min, max]: readonly [number, number] = [-Infinity, Infinity],
+): TransferFunction {
   const spans = patches.map(spanOfPatch);
   const [from, to] = [Math.min(...spans.map(([first]) => first)), Math.max(...spans.map(([, last]) => last))];
   const [low, high] = Math.max(from, min) < Math.min(to, max) ? [Math.max(from, min), Math.min(to, max)] : [from, to];
@@ -168,7 +180,11 @@ export function outlinePatches(patches: readonly Patch[], [min, max]: readonly [
     const inside = Math.min(steps - 1, Math.max(1, i));
     const [red, green, blue, density] = maxAmong(patches, valueAt(inside - 1), valueAt(inside + 1));
     const color: Color = density > 0 ? [red / density, green / density, blue / density] : patches[0].color;
-    return { value: valueAt(i), color, opacity: inside === i || (i === 0 ? from < low : to > high) ? Math.min(maxOpacity, -Math.expm1(-density)) : 0 };
+    return {
+      value: valueAt(i),
+      color,
+      opacity: inside === i || (i === 0 ? from < low : to > high) ? Math.min(maxOpacity, -Math.expm1(-density)) : 0,
+    };
   });
 }
 

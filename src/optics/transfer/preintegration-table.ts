@@ -39,7 +39,10 @@ export const preintegrationTableSize = { columns: 2048, rows: 64 } as const;
 const cellsPerColumn = 4;
 
 /** The running integral from which a table of the usual size is made. */
-export function integrateForTable(transferFunction: TransferFunction, columns: number = preintegrationTableSize.columns): RunningIntegral {
+export function integrateForTable(
+  transferFunction: TransferFunction,
+  columns: number = preintegrationTableSize.columns,
+): RunningIntegral {
   return integrateEmission(transferFunction, (columns - 1) * cellsPerColumn);
 }
 
@@ -56,7 +59,10 @@ export function buildPreintegrationTable(
   const texels = new Float32Array(columns * rows * 4);
   for (let column = 0; column < columns; column++) {
     // If there is a jump at the high end, the last column has the emission before it.
-    texels.set(emission(transferFunction, low + (high - low) * Math.min(column / (columns - 1), 1 - 2 ** -30)), column * 4);
+    texels.set(
+      emission(transferFunction, low + (high - low) * Math.min(column / (columns - 1), 1 - 2 ** -30)),
+      column * 4,
+    );
   }
   for (let row = 1; row < rows; row++) {
     const reach = Math.max((spanOfRow(row, rows) * cells) / 2, 0.5);

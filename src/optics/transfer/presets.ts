@@ -14,12 +14,15 @@ const written: Readonly<Record<(typeof writtenPresets)[number], string>> = {
   // Soft tissue up to 140 HU is left out; spongy bone lies above it, compact bone from 600. Thin enough to show the depth of a skull.
   'ct-bone': '140 #3c140a 0, 210 #7a3c22 5%, 300 #c58a5a 12%, 480 #e9cda0 18%, 800 #faf0dc 24%, 1800 white 40%',
   // Skin and fat as a thin veil, muscle and brain red, organs with contrast medium brighter, bone more transparent than these.
-  'ct-soft-tissue': '-250 #f0c9a0 0, -150 #f0c9a0 0.6%, -60 #eab98a 0.8%, -10 #c46a52 1%, 40 #a8322e 3.2%, 80 #b8463c 4%, 115 #d9826a 9%, 200 #f0c08e 10%, 320 #f7e3c4 5%, 700 #fff6e6 5%, 1600 white 9%',
+  'ct-soft-tissue':
+    '-250 #f0c9a0 0, -150 #f0c9a0 0.6%, -60 #eab98a 0.8%, -10 #c46a52 1%, 40 #a8322e 3.2%, 80 #b8463c 4%, 115 #d9826a 9%, 200 #f0c08e 10%, 320 #f7e3c4 5%, 700 #fff6e6 5%, 1600 white 9%',
   // Vessels filled with contrast medium, 200 to 450 HU, in red. Compact bone is pale and thin, so that it does not hide them.
   // Spongy bone has the same values as these vessels, so it is red, too.
-  'ct-angio': '150 #4a080e 0, 210 #94141a 3%, 280 #d8201c 10%, 350 #ff5a34 28%, 430 #f9b080 9%, 540 #efe2cc 4%, 1000 #f2ead9 5%, 1600 white 7%',
+  'ct-angio':
+    '150 #4a080e 0, 210 #94141a 3%, 280 #d8201c 10%, 350 #ff5a34 28%, 430 #f9b080 9%, 540 #efe2cc 4%, 1000 #f2ead9 5%, 1600 white 7%',
   // Lung tissue around -850 in blue, its vessels and airways' walls up to -400 in orange, the body as a faint shell.
-  'ct-lung': '-1000 #0a1a3a 0, -960 #123a7a 0, -900 #2f7fc4 1%, -820 #6fc0e8 2%, -700 #cfeaf5 5%, -560 #ffe0c8 7%, -430 #ff9d7a 7%, -320 #e88e74 1.2%, -200 #d8b0a0 0.15%, 100 #d8c8c0 0.15%, 250 #fff 0.7%, 1000 #fff 3%',
+  'ct-lung':
+    '-1000 #0a1a3a 0, -960 #123a7a 0, -900 #2f7fc4 1%, -820 #6fc0e8 2%, -700 #cfeaf5 5%, -560 #ffe0c8 7%, -430 #ff9d7a 7%, -320 #e88e74 1.2%, -200 #d8b0a0 0.15%, 100 #d8c8c0 0.15%, 250 #fff 0.7%, 1000 #fff 3%',
   // The scale of the US National Weather Service, 5 to 75 dBZ.
   'radar-dbz':
     '3 #04e9e7 0, 6 #04e9e7 1.5%, 10 #019ff4 2.5%, 15 #0300f4 3%, 20 #02fd02 4%, 25 #01c501 6%, 30 #008e00 8%, 35 #fdf802 13%, ' +
@@ -38,10 +41,7 @@ const written: Readonly<Record<(typeof writtenPresets)[number], string>> = {
  * @param window - the data values that presets and percentages span
  * @throws {VolumeViewError} `transfer-function/syntax`
  */
-export async function readTransferFunction(
-  text: string,
-  window: readonly [number, number],
-): Promise<TransferFunction> {
+export async function readTransferFunction(text: string, window: readonly [number, number]): Promise<TransferFunction> {
   const name = text.trim().toLowerCase();
   if (isWritten(name)) return parseTransferFunction(written[name], window);
   const table = colorTables.find((known) => known === name);

@@ -7,7 +7,10 @@ import type { TransferFunction } from './transfer-function.ts';
  * @param window - the data values that presets and percentages span
  * @throws {VolumeViewError} `transfer-function/syntax`
  */
-export async function resolveTransferFunction(text: string | TransferFunction, window: readonly [number, number]): Promise<TransferFunction> {
+export async function resolveTransferFunction(
+  text: string | TransferFunction,
+  window: readonly [number, number],
+): Promise<TransferFunction> {
   if (typeof text !== 'string') return text;
   if (text.trim().toLowerCase() === defaultPreset) return buildDefaultPreset(window);
   const { readTransferFunction } = await import('./presets.ts');

@@ -30,7 +30,14 @@ export function integrateEmission(transferFunction: TransferFunction, cells: num
     const mean = meanOverSpan(within, edge(cell), edge(cell + 1));
     for (let c = 0; c < 4; c++) sums[cell * 4 + 4 + c] = sums[cell * 4 + c] + mean[c];
   }
-  return { sums, cells, low, high, first: emission(transferFunction, -Infinity), last: emission(transferFunction, Infinity) };
+  return {
+    sums,
+    cells,
+    low,
+    high,
+    first: emission(transferFunction, -Infinity),
+    last: emission(transferFunction, Infinity),
+  };
 }
 
 /** The sum up to any position, in cells. Beyond the ends it continues as in the last cell, so it ignores a jump there. */

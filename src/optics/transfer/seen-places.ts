@@ -23,8 +23,18 @@ const haze = { opacity: 0.005, share: 0.03 };
  * @returns world coordinates; an empty list if nothing is visible
  */
 export function findSeenPlaces(volume: Volume, appearance: TransferFunction, shown: GridFrame): Vector3[] {
-  const { grid, samples, macrocells, slope, intercept, range: [min, max] } = volume;
-  const cells = grid.kind === 'polar' ? { ...macrocells, size: cellSize } : { dimensions: grid.dimensions, low: samples, high: samples, size: 1 };
+  const {
+    grid,
+    samples,
+    macrocells,
+    slope,
+    intercept,
+    range: [min, max],
+  } = volume;
+  const cells =
+    grid.kind === 'polar'
+      ? { ...macrocells, size: cellSize }
+      : { dimensions: grid.dimensions, low: samples, high: samples, size: 1 };
   const [nx, ny, nz] = cells.dimensions;
   const toWorld = unitToWorld(grid);
   const ends = corners(shown);
@@ -32,7 +42,9 @@ export function findSeenPlaces(volume: Volume, appearance: TransferFunction, sho
 
   const width = (max - min) / shades || 1;
   const visible = Math.min(haze.opacity, haze.share * largestOpacity(appearance));
-  const isSeen = Uint8Array.from({ length: shades + 1 }, (_, i) => Number(evaluate(appearance, min + i * width)[3] >= visible));
+  const isSeen = Uint8Array.from({ length: shades + 1 }, (_, i) =>
+    Number(evaluate(appearance, min + i * width)[3] >= visible),
+  );
   const shadeOf = (stored: number): number => Math.round((slope * stored + intercept - min) / width);
   const [scale, zero] = [slope / width, (intercept - min) / width];
   const showsVoxel = (at: number): boolean => isSeen[Math.round(scale * samples[at] + zero)] === 1; // NaN gives undefined.
@@ -44,7 +56,8 @@ export function findSeenPlaces(volume: Volume, appearance: TransferFunction, sho
   };
   const shows = grid.kind === 'polar' ? showsCell : showsVoxel;
   const edge = (cell: number, axis: number): number => Math.min(1, (cell * cells.size) / grid.dimensions[axis]);
-  const placeOf = (i: number, j: number, k: number): Vector3 => transformPoint(toWorld, [edge(i, 0), edge(j, 1), edge(k, 2)]);
+  const placeOf = (i: number, j: number, k: number): Vector3 =>
+    transformPoint(toWorld, [edge(i, 0), edge(j, 1), edge(k, 2)]);
   const isShown = (place: Vector3): boolean => place.every((x, axis) => x >= limits[axis][0] && x <= limits[axis][1]);
 
   const places: Vector3[] = [];
@@ -52,7 +65,8 @@ export function findSeenPlaces(volume: Volume, appearance: TransferFunction, sho
   for (let k = 0; k < nz; k += dz) {
     const [left, right] = [new Outline(-1), new Outline(1)];
     for (let j = 0; j < ny; j += dy) {
-      const isThere = (i: number): boolean => shows(i + nx * (j + ny * k)) && (shown === grid || isShown(placeOf(i + 0.5, j + 0.5, k + 0.5)));
+      const isThere = (i: number): boolean =>
+        shows(i + nx * (j + ny * k)) && (shown === grid || isShown(placeOf(i + 0.5, j + 0.5, k + 0.5)));
       let first = 0;
       while (first < nx && !isThere(first)) first += dx;
       if (first >= nx) continue;
@@ -80,7 +94,8 @@ class Outline {
 
   add(x: number, y: number): void {
     const { corners, side } = this;
-    const isWithin = ([ax, ay]: readonly [number, number], [bx, by]: readonly [number, number]): boolean => side * ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) <= 0;
+    const isWithin = ([ax, ay]: readonly [number, number], [bx, by]: readonly [number, number]): boolean =>
+      side * ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) <= 0;
     while (corners.length > 1 && isWithin(corners[corners.length - 2], corners[corners.length - 1])) corners.pop();
     corners.push([x, y]);
   }

@@ -29,10 +29,16 @@ const largestFloat = 1e38;
 const minFloat = 2 ** -125;
 
 /** If a domain is tiny compared with the data's range, it is widened to what floats can distinguish. */
-export function mapShares({ slope, intercept, storedScale, range }: StoredValues, [low, high]: readonly [number, number]): ShareMap {
+export function mapShares(
+  { slope, intercept, storedScale, range }: StoredValues,
+  [low, high]: readonly [number, number],
+): ShareMap {
   const from = (low - intercept) / slope / storedScale;
   const unit = slope * storedScale;
-  const width = Math.max(high - low, ...[unit, ...range.map((value) => value - low)].map((x) => Math.abs(x) / largestShare));
+  const width = Math.max(
+    high - low,
+    ...[unit, ...range.map((value) => value - low)].map((x) => Math.abs(x) / largestShare),
+  );
   const shrink = Math.max(1, Math.abs(from) / largestFloat);
   const scale = (unit / width) * shrink;
   // If a domain is as wide as floats allow, scale becomes very small. A larger scale is used then: only where the domain begins matters.

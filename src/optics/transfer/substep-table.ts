@@ -33,7 +33,8 @@ export function buildSubstepTable(integral: RunningIntegral, voxelRatio: number)
     const reach = span / 2 + reachBeyond.ofSpan * span + reachBeyond.ofDomain;
     for (let column = 0; column < columns; column++) {
       const middle = from + ((to - from) * column) / (columns - 1);
-      const sum = sumUpToBeyond(integral, (middle + reach) * cells, 3) - sumUpToBeyond(integral, (middle - reach) * cells, 3);
+      const sum =
+        sumUpToBeyond(integral, (middle + reach) * cells, 3) - sumUpToBeyond(integral, (middle - reach) * cells, 3);
       const depth = (sum / (2 * reach * cells)) * voxelRatio;
       texels[row * columns + column] = Math.ceil(255 * Math.cbrt(-Math.expm1(-Math.max(0, depth))));
     }

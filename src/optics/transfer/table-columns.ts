@@ -20,13 +20,22 @@ const invisible = 4e-3;
 export function findColumns(stops: TransferFunction): number | null {
   const [low, high] = domainOf(stops);
   const gaps = stops.slice(1).map(({ value }, i) => (value - stops[i].value) / (high - low));
-  if (stops.some(({ opacity }) => opacity > maxOpacity) || gaps.some((gap, i) => gap < narrowest && !looksSame(stops[i], stops[i + 1]))) return null;
+  if (
+    stops.some(({ opacity }) => opacity > maxOpacity) ||
+    gaps.some((gap, i) => gap < narrowest && !looksSame(stops[i], stops[i + 1]))
+  )
+    return null;
   const rises = gaps.map((gap, i) => (stops[i + 1].opacity - stops[i].opacity) / (gap || 1));
-  const fits = (columns: number): boolean => stops.slice(1, -1).every(({ value, opacity }, i) => {
-    const attached = (((value - low) / (high - low)) * (columns - 1)) % 1;
-    const off = attached * (1 - attached);
-    return off < 1e-6 || (off * Math.abs(rises[i + 1] - rises[i])) / columns <= invisible * opacity * Math.min(1, 25 * Math.min(gaps[i], gaps[i + 1]));
-  });
+  const fits = (columns: number): boolean =>
+    stops.slice(1, -1).every(({ value, opacity }, i) => {
+      const attached = (((value - low) / (high - low)) * (columns - 1)) % 1;
+      const off = attached * (1 - attached);
+      return (
+        off < 1e-6 ||
+        (off * Math.abs(rises[i + 1] - rises[i])) / columns <=
+          invisible * opacity * Math.min(1, 25 * Math.min(gaps[i], gaps[i + 1]))
+      );
+    });
   for (let columns = max; columns >= fewest; columns--) if (fits(columns)) return columns;
   return null;
 }

@@ -52,7 +52,12 @@ export function evaluate(transferFunction: TransferFunction, value: number): Pre
 export function evaluateBetween(from: Stop, to: Stop, value: number): Premultiplied {
   const t = (value - from.value) / (to.value - from.value);
   const [a, b] = [from.opacity, to.opacity];
-  return [mix(from.color[0] * a, to.color[0] * b, t), mix(from.color[1] * a, to.color[1] * b, t), mix(from.color[2] * a, to.color[2] * b, t), mix(a, b, t)];
+  return [
+    mix(from.color[0] * a, to.color[0] * b, t),
+    mix(from.color[1] * a, to.color[1] * b, t),
+    mix(from.color[2] * a, to.color[2] * b, t),
+    mix(a, b, t),
+  ];
 }
 
 /** The largest opacity of all values; a tiny number above 0 if nothing is visible. */

@@ -12,6 +12,8 @@ export function isUsual(stops: TransferFunction): boolean {
   const [low, high] = domainOf(stops);
   return stops.every(({ value, opacity }, i) => {
     const percents = ((value - low) / (high - low)) * 100;
-    return opacity <= maxOpacity && !(value === stops[i - 1]?.value) && Math.abs(percents - Math.round(percents)) < 1e-6;
+    return (
+      opacity <= maxOpacity && !(value === stops[i - 1]?.value) && Math.abs(percents - Math.round(percents)) < 1e-6
+    );
   });
 }

@@ -28,7 +28,13 @@ export type VolumeStyle =
 const gray = (x: number): Vector3 => [x, x, x];
 
 /** The material of `shading="lit"`, in X3D's fields. */
-const fog: StyleMaterial = { ambient: fogMaterial.ambient / fogMaterial.diffuse, diffuse: gray(fogMaterial.diffuse), specular: gray(fogMaterial.specular), emissive: gray(0), shininess: fogMaterial.shininess };
+const fog: StyleMaterial = {
+  ambient: fogMaterial.ambient / fogMaterial.diffuse,
+  diffuse: gray(fogMaterial.diffuse),
+  specular: gray(fogMaterial.specular),
+  emissive: gray(0),
+  shininess: fogMaterial.shininess,
+};
 
 /** Styles that act one after the other, and their share of the picture. */
 export interface StyleChain {
@@ -39,12 +45,18 @@ export interface StyleChain {
 /** Adds the light of a lit view at the end of each chain, unless a style already adds light. */
 export function withLight(chains: readonly StyleChain[]): readonly StyleChain[] {
   const isLit = chains.some(({ styles }) => styles.some(({ kind }) => kind === 'shaded'));
-  return isLit ? chains : chains.map(({ weight, styles }) => ({ weight, styles: [...styles, { kind: 'shaded', material: fog }] }));
+  return isLit
+    ? chains
+    : chains.map(({ weight, styles }) => ({ weight, styles: [...styles, { kind: 'shaded', material: fog }] }));
 }
 
 /** Factor of the change that counts as flat. If other styles change only the opacity, light is that of lit fog. */
 export function flatOf(chains: readonly StyleChain[]): number {
-  const isFog = chains.every(({ styles }) => styles.every((one) => one.kind === 'gradient' || one.kind === 'boundary' || (one.kind === 'shaded' && one.material === fog)));
+  const isFog = chains.every(({ styles }) =>
+    styles.every(
+      (one) => one.kind === 'gradient' || one.kind === 'boundary' || (one.kind === 'shaded' && one.material === fog),
+    ),
+  );
   return isFog ? fogFlat : 1;
 }
 
@@ -103,7 +115,12 @@ export function buildStyleTable(styles: readonly VolumeStyle[]): Float64Array {
       tone ? [...mix(tone.cool, tone.warm, x), 0] : [0, 0, 0, 1],
       chainColors(before as OfFacing[], x),
       chainColors(after as OfFacing[], x),
-      [silhouetteFactor(styles, x), boundaryFactor(styles, changeOf(x)), gradientFactor(styles, x * gradientReach(styles)), 0],
+      [
+        silhouetteFactor(styles, x),
+        boundaryFactor(styles, changeOf(x)),
+        gradientFactor(styles, x * gradientReach(styles)),
+        0,
+      ],
     ];
     rows.forEach((row, y) => table.set(row, 4 * (y * styleColumns + i)));
   }
@@ -142,12 +159,20 @@ function changeOf(share: number): number {
 
 /** O' = O (r + b (1 - |n . v|)^s). Source: ISO/IEC 19775-1, 41.4 */
 function silhouetteFactor(styles: readonly VolumeStyle[], facing: number): number {
-  return styles.reduce((product, one) => (one.kind === 'silhouette' ? product * (one.retained + one.boundary * (1 - facing) ** one.sharpness) : product), 1);
+  return styles.reduce(
+    (product, one) =>
+      one.kind === 'silhouette' ? product * (one.retained + one.boundary * (1 - facing) ** one.sharpness) : product,
+    1,
+  );
 }
 
 /** O' = O (r + b |grad f|^e) */
 function boundaryFactor(styles: readonly VolumeStyle[], change: number): number {
-  return styles.reduce((product, one) => (one.kind === 'boundary' ? product * (one.retained + one.boundary * change ** one.power) : product), 1);
+  return styles.reduce(
+    (product, one) =>
+      one.kind === 'boundary' ? product * (one.retained + one.boundary * change ** one.power) : product,
+    1,
+  );
 }
 
 /** The steepness from which on factors are constant, in data units per world unit; 0 if no style uses it. */
@@ -164,7 +189,10 @@ function reachOfStops(stops: readonly GradientStop[]): number {
 
 /** O' = O a(|grad f|). Source: Levoy 1988 */
 function gradientFactor(styles: readonly VolumeStyle[], steepness: number): number {
-  return styles.reduce((product, one) => (one.kind === 'gradient' ? product * factorAt(one.stops, steepness) : product), 1);
+  return styles.reduce(
+    (product, one) => (one.kind === 'gradient' ? product * factorAt(one.stops, steepness) : product),
+    1,
+  );
 }
 
 /** Linear between stops; constant before the first and from the last on. */
@@ -177,10 +205,14 @@ function factorAt(stops: readonly GradientStop[], steepness: number): number {
 
 /** The joint effect of several styles on a colour: what is added, and the share that stays. */
 function chainColors(styles: readonly OfFacing[], facing: number): readonly number[] {
-  return styles.reduce<readonly number[]>((sum, one) => {
-    const [red, green, blue, kept] = one.kind === 'edge' ? edgeColors(one, facing) : [...cartoonColor(one, facing), 0];
-    return [kept * sum[0] + red, kept * sum[1] + green, kept * sum[2] + blue, kept * sum[3]];
-  }, [0, 0, 0, 1]);
+  return styles.reduce<readonly number[]>(
+    (sum, one) => {
+      const [red, green, blue, kept] =
+        one.kind === 'edge' ? edgeColors(one, facing) : [...cartoonColor(one, facing), 0];
+      return [kept * sum[0] + red, kept * sum[1] + green, kept * sum[2] + blue, kept * sum[3]];
+    },
+    [0, 0, 0, 1],
+  );
 }
 
 /** The edge's colour where a surface is turned away from the eye by more than the threshold. */
@@ -193,7 +225,10 @@ function edgeColors({ color, threshold }: Extract<VolumeStyle, { kind: 'edge' }>
 const edgePlaces = Array.from({ length: 9 }, (_, i) => (softEdge * (i - 4)) / 4);
 
 /** A number of colours from that of surfaces facing the eye to that of surfaces seen from the side, at equal steps of the angle. */
-function cartoonColor({ parallel, orthogonal, steps }: Extract<VolumeStyle, { kind: 'cartoon' }>, facing: number): Vector3 {
+function cartoonColor(
+  { parallel, orthogonal, steps }: Extract<VolumeStyle, { kind: 'cartoon' }>,
+  facing: number,
+): Vector3 {
   const ends = alignHues(toHsv(parallel), toHsv(orthogonal));
   const sum = [0, 0, 0];
   for (const place of edgePlaces) {
@@ -209,7 +244,10 @@ function cartoonColor({ parallel, orthogonal, steps }: Extract<VolumeStyle, { ki
 function alignHues([h0, s0, v0]: Vector3, [h1, s1, v1]: Vector3): [Vector3, Vector3] {
   const [first, second] = [s0 === 0 ? h1 : h0, s1 === 0 ? h0 : h1];
   const turn = second - first > 0.5 ? -1 : second - first < -0.5 ? 1 : 0;
-  return [[first, v0 === 0 ? s1 : s0, v0], [second + turn, v1 === 0 ? s0 : s1, v1]];
+  return [
+    [first, v0 === 0 ? s1 : s0, v0],
+    [second + turn, v1 === 0 ? s0 : s1, v1],
+  ];
 }
 
 function mix(a: Vector3, b: Vector3, share: number): Vector3 {
@@ -221,7 +259,8 @@ export function toHsv([red, green, blue]: Vector3): Vector3 {
   const max = Math.max(red, green, blue);
   const range = max - Math.min(red, green, blue);
   if (range === 0) return [0, 0, max];
-  const sixth = max === red ? (green - blue) / range : max === green ? 2 + (blue - red) / range : 4 + (red - green) / range;
+  const sixth =
+    max === red ? (green - blue) / range : max === green ? 2 + (blue - red) / range : 4 + (red - green) / range;
   return [(((sixth / 6) % 1) + 1) % 1, range / max, max];
 }
 

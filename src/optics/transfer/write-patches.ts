@@ -6,7 +6,16 @@ import { writeColor } from './write-transfer-function.ts';
  * 1/255, opacities to four digits.
  */
 export function writePatches(patches: readonly Patch[]): string {
-  return patches.map((patch) => [patch.kind, ...roundedNumbersOf(patch), writeColor(patch.color), `${Number((patch.opacity * 100).toPrecision(4))}%`].join(' ')).join(', ');
+  return patches
+    .map((patch) =>
+      [
+        patch.kind,
+        ...roundedNumbersOf(patch),
+        writeColor(patch.color),
+        `${Number((patch.opacity * 100).toPrecision(4))}%`,
+      ].join(' '),
+    )
+    .join(', ');
 }
 
 /** The numbers that place a patch, in the order of the attribute. */
@@ -18,5 +27,7 @@ export function numbersOf(patch: Patch): readonly [number, number, number, numbe
 export function roundedNumbersOf(patch: Patch): readonly number[] {
   const [a, b, c, d] = numbersOf(patch);
   const widths = patch.kind === 'box' ? [b - a, b - a, d - c, d - c] : [c, d, c, d];
-  return [a, b, c, d].map((x, i) => Number(x.toPrecision(Math.min(17, Math.max(6, 5 + Math.ceil(Math.log10(Math.abs(x) / widths[i])))))));
+  return [a, b, c, d].map((x, i) =>
+    Number(x.toPrecision(Math.min(17, Math.max(6, 5 + Math.ceil(Math.log10(Math.abs(x) / widths[i])))))),
+  );
 }

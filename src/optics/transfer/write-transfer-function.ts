@@ -15,7 +15,13 @@ export function writeTransferFunction(stops: TransferFunction): string {
 
 /** `#rrggbb`. */
 export function writeColor(color: Color): string {
-  return `#${color.map((channel) => Math.round(channel * 255).toString(16).padStart(2, '0')).join('')}`;
+  return `#${color
+    .map((channel) =>
+      Math.round(channel * 255)
+        .toString(16)
+        .padStart(2, '0'),
+    )
+    .join('')}`;
 }
 
 /** Number of decimals that distinguish ten thousand values of a span; null if the span is 0. */

@@ -39,7 +39,13 @@ export function polarText({ twoBytes, radialElevations, folds, crowds }: PolarOp
   return {
     name: 'polar',
     stage: 'field',
-    defines: { TWO_BYTES: Number(twoBytes), RADIAL_ELEVATIONS: Number(radialElevations), CROWDS: Number(crowds), NO_DATA: 1, FOLDS: Number(folds) },
+    defines: {
+      TWO_BYTES: Number(twoBytes),
+      RADIAL_ELEVATIONS: Number(radialElevations),
+      CROWDS: Number(crowds),
+      NO_DATA: 1,
+      FOLDS: Number(folds),
+    },
     chunks: [decode, polarGates, ...(folds ? [polarFolds] : []), volumePolar],
     samplers: ['uVolume', 'uPolarTable'],
   };
@@ -132,7 +138,8 @@ function gridUniforms(polar: PolarGrid): Uniforms {
 }
 
 function tableUniforms(table: PolarTable): Uniforms {
-  const { elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins, sweepsFrom, radialsFrom, azimuthsFrom, height } = table;
+  const { elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins, sweepsFrom, radialsFrom, azimuthsFrom, height } =
+    table;
   return {
     uPolarBins: [elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins],
     uTableBegins: [sweepsFrom, radialsFrom, azimuthsFrom],

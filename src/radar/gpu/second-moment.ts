@@ -22,11 +22,20 @@ export const sameGates = partOf(radarTwins, ({ secondMoment }) => secondMoment);
  * both. Where the first moment has a gate, the second has the same gate.
  * @throws {VolumeViewError} `format/too-large` if it does not fit the device
  */
-export function* uploadSecondMoment(gl: Gl, { volume, over }: Pick<ShownOverlay, 'volume' | 'over'>, device: Device): Upload<SecondField> {
-  if (!isPolar(volume) || !isPolar(over)) throw new TypeError('uploadSecondMoment got a cartesian grid; expected a polar one');
+export function* uploadSecondMoment(
+  gl: Gl,
+  { volume, over }: Pick<ShownOverlay, 'volume' | 'over'>,
+  device: Device,
+): Upload<SecondField> {
+  if (!isPolar(volume) || !isPolar(over))
+    throw new TypeError('uploadSecondMoment got a cartesian grid; expected a polar one');
   const { grid, slope } = volume;
   const layout = layOutRadials(grid, device.maxTextureSize);
-  const refuse = (): VolumeViewError => new VolumeViewError('format/too-large', 'This device has no room for a second moment of the radar. Use a file with fewer sweeps, or leave color-moment out.');
+  const refuse = (): VolumeViewError =>
+    new VolumeViewError(
+      'format/too-large',
+      'This device has no room for a second moment of the radar. Use a file with fewer sweeps, or leave color-moment out.',
+    );
   if (!layout) throw refuse();
   const texels = pairTexels(gl);
   const [storedOf, valuesOf] = [storedValues(over), dataValues(volume)];
@@ -73,5 +82,9 @@ function storedValues(volume: Volume): Convert {
 
 function dataValues({ samples, slope, intercept }: Volume): Convert {
   const isNone = samples instanceof Float32Array ? (x: number) => !Number.isFinite(x) : (x: number) => x === 0;
-  return (rows) => prepareFloats(Float32Array.from(rows, (x) => (isNone(x) ? NaN : slope * x + intercept)), 1);
+  return (rows) =>
+    prepareFloats(
+      Float32Array.from(rows, (x) => (isNone(x) ? NaN : slope * x + intercept)),
+      1,
+    );
 }

@@ -51,7 +51,9 @@ export function sliceUniforms(slices: readonly Slice[], sweeps: readonly Sweep[]
   const fill = (numbers: readonly number[]): number[] => Array.from({ length: 16 }, (_, i) => numbers[i] ?? 0);
   return {
     uSlices: fill(slices.flatMap((slice) => shapeOf(slice, sweeps))),
-    uSliceLines: fill(slices.flatMap((slice) => (slice.kind === 'upright' ? [...slice.from, ...slice.direction] : [0, 0, 0, 0]))),
+    uSliceLines: fill(
+      slices.flatMap((slice) => (slice.kind === 'upright' ? [...slice.from, ...slice.direction] : [0, 0, 0, 0])),
+    ),
   };
 }
 

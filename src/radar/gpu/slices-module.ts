@@ -31,7 +31,9 @@ export const slicesText: RayText = {
 };
 
 const twin = (slices: readonly Slice[]): RayTwin =>
-  twinOf(radarTwins, ({ sliceInterval, sliceMeeter }, { volume, optics }) => (isPolar(volume) ? { intervals: [sliceInterval(sliceMeeter(volume, slices, optics))] } : {}));
+  twinOf(radarTwins, ({ sliceInterval, sliceMeeter }, { volume, optics }) =>
+    isPolar(volume) ? { intervals: [sliceInterval(sliceMeeter(volume, slices, optics))] } : {},
+  );
 
 /** Slices through a radar volume end rays, and their colour stands behind everything in front of them. At most `maxSlices`. */
 export function createSlices(gl: Gl): SliceModule<Slice> {
@@ -50,11 +52,18 @@ export function createSlices(gl: Gl): SliceModule<Slice> {
     },
     inputs({ volume, rays, optics: { transferFunction, lightFactor }, domain }) {
       const { unit, uniforms } = stops.get([transferFunction, lightFactor], (last) =>
-        uploadStops(gl, brighten(transferFunction, lightFactor), domain, last?.unit.texture ?? null));
+        uploadStops(gl, brighten(transferFunction, lightFactor), domain, last?.unit.texture ?? null),
+      );
       if (!isPolar(volume)) return { uniforms, units: [unit] };
       const { box, sweeps } = volume.grid;
-      const outlines = outlinesOf(this.slices.filter(isFlat).map((slice) => planeOfSlice(slice, box)), rays);
-      return { uniforms: { ...uniforms, ...sliceUniforms(this.slices, sweeps), ...outlineUniforms(outlines) }, units: [unit] };
+      const outlines = outlinesOf(
+        this.slices.filter(isFlat).map((slice) => planeOfSlice(slice, box)),
+        rays,
+      );
+      return {
+        uniforms: { ...uniforms, ...sliceUniforms(this.slices, sweeps), ...outlineUniforms(outlines) },
+        units: [unit],
+      };
     },
     dispose: () => gl.deleteTexture(stops.last?.unit.texture ?? null),
   };

@@ -22,8 +22,12 @@ export function composeStage({ webgl2, stage, defines }: ComposedStage, chunks: 
   const all = { [stage]: 1, WEBGL2: Number(webgl2), ...defines };
   return [
     webgl2 ? '#version 300 es\n' : '',
-    Object.entries(all).map(([name, value]) => `#define ${name} ${value}\n`).join(''),
+    Object.entries(all)
+      .map(([name, value]) => `#define ${name} ${value}\n`)
+      .join(''),
     webgl2 ? language300 : language100,
     ...chunks,
-  ].join('\n').trimStart();
+  ]
+    .join('\n')
+    .trimStart();
 }

@@ -25,10 +25,14 @@ export class DrawTarget {
   #width = 0;
   #height = 0;
 
-  constructor(readonly gl: Gl, readonly attachments: readonly Attachment[]) {
+  constructor(
+    readonly gl: Gl,
+    readonly attachments: readonly Attachment[],
+  ) {
     this.framebuffer = gl.createFramebuffer();
     this.units = attachments.map(({ samplerName }) =>
-      textureUnit(gl, { type: gl.TEXTURE_2D, texture: gl.createTexture(), filter: gl.NEAREST, samplerName }));
+      textureUnit(gl, { type: gl.TEXTURE_2D, texture: gl.createTexture(), filter: gl.NEAREST, samplerName }),
+    );
   }
 
   get width(): number {
@@ -53,8 +57,10 @@ export class DrawTarget {
       const { texture } = this.units[i];
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, type, null);
-      for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
-      for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
+      for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+        gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+      for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T])
+        gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
       gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, texture, 0);
     });
     gl.bindTexture(gl.TEXTURE_2D, boundTexture);

@@ -97,28 +97,32 @@ export class GpuTimer {
 
 function queriesOfWebGl2(gl: WebGL2RenderingContext): Queries | null {
   const tokens = gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerTokens | null;
-  return tokens && {
-    bits: gl.getQuery(tokens.TIME_ELAPSED_EXT, tokens.QUERY_COUNTER_BITS_EXT) as unknown as number,
-    create: () => gl.createQuery(),
-    begin: (query) => gl.beginQuery(tokens.TIME_ELAPSED_EXT, query),
-    end: () => gl.endQuery(tokens.TIME_ELAPSED_EXT),
-    isAvailable: (query) => gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE) === true,
-    nanoseconds: (query) => gl.getQueryParameter(query, gl.QUERY_RESULT) as number,
-    delete: (query) => gl.deleteQuery(query),
-    wasDisjoint: () => gl.getParameter(tokens.GPU_DISJOINT_EXT) === true,
-  };
+  return (
+    tokens && {
+      bits: gl.getQuery(tokens.TIME_ELAPSED_EXT, tokens.QUERY_COUNTER_BITS_EXT) as unknown as number,
+      create: () => gl.createQuery(),
+      begin: (query) => gl.beginQuery(tokens.TIME_ELAPSED_EXT, query),
+      end: () => gl.endQuery(tokens.TIME_ELAPSED_EXT),
+      isAvailable: (query) => gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE) === true,
+      nanoseconds: (query) => gl.getQueryParameter(query, gl.QUERY_RESULT) as number,
+      delete: (query) => gl.deleteQuery(query),
+      wasDisjoint: () => gl.getParameter(tokens.GPU_DISJOINT_EXT) === true,
+    }
+  );
 }
 
 function queriesOfWebGl1(gl: WebGLRenderingContext): Queries | null {
   const ext = gl.getExtension('EXT_disjoint_timer_query') as TimerQueries | null;
-  return ext && {
-    bits: ext.getQueryEXT(ext.TIME_ELAPSED_EXT, ext.QUERY_COUNTER_BITS_EXT),
-    create: () => ext.createQueryEXT(),
-    begin: (query) => ext.beginQueryEXT(ext.TIME_ELAPSED_EXT, query),
-    end: () => ext.endQueryEXT(ext.TIME_ELAPSED_EXT),
-    isAvailable: (query) => ext.getQueryObjectEXT(query, ext.QUERY_RESULT_AVAILABLE_EXT) === true,
-    nanoseconds: (query) => ext.getQueryObjectEXT(query, ext.QUERY_RESULT_EXT) as number,
-    delete: (query) => ext.deleteQueryEXT(query),
-    wasDisjoint: () => gl.getParameter(ext.GPU_DISJOINT_EXT) === true,
-  };
+  return (
+    ext && {
+      bits: ext.getQueryEXT(ext.TIME_ELAPSED_EXT, ext.QUERY_COUNTER_BITS_EXT),
+      create: () => ext.createQueryEXT(),
+      begin: (query) => ext.beginQueryEXT(ext.TIME_ELAPSED_EXT, query),
+      end: () => ext.endQueryEXT(ext.TIME_ELAPSED_EXT),
+      isAvailable: (query) => ext.getQueryObjectEXT(query, ext.QUERY_RESULT_AVAILABLE_EXT) === true,
+      nanoseconds: (query) => ext.getQueryObjectEXT(query, ext.QUERY_RESULT_EXT) as number,
+      delete: (query) => ext.deleteQueryEXT(query),
+      wasDisjoint: () => gl.getParameter(ext.GPU_DISJOINT_EXT) === true,
+    }
+  );
 }

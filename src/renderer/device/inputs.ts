@@ -11,6 +11,10 @@ export interface ProgramInputs {
 /** Merge several inputs. Each sampler is there once, with the first of its textures; of uniforms, the last value counts. */
 export function joinInputs(...several: readonly ProgramInputs[]): ProgramInputs {
   const units = new Map<string, TextureUnit>();
-  for (const unit of several.flatMap((one) => one.units)) if (!units.has(unit.samplerName)) units.set(unit.samplerName, unit);
-  return { uniforms: Object.assign({}, ...several.map(({ uniforms }) => uniforms)) as Uniforms, units: [...units.values()] };
+  for (const unit of several.flatMap((one) => one.units))
+    if (!units.has(unit.samplerName)) units.set(unit.samplerName, unit);
+  return {
+    uniforms: Object.assign({}, ...several.map(({ uniforms }) => uniforms)) as Uniforms,
+    units: [...units.values()],
+  };
 }

@@ -40,7 +40,7 @@ function compileStage(gl: Gl, type: number, text: string): WebGLShader {
 export function shaderError(log: string | null): VolumeViewError {
   return new VolumeViewError(
     'webgl/shader',
-    'The graphics driver refused the ray-caster\'s program. Update the browser or the driver; else report it with this cause.',
+    "The graphics driver refused the ray-caster's program. Update the browser or the driver; else report it with this cause.",
     { cause: new Error(log ?? 'no log') },
   );
 }
@@ -83,18 +83,29 @@ export function useProgram(gl: Gl, program: WebGLProgram, { uniforms, units }: P
 
 function setUniform(gl: Gl, { type, location }: ActiveUniform, value: readonly number[]): void {
   switch (type) {
-    case gl.FLOAT: return gl.uniform1fv(location, value);
-    case gl.FLOAT_VEC2: return gl.uniform2fv(location, value);
-    case gl.FLOAT_VEC3: return gl.uniform3fv(location, value);
-    case gl.FLOAT_VEC4: return gl.uniform4fv(location, value);
-    case gl.FLOAT_MAT3: return gl.uniformMatrix3fv(location, false, value);
-    case gl.FLOAT_MAT4: return gl.uniformMatrix4fv(location, false, value);
-    default: return gl.uniform1i(location, value[0]);
+    case gl.FLOAT:
+      return gl.uniform1fv(location, value);
+    case gl.FLOAT_VEC2:
+      return gl.uniform2fv(location, value);
+    case gl.FLOAT_VEC3:
+      return gl.uniform3fv(location, value);
+    case gl.FLOAT_VEC4:
+      return gl.uniform4fv(location, value);
+    case gl.FLOAT_MAT3:
+      return gl.uniformMatrix3fv(location, false, value);
+    case gl.FLOAT_MAT4:
+      return gl.uniformMatrix4fv(location, false, value);
+    default:
+      return gl.uniform1i(location, value[0]);
   }
 }
 
 /** Bind a texture, with its filter, to the texture unit of this number. */
-export function bindUnit(gl: Gl, { type, texture, wrapS, wrapT, minFilter, magFilter }: TextureUnit, index: number): void {
+export function bindUnit(
+  gl: Gl,
+  { type, texture, wrapS, wrapT, minFilter, magFilter }: TextureUnit,
+  index: number,
+): void {
   gl.activeTexture(gl.TEXTURE0 + index);
   gl.bindTexture(type, texture);
   gl.texParameteri(type, gl.TEXTURE_WRAP_S, wrapS);

@@ -23,5 +23,14 @@ export function textureUnit(
     gl.bindTexture(type, texture);
     gl.texParameteri(type, gl.TEXTURE_WRAP_R, wrap);
   }
-  return { type, texture, samplerName, wrapS: wrap, wrapT: wrap, minFilter: filter, magFilter: filter, anisotropicDegree: 1 };
+  return {
+    type,
+    texture,
+    samplerName,
+    wrapS: wrap,
+    wrapT: wrap,
+    minFilter: filter,
+    magFilter: filter,
+    anisotropicDegree: 1,
+  };
 }

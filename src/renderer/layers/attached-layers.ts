@@ -21,7 +21,11 @@ export class AttachedLayers {
   readonly #widened = new Kept<readonly Contribution[]>();
   readonly #opened = new Kept<Volume>();
 
-  constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders) {}
+  constructor(
+    readonly gl: Gl,
+    readonly device: Device,
+    readonly providers: FieldProviders,
+  ) {}
 
   async setLabels(labels: ShownLabels | null): Promise<void> {
     const { LabelLayer } = await loadPart(import('./label-layer.ts'), 'shows labels');
@@ -35,7 +39,10 @@ export class AttachedLayers {
 
   /** The modules for the rays of a layer. The second field comes after the labels, so it acts on the colours that labels give. */
   modules(layer: LabelledLayer): readonly RayModule[] {
-    return [...(this.#labels?.modules(layer) ?? []), ...(this.#overlay?.modules(layer.volume!, !layer.cutsSteps) ?? [])];
+    return [
+      ...(this.#labels?.modules(layer) ?? []),
+      ...(this.#overlay?.modules(layer.volume!, !layer.cutsSteps) ?? []),
+    ];
   }
 
   /** All modules of a ray; without those of the second field if WebGL 1 has no samplers left for them. */
@@ -44,22 +51,36 @@ export class AttachedLayers {
     const others = modules.filter(({ name }) => !name.startsWith('overlay'));
     if (others.length < modules.length && !this.#hasNotified) {
       this.#hasNotified = true;
-      console.warn('WebGL 1 has no room here for a layer beside all else that is shown: the layer is left out. Show it without labels, or without shapes.');
+      console.warn(
+        'WebGL 1 has no room here for a layer beside all else that is shown: the layer is left out. Show it without labels, or without shapes.',
+      );
     }
     return others;
   }
 
   /** The detail that rays could miss, for the labels and the second field: see `SeenVolume`. */
-  more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>, optics: Optics): Pick<SeenVolume, 'more' | 'functions'> | undefined {
+  more(
+    volume: Volume,
+    seen: Omit<SeenVolume, 'cells' | 'more'>,
+    optics: Optics,
+  ): Pick<SeenVolume, 'more' | 'functions'> | undefined {
     const labelled = this.#labels?.more(volume, seen, optics.lightFactor);
-    return this.#overlay ? { ...labelled, more: this.#overlay.more(volume, { ...seen, ...labelled }, optics) } : labelled;
+    return this.#overlay
+      ? { ...labelled, more: this.#overlay.more(volume, { ...seen, ...labelled }, optics) }
+      : labelled;
   }
 
   /** Which values may show in a volume with a second field: all values in the cells where the second field shows something. */
   widen(volume: Volume, contributions: readonly Contribution[]): readonly Contribution[] {
     const own = this.#overlay?.ownCells(volume);
     if (!own) return contributions;
-    return this.#widened.get([own, ...contributions], () => contributions.map((shows): Contribution => (low, high, cell) => own[cell] > 0 || shows(low, high, cell)));
+    return this.#widened.get([own, ...contributions], () =>
+      contributions.map(
+        (shows): Contribution =>
+          (low, high, cell) =>
+            own[cell] > 0 || shows(low, high, cell),
+      ),
+    );
   }
 
   /** The volume, but with values in cells that have none where the second field shows something: the skipping of empty space needs them. */
@@ -67,9 +88,21 @@ export class AttachedLayers {
     const own = this.#overlay?.ownCells(volume);
     if (!own) return volume;
     return this.#opened.get([volume, own], () => {
-      const { macrocells, macrocells: { low, high } } = volume;
+      const {
+        macrocells,
+        macrocells: { low, high },
+      } = volume;
       const lacks = (cell: number): boolean => own[cell] > 0 && !(low[cell] <= high[cell]);
-      return low.some((_: number, cell: number) => lacks(cell)) ? { ...volume, macrocells: { ...macrocells, low: low.map((x: number, cell: number) => (lacks(cell) ? 0 : x)), high: high.map((x: number, cell: number) => (lacks(cell) ? 0 : x)) } } : volume;
+      return low.some((_: number, cell: number) => lacks(cell))
+        ? {
+            ...volume,
+            macrocells: {
+              ...macrocells,
+              low: low.map((x: number, cell: number) => (lacks(cell) ? 0 : x)),
+              high: high.map((x: number, cell: number) => (lacks(cell) ? 0 : x)),
+            },
+          }
+        : volume;
     });
   }
 

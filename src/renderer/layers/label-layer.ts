@@ -57,7 +57,10 @@ export class LabelLayer {
   readonly #detail = new Kept<Pick<SeenVolume, 'more' | 'functions'>>();
   #functions: LabelFunctions | null = null;
 
-  constructor(readonly gl: Gl, readonly device: Device) {}
+  constructor(
+    readonly gl: Gl,
+    readonly device: Device,
+  ) {}
 
   /**
    * @returns resolves when the next picture will show the labels; a later call replaces this one
@@ -84,7 +87,9 @@ export class LabelLayer {
   /** Upload a small map at once, and a large one piece by piece between frames. */
   async #bring(labels: ShownLabels): Promise<Brought | null> {
     const upload = this.#upload(labels);
-    return labels.map.numbers.byteLength <= quickBytes ? finishUpload(upload) : uploadGradually(this.gl, upload, () => this.#wanted !== labels);
+    return labels.map.numbers.byteLength <= quickBytes
+      ? finishUpload(upload)
+      : uploadGradually(this.gl, upload, () => this.#wanted !== labels);
   }
 
   /** The label numbers are uploaded in the same way as a volume's samples. */
@@ -93,7 +98,11 @@ export class LabelLayer {
     const table = yield* createLabelTable(this.gl, map, this.device);
     let block: BlockTexture | null = null;
     try {
-      block = yield* uploadBlock(this.gl, { samples: map.numbers, grid: map, hasNoData: false }, { device: this.device, filterInShader: true });
+      block = yield* uploadBlock(
+        this.gl,
+        { samples: map.numbers, grid: map, hasNoData: false },
+        { device: this.device, filterInShader: true },
+      );
       return { cells, table, block };
     } finally {
       if (!block) table.dispose();
@@ -105,19 +114,40 @@ export class LabelLayer {
     const labels = this.#labelsOf(volume!);
     if (!labels) return [];
     const functions = cutsSteps && optics ? labels.functions : undefined;
-    const text = labelsText({ texture3d: this.device.webgl2, twoBytes: labels.map.numbers instanceof Uint16Array, hides: !cutsSteps, groups: functions !== undefined });
+    const text = labelsText({
+      texture3d: this.device.webgl2,
+      twoBytes: labels.map.numbers instanceof Uint16Array,
+      hides: !cutsSteps,
+      groups: functions !== undefined,
+    });
     const contribution = this.#contribution.get([this.#appearancesOf(labels)], () => {
       const { max } = this.#appearancesOf(labels);
       return (_low, _high, cell) => max[cell] > 0;
     });
-    const field: RayModule<'field'> = { ...text, stage: 'field', sparesRays: true, order: 1, contributes: () => contribution, inputs: () => this.#inputs(labels), twin: labelsTwin(labels, !cutsSteps) };
+    const field: RayModule<'field'> = {
+      ...text,
+      stage: 'field',
+      sparesRays: true,
+      order: 1,
+      contributes: () => contribution,
+      inputs: () => this.#inputs(labels),
+      twin: labelsTwin(labels, !cutsSteps),
+    };
     if (!cutsSteps) return [field];
     const frame = { volume: volume!, field: voxels!, optics: optics! };
-    return [field, ...(functions ? this.#functions!.modules({ functions, looks: this.#appearancesOf(labels) }, frame) : []), functions ? groupAppearances : labelAppearances];
+    return [
+      field,
+      ...(functions ? this.#functions!.modules({ functions, looks: this.#appearancesOf(labels) }, frame) : []),
+      functions ? groupAppearances : labelAppearances,
+    ];
   }
 
   /** How labels change the detail that rays could miss: see `SeenVolume`. */
-  more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>, lightFactor: number): Pick<SeenVolume, 'more' | 'functions'> | undefined {
+  more(
+    volume: Volume,
+    seen: Omit<SeenVolume, 'cells' | 'more'>,
+    lightFactor: number,
+  ): Pick<SeenVolume, 'more' | 'functions'> | undefined {
     const labels = this.#labelsOf(volume);
     if (!labels) return undefined;
     const { functions: own = [] } = labels;
@@ -131,7 +161,9 @@ export class LabelLayer {
   /** A radar's grid has no voxels to label. */
   #labelsOf(volume: Volume): ShownLabels | null {
     const labels = this.#shown;
-    return labels && !isPolar(volume) && labels.map.dimensions.every((n, axis) => n === volume.grid.dimensions[axis]) ? labels : null;
+    return labels && !isPolar(volume) && labels.map.dimensions.every((n, axis) => n === volume.grid.dimensions[axis])
+      ? labels
+      : null;
   }
 
   #appearancesOf({ styles }: ShownLabels): CellAppearances {
@@ -141,10 +173,16 @@ export class LabelLayer {
 
   #inputs({ styles }: ShownLabels): ProgramInputs {
     const { block, table } = this.#brought!;
-    const { uniforms: { uMosaic }, units: [unit] } = block.inputs();
+    const {
+      uniforms: { uMosaic },
+      units: [unit],
+    } = block.inputs();
     if (this.#applied !== styles) table.apply(styles);
     this.#applied = styles;
-    return joinInputs(table.inputs, { uniforms: uMosaic ? { uLabelMosaic: uMosaic } : {}, units: [{ ...unit, samplerName: 'uLabels' }] });
+    return joinInputs(table.inputs, {
+      uniforms: uMosaic ? { uLabelMosaic: uMosaic } : {},
+      units: [{ ...unit, samplerName: 'uLabels' }],
+    });
   }
 
   dispose(): void {

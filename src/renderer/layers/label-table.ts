@@ -42,10 +42,24 @@ export function* createLabelTable(gl: Gl, map: LabelMap, { maxTextureSize }: Dev
   upload(uniform, styleRows);
   return {
     inputs: {
-      uniforms: { uLabelTableRows: [styleRows, 1 / rows], uLabelCells: [...map.dimensions.map((n) => Math.ceil(n / edge)), 1 / edge] },
+      uniforms: {
+        uLabelTableRows: [styleRows, 1 / rows],
+        uLabelCells: [...map.dimensions.map((n) => Math.ceil(n / edge)), 1 / edge],
+      },
       units: [textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uLabelTable' })],
     },
-    apply: (styles) => upload(Float32Array.from(styles.flatMap(({ color: [red, green, blue], opacityFactor, group = 0 }) => [red + 2 * group, green, blue, Math.max(0, opacityFactor)])), 0),
+    apply: (styles) =>
+      upload(
+        Float32Array.from(
+          styles.flatMap(({ color: [red, green, blue], opacityFactor, group = 0 }) => [
+            red + 2 * group,
+            green,
+            blue,
+            Math.max(0, opacityFactor),
+          ]),
+        ),
+        0,
+      ),
     dispose: () => gl.deleteTexture(texture),
   };
 }

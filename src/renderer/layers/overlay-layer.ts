@@ -38,7 +38,11 @@ export class OverlayLayer {
   readonly #cells = new Kept<OverlayCells>();
   readonly #own = new Kept<{ readonly cells: Uint8Array | null }>();
 
-  constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders) {}
+  constructor(
+    readonly gl: Gl,
+    readonly device: Device,
+    readonly providers: FieldProviders,
+  ) {}
 
   get shown(): ShownOverlay | null {
     return this.#shown;
@@ -65,10 +69,17 @@ export class OverlayLayer {
     const { volume } = overlay;
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     if (!isPolar(volume)) await prepareCartesian(volume, this.device);
-    const second = isPolar(volume) && (await loadPart(this.providers.polar!().then((polar) => polar.second!()), 'shows a second moment'));
+    const second =
+      isPolar(volume) &&
+      (await loadPart(
+        this.providers.polar!().then((polar) => polar.second!()),
+        'shows a second moment',
+      ));
     if (this.#wanted !== overlay) return null;
     const upload = second ? second(this.gl, overlay, this.device) : this.#upload(volume);
-    return volume.samples.byteLength <= quickBytes ? finishUpload(upload) : uploadGradually(this.gl, upload, () => this.#wanted !== overlay);
+    return volume.samples.byteLength <= quickBytes
+      ? finishUpload(upload)
+      : uploadGradually(this.gl, upload, () => this.#wanted !== overlay);
   }
 
   *#upload(volume: Volume): Upload<SecondField> {
@@ -76,16 +87,27 @@ export class OverlayLayer {
     // If the device filters floats, it also filters floats with holes (missing data).
     const holes = hasNoData && samples instanceof Float32Array && this.device.floatLinear;
     const filter = holes || isFiltered(volume, this.device);
-    const packing = holes ? { texels: pairTexels(this.gl), pack: (some: Samples, scale: number) => weighFloats(some as Float32Array, scale) } : undefined;
+    const packing = holes
+      ? {
+          texels: pairTexels(this.gl),
+          pack: (some: Samples, scale: number) => weighFloats(some as Float32Array, scale),
+        }
+      : undefined;
     const block = yield* uploadBlock(this.gl, volume, { device: this.device, filterInShader: !filter, packing });
-    const { uniforms: { uMosaic }, units: [unit] } = block.inputs();
+    const {
+      uniforms: { uMosaic },
+      units: [unit],
+    } = block.inputs();
     const uniforms = { uOverlayDimensions: grid.dimensions, ...(uMosaic ? { uOverlayMosaic: uMosaic } : {}) };
     return {
       twins: overlayTwins,
       text: overlayText({ texture3d: this.device.webgl2, twoBytes: samples instanceof Uint16Array, filter, holes }),
       stored: { slope, intercept, storedScale: block.storedScale },
       foldFrom: Infinity,
-      inputs: (over) => ({ uniforms: { ...uniforms, uToOverlay: byColumn(toOverlay(over.grid, grid)) }, units: [{ ...unit, samplerName: 'uOverlay' }] }),
+      inputs: (over) => ({
+        uniforms: { ...uniforms, uToOverlay: byColumn(toOverlay(over.grid, grid)) },
+        units: [{ ...unit, samplerName: 'uOverlay' }],
+      }),
       dispose: block.dispose,
     };
   }
@@ -103,16 +125,32 @@ export class OverlayLayer {
     const shared = { sparesRays: true, order: 2 };
     const twins = field.twins(overlay);
     return [
-      { ...field.text, ...shared, stage: 'field', twin: twins.field, inputs: (frame) => joinInputs(field.inputs(frame.volume), { uniforms: { uOverlayDomain: [scale, from] }, units: [] }) },
       {
-        ...overlayAppearanceText({ color, tableFilter: this.device.floatLinear, folds }), ...shared, stage: 'shade', twin: twins.look,
-        inputs: (frame) => joinInputs(this.#tableOf(overlay, frame), {
-          uniforms: {
-            uOverlayFold: Math.min(largestFactor, foldFrom / (domain[1] - domain[0])),
-            ...(color ? { uOverlayWeight: 1 / fullColor, uOverlayMissing: overlay.missing ? [...overlay.missing, 1] : [0, 0, 0, 0] } : { uOverlayScale: scaleOf(overlay, frame) }),
-          },
-          units: [],
-        }),
+        ...field.text,
+        ...shared,
+        stage: 'field',
+        twin: twins.field,
+        inputs: (frame) =>
+          joinInputs(field.inputs(frame.volume), { uniforms: { uOverlayDomain: [scale, from] }, units: [] }),
+      },
+      {
+        ...overlayAppearanceText({ color, tableFilter: this.device.floatLinear, folds }),
+        ...shared,
+        stage: 'shade',
+        twin: twins.look,
+        inputs: (frame) =>
+          joinInputs(this.#tableOf(overlay, frame), {
+            uniforms: {
+              uOverlayFold: Math.min(largestFactor, foldFrom / (domain[1] - domain[0])),
+              ...(color
+                ? {
+                    uOverlayWeight: 1 / fullColor,
+                    uOverlayMissing: overlay.missing ? [...overlay.missing, 1] : [0, 0, 0, 0],
+                  }
+                : { uOverlayScale: scaleOf(overlay, frame) }),
+            },
+            units: [],
+          }),
       },
     ];
   }
@@ -120,11 +158,18 @@ export class OverlayLayer {
   #tableOf(overlay: ShownOverlay, { optics: { lightFactor } }: RayFrame): ProgramInputs {
     return this.#table.get([overlay.transferFunction, overlay.blend, lightFactor], (last) => {
       const { transferFunction } = overlay;
-      const table = buildPreintegrationTable(overlayColors(overlay, lightFactor), { columns: findColumns(transferFunction) ?? usualColumns, rows: preintegrationTableSize.rows });
+      const table = buildPreintegrationTable(overlayColors(overlay, lightFactor), {
+        columns: findColumns(transferFunction) ?? usualColumns,
+        rows: preintegrationTableSize.rows,
+      });
       const unit = uploadTable(this.gl, table, last?.units[0].texture ?? null);
       const filter = this.device.floatLinear ? this.gl.LINEAR : this.gl.NEAREST;
       return {
-        uniforms: { uOverlayTableSize: [table.columns, table.rows], uOverlayFirst: table.first, uOverlayLast: table.last },
+        uniforms: {
+          uOverlayTableSize: [table.columns, table.rows],
+          uOverlayFirst: table.first,
+          uOverlayLast: table.last,
+        },
         units: [{ ...unit, minFilter: filter, magFilter: filter, samplerName: 'uOverlayTable' }],
       };
     });
@@ -140,7 +185,9 @@ export class OverlayLayer {
     const overlay = this.over(volume);
     if (!overlay) return null;
     const cells = this.#cellsOf(volume, overlay);
-    return this.#own.get([cells, overlay.transferFunction, overlay.blend], () => ({ cells: shownByOverlay(cells, overlay) })).cells;
+    return this.#own.get([cells, overlay.transferFunction, overlay.blend], () => ({
+      cells: shownByOverlay(cells, overlay),
+    })).cells;
   }
 
   /** How the overlay changes the detail that rays could miss: see `SeenVolume`. @param lightFactor - of the picture */

@@ -11,7 +11,9 @@ import type { Optics } from '../ray/ray-module.ts';
 export interface MoreSeen {
   /** Keys: if one of these objects changes, `more` gives a different result. */
   readonly shown: readonly unknown[];
-  more(seen: SeenVolume): Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' | 'found' | 'style'> | undefined;
+  more(
+    seen: SeenVolume,
+  ): Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' | 'found' | 'style'> | undefined;
 }
 
 /** What can be seen of a layer's volume, macrocell by macrocell. It is computed again when the volume or its appearance changes. */
@@ -26,9 +28,16 @@ export class SeenInLayer {
    */
   find(volume: Volume, optics: Optics, contributions: readonly Contribution[], attached: MoreSeen): SeenVolume {
     const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
-    const cells = this.#cells.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
+    const cells = this.#cells.get([volume, ...contributions], () =>
+      findSeenCells(volume.macrocells, contributions, volume),
+    );
     return this.#seen.get([cells, optics, ...attached.shown], () => {
-      const seen = { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
+      const seen = {
+        volume,
+        cells,
+        transferFunction: brighten(transferFunction, lightFactor),
+        opticalScale: opacityFactor / referenceLength,
+      };
       return { ...seen, ...attached.more(seen) };
     });
   }

@@ -28,7 +28,17 @@ import { boxModule } from '../ray/modules/box.ts';
 import { cartesianProvider, loadCartesianChunks, prepareCartesian } from '../ray/modules/cartesian-field.ts';
 import { createComposite } from '../ray/modules/composite.ts';
 import { createTransferFunction } from '../ray/modules/transfer-function.ts';
-import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, Surfaces, SurfacesModule } from '../ray/ray-module.ts';
+import type {
+  FieldModule,
+  FieldProvider,
+  Optics,
+  RayCut,
+  RayFrame,
+  RayModule,
+  SliceModule,
+  Surfaces,
+  SurfacesModule,
+} from '../ray/ray-module.ts';
 import type { RayTwins } from '../ray/ray-twin.ts';
 import type { StyleModules } from '../ray/styles/styles.ts';
 import { SeenInLayer } from './seen-in-layer.ts';
@@ -72,7 +82,11 @@ export class VolumeLayer {
   /** How steps are cut. */
   substeps: Substeps = allSubsteps;
 
-  constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders = {}) {
+  constructor(
+    readonly gl: Gl,
+    readonly device: Device,
+    readonly providers: FieldProviders = {},
+  ) {
     if (!device.webgl2) loadCartesianChunks().catch(() => {}); // The first volume waits for the same part, and reports the failure.
     this.#usual = [boxModule, createTransferFunction(gl), createComposite(gl, device)];
   }
@@ -108,7 +122,12 @@ export class VolumeLayer {
    */
   async setStyle(style: RayStyle | null): Promise<void> {
     const call = ++this.#styleCalls;
-    const made = style && (await loadPart(import('../ray/styles/styles.ts').then(({ createStyle }) => createStyle(style, this)), 'draws projections and light'));
+    const made =
+      style &&
+      (await loadPart(
+        import('../ray/styles/styles.ts').then(({ createStyle }) => createStyle(style, this)),
+        'draws projections and light',
+      ));
     if (call !== this.#styleCalls) return made?.dispose();
     this.#style?.dispose();
     this.#style = made;
@@ -137,7 +156,8 @@ export class VolumeLayer {
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     if (!isPolar(volume)) await prepareCartesian(volume, this.device);
-    if (volume.isDiscrete) this.#discrete = (await loadPart(import('./label-layer.ts'), 'shows labels')).discreteProvider;
+    if (volume.isDiscrete)
+      this.#discrete = (await loadPart(import('./label-layer.ts'), 'shows labels')).discreteProvider;
     const { polar } = this.providers;
     if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
   }
@@ -156,7 +176,9 @@ export class VolumeLayer {
   async bring(volume: Volume, givenUp: () => boolean): Promise<boolean> {
     const upload = this.#upload(volume);
     // The context may have been lost long before, while the volume was loading: the gradual upload finds that out too.
-    const slow = (volume.samples.byteLength > quickBytes || this.gl.isContextLost()) && (await loadPart(import('../textures/upload-gradually.ts'), 'uploads large volumes'));
+    const slow =
+      (volume.samples.byteLength > quickBytes || this.gl.isContextLost()) &&
+      (await loadPart(import('../textures/upload-gradually.ts'), 'uploads large volumes'));
     const field = slow ? await slow.uploadGradually(this.gl, upload, givenUp) : finishUpload(upload);
     if (field) this.#replace(volume, field);
     return field !== null;
@@ -184,8 +206,18 @@ export class VolumeLayer {
    * @param looks - whether rays search for values at which the volume suddenly becomes opaque: they do where steps are cut, as at rest
    */
   modules(surfaces: boolean, looks = isCut(this.substeps)): readonly RayModule[] {
-    const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
-    const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying(looks)];
+    const ends = [
+      ...(surfaces ? [this.surfacesModule!] : []),
+      ...this.cuts.map((cut) => this.#moduleOf(cut)),
+      ...this.#slicesOf(this.#volume!),
+    ];
+    const own = [
+      this.#field!,
+      ...this.#usual.slice(0, 1),
+      ...ends,
+      ...this.#usual.slice(1),
+      ...this.#classifying(looks),
+    ];
     const attached = chooseModules([...own, ...(this.#attached?.modules(this) ?? [])]);
     const all = this.#attached?.fit(attached) ?? attached;
     return chooseModules([...all, ...(this.#style?.modules(all) ?? []), ...this.#given]);
@@ -197,7 +229,12 @@ export class VolumeLayer {
    */
   twins(surfaces: boolean, looks?: boolean): RayTwins | null {
     if (!this.#volume || !this.#optics) return null;
-    const modules = this.modules(surfaces, looks).map(({ name, stage, members, twin }) => ({ name, stage, members, twin }));
+    const modules = this.modules(surfaces, looks).map(({ name, stage, members, twin }) => ({
+      name,
+      stage,
+      members,
+      twin,
+    }));
     return { volume: this.#volume, optics: this.#optics, modules };
   }
 
@@ -213,7 +250,9 @@ export class VolumeLayer {
   /** Modules that replace the usual table if it can't hold the transfer function. */
   #classifying(looks: boolean): readonly RayModule[] {
     const optics = this.#optics;
-    return !optics || this.#isUsual(optics) ? [] : this.#classifiers!.modulesFor(this.#volume!, this.#field!, optics, looks);
+    return !optics || this.#isUsual(optics)
+      ? []
+      : this.#classifiers!.modulesFor(this.#volume!, this.#field!, optics, looks);
   }
 
   #slicesOf(volume: Volume): SliceModule[] {
@@ -236,7 +275,10 @@ export class VolumeLayer {
   program(surfaces: boolean): RayProgram {
     const modules = this.modules(surfaces);
     const { webgl2, quadPoints } = this.device;
-    const adaptive = quadPoints && modules.every(({ sparesRays }) => sparesRays) && listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2);
+    const adaptive =
+      quadPoints &&
+      modules.every(({ sparesRays }) => sparesRays) &&
+      listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2);
     return { webgl2, adaptive, substeps: this.substeps.max > 1 && !modules.some(({ walk }) => walk), modules };
   }
 
@@ -281,7 +323,11 @@ export class VolumeLayer {
 
   #contributions(modules: readonly RayModule[]): readonly Contribution[] {
     const own = this.#style?.contributions?.(modules, this.optics!);
-    const all = own ?? modules.map((module) => module.contributes?.(this.optics!)).filter((one): one is Contribution => one !== undefined);
+    const all =
+      own ??
+      modules
+        .map((module) => module.contributes?.(this.optics!))
+        .filter((one): one is Contribution => one !== undefined);
     return this.#attached?.widen(this.#volume!, all) ?? all;
   }
 
@@ -323,6 +369,14 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#style, this.#classifiers, this.#attached]) module?.dispose?.();
+    for (const module of [
+      ...this.#usual,
+      this.#slices,
+      ...this.#cutting.values(),
+      this.#style,
+      this.#classifiers,
+      this.#attached,
+    ])
+      module?.dispose?.();
   }
 }

@@ -61,11 +61,18 @@ export class DepthJumps {
   }
 
   /** @param depth - inputs that give the depth of the shapes that end rays: uniforms of the lattice, and the texture */
-  draw(rays: RaySetup, { lattice, depths, picture, stepLength }: Surfaces, depth: ProgramInputs): readonly TextureUnit[] {
+  draw(
+    rays: RaySetup,
+    { lattice, depths, picture, stepLength }: Surfaces,
+    depth: ProgramInputs,
+  ): readonly TextureUnit[] {
     const target = (this.#last = this.#targetOf(lattice.stride));
     target.resize(Math.ceil(lattice.width / 2), Math.ceil(lattice.height / 2));
     const { solid, solidBounds, bounds } = depths;
-    const uniforms = { ...rayUniforms(raysOfLattice(rays, picture, lattice), lattice, stepLength), uSolids: Number(solidBounds !== null) };
+    const uniforms = {
+      ...rayUniforms(raysOfLattice(rays, picture, lattice), lattice, stepLength),
+      uSolids: Number(solidBounds !== null),
+    };
     const solids = { uniforms, units: [{ ...solid.units[0], samplerName: 'uSolidDepth' }] };
     const part = quadsWithin(rays.bounds, lattice.isCoarse ? solidBounds : bounds, { lattice, picture });
     const { gl } = this;
@@ -89,7 +96,8 @@ export class DepthJumps {
 
   #targetOf(stride: number): DrawTarget {
     let target = this.#targets.get(stride);
-    if (!target) this.#targets.set(stride, (target = new DrawTarget(this.gl, [bytesAttachment(this.gl, 'uDepthJumps')])));
+    if (!target)
+      this.#targets.set(stride, (target = new DrawTarget(this.gl, [bytesAttachment(this.gl, 'uDepthJumps')])));
     return target;
   }
 
@@ -102,11 +110,17 @@ export class DepthJumps {
 
 /** The quads of a lattice that touch both rectangles of the picture: left, bottom, width and height. */
 function quadsWithin(
-  volume: DeviceRectangle, shapes: DeviceRectangle | null, { lattice: { stride }, picture }: Pick<Surfaces, 'lattice' | 'picture'>,
+  volume: DeviceRectangle,
+  shapes: DeviceRectangle | null,
+  { lattice: { stride }, picture }: Pick<Surfaces, 'lattice' | 'picture'>,
 ): readonly [number, number, number, number] {
   if (!shapes) return [0, 0, 0, 0];
   const quad = (device: number, pixels: number): number => (((device + 1) / 2) * pixels) / (2 * stride);
-  const from = [0, 1].map((axis) => Math.max(0, Math.floor(quad(Math.max(volume[axis], shapes[axis]), axis ? picture.height : picture.width)) - 1));
-  const to = [2, 3].map((axis) => Math.ceil(quad(Math.min(volume[axis], shapes[axis]), axis === 3 ? picture.height : picture.width)));
+  const from = [0, 1].map((axis) =>
+    Math.max(0, Math.floor(quad(Math.max(volume[axis], shapes[axis]), axis ? picture.height : picture.width)) - 1),
+  );
+  const to = [2, 3].map((axis) =>
+    Math.ceil(quad(Math.min(volume[axis], shapes[axis]), axis === 3 ? picture.height : picture.width)),
+  );
   return [from[0], from[1], Math.max(0, to[0] - from[0]), Math.max(0, to[1] - from[1])];
 }

@@ -33,12 +33,18 @@ export class EdgeRays implements EdgeDrawing {
 
   mix(number: number, { program, inputs, firstRow, rows }: EdgeCast): void {
     // Draw only the quads of these rows: the GPU would spend time on quads of other rows too, although they are clipped.
-    const [first, end] = [Math.floor(firstRow / 2), Math.ceil((firstRow + rows) / 2)].map((row) => this.#quads.findIndex((quad) => quad >= row * this.#columns));
+    const [first, end] = [Math.floor(firstRow / 2), Math.ceil((firstRow + rows) / 2)].map((row) =>
+      this.#quads.findIndex((quad) => quad >= row * this.#columns),
+    );
     const [from, to] = [first, end].map((index) => (index < 0 ? this.#quads.length : index));
     if (from === to) return;
     const { gl } = this;
     const quads = { uQuads: [this.#columns, this.#rows], uFirstQuadRow: 0, uMaxCurvature: -1 };
-    useProgram(gl, program, joinInputs(inputs, { uniforms: this.#asPoints ? quads : { uBounds: [-1, -1, 1, 1] }, units: [] }));
+    useProgram(
+      gl,
+      program,
+      joinInputs(inputs, { uniforms: this.#asPoints ? quads : { uBounds: [-1, -1, 1, 1] }, units: [] }),
+    );
     gl.viewport(0, 0, 2 * this.#columns, 2 * this.#rows);
     gl.enable(gl.BLEND);
     gl.blendEquation(gl.FUNC_ADD);
@@ -62,7 +68,10 @@ function triangles(quads: Float32Array, columns: number, rows: number): Float32A
   const places = new Float32Array(12 * quads.length);
   quads.forEach((quad, i) => {
     const [left, bottom] = [quad % columns, Math.floor(quad / columns)];
-    const [x, y] = [[left, left + 1], [bottom, bottom + 1]].map((ends, axis) => ends.map((end) => end / (axis ? rows : columns) - 0.5));
+    const [x, y] = [
+      [left, left + 1],
+      [bottom, bottom + 1],
+    ].map((ends, axis) => ends.map((end) => end / (axis ? rows : columns) - 0.5));
     places.set([x[0], y[0], x[1], y[0], x[0], y[1], x[1], y[0], x[1], y[1], x[0], y[1]], 12 * i);
   });
   return places;

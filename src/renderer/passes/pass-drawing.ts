@@ -69,7 +69,12 @@ export class PassDrawing {
    * @param picture - pixels of the whole picture
    * @param part - rows from the bottom; all where absent
    */
-  draw(pass: Pass, caster: Caster, picture: Size, part: { readonly firstRow: number; readonly rows: number } = { firstRow: 0, rows: pass.height }): void {
+  draw(
+    pass: Pass,
+    caster: Caster,
+    picture: Size,
+    part: { readonly firstRow: number; readonly rows: number } = { firstRow: 0, rows: pass.height },
+  ): void {
     const { gl } = this;
     // Compile the program that shows the picture first: later, the page would wait until the GPU has drawn the rays.
     this.#program('gathered');
@@ -94,7 +99,10 @@ export class PassDrawing {
       gl.enable(gl.BLEND);
       gl.blendEquation(gl.FUNC_ADD);
       gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-      this.drawCorners(this.#program('gathered'), { uniforms: { uGatheredPixel: [1 / width, 1 / height] }, units: picture.units });
+      this.drawCorners(this.#program('gathered'), {
+        uniforms: { uGatheredPixel: [1 / width, 1 / height] },
+        units: picture.units,
+      });
     });
   }
 
@@ -114,7 +122,12 @@ export class PassDrawing {
   }
 
   /** Interpolate all pixels, then draw rays over the pixels with more curvature. */
-  #drawBetween(half: DrawTarget, { program, inputs, maxCurvature }: Caster, { width, height }: Size, { firstRow, rows }: { firstRow: number; rows: number }): void {
+  #drawBetween(
+    half: DrawTarget,
+    { program, inputs, maxCurvature }: Caster,
+    { width, height }: Size,
+    { firstRow, rows }: { firstRow: number; rows: number },
+  ): void {
     const { gl } = this;
     const place = { uHalfPixel: [1 / half.width, 1 / half.height] };
     this.drawCorners(this.#program('between'), { uniforms: place, units: half.units });
@@ -147,7 +160,8 @@ export class PassDrawing {
 
   #program(name: PictureProgram): WebGLProgram {
     let program = this.#programs.get(name);
-    if (!program) this.#programs.set(name, (program = compileProgram(this.gl, composePictureShader(name, isWebGl2(this.gl)))));
+    if (!program)
+      this.#programs.set(name, (program = compileProgram(this.gl, composePictureShader(name, isWebGl2(this.gl)))));
     return program;
   }
 

@@ -24,7 +24,13 @@ export type EdgeProgram = 'otherSides' | 'shapeEdges';
 
 export function composeShapeEdges(webgl2: boolean, program: EdgeProgram): ShaderTexts {
   const defines = { FRAGMENT_DEPTH: webgl2 ? 'gl_FragDepth' : 'gl_FragDepthEXT' };
-  const fragment = composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, [interval, ray, sceneDepth, edgeSplit, { otherSides, shapeEdges }[program]]);
+  const fragment = composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, [
+    interval,
+    ray,
+    sceneDepth,
+    edgeSplit,
+    { otherSides, shapeEdges }[program],
+  ]);
   return {
     vertex: composeStage({ webgl2, stage: 'VERTEX_STAGE' }, [wholePicture]),
     fragment: webgl2 ? fragment : `#extension GL_EXT_frag_depth : enable\n${fragment}`,
@@ -44,7 +50,10 @@ export class ShapeEdges {
   /** Whether both targets belong to the present picture. */
   #hasOthers = false;
 
-  private constructor(readonly gl: Gl, depthTarget: (gl: Gl) => DrawTarget) {
+  private constructor(
+    readonly gl: Gl,
+    depthTarget: (gl: Gl) => DrawTarget,
+  ) {
     this.#passes = new PassDrawing(gl);
     this.#others = new DrawTarget(gl, [bytesAttachment(gl, 'uOtherSides')]);
     this.#ends = depthTarget(gl);
@@ -78,7 +87,10 @@ export class ShapeEdges {
       gl.enable(gl.DEPTH_TEST);
       gl.depthMask(true);
       gl.depthFunc(gl.ALWAYS);
-      this.#passes.drawCorners(this.#program('otherSides'), joinInputs(depth, { uniforms: { uMinJump: minJump }, units: [] }));
+      this.#passes.drawCorners(
+        this.#program('otherSides'),
+        joinInputs(depth, { uniforms: { uMinJump: minJump }, units: [] }),
+      );
       gl.depthFunc(gl.LEQUAL);
     });
     const over: Pass['over'] = {
@@ -120,8 +132,23 @@ export class ShapeEdges {
       gl.depthMask(false);
       for (const side of [0, 1]) {
         gl.depthFunc(side ? gl.LESS : gl.GEQUAL);
-        const uniforms = { uGatheredPixel: [1 / width, 1 / height], uMinJump: minJump, uFarSide: side, uHasOtherSides: Number(this.#hasOthers) };
-        this.#passes.drawCorners(this.#program('shapeEdges'), joinInputs(depth, { uniforms, units: [...picture.units, { ...others.units[0], samplerName: 'uOtherSides' }, { ...split, samplerName: 'uSplitPixels' }] }));
+        const uniforms = {
+          uGatheredPixel: [1 / width, 1 / height],
+          uMinJump: minJump,
+          uFarSide: side,
+          uHasOtherSides: Number(this.#hasOthers),
+        };
+        this.#passes.drawCorners(
+          this.#program('shapeEdges'),
+          joinInputs(depth, {
+            uniforms,
+            units: [
+              ...picture.units,
+              { ...others.units[0], samplerName: 'uOtherSides' },
+              { ...split, samplerName: 'uSplitPixels' },
+            ],
+          }),
+        );
       }
       gl.depthMask(true); // Without this, the next frame's depth would not be cleared.
     });
@@ -129,7 +156,8 @@ export class ShapeEdges {
 
   #program(name: EdgeProgram): WebGLProgram {
     let program = this.#programs.get(name);
-    if (!program) this.#programs.set(name, (program = compileProgram(this.gl, composeShapeEdges(isWebGl2(this.gl), name))));
+    if (!program)
+      this.#programs.set(name, (program = compileProgram(this.gl, composeShapeEdges(isWebGl2(this.gl), name))));
     return program;
   }
 
@@ -142,8 +170,16 @@ export class ShapeEdges {
 }
 
 /** The pixels of a part of a picture: left, bottom, right and top. */
-function pixelsOf([left, bottom, right, top]: DeviceRectangle, { width, height }: Size): readonly [number, number, number, number] {
+function pixelsOf(
+  [left, bottom, right, top]: DeviceRectangle,
+  { width, height }: Size,
+): readonly [number, number, number, number] {
   const pixel = (device: number, pixels: number): number => ((device + 1) / 2) * pixels;
   const [x, y] = [Math.max(0, Math.floor(pixel(left, width))), Math.max(0, Math.floor(pixel(bottom, height)))];
-  return [x, y, Math.max(x, Math.min(width, Math.ceil(pixel(right, width)))), Math.max(y, Math.min(height, Math.ceil(pixel(top, height))))];
+  return [
+    x,
+    y,
+    Math.max(x, Math.min(width, Math.ceil(pixel(right, width)))),
+    Math.max(y, Math.min(height, Math.ceil(pixel(top, height)))),
+  ];
 }

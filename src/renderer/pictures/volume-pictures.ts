@@ -45,7 +45,10 @@ export class VolumePictures {
   #coarse: CoarsePictures | null = null;
   #probe: DrawTarget | null | undefined;
 
-  constructor(readonly gl: Gl, readonly layer: CastLayer) {
+  constructor(
+    readonly gl: Gl,
+    readonly layer: CastLayer,
+  ) {
     this.#passes = new PassDrawing(gl);
   }
 
@@ -66,7 +69,10 @@ export class VolumePictures {
     const { program, view, picture, stepLength, maxCurvature } = cast;
     const depths = pass.depths ?? cast.depths;
     const rays = castableRays(this.layer, view);
-    const inputs = this.layer.inputs(rays, depths && { depths, projection: view.projection, picture, lattice: pass, stepLength });
+    const inputs = this.layer.inputs(
+      rays,
+      depths && { depths, projection: view.projection, picture, lattice: pass, stepLength },
+    );
     this.#passes.draw(pass, { program, inputs, rays, stepLength, maxCurvature }, picture, rows);
   }
 
@@ -117,6 +123,7 @@ function edgePasses(whole: Pass, { edges, edgeCurvature, asPoints }: SmoothEdges
 /** @throws {VolumeViewError} `format/corrupt` where no ray can cross the volume */
 export function castableRays(layer: Pick<CastLayer, 'raysOf'>, view: View): RaySetup {
   const rays = layer.raysOf(view);
-  if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
+  if (!rays)
+    throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
   return rays;
 }

@@ -34,7 +34,9 @@ let twoByteLinear: Promise<boolean> | null = null;
 /** Await it before drawing a volume of 16 bits; else the shader filters that volume. Loads the probe, once a page. */
 export async function askTwoByteFilter(device: Device): Promise<void> {
   if (!device.webgl2) return;
-  twoByteLinear ??= import('./probe-filter.ts').then(({ probeTwoByteFilter }) => inSpareContext(probeTwoByteFilter)).catch(() => false);
+  twoByteLinear ??= import('./probe-filter.ts')
+    .then(({ probeTwoByteFilter }) => inSpareContext(probeTwoByteFilter))
+    .catch(() => false);
   device.twoByteLinear = await twoByteLinear;
 }
 
@@ -48,14 +50,25 @@ function getContext(canvas: HTMLCanvasElement): Gl | null {
 export function describe(gl: Gl): Device {
   const webgl2 = isWebGl2(gl);
   const highp = gl.getShaderPrecisionFormat(gl.FRAGMENT_SHADER, gl.HIGH_FLOAT);
-  const lack = !highp || highp.precision < 23 ? 'no highp floats' : !webgl2 && !gl.getExtension('OES_texture_float') ? 'no float textures' : '';
-  if (lack) throw new VolumeViewError('webgl/unsupported', `WebGL has ${lack} here, which a correct picture needs. Update the browser, or use another browser or device.`);
+  const lack =
+    !highp || highp.precision < 23
+      ? 'no highp floats'
+      : !webgl2 && !gl.getExtension('OES_texture_float')
+        ? 'no float textures'
+        : '';
+  if (lack)
+    throw new VolumeViewError(
+      'webgl/unsupported',
+      `WebGL has ${lack} here, which a correct picture needs. Update the browser, or use another browser or device.`,
+    );
   const floatLinear = gl.getExtension('OES_texture_float_linear') !== null;
   return {
     webgl2,
     maxTextureSize: gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
     max3dTextureSize: isWebGl2(gl) ? (gl.getParameter(gl.MAX_3D_TEXTURE_SIZE) as number) : 0,
     floatLinear,
-    quadPoints: (gl.getParameter(gl.MAX_VERTEX_TEXTURE_IMAGE_UNITS) as number) > 1 && (gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] >= 2,
+    quadPoints:
+      (gl.getParameter(gl.MAX_VERTEX_TEXTURE_IMAGE_UNITS) as number) > 1 &&
+      (gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] >= 2,
   };
 }

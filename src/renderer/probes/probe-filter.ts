@@ -30,7 +30,17 @@ export function probeTwoByteFilter(gl: Gl): boolean {
   const source = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, source);
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RG8, 2, 1, 0, gl.RG, gl.UNSIGNED_BYTE, new Uint8Array(new Uint16Array([low, high]).buffer));
+  gl.texImage2D(
+    gl.TEXTURE_2D,
+    0,
+    gl.RG8,
+    2,
+    1,
+    0,
+    gl.RG,
+    gl.UNSIGNED_BYTE,
+    new Uint8Array(new Uint16Array([low, high]).buffer),
+  );
   for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.LINEAR);
   for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
   const target = gl.createRenderbuffer();

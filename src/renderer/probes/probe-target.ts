@@ -11,7 +11,9 @@ export function createProbeTarget(gl: Gl): DrawTarget | null {
   const blendable = gl.getExtension('EXT_float_blend') !== null;
   if (!drawable || (!blendable && !isWebGl2(gl))) return null;
   const internal = isWebGl2(gl) ? (blendable ? gl.RGBA32F : gl.RGBA16F) : gl.RGBA;
-  return new DrawTarget(gl, [{ point: gl.COLOR_ATTACHMENT0, internal, format: gl.RGBA, type: gl.FLOAT, samplerName: 'uProbe' }]);
+  return new DrawTarget(gl, [
+    { point: gl.COLOR_ATTACHMENT0, internal, format: gl.RGBA, type: gl.FLOAT, samplerName: 'uProbe' },
+  ]);
 }
 
 /** Read the pixels of a float target: RGBA, premultiplied, 0..1, bottom row first. Binds its framebuffer. */

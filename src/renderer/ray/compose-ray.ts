@@ -43,7 +43,9 @@ export interface RayProgram {
 
 /** A key that is different for different programs. */
 export function programKey({ webgl2, adaptive, substeps, modules }: RayProgram): string {
-  const keys = modules.map(({ name, defines }) => [name, ...Object.entries(defines).map(([option, value]) => `${option}=${value}`)].join(' '));
+  const keys = modules.map(({ name, defines }) =>
+    [name, ...Object.entries(defines).map(([option, value]) => `${option}=${value}`)].join(' '),
+  );
   return [webgl2 ? 2 : 1, ...(adaptive ? ['adaptive'] : []), ...(substeps ? ['substeps'] : []), ...keys].join('; ');
 }
 
@@ -55,26 +57,51 @@ export function composeRay(program: RayProgram): ShaderTexts {
   checkModules(program);
   const { webgl2, substeps, modules } = program;
   const cutting = substeps ? substepPart() : null;
-  const defines = Object.assign({ MAX_SAMPLES: maxSteps * maxSubsteps }, cutting?.defines, ...modules.map((module) => module.defines)) as Defines;
+  const defines = Object.assign(
+    { MAX_SAMPLES: maxSteps * maxSubsteps },
+    cutting?.defines,
+    ...modules.map((module) => module.defines),
+  ) as Defines;
   const of = (stage: StageName): RayText[] => modules.filter((module) => module.stage === stage);
   const chunksOf = (stage: StageName): readonly string[] => of(stage).flatMap(({ chunks }) => chunks);
   const chunks = new Set([
     ...fieldChunks(modules),
-    interval, ray, segment, ...(cutting ? [cutting.count] : []), ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
+    interval,
+    ray,
+    segment,
+    ...(cutting ? [cutting.count] : []),
+    ...chunksOf('classify'),
+    ...chunksOf('shade'),
+    shadeChain(of('shade')),
     // Interval chunks come after the classify chunks, because a slice at a ray's end may have to be classified too.
-    ...chunksOf('interval'), intervalChain(of('interval')),
-    walk, cells, ...chunksOf('gather'), of('gather')[0].walk ?? cutting?.walk ?? walkSteps,
+    ...chunksOf('interval'),
+    intervalChain(of('interval')),
+    walk,
+    cells,
+    ...chunksOf('gather'),
+    of('gather')[0].walk ?? cutting?.walk ?? walkSteps,
   ]);
-  return { vertex: composeRays(program), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, readUniformsOnce([...chunks], rayCaster)) };
+  return {
+    vertex: composeRays(program),
+    fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, readUniformsOnce([...chunks], rayCaster)),
+  };
 }
 
 /** Compose the vertex shader of a program that casts rays. */
 export function composeRays({ webgl2, adaptive, modules }: Omit<RayProgram, 'substeps'>): string {
   const texts = adaptive ? modules.flatMap((module) => module.between ?? []) : [];
   const needs = texts.map(({ needsRays }) => needsRays).join(' || ');
-  const defines = Object.assign({ ADAPTIVE: Number(adaptive) }, needs && { NEEDS_RAYS: needs }, ...texts.map((text) => text.defines)) as Defines;
+  const defines = Object.assign(
+    { ADAPTIVE: Number(adaptive) },
+    needs && { NEEDS_RAYS: needs },
+    ...texts.map((text) => text.defines),
+  ) as Defines;
   const chunks = new Set(texts.flatMap((text) => text.chunks));
-  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines }, [...(adaptive ? [betweenPixels] : []), ...chunks, raysOfPixels]);
+  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines }, [
+    ...(adaptive ? [betweenPixels] : []),
+    ...chunks,
+    raysOfPixels,
+  ]);
 }
 
 /** The chunks up to the function `sampleField`, which is included. */
@@ -84,9 +111,15 @@ export function fieldChunks(modules: readonly RayText[]): string[] {
 }
 
 /** The samplers of a program, including those of its vertex shader. If `substeps` is absent, it counts as true. */
-export function listSamplers({ adaptive, substeps = true, modules }: Pick<RayProgram, 'adaptive' | 'modules'> & Partial<RayProgram>): string[] {
+export function listSamplers({
+  adaptive,
+  substeps = true,
+  modules,
+}: Pick<RayProgram, 'adaptive' | 'modules'> & Partial<RayProgram>): string[] {
   const between = adaptive ? ['uHalfPicture', ...modules.flatMap((module) => module.between?.samplers ?? [])] : [];
-  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...(substeps ? ['uSubstepTable'] : []), ...between])];
+  return [
+    ...new Set([...modules.flatMap(({ samplers }) => samplers), ...(substeps ? ['uSubstepTable'] : []), ...between]),
+  ];
 }
 
 function checkModules(program: RayProgram): void {
@@ -97,6 +130,8 @@ function checkModules(program: RayProgram): void {
   const samplers = listSamplers(program);
   const max = maxSamplers(program.webgl2);
   if (samplers.length > max) {
-    throw new TypeError(`the program got ${samplers.length} samplers (${samplers.join(', ')}); expected ${max} at most`);
+    throw new TypeError(
+      `the program got ${samplers.length} samplers (${samplers.join(', ')}); expected ${max} at most`,
+    );
   }
 }

@@ -16,7 +16,13 @@ export interface TwinWalk {
 const order: readonly StageName[] = ['field', 'interval', 'classify', 'shade', 'gather'];
 
 /** The parts of `TwinStages` that modules of each stage may add to. */
-const own: Record<StageName, readonly (keyof TwinStages)[]> = { field: ['field', 'moreFields'], interval: ['intervals'], classify: ['classify'], shade: ['shades'], gather: ['gather'] };
+const own: Record<StageName, readonly (keyof TwinStages)[]> = {
+  field: ['field', 'moreFields'],
+  interval: ['intervals'],
+  classify: ['classify'],
+  shade: ['shades'],
+  gather: ['gather'],
+};
 
 /** The stages before any module has added to them. */
 const nothing: Partial<TwinStages> = { intervals: [], moreFields: [], shades: [] };
@@ -30,22 +36,37 @@ export async function loadTwins({ modules }: Pick<RayTwins, 'modules'>, frame: T
  * Compose the stages of a picture's rays in float64, from the twins of the modules that draw the picture.
  * @throws {TypeError} if no module of a stage has a twin, or if a twin gives parts of a stage that is not its module's stage
  */
-export function composeTwins({ modules }: Pick<RayTwins, 'modules'>, frame: TwinFrame, { stepLength, maxSubsteps, minSubsteps }: TwinWalk): RayStages {
+export function composeTwins(
+  { modules }: Pick<RayTwins, 'modules'>,
+  frame: TwinFrame,
+  { stepLength, maxSubsteps, minSubsteps }: TwinWalk,
+): RayStages {
   const first = modules.filter(isFirst);
-  const sorted = [...first, ...order.flatMap((stage) => modules.filter((module) => module.stage === stage && !first.includes(module)))];
+  const sorted = [
+    ...first,
+    ...order.flatMap((stage) => modules.filter((module) => module.stage === stage && !first.includes(module))),
+  ];
   const all = sorted.reduce((before, module) => join(before, partsOf(module, frame, before)), nothing as TwinStages);
   for (const stage of ['field', 'classify', 'gather'] as const) {
-    if (!all[stage]) throw new TypeError(`no module of the stage ${stage} has a twin: ${modules.map(({ name }) => name).join(', ')}`);
+    if (!all[stage])
+      throw new TypeError(`no module of the stage ${stage} has a twin: ${modules.map(({ name }) => name).join(', ')}`);
   }
   const { rays } = frame;
   return { ...all, eyeT: rays.eyeT, step: stepLength / rays.diameter, maxSubsteps, minSubsteps };
 }
 
 /** A twin may give only parts of its module's own stage: else modules would act in another order than on the GPU. */
-function partsOf({ name, stage, twin }: RayTwins['modules'][number], frame: TwinFrame, before: TwinStages): Partial<TwinStages> {
+function partsOf(
+  { name, stage, twin }: RayTwins['modules'][number],
+  frame: TwinFrame,
+  before: TwinStages,
+): Partial<TwinStages> {
   const parts = twin?.parts(frame, before) ?? {};
   const other = (Object.keys(parts) as (keyof TwinStages)[]).find((key) => !own[stage].includes(key));
-  if (other) throw new TypeError(`the twin of ${name} got "${other}"; expected what the stage ${stage} has: ${own[stage].join(' or ')}`);
+  if (other)
+    throw new TypeError(
+      `the twin of ${name} got "${other}"; expected what the stage ${stage} has: ${own[stage].join(' or ')}`,
+    );
   return parts;
 }
 
@@ -54,7 +75,10 @@ function isFirst({ stage, members }: RayTwins['modules'][number]): boolean {
   return stage === 'field' && !members;
 }
 
-function join(before: TwinStages, { intervals = [], moreFields = [], shades = [], ...single }: Partial<TwinStages>): TwinStages {
+function join(
+  before: TwinStages,
+  { intervals = [], moreFields = [], shades = [], ...single }: Partial<TwinStages>,
+): TwinStages {
   return {
     ...before,
     ...single,

@@ -41,7 +41,10 @@ export function partOf<T, P>(from: Later<T>, choose: (code: T) => P): Later<P> {
  * Make the twin of a module. Call it outside of functions that have a WebGL context in scope: a twin must not keep a context alive.
  * @param parts - called with the loaded code
  */
-export function twinOf<T>(from: Later<T>, parts: (code: T, frame: TwinFrame, before: TwinStages) => Partial<TwinStages>): RayTwin {
+export function twinOf<T>(
+  from: Later<T>,
+  parts: (code: T, frame: TwinFrame, before: TwinStages) => Partial<TwinStages>,
+): RayTwin {
   return { load: from.load, parts: (frame, before) => parts(from.code, frame, before) };
 }
 

@@ -12,10 +12,15 @@ export function readUniformsOnce(chunks: readonly string[], main: string): strin
   const all = [...chunks, main];
   const names = new Set(all.flatMap((chunk) => [...chunk.matchAll(declared)].map(([, , name]) => name)));
   for (const [, name] of all.join('\n').matchAll(/\bu([A-Z]\w*)\[/g)) names.delete(name); // The code indexes this uniform, so it has to stay in memory.
-  const hold = (chunk: string): string => chunk
-    .replace(/\bu([A-Z]\w*)/g, (read, name: string) => (names.has(name) ? `held${name}` : read))
-    .replace(/\buniform (\w+) held(\w+);/g, 'uniform $1 u$2;\n$1 held$2;\n#define HOLDS_$2\n');
+  const hold = (chunk: string): string =>
+    chunk
+      .replace(/\bu([A-Z]\w*)/g, (read, name: string) => (names.has(name) ? `held${name}` : read))
+      .replace(/\buniform (\w+) held(\w+);/g, 'uniform $1 u$2;\n$1 held$2;\n#define HOLDS_$2\n');
   // The options (defines) of the chunks decide which uniforms a program declares.
   const copies = [...names].map((name) => `#ifdef HOLDS_${name}\n  held${name} = u${name};\n#endif\n`).join('');
-  return all.map(hold).map((text, i) => (i === chunks.length ? text.replace(/\bvoid main\(\) ?\{/, (begin) => `${begin}\n${copies}`) : text));
+  return all
+    .map(hold)
+    .map((text, i) =>
+      i === chunks.length ? text.replace(/\bvoid main\(\) ?\{/, (begin) => `${begin}\n${copies}`) : text,
+    );
 }

@@ -41,5 +41,6 @@ export const cuttingSteps: SubstepPart = {
     SUBSTEP_TABLE_FROM: substepTableDomain.from.toFixed(3),
     SUBSTEP_TABLE_WIDTH: (substepTableDomain.to - substepTableDomain.from).toFixed(3),
   },
-  makeTable: (gl, transferFunction, voxelRatio, previous) => uploadSubstepTable(gl, buildSubstepTable(integralOf(transferFunction), voxelRatio), previous),
+  makeTable: (gl, transferFunction, voxelRatio, previous) =>
+    uploadSubstepTable(gl, buildSubstepTable(integralOf(transferFunction), voxelRatio), previous),
 };

@@ -10,7 +10,11 @@ const farBehind = -1e9;
  * @param picture - the size of the picture of these rays, in pixels
  * @param stepLength - in world units
  */
-export function rayUniforms(rays: RaySetup, picture: { readonly width: number; readonly height: number }, stepLength: number): Uniforms {
+export function rayUniforms(
+  rays: RaySetup,
+  picture: { readonly width: number; readonly height: number },
+  stepLength: number,
+): Uniforms {
   const m = rays.unitToDiameters;
   const r = rays.unitToRegion;
   return {
@@ -32,7 +36,11 @@ export function rayUniforms(rays: RaySetup, picture: { readonly width: number; r
 }
 
 /** Uniforms that map a stored value to its share of the transfer function's domain. */
-export function valueUniforms({ volume, field: { storedScale }, domain }: Pick<RayFrame, 'volume' | 'domain'> & { readonly field: { readonly storedScale: number } }): Uniforms {
+export function valueUniforms({
+  volume,
+  field: { storedScale },
+  domain,
+}: Pick<RayFrame, 'volume' | 'domain'> & { readonly field: { readonly storedScale: number } }): Uniforms {
   const { from, scale } = mapShares({ ...volume, storedScale }, domain);
   return { uDimensions: volume.grid.dimensions, uTableDomain: [scale, from] };
 }

@@ -31,6 +31,9 @@ export function uploadCells(
   uploadPlane(gl, packAtlas(numbers, cells, atlas), atlas);
   return {
     unit: textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName }),
-    uniforms: { uCells: [...cells, cellSize], uCellMosaic: [atlas.columns, 1 / atlas.columns, 1 / atlas.width, 1 / atlas.height] },
+    uniforms: {
+      uCells: [...cells, cellSize],
+      uCellMosaic: [atlas.columns, 1 / atlas.columns, 1 / atlas.width, 1 / atlas.height],
+    },
   };
 }

@@ -43,7 +43,11 @@ export function allocateTexture3d(gl: WebGL2RenderingContext, { internal }: Texe
 export function* fillTexture3d(
   gl: WebGL2RenderingContext,
   texture: WebGLTexture,
-  { samples, dimensions: [nx, ny, nz], texels: { format, type, bytes } }: { samples: Samples; dimensions: Vector3; texels: Texels },
+  {
+    samples,
+    dimensions: [nx, ny, nz],
+    texels: { format, type, bytes },
+  }: { samples: Samples; dimensions: Vector3; texels: Texels },
   prepare: (samples: Samples) => Samples,
 ): Upload<void> {
   const rowsAtOnce = rowsOfPiece(nx * bytes);

@@ -6,7 +6,9 @@ import type { Texels } from './fill-texture.ts';
 /** Texels of two floats. The second float is in green (WebGL 2) or alpha (WebGL 1). */
 export function pairTexels(gl: Gl): Texels {
   const shared = { type: gl.FLOAT, bytes: 8 };
-  return isWebGl2(gl) ? { internal: gl.RG32F, format: gl.RG, ...shared } : { internal: gl.LUMINANCE_ALPHA, format: gl.LUMINANCE_ALPHA, ...shared };
+  return isWebGl2(gl)
+    ? { internal: gl.RG32F, format: gl.RG, ...shared }
+    : { internal: gl.LUMINANCE_ALPHA, format: gl.LUMINANCE_ALPHA, ...shared };
 }
 
 /** Interleave two lists of the same length: one number of each in turn. */
@@ -21,5 +23,8 @@ export function pairUp(first: Float32Array, second: Float32Array): Float32Array<
 
 /** Pairs of a float and 1, or 0 and 0 where data are missing: a linear filter then gives the weighted sum, and the sum of weights. */
 export function weighFloats(samples: Float32Array, scale: number): Float32Array<ArrayBuffer> {
-  return pairUp(samples.map((value) => (Number.isFinite(value) ? value / scale : 0)), samples.map((value) => (Number.isFinite(value) ? 1 : 0)));
+  return pairUp(
+    samples.map((value) => (Number.isFinite(value) ? value / scale : 0)),
+    samples.map((value) => (Number.isFinite(value) ? 1 : 0)),
+  );
 }

@@ -24,7 +24,7 @@ export async function uploadGradually<T>(gl: Gl, upload: Upload<T>, givenUp: () 
       await nextFrame();
       if (givenUp() || gl.isContextLost()) return null;
       const began = performance.now();
-      for (let bytes = 0; bytes + pieceBytes <= bytesAFrame && performance.now() - began < budgetMs; ) {
+      for (let bytes = 0; bytes + pieceBytes <= bytesAFrame && performance.now() - began < budgetMs;) {
         const step = upload.next();
         if (step.done) return step.value;
         bytes += step.value;

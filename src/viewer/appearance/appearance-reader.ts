@@ -40,7 +40,10 @@ export class AppearanceReader {
   /** The transfer function of a volume that is itself labels, where its page gives none. */
   replacement: { readonly transferFunction: TransferFunction } | null = null;
 
-  constructor(readonly host: AppearanceHost, readonly errors: ErrorState) {}
+  constructor(
+    readonly host: AppearanceHost,
+    readonly errors: ErrorState,
+  ) {}
 
   /** The appearance of the volume; null before there is one. */
   get current(): VolumeOptics | null {
@@ -55,14 +58,16 @@ export class AppearanceReader {
     if (!model) return;
     const controller = (this.#reading = new AbortController());
     const { signal } = controller;
-    this.host.track(this.errors.run('optics', signal, async () => {
-      const optics = await this.read(model);
-      signal.throwIfAborted();
-      await this.host.apply(optics, signal);
-      signal.throwIfAborted();
-      this.#reading = null;
-      this.notify(optics);
-    }));
+    this.host.track(
+      this.errors.run('optics', signal, async () => {
+        const optics = await this.read(model);
+        signal.throwIfAborted();
+        await this.host.apply(optics, signal);
+        signal.throwIfAborted();
+        this.#reading = null;
+        this.notify(optics);
+      }),
+    );
   }
 
   /** Read the settings again when the present load has ended. */

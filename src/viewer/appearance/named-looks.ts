@@ -6,7 +6,9 @@ import type { ScanModel } from '../model/scan-model.ts';
 import type { AppearanceSettings } from '../model/settings.ts';
 
 /** The settings behind a name. Stops and factor belong together: where an author writes stops, the factor is not used. */
-type NamedLook = Partial<Pick<AppearanceSettings, 'transferFunction' | 'window' | 'opacityFactor' | 'projection' | 'shading'>>;
+type NamedLook = Partial<
+  Pick<AppearanceSettings, 'transferFunction' | 'window' | 'opacityFactor' | 'projection' | 'shading'>
+>;
 
 /**
  * What the values mean, as far as an appearance depends on it. `intensity`: values without a known scale, as in MRI. `scale`: each
@@ -40,8 +42,15 @@ const looks: Readonly<Record<'ct' | 'intensity', Partial<Record<Word, (volume: S
   },
   intensity: {
     textbook: () => ({ opacityFactor: 6, shading: 'lit' }),
-    skin: () => ({ transferFunction: '0% #b47a60 0, 12% #c98f73 60%, 60% #e3b498 90%, 100% #f6dcc6 95%', shading: 'lit' }),
-    mip: (volume) => ({ transferFunction: 'gray', window: windowOfMaxima(volume, volume.window?.[0] ?? volume.range[0]), projection: 'max' }),
+    skin: () => ({
+      transferFunction: '0% #b47a60 0, 12% #c98f73 60%, 60% #e3b498 90%, 100% #f6dcc6 95%',
+      shading: 'lit',
+    }),
+    mip: (volume) => ({
+      transferFunction: 'gray',
+      window: windowOfMaxima(volume, volume.window?.[0] ?? volume.range[0]),
+      projection: 'max',
+    }),
   },
 };
 
@@ -63,7 +72,7 @@ export function applyNamedLook(settings: AppearanceSettings, volume: ScanModel):
     ...settings,
     transferFunction: settings.transferFunction ?? said.transferFunction ?? null,
     window: settings.window ?? said.window ?? null,
-    opacityFactor: settings.opacityFactor ?? (hasStops ? null : said.opacityFactor ?? null),
+    opacityFactor: settings.opacityFactor ?? (hasStops ? null : (said.opacityFactor ?? null)),
     projection: settings.projection ?? said.projection ?? null,
     shading: settings.shading ?? said.shading ?? null,
   };
@@ -89,7 +98,8 @@ function kindOf(volume: ScanModel): Kind {
   const { transferFunction, unit, isDiscrete } = volume;
   if (isDiscrete) return 'things';
   if (isPolar(volume)) return 'scale';
-  if (transferFunction ? typeof transferFunction === 'string' && transferFunction.startsWith('ct-') : unit === 'HU') return 'ct';
+  if (transferFunction ? typeof transferFunction === 'string' && transferFunction.startsWith('ct-') : unit === 'HU')
+    return 'ct';
   if (!transferFunction) return unit === '' ? 'intensity' : 'scale';
   return volume.histogram.counts.filter(Boolean).length === 2 ? 'mask' : 'scale';
 }
@@ -105,7 +115,10 @@ function windowOfMeans(volume: ScanModel): readonly [number, number] {
   const { low, high, counts } = volume.histogram;
   const from = kindOf(volume) === 'ct' ? Math.max(low, -1000) : low;
   // What was not scanned is neither air nor tissue.
-  const air = Math.min(counts.length - 1, Math.floor((counts.length * (from - low)) / Math.max(high - low, Number.MIN_VALUE)));
+  const air = Math.min(
+    counts.length - 1,
+    Math.floor((counts.length * (from - low)) / Math.max(high - low, Number.MIN_VALUE)),
+  );
   const first = air + otsuBin(counts.subarray(air));
   let [sum, total] = [0, 0];
   counts.subarray(first).forEach((count, bin) => {
@@ -124,7 +137,10 @@ function windowOfMeans(volume: ScanModel): readonly [number, number] {
 const beyondWhite = 0.001;
 
 /** From where tissue begins to where nearly all values end. */
-function windowOfMaxima({ histogram: { low, high, counts }, range }: ScanModel, from: number): readonly [number, number] {
+function windowOfMaxima(
+  { histogram: { low, high, counts }, range }: ScanModel,
+  from: number,
+): readonly [number, number] {
   let left = beyondWhite * counts.reduce((sum, count) => sum + count, 0);
   let bin = counts.length;
   while (bin > 0 && left >= counts[bin - 1]) left -= counts[--bin];

@@ -27,12 +27,19 @@ export interface OverlayAppearance {
 const glow = '0% #200404 0, 20% #5c0808 0, 45% #c82808 5%, 70% #fc8c14 16%, 100% #fff4b8 34%';
 
 /** For values of both signs, such as t: values near 0 are clear, so that the volume below stays visible. */
-const bothSigns = '0% #d8f6ff 60%, 22% #3f9cf0 35%, 32% #1c50b8 14%, 38% #163a80 0, 62% #7a1a10 0, 68% #c83018 14%, 78% #f8702c 35%, 100% #fff2a0 60%';
+const bothSigns =
+  '0% #d8f6ff 60%, 22% #3f9cf0 35%, 32% #1c50b8 14%, 38% #163a80 0, 62% #7a1a10 0, 68% #c83018 14%, 78% #f8702c 35%, 100% #fff2a0 60%';
 
 /** @throws {VolumeViewError} `attribute/invalid`, `transfer-function/syntax`, `format/unsupported` */
-export async function resolveOverlayAppearance({ transferFunction, valueWindow, blend, opacityFactor }: OverlayAttributes, volume: Volume): Promise<OverlayAppearance> {
+export async function resolveOverlayAppearance(
+  { transferFunction, valueWindow, blend, opacityFactor }: OverlayAttributes,
+  volume: Volume,
+): Promise<OverlayAppearance> {
   if (volume.isDiscrete && transferFunction === null) {
-    throw new VolumeViewError('format/unsupported', '<volume-layer> got labels, whole numbers that stand for things; expected measured values. Use <volume-labels>, or say with transfer-function what these values look like.');
+    throw new VolumeViewError(
+      'format/unsupported',
+      '<volume-layer> got labels, whole numbers that stand for things; expected measured values. Use <volume-labels>, or say with transfer-function what these values look like.',
+    );
   }
   const suggested = volume.transferFunction === 'diverging' ? bothSigns : (volume.transferFunction ?? glow);
   const window = valueWindow === null ? (volume.window ?? volume.range) : parseWindow(valueWindow);

@@ -11,5 +11,11 @@ export function ownLabelsAppearance(entries: readonly LabelEntry[]): TransferFun
   const rising = entries.slice(1);
   if (rising.length === 0) return null;
   rising.sort((a, b) => a.id - b.id);
-  return labelStops(rising.map(({ id, color, opacity, hidden, isGhost }) => (isGhost ? { id, color: ghost.color, opacity: labelOpacity * ghost.opacityFactor / 2 } : { id, color, opacity: hidden ? 0 : opacity * labelOpacity })));
+  return labelStops(
+    rising.map(({ id, color, opacity, hidden, isGhost }) =>
+      isGhost
+        ? { id, color: ghost.color, opacity: (labelOpacity * ghost.opacityFactor) / 2 }
+        : { id, color, opacity: hidden ? 0 : opacity * labelOpacity },
+    ),
+  );
 }

@@ -11,7 +11,11 @@ import type { VolumeOptics } from '../model/volume-info.ts';
  * @param range - of the data
  * @throws {VolumeViewError} `attribute/invalid`, `transfer-function/syntax`
  */
-export function withGradients({ gradientOpacity, transferFunction2d }: AppearanceSettings, optics: VolumeOptics, range: readonly [number, number]): VolumeOptics {
+export function withGradients(
+  { gradientOpacity, transferFunction2d }: AppearanceSettings,
+  optics: VolumeOptics,
+  range: readonly [number, number],
+): VolumeOptics {
   const { referenceLength, projection, surfaces } = optics;
   // If all data have the same value, percentages still need a range.
   const window = optics.window[1] > optics.window[0] ? optics.window : spanAround(optics.window[0]);
@@ -22,6 +26,11 @@ export function withGradients({ gradientOpacity, transferFunction2d }: Appearanc
     ...optics,
     ...(stops.length > 0 && { styles: [{ weight: 1, styles: [{ kind: 'gradient', stops }] }] }),
     // Patches emit and absorb as fog, in addition to surfaces.
-    ...(patches.length > 0 && !projection && { patches, transferFunction: outlinePatches(patches, range), surfaces: surfaces && { surfaces: surfaces.surfaces, ...(surfaces.plain && { plain: true }) } }),
+    ...(patches.length > 0 &&
+      !projection && {
+        patches,
+        transferFunction: outlinePatches(patches, range),
+        surfaces: surfaces && { surfaces: surfaces.surfaces, ...(surfaces.plain && { plain: true }) },
+      }),
   };
 }

@@ -14,7 +14,11 @@ import type { VolumeOptics } from '../model/volume-info.ts';
 const widest = 0.9 * largestValue;
 
 /** The transfer function of a volume whose page gives none. */
-export async function suggestedOf({ transferFunction, ids, named }: Pick<ScanModel, 'transferFunction' | 'ids' | 'named'>): Promise<string | TransferFunction> {
+export async function suggestedOf({
+  transferFunction,
+  ids,
+  named,
+}: Pick<ScanModel, 'transferFunction' | 'ids' | 'named'>): Promise<string | TransferFunction> {
   if (transferFunction || !ids) return transferFunction ?? defaultPreset;
   return (await loadLabelStops()).plainLabelStops(ids, named);
 }
@@ -24,7 +28,10 @@ export async function suggestedOf({ transferFunction, ids, named }: Pick<ScanMod
  * @throws {VolumeViewError} `transfer-function/syntax`, `attribute/invalid`
  */
 export async function resolveAppearance(said: AppearanceSettings, volume: ScanModel): Promise<VolumeOptics> {
-  const appearance = said.named === null ? said : (await loadPart(import('./named-looks.ts'), 'reads looks')).applyNamedLook(said, volume);
+  const appearance =
+    said.named === null
+      ? said
+      : (await loadPart(import('./named-looks.ts'), 'reads looks')).applyNamedLook(said, volume);
   const [low, high] = appearance.window ?? volume.window ?? volume.range;
   const ends = [low, high].map((end) => Math.min(widest, Math.max(-widest, end)));
   const window = ends[0] < ends[1] ? ([ends[0], ends[1]] as const) : spanAround(ends[0]);
@@ -38,8 +45,18 @@ export async function resolveAppearance(said: AppearanceSettings, volume: ScanMo
     projection: appearance.projection,
     shading: appearance.shading ?? 'unlit',
     surfaces: appearance.surfaces
-      ? (await loadPart(import('../../optics/surfaces/parse-surfaces.ts'), 'reads surfaces')).readSurfaces(appearance.surfaces, window, appearance)
+      ? (await loadPart(import('../../optics/surfaces/parse-surfaces.ts'), 'reads surfaces')).readSurfaces(
+          appearance.surfaces,
+          window,
+          appearance,
+        )
       : null,
   };
-  return appearance.gradientOpacity || appearance.transferFunction2d ? (await loadPart(import('./read-gradient-appearance.ts'), 'reads gradients')).withGradients(appearance, optics, volume.range) : optics;
+  return appearance.gradientOpacity || appearance.transferFunction2d
+    ? (await loadPart(import('./read-gradient-appearance.ts'), 'reads gradients')).withGradients(
+        appearance,
+        optics,
+        volume.range,
+      )
+    : optics;
 }

@@ -19,11 +19,13 @@ export abstract class AttachmentController<Target extends AttachmentTarget, Host
     const { signal } = (this.#run = new AbortController());
     const target = this.host.target();
     if (!target || (!target.volume && !target.awake)) return; // What is far away is loaded together with its volume.
-    target.track(this.read(target, signal).catch((error: unknown) => {
-      if (signal.aborted) return;
-      this.unread(target);
-      this.fail(error);
-    }));
+    target.track(
+      this.read(target, signal).catch((error: unknown) => {
+        if (signal.aborted) return;
+        this.unread(target);
+        this.fail(error);
+      }),
+    );
   }
 
   /** The element has left its page. @param target - its former target */

@@ -57,7 +57,10 @@ export class BlendController extends AttachmentController<BlendTarget, Attachmen
   /** @throws {VolumeViewError} `attribute/invalid` */
   async show(second: SecondVolume): Promise<void> {
     if (this.#target.isTaken) {
-      throw new VolumeViewError('attribute/invalid', '<BlendedVolumeStyle> got voxels and a <volume-layer> beside it; expected one of the two, as a volume has one other over it. The <volume-layer> is drawn.');
+      throw new VolumeViewError(
+        'attribute/invalid',
+        '<BlendedVolumeStyle> got voxels and a <volume-layer> beside it; expected one of the two, as a volume has one other over it. The <volume-layer> is drawn.',
+      );
     }
     this.#second = second;
     this.refresh();
@@ -76,17 +79,27 @@ export class BlendController extends AttachmentController<BlendTarget, Attachmen
 
   protected override async read(target: BlendTarget, signal: AbortSignal): Promise<void> {
     const { voxels, texture, ratio, opacityFactor } = this.#second!;
-    const file = await this.#files.get(JSON.stringify(voxels), signal, (stop) => loadAttachment({ ...voxels, limits: deviceLimits(probeDevice()) }, stop, this));
+    const file = await this.#files.get(JSON.stringify(voxels), signal, (stop) =>
+      loadAttachment({ ...voxels, limits: deviceLimits(probeDevice()) }, stop, this),
+    );
     const loaded = withoutIds(file);
     const colors = texture || opacityFactor !== null ? await readOpacityMap(texture, opacityFactor) : gray;
     signal.throwIfAborted();
     const { volume: over } = target;
     if (!over) return; // The target reports the volume when it is there.
-    const volume = voxels.mosaic && !isPolar(over) && !isPolar(loaded) ? stretchOver(loaded, over) : placeOverlay(loaded, over, voxels.url);
+    const volume =
+      voxels.mosaic && !isPolar(over) && !isPolar(loaded)
+        ? stretchOver(loaded, over)
+        : placeOverlay(loaded, over, voxels.url);
     const window = voxels.mosaic ? ([0, white] as const) : (volume.window ?? volume.range);
     const transferFunction = await resolveTransferFunction(colors, window);
     signal.throwIfAborted();
-    await target.show(makeOverlay({ volume, over, missing: null, transferFunction, blend: 'mix', opacityFactor: ratio }, volume.title ?? ''));
+    await target.show(
+      makeOverlay(
+        { volume, over, missing: null, transferFunction, blend: 'mix', opacityFactor: ratio },
+        volume.title ?? '',
+      ),
+    );
     signal.throwIfAborted();
     target.cleared();
     target.reportFiles([[voxels.url, noticesOf(file)]]);
@@ -97,5 +110,8 @@ export class BlendController extends AttachmentController<BlendTarget, Attachmen
 export function stretchOver(volume: Volume, over: Volume): Volume {
   const { dimensions } = volume.grid;
   const [scale, offset] = [1, 0.5].map((share) => dimensions.map((n) => share / n) as unknown as Vector3);
-  return { ...volume, grid: cartesianGrid(dimensions, multiply(unitToWorld(over.grid), scaleAndTranslate(scale, offset))) };
+  return {
+    ...volume,
+    grid: cartesianGrid(dimensions, multiply(unitToWorld(over.grid), scaleAndTranslate(scale, offset))),
+  };
 }

@@ -42,7 +42,11 @@ export async function colorByMoment(over: PolarVolume, volume: PolarVolume, name
   checkSameGates(over, volume);
   const stops = await resolveTransferFunction(volume.transferFunction ?? 'turbo', volume.window ?? volume.range);
   const transferFunction = stops.map((stop) => ({ ...stop, opacity: 1 }));
-  return makeOverlay({ volume, over, transferFunction, blend: 'color', opacityFactor: 1, missing }, name, secondMomentField(over, volume));
+  return makeOverlay(
+    { volume, over, transferFunction, blend: 'color', opacityFactor: 1, missing },
+    name,
+    secondMomentField(over, volume),
+  );
 }
 
 /** A layer over a radar scan, with the appearance that its author gives. */
@@ -79,19 +83,36 @@ class ColorMoment {
     if (!moment && before) this.#target.cleared(); // Else the error may belong to a <volume-layer>.
     const isWanted = moment !== null && volume !== null && viewer !== null;
     if (!isWanted && !this.#isShown) return false;
-    const work = (isWanted ? this.#read(moment, volume, signal) : this.#apply(null)).catch((error: unknown) => this.#fail(error, signal));
+    const work = (isWanted ? this.#read(moment, volume, signal) : this.#apply(null)).catch((error: unknown) =>
+      this.#fail(error, signal),
+    );
     this.#target.track(work);
     await work;
     return true;
   }
 
   async #read(moment: string, over: Volume, signal: AbortSignal): Promise<void> {
-    if (!isPolar(over)) throw new VolumeViewError('attribute/invalid', `color-moment got "${moment.slice(0, 60)}" and a volume that is no radar scan; expected a radar file with several moments. Another volume over this one is a <volume-layer>.`);
+    if (!isPolar(over))
+      throw new VolumeViewError(
+        'attribute/invalid',
+        `color-moment got "${moment.slice(0, 60)}" and a volume that is no radar scan; expected a radar file with several moments. Another volume over this one is a <volume-layer>.`,
+      );
     const moments = over.radar?.moments ?? [];
-    if (!moments.includes(moment)) throw new VolumeViewError('attribute/invalid', `color-moment got "${moment.slice(0, 60)}"; expected one that the file holds: ${moments.slice(0, 40).map((one) => one.slice(0, 40)).join(', ')}. The moment of another file is a <volume-layer blend="color">.`);
+    if (!moments.includes(moment))
+      throw new VolumeViewError(
+        'attribute/invalid',
+        `color-moment got "${moment.slice(0, 60)}"; expected one that the file holds: ${moments
+          .slice(0, 40)
+          .map((one) => one.slice(0, 40))
+          .join(', ')}. The moment of another file is a <volume-layer blend="color">.`,
+      );
     const volume = await this.#load(moment, signal);
     signal.throwIfAborted();
-    if (!isPolar(volume)) throw new VolumeViewError('format/unsupported', `color-moment got "${moment.slice(0, 60)}", which is on no radar's gates; expected another moment of the scan.`);
+    if (!isPolar(volume))
+      throw new VolumeViewError(
+        'format/unsupported',
+        `color-moment got "${moment.slice(0, 60)}", which is on no radar's gates; expected another moment of the scan.`,
+      );
     // Meanwhile another scan may have come; another refresh works for that one.
     if (volume.radar?.time !== over.radar?.time) return;
     const overlay = await colorByMoment(over, volume, moment);
@@ -106,8 +127,17 @@ class ColorMoment {
     const urls = settings.src!.trim().split(/\s+/);
     const index = scan?.index ?? 0;
     const several = scan !== null && scan.count > 1;
-    const which = settings.stack ? { url: urls[0], files: urls } : urls.length > 1 ? { url: urls[index] } : { url: urls[0], ...(several ? { scan: { index } } : {}) };
-    const request = { ...(settings.source && readSource(settings.source)), ...which, moment, limits: deviceLimits(probeDevice()) };
+    const which = settings.stack
+      ? { url: urls[0], files: urls }
+      : urls.length > 1
+        ? { url: urls[index] }
+        : { url: urls[0], ...(several ? { scan: { index } } : {}) };
+    const request = {
+      ...(settings.source && readSource(settings.source)),
+      ...which,
+      moment,
+      limits: deviceLimits(probeDevice()),
+    };
     return loadAttachment(request, signal); // Nobody reports when the view is gone, so the volume is not kept.
   }
 

@@ -39,9 +39,13 @@ export function joinView(view: CrosshairView, pane: JoiningPane): () => void {
 /** Three lines along the axes of the world through a place, from side to side of the box around a grid; none for a place outside it. */
 export function crosshairLines(grid: GridFrame, place: Vector3): readonly (readonly Vector3[])[] {
   const all = corners(grid);
-  const [low, high] = [Math.min, Math.max].map((min) => place.map((_, axis) => min(...all.map((corner) => corner[axis]))));
+  const [low, high] = [Math.min, Math.max].map((min) =>
+    place.map((_, axis) => min(...all.map((corner) => corner[axis]))),
+  );
   if (place.some((x, axis) => x < low[axis] || x > high[axis])) return [];
-  return place.map((_, axis) => [low, high].map((ends) => place.map((x, other) => (other === axis ? ends[axis] : x)) as unknown as Vector3));
+  return place.map((_, axis) =>
+    [low, high].map((ends) => place.map((x, other) => (other === axis ? ends[axis] : x)) as unknown as Vector3),
+  );
 }
 
 class CrosshairInView implements ViewPart {
@@ -96,10 +100,14 @@ class CrosshairInView implements ViewPart {
       observer.disconnect();
     });
     void this.#socket.join(this);
-    view.addEventListener('volume-pick', (event) => {
-      const { detail } = event as CustomEvent<VolumePick | null>;
-      if (detail) this.#panes.at(-1)?.crosshair.moveTo(detail.world);
-    }, { signal });
+    view.addEventListener(
+      'volume-pick',
+      (event) => {
+        const { detail } = event as CustomEvent<VolumePick | null>;
+        if (detail) this.#panes.at(-1)?.crosshair.moveTo(detail.world);
+      },
+      { signal },
+    );
   }
 
   #leave(): void {
@@ -137,7 +145,8 @@ class CrosshairInView implements ViewPart {
     if (text === this.#cursor) return;
     this.#cursor = text;
     this.#attempt('cursor', () => {
-      if (text !== null && text.trim() !== '') this.#panes.at(-1)!.crosshair.moveTo(parsePlace('cursor of <volume-view>', text));
+      if (text !== null && text.trim() !== '')
+        this.#panes.at(-1)!.crosshair.moveTo(parsePlace('cursor of <volume-view>', text));
     });
   }
 
@@ -147,7 +156,10 @@ class CrosshairInView implements ViewPart {
     if (text === this.#word) return;
     this.#word = text;
     this.#attempt('crosshair', () => {
-      this.#isHidden = text !== null && text.trim() !== '' && parseWord('crosshair of <volume-view>', text, ['auto', 'none']) === 'none';
+      this.#isHidden =
+        text !== null &&
+        text.trim() !== '' &&
+        parseWord('crosshair of <volume-view>', text, ['auto', 'none']) === 'none';
     });
   }
 

@@ -31,7 +31,8 @@ export function readLabelChildren(parent: Element): LabelChildren {
 function readLabelId(child: Element): number {
   const text = child.getAttribute('value') ?? '';
   const id = isNumber(text.trim()) ? Number(text) : NaN;
-  if (!Number.isSafeInteger(id)) throw invalidAttribute('value of a volume-label', text, 'a whole number, the label\'s in the file, like "17"');
+  if (!Number.isSafeInteger(id))
+    throw invalidAttribute('value of a volume-label', text, 'a whole number, the label\'s in the file, like "17"');
   return id;
 }
 
@@ -41,7 +42,8 @@ function readOverride(child: Element, id: number): LabelOverride {
   const transferFunction = child.getAttribute('transfer-function')?.trim();
   const faint = child.getAttribute('opacity')?.trim();
   const color = colored ? parseCssColor(colored) : null;
-  if (colored && !color) throw invalidAttribute(`color of volume-label value="${id}"`, colored, 'a CSS colour, like "#ff8800" or "orange"');
+  if (colored && !color)
+    throw invalidAttribute(`color of volume-label value="${id}"`, colored, 'a CSS colour, like "#ff8800" or "orange"');
   const opacity = faint ? parseFactor(`opacity of volume-label value="${id}"`, faint) : 1;
   if (opacity > 1) throw invalidAttribute(`opacity of volume-label value="${id}"`, faint!, 'a number from 0 to 1');
   return {

@@ -25,7 +25,12 @@ export interface LabelControllerHost extends AttachmentHost<LabelTarget> {
   said(ids: readonly number[]): LabelChildren;
   /** Load the file, where its values need a change before they are labels. */
   load?(src: string, signal: AbortSignal): Promise<LabelFile>;
-  readonly wanted: () => { readonly src: string | null; readonly table: string | null; readonly hidden: boolean; readonly transferFunction: string | null };
+  readonly wanted: () => {
+    readonly src: string | null;
+    readonly table: string | null;
+    readonly hidden: boolean;
+    readonly transferFunction: string | null;
+  };
   /** The labels, or their appearance, have changed. */
   changed(): void;
 }
@@ -71,10 +76,14 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
   /** The labels as a pane of the volume shows them; null where it has none. @param opacity - over its grey values, 0..1 */
   inPane(volume: Volume | null, opacity: number): PaneLabels | null {
     const applied = this.#applied;
-    const worldToIndex = applied && applied.volume === volume && invertAffine((volume.grid as CartesianGrid).indexToWorld);
+    const worldToIndex =
+      applied && applied.volume === volume && invertAffine((volume.grid as CartesianGrid).indexToWorld);
     if (!worldToIndex) return null;
     // A volume that is itself labels already has their colours.
-    return paneLabels({ map: applied.map, styles: styleLabels(this.#entries) }, { worldToIndex, nameOf: this.#nameOf, opacity: applied.isOwn ? 0 : opacity });
+    return paneLabels(
+      { map: applied.map, styles: styleLabels(this.#entries) },
+      { worldToIndex, nameOf: this.#nameOf, opacity: applied.isOwn ? 0 : opacity },
+    );
   }
 
   protected override unread(target: LabelTarget): void {
@@ -104,7 +113,11 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
   /** The volume's appearance has changed: presets of labels span its window. */
   rewindow(): void {
     const target = this.host.target();
-    if ((this.#window && this.#window !== String(target?.window)) || (this.#ghosts && this.#showsGhosts !== target?.showsGhosts)) this.restyle();
+    if (
+      (this.#window && this.#window !== String(target?.window)) ||
+      (this.#ghosts && this.#showsGhosts !== target?.showsGhosts)
+    )
+      this.restyle();
   }
 
   /** Choose which labels are hidden: these, and no others. @param ghosts - whether they stay faintly visible; unchanged where absent */
@@ -137,14 +150,23 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     const { volume } = target;
     if (!volume) return; // The target reports the volume when it is there.
     refuseRadar(volume);
-    if (!src && !table && !volume.named) throw new VolumeViewError('attribute/invalid', '<volume-labels> got neither src nor table; expected src="labels.nii.gz" with the labels, or table="names.tsv" with the names of those that the volume has.');
+    if (!src && !table && !volume.named)
+      throw new VolumeViewError(
+        'attribute/invalid',
+        '<volume-labels> got neither src nor table; expected src="labels.nii.gz" with the labels, or table="names.tsv" with the names of those that the volume has.',
+      );
     const from = file ?? { ...labelsIn(volume, target.file), format: volume.format, named: volume.named };
     if (!file && !volume.isDiscrete) return target.takeAsLabels(volume); // The target reports this volume too when it is there.
     const url = src ?? target.file;
-    const map = await this.#placed.get(`${url} ${JSON.stringify(volume.grid)}`, signal, (stop) => placeLabels(from, volume, url, stop));
+    const map = await this.#placed.get(`${url} ${JSON.stringify(volume.grid)}`, signal, (stop) =>
+      placeLabels(from, volume, url, stop),
+    );
     signal.throwIfAborted();
     this.#isLacking = false;
-    target.reportFiles([[src ?? '', file?.left ?? []], [table ?? '', names?.problems ?? []]]);
+    target.reportFiles([
+      [src ?? '', file?.left ?? []],
+      [table ?? '', names?.problems ?? []],
+    ]);
     await this.#apply({ map, table: withNamed(names, from.named), isOwn: !file, volume });
   }
 
@@ -154,7 +176,15 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     const call = ++this.#applies;
     const { overrides, error } = this.host.said(applied?.map.ids ?? []);
     const transferFunction = this.host.wanted().transferFunction?.trim() || null;
-    this.#entries = applied ? describeLabels(applied.map.ids, { table: applied.table, overrides, chosen: this.#chosen, transferFunction, ghosts: this.#ghosts && target?.showsGhosts === true }) : [];
+    this.#entries = applied
+      ? describeLabels(applied.map.ids, {
+          table: applied.table,
+          overrides,
+          chosen: this.#chosen,
+          transferFunction,
+          ghosts: this.#ghosts && target?.showsGhosts === true,
+        })
+      : [];
     this.#showsGhosts = target?.showsGhosts === true;
     const names = new Map(this.#entries.map(({ id, name }) => [id, name]));
     this.#nameOf = (id) => names.get(id) || null;
@@ -164,7 +194,14 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     this.#window = reading ? String(target!.window) : '';
     const groups = reading && (await reading);
     if (call !== this.#applies) return;
-    const shown = applied && !applied.isOwn ? { map: applied.map, styles: styleLabels(this.#entries, groups?.numbers), ...(groups?.functions.length && { functions: groups.functions }) } : null;
+    const shown =
+      applied && !applied.isOwn
+        ? {
+            map: applied.map,
+            styles: styleLabels(this.#entries, groups?.numbers),
+            ...(groups?.functions.length && { functions: groups.functions }),
+          }
+        : null;
     await target?.show(applied && { shown, nameOf: this.#nameOf });
     const wrong = error ?? groups?.error ?? (groups && applied?.isOwn ? ownHaveNone() : null);
     if (wrong) this.fail(wrong);
@@ -181,12 +218,18 @@ function withNamed(table: LabelTable | null, named: readonly NamedLabel[] = []):
 
 /** In such a volume each label is a single value. */
 function ownHaveNone(): VolumeViewError {
-  return new VolumeViewError('attribute/invalid', 'transfer-function of <volume-labels> or of a <volume-label> is for labels beside a volume, and here the volume is the labels; expected none. Use color and opacity.');
+  return new VolumeViewError(
+    'attribute/invalid',
+    'transfer-function of <volume-labels> or of a <volume-label> is for labels beside a volume, and here the volume is the labels; expected none. Use color and opacity.',
+  );
 }
 
 /** Load a table; its unusable parts are reported to the author of the page. */
 async function loadTable(url: string, signal: AbortSignal): Promise<LabelTable> {
   const table = await loadLabelTable(url, signal);
-  if (table.problems.length > 0) console.warn(`<volume-labels>: of the ${table.format} table ${url} some could not be used.\n${table.problems.join('\n')}`);
+  if (table.problems.length > 0)
+    console.warn(
+      `<volume-labels>: of the ${table.format} table ${url} some could not be used.\n${table.problems.join('\n')}`,
+    );
   return table;
 }

@@ -24,7 +24,8 @@ export class LabelFunctions {
   /** @param window - data values that presets and percentages span @returns null where no label has one */
   read(entries: readonly LabelEntry[], window: readonly [number, number]): Promise<LabelGroups> | null {
     const firsts = new Map<string, number>();
-    for (const { id, transferFunction } of entries) if (transferFunction && !firsts.has(transferFunction)) firsts.set(transferFunction, id);
+    for (const { id, transferFunction } of entries)
+      if (transferFunction && !firsts.has(transferFunction)) firsts.set(transferFunction, id);
     if (firsts.size === 0) return null;
     const key = JSON.stringify([window, ...firsts]);
     if (key !== this.#key) this.#kept = readAll(firsts, window);
@@ -41,11 +42,19 @@ async function readAll(firsts: ReadonlyMap<string, number>, window: readonly [nu
   for (const [text, id] of firsts) {
     const name = `transfer-function of the label ${id}`;
     try {
-      if (functions.length === maxGroups) throw invalidAttribute(name, text, `one of the ${maxGroups} that labels before it have. Labels have at most ${maxGroups} different ones beside the volume's own`);
+      if (functions.length === maxGroups)
+        throw invalidAttribute(
+          name,
+          text,
+          `one of the ${maxGroups} that labels before it have. Labels have at most ${maxGroups} different ones beside the volume's own`,
+        );
       functions.push(await resolveTransferFunction(text, window));
       numbers.set(text, functions.length);
     } catch (thrown) {
-      error ??= thrown instanceof VolumeViewError && thrown.code === 'transfer-function/syntax' ? new VolumeViewError(thrown.code, `${name}: ${thrown.message}`, { cause: thrown }) : thrown;
+      error ??=
+        thrown instanceof VolumeViewError && thrown.code === 'transfer-function/syntax'
+          ? new VolumeViewError(thrown.code, `${name}: ${thrown.message}`, { cause: thrown })
+          : thrown;
     }
   }
   return { numbers, functions, error };

@@ -12,7 +12,8 @@ export type { LabelTarget } from '../model/label-target.ts';
 
 /** Whether two transfer functions have the same stops. */
 function isSame(one: TransferFunction | null, other: TransferFunction | null): boolean {
-  const isLike = (a: Stop, b: Stop): boolean => a.value === b.value && a.opacity === b.opacity && a.color.every((x, c) => x === b.color[c]);
+  const isLike = (a: Stop, b: Stop): boolean =>
+    a.value === b.value && a.opacity === b.opacity && a.color.every((x, c) => x === b.color[c]);
   return one === other || (one?.length === other?.length && one!.every((stop, i) => isLike(stop, other![i])));
 }
 
@@ -67,6 +68,9 @@ export function isOwnPane(parent: Element | null): boolean {
 
 /** The error for labels without a volume. @param parent - the element around them */
 export function noTarget(parent: Element | null): VolumeViewError {
-  const got = parent?.localName === 'volume-view' || isOwnPane(parent) ? `is the second one in its <${parent!.localName}>; the first one holds. Put what it says into one` : 'got no volume around it; expected it between the tags of a <volume-view>, or of a <volume-slice-view> with src';
+  const got =
+    parent?.localName === 'volume-view' || isOwnPane(parent)
+      ? `is the second one in its <${parent!.localName}>; the first one holds. Put what it says into one`
+      : 'got no volume around it; expected it between the tags of a <volume-view>, or of a <volume-slice-view> with src';
   return new VolumeViewError('attribute/invalid', `<volume-labels> ${got}.`);
 }

@@ -6,7 +6,11 @@ import { isPolar } from '../../volume/volume.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
 
 /** @param field - of the layer, by places in the volume's unit cube */
-export function makeOverlay(shown: ShownOverlay, name: string, field: FieldStage = cartesianOverlay(shown)): ViewOverlay {
+export function makeOverlay(
+  shown: ShownOverlay,
+  name: string,
+  field: FieldStage = cartesianOverlay(shown),
+): ViewOverlay {
   const inPane = isPolar(shown.volume) ? null : paneOverlay(shown);
   return {
     shown,

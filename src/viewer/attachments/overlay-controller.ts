@@ -78,8 +78,14 @@ export class OverlayController extends AttachmentController<OverlayTarget, Overl
       return this.#drop(target);
     }
     const url = src?.trim();
-    if (!url || /\s/.test(url)) throw new VolumeViewError('attribute/invalid', `<volume-layer> got ${url ? 'several files' : 'no src'}; expected src="map.nii.gz", one file with the layer.`);
-    const loaded = await this.#files.get(url, signal, (stop) => loadAttachment({ url, limits: deviceLimits(probeDevice()) }, stop, this));
+    if (!url || /\s/.test(url))
+      throw new VolumeViewError(
+        'attribute/invalid',
+        `<volume-layer> got ${url ? 'several files' : 'no src'}; expected src="map.nii.gz", one file with the layer.`,
+      );
+    const loaded = await this.#files.get(url, signal, (stop) =>
+      loadAttachment({ url, limits: deviceLimits(probeDevice()) }, stop, this),
+    );
     signal.throwIfAborted();
     const { volume: over } = target;
     if (!over) return; // The target reports the volume when it is there.
@@ -87,7 +93,9 @@ export class OverlayController extends AttachmentController<OverlayTarget, Overl
     const appearance = await resolveOverlayAppearance(words, volume);
     const name = label ?? volume.title ?? volume.radar?.moment ?? '';
     const shown = { volume, over, missing: null, ...appearance };
-    const overlay = isPolar(volume) ? await this.#overRadar(shown, name, words.transferFunction === null) : makeOverlay(shown, name);
+    const overlay = isPolar(volume)
+      ? await this.#overRadar(shown, name, words.transferFunction === null)
+      : makeOverlay(shown, name);
     signal.throwIfAborted();
     await target.show(overlay);
     signal.throwIfAborted();
@@ -100,6 +108,8 @@ export class OverlayController extends AttachmentController<OverlayTarget, Overl
   /** Another moment of the same scan. @param plain - whether it has its own colours, with the same strength everywhere */
   async #overRadar(shown: ShownOverlay, name: string, plain: boolean): Promise<ViewOverlay> {
     const { colorByMoment, overRadar } = await loadPart(import('./color-moment.ts'), 'shows a second moment');
-    return plain && shown.blend === 'color' ? colorByMoment(shown.over as PolarVolume, shown.volume as PolarVolume, name) : overRadar(shown, name);
+    return plain && shown.blend === 'color'
+      ? colorByMoment(shown.over as PolarVolume, shown.volume as PolarVolume, name)
+      : overRadar(shown, name);
   }
 }

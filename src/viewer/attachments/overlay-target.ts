@@ -23,6 +23,9 @@ export class OverlayTarget extends PresenterPlace<ViewOverlay> {
 
 /** The error for a layer without a volume below it. @param parent - the element around it */
 export function noPlace(parent: Element | null): VolumeViewError {
-  const got = parent?.localName === 'volume-view' ? 'is the second one in its <volume-view>; the first one holds, as one layer is shown' : 'got no volume around it; expected it between the tags of a <volume-view>';
+  const got =
+    parent?.localName === 'volume-view'
+      ? 'is the second one in its <volume-view>; the first one holds, as one layer is shown'
+      : 'got no volume around it; expected it between the tags of a <volume-view>';
   return new VolumeViewError('attribute/invalid', `<volume-layer> ${got}.`);
 }

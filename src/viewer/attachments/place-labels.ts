@@ -19,14 +19,25 @@ const turn = 12;
  * @throws {VolumeViewError} `format/unsupported` where their relative position is not known, or they do not overlap; the signal's
  * reason
  */
-export async function placeLabels(file: LabelFile, volume: Volume, url: string, signal: AbortSignal): Promise<LabelMap> {
+export async function placeLabels(
+  file: LabelFile,
+  volume: Volume,
+  url: string,
+  signal: AbortSignal,
+): Promise<LabelMap> {
   const name = url.slice(0, 200);
   refuseRadar(volume);
   const grid = volume.grid as CartesianGrid;
   const whole = wholeGrid(grid, volume.reduced);
-  const unknown = [{ ...volume, grid: whole }, { format: file.format, grid: file.voxels.grid }].some((one) => !isPlaced(one));
+  const unknown = [
+    { ...volume, grid: whole },
+    { format: file.format, grid: file.voxels.grid },
+  ].some((one) => !isPlaced(one));
   if (unknown && String(whole.dimensions) !== String(file.voxels.grid.dimensions)) {
-    throw new VolumeViewError('format/unsupported', `the labels of ${name} are on a grid of ${file.voxels.grid.dimensions.join(' x ')} voxels and the volume on one of ${whole.dimensions.join(' x ')}, and an image does not say where it lies; expected the same grid, or files with a place, such as NIfTI.`);
+    throw new VolumeViewError(
+      'format/unsupported',
+      `the labels of ${name} are on a grid of ${file.voxels.grid.dimensions.join(' x ')} voxels and the volume on one of ${whole.dimensions.join(' x ')}, and an image does not say where it lies; expected the same grid, or files with a place, such as NIfTI.`,
+    );
   }
   const voxels = unknown ? { ...file.voxels, grid: whole } : file.voxels;
   // On the grid of a volume that was made smaller, each box gets its most frequent label; from any other grid, the label at its
@@ -34,12 +45,19 @@ export async function placeLabels(file: LabelFile, volume: Volume, url: string, 
   const goal = isSameGrid(voxels.grid, whole) ? whole : grid;
   const { map, within } = await inTurns(resampleLabels(voxels, file.found, goal), signal);
   if (within > 0) return goal === grid || !volume.reduced ? map : reduceLabels(map, grid.dimensions);
-  throw new VolumeViewError('format/unsupported', `the labels of ${name} and the volume have no place in common; expected files of the same body in the same coordinates.`);
+  throw new VolumeViewError(
+    'format/unsupported',
+    `the labels of ${name} and the volume have no place in common; expected files of the same body in the same coordinates.`,
+  );
 }
 
 /** @throws {VolumeViewError} `format/unsupported` */
 export function refuseRadar(volume: Volume): void {
-  if (isPolar(volume)) throw new VolumeViewError('format/unsupported', '<volume-labels> got a radar scan; expected a volume of voxels, such as a CT or MRI. A radar\'s gates have no labels.');
+  if (isPolar(volume))
+    throw new VolumeViewError(
+      'format/unsupported',
+      "<volume-labels> got a radar scan; expected a volume of voxels, such as a CT or MRI. A radar's gates have no labels.",
+    );
 }
 
 /** The volume's grid before it was made smaller for the device. */
@@ -52,11 +70,22 @@ function wholeGrid({ dimensions, indexToWorld }: CartesianGrid, reduced: Volume[
 
 function isSameGrid(a: CartesianGrid, b: CartesianGrid): boolean {
   const near = 1e-3 * Math.min(...a.spacing);
-  return String(a.dimensions) === String(b.dimensions) && a.indexToWorld.every((entry, i) => Math.abs(entry - b.indexToWorld[i]) * (i % 4 < 3 ? a.dimensions[i % 4] : 1) < near);
+  return (
+    String(a.dimensions) === String(b.dimensions) &&
+    a.indexToWorld.every(
+      (entry, i) => Math.abs(entry - b.indexToWorld[i]) * (i % 4 < 3 ? a.dimensions[i % 4] : 1) < near,
+    )
+  );
 }
 
 /** Whether a file has a place. An image has none, but its manifest may give one. */
-export function isPlaced({ format, grid: { dimensions, spacing, indexToWorld } }: { readonly format: string; readonly grid: CartesianGrid }): boolean {
+export function isPlaced({
+  format,
+  grid: { dimensions, spacing, indexToWorld },
+}: {
+  readonly format: string;
+  readonly grid: CartesianGrid;
+}): boolean {
   if (/^(nifti|nrrd|metaimage)/i.test(format)) return true;
   const usual = axialIndexToWorld(dimensions, spacing);
   return indexToWorld.some((entry, i) => Math.abs(entry - usual[i]) > 1e-6 * Math.max(...spacing));
@@ -64,7 +93,7 @@ export function isPlaced({ format, grid: { dimensions, spacing, indexToWorld } }
 
 /** Do long work in parts, with time for the page in between. @throws the signal's reason */
 async function inTurns<T>(work: Generator<void, T>, signal: AbortSignal): Promise<T> {
-  for (let end = performance.now() + turn; ; ) {
+  for (let end = performance.now() + turn; ;) {
     const step = work.next();
     if (step.done) return step.value;
     if (performance.now() < end) continue;

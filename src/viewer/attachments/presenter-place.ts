@@ -13,7 +13,10 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
   readonly #appliedTo = new WeakSet<Scene>();
 
   /** @param aspect - under which errors are reported */
-  constructor(readonly socket: ViewSocket, readonly aspect: Aspect) {}
+  constructor(
+    readonly socket: ViewSocket,
+    readonly aspect: Aspect,
+  ) {}
 
   /** Such a place is only made after its element is defined. */
   get view(): SocketView {

@@ -54,9 +54,17 @@ export class SegmentController {
   constructor(socket: ViewSocket) {
     this.#target = new SegmentTarget(socket);
     this.#controller = new LabelController({
-      said: (ids) => ({ overrides: new Map(ids.map((id) => [id, this.#look(id)])), error: this.#segments && reportStyles(this.#segments.all, this.#segments.enabled, ids) }),
+      said: (ids) => ({
+        overrides: new Map(ids.map((id) => [id, this.#look(id)])),
+        error: this.#segments && reportStyles(this.#segments.all, this.#segments.enabled, ids),
+      }),
       load: (_, signal) => loadIdentifiers(this.#segments!.identifiers, signal),
-      wanted: () => ({ src: this.#segments && nameOf(this.#segments.identifiers), table: null, hidden: false, transferFunction: null }),
+      wanted: () => ({
+        src: this.#segments && nameOf(this.#segments.identifiers),
+        table: null,
+        hidden: false,
+        transferFunction: null,
+      }),
       target: () => (this.#segments ? this.#target : null),
       changed: () => {},
       failed: () => {},
@@ -69,9 +77,14 @@ export class SegmentController {
   /** @param isLast - whether no newer segments have come meanwhile: textures may load slowly @throws {VolumeViewError} */
   async show(segments: Segments, isLast: () => boolean): Promise<void> {
     if (this.#target.isTaken) {
-      throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got <volume-labels> beside it; expected one of the two, as a volume has one set of labels. The <volume-labels> is drawn.');
+      throw new VolumeViewError(
+        'attribute/invalid',
+        '<SegmentedVolumeData> got <volume-labels> beside it; expected one of the two, as a volume has one set of labels. The <volume-labels> is drawn.',
+      );
     }
-    const functions = await Promise.all(segments.all.map(async ({ texture }) => (texture ? readOpacityMap(texture, segments.opacityFactor) : null)));
+    const functions = await Promise.all(
+      segments.all.map(async ({ texture }) => (texture ? readOpacityMap(texture, segments.opacityFactor) : null)),
+    );
     if (!isLast()) return;
     this.#functions = functions;
     this.#segments = segments;
@@ -86,13 +99,19 @@ export class SegmentController {
 
   #look(id: number): LabelOverride {
     const transferFunction = this.#functions[id];
-    return { color: white, ...(this.#segments && !isDrawn(this.#segments.enabled, id) && { hidden: true as const }), ...(transferFunction && { transferFunction }) };
+    return {
+      color: white,
+      ...(this.#segments && !isDrawn(this.#segments.enabled, id) && { hidden: true as const }),
+      ...(transferFunction && { transferFunction }),
+    };
   }
 }
 
 /** Identifies a texture, and how it is read. */
 function nameOf({ url, mosaic, slices, max }: Identifiers): string {
-  return [url, mosaic && `${mosaic.columns}x${mosaic.rows}`, slices, max].filter((part) => part !== undefined && part !== null).join(' ');
+  return [url, mosaic && `${mosaic.columns}x${mosaic.rows}`, slices, max]
+    .filter((part) => part !== undefined && part !== null)
+    .join(' ');
 }
 
 function loadIdentifiers({ max, ...request }: Identifiers, signal: AbortSignal): Promise<LabelFile> {
@@ -103,7 +122,11 @@ function loadIdentifiers({ max, ...request }: Identifiers, signal: AbortSignal):
 function spread(volume: Volume, max: number): Volume {
   const { ids, samples } = volume;
   const full = samples instanceof Uint16Array || (ids?.at(-1) ?? 0) > 255 ? 65535 : 255;
-  return { ...volume, ids: undefined, samples: samples.map((pixel) => segmentOf((ids ? ids[pixel] : pixel) / full, max)) };
+  return {
+    ...volume,
+    ids: undefined,
+    samples: samples.map((pixel) => segmentOf((ids ? ids[pixel] : pixel) / full, max)),
+  };
 }
 
 /** Segment 0 starts at 0, and segment n at (n + 1/2) / most. */

@@ -49,14 +49,30 @@ export interface SharedAppearance {
  * @param own - colours of a volume that is itself labels
  * @throws {VolumeViewError}
  */
-export async function resolveSliceAppearance({ window, colors, ...attributes }: SliceAttributes, volume: Volume, shared: SharedAppearance | null, own?: TransferFunction | null): Promise<SliceAppearance> {
+export async function resolveSliceAppearance(
+  { window, colors, ...attributes }: SliceAttributes,
+  volume: Volume,
+  shared: SharedAppearance | null,
+  own?: TransferFunction | null,
+): Promise<SliceAppearance> {
   const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
-  return { ...attributes, window: window ?? shared?.window ?? suitingWindow(volume), colors: isColored ? (shared?.optics?.transferFunction ?? own ?? (await resolveTransferFunction(await suggestedOf(volume), volume.window ?? volume.range))) : null };
+  return {
+    ...attributes,
+    window: window ?? shared?.window ?? suitingWindow(volume),
+    colors: isColored
+      ? (shared?.optics?.transferFunction ??
+        own ??
+        (await resolveTransferFunction(await suggestedOf(volume), volume.window ?? volume.range)))
+      : null,
+  };
 }
 
 /** @throws {VolumeViewError} for a volume that has no such slices */
 export function refuseNoSlices(volume: Volume): void {
   if (isPolar(volume)) {
-    throw new VolumeViewError('format/unsupported', 'a radar scan has no axial, coronal or sagittal slices; put <volume-slice type="cappi"> or another one into its <volume-view>');
+    throw new VolumeViewError(
+      'format/unsupported',
+      'a radar scan has no axial, coronal or sagittal slices; put <volume-slice type="cappi"> or another one into its <volume-view>',
+    );
   }
 }

@@ -49,7 +49,11 @@ export class SlicePresenter {
   #input: PaneInput | null = null;
   #ignore: () => void = () => {};
   #picture: Element | null = null;
-  readonly #inView = new ViewJoiner({ color: () => colorOf(this.#picture), failed: (error) => this.fail(error), mended: () => this.refresh(() => false) });
+  readonly #inView = new ViewJoiner({
+    color: () => colorOf(this.#picture),
+    failed: (error) => this.fail(error),
+    mended: () => this.refresh(() => false),
+  });
   #frame = 0;
   #run = 0;
   #refreshing: Promise<void> = Promise.resolve();
@@ -79,7 +83,10 @@ export class SlicePresenter {
     if (this.#input) return;
     this.#picture = picture;
     this.pane.painter.canvas = canvas;
-    this.#input = new PaneInput(picture, this.pane, { drag: () => this.#attributes?.drag ?? 'cursor', moved: () => this.redraw() });
+    this.#input = new PaneInput(picture, this.pane, {
+      drag: () => this.#attributes?.drag ?? 'cursor',
+      moved: () => this.redraw(),
+    });
     this.refresh(() => false);
   }
 
@@ -133,7 +140,11 @@ export class SlicePresenter {
     this.#attributes = attributes;
     this.#join(owner, group);
     const isOther = volume !== (pane.sliced?.volume ?? null);
-    if (isOther) pane.setVolume(volume && new SlicedVolume(volume, volume.grid as CartesianGrid), isSameGrid(volume, pane.sliced?.volume));
+    if (isOther)
+      pane.setVolume(
+        volume && new SlicedVolume(volume, volume.grid as CartesianGrid),
+        isSameGrid(volume, pane.sliced?.volume),
+      );
     if (appearance) pane.setLook(appearance);
     pane.labels = labels?.(attributes.labelOpacity) ?? null;
     if (volume) this.#place(attributes, (name) => isOther || changed(name));

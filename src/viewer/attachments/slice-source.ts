@@ -47,11 +47,19 @@ export class SliceSource {
   async #load(url: string, signal: AbortSignal): Promise<void> {
     this.host.progress({ loaded: 0, total: 0, phase: 'fetch' });
     try {
-      if (url.trim().split(/\s+/).length > 1) throw new VolumeViewError('attribute/invalid', 'src of <volume-slice-view> names several files; it shows one. For scans in time use <volume-view>, and for="…" here.');
+      if (url.trim().split(/\s+/).length > 1)
+        throw new VolumeViewError(
+          'attribute/invalid',
+          'src of <volume-slice-view> names several files; it shows one. For scans in time use <volume-view>, and for="…" here.',
+        );
       const onProgress = (progress: LoadProgress): void => {
         if (!signal.aborted && !progress.isStill) this.host.progress(progress);
       };
-      const volume = await loads.run(() => true, signal, () => sharedVolumes.get(this, { url: url.trim(), limits }, { signal, onProgress }));
+      const volume = await loads.run(
+        () => true,
+        signal,
+        () => sharedVolumes.get(this, { url: url.trim(), limits }, { signal, onProgress }),
+      );
       signal.throwIfAborted();
       this.host.progress(null);
       this.host.loaded(volume);

@@ -30,8 +30,16 @@ const maxTiles = 64;
 export function readSurface(read: ReadText): WantedSurface {
   const space = read('space')?.trim();
   const [url, ...more] = urlsOf(read('src'), 'volume-surface', 'src="brain.surf.gii"');
-  if (more.length > 0) throw new VolumeViewError('attribute/invalid', 'src of <volume-surface> names several files; expected one. Use an element for each');
-  const request: MeshRequest = { surface: 'mesh', url, space: space ? parseWord<MeshSpace>('space of a volume-surface', space, ['ras', 'lps']) : null };
+  if (more.length > 0)
+    throw new VolumeViewError(
+      'attribute/invalid',
+      'src of <volume-surface> names several files; expected one. Use an element for each',
+    );
+  const request: MeshRequest = {
+    surface: 'mesh',
+    url,
+    space: space ? parseWord<MeshSpace>('space of a volume-surface', space, ['ras', 'lps']) : null,
+  };
   return { request, look: readAppearance(read, 'volume-surface') };
 }
 
@@ -42,18 +50,45 @@ export function readSurface(read: ReadText): WantedSurface {
 export function readTerrain(read: ReadText, volume: Volume | null): WantedSurface {
   const files = urlsOf(read('src'), 'volume-terrain', 'src="N46E007.hgt"');
   const text = read('corner')?.trim();
-  const corner = text ? (parseNumbers('corner of a volume-terrain', text, 2) as unknown as readonly [number, number]) : null;
-  if (files.length > maxTiles) throw new VolumeViewError('attribute/invalid', `src of <volume-terrain> names ${files.length} files; expected at most ${maxTiles}`);
-  if (corner && (files.length > 1 || !isOnEarth(corner) || !corner.every(Number.isInteger))) throw invalid('corner of a volume-terrain', text!, 'whole degrees north and east of the south-west corner of a single file, like "46 7"');
+  const corner = text
+    ? (parseNumbers('corner of a volume-terrain', text, 2) as unknown as readonly [number, number])
+    : null;
+  if (files.length > maxTiles)
+    throw new VolumeViewError(
+      'attribute/invalid',
+      `src of <volume-terrain> names ${files.length} files; expected at most ${maxTiles}`,
+    );
+  if (corner && (files.length > 1 || !isOnEarth(corner) || !corner.every(Number.isInteger)))
+    throw invalid(
+      'corner of a volume-terrain',
+      text!,
+      'whole degrees north and east of the south-west corner of a single file, like "46 7"',
+    );
   const appearance = readAppearance(read, 'volume-terrain');
-  return { request: volume && { surface: 'terrain', url: files[0], files, corner, radar: radarOf(volume) }, look: appearance };
+  return {
+    request: volume && { surface: 'terrain', url: files[0], files, corner, radar: radarOf(volume) },
+    look: appearance,
+  };
 }
 
 function radarOf(volume: Volume): TerrainRequest['radar'] {
-  if (!isPolar(volume)) throw new VolumeViewError('attribute/invalid', '<volume-terrain> got a volume that is not a radar\'s; expected a radar scan, which says where on Earth it is. Other volumes take <volume-surface>');
+  if (!isPolar(volume))
+    throw new VolumeViewError(
+      'attribute/invalid',
+      "<volume-terrain> got a volume that is not a radar's; expected a radar scan, which says where on Earth it is. Other volumes take <volume-surface>",
+    );
   const { latitude, longitude, height } = volume.radar?.site ?? {};
-  if (latitude === undefined || longitude === undefined) throw new VolumeViewError('attribute/invalid', '<volume-terrain> got a radar scan that does not say where the radar is; expected its latitude and longitude in the file, or "site" in a manifest');
-  return { site: { latitude, longitude }, height: height ?? null, reach: groundReach(volume.grid), exaggeration: stretchOf(volume.grid) };
+  if (latitude === undefined || longitude === undefined)
+    throw new VolumeViewError(
+      'attribute/invalid',
+      '<volume-terrain> got a radar scan that does not say where the radar is; expected its latitude and longitude in the file, or "site" in a manifest',
+    );
+  return {
+    site: { latitude, longitude },
+    height: height ?? null,
+    reach: groundReach(volume.grid),
+    exaggeration: stretchOf(volume.grid),
+  };
 }
 
 function urlsOf(text: string | null, tag: string, example: string): string[] {
@@ -72,7 +107,10 @@ function readAppearance(read: ReadText, tag: string): WantedSurface['look'] {
   const opacity = faint ? (isNumber(faint) ? Number(faint) : Number.NaN) : (color?.alpha ?? 1);
   // x3dom would draw it in front of or behind the whole volume, and not inside it.
   if (opacity !== 1) {
-    throw new VolumeViewError('attribute/invalid', `opacity of <${tag}> got ${faint ?? `${color!.alpha} by its color`}; expected 1. A translucent surface within a volume can not be drawn rightly yet: make the volume clearer instead (opacity-factor), or cut it open`);
+    throw new VolumeViewError(
+      'attribute/invalid',
+      `opacity of <${tag}> got ${faint ?? `${color!.alpha} by its color`}; expected 1. A translucent surface within a volume can not be drawn rightly yet: make the volume clearer instead (opacity-factor), or cut it open`,
+    );
   }
   return { ...(color ? { color: color.color, usesOwnColors: false } : plain), isCut };
 }

@@ -58,7 +58,11 @@ export class SurfaceController extends AttachmentController<SurfaceTarget, Surfa
     if (appearance.isCut) await target.prepareCuts();
     signal.throwIfAborted();
     const before = this.#shown;
-    const isSame = before?.surface === surface && before.isCut === appearance.isCut && before.usesOwnColors === appearance.usesOwnColors && String(before.color) === String(appearance.color);
+    const isSame =
+      before?.surface === surface &&
+      before.isCut === appearance.isCut &&
+      before.usesOwnColors === appearance.usesOwnColors &&
+      String(before.color) === String(appearance.color);
     if (!isSame) this.#shown = { surface, ...appearance, places: placesOf(surface) };
     this.#site = site;
     await target.show(this.#shown);
@@ -73,7 +77,11 @@ export class SurfaceController extends AttachmentController<SurfaceTarget, Surfa
   }
 
   async #load(request: NonNullable<WantedSurface['request']>, signal: AbortSignal): Promise<Surface> {
-    const surface = await loads.run(() => true, signal, () => loadSurface(request, { signal, onProgress: (progress) => this.host.progress(progress) }));
+    const surface = await loads.run(
+      () => true,
+      signal,
+      () => loadSurface(request, { signal, onProgress: (progress) => this.host.progress(progress) }),
+    );
     if (surface.notes.length > 0) this.#warn(surface.notes.join('. '));
     return surface;
   }

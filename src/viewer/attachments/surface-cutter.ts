@@ -35,7 +35,10 @@ export class SurfaceCutter {
   #waiting: Promise<void> | null = null;
 
   /** @param again - shows the surface again, newly cut */
-  constructor(readonly view: SocketView, readonly again: () => Promise<void>) {}
+  constructor(
+    readonly view: SocketView,
+    readonly again: () => Promise<void>,
+  ) {}
 
   /** The rest of a surface after the cuts; null where nothing is left. The same object where nothing has changed. */
   cut(whole: ShownSurface): ShownSurface | null {
@@ -45,7 +48,8 @@ export class SurfaceCutter {
     const begunMs = performance.now();
     const surface = cutSurface(whole.surface, away);
     [this.#whole, this.#key] = [whole, key];
-    this.#left = surface === whole.surface ? whole : surface && { ...whole, surface, cut: { whole: whole.surface, away } };
+    this.#left =
+      surface === whole.surface ? whole : surface && { ...whole, surface, cut: { whole: whole.surface, away } };
     this.#endedMs = performance.now();
     this.#tookMs = this.#endedMs - begunMs;
     this.#frame = document.timeline.currentTime;
@@ -56,9 +60,12 @@ export class SurfaceCutter {
   readonly follow = (): void => {
     if (JSON.stringify(this.#away) === this.#key) return;
     const now = performance.now();
-    const wait = this.#tookMs > frameShareMs
-      ? Math.min(pauseMs, this.#endedMs + restPerCut * this.#tookMs - now)
-      : document.timeline.currentTime === this.#frame ? frameMs : 0;
+    const wait =
+      this.#tookMs > frameShareMs
+        ? Math.min(pauseMs, this.#endedMs + restPerCut * this.#tookMs - now)
+        : document.timeline.currentTime === this.#frame
+          ? frameMs
+          : 0;
     if (wait <= 0) return this.view.track(this.again());
     this.#dueMs = now + wait;
     if (!this.#waiting) this.view.track((this.#waiting = this.#wait()));

@@ -29,7 +29,10 @@ export class SurfaceTarget implements AttachmentTarget, ViewPart {
   #waiting = 0;
 
   /** @param element - owns the surface */
-  constructor(readonly socket: ViewSocket, readonly element: HTMLElement) {
+  constructor(
+    readonly socket: ViewSocket,
+    readonly element: HTMLElement,
+  ) {
     this.key = element.localName;
   }
 
@@ -64,7 +67,9 @@ export class SurfaceTarget implements AttachmentTarget, ViewPart {
   /** Load the code that cuts surfaces, before a surface with cuts is shown. @throws {VolumeViewError} `format/unsupported` */
   async prepareCuts(): Promise<void> {
     const { SurfaceCutter } = await loadPart(import('./surface-cutter.ts'), 'cuts surfaces');
-    this.#cutter ??= new SurfaceCutter(this.view, () => this.show(this.#whole).catch((error: unknown) => this.failed(error)));
+    this.#cutter ??= new SurfaceCutter(this.view, () =>
+      this.show(this.#whole).catch((error: unknown) => this.failed(error)),
+    );
   }
 
   /** @param whole - null for none @throws {VolumeViewError} `format/unsupported` where the code that draws it can not be loaded */
@@ -151,7 +156,11 @@ export class SurfaceTarget implements AttachmentTarget, ViewPart {
       this.#isLacking = false;
     } catch (cause) {
       this.#isLacking = true;
-      throw new VolumeViewError('format/unsupported', 'the part of volume-view that draws surfaces could not be loaded; check that all files of the package are on the server', { cause });
+      throw new VolumeViewError(
+        'format/unsupported',
+        'the part of volume-view that draws surfaces could not be loaded; check that all files of the package are on the server',
+        { cause },
+      );
     }
     this.view.viewer?.invalidate();
   }
@@ -159,5 +168,8 @@ export class SurfaceTarget implements AttachmentTarget, ViewPart {
 
 /** The error for a surface that has no volume around it. */
 export function noSurfaceTarget(tag: string): VolumeViewError {
-  return new VolumeViewError('attribute/invalid', `<${tag}> got no volume around it; expected it between the tags of a <volume-view>.`);
+  return new VolumeViewError(
+    'attribute/invalid',
+    `<${tag}> got no volume around it; expected it between the tags of a <volume-view>.`,
+  );
 }

@@ -17,9 +17,11 @@ export class ViewJoiner {
     this.leave();
     const joined = (this.#joined = { view, crosshair });
     if (!view) return;
-    import('./crosshair-in-view.ts').then(({ joinView }) => {
-      if (this.#joined === joined) this.#end = joinView(view as CrosshairView, { ...this.pane, crosshair });
-    }).catch(console.warn);
+    import('./crosshair-in-view.ts')
+      .then(({ joinView }) => {
+        if (this.#joined === joined) this.#end = joinView(view as CrosshairView, { ...this.pane, crosshair });
+      })
+      .catch(console.warn);
   }
 
   leave(): void {

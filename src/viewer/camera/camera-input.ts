@@ -57,11 +57,14 @@ export class CameraInput {
   ) {
     const { signal } = this.#abort;
     this.#rightButton = new RightButton(target, signal);
-    const listen = <Name extends keyof HTMLElementEventMap>(name: Name, act: (event: HTMLElementEventMap[Name]) => void): void =>
-      target.addEventListener(name, act, { signal, passive: false });
+    const listen = <Name extends keyof HTMLElementEventMap>(
+      name: Name,
+      act: (event: HTMLElementEventMap[Name]) => void,
+    ): void => target.addEventListener(name, act, { signal, passive: false });
     listen('pointerdown', (event) => this.#press(event));
     listen('pointermove', (event) => this.#move(event));
-    for (const name of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) listen(name, (event) => this.#release(event));
+    for (const name of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
+      listen(name, (event) => this.#release(event));
     listen('mousedown', (event) => this.#keepFromScrolling(event));
     // With two fingers the page does not scroll, in whichever direction they move.
     listen('touchmove', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault());
@@ -163,15 +166,19 @@ export class CameraInput {
   #listenToGestures(signal: AbortSignal): void {
     let last = 1;
     for (const name of ['gesturestart', 'gesturechange']) {
-      this.target.addEventListener(name, (event) => {
-        event.preventDefault();
-        const { scale } = event as GestureEvent;
-        if (name === 'gesturechange' && this.#pointers.size === 0) {
-          zoomAt(this.rig, last / scale, placeIn(this.target, event as GestureEvent));
-          this.actions.changed();
-        }
-        last = scale;
-      }, { signal });
+      this.target.addEventListener(
+        name,
+        (event) => {
+          event.preventDefault();
+          const { scale } = event as GestureEvent;
+          if (name === 'gesturechange' && this.#pointers.size === 0) {
+            zoomAt(this.rig, last / scale, placeIn(this.target, event as GestureEvent));
+            this.actions.changed();
+          }
+          last = scale;
+        },
+        { signal },
+      );
     }
   }
 

@@ -16,7 +16,12 @@ const arrows: Readonly<Record<string, readonly [x: number, y: number]>> = {
   ArrowDown: [0, -1],
 };
 
-const zooms: Readonly<Record<string, number>> = { '+': 1 / zoomPerKey, '=': 1 / zoomPerKey, '-': zoomPerKey, _: zoomPerKey };
+const zooms: Readonly<Record<string, number>> = {
+  '+': 1 / zoomPerKey,
+  '=': 1 / zoomPerKey,
+  '-': zoomPerKey,
+  _: zoomPerKey,
+};
 
 /**
  * Handle a key: the arrows turn the volume in their direction, as dragging does, and move it with Shift; plus and minus zoom.

@@ -67,7 +67,8 @@ export function zoomFrom(rig: CameraRig, factor: number, place: readonly [x: num
   const [near, far] = [length(was), length(is)];
   const rounding = 1e-9 * goal.radius;
   // Also at the limit, where the camera no longer goes away.
-  const share = far > near + rounding ? 1 / factor : Math.min(1, Math.max(before.radius, home.radius) / (before.radius * factor));
+  const share =
+    far > near + rounding ? 1 / factor : Math.min(1, Math.max(before.radius, home.radius) / (before.radius * factor));
   if (far > share * near + rounding) rig.aim({ ...goal, target: add(home.target, scale(was, share)) }, true);
 }
 

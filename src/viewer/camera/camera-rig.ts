@@ -153,7 +153,10 @@ export class CameraRig {
     if (this.cameraAt(this.#goal).eye.every(isFinite)) return;
     this.#attributes = before;
     this.resetAtOnce();
-    throw new VolumeViewError('attribute/invalid', 'camera-orbit, camera-target or field-of-view got a number that is too large or too small.');
+    throw new VolumeViewError(
+      'attribute/invalid',
+      'camera-orbit, camera-target or field-of-view got a number that is too large or too small.',
+    );
   }
 
   /** Apply other limits from now on. A camera that nobody moved goes to where it was placed, as far as the limits allow. */
@@ -213,7 +216,10 @@ export class CameraRig {
     this.#touched = false;
     const [angle, aspect] = [fieldOfView ?? defaults.fieldOfView, this.#aspect];
     // Rounding would lose the turns of a larger angle.
-    const orbit = { theta: (theta ?? usual.theta) % (2 * Math.PI), phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)) };
+    const orbit = {
+      theta: (theta ?? usual.theta) % (2 * Math.PI),
+      phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)),
+    };
     // If the author gives a distance, the view does not depend on the visible part.
     const framed = radius ? null : this.#framing?.({ ...orbit, fieldOfView: angle, aspect }, target ?? null);
     this.#home = {
@@ -246,7 +252,8 @@ export class CameraRig {
   #takeShortWay(): void {
     const { min, max } = this.#limits;
     const turns = Math.round((this.#goal.theta - this.#pose.theta) / (2 * Math.PI));
-    if (turns && isFinite(turns) && min.theta === undefined && max.theta === undefined) this.#pose = { ...this.#pose, theta: this.#pose.theta + 2 * Math.PI * turns };
+    if (turns && isFinite(turns) && min.theta === undefined && max.theta === undefined)
+      this.#pose = { ...this.#pose, theta: this.#pose.theta + 2 * Math.PI * turns };
   }
 
   /** @param usual - used where there is no radius, as a multiple of the distance that just shows the subject */
@@ -260,8 +267,12 @@ export class CameraRig {
     const { min, max } = this.#limits;
     const [minOrbit, maxOrbit] = this.#frame === worldFrame ? [min, max] : [{}, {}];
     const { radius } = this.#home;
-    const low = min.radius ? this.#lengthOf(min.radius, pose.fieldOfView, 0) : Math.min(nearest * this.#subject.radius, radius);
-    const high = max.radius ? this.#lengthOf(max.radius, pose.fieldOfView, 0) : Math.max(this.#lengthOf(undefined, pose.fieldOfView, farthest), radius);
+    const low = min.radius
+      ? this.#lengthOf(min.radius, pose.fieldOfView, 0)
+      : Math.min(nearest * this.#subject.radius, radius);
+    const high = max.radius
+      ? this.#lengthOf(max.radius, pose.fieldOfView, 0)
+      : Math.max(this.#lengthOf(undefined, pose.fieldOfView, farthest), radius);
     return {
       ...pose,
       theta: clamp(pose.theta, minOrbit.theta ?? -Infinity, maxOrbit.theta ?? Infinity),
@@ -291,7 +302,11 @@ export class CameraRig {
     const { theta: maxOrbit } = this.within({ ...this.#goal, theta: near });
     // The limits may allow only another turn.
     const one = near === maxOrbit ? near : near + Math.sign(maxOrbit - near) * round;
-    this.#goal = this.within({ ...this.#goal, theta: this.within({ ...this.#goal, theta: one }).theta === one ? one : near, phi });
+    this.#goal = this.within({
+      ...this.#goal,
+      theta: this.within({ ...this.#goal, theta: one }).theta === one ? one : near,
+      phi,
+    });
   }
 
   /** Go to a pose. @param touched - whether a person moved the camera there */

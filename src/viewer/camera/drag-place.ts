@@ -35,7 +35,10 @@ export function placeInPlane(picture: SeenPicture, through: Vector3, [x, y]: Pix
   const { right, up, away } = axesOf(camera);
   const pixel = lengthOfPixel(picture, through);
   const depth = -transformPoint(viewMatrix(camera), through)[2];
-  return add(add(camera.eye, scale(away, depth)), add(scale(right, (x - width / 2) * pixel), scale(up, (height / 2 - y) * pixel)));
+  return add(
+    add(camera.eye, scale(away, depth)),
+    add(scale(right, (x - width / 2) * pixel), scale(up, (height / 2 - y) * pixel)),
+  );
 }
 
 /**
@@ -44,7 +47,11 @@ export function placeInPlane(picture: SeenPicture, through: Vector3, [x, y]: Pix
  * @param from - the pixel where the drag started, at which the place `through` was
  * @param direction - of any length except zero
  */
-export function placeOnLine(picture: SeenPicture, { through, direction, from }: { through: Vector3; direction: Vector3; from: Pixel }, to: Pixel): Vector3 {
+export function placeOnLine(
+  picture: SeenPicture,
+  { through, direction, from }: { through: Vector3; direction: Vector3; from: Pixel },
+  to: Pixel,
+): Vector3 {
   const along = normalize(direction);
   const { camera, width, height } = picture;
   const view = viewMatrix(camera);
@@ -55,10 +62,21 @@ export function placeOnLine(picture: SeenPicture, { through, direction, from }: 
   const [a, b, c, e] = [[reach * x, reach * y], [reach * dx, reach * dy], -z, -dz];
   const speed = [0, 1].map((axis) => (b[axis] * c - a[axis] * e) / (c * c));
   const size = Math.hypot(...speed);
-  if (size * c < foreshortened * reach) return add(through, scale(along, (from[1] - to[1]) * lengthOfPixel(picture, through) * Math.sign(dot(along, axesOf(camera).away))));
+  if (size * c < foreshortened * reach)
+    return add(
+      through,
+      scale(along, (from[1] - to[1]) * lengthOfPixel(picture, through) * Math.sign(dot(along, axesOf(camera).away))),
+    );
   const line = speed.map((part) => part / size);
   const pixel = [to[0] - width / 2, height / 2 - to[1]];
-  const [p, q, r] = [0, 1].reduce((sums, axis) => [sums[0] + a[axis] * line[axis], sums[1] + b[axis] * line[axis], sums[2] + pixel[axis] * line[axis]], [0, 0, 0]);
+  const [p, q, r] = [0, 1].reduce(
+    (sums, axis) => [
+      sums[0] + a[axis] * line[axis],
+      sums[1] + b[axis] * line[axis],
+      sums[2] + pixel[axis] * line[axis],
+    ],
+    [0, 0, 0],
+  );
   return add(through, scale(along, (r * c - p) / (q - r * e)));
 }
 
@@ -67,7 +85,12 @@ const [keyStep, shiftStep] = [4, 40];
 
 /** To the right, up, and away from the eye. */
 const keys: Readonly<Record<string, Vector3>> = {
-  ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0], PageUp: [0, 0, 1], PageDown: [0, 0, -1],
+  ArrowLeft: [-1, 0, 0],
+  ArrowRight: [1, 0, 0],
+  ArrowUp: [0, 1, 0],
+  ArrowDown: [0, -1, 0],
+  PageUp: [0, 0, 1],
+  PageDown: [0, 0, -1],
 };
 
 /** A key has no effect if the line has less than this share of its direction in the picture. */
@@ -80,7 +103,12 @@ const minShare = 0.2;
  * forwards and backwards on the line
  * @returns null where the key has no effect
  */
-export function moveByKey(picture: SeenPicture, at: Vector3, { key, shiftKey }: { readonly key: string; readonly shiftKey: boolean }, along?: Vector3): Vector3 | null {
+export function moveByKey(
+  picture: SeenPicture,
+  at: Vector3,
+  { key, shiftKey }: { readonly key: string; readonly shiftKey: boolean },
+  along?: Vector3,
+): Vector3 | null {
   if (!Object.hasOwn(keys, key)) return null;
   const { right, up, away } = axesOf(picture.camera);
   const step = (shiftKey ? shiftStep : keyStep) * lengthOfPixel(picture, at);

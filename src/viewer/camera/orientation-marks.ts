@@ -21,7 +21,9 @@ export interface OrientationMark {
  * The sides that have a letter: those of a patient, or of a radar's map. There are none if the file does not say to whom its axes
  * refer.
  */
-export function listSides(volume: Pick<VolumeInfo, 'moment' | 'site' | 'anatomical' | 'unit'>): readonly StandardView[] {
+export function listSides(
+  volume: Pick<VolumeInfo, 'moment' | 'site' | 'anatomical' | 'unit'>,
+): readonly StandardView[] {
   const sides = listStandardViews(volume).filter(({ name }) => name !== 'above');
   return isPatient(volume) || sides.length === 4 ? sides : [];
 }

@@ -8,7 +8,11 @@ import type { Vector3 } from '../../volume/matrix.ts';
  * @param size - of the picture, CSS pixels
  * @returns CSS pixels from its left and top edge; null for a place behind the eye
  */
-export function projectPlace(camera: Camera, world: Vector3, { width, height }: { readonly width: number; readonly height: number }): readonly [x: number, y: number] | null {
+export function projectPlace(
+  camera: Camera,
+  world: Vector3,
+  { width, height }: { readonly width: number; readonly height: number },
+): readonly [x: number, y: number] | null {
   const [x, y, z] = transformPoint(viewMatrix(camera), world);
   if (!(z < 0)) return null;
   const reach = height / 2 / Math.tan(camera.fieldOfView / 2) / -z;

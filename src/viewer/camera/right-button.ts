@@ -15,7 +15,10 @@ export class RightButton {
   #draggedAt = -Infinity;
   #held: MouseEvent | null = null;
 
-  constructor(readonly target: Element, signal: AbortSignal) {
+  constructor(
+    readonly target: Element,
+    signal: AbortSignal,
+  ) {
     window.addEventListener('contextmenu', (event) => this.#menu(event), { capture: true, signal });
   }
 

@@ -5,7 +5,9 @@ import type { ClipShape } from '../model/clip-source.ts';
 import { invalid, isNumber, parseNumbers, parseWord } from '../model/parse-attributes.ts';
 
 /** What the attributes of a <volume-clip> say; the volume determines a place that is null. */
-export type ClipAttributes = Extract<ClipShape, { kind: 'plane' }> | (Omit<Extract<ClipShape, { kind: 'box' }>, 'box'> & { readonly box: readonly number[] | null });
+export type ClipAttributes =
+  | Extract<ClipShape, { kind: 'plane' }>
+  | (Omit<Extract<ClipShape, { kind: 'box' }>, 'box'> & { readonly box: readonly number[] | null });
 
 /**
  * @param text - returns the text of an attribute, null where it is absent
@@ -18,7 +20,11 @@ export function readClipAttributes(text: (name: string) => string | null): ClipA
   };
   const kind = said('type', (name, given) => parseWord(name, given, ['plane', 'box'])) ?? 'plane';
   if (kind === 'plane') return { kind, normal: said('normal', parseNormal) ?? [0, 0, 1], at: said('at', parseAt) };
-  return { kind, box: said('box', parseBox), keep: said('keep', (name, given) => parseWord(name, given, ['inside', 'outside'])) ?? 'inside' };
+  return {
+    kind,
+    box: said('box', parseBox),
+    keep: said('keep', (name, given) => parseWord(name, given, ['inside', 'outside'])) ?? 'inside',
+  };
 }
 
 function parseNormal(name: string, text: string): Vector3 {

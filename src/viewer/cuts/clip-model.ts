@@ -37,7 +37,8 @@ export class ClipModel {
   /** The present plane or box. @param room - null where no volume is known */
   shape(room: ClipRoom | null): ClipShape | null {
     const said = this.#said;
-    if (said.kind === 'plane') return { ...said, at: this.#at ?? said.at ?? (room && dot(said.normal, middleOf(room))) };
+    if (said.kind === 'plane')
+      return { ...said, at: this.#at ?? said.at ?? (room && dot(said.normal, middleOf(room))) };
     const box = this.#box ?? said.box ?? (room && usualBox(room, said.keep));
     return box && { ...said, box };
   }
@@ -49,14 +50,21 @@ export class ClipModel {
     if (shape.kind === 'plane') {
       // A plane moves along its normal in the scene.
       const middle = middleOf(room);
-      const at = add(middle, scale(shape.normal, withinReach(shape.at!, shape.normal, room) - dot(shape.normal, middle)));
+      const at = add(
+        middle,
+        scale(shape.normal, withinReach(shape.at!, shape.normal, room) - dot(shape.normal, middle)),
+      );
       return [{ at: toScene(at), along: toScene(shape.normal), side: null }];
     }
     const [low, high] = cornersOf(shape.box);
     const middle = scale(add(low, high), 0.5);
-    const sides = [0, 1, 2].flatMap((axis) => [low, high].map((corner, end): ClipGrip => ({
-      at: toScene(replace(middle, axis, corner[axis])), along: replace([0, 0, 0], axis, 1), side: { axis, isHigh: end === 1 },
-    })));
+    const sides = [0, 1, 2].flatMap((axis) =>
+      [low, high].map((corner, end): ClipGrip => ({
+        at: toScene(replace(middle, axis, corner[axis])),
+        along: replace([0, 0, 0], axis, 1),
+        side: { axis, isHigh: end === 1 },
+      })),
+    );
     return [{ at: toScene(nearestIn(room, middle)), side: null }, ...sides];
   }
 
@@ -70,7 +78,9 @@ export class ClipModel {
     }
     const { side } = this.grips(room)[index];
     const [low, high] = cornersOf(shape.box);
-    this.#box = side ? moveSide([low, high], side, within(to[side.axis], room.low[side.axis], room.high[side.axis])) : moveBox([low, high], to, room);
+    this.#box = side
+      ? moveSide([low, high], side, within(to[side.axis], room.low[side.axis], room.high[side.axis]))
+      : moveBox([low, high], to, room);
   }
 }
 
@@ -86,16 +96,23 @@ function withinReach(at: number, normal: Vector3, room: ClipRoom): number {
   return within(at, Math.min(...reach), Math.max(...reach));
 }
 
-const nearestIn = ({ low, high }: ClipRoom, place: Vector3): Vector3 => place.map((x, axis) => within(x, low[axis], high[axis])) as unknown as Vector3;
+const nearestIn = ({ low, high }: ClipRoom, place: Vector3): Vector3 =>
+  place.map((x, axis) => within(x, low[axis], high[axis])) as unknown as Vector3;
 
-const replace = (of: Vector3, axis: number, x: number): Vector3 => of.map((own, one) => (one === axis ? x : own)) as unknown as Vector3;
+const replace = (of: Vector3, axis: number, x: number): Vector3 =>
+  of.map((own, one) => (one === axis ? x : own)) as unknown as Vector3;
 
 function cornersIn({ low, high }: ClipRoom): Vector3[] {
-  return Array.from({ length: 8 }, (_, i) => [i & 1, (i >> 1) & 1, i >> 2].map((end, axis) => (end ? high : low)[axis]) as unknown as Vector3);
+  return Array.from(
+    { length: 8 },
+    (_, i) => [i & 1, (i >> 1) & 1, i >> 2].map((end, axis) => (end ? high : low)[axis]) as unknown as Vector3,
+  );
 }
 
 function cornersOf(box: readonly number[]): Corners {
-  const [low, high] = [Math.min, Math.max].map((end) => [0, 1, 2].map((axis) => end(box[axis], box[axis + 3])) as unknown as Vector3);
+  const [low, high] = [Math.min, Math.max].map(
+    (end) => [0, 1, 2].map((axis) => end(box[axis], box[axis + 3])) as unknown as Vector3,
+  );
   return [low, high];
 }
 
@@ -109,7 +126,9 @@ function usualBox(room: ClipRoom, keep: 'inside' | 'outside'): number[] {
 
 /** Move a side, but not past the opposite one. */
 function moveSide([low, high]: Corners, { axis, isHigh }: { axis: number; isHigh: boolean }, to: number): number[] {
-  return isHigh ? [...low, ...replace(high, axis, Math.max(low[axis], to))] : [...replace(low, axis, Math.min(high[axis], to)), ...high];
+  return isHigh
+    ? [...low, ...replace(high, axis, Math.max(low[axis], to))]
+    : [...replace(low, axis, Math.min(high[axis], to)), ...high];
 }
 
 /** Move a box; it keeps its size, and its middle stays in the volume. */

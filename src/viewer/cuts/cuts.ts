@@ -15,16 +15,24 @@ export type { Cuts };
 const isCut = (node: Node): boolean => /^(volume-slice|clipplane)$/i.test(node.nodeName);
 
 /** Whether an added or removed node is a cut, or contains one. */
-const holdsCut = (node: Node): boolean => isCut(node) || (node instanceof Element && [...node.getElementsByTagName('*')].some(isCut));
+const holdsCut = (node: Node): boolean =>
+  isCut(node) || (node instanceof Element && [...node.getElementsByTagName('*')].some(isCut));
 
 /**
  * Call `changed` when something that cuts the volume of an element is added, removed or changed; where there are volume nodes of
  * X3D, also call it with true, after each change.
  */
 export function watchSlices(host: Element, changed: (isLook?: boolean) => void): { disconnect(): void } {
-  const appearance = (): unknown => [...host.getElementsByTagName('*')].some((one) => /volume(style|data)$/i.test(one.localName)) && changed(true);
+  const appearance = (): unknown =>
+    [...host.getElementsByTagName('*')].some((one) => /volume(style|data)$/i.test(one.localName)) && changed(true);
   const observer = new MutationObserver((records) => {
-    if (records.some(({ target, attributeName, addedNodes, removedNodes }) => attributeName === 'cutout' || isCut(target) || [...addedNodes, ...removedNodes].some(holdsCut))) changed();
+    if (
+      records.some(
+        ({ target, attributeName, addedNodes, removedNodes }) =>
+          attributeName === 'cutout' || isCut(target) || [...addedNodes, ...removedNodes].some(holdsCut),
+      )
+    )
+      changed();
     appearance();
   });
   appearance();
@@ -50,7 +58,14 @@ export class CutReader {
   isReady(volume: Pick<Volume, 'grid' | 'radar'>): boolean {
     const { region, rings } = this.settings();
     const hasRings = rings.value !== 'none' && (rings.value !== null || volume.grid.kind === 'polar');
-    return this.#reader?.isReady(this.host, volume, hasRings) ?? (region.value === null && !hasRings && ![...this.host.getElementsByTagName('*')].some(isCut) && !this.host.hasAttribute('cutout') && socketOf(this.host).parts.every((part) => !part.clip));
+    return (
+      this.#reader?.isReady(this.host, volume, hasRings) ??
+      (region.value === null &&
+        !hasRings &&
+        ![...this.host.getElementsByTagName('*')].some(isCut) &&
+        !this.host.hasAttribute('cutout') &&
+        socketOf(this.host).parts.every((part) => !part.clip))
+    );
   }
 
   /** @param all - load the code for the map too; the first picture does not wait for it */

@@ -37,7 +37,8 @@ class Clips {
 
   /** @returns as many of them as the shader supports */
   some<T>(all: readonly T[], max: number, words: string): readonly T[] {
-    if (all.length > max) this.error ??= new VolumeViewError('attribute/invalid', `volume-view got ${all.length} ${words}`);
+    if (all.length > max)
+      this.error ??= new VolumeViewError('attribute/invalid', `volume-view got ${all.length} ${words}`);
     return all.slice(0, max);
   }
 }
@@ -48,20 +49,38 @@ class Clips {
  * @param hasSlices - whether there are slices: they are cut too
  * @returns the cuts for rays, and the same cuts in the world
  */
-export function readClips(host: Element, volume: Volume, hasSlices = false): { readonly cuts: readonly RayCut[]; readonly away: WorldCut; readonly error: VolumeViewError | null } {
+export function readClips(
+  host: Element,
+  volume: Volume,
+  hasSlices = false,
+): { readonly cuts: readonly RayCut[]; readonly away: WorldCut; readonly error: VolumeViewError | null } {
   const clips = new Clips();
   for (const child of host.getElementsByTagName('*')) {
-    if (child.localName.toLowerCase() === 'clipplane' && isAtTop(child, host)) clips.attempt(() => readX3dPlane(child, host, clips));
+    if (child.localName.toLowerCase() === 'clipplane' && isAtTop(child, host))
+      clips.attempt(() => readX3dPlane(child, host, clips));
   }
   clips.attempt(() => readCutout(host.getAttribute('cutout'), volume, clips));
   for (const part of socketOf(host).parts) clips.attempt(() => readClip(part.clip?.() ?? null, volume, clips));
 
-  const planes = clips.some(clips.planes, maxPlanes, `planes that cut its volume; expected at most ${maxPlanes}. Set enabled="false" on ClipPlanes that are not needed, and "hidden" on volume-clip elements.`);
-  const [cutout] = clips.some(clips.outside, 1, 'boxes to cut out of its volume; expected one: cutout, or one volume-clip type="box" that keeps what is outside.');
-  const kept = [...planes, ...sidesOf(clips.inside.map((bounds) => nearTo(volume, bounds)))].map(({ normal, at }): HalfSpace => ({ kind: 'half-space', ...planeInCube(normal, at, volume.grid) }));
+  const planes = clips.some(
+    clips.planes,
+    maxPlanes,
+    `planes that cut its volume; expected at most ${maxPlanes}. Set enabled="false" on ClipPlanes that are not needed, and "hidden" on volume-clip elements.`,
+  );
+  const [cutout] = clips.some(
+    clips.outside,
+    1,
+    'boxes to cut out of its volume; expected one: cutout, or one volume-clip type="box" that keeps what is outside.',
+  );
+  const kept = [...planes, ...sidesOf(clips.inside.map((bounds) => nearTo(volume, bounds)))].map(
+    ({ normal, at }): HalfSpace => ({ kind: 'half-space', ...planeInCube(normal, at, volume.grid) }),
+  );
   const cut = cutout && boxIn(nearTo(volume, cutout), volume);
   return {
-    cuts: [...(kept.length > 0 ? [{ create: hasSlices ? createClipOfSlices : createClip, items: kept }] : []), ...(cut ? [{ create: hasSlices ? createCutoutOfSlices : createCutout, items: [cut] }] : [])],
+    cuts: [
+      ...(kept.length > 0 ? [{ create: hasSlices ? createClipOfSlices : createClip, items: kept }] : []),
+      ...(cut ? [{ create: hasSlices ? createCutoutOfSlices : createCutout, items: [cut] }] : []),
+    ],
     away: { kept: [...planes, ...sidesOf(clips.inside)], removed: cutout ?? null },
     error: clips.error,
   };
@@ -71,7 +90,8 @@ export function readClips(host: Element, volume: Volume, hasSlices = false): { r
 export function readAuthorPlanes(host: Element): readonly HalfWorld[] {
   const clips = new Clips();
   for (const child of host.getElementsByTagName('*')) {
-    if (child.localName.toLowerCase() === 'clipplane' && isAtTop(child, host)) clips.attempt(() => readX3dPlane(child, host, clips));
+    if (child.localName.toLowerCase() === 'clipplane' && isAtTop(child, host))
+      clips.attempt(() => readX3dPlane(child, host, clips));
   }
   return clips.planes;
 }
@@ -82,14 +102,16 @@ export function readAuthorPlanes(host: Element): readonly HalfWorld[] {
  */
 function isAtTop(plane: Element, host: Element): boolean {
   let around = meantParent(plane)!;
-  while (around !== host && (isWrapper(around) || /volume(style|data)$|^(x3d|scene)$/i.test(around.localName))) around = meantParent(around)!;
+  while (around !== host && (isWrapper(around) || /volume(style|data)$|^(x3d|scene)$/i.test(around.localName)))
+    around = meantParent(around)!;
   return around === host;
 }
 
 /** Read an X3D ClipPlane at the top of the scene, where the volume is too. */
 function readX3dPlane(child: Element, host: Element, { planes }: Clips): void {
   const use = child.getAttribute('USE') ?? child.getAttribute('use');
-  const element = (use !== null && host.querySelector(`[DEF="${CSS.escape(use)}"], [def="${CSS.escape(use)}"]`)) || child;
+  const element =
+    (use !== null && host.querySelector(`[DEF="${CSS.escape(use)}"], [def="${CSS.escape(use)}"]`)) || child;
   const isOff = (name: string): boolean => (element.getAttribute(name) ?? 'true').trim().toLowerCase() !== 'true';
   if (isOff('on') || isOff('enabled')) return;
   const text = element.getAttribute('plane') ?? '0 1 0 0';
@@ -99,7 +121,11 @@ function readX3dPlane(child: Element, host: Element, { planes }: Clips): void {
 
 /** @returns four numbers; the vector of the first three has length 1 */
 function readPlane(text: string): number[] {
-  const wrong = invalid('plane of a ClipPlane', text, 'four numbers "a b c d", which keep what is where a x + b y + c z + d is not below 0; a, b and c may not all be 0');
+  const wrong = invalid(
+    'plane of a ClipPlane',
+    text,
+    'four numbers "a b c d", which keep what is where a x + b y + c z + d is not below 0; a, b and c may not all be 0',
+  );
   let numbers: number[];
   try {
     numbers = parseNumbers('plane', text, 4);
@@ -117,7 +143,8 @@ function readPlane(text: string): number[] {
 const farthest = 1e12;
 
 function readCutout(text: string | null, volume: Volume, { outside }: Clips): void {
-  if (text !== null && text.trim() !== '') outside.push(boundsBetween(parseNumbers('cutout', text, 6), stretchOf(volume.grid)));
+  if (text !== null && text.trim() !== '')
+    outside.push(boundsBetween(parseNumbers('cutout', text, 6), stretchOf(volume.grid)));
 }
 
 function readClip(shape: ClipShape | null, volume: Volume, clips: Clips): void {
@@ -146,6 +173,8 @@ function nearTo({ grid }: Volume, bounds: Bounds): Bounds {
 /** @returns null for an empty box */
 function boxIn(bounds: Bounds, { grid }: Volume): Cutout | null {
   const sizes = bounds.map(([low, high]) => high - low) as unknown as Vector3;
-  const worldToBox = sizes.every((size) => size > 0) ? invertAffine(scaleAndTranslate(sizes, bounds.map(([low]) => low) as unknown as Vector3)) : null;
+  const worldToBox = sizes.every((size) => size > 0)
+    ? invertAffine(scaleAndTranslate(sizes, bounds.map(([low]) => low) as unknown as Vector3))
+    : null;
   return worldToBox && { kind: 'cutout', unitToBox: multiply(worldToBox, unitToWorld(grid)) };
 }

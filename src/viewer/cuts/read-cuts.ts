@@ -35,7 +35,12 @@ const untold = new ErrorState({ file: '', changed: () => {}, failed: () => {} })
  * All cuts that an author requests. What can't be read is reported, and left out.
  * @param model - the volume that sets the camera
  */
-export function readCuts({ host, errors: reported, settings }: Reader, volume: Volume, model: ScanModel, none: Cuts): Cuts {
+export function readCuts(
+  { host, errors: reported, settings }: Reader,
+  volume: Volume,
+  model: ScanModel,
+  none: Cuts,
+): Cuts {
   const errors = volume.coarse ? untold : reported;
   const { region, rings, look: appearance } = settings();
   const { error, ...slices } = readSlices(host, volume, appearance.value?.window ?? null);
@@ -59,7 +64,12 @@ export function readCuts({ host, errors: reported, settings }: Reader, volume: V
 export function readRegion(box: readonly number[] | null, volume: ScanModel): GridFrame | null {
   if (!box) return null;
   const region = cutRegion(volume.grid, box, stretchOf(volume.grid));
-  if (!region) throw invalid('region', box.join(' '), 'two opposite corners of a box that holds some of the volume, "x0 y0 z0 x1 y1 z1"');
+  if (!region)
+    throw invalid(
+      'region',
+      box.join(' '),
+      'two opposite corners of a box that holds some of the volume, "x0 y0 z0 x1 y1 z1"',
+    );
   return region;
 }
 
@@ -81,7 +91,11 @@ function isPlane(slice: Element): boolean {
 
 /** Whether something other than a slice cuts an element's volume. */
 function isClipped(host: Element): boolean {
-  return host.hasAttribute('cutout') || socketOf(host).parts.some((part) => part.clip) || [...host.getElementsByTagName('*')].some(({ localName }) => /^clipplane$/i.test(localName));
+  return (
+    host.hasAttribute('cutout') ||
+    socketOf(host).parts.some((part) => part.clip) ||
+    [...host.getElementsByTagName('*')].some(({ localName }) => /^clipplane$/i.test(localName))
+  );
 }
 
 /** The code that makes the map below a radar's rings, once there are some; false where it could not be loaded. */
@@ -114,17 +128,30 @@ export async function prepare(host: Element): Promise<void> {
  * @param window - data values of black and white that the page gives for the volume
  */
 export function readSlices(
-  host: Element, volume: Volume, window: readonly [number, number] | null,
+  host: Element,
+  volume: Volume,
+  window: readonly [number, number] | null,
 ): { slices: readonly Slice[]; cuts: readonly RayCut[]; away?: WorldCut; error: VolumeViewError | null } {
   const shown = shownSlices(host);
-  const { slices, error } = readRadarSlices(shown.filter((slice) => !isPlane(slice)), volume);
+  const { slices, error } = readRadarSlices(
+    shown.filter((slice) => !isPlane(slice)),
+    volume,
+  );
   const read = planes?.readPlanes(shown.filter(isPlane), volume, window);
   // Other cuts come first, so that slices are not visible where the volume is cut away.
   const cut = clips?.readClips(host, volume, shown.length > 0);
-  return { slices, cuts: [...(cut?.cuts ?? []), ...(read?.cuts ?? [])], ...(cut && { away: cut.away }), error: error ?? read?.error ?? cut?.error ?? null };
+  return {
+    slices,
+    cuts: [...(cut?.cuts ?? []), ...(read?.cuts ?? [])],
+    ...(cut && { away: cut.away }),
+    error: error ?? read?.error ?? cut?.error ?? null,
+  };
 }
 
-function readRadarSlices(shown: readonly Element[], volume: Volume): { slices: Slice[]; error: VolumeViewError | null } {
+function readRadarSlices(
+  shown: readonly Element[],
+  volume: Volume,
+): { slices: Slice[]; error: VolumeViewError | null } {
   const slices: Slice[] = [];
   let error: VolumeViewError | null = null;
   for (const element of shown.slice(0, maxSlices)) {
@@ -135,7 +162,10 @@ function readRadarSlices(shown: readonly Element[], volume: Volume): { slices: S
     }
   }
   if (shown.length > maxSlices) {
-    error ??= new VolumeViewError('attribute/invalid', `volume-view got ${shown.length} volume-slice elements; expected at most ${maxSlices}. Set "hidden" on those that are not needed.`);
+    error ??= new VolumeViewError(
+      'attribute/invalid',
+      `volume-view got ${shown.length} volume-slice elements; expected at most ${maxSlices}. Set "hidden" on those that are not needed.`,
+    );
   }
   return { slices, error };
 }
@@ -144,15 +174,27 @@ function readSlice(element: Element, volume: Volume): Slice {
   const { grid, radar } = volume;
   const type = element.getAttribute('type')?.trim().toLowerCase() ?? '';
   const reader = new SliceAttributes(element, type);
-  if (grid.kind !== 'polar') throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a volume that is not a radar's; expected a radar scan, which alone has such cuts. Others have axial, coronal, sagittal and oblique ones.`);
+  if (grid.kind !== 'polar')
+    throw new VolumeViewError(
+      'attribute/invalid',
+      `volume-slice type="${type}" got a volume that is not a radar's; expected a radar scan, which alone has such cuts. Others have axial, coronal, sagittal and oblique ones.`,
+    );
   if (type === 'ppi') return { kind: 'cone', sweep: readSweep(reader, grid) };
-  if (type === 'cappi') return { kind: 'level', height: reader.numbers('height', 1, 'metres above sea level, like "3000"')[0] - (radar?.site.height ?? 0) };
+  if (type === 'cappi')
+    return {
+      kind: 'level',
+      height: reader.numbers('height', 1, 'metres above sea level, like "3000"')[0] - (radar?.site.height ?? 0),
+    };
   if (type === 'rhi') {
     const angle = (reader.numbers('azimuth', 1, 'degrees clockwise from north, like "220"')[0] * Math.PI) / 180;
     return { kind: 'upright', from: [0, 0], direction: [Math.sin(angle), Math.cos(angle)], length: Infinity };
   }
   if (type === 'section') return readSection(reader);
-  throw invalid('type of a volume-slice', type, 'ppi, cappi, rhi or section; axial, coronal, sagittal or oblique in volumes that are not a radar\'s');
+  throw invalid(
+    'type of a volume-slice',
+    type,
+    "ppi, cappi, rhi or section; axial, coronal, sagittal or oblique in volumes that are not a radar's",
+  );
 }
 
 function readSection(reader: SliceAttributes): Slice {
@@ -170,7 +212,9 @@ function readSweep(reader: SliceAttributes, { sweeps }: PolarGrid): number {
     if (!sweeps[number]) throw reader.error('sweep', `a whole number from 0 to ${sweeps.length - 1}`);
     return number;
   }
-  const [target] = reader.has('elevation') ? reader.numbers('elevation', 1, 'degrees, like "0.5"') : [sweeps[0].elevation];
+  const [target] = reader.has('elevation')
+    ? reader.numbers('elevation', 1, 'degrees, like "0.5"')
+    : [sweeps[0].elevation];
   const distances = sweeps.map(({ elevation }) => Math.abs(elevation - target));
   return distances.indexOf(Math.min(...distances));
 }

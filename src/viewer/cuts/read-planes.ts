@@ -23,7 +23,11 @@ export interface ReadPlanes {
 }
 
 /** @param window - data values of black and white that the page gives for the volume; null where it gives none */
-export function readPlanes(elements: readonly Element[], volume: Volume, window: readonly [number, number] | null): ReadPlanes {
+export function readPlanes(
+  elements: readonly Element[],
+  volume: Volume,
+  window: readonly [number, number] | null,
+): ReadPlanes {
   const planes: PlaneSlice[] = [];
   let error: VolumeViewError | null = null;
   for (const element of elements.slice(0, maxPlanes)) {
@@ -34,15 +38,30 @@ export function readPlanes(elements: readonly Element[], volume: Volume, window:
     }
   }
   if (elements.length > maxPlanes) {
-    error ??= new VolumeViewError('attribute/invalid', `volume-view got ${elements.length} volume-slice elements; expected at most ${maxPlanes}. Set "hidden" on those that are not needed.`);
+    error ??= new VolumeViewError(
+      'attribute/invalid',
+      `volume-view got ${elements.length} volume-slice elements; expected at most ${maxPlanes}. Set "hidden" on those that are not needed.`,
+    );
   }
   return { cuts: planes.length > 0 ? [{ create: createPlanes, items: planes }] : [], error };
 }
 
 function readPlane(element: Element, volume: Volume, window: readonly [number, number] | null): PlaneSlice {
-  const { type, normal: along, at, colors, thickness, projection, ...said } = new SliceReader((name) => element.getAttribute(name), ' of a volume-slice').plane();
+  const {
+    type,
+    normal: along,
+    at,
+    colors,
+    thickness,
+    projection,
+    ...said
+  } = new SliceReader((name) => element.getAttribute(name), ' of a volume-slice').plane();
   const { grid } = volume;
-  if (grid.kind === 'polar') throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a radar scan, which has no such slices; expected ppi, cappi, rhi or section.`);
+  if (grid.kind === 'polar')
+    throw new VolumeViewError(
+      'attribute/invalid',
+      `volume-slice type="${type}" got a radar scan, which has no such slices; expected ppi, cappi, rhi or section.`,
+    );
   const { normal } = planeOf(type, along);
   const sliced = new SlicedVolume(volume, grid);
   const middle = at ?? middleAlong(normal, corners(grid));
@@ -56,7 +75,11 @@ function readPlane(element: Element, volume: Volume, window: readonly [number, n
   };
 }
 
-function slabOf(normal: Vector3, thickness: number, { kind, sliced }: { readonly kind: PlaneSlab['kind']; readonly sliced: SlicedVolume }): PlaneSlab {
+function slabOf(
+  normal: Vector3,
+  thickness: number,
+  { kind, sliced }: { readonly kind: PlaneSlab['kind']; readonly sliced: SlicedVolume },
+): PlaneSlab {
   const way = transformDirection(sliced.worldToIndex, scale(normal, thickness));
   return { kind, way: way.map((x, axis) => x / sliced.grid.dimensions[axis]) as unknown as Vector3 };
 }

@@ -34,7 +34,10 @@ export function placeOfRadar({ radar }: Pick<Volume, 'radar'>): EarthPoint | nul
  * @throws {VolumeViewError} `attribute/invalid`
  */
 export function readRings(
-  kilometres: RingSetting | null, volume: Pick<Volume, 'grid' | 'radar'>, region: GridFrame | null, maps: typeof GroundMaps | null = null,
+  kilometres: RingSetting | null,
+  volume: Pick<Volume, 'grid' | 'radar'>,
+  region: GridFrame | null,
+  maps: typeof GroundMaps | null = null,
 ): LabelledRings | null {
   const { grid } = volume;
   if (kilometres === 'none' || (kilometres === null && grid.kind !== 'polar')) return null;
@@ -44,7 +47,11 @@ export function readRings(
   if (!ringsFit(plan)) {
     if (kilometres === null) return null;
     const [nearest, farthest] = plan.extent;
-    throw invalid('rings', text, `kilometres from ring to ring, of which 1 to ${maxRings} fit into the ${Math.round((farthest - nearest) / 1000)} km that are shown`);
+    throw invalid(
+      'rings',
+      text,
+      `kilometres from ring to ring, of which 1 to ${maxRings} fit into the ${Math.round((farthest - nearest) / 1000)} km that are shown`,
+    );
   }
   const rings = buildRings(plan);
   const lines = kilometres === null && !region ? [...rings.lines, ...buildSpokes(plan)] : rings.lines;

@@ -35,9 +35,21 @@ export class RingLabels implements ViewPart {
   /**
    * @param container - covers the picture
    */
-  constructor(readonly container: Element, readonly write: RingWriter) {
-    Object.assign(this.#caption.style, { position: 'absolute', insetBlockStart: '8px', insetInlineStart: '10px', textShadow: '0 0 3px #000, 0 0 2px #000, 0 1px 1px #000' });
-    Object.assign(this.#caption.style, { color: 'var(--volume-view-label-color, #fff)', fontSize: '12px', maxInlineSize: 'calc(100% - 20px)' });
+  constructor(
+    readonly container: Element,
+    readonly write: RingWriter,
+  ) {
+    Object.assign(this.#caption.style, {
+      position: 'absolute',
+      insetBlockStart: '8px',
+      insetInlineStart: '10px',
+      textShadow: '0 0 3px #000, 0 0 2px #000, 0 1px 1px #000',
+    });
+    Object.assign(this.#caption.style, {
+      color: 'var(--volume-view-label-color, #fff)',
+      fontSize: '12px',
+      maxInlineSize: 'calc(100% - 20px)',
+    });
   }
 
   /** Put labels over the picture, in a container right after it. */
@@ -88,10 +100,15 @@ export class RingLabels implements ViewPart {
     const read: { place: readonly [number, number]; size: readonly number[] }[] = [];
     seen.forEach(({ x, y }, i) => {
       const [width, height] = sizes[i];
-      const [across, along] = [pushInside((clientWidth * (x + 1)) / 2, width, clientWidth), pushInside((clientHeight * (1 - y)) / 2, height, clientHeight)];
+      const [across, along] = [
+        pushInside((clientWidth * (x + 1)) / 2, width, clientWidth),
+        pushInside((clientHeight * (1 - y)) / 2, height, clientHeight),
+      ];
       const place = [(clientWidth * (x + 1)) / 2 + across, (clientHeight * (1 - y)) / 2 + along] as const;
       // Hide a text that would cover another one.
-      this.#spans[i].hidden ||= read.some((one) => place.every((at, axis) => Math.abs(at - one.place[axis]) < (sizes[i][axis] + one.size[axis]) / 2));
+      this.#spans[i].hidden ||= read.some((one) =>
+        place.every((at, axis) => Math.abs(at - one.place[axis]) < (sizes[i][axis] + one.size[axis]) / 2),
+      );
       if (!this.#spans[i].hidden) read.push({ place, size: sizes[i] });
       this.#spans[i].style.translate = `calc(${across.toFixed(2)}px - 50%) calc(${along.toFixed(2)}px - 50%)`;
     });

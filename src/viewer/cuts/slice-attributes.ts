@@ -30,7 +30,10 @@ export class SliceReader {
    * @param text - returns the text of an attribute, null where it is absent
    * @param owner - the text after the attribute's name in messages
    */
-  constructor(readonly text: (name: string) => string | null, readonly owner = '') {}
+  constructor(
+    readonly text: (name: string) => string | null,
+    readonly owner = '',
+  ) {}
 
   /** null where the attribute is absent or empty. @throws {VolumeViewError} `attribute/invalid` */
   read<T>(name: string, parse: (name: string, text: string) => T): T | null {
@@ -72,6 +75,7 @@ function parseNormal(name: string, text: string): Vector3 {
 
 function parseAt(name: string, text: string): number {
   const at = isNumber(text.trim()) ? Number(text) : NaN;
-  if (!(Math.abs(at) <= longest)) throw invalid(name, text, 'a place along the slice\'s normal in world units, like "-12.5"');
+  if (!(Math.abs(at) <= longest))
+    throw invalid(name, text, 'a place along the slice\'s normal in world units, like "-12.5"');
   return at;
 }

@@ -26,18 +26,33 @@ export interface BlankFacts {
 }
 
 /** The likely cause; null where the page, or a person, wants it so. */
-export function findBlankCause({ volume: { grid, range, histogram }, optics, cuts, labels, inSight, isMoved, alpha }: BlankFacts): BlankCause | null {
+export function findBlankCause({
+  volume: { grid, range, histogram },
+  optics,
+  cuts,
+  labels,
+  inSight,
+  isMoved,
+  alpha,
+}: BlankFacts): BlankCause | null {
   const { transferFunction, opacityFactor, surfaces, patches } = optics;
   const [low, high] = range;
   if (opacityFactor === 0) return null;
   const isRadar = grid.kind === 'polar';
   if (histogram.counts.every((count) => count === 0)) return { cause: isRadar ? 'noEchoes' : 'noData' };
-  if (labels && (labels.shown?.styles ?? transferFunction.map(({ opacity }) => ({ opacityFactor: opacity }))).every((style) => style.opacityFactor === 0)) return { cause: 'labels' };
+  if (
+    labels &&
+    (labels.shown?.styles ?? transferFunction.map(({ opacity }) => ({ opacityFactor: opacity }))).every(
+      (style) => style.opacityFactor === 0,
+    )
+  )
+    return { cause: 'labels' };
   // With surfaces, or with values and their gradients, the picture does not depend on the transfer function alone.
   if (!surfaces && !patches) {
     const begin = firstOpaque(transferFunction);
     if (begin === null) return { cause: 'transparent' };
-    if (largestIn(transferFunction, low, high) === 0) return isRadar && high < begin ? { cause: 'weakEchoes', value: begin } : { cause: 'values', low, high };
+    if (largestIn(transferFunction, low, high) === 0)
+      return isRadar && high < begin ? { cause: 'weakEchoes', value: begin } : { cause: 'values', low, high };
   }
   if (inSight === null) return { cause: 'values', low, high };
   if (!inSight) return isMoved ? null : { cause: 'sight' };

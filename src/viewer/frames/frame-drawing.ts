@@ -45,9 +45,15 @@ export class FrameDrawing {
     const size = this.sizeIn(scene);
     // At rest too, the first picture of a view appears within a frame's time, and a better one follows.
     const quick = inMotion || this.quality.undecided;
-    const plan = !quick ? this.planAtRest : untimed && !inMotion ? standInFrame : this.quality.moving(shown.grid, size.width * size.height);
+    const plan = !quick
+      ? this.planAtRest
+      : untimed && !inMotion
+        ? standInFrame
+        : this.quality.moving(shown.grid, size.width * size.height);
     const rows = quick || !scene.gatherable ? null : this.quality.rowsOfPieces(size, plan);
-    const stats = rows ? await this.pictures.gather(scene, plan, size, { rows, pieceMs: this.quality.pieceMs }) : await this.#draw(scene, time, plan);
+    const stats = rows
+      ? await this.pictures.gather(scene, plan, size, { rows, pieceMs: this.quality.pieceMs })
+      : await this.#draw(scene, time, plan);
     if (!stats) return true;
     const atRest = !inMotion && !loop.dirty && controller.scene === scene;
     // Report the picture at once if its error is known; else when the error has been measured.
@@ -111,9 +117,16 @@ export class FrameDrawing {
 
   #isFinal({ width, height, steps, substeps, maxCurvature }: RenderStats): boolean {
     const { controller, loop, shown } = this.pictures.parts;
-    if (!controller.scene || loop.dirty || loop.host.moving || shown.volume!.coarse || this.quality.undecided) return false;
+    if (!controller.scene || loop.dirty || loop.host.moving || shown.volume!.coarse || this.quality.undecided)
+      return false;
     const full = this.sizeIn(controller.scene);
     const plan = this.planAtRest;
-    return width === full.width && height === full.height && steps === plan.steps && substeps === plan.substeps.max && maxCurvature === 0;
+    return (
+      width === full.width &&
+      height === full.height &&
+      steps === plan.steps &&
+      substeps === plan.substeps.max &&
+      maxCurvature === 0
+    );
   }
 }

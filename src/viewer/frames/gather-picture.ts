@@ -56,7 +56,12 @@ function countPixels({ over, width }: Pass, rows: number): number {
  * @param told - called after each piece with the share of the picture that is drawn, 0..1
  * @returns ms that all pieces took; null where the picture was given up
  */
-export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: () => boolean, reported: (share: number) => void = () => {}): Promise<number | null> {
+export async function gatherPicture(
+  scene: Scene,
+  picture: Gathering,
+  goesOn: () => boolean,
+  reported: (share: number) => void = () => {},
+): Promise<number | null> {
   const { stepLength, width, height, rows, pieceMs } = picture;
   const began = performance.now();
   let freeSince = began;
@@ -80,9 +85,12 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
     // Such a pass first reads the earlier ones, and the page would wait for them. Its few rays may be anywhere.
     if (pass.over) await before;
     const limit = pass.over ? pass.height : max;
-    for (let firstRow = 0; firstRow < pass.height; ) {
+    for (let firstRow = 0; firstRow < pass.height;) {
       // A row of a coarser lattice has fewer pixels, so that a piece has more of its rows.
-      const count = Math.min(Math.max(minRows, wholeRows * Math.round(next / wholeRows)) * pass.stride, pass.height - firstRow);
+      const count = Math.min(
+        Math.max(minRows, wholeRows * Math.round(next / wholeRows)) * pass.stride,
+        pass.height - firstRow,
+      );
       scene.gather(stepLength, { pass, firstRow, rows: count }, { width, height });
       firstRow += count;
       done += countPixels(pass, count);
@@ -91,7 +99,11 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
       const took = await before;
       if (!goesOn()) return null;
       reported(done / pixels);
-      if (took !== null) next = Math.min(limit, next * Math.min(maxChange, Math.max(1 / maxChange, pieceMs / atOnce / Math.max(0.1, took))));
+      if (took !== null)
+        next = Math.min(
+          limit,
+          next * Math.min(maxChange, Math.max(1 / maxChange, pieceMs / atOnce / Math.max(0.1, took))),
+        );
       before = last;
     }
   }

@@ -6,7 +6,7 @@ const pieceMs = 8;
  * @returns null where the work was no longer needed
  */
 export async function inPieces<T>(work: Iterator<unknown, T>, isWanted: () => boolean): Promise<T | null> {
-  for (let began = performance.now(); isWanted(); ) {
+  for (let began = performance.now(); isWanted();) {
     const { done, value } = work.next();
     if (done) return value;
     if (performance.now() - began < pieceMs) continue;

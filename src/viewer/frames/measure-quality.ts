@@ -45,7 +45,15 @@ export function seenPixels(scene: Scene, { width, height }: Size): PixelRectangl
  */
 function isOpaque(scene: Scene): boolean {
   const seen = scene.whatIsSeen();
-  return seen !== null && !isPolar(seen.volume) && (seen.hasSurfaces || -Math.log1p(-largestOpacity([seen.transferFunction, ...(seen.functions ?? [])].flat())) * seen.opticalScale * finestSpacing(seen.volume.grid) > 1);
+  return (
+    seen !== null &&
+    !isPolar(seen.volume) &&
+    (seen.hasSurfaces ||
+      -Math.log1p(-largestOpacity([seen.transferFunction, ...(seen.functions ?? [])].flat())) *
+        seen.opticalScale *
+        finestSpacing(seen.volume.grid) >
+        1)
+  );
 }
 
 /** The error by which the steps of a reference are cut, where the author requires none. */
@@ -59,7 +67,11 @@ const searchedAtOnce = 2 ** 18;
  * @param goesOn - whether the view is still needed
  * @returns null where it is not
  */
-export async function aside<T>(work: Waiting<T>, scene: Scene, goesOn: () => boolean): Promise<{ readonly value: T } | null> {
+export async function aside<T>(
+  work: Waiting<T>,
+  scene: Scene,
+  goesOn: () => boolean,
+): Promise<{ readonly value: T } | null> {
   while (goesOn()) {
     const { done, value } = work.next();
     if (done) return goesOn() ? { value } : null;
@@ -116,7 +128,10 @@ export class ErrorProbe {
   /** The share of the rectangle's pixels that are probed, where all others are known to show nothing. */
   #share = 1;
 
-  constructor(readonly scene: Scene, readonly view: ProbedView) {}
+  constructor(
+    readonly scene: Scene,
+    readonly view: ProbedView,
+  ) {}
 
   get grid(): GridFrame {
     return this.view.grid;
@@ -158,7 +173,9 @@ export class ErrorProbe {
   *#drawAll(level: Level): Waiting<void> {
     const { pictures } = this.#plan(level);
     const [[steps, cut]] = pictures;
-    yield* findCells(this.scene, cut, () => this.scene.startProbe(stepLengthOf(this.grid, steps), onePixel, this.view.size));
+    yield* findCells(this.scene, cut, () =>
+      this.scene.startProbe(stepLengthOf(this.grid, steps), onePixel, this.view.size),
+    );
     if (!this.#isSearched) {
       const first = yield* this.#probe(steps, cut);
       yield* this.#search(first, Math.max(steps, autoSteps(this.grid)), cut);
@@ -195,9 +212,19 @@ export class ErrorProbe {
     const one = autoSteps(grid);
     const isEven = level.steps >= one;
     const finer = isEven ? level : { steps: one, substeps: maxSubsteps };
-    const cut = isEven && maxError === null ? { ...allSubsteps, max: level.substeps } : cutSteps(finer, voxelsAlong(grid), maxError ?? usualError);
+    const cut =
+      isEven && maxError === null
+        ? { ...allSubsteps, max: level.substeps }
+        : cutSteps(finer, voxelsAlong(grid), maxError ?? usualError);
     const own = maxError === null ? { ...allSubsteps, max: level.substeps } : cut;
-    return { isEven, pictures: [[level.steps, own], [finer.steps * 2, cut], [finer.steps * 4, cut]] };
+    return {
+      isEven,
+      pictures: [
+        [level.steps, own],
+        [finer.steps * 2, cut],
+        [finer.steps * 4, cut],
+      ],
+    };
   }
 
   /**
@@ -252,7 +279,12 @@ export class ErrorProbe {
 }
 
 /** The error of the last view with this level's steps, before it is drawn; null where the device can't measure it. */
-export function measureError(scene: Scene, grid: GridFrame, level: Level, size: Size = scene.canvas): ErrorEstimate | null {
+export function measureError(
+  scene: Scene,
+  grid: GridFrame,
+  level: Level,
+  size: Size = scene.canvas,
+): ErrorEstimate | null {
   return new ErrorProbe(scene, { grid, size, maxError: null }).estimate(level);
 }
 

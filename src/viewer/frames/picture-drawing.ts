@@ -50,7 +50,12 @@ export class PictureDrawing {
    * Draw a picture at once, and wait for the GPU.
    * @param full - pixels of the picture at the plan's scale of 1
    */
-  async draw(scene: Scene, time: number, { scale, steps, substeps, sampling, edgeCurvature }: FramePlan, full: PictureSize): Promise<DrawnPicture> {
+  async draw(
+    scene: Scene,
+    time: number,
+    { scale, steps, substeps, sampling, edgeCurvature }: FramePlan,
+    full: PictureSize,
+  ): Promise<DrawnPicture> {
     const { shown, author, controller, loop } = this.parts;
     const { volume } = shown;
     loop.takeChanges();
@@ -67,7 +72,11 @@ export class PictureDrawing {
     await this.#finish(scene, volume);
     const frameMs = performance.now() - began;
     const gpuMs = await scene.gpuMs();
-    return { stats: this.#describe({ frameMs, steps, substeps: substeps.max, stepLength, width, height, ...raysOf(sampling) }), gpuMs, compiled };
+    return {
+      stats: this.#describe({ frameMs, steps, substeps: substeps.max, stepLength, width, height, ...raysOf(sampling) }),
+      gpuMs,
+      compiled,
+    };
   }
 
   /**
@@ -76,7 +85,12 @@ export class PictureDrawing {
    * @returns null where something changed meanwhile
    * @throws {VolumeViewError} `format/unsupported` where that part of the package could not be loaded
    */
-  async gather(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
+  async gather(
+    scene: Scene,
+    { steps, substeps, sampling, edgeCurvature }: FramePlan,
+    { width, height }: PictureSize,
+    pieces: Pieces,
+  ): Promise<RenderStats | null> {
     const { shown, author, controller, loop } = this.parts;
     const { gatherPicture } = await loadPart(import('./gather-picture.ts'), 'draws pictures piece by piece');
     if (controller.scene !== scene) return null;
@@ -85,8 +99,14 @@ export class PictureDrawing {
     const { volume } = shown;
     const stepLength = stepLengthOf(shown.grid, steps);
     loop.takeChanges();
-    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !loop.host.animating && controller.scene === scene;
-    const frameMs = await gatherPicture(scene, { stepLength, width, height, ...pieces }, goesOn, (share) => (this.gathered = share));
+    const goesOn = (): boolean =>
+      !loop.dirty && !loop.host.moving && !loop.host.animating && controller.scene === scene;
+    const frameMs = await gatherPicture(
+      scene,
+      { stepLength, width, height, ...pieces },
+      goesOn,
+      (share) => (this.gathered = share),
+    );
     this.gathered = null;
     if (frameMs === null) return null;
     scene.resize(width, height);
@@ -97,7 +117,11 @@ export class PictureDrawing {
   }
 
   /** Draw a picture of any size into the canvas, without waiting for the GPU. */
-  drawAtRest(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize): void {
+  drawAtRest(
+    scene: Scene,
+    { steps, substeps, sampling, edgeCurvature }: FramePlan,
+    { width, height }: PictureSize,
+  ): void {
     const { shown, author, controller } = this.parts;
     scene.resize(width, height);
     author.aim(scene, width / height);

@@ -123,11 +123,15 @@ export class QualityControl {
 
   #withoutEdges(grid: GridFrame): FramePlan {
     const { steps, maxError } = this.#targets;
-    if (steps !== 'auto') return { scale: 1, steps, substeps: this.#cuts ? allSubsteps : wholeSteps, sampling: allRays };
+    if (steps !== 'auto')
+      return { scale: 1, steps, substeps: this.#cuts ? allSubsteps : wholeSteps, sampling: allRays };
     const oneAVoxel = autoSteps(grid);
     const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
     // Cells influence the sampling as soon as the code that chooses steps is loaded: before that, no picture at rest is drawn.
-    const substeps = this.#tools?.cutSteps(level, voxelsAlong(grid), maxError) ?? { ...allSubsteps, max: level.substeps };
+    const substeps = this.#tools?.cutSteps(level, voxelsAlong(grid), maxError) ?? {
+      ...allSubsteps,
+      max: level.substeps,
+    };
     return { scale: 1, steps: level.steps, substeps, sampling: allRays };
   }
 
@@ -145,7 +149,10 @@ export class QualityControl {
     const { model } = this.#timer;
     const full = { pixels, steps: autoSteps(grid) };
     if (!model || !this.#tools) return { ...firstFrame, steps: Math.min(full.steps, firstFrame.steps) };
-    this.#last = this.#tools.planFrame(model, this.#errors, full, { budgetMs: (planned * 1000) / targetFps, last: this.#last });
+    this.#last = this.#tools.planFrame(model, this.#errors, full, {
+      budgetMs: (planned * 1000) / targetFps,
+      last: this.#last,
+    });
     return this.#last;
   }
 
@@ -218,9 +225,16 @@ export class QualityControl {
     }
     const target = this.still(grid);
     const isAtRest = plan.scale === 1 && plan.steps === target.steps && plan.sampling === target.sampling;
-    if (!isAtRest || plan.substeps.max !== target.substeps.max || plan.substeps.voxelsPerStep !== target.substeps.voxelsPerStep) return true;
-    if (isAuto) this.#errors = { ...this.#errors, ...(await learnFrom({ scene, grid, size, goesOn }, this.#hasSpared)) };
-    else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(await view.measure({ steps: plan.steps, substeps: plan.substeps.max }));
+    if (
+      !isAtRest ||
+      plan.substeps.max !== target.substeps.max ||
+      plan.substeps.voxelsPerStep !== target.substeps.voxelsPerStep
+    )
+      return true;
+    if (isAuto)
+      this.#errors = { ...this.#errors, ...(await learnFrom({ scene, grid, size, goesOn }, this.#hasSpared)) };
+    else if (!this.#error && plan.steps <= maxAutoSteps)
+      this.#state(await view.measure({ steps: plan.steps, substeps: plan.substeps.max }));
     return false;
   }
 

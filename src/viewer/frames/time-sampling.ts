@@ -44,7 +44,10 @@ export async function timeSampling(view: DrawnView, outcomes: readonly SamplingO
   const outcome = outcomes.find(({ share }) => share <= largestShare);
   if (!outcome || !scene.gatherable || scene.endsAtShapes) return 1;
   const [all, spared]: number[][] = [[], []];
-  const kinds = [[0, all], [outcome.maxCurvature, spared]] as const;
+  const kinds = [
+    [0, all],
+    [outcome.maxCurvature, spared],
+  ] as const;
   try {
     // The first turn compiles the programs.
     for (let turn = 0; turn <= turns && (all[1] ?? 0) <= slow; turn++) {
@@ -58,17 +61,22 @@ export async function timeSampling(view: DrawnView, outcomes: readonly SamplingO
   }
   const foretold = (outcome.share * (steps + stepsPerRay) + stepsPerProbe) / (steps + stepsPerRay);
   const [allMs, sparedMs] = [all, spared].map((times) => Math.min(...times.slice(1)));
-  const cost = Math.max(allMs, sparedMs) < fast ? 1 : Math.max(limits[0], Math.min(limits[1], sparedMs / allMs / foretold));
+  const cost =
+    Math.max(allMs, sparedMs) < fast ? 1 : Math.max(limits[0], Math.min(limits[1], sparedMs / allMs / foretold));
   measured.set(scene, cost);
   return cost;
 }
 
 /** @returns ms */
 async function draw({ scene, grid, size }: DrawnView, maxCurvature: number): Promise<number> {
-  const picture = { width: Math.max(1, Math.round(scale * size.width)), height: Math.max(1, Math.round(scale * size.height)) };
+  const picture = {
+    width: Math.max(1, Math.round(scale * size.width)),
+    height: Math.max(1, Math.round(scale * size.height)),
+  };
   scene.setMaxCurvature(maxCurvature);
   const began = performance.now();
-  for (const pass of scene.passes(picture)) scene.gather(stepLengthOf(grid, steps), { pass, firstRow: 0, rows: pass.height }, picture);
+  for (const pass of scene.passes(picture))
+    scene.gather(stepLengthOf(grid, steps), { pass, firstRow: 0, rows: pass.height }, picture);
   await scene.finished();
   return performance.now() - began;
 }

@@ -61,7 +61,10 @@ const lastChosen = new WeakMap<Scene, { readonly quality: ViewQuality; readonly 
  * An upper bound of what sampling may miss in the visible volume, by samples per voxel and by the sampling of cells: it depends on
  * the volume and its appearance, not on the view.
  */
-const missed = new WeakMap<SeenVolume, { readonly samplesAVoxel: number; readonly codes: Uint8Array | null; readonly bound: number }>();
+const missed = new WeakMap<
+  SeenVolume,
+  { readonly samplesAVoxel: number; readonly codes: Uint8Array | null; readonly bound: number }
+>();
 
 /** The error of rounding to 8 bits, whatever the steps: RMS, 1/255. */
 const rounding = 1 / Math.sqrt(12);
@@ -76,7 +79,10 @@ const foretold: readonly number[] = [1, 2, 4];
 export class ViewQuality {
   readonly #probe: ErrorProbe;
 
-  constructor(readonly view: DrawnView, readonly asked: AskedQuality) {
+  constructor(
+    readonly view: DrawnView,
+    readonly asked: AskedQuality,
+  ) {
     const { scene, grid, size } = view;
     this.#probe = new ErrorProbe(scene, { grid, size, maxError: asked.isAuto ? asked.maxError : null });
   }
@@ -86,7 +92,10 @@ export class ViewQuality {
    * @returns null where the view is no longer needed
    */
   async choose(): Promise<ChosenLevel | null> {
-    const { view: { scene, grid, goesOn }, asked: { maxError } } = this;
+    const {
+      view: { scene, grid, goesOn },
+      asked: { maxError },
+    } = this;
     const probe = this.#probe;
     const levels = listLevels(autoSteps(grid), scene.cutsSteps && !scene.walksVoxels);
     if (!(await probe.prepare(levels[0], goesOn))) return null;
@@ -94,11 +103,15 @@ export class ViewQuality {
       await loadSubsteps();
       return { level: { steps: levels[0].steps, substeps: maxSubsteps }, error: null, isKept: false };
     }
-    const choice = await chooseLevel(levels, async (level) => {
-      if (level.substeps > 1) await loadSubsteps();
-      const estimate = (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
-      return estimate && this.#discount(estimate); // The estimate is also null where the context was lost meanwhile.
-    }, maxError);
+    const choice = await chooseLevel(
+      levels,
+      async (level) => {
+        if (level.substeps > 1) await loadSubsteps();
+        const estimate = (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
+        return estimate && this.#discount(estimate); // The estimate is also null where the context was lost meanwhile.
+      },
+      maxError,
+    );
     if (choice) lastChosen.set(scene, { quality: this, level: choice.level });
     const found = choice && (await this.#state(choice.level));
     return found && { level: choice.level, ...found };
@@ -117,14 +130,21 @@ export class ViewQuality {
 
   /** @returns null where the view is no longer needed */
   async #state(level: Level): Promise<QualityFinding | null> {
-    const { view: { scene, grid }, asked: { isAuto, maxError } } = this;
+    const {
+      view: { scene, grid },
+      asked: { isAuto, maxError },
+    } = this;
     const estimate = this.#probe.estimate(level);
     const samplesAVoxel = level.steps / voxelsAlong(grid);
     // Matter behind the eye, or outside the picture, can't be missed.
     const seen = this.#probe.rectangle && scene.whatIsSeen();
     const codes = isAuto ? scene.detail() : null;
     const { projection } = scene;
-    const bound = !seen ? 0 : projection ? boundProjected(seen, projection, samplesAVoxel) : await this.#bound(seen, samplesAVoxel, codes);
+    const bound = !seen
+      ? 0
+      : projection
+        ? boundProjected(seen, projection, samplesAVoxel)
+        : await this.#bound(seen, samplesAVoxel, codes);
     if (bound === null) return null;
     return estimate ? stateError(estimate, bound, maxError) : { error: null, isKept: false };
   }
@@ -142,7 +162,10 @@ export class ViewQuality {
    * longer needed.
    */
   async learnSteps(level: Level, goesOn: () => boolean): Promise<Partial<ErrorModel>> {
-    const { view: { scene, grid }, asked } = this;
+    const {
+      view: { scene, grid },
+      asked,
+    } = this;
     const max = autoSteps(grid);
     const steps = [Math.min(inMotion[0], Math.ceil(max / 4)), Math.min(inMotion[1], max)] as const;
     const isPrepared = await this.#probe.prepareDistances(steps, level, goesOn);
@@ -150,7 +173,10 @@ export class ViewQuality {
     if (!isPrepared) return {};
     const [error, next] = steps.map((n) => this.#probe.distance(n, level));
     if (error === null || next === null) return {};
-    const order = Math.min(2.5, Math.max(1, Math.log(Math.max(1e-6, error) / Math.max(1e-6, next)) / Math.log(steps[1] / steps[0])));
+    const order = Math.min(
+      2.5,
+      Math.max(1, Math.log(Math.max(1e-6, error) / Math.max(1e-6, next)) / Math.log(steps[1] / steps[0])),
+    );
     return { steps: steps[0], error: Math.max(0.01, error), order };
   }
 }
@@ -174,9 +200,15 @@ export async function learnFrom(view: DrawnView, isTimed: boolean): Promise<Part
   const { adaptive } = scene;
   const among = adaptive ? scene.readVolume() : null;
   await rest();
-  const foreseen = adaptive ? await aside(forecastSampling(picture, foretold, among), scene, view.goesOn) : { value: [] };
+  const foreseen = adaptive
+    ? await aside(forecastSampling(picture, foretold, among), scene, view.goesOn)
+    : { value: [] };
   if (!foreseen) return {};
   const sampling = foreseen.value;
   const cost = isTimed ? await timeSampling(view, [sampling[1] ?? [], sampling[0] ?? []].flat()) : 1;
-  return { ...learned, atHalf: Math.max(0.1, errorAtHalf(picture)), sampling: sampling.map((list) => list.map((one) => ({ ...one, cost: one.share * cost }))) };
+  return {
+    ...learned,
+    atHalf: Math.max(0.1, errorAtHalf(picture)),
+    sampling: sampling.map((list) => list.map((one) => ({ ...one, cost: one.share * cost }))),
+  };
 }

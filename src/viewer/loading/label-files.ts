@@ -29,15 +29,21 @@ const limits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 3
  * @throws {VolumeViewError} as loading volumes does, and `format/unsupported` where its values are not labels
  */
 export async function loadLabelFile(url: string, signal: AbortSignal): Promise<LabelFile> {
-  if (/\s/.test(url.trim())) throw new VolumeViewError('attribute/invalid', 'src of <volume-labels> names several files; expected one.');
+  if (/\s/.test(url.trim()))
+    throw new VolumeViewError('attribute/invalid', 'src of <volume-labels> names several files; expected one.');
   const file = await labelFileOf({ url: url.trim() }, signal);
   // Like the unusable parts of a table, this is reported to the author of the page.
-  if (file.left) console.warn(`<volume-labels>: not all of ${url.trim().slice(0, 200)} is shown.\n${file.left.join('\n')}`);
+  if (file.left)
+    console.warn(`<volume-labels>: not all of ${url.trim().slice(0, 200)} is shown.\n${file.left.join('\n')}`);
   return file;
 }
 
 /** The same for a file with more reading options. @param change - changes its values first */
-export async function labelFileOf(request: Omit<LoadRequest, 'limits'>, signal: AbortSignal, change: (volume: Volume) => Volume = (volume) => volume): Promise<LabelFile> {
+export async function labelFileOf(
+  request: Omit<LoadRequest, 'limits'>,
+  signal: AbortSignal,
+  change: (volume: Volume) => Volume = (volume) => volume,
+): Promise<LabelFile> {
   const volume = await loadAttachment({ ...request, limits }, signal);
   return { ...labelsIn(change(volume), request.url), format: volume.format, named: volume.named, left: volume.left };
 }
@@ -45,17 +51,33 @@ export async function labelFileOf(request: Omit<LoadRequest, 'limits'>, signal: 
 /** A volume's values as labels. @throws {VolumeViewError} `format/unsupported`, `format/too-large` */
 export function labelsIn(volume: Volume, url: string): Pick<LabelFile, 'voxels' | 'found'> {
   const name = url.slice(0, 200);
-  if (isPolar(volume)) throw new VolumeViewError('format/unsupported', `${name} is a radar scan; expected labels, a whole number for each voxel of a CT or MRI.`);
-  if (volume.reduced) throw new VolumeViewError('format/too-large', `${name} is too large to hold its labels; expected at most 1 GiB. Make its voxels larger, by the nearest one.`);
+  if (isPolar(volume))
+    throw new VolumeViewError(
+      'format/unsupported',
+      `${name} is a radar scan; expected labels, a whole number for each voxel of a CT or MRI.`,
+    );
+  if (volume.reduced)
+    throw new VolumeViewError(
+      'format/too-large',
+      `${name} is too large to hold its labels; expected at most 1 GiB. Make its voxels larger, by the nearest one.`,
+    );
   const { grid, samples, slope, intercept, ids, indexed } = volume;
   const voxels: LabelVoxels = { grid, samples, slope, intercept, ids, ...indexed } as LabelVoxels;
-  const found: FoundLabels | LabelProblem = volume.rounded ? { problem: 'too-large', value: volume.range[1] } : findLabels(voxels);
+  const found: FoundLabels | LabelProblem = volume.rounded
+    ? { problem: 'too-large', value: volume.range[1] }
+    : findLabels(voxels);
   if (!('problem' in found)) return { voxels, found };
   if (found.problem === 'too-large') {
-    throw new VolumeViewError('format/unsupported', `${name} has ids that can not be told apart, up to about ${found.value.toLocaleString('en')}; expected at most 65,536 different ones, up to 9,007,199,254,740,991. Give them new numbers, from 1.`);
+    throw new VolumeViewError(
+      'format/unsupported',
+      `${name} has ids that can not be told apart, up to about ${found.value.toLocaleString('en')}; expected at most 65,536 different ones, up to 9,007,199,254,740,991. Give them new numbers, from 1.`,
+    );
   }
   const got = found.problem === 'too-many' ? 'more than 65,536 different values' : `the value ${found.value}`;
-  throw new VolumeViewError('format/unsupported', `${name} has no labels: it got ${got}; expected whole numbers that stand for things, at most 65,536 of them. A file of intensities is for src of <volume-view>.`);
+  throw new VolumeViewError(
+    'format/unsupported',
+    `${name} has no labels: it got ${got}; expected whole numbers that stand for things, at most 65,536 of them. A file of intensities is for src of <volume-view>.`,
+  );
 }
 
 /** Load a table of names and colours. @throws {VolumeViewError} */
@@ -67,6 +89,11 @@ export async function loadLabelTable(url: string, signal: AbortSignal): Promise<
   } catch (cause) {
     throw new VolumeViewError('source/not-found', `table got "${name}"; expected a URL`, { cause });
   }
-  const { bytes } = await fetchBytes(absolute, { signal, pageOrigin: origin, maxBytes: maxTableBytes, onProgress: () => {} });
+  const { bytes } = await fetchBytes(absolute, {
+    signal,
+    pageOrigin: origin,
+    maxBytes: maxTableBytes,
+    onProgress: () => {},
+  });
   return readLabelTable(bytes, name);
 }

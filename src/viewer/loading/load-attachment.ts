@@ -13,7 +13,11 @@ export async function loadAttachment(request: LoadRequest, signal: AbortSignal, 
   // A holder that is not released keeps its volume in memory.
   const nobody = {};
   try {
-    return await loads.run(() => true, signal, () => sharedVolumes.get(holder ?? nobody, request, { signal, onProgress: () => {} }));
+    return await loads.run(
+      () => true,
+      signal,
+      () => sharedVolumes.get(holder ?? nobody, request, { signal, onProgress: () => {} }),
+    );
   } finally {
     sharedVolumes.release(nobody);
   }

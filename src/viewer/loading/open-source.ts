@@ -38,18 +38,28 @@ export async function openSource({ src, stack }: Source, host: SourceHost, openi
   const { wanted, signal, onProgress, onCoarse } = opening;
   const urls = src.trim().split(/\s+/);
   if (urls.length > 1 && !stack) {
-    const player = await startPlayer(urls.map((url) => ({ url })), host, signal);
+    const player = await startPlayer(
+      urls.map((url) => ({ url })),
+      host,
+      signal,
+    );
     return player.load(wanted, signal, onProgress);
   }
   const [url] = urls;
   const files = stack ? urls : undefined;
   let starting: Promise<ScanPlayer> | null = null;
   const onScans = (times: ScanTimes): void => {
-    starting = startPlayer(times.map((time, index) => ({ url, index, time })), host, signal).then((one) => one.aim(wanted));
+    starting = startPlayer(
+      times.map((time, index) => ({ url, index, time })),
+      host,
+      signal,
+    ).then((one) => one.aim(wanted));
     starting.catch(() => {}); // It is awaited below.
   };
   // If one scan fails, the others can still be shown.
-  const [loaded] = await Promise.allSettled([host.load({ url, files, scan: wanted }, { signal, onProgress, onScans, onCoarse })]);
+  const [loaded] = await Promise.allSettled([
+    host.load({ url, files, scan: wanted }, { signal, onProgress, onScans, onCoarse }),
+  ]);
   const player = await (starting as Promise<ScanPlayer> | null);
   if (loaded.status === 'rejected') throw loaded.reason;
   if (!player) return loaded.value;
@@ -61,7 +71,10 @@ export async function openSource({ src, stack }: Source, host: SourceHost, openi
 async function startPlayer(sources: readonly ScanSource[], host: SourceHost, signal: AbortSignal): Promise<ScanPlayer> {
   const { ScanPlayer } = await loadPart(import('./scan-player.ts'), 'shows several scans');
   signal.throwIfAborted();
-  const player = new ScanPlayer(sources, { ...host, load: (request, loading, onLoading) => host.load(request, { signal: loading, onProgress: onLoading }) });
+  const player = new ScanPlayer(sources, {
+    ...host,
+    load: (request, loading, onLoading) => host.load(request, { signal: loading, onProgress: onLoading }),
+  });
   host.opened(player);
   return player;
 }

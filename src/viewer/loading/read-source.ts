@@ -16,15 +16,37 @@ const maxSweeps = 4096;
 
 /** @throws {VolumeViewError} `attribute/invalid` */
 export function readSource(given: GivenSource): SourceSettings {
-  const { mosaic, slices, spacing, coordinates, elevations, range, azimuth, moment, beamModel, verticalExaggeration, clean } = given;
+  const {
+    mosaic,
+    slices,
+    spacing,
+    coordinates,
+    elevations,
+    range,
+    azimuth,
+    moment,
+    beamModel,
+    verticalExaggeration,
+    clean,
+  } = given;
   return {
-    spherical: coordinates === null ? undefined : parseWord('coordinates', coordinates, ['cartesian', 'spherical']) === 'spherical',
+    spherical:
+      coordinates === null
+        ? undefined
+        : parseWord('coordinates', coordinates, ['cartesian', 'spherical']) === 'spherical',
     elevations: elevations === null ? undefined : parseElevations(elevations),
-    range: range === null ? undefined : parsePair('range', range, 'metres to the first gate and from gate to gate, like "250 500"'),
-    azimuth: azimuth === null ? undefined : parsePair('azimuth', azimuth, 'degrees of the first ray and from ray to ray, like "0.5 1"'),
+    range:
+      range === null
+        ? undefined
+        : parsePair('range', range, 'metres to the first gate and from gate to gate, like "250 500"'),
+    azimuth:
+      azimuth === null
+        ? undefined
+        : parsePair('azimuth', azimuth, 'degrees of the first ray and from ray to ray, like "0.5 1"'),
     moment: moment === null ? undefined : parseName('moment', moment),
     beamModel: beamModel === null ? undefined : parseWord('beam-model', beamModel, ['standard', 'straight']),
-    verticalExaggeration: verticalExaggeration === null ? undefined : parseLength('vertical-exaggeration', verticalExaggeration),
+    verticalExaggeration:
+      verticalExaggeration === null ? undefined : parseLength('vertical-exaggeration', verticalExaggeration),
     mosaic: mosaic === null ? undefined : parseMosaic(mosaic),
     slices: slices === null ? undefined : parseCount('slices', slices),
     spacing: spacing === null ? undefined : parseSpacing(spacing),
@@ -35,7 +57,8 @@ export function readSource(given: GivenSource): SourceSettings {
 /** `x y z`, none zero; a negative one reverses its axis, for instance for slices that run from head to feet. */
 function parseSpacing(text: string): Vector3 {
   const spacing = parseNumbers('spacing', text, 3);
-  if (!spacing.every((s) => Math.abs(s) >= 1 / longest && Math.abs(s) <= longest)) throw invalid('spacing', text, 'three lengths that are not zero');
+  if (!spacing.every((s) => Math.abs(s) >= 1 / longest && Math.abs(s) <= longest))
+    throw invalid('spacing', text, 'three lengths that are not zero');
   return spacing as unknown as Vector3;
 }
 
@@ -44,7 +67,8 @@ function parseClean(text: string): number | 'auto' | undefined {
   const word = text.trim().toLowerCase();
   if (word === '') return 'auto';
   if (word === 'none') return undefined;
-  if (!isNumber(word)) throw invalid('clean', text, 'nothing, or the data value from which on something is shown, like "150"');
+  if (!isNumber(word))
+    throw invalid('clean', text, 'nothing, or the data value from which on something is shown, like "150"');
   return Number(word);
 }
 
@@ -64,7 +88,8 @@ function parseMosaic(text: string): { columns: number; rows: number } {
 /** A whole number above zero. */
 function parseCount(name: string, text: string): number {
   const count = Number(text);
-  if (!/^\s*\d+\s*$/.test(text) || !Number.isSafeInteger(count) || count < 1) throw invalid(name, text, 'a whole number from 1');
+  if (!/^\s*\d+\s*$/.test(text) || !Number.isSafeInteger(count) || count < 1)
+    throw invalid(name, text, 'a whole number from 1');
   return count;
 }
 
@@ -72,7 +97,13 @@ function parseCount(name: string, text: string): number {
 function parsePair(name: string, text: string, expected: string): [number, number] {
   const words = split(name, text);
   const [first, step] = words.map(Number);
-  if (words.length !== 2 || !words.every(isNumber) || Math.max(Math.abs(first), Math.abs(step)) > farthest || step === 0) throw invalid(name, text, expected);
+  if (
+    words.length !== 2 ||
+    !words.every(isNumber) ||
+    Math.max(Math.abs(first), Math.abs(step)) > farthest ||
+    step === 0
+  )
+    throw invalid(name, text, expected);
   return [first, step];
 }
 
@@ -80,7 +111,11 @@ function parsePair(name: string, text: string, expected: string): [number, numbe
 function parseElevations(text: string): number[] {
   const words = split('elevations', text);
   const angles = words.map(Number);
-  const isFine = words.length > 0 && words.length <= maxSweeps && words.every(isNumber) && angles.every((angle) => Math.abs(angle) <= 90);
+  const isFine =
+    words.length > 0 &&
+    words.length <= maxSweeps &&
+    words.every(isNumber) &&
+    angles.every((angle) => Math.abs(angle) <= 90);
   if (!isFine) throw invalid('elevations', text, 'degrees, one a tile, like "0.5 1.2 2.4"');
   return angles;
 }

@@ -157,7 +157,10 @@ export class ScanPlayer {
     const { on, speed } = this.#settings;
     if (!on || this.#waiting || this.#sequence.count < 2) return;
     const due = this.#lastChange + 1000 / speed - performance.now();
-    this.#timer = setTimeout(() => this.#go((this.#target + 1) % this.#sequence.count), Math.min(longestWaitMs, Math.max(0, due)));
+    this.#timer = setTimeout(
+      () => this.#go((this.#target + 1) % this.#sequence.count),
+      Math.min(longestWaitMs, Math.max(0, due)),
+    );
   }
 
   async #loadAhead(): Promise<void> {

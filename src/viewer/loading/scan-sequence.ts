@@ -18,7 +18,11 @@ export interface ScanSource {
 const maxScans = 10_000;
 
 /** Loads one scan. */
-export type LoadScan = (source: Pick<LoadRequest, 'url' | 'scan'>, signal: AbortSignal, onProgress: LoadProgressListener) => Promise<Volume>;
+export type LoadScan = (
+  source: Pick<LoadRequest, 'url' | 'scan'>,
+  signal: AbortSignal,
+  onProgress: LoadProgressListener,
+) => Promise<Volume>;
 
 interface RunningLoad {
   readonly controller: AbortController;
@@ -42,7 +46,10 @@ export class ScanSequence {
 
   constructor(sources: readonly ScanSource[], load: LoadScan) {
     if (sources.length > maxScans) {
-      throw new VolumeViewError('attribute/invalid', `src got ${sources.length.toLocaleString('en')} files; expected at most ${maxScans.toLocaleString('en')}.`);
+      throw new VolumeViewError(
+        'attribute/invalid',
+        `src got ${sources.length.toLocaleString('en')} files; expected at most ${maxScans.toLocaleString('en')}.`,
+      );
     }
     this.#sources = sources;
     this.#load = load;
@@ -127,7 +134,11 @@ export class ScanSequence {
       return running;
     }
     const controller = new AbortController();
-    const load: RunningLoad = { controller, volume: this.#run(index, controller.signal), onProgress: onProgress ?? ignore };
+    const load: RunningLoad = {
+      controller,
+      volume: this.#run(index, controller.signal),
+      onProgress: onProgress ?? ignore,
+    };
     this.#running.set(index, load);
     load.volume.catch(ignore).finally(() => {
       if (this.#running.get(index) === load) this.#running.delete(index);

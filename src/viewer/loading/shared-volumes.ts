@@ -71,10 +71,13 @@ export class SharedVolumes {
         options.onScans?.(times);
       },
     });
-    const volume = loading.then((loaded) => (this.#unshared.has(key) ? null : loaded), (error: unknown) => {
-      if (options.signal.aborted || this.#unshared.has(key)) return null;
-      throw error;
-    });
+    const volume = loading.then(
+      (loaded) => (this.#unshared.has(key) ? null : loaded),
+      (error: unknown) => {
+        if (options.signal.aborted || this.#unshared.has(key)) return null;
+        throw error;
+      },
+    );
     volume.catch(() => {}); // Perhaps nobody else waits for it.
     const coming: Coming = { volume, onProgress, onCoarse };
     this.#coming.set(key, coming);

@@ -25,8 +25,14 @@ export type ReportedFile = readonly [url: string, notices: readonly string[]];
  * Notify the people who see a picture which parts of attached files are not in it, or are changed in it.
  * @param owner - the object that shows the files: this call replaces its earlier report
  */
-export function reportFileNotices({ fileNotices, user }: NoticePlace, owner: object, files: readonly ReportedFile[]): void {
-  const reported = files.filter(([, notices]) => notices.length > 0).map(([url, notices]): FileNotices => ({ name: nameOf(url), notices }));
+export function reportFileNotices(
+  { fileNotices, user }: NoticePlace,
+  owner: object,
+  files: readonly ReportedFile[],
+): void {
+  const reported = files
+    .filter(([, notices]) => notices.length > 0)
+    .map(([url, notices]): FileNotices => ({ name: nameOf(url), notices }));
   if (reported.length === 0 && !fileNotices.has(owner)) return;
   if (reported.length > 0) fileNotices.set(owner, reported);
   else fileNotices.delete(owner);
@@ -34,13 +40,18 @@ export function reportFileNotices({ fileNotices, user }: NoticePlace, owner: obj
 }
 
 /** Whether something of a volume's file, or of the files shown with it, is not in the picture, or is changed there. */
-export function hasNotices(info: Pick<VolumeInfo, 'notices' | 'reduced'> | null, attached: ReadonlyMap<object, readonly FileNotices[]>): boolean {
+export function hasNotices(
+  info: Pick<VolumeInfo, 'notices' | 'reduced'> | null,
+  attached: ReadonlyMap<object, readonly FileNotices[]>,
+): boolean {
   return attached.size > 0 || Boolean(info?.notices?.length || info?.reduced);
 }
 
 /** The notices about a volume's file that change what people see. */
 export function noticesOf({ radar, left, reduced }: Volume): readonly string[] {
-  const smaller = reduced ? [`made smaller for this device, from ${reduced.from.join(' x ')} voxels to ${reduced.to.join(' x ')}`] : [];
+  const smaller = reduced
+    ? [`made smaller for this device, from ${reduced.from.join(' x ')} voxels to ${reduced.to.join(' x ')}`]
+    : [];
   return [...smaller, ...(radar?.left ?? left ?? [])];
 }
 

@@ -1,4 +1,16 @@
-const names = ['mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'beamModel', 'verticalExaggeration', 'clean'] as const;
+const names = [
+  'mosaic',
+  'slices',
+  'spacing',
+  'coordinates',
+  'elevations',
+  'range',
+  'azimuth',
+  'moment',
+  'beamModel',
+  'verticalExaggeration',
+  'clean',
+] as const;
 
 /** An attribute that says how a file is to be read, by property. */
 export type SourceName = (typeof names)[number];

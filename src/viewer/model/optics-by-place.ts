@@ -3,7 +3,8 @@ import type * as labelStops from '../../optics/transfer/label-stops.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
 /** The code that makes transfer functions of labels: loaded with the first volume whose samples are indices in a list of ids. */
-export const loadLabelStops = (): Promise<typeof labelStops> => loadPart(import('../../optics/transfer/label-stops.ts'), 'shows labels');
+export const loadLabelStops = (): Promise<typeof labelStops> =>
+  loadPart(import('../../optics/transfer/label-stops.ts'), 'shows labels');
 
 /** The appearance of a volume of labels in the form that drawing needs: by the indices of its ids. */
 export async function opticsByPlace(ids: readonly number[], optics: VolumeOptics): Promise<VolumeOptics> {

@@ -48,7 +48,8 @@ export function parseWord<const Word extends string>(name: string, text: string,
 /** `low high`, the lower value first. */
 export function parseWindow(text: string): [number, number] {
   const [low, high] = parseNumbers('value-window', text, 2);
-  if (!(low < high && Math.max(-low, high) < largestValue)) throw invalid('value-window', text, 'the lower value first, both nearer to 0 than 1e300, like "-150 250"');
+  if (!(low < high && Math.max(-low, high) < largestValue))
+    throw invalid('value-window', text, 'the lower value first, both nearer to 0 than 1e300, like "-150 250"');
   return [low, high];
 }
 
@@ -80,20 +81,39 @@ export function parseOrbit(text: string, name = 'camera-orbit'): OrbitAttribute 
   if (words.length !== 3) throw invalid(name, text, 'three parts, like "30deg 70deg 110%"');
   const isLimit = name !== 'camera-orbit';
   // For an angle, `Infinity` means the same as `auto`: no limit.
-  const [theta, phi, radius] = words.map((word, i) => (/^auto$/i.test(word) || (isLimit && i < 2 && /^[+-]?infinity$/i.test(word)) ? undefined : word));
+  const [theta, phi, radius] = words.map((word, i) =>
+    /^auto$/i.test(word) || (isLimit && i < 2 && /^[+-]?infinity$/i.test(word)) ? undefined : word,
+  );
   return {
     theta: theta === undefined ? undefined : angleOr(name, text, theta),
     phi: phi === undefined ? undefined : angleOr(name, text, phi),
-    radius: radius === undefined ? undefined : isLimit && /^\+?infinity$/i.test(radius) ? { world: longest } : parseRadius(name, text, radius),
+    radius:
+      radius === undefined
+        ? undefined
+        : isLimit && /^\+?infinity$/i.test(radius)
+          ? { world: longest }
+          : parseRadius(name, text, radius),
   };
 }
 
 /** The smallest and the largest orbit; an absent text sets no limit. */
-export function parseLimits(smallest: string | null, greatest: string | null): { min: OrbitAttribute; max: OrbitAttribute } {
-  const [min, max] = [[smallest, 'min-camera-orbit'], [greatest, 'max-camera-orbit']].map(([text, name]) => (text?.trim() ? parseOrbit(text, name!) : {}));
-  const isBelow = (a: number | undefined, b: number | undefined): boolean => a !== undefined && b !== undefined && a < b;
+export function parseLimits(
+  smallest: string | null,
+  greatest: string | null,
+): { min: OrbitAttribute; max: OrbitAttribute } {
+  const [min, max] = [
+    [smallest, 'min-camera-orbit'],
+    [greatest, 'max-camera-orbit'],
+  ].map(([text, name]) => (text?.trim() ? parseOrbit(text, name!) : {}));
+  const isBelow = (a: number | undefined, b: number | undefined): boolean =>
+    a !== undefined && b !== undefined && a < b;
   const [low, high] = [min, max].map(({ radius }) => ({ world: undefined, fraction: undefined, ...radius }));
-  if (isBelow(max.theta, min.theta) || isBelow(max.phi, min.phi) || isBelow(high.world, low.world) || isBelow(high.fraction, low.fraction)) {
+  if (
+    isBelow(max.theta, min.theta) ||
+    isBelow(max.phi, min.phi) ||
+    isBelow(high.world, low.world) ||
+    isBelow(high.fraction, low.fraction)
+  ) {
     throw invalid('max-camera-orbit', greatest!, `no part below that of min-camera-orbit, "${smallest!.slice(0, 60)}"`);
   }
   return { min, max };
@@ -109,7 +129,8 @@ export function parseFieldOfView(text: string): number | undefined {
 
 /** World coordinates; undefined for `auto`, the volume's centre. */
 export function parseTarget(text: string): Vector3 | undefined {
-  if (text.trim() === '' || split('camera-target', text).every((word) => word.toLowerCase() === 'auto')) return undefined;
+  if (text.trim() === '' || split('camera-target', text).every((word) => word.toLowerCase() === 'auto'))
+    return undefined;
   const target = parseNumbers('camera-target', text, 3) as unknown as Vector3;
   if (Math.max(...target.map(Math.abs)) > longest) throw invalid('camera-target', text, 'a place nearer than 1e12');
   return target;
@@ -134,7 +155,8 @@ export function parseTime(text: string): ScanTarget {
   const word = text.trim();
   if (/^\d{1,9}$/.test(word)) return { index: Number(word) };
   const time = /^\d{4}-\d\d-\d\dT\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:\d\d)$/i.test(word) ? Date.parse(word) : NaN;
-  if (Number.isNaN(time)) throw invalid('time', text, 'a scan\'s number from 0, or a time in UTC, like "2018-12-20T06:06:28Z"');
+  if (Number.isNaN(time))
+    throw invalid('time', text, 'a scan\'s number from 0, or a time in UTC, like "2018-12-20T06:06:28Z"');
   return { time };
 }
 
@@ -147,12 +169,16 @@ function angleOr(name: string, text: string, word: string): number {
 function parseRadius(name: string, text: string, word: string): Radius {
   const match = new RegExp(`^(${number})(%)?$`, 'i').exec(word);
   const value = Number(match?.[1]);
-  if (!(value > 1 / longest && value < longest)) throw invalid(name, text, 'a radius in world units or per cent, like "110%"');
+  if (!(value > 1 / longest && value < longest))
+    throw invalid(name, text, 'a radius in world units or per cent, like "110%"');
   return match![2] ? { fraction: value / 100 } : { world: value };
 }
 
 /** The words of a text, separated by blanks or commas. */
 export function split(name: string, text: string): string[] {
   if (text.length > maxLength) throw invalid(name, text, `at most ${maxLength} characters`);
-  return text.trim().split(/[\s,]+/).filter((word) => word !== '');
+  return text
+    .trim()
+    .split(/[\s,]+/)
+    .filter((word) => word !== '');
 }

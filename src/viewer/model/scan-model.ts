@@ -4,7 +4,9 @@ import { length, subtract } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 
 /** A volume without the parts that take much memory. It may already have its transfer function. */
-export type ScanModel = Omit<Volume, 'samples' | 'macrocells' | 'indexed' | 'transferFunction'> & { readonly transferFunction?: string | TransferFunction };
+export type ScanModel = Omit<Volume, 'samples' | 'macrocells' | 'indexed' | 'transferFunction'> & {
+  readonly transferFunction?: string | TransferFunction;
+};
 
 /** A volume that is at least this many times larger, or smaller, gets a new camera and new colours. */
 const maxGrowth = 2;
@@ -24,7 +26,8 @@ function isAlike(model: ScanModel, volume: ScanModel): boolean {
   const growth = now.radius / before.radius;
   return (
     model.unit === volume.unit &&
-    growth <= maxGrowth && growth >= 1 / maxGrowth &&
+    growth <= maxGrowth &&
+    growth >= 1 / maxGrowth &&
     length(subtract(now.center, before.center)) <= before.radius
   );
 }

@@ -160,7 +160,12 @@ export interface Scene {
    * @returns a function that reads these rays: call it before others are drawn; it returns null where the context was lost.
    * null instead of the function where the device can't do it
    */
-  startProbe(stepLength: number, lattice: PixelLattice, picture: Size, alone?: boolean): (() => Float32Array | null) | null;
+  startProbe(
+    stepLength: number,
+    lattice: PixelLattice,
+    picture: Size,
+    alone?: boolean,
+  ): (() => Float32Array | null) | null;
   /** The last picture: premultiplied, bottom row first. */
   readPicture(): Pixels;
   /**

@@ -15,14 +15,41 @@ import type { QualityTargets } from './quality-targets.ts';
 export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
 
 type AttributeName =
-  | 'src' | 'stack' | SourceName
-  | 'time' | 'autoplay' | 'playSpeed'
-  | 'look' | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection' | 'shading' | 'surfaceValues' | 'gradientOpacity' | 'transferFunction2d'
-  | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
-  | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'minCameraOrbit' | 'maxCameraOrbit' | 'interpolationDecay' | 'interaction' | 'loading';
+  | 'src'
+  | 'stack'
+  | SourceName
+  | 'time'
+  | 'autoplay'
+  | 'playSpeed'
+  | 'look'
+  | 'transferFunction'
+  | 'valueWindow'
+  | 'referenceLength'
+  | 'opacityFactor'
+  | 'lightFactor'
+  | 'projection'
+  | 'shading'
+  | 'surfaceValues'
+  | 'gradientOpacity'
+  | 'transferFunction2d'
+  | 'steps'
+  | 'maxError'
+  | 'targetFps'
+  | 'region'
+  | 'rings'
+  | 'cameraOrbit'
+  | 'cameraTarget'
+  | 'fieldOfView'
+  | 'minCameraOrbit'
+  | 'maxCameraOrbit'
+  | 'interpolationDecay'
+  | 'interaction'
+  | 'loading';
 
 /** The value of some attributes together, or the error of reading them: a VolumeViewError, or another error if our code has a mistake. */
-export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: Error; readonly value?: undefined };
+export type Reading<T> =
+  | { readonly value: T; readonly error?: undefined }
+  | { readonly error: Error; readonly value?: undefined };
 
 /** The appearance of the values. The viewer derives from the volume what is null. */
 export interface AppearanceSettings {
@@ -76,7 +103,19 @@ export interface Settings {
 /** Scans a second. */
 export const defaultPlaySpeed = 2;
 
-export const plainAppearance: AppearanceSettings = { named: null, transferFunction: null, window: null, referenceLength: null, opacityFactor: null, lightFactor: 1, projection: null, shading: null, surfaces: null, gradientOpacity: null, transferFunction2d: null };
+export const plainAppearance: AppearanceSettings = {
+  named: null,
+  transferFunction: null,
+  window: null,
+  referenceLength: null,
+  opacityFactor: null,
+  lightFactor: 1,
+  projection: null,
+  shading: null,
+  surfaces: null,
+  gradientOpacity: null,
+  transferFunction2d: null,
+};
 
 /** Read all attributes. If one can't be read, its error is in its own place, and the others are still read. */
 export function readSettings(given: GivenAttributes): Settings {
@@ -86,7 +125,9 @@ export function readSettings(given: GivenAttributes): Settings {
     source: pickSource(given),
     time: read(() => readTime(given.time)),
     autoplay: given.autoplay !== null,
-    playSpeed: read(() => (given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed))),
+    playSpeed: read(() =>
+      given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed),
+    ),
     look: read(() => readAppearance(given)),
     camera: read(() => readCamera(given)),
     limits: read(() => readLimits(given)),
@@ -120,7 +161,19 @@ function readTime(time: string | null): ScanTarget {
   return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
 }
 
-function readAppearance({ look: appearance, transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection, shading, surfaceValues, gradientOpacity, transferFunction2d }: GivenAttributes): AppearanceSettings {
+function readAppearance({
+  look: appearance,
+  transferFunction,
+  valueWindow,
+  referenceLength,
+  opacityFactor,
+  lightFactor,
+  projection,
+  shading,
+  surfaceValues,
+  gradientOpacity,
+  transferFunction2d,
+}: GivenAttributes): AppearanceSettings {
   return {
     named: appearance?.trim() ? appearance : null,
     transferFunction,

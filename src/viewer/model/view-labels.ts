@@ -59,7 +59,10 @@ const plain = { name: '', color: [1, 1, 1], opacity: 1, hidden: false } as const
  * name.
  * @param ids - of the file; the first one means "no label"
  */
-export function describeLabels(ids: readonly number[], { table, overrides, chosen, transferFunction = null, ghosts = false }: LabelSources): LabelEntry[] {
+export function describeLabels(
+  ids: readonly number[],
+  { table, overrides, chosen, transferFunction = null, ghosts = false }: LabelSources,
+): LabelEntry[] {
   return ids.map((id, number) => {
     const row = number === 0 ? plain : table?.rows.get(id);
     const said = overrides.get(id);

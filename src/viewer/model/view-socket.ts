@@ -102,7 +102,10 @@ export interface SocketViewer {
   /** The volume in the pictures. */
   readonly volume: Volume | null;
   /** The part of the volume that is shown, and its cuts; to be read only where there is a volume. */
-  readonly shown: { readonly grid: GridFrame; readonly cuts: { readonly region: GridFrame | null; readonly away?: WorldCut } };
+  readonly shown: {
+    readonly grid: GridFrame;
+    readonly cuts: { readonly region: GridFrame | null; readonly away?: WorldCut };
+  };
   /** The scene in use; null while there is none. */
   readonly scene: Scene | null;
   /** Draw soon. */
@@ -142,7 +145,12 @@ export class ViewSocket {
 
   /** The value of this member in the last part that has one; null where no part has one. */
   last<Name extends keyof ViewPart>(name: Name): NonNullable<ViewPart[Name]> | null {
-    return this.#parts.map((part) => part[name]).filter((value) => value !== undefined && value !== null).at(-1) ?? null;
+    return (
+      this.#parts
+        .map((part) => part[name])
+        .filter((value) => value !== undefined && value !== null)
+        .at(-1) ?? null
+    );
   }
 
   /**
@@ -170,7 +178,8 @@ export class ViewSocket {
 
   /** Apply to a scene all parts that it does not have yet. A scene that is being built calls it. */
   async applyTo(scene: Scene): Promise<void> {
-    for (const part of this.#applied.get(scene)?.keys() ?? []) if (!this.#versions.has(part)) await this.#remove(part, scene);
+    for (const part of this.#applied.get(scene)?.keys() ?? [])
+      if (!this.#versions.has(part)) await this.#remove(part, scene);
     for (const part of this.#parts) await this.#apply(part, scene);
   }
 
@@ -235,5 +244,9 @@ export function socketOf(element: Element & { [key]?: ViewSocket }): ViewSocket 
  * @param property - name of the attribute's property
  */
 export function standIn(view: Element, property: string): string | null {
-  return socketOf(view).parts.map((part) => part.attribute?.(property) ?? null).find((text) => text !== null) ?? null;
+  return (
+    socketOf(view)
+      .parts.map((part) => part.attribute?.(property) ?? null)
+      .find((text) => text !== null) ?? null
+  );
 }

@@ -33,13 +33,24 @@ export interface VolumeInfo {
   /** For a radar scan: all quantities of its file. */
   readonly moments?: readonly string[];
   /** For a radar scan: where the radar is, in degrees north and east, and metres of its antenna above sea level. */
-  readonly site?: { readonly name?: string; readonly latitude?: number; readonly longitude?: number; readonly height?: number };
+  readonly site?: {
+    readonly name?: string;
+    readonly latitude?: number;
+    readonly longitude?: number;
+    readonly height?: number;
+  };
   /** For a radar scan: when it began, ISO 8601 in UTC. */
   readonly time?: string;
   /** Set where only the first part of a damaged radar file could be read: what is missing. */
   readonly partial?: string;
   /** For a radar scan: the sweeps that are shown, by ascending elevation: degrees, how many radials and gates, and metres to the first gate and from gate to gate. */
-  readonly sweeps?: readonly { readonly elevation: number; readonly radials: number; readonly gates: number; readonly firstGate: number; readonly gateLength: number }[];
+  readonly sweeps?: readonly {
+    readonly elevation: number;
+    readonly radials: number;
+    readonly gates: number;
+    readonly firstGate: number;
+    readonly gateLength: number;
+  }[];
   /**
    * What of the file is not shown, or is shown changed, in words: other sweeps of a radar scan, and why; further volumes; what its
    * header says of values and the viewer does not apply; whole numbers that had to be rounded.
@@ -81,7 +92,14 @@ export interface VolumeOptics {
 }
 
 /** How rays are drawn, if not by emission and absorption alone; null for that. */
-export function styleOf({ projection, intensityThreshold, shading, surfaces, styles, patches }: VolumeOptics): RayStyle | null {
+export function styleOf({
+  projection,
+  intensityThreshold,
+  shading,
+  surfaces,
+  styles,
+  patches,
+}: VolumeOptics): RayStyle | null {
   if (projection) return { projection, intensityThreshold };
   const lit = shading === 'lit' || undefined;
   return lit || surfaces || styles || patches ? { lit, styles, patches, ...surfaces } : null;
@@ -92,5 +110,25 @@ export function describeVolume(volume: Volume): VolumeInfo {
   const { dimensions, spacing, indexToWorld } = grid;
   const { moment, moments, site, time, partial, sweeps, left: notices = volume.left, details = [] } = radar ?? {};
   const left = notices && [...notices, ...details];
-  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, anatomical, credit, moment, moments, site, time, partial, sweeps, left, notices, reduced };
+  return {
+    dimensions,
+    spacing,
+    unit,
+    range,
+    histogram,
+    format,
+    indexToWorld,
+    title,
+    anatomical,
+    credit,
+    moment,
+    moments,
+    site,
+    time,
+    partial,
+    sweeps,
+    left,
+    notices,
+    reduced,
+  };
 }

@@ -64,7 +64,11 @@ export class Handles implements ViewPart {
   #focused = -1;
 
   /** @param picture - the part of the view that holds its picture; handles come after it in the focus order */
-  constructor(readonly view: HandledView, picture: Element, readonly owner: HandleOwner) {
+  constructor(
+    readonly view: HandledView,
+    picture: Element,
+    readonly owner: HandleOwner,
+  ) {
     const { ownerDocument: document } = view;
     this.#layer = document.createElement('div');
     this.#layer.className = 'handles';
@@ -124,7 +128,8 @@ export class Handles implements ViewPart {
     const { signal } = this.#abort;
     button.addEventListener('pointerdown', (event) => this.#grab(index, event), { signal });
     button.addEventListener('pointermove', (event) => this.#drag(event, false), { signal });
-    for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) button.addEventListener(type, (event) => this.#release(event), { signal });
+    for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
+      button.addEventListener(type, (event) => this.#release(event), { signal });
     button.addEventListener('keydown', (event) => this.#press(index, event), { signal });
     button.addEventListener('focus', () => (this.#focused = index), { signal });
     button.addEventListener('blur', () => (this.#focused = -1), { signal });
@@ -156,7 +161,13 @@ export class Handles implements ViewPart {
     const from = projectPlace(picture.camera, at, picture);
     if (!from) return;
     const pointer = placeInElement(this.view, event);
-    this.#grip = { index, pointerId: event.pointerId, start: at, from, offset: [pointer[0] - from[0], pointer[1] - from[1]] };
+    this.#grip = {
+      index,
+      pointerId: event.pointerId,
+      start: at,
+      from,
+      offset: [pointer[0] - from[0], pointer[1] - from[1]],
+    };
     const button = this.#buttons[index];
     button.setPointerCapture(event.pointerId);
     button.focus({ preventScroll: true }); // Safari does not focus buttons on its own.
@@ -170,7 +181,11 @@ export class Handles implements ViewPart {
     const pointer = placeInElement(this.view, event);
     const to: Pixel = [pointer[0] - offset[0], pointer[1] - offset[1]];
     const { along } = this.#handles[index];
-    this.#move(index, along ? placeOnLine(picture, { through: start, direction: along, from }, to) : placeInPlane(picture, start, to), end);
+    this.#move(
+      index,
+      along ? placeOnLine(picture, { through: start, direction: along, from }, to) : placeInPlane(picture, start, to),
+      end,
+    );
   }
 
   #release(event: PointerEvent): void {
@@ -205,7 +220,10 @@ export class Handles implements ViewPart {
     if (!to.every(Number.isFinite)) return;
     this.owner.moved(index, to, end);
     clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(() => (this.#status.textContent = this.#handles[this.#focused]?.place ?? ''), restMs);
+    this.#timer = window.setTimeout(
+      () => (this.#status.textContent = this.#handles[this.#focused]?.place ?? ''),
+      restMs,
+    );
   }
 }
 

@@ -30,18 +30,38 @@ export class LineOverlay {
   readonly #text: SVGTextElement;
 
   /** @param picture - the part of a view that holds its picture */
-  constructor(picture: Element, { part, opacity, isDashed }: { readonly part: string; readonly opacity: number; readonly isDashed: boolean }) {
-    const make = <Name extends keyof SVGElementTagNameMap>(name: Name, attributes: Readonly<Record<string, string>>): SVGElementTagNameMap[Name] => {
+  constructor(
+    picture: Element,
+    { part, opacity, isDashed }: { readonly part: string; readonly opacity: number; readonly isDashed: boolean },
+  ) {
+    const make = <Name extends keyof SVGElementTagNameMap>(
+      name: Name,
+      attributes: Readonly<Record<string, string>>,
+    ): SVGElementTagNameMap[Name] => {
       const element = picture.ownerDocument.createElementNS(svg, name);
       for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
       return element;
     };
     this.#drawing = make('svg', { 'aria-hidden': 'true', part });
-    this.#drawing.style.cssText = 'position: absolute; inset: 0; inline-size: 100%; block-size: 100%; overflow: hidden; pointer-events: none';
+    this.#drawing.style.cssText =
+      'position: absolute; inset: 0; inline-size: 100%; block-size: 100%; overflow: hidden; pointer-events: none';
     this.#halo = make('path', { fill: 'none', stroke: '#000', 'stroke-width': '3.5', 'stroke-opacity': '0.3' });
-    this.#line = make('path', { fill: 'none', 'stroke-width': '1.5', 'stroke-opacity': String(opacity), ...(isDashed && { 'stroke-dasharray': '5 4' }) });
-    this.#text = make('text', { 'text-anchor': 'middle', 'paint-order': 'stroke', 'stroke-width': '4', 'stroke-linejoin': 'round', stroke: '#10141c', fill: '#fff' });
-    this.#text.style.cssText = 'font: 600 13px system-ui, sans-serif; font-variant-numeric: tabular-nums; direction: ltr';
+    this.#line = make('path', {
+      fill: 'none',
+      'stroke-width': '1.5',
+      'stroke-opacity': String(opacity),
+      ...(isDashed && { 'stroke-dasharray': '5 4' }),
+    });
+    this.#text = make('text', {
+      'text-anchor': 'middle',
+      'paint-order': 'stroke',
+      'stroke-width': '4',
+      'stroke-linejoin': 'round',
+      stroke: '#10141c',
+      fill: '#fff',
+    });
+    this.#text.style.cssText =
+      'font: 600 13px system-ui, sans-serif; font-variant-numeric: tabular-nums; direction: ltr';
     this.#drawing.append(this.#halo, this.#line, this.#text);
     picture.after(this.#drawing);
   }
@@ -51,9 +71,16 @@ export class LineOverlay {
    * @param picture - null for none
    * @param color - CSS
    */
-  show(picture: SeenPicture | null, lines: readonly (readonly Vector3[])[], color: string, text: OverlayText | null): void {
+  show(
+    picture: SeenPicture | null,
+    lines: readonly (readonly Vector3[])[],
+    color: string,
+    text: OverlayText | null,
+  ): void {
     const parts = picture ? lines.flatMap((line) => project(picture, line)) : [];
-    const path = parts.map((part) => `M${part.map((pixel) => pixel.map((length) => length.toFixed(1)).join(' ')).join('L')}`).join('');
+    const path = parts
+      .map((part) => `M${part.map((pixel) => pixel.map((length) => length.toFixed(1)).join(' ')).join('L')}`)
+      .join('');
     for (const one of [this.#halo, this.#line]) one.setAttribute('d', path);
     this.#line.setAttribute('stroke', color);
     const at = picture && text && projectPlace(picture.camera, text.at, picture);
@@ -71,7 +98,10 @@ export class LineOverlay {
     if (labels.length === 0) return;
     const view = (this.#drawing.getRootNode() as ShadowRoot).host as HTMLElement;
     const { x, y, width, height } = this.#text.getBBox();
-    const [middle, size] = [[x + width / 2, y + height / 2], [width, height]];
+    const [middle, size] = [
+      [x + width / 2, y + height / 2],
+      [width, height],
+    ];
     for (const label of labels) {
       const own = [label.offsetWidth, label.offsetHeight];
       const at = middleInElement(view, label);

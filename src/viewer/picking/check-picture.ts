@@ -40,11 +40,24 @@ export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null>
     // Read at once: others draw into the same buffer.
     const drawn = scene.startProbe(stepLength, lattice, size, true)?.();
     if (!drawn) return null;
-    const stages = rays.stages({ stepLength, maxSubsteps: substepsOf(scene, substeps), minSubsteps: minOf(scene, substeps.voxelsPerStep) });
+    const stages = rays.stages({
+      stepLength,
+      maxSubsteps: substepsOf(scene, substeps),
+      minSubsteps: minOf(scene, substeps.voxelsPerStep),
+    });
     const compare = (ray: number): RayDifference => {
-      const pixel = [lattice.first[0] + lattice.stride * (ray % lattice.width), lattice.first[1] + lattice.stride * Math.floor(ray / lattice.width)];
-      const through = (shift: readonly [number, number]): number[] => pixel.map((one, axis) => (2 * (one + 0.5 + shift[axis])) / (axis ? size.height : size.width) - 1);
-      return compareRay(drawn.subarray(4 * ray, 4 * ray + 4), ({ shift, digits }) => castRay(withDigits(stages, rays.volume, digits), rayThrough(rays.setup, ...(through(shift) as [number, number]))));
+      const pixel = [
+        lattice.first[0] + lattice.stride * (ray % lattice.width),
+        lattice.first[1] + lattice.stride * Math.floor(ray / lattice.width),
+      ];
+      const through = (shift: readonly [number, number]): number[] =>
+        pixel.map((one, axis) => (2 * (one + 0.5 + shift[axis])) / (axis ? size.height : size.width) - 1);
+      return compareRay(drawn.subarray(4 * ray, 4 * ray + 4), ({ shift, digits }) =>
+        castRay(
+          withDigits(stages, rays.volume, digits),
+          rayThrough(rays.setup, ...(through(shift) as [number, number])),
+        ),
+      );
     };
     const differences = await inPieces(compareAll(chooseChecks(drawn, Math.random), compare), goesOn);
     return differences && sumUpChecks(differences);
@@ -64,7 +77,10 @@ function withDigits(stages: RayStages, { range }: Volume, digits: number): RaySt
   const { field } = stages;
   const sampleAt = (place: Vector3): Sample => {
     const known = field.sampleAt(place);
-    return { ...known, value: known.value + max * Math.sin(digits * (1e4 * place[0] + 2e4 * place[1] + 3e4 * place[2])) };
+    return {
+      ...known,
+      value: known.value + max * Math.sin(digits * (1e4 * place[0] + 2e4 * place[1] + 3e4 * place[2])),
+    };
   };
   return { ...stages, field: { ...field, sampleAt } };
 }
@@ -81,7 +97,10 @@ function minOf(scene: Scene, voxelsPerStep: number): RayStages['minSubsteps'] {
   return codes && seen ? minSubsteps(seen.volume, codes, voxelsPerStep) : undefined;
 }
 
-function* compareAll(chosen: readonly number[], compare: (ray: number) => RayDifference): Generator<void, RayDifference[]> {
+function* compareAll(
+  chosen: readonly number[],
+  compare: (ray: number) => RayDifference,
+): Generator<void, RayDifference[]> {
   const differences: RayDifference[] = [];
   for (const ray of chosen) {
     differences.push(compare(ray));

@@ -14,7 +14,10 @@ export async function checkIn(viewer: Viewer | null): Promise<PictureCheck | nul
 }
 
 /** Check the pictures of an element while it has `self-check`. */
-export async function followChecks(view: HTMLElement & Partial<CheckedView>, presenter: VolumePresenter): Promise<void> {
+export async function followChecks(
+  view: HTMLElement & Partial<CheckedView>,
+  presenter: VolumePresenter,
+): Promise<void> {
   if (!view.selfCheck && !part) return;
   try {
     part ??= await loadPart(import('./self-check.ts'), 'checks pictures');

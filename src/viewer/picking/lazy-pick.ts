@@ -4,7 +4,11 @@ import type { Viewer } from '../view/viewer.ts';
 import type { PickOptions, VolumePick } from '../model/volume-pick.ts';
 
 /** Find what is at a place of a picture, see `pick` of src/viewer/picking/pick.ts. @throws {VolumeViewError} `format/unsupported` */
-export async function pickIn(viewer: Viewer | null, place: readonly [x: number, y: number], options?: PickOptions): Promise<VolumePick | null> {
+export async function pickIn(
+  viewer: Viewer | null,
+  place: readonly [x: number, y: number],
+  options?: PickOptions,
+): Promise<VolumePick | null> {
   const { pick } = await loadPart(import('./pick.ts'), 'picks');
   return pick(viewer, place, options);
 }

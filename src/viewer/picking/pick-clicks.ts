@@ -44,7 +44,8 @@ export class PickClicks {
     view.addEventListener('click', (event) => {
       const press = this.#press;
       this.#press = null;
-      if (press && isOnPicture(event) && (view.pickable || this.#holders > 0)) void this.fire(placeInElement(view, event));
+      if (press && isOnPicture(event) && (view.pickable || this.#holders > 0))
+        void this.fire(placeInElement(view, event));
     });
   }
 

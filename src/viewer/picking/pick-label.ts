@@ -11,8 +11,18 @@ import type { VolumePick } from '../model/volume-pick.ts';
  * The label at a place, and its name; nothing where there is no label.
  * @param place - in the unit cube
  */
-export function labelOf(labels: ViewLabels | null, place: Vector3, { label }: VolumePick, volume: Volume): Pick<VolumePick, 'label' | 'labelName'> {
-  const id = labels?.shown && isOn(labels.shown, volume) ? idAt(labels.shown, place) : label === undefined ? null : Number(label);
+export function labelOf(
+  labels: ViewLabels | null,
+  place: Vector3,
+  { label }: VolumePick,
+  volume: Volume,
+): Pick<VolumePick, 'label' | 'labelName'> {
+  const id =
+    labels?.shown && isOn(labels.shown, volume)
+      ? idAt(labels.shown, place)
+      : label === undefined
+        ? null
+        : Number(label);
   const labelName = id === null ? null : (labels?.nameOf(id) ?? nameInFile(volume, id));
   return { ...(id === null ? {} : { label: String(id) }), ...(labelName === null ? {} : { labelName }) };
 }
@@ -20,7 +30,12 @@ export function labelOf(labels: ViewLabels | null, place: Vector3, { label }: Vo
 /** The value of the layer over a volume at a place; nothing where no layer is over it. @param place - in the unit cube */
 export function layersAt(overlay: ViewOverlay | null, place: Vector3, volume: Volume): Pick<VolumePick, 'layers'> {
   if (!overlay?.isOver(volume)) return {};
-  const { name, shown: { volume: { unit } } } = overlay;
+  const {
+    name,
+    shown: {
+      volume: { unit },
+    },
+  } = overlay;
   return { layers: [{ name, value: overlay.valueAt(place), unit }] };
 }
 

@@ -15,7 +15,12 @@ import type { RadarGate, RadarPlace } from '../model/volume-pick.ts';
 export function describeRadar(volume: PolarVolume, place: Vector3): { value: number; place: RadarPlace } | null {
   const { grid, samples, slope, intercept } = volume;
   const index = nearestGate(samples, grid, localToBeam(unitToLocal(grid.box, place), grid.earthRadius));
-  return index < 0 ? null : { value: slope * samples[index] + intercept, place: { ...describePlace(volume, place), gate: gateOf(grid, index) } };
+  return index < 0
+    ? null
+    : {
+        value: slope * samples[index] + intercept,
+        place: { ...describePlace(volume, place), gate: gateOf(grid, index) },
+      };
 }
 
 /** A place as the radar sees it, whether it has data there or not. @param place - in the unit cube */
@@ -24,14 +29,28 @@ export function describePlace({ grid, radar }: PolarVolume, place: Vector3): Omi
   const { latitude, longitude, height } = radar?.site ?? {};
   const isPlaced = latitude !== undefined && longitude !== undefined;
   const below = isPlaced ? placeOnEarth({ latitude, longitude }, local) : { latitude: null, longitude: null };
-  return { ...localToBeam(local, grid.earthRadius), heightAboveAntenna: local[2], heightAboveSea: height === undefined ? null : height + local[2], ...below };
+  return {
+    ...localToBeam(local, grid.earthRadius),
+    heightAboveAntenna: local[2],
+    heightAboveSea: height === undefined ? null : height + local[2],
+    ...below,
+  };
 }
 
 /** @param index - of a sample */
 function gateOf({ sweeps }: PolarGrid, index: number): RadarGate {
-  const sweep = sweeps.findIndex(({ offset, azimuths, gates }) => index >= offset && index < offset + azimuths.length * gates);
+  const sweep = sweeps.findIndex(
+    ({ offset, azimuths, gates }) => index >= offset && index < offset + azimuths.length * gates,
+  );
   const { offset, gates, azimuths, elevation, elevations, firstGate, gateLength } = sweeps[sweep];
   const radial = Math.floor((index - offset) / gates);
   const gate = (index - offset) % gates;
-  return { sweep, radial, gate, range: firstGate + gate * gateLength, azimuth: azimuths[radial], elevation: elevations?.[radial] ?? elevation };
+  return {
+    sweep,
+    radial,
+    gate,
+    range: firstGate + gate * gateLength,
+    azimuth: azimuths[radial],
+    elevation: elevations?.[radial] ?? elevation,
+  };
 }

@@ -50,7 +50,11 @@ const slack = 1e-9;
  * @returns null where the ray meets no surface
  */
 export function endAtSurface(host: Element, ray: Ray, toWorld: Matrix4, eyeT: number): SurfaceEnd | null {
-  const met = meetSurfaces(host, { origin: transformPoint(toWorld, ray.point), direction: transformDirection(toWorld, ray.direction) }, eyeT);
+  const met = meetSurfaces(
+    host,
+    { origin: transformPoint(toWorld, ray.point), direction: transformDirection(toWorld, ray.direction) },
+    eyeT,
+  );
   if (!met) return null;
   const hit = { ...met, place: add(ray.point, scale(ray.direction, met.t)) };
   const behind: Premultiplied = [...hit.color, 1];
@@ -89,7 +93,12 @@ function meetSurfaces(host: Element, ray: WorldRay, from: number): Omit<SurfaceH
 }
 
 /** Describe a place on a surface, with the value of the volume there, where the volume has data. */
-export function describeSurface(volume: Volume, { element, place, color }: SurfaceHit, field: FieldStage, describePlace?: (volume: PolarVolume, place: Vector3) => Omit<RadarPlace, 'gate'>): VolumePick {
+export function describeSurface(
+  volume: Volume,
+  { element, place, color }: SurfaceHit,
+  field: FieldStage,
+  describePlace?: (volume: PolarVolume, place: Vector3) => Omit<RadarPlace, 'gate'>,
+): VolumePick {
   const isInside = place.every((x) => x >= 0 && x <= 1);
   const sampled = isInside ? field.sampleAt(place).value : Number.NaN;
   const interpolated = 'ids' in volume && volume.ids ? (volume.ids[sampled] ?? Number.NaN) : sampled;
@@ -103,7 +112,11 @@ export function describeSurface(volume: Volume, { element, place, color }: Surfa
     opacity: 1,
     color: writeColor(color),
     radar: null,
-    surface: { type: element.localName === 'volume-terrain' ? 'terrain' : 'surface', element, radar: isPolar(volume) ? (describePlace?.(volume, place) ?? null) : null },
+    surface: {
+      type: element.localName === 'volume-terrain' ? 'terrain' : 'surface',
+      element,
+      radar: isPolar(volume) ? (describePlace?.(volume, place) ?? null) : null,
+    },
   };
 }
 

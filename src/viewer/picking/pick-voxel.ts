@@ -13,15 +13,27 @@ export interface Voxel {
  * @param place - in the unit cube
  * @returns null where none of them has data
  */
-export function nearestVoxel(volume: Pick<Volume, 'grid' | 'samples' | 'slope' | 'intercept' | 'ids' | 'indexed'>, place: Vector3): Voxel | null {
-  const { grid: { dimensions }, samples, indexed } = volume;
+export function nearestVoxel(
+  volume: Pick<Volume, 'grid' | 'samples' | 'slope' | 'intercept' | 'ids' | 'indexed'>,
+  place: Vector3,
+): Voxel | null {
+  const {
+    grid: { dimensions },
+    samples,
+    indexed,
+  } = volume;
   let nearest: Voxel | null = null;
   let max = 0;
   const inside = place.map((p, axis) => Math.min(dimensions[axis] - 1, Math.max(0, p * dimensions[axis] - 0.5)));
   for (let corner = 0; corner < 8; corner++) {
     const upper = [corner & 1, (corner >> 1) & 1, corner >> 2];
-    const index = inside.map((p, axis) => Math.min(dimensions[axis] - 1, Math.floor(p) + upper[axis])) as unknown as Vector3;
-    const weight = inside.reduce((product, p, axis) => product * (upper[axis] ? p - Math.floor(p) : 1 - (p - Math.floor(p))), 1);
+    const index = inside.map((p, axis) =>
+      Math.min(dimensions[axis] - 1, Math.floor(p) + upper[axis]),
+    ) as unknown as Vector3;
+    const weight = inside.reduce(
+      (product, p, axis) => product * (upper[axis] ? p - Math.floor(p) : 1 - (p - Math.floor(p))),
+      1,
+    );
     const at = index[0] + dimensions[0] * (index[1] + dimensions[1] * index[2]);
     const stored = samples[at];
     // In the middle between two voxels it is the upper one, as in the look-up of labels.

@@ -29,31 +29,61 @@ const maxSteps = 1500;
  * @returns null where nothing is visible, outside the picture, and before there is a picture
  * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
  */
-export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y: number], options?: PickOptions | null): Promise<VolumePick | null> {
+export async function pick(
+  viewer: Viewer | null,
+  [x, y]: readonly [x: number, y: number],
+  options?: PickOptions | null,
+): Promise<VolumePick | null> {
   const at = pickPlaces.find((one) => one === options?.at) ?? 'jump';
-  const polar = viewer?.volume && isPolar(viewer.volume) ? await loadPart(import('./pick-radar.ts'), 'looks into radar volumes') : null;
+  const polar =
+    viewer?.volume && isPolar(viewer.volume)
+      ? await loadPart(import('./pick-radar.ts'), 'looks into radar volumes')
+      : null;
   const host = viewer?.place.host;
-  const surfaces = host && socketOf(host).last('surface') ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
+  const surfaces =
+    host && socketOf(host).last('surface') ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
   const rays = viewer && (await raysOfView(viewer, { placesOnly: true }));
   if (!rays || isPolar(rays.volume) !== (polar !== null)) return null;
   const { volume, optics, setup } = rays;
-  const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
+  const [across, down] = [x, y].map(
+    (pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth),
+  );
   if (!(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
   const { shown } = viewer;
-  const stages = rays.stages({ stepLength: Math.max(finestSpacing(volume.grid), longestDiagonal(shown.grid) / maxSteps), maxSubsteps });
+  const stages = rays.stages({
+    stepLength: Math.max(finestSpacing(volume.grid), longestDiagonal(shown.grid) / maxSteps),
+    maxSubsteps,
+  });
   const ray = rayThrough(setup, 2 * across - 1, 1 - 2 * down);
   const end = surfaces?.endAtSurface(host!, ray, unitToWorld(volume.grid), setup.eyeT);
-  const appearance = { ...rays, projection: optics.projection, intensityThreshold: optics.intensityThreshold, isClear: rays.hasSurfaces && optics.surfaces?.clear === true };
-  const found = pickRay({ ...stages, intervals: [...stages.intervals, ...(end ? [end.stage] : [])] }, ray, { at, look: appearance });
+  const appearance = {
+    ...rays,
+    projection: optics.projection,
+    intensityThreshold: optics.intensityThreshold,
+    isClear: rays.hasSurfaces && optics.surfaces?.clear === true,
+  };
+  const found = pickRay({ ...stages, intervals: [...stages.intervals, ...(end ? [end.stage] : [])] }, ray, {
+    at,
+    look: appearance,
+  });
   if (!found) return null;
-  if (end?.isPicked(ray, found.place)) return surfaces!.describeSurface(volume, end.hit, stages.field, polar?.describePlace);
-  const there = stages.moreFields.reduce((known, stage) => stage(found.place, known), stages.field.sampleAt(found.place));
+  if (end?.isPicked(ray, found.place))
+    return surfaces!.describeSurface(volume, end.hit, stages.field, polar?.describePlace);
+  const there = stages.moreFields.reduce(
+    (known, stage) => stage(found.place, known),
+    stages.field.sampleAt(found.place),
+  );
   const colors = rays.functions[groupOf(there) - 1] ?? rays.transferFunction;
   const { value: interpolated } = stages.field.sampleAt(found.place);
   const radar = polar && isPolar(volume) ? polar.describeRadar(volume, found.place) : null;
   const { labels, overlay } = shown;
   const attached = layersAt(overlay, found.place, volume);
-  const described = describe(rays, found, { interpolated, colors, radar, hasLayer: overlay?.shown.blend === 'mix' && typeof attached.layers?.[0].value === 'number' });
+  const described = describe(rays, found, {
+    interpolated,
+    colors,
+    radar,
+    hasLayer: overlay?.shown.blend === 'mix' && typeof attached.layers?.[0].value === 'number',
+  });
   return described && { ...described, ...labelOf(labels, found.place, described, volume), ...attached };
 }
 
@@ -67,7 +97,11 @@ interface Known {
   readonly hasLayer: boolean;
 }
 
-function describe({ volume, optics }: ViewRays, { place, color, surface }: RayPick, { interpolated, colors, radar, hasLayer }: Known): VolumePick | null {
+function describe(
+  { volume, optics }: ViewRays,
+  { place, color, surface }: RayPick,
+  { interpolated, colors, radar, hasLayer }: Known,
+): VolumePick | null {
   const hasData = !Number.isNaN(interpolated);
   const voxel = radar || !hasData || isPolar(volume) ? null : nearestVoxel(volume, place);
   // For labels: what the picture shows there, which may differ from the nearest voxel.
@@ -76,7 +110,10 @@ function describe({ volume, optics }: ViewRays, { place, color, surface }: RayPi
   if ((Number.isNaN(value) || !hasData) && !hasLayer) return null;
   const { unit, isDiscrete } = volume;
   const of = optics.surfaces?.surfaces.find(({ value: wanted }) => wanted === surface);
-  const [red, green, blue, opacity] = evaluate(of ? brighten([{ ...of, opacity: 1 }], optics.lightFactor) : colors, interpolated);
+  const [red, green, blue, opacity] = evaluate(
+    of ? brighten([{ ...of, opacity: 1 }], optics.lightFactor) : colors,
+    interpolated,
+  );
   return {
     value,
     interpolated: shown,

@@ -22,7 +22,10 @@ export function checksOn(view: CheckedView & { [key]?: SelfCheck }, presenter: V
 class SelfCheck {
   #isChecking = false;
 
-  constructor(readonly view: CheckedView, readonly presenter: VolumePresenter) {
+  constructor(
+    readonly view: CheckedView,
+    readonly presenter: VolumePresenter,
+  ) {
     view.addEventListener('render', ({ detail }: CustomEventInit<RenderStats>) => {
       if (detail!.converged) this.start();
     });
@@ -35,7 +38,10 @@ class SelfCheck {
   }
 
   async #check(): Promise<void> {
-    const { view, presenter: { viewer, errors } } = this;
+    const {
+      view,
+      presenter: { viewer, errors },
+    } = this;
     if (!viewer) return;
     this.#isChecking = true;
     try {
@@ -54,5 +60,8 @@ class SelfCheck {
 }
 
 function inaccurate({ rays, off, max }: PictureCheck): VolumeViewError {
-  return new VolumeViewError('webgl/inaccurate', `The graphics processor of this device draws the volume wrong: ${off} of ${rays} rays that were checked are off, by up to ${Math.min(255, Math.round(max))} of 255. Colours and opacities may mislead. Try another browser, or update this one and the driver of the graphics processor.`);
+  return new VolumeViewError(
+    'webgl/inaccurate',
+    `The graphics processor of this device draws the volume wrong: ${off} of ${rays} rays that were checked are off, by up to ${Math.min(255, Math.round(max))} of 255. Colours and opacities may mislead. Try another browser, or update this one and the driver of the graphics processor.`,
+  );
 }

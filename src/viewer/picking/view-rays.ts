@@ -32,8 +32,17 @@ export interface ViewRays {
  * @returns null before there is a picture, and while a coarser volume is shown in place of one that is loading
  * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
  */
-export async function raysOfView(viewer: Viewer, { placesOnly, looks = true }: { readonly placesOnly: boolean; readonly looks?: boolean }): Promise<ViewRays | null> {
-  const { volume, optics, drawn, controller, shown: { labels } } = viewer;
+export async function raysOfView(
+  viewer: Viewer,
+  { placesOnly, looks = true }: { readonly placesOnly: boolean; readonly looks?: boolean },
+): Promise<ViewRays | null> {
+  const {
+    volume,
+    optics,
+    drawn,
+    controller,
+    shown: { labels },
+  } = viewer;
   const twins = controller.twins(looks);
   // The coarse volume that is shown until a larger one is loaded has other voxels.
   if (!volume || !optics || !drawn || volume.coarse || twins?.volume !== volume) return null;
@@ -41,7 +50,8 @@ export async function raysOfView(viewer: Viewer, { placesOnly, looks = true }: {
   if (!setup) return null;
   const frame = { volume, optics: twins.optics, rays: setup, placesOnly };
   await loadTwins(twins, frame);
-  const functions = !optics.projection && labels?.shown && isOn(labels.shown, volume) ? (labels.shown.functions ?? []) : [];
+  const functions =
+    !optics.projection && labels?.shown && isOn(labels.shown, volume) ? (labels.shown.functions ?? []) : [];
   return {
     volume,
     optics,
@@ -61,7 +71,12 @@ function setUpView({ shown, scene, rig, place: { host } }: Viewer, { grid }: Vol
   const { camera } = rig;
   const reach = 1 / Math.tan(camera.fieldOfView / 2);
   // The depth part of the projection does not change the path of rays.
-  return setUpRays(grid, viewMatrix(camera), [(reach * host.clientHeight) / host.clientWidth, 0, 0, 0, 0, reach, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0], region);
+  return setUpRays(
+    grid,
+    viewMatrix(camera),
+    [(reach * host.clientHeight) / host.clientWidth, 0, 0, 0, 0, reach, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0],
+    region,
+  );
 }
 
 /** Whether surfaces of values are visible: there are none in projections, and none of labels. */

@@ -26,7 +26,12 @@ const maxLost = 3;
  * @param put - gets the scene as soon as it is complete; never called if the scene is no longer needed
  * @throws {VolumeViewError} `webgl/context-lost`, and what making a scene throws
  */
-export async function buildScene(create: () => Promise<Scene>, contents: SceneContents, comes: (scene: Scene) => Promise<boolean>, put: (scene: Scene) => void): Promise<void> {
+export async function buildScene(
+  create: () => Promise<Scene>,
+  contents: SceneContents,
+  comes: (scene: Scene) => Promise<boolean>,
+  put: (scene: Scene) => void,
+): Promise<void> {
   for (let lost = 0; lost < maxLost; lost++) {
     const scene = await create();
     let isReady = false;
@@ -60,5 +65,9 @@ async function fillScene(scene: Scene, contents: SceneContents, put: (scene: Sce
 
 /** The error of a context that was lost and did not come back. */
 export function contextLost(cause?: unknown): VolumeViewError {
-  return new VolumeViewError('webgl/context-lost', 'The graphics driver stopped and did not come back. Reload the page.', { cause });
+  return new VolumeViewError(
+    'webgl/context-lost',
+    'The graphics driver stopped and did not come back. Reload the page.',
+    { cause },
+  );
 }

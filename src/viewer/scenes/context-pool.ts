@@ -88,7 +88,13 @@ export class ContextPool {
   #admit(): void {
     for (let rank = rankOf({ need: 'hand', inSight: true }); rank >= rankOf({ need: 'ready', inSight: true }); rank--) {
       for (const candidate of [...this.#candidates]) {
-        if (this.#holders.has(candidate) || !candidate.mayHold || rankOf(candidate) !== rank || !this.#makeRoom(candidate)) continue;
+        if (
+          this.#holders.has(candidate) ||
+          !candidate.mayHold ||
+          rankOf(candidate) !== rank ||
+          !this.#makeRoom(candidate)
+        )
+          continue;
         this.#holders.set(candidate, performance.now());
         this.#candidates.delete(candidate);
         this.#candidates.add(candidate); // Next time it comes last.

@@ -48,7 +48,10 @@ export class FrameLoop {
   #waiting: (() => void)[] = [];
   #ended = false;
 
-  constructor(readonly host: FrameHost, readonly clock: FrameClock = pageClock) {}
+  constructor(
+    readonly host: FrameHost,
+    readonly clock: FrameClock = pageClock,
+  ) {}
 
   /** Whether something has changed since the last picture was started. */
   get dirty(): boolean {
@@ -151,7 +154,10 @@ export class FrameLoop {
   }
 
   async #hold<T>(drawing: Promise<T>): Promise<T> {
-    this.#drawing = drawing.then(() => {}, () => {});
+    this.#drawing = drawing.then(
+      () => {},
+      () => {},
+    );
     try {
       return await drawing;
     } finally {

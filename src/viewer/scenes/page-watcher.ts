@@ -23,7 +23,9 @@ export class PageWatcher {
    */
   watchSight(element: Element, margin: string, changed: (inSight: boolean) => void): void {
     if (typeof IntersectionObserver === 'undefined') return changed(true);
-    const observer = new IntersectionObserver((entries) => changed(entries.at(-1)!.isIntersecting), { rootMargin: margin });
+    const observer = new IntersectionObserver((entries) => changed(entries.at(-1)!.isIntersecting), {
+      rootMargin: margin,
+    });
     observer.observe(element);
     this.#observers.push(observer);
   }
@@ -38,7 +40,8 @@ export class PageWatcher {
   /** Listen to events of the element. */
   listen(element: Element, listeners: Readonly<Record<string, () => void>>): void {
     const abort = new AbortController();
-    for (const [name, listener] of Object.entries(listeners)) element.addEventListener(name, listener, { signal: abort.signal });
+    for (const [name, listener] of Object.entries(listeners))
+      element.addEventListener(name, listener, { signal: abort.signal });
     this.#observers.push({ disconnect: () => abort.abort() });
   }
 

@@ -65,7 +65,10 @@ export class SceneController implements ContextHolder {
     if (records.some(({ type, target }) => type === 'childList' || target !== this.place.host)) this.user.invalidate();
   });
 
-  constructor(readonly place: ScenePlace, readonly user: SceneUser) {
+  constructor(
+    readonly place: ScenePlace,
+    readonly user: SceneUser,
+  ) {
     this.#snapshot = new Snapshot(place.container);
     contextPool.add(this);
   }
@@ -113,7 +116,12 @@ export class SceneController implements ContextHolder {
   }
 
   get busy(): boolean {
-    return (this.#isBuilding && (!this.#lookAgain || this.user.ready)) || this.user.loop.drawing !== null || this.#pins > 0 || (this.#isNew && this.need !== 'none');
+    return (
+      (this.#isBuilding && (!this.#lookAgain || this.user.ready)) ||
+      this.user.loop.drawing !== null ||
+      this.#pins > 0 ||
+      (this.#isNew && this.need !== 'none')
+    );
   }
 
   enter(): void {
@@ -210,7 +218,12 @@ export class SceneController implements ContextHolder {
     this.#isBuilding = true;
     this.#authorWatch.disconnect();
     try {
-      await buildScene(() => scenes.create(host, container, () => this.#changed()), this.user, (scene) => this.#hasContents(scene), (scene) => this.#put(scene));
+      await buildScene(
+        () => scenes.create(host, container, () => this.#changed()),
+        this.user,
+        (scene) => this.#hasContents(scene),
+        (scene) => this.#put(scene),
+      );
     } catch (error) {
       this.#fail(error instanceof VolumeViewError ? error : explain(error));
     }

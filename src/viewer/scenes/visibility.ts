@@ -47,10 +47,12 @@ export class Visibility {
   /** Watch an element as long as the watcher works. */
   watch(element: HTMLElement, watcher: PageWatcher): void {
     this.#near = this.#isPlaced = this.#inSight = this.#hovered = this.#focused = false;
-    watcher.watchSight(element, nearMargin, (near) => this.#notify(() => {
-      this.#near = near;
-      this.#isPlaced = true;
-    }));
+    watcher.watchSight(element, nearMargin, (near) =>
+      this.#notify(() => {
+        this.#near = near;
+        this.#isPlaced = true;
+      }),
+    );
     watcher.watchSight(element, '0px', (inSight) => this.#notify(() => (this.#inSight = inSight)));
     watcher.listen(element, {
       pointerenter: () => this.#notify(() => (this.#hovered = true)),

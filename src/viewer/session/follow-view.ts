@@ -19,7 +19,11 @@ let colors: typeof ColorPart | null = null;
  * @param presenter - of the element
  * @returns resolves when the picture agrees with the attributes
  */
-export async function follow(view: HTMLElement & Partial<PickedView & CheckedView & ColorPart.ColoredView & RotatingView & RefinedView & BlankPart.NotedView>, presenter: VolumePresenter): Promise<void> {
+export async function follow(
+  view: HTMLElement &
+    Partial<PickedView & CheckedView & ColorPart.ColoredView & RotatingView & RefinedView & BlankPart.NotedView>,
+  presenter: VolumePresenter,
+): Promise<void> {
   followRefining(view as RefinedView, presenter);
   void followBlank(view as BlankPart.NotedView, presenter);
   const follows = [followClicks(view), followChecks(view, presenter), followRotation(view as RotatingView, presenter)];
@@ -36,13 +40,15 @@ export async function follow(view: HTMLElement & Partial<PickedView & CheckedVie
 async function followRotation(view: RotatingView, presenter: VolumePresenter): Promise<void> {
   const rotation = socketOf(view).last('rotation');
   if (rotation) rotation.follow();
-  else if (view.autoRotate) await import('../view/auto-rotation.ts').then(({ rotate }) => rotate(view, presenter), console.warn);
+  else if (view.autoRotate)
+    await import('../view/auto-rotation.ts').then(({ rotate }) => rotate(view, presenter), console.warn);
 }
 
 /** Add a note to a picture at rest that may show nothing. If that part can't be loaded, there is no note. */
 async function followBlank(view: BlankPart.NotedView, presenter: VolumePresenter): Promise<void> {
   const { renderStats: stats } = view;
-  if (stats?.converged && !stats.error?.rays) await import('../view/blank-note.ts').then(({ noteBlank }) => noteBlank(view, presenter), console.warn);
+  if (stats?.converged && !stats.error?.rays)
+    await import('../view/blank-note.ts').then(({ noteBlank }) => noteBlank(view, presenter), console.warn);
 }
 
 /** @returns whether the next picture is different */

@@ -33,7 +33,11 @@ export class PageConnection {
   /** Identifies the last call of `setControls`: an earlier one that is still loading has no effect. */
   #word = {};
 
-  constructor(readonly picture: HTMLElement, place: ScenePlace, listener: ConnectionListener) {
+  constructor(
+    readonly picture: HTMLElement,
+    place: ScenePlace,
+    listener: ConnectionListener,
+  ) {
     this.viewer = new Viewer(place, listener);
     this.#watcher.watchSize(place.host, () => this.viewer.invalidate());
     this.#watcher.watchMotion(() => listener.motionChanged());
@@ -52,7 +56,11 @@ export class PageConnection {
     this.#input?.dispose();
     this.#input = null;
     this.interaction ??= await loadPart(import('./interaction.ts'), 'turns the picture by hand');
-    if (on && this.#word === word) this.#input = new this.interaction.CameraInput(this.picture, viewer.rig, { changed: () => viewer.invalidate(), reset: () => viewer.resetCamera() });
+    if (on && this.#word === word)
+      this.#input = new this.interaction.CameraInput(this.picture, viewer.rig, {
+        changed: () => viewer.invalidate(),
+        reset: () => viewer.resetCamera(),
+      });
   }
 
   dispose(): void {

@@ -68,7 +68,10 @@ export class SourceLoader {
   /** Settles when the coarse picture of a loading volume is shown, or has failed. */
   #standIn: Promise<void> = Promise.resolve();
 
-  constructor(readonly host: LoaderHost, readonly parts: LoaderParts) {}
+  constructor(
+    readonly host: LoaderHost,
+    readonly parts: LoaderParts,
+  ) {}
 
   /** The player of several scans; null where the source is a single volume, or not open yet. */
   get scans(): ScanPlayer | null {
@@ -238,20 +241,38 @@ export class SourceLoader {
   }
 
   #open(source: Source, wanted: ScanTarget, signal: AbortSignal, onProgress: LoadProgressListener): Promise<Volume> {
-    return openSource(source, {
-      load: (request, options) => loads.run(() => this.host.inSight, options.signal, (lend) => this.#loadShared(request, {
-        ...options,
-        onProgress: (progress) => (progress.isStill ? lend() : options.onProgress(progress)),
-      })),
-      opened: (player) => {
-        this.#scans = player;
-        this.parts.playback.follow(player, this.host.settings.autoplay);
+    return openSource(
+      source,
+      {
+        load: (request, options) =>
+          loads.run(
+            () => this.host.inSight,
+            options.signal,
+            (lend) =>
+              this.#loadShared(request, {
+                ...options,
+                onProgress: (progress) => (progress.isStill ? lend() : options.onProgress(progress)),
+              }),
+          ),
+        opened: (player) => {
+          this.#scans = player;
+          this.parts.playback.follow(player, this.host.settings.autoplay);
+        },
+        go: (index) => this.showScan(index),
+        shown: (scan) => this.host.emit('time-change', scan),
+        changed: () => this.host.scansChanged(),
+        giveUp: () => this.parts.playback.pause(),
       },
-      go: (index) => this.showScan(index),
-      shown: (scan) => this.host.emit('time-change', scan),
-      changed: () => this.host.scansChanged(),
-      giveUp: () => this.parts.playback.pause(),
-    }, { wanted, signal, onProgress, onCoarse: (coarse) => coarse ? void (this.#standIn = this.parts.presenter.showCoarse(coarse, signal)) : this.host.scenes.warmUp(true) });
+      {
+        wanted,
+        signal,
+        onProgress,
+        onCoarse: (coarse) =>
+          coarse
+            ? void (this.#standIn = this.parts.presenter.showCoarse(coarse, signal))
+            : this.host.scenes.warmUp(true),
+      },
+    );
   }
 
   async #loadShared(request: SourceRequest, options: LoadOptions): Promise<Volume> {
@@ -260,7 +281,11 @@ export class SourceLoader {
     options.signal.throwIfAborted();
     const limits = this.#askLimits();
     limits.catch(() => {}); // The load that waits for it reports the error, if there is such a load.
-    return sharedVolumes.get(this, { ...request, ...reader?.readSource(source!), limits, maxBytes: this.#maxBytes }, options);
+    return sharedVolumes.get(
+      this,
+      { ...request, ...reader?.readSource(source!), limits, maxBytes: this.#maxBytes },
+      options,
+    );
   }
 
   /** After a moment: the first context takes long to create, and the file starts to load meanwhile. */

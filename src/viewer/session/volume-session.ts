@@ -55,7 +55,11 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   readonly #work = new PendingWork();
   readonly #visibility = new Visibility(() => this.#followVisibility());
 
-  constructor(readonly host: HTMLElement, readonly scenes: SceneFactory, readonly listener: SessionListener) {
+  constructor(
+    readonly host: HTMLElement,
+    readonly scenes: SceneFactory,
+    readonly listener: SessionListener,
+  ) {
     this.presenter = new VolumePresenter(this, this.errors);
     this.loader = new SourceLoader(this, this);
   }
@@ -217,7 +221,10 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
 
   /** Without a picture there is nothing to turn: the code for interaction is loaded with the first picture. */
   #addInteraction(): void {
-    this.#interaction = this.#connection!.setControls(this.settings.controls).then(() => this.interaction?.follow(this.host, this.presenter), (error: unknown) => this.errors.report('camera', error));
+    this.#interaction = this.#connection!.setControls(this.settings.controls).then(
+      () => this.interaction?.follow(this.host, this.presenter),
+      (error: unknown) => this.errors.report('camera', error),
+    );
   }
 
   #readCamera(): void {
@@ -282,7 +289,12 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   }
 
   slicesChanged(isLook?: boolean): void {
-    if (isLook) this.presenter.followNodes(() => loadPart(import('../attachments/read-volume-nodes.ts'), 'reads styles'), () => this.#readAppearance()); else this.presenter.cutAgain();
+    if (isLook)
+      this.presenter.followNodes(
+        () => loadPart(import('../attachments/read-volume-nodes.ts'), 'reads styles'),
+        () => this.#readAppearance(),
+      );
+    else this.presenter.cutAgain();
   }
 
   changed(): void {

@@ -18,24 +18,40 @@ export function linesOf(type: MeasureType, points: readonly Vector3[]): readonly
 
 /** The place of its number: the middle of a line, or the corner of an angle. */
 export function textPlace(type: MeasureType, [from, to]: readonly Vector3[]): Vector3 {
-  return type === 'angle' ? to : type === 'sphere' ? from : (scale([from[0] + to[0], from[1] + to[1], from[2] + to[2]], 0.5));
+  return type === 'angle'
+    ? to
+    : type === 'sphere'
+      ? from
+      : scale([from[0] + to[0], from[1] + to[1], from[2] + to[2]], 0.5);
 }
 
 function linesOfBox([from, to]: readonly Vector3[]): readonly (readonly Vector3[])[] {
   const corner = (c: number): Vector3 => [c & 1 ? to[0] : from[0], c & 2 ? to[1] : from[1], c & 4 ? to[2] : from[2]];
-  return [...[[0, 1, 3, 2, 0], [4, 5, 7, 6, 4]], ...[0, 1, 2, 3].map((c) => [c, c + 4])].map((line) => line.map(corner));
+  return [
+    ...[
+      [0, 1, 3, 2, 0],
+      [4, 5, 7, 6, 4],
+    ],
+    ...[0, 1, 2, 3].map((c) => [c, c + 4]),
+  ].map((line) => line.map(corner));
 }
 
 /** Three circles along the world's axes, and the radius. */
 function linesOfSphere([center, end]: readonly Vector3[]): readonly (readonly Vector3[])[] {
   const radius = length(subtract(end, center));
-  const circles = [[0, 1], [1, 2], [2, 0]].map(([one, other]) => Array.from({ length: circlePoints + 1 }, (_, i): Vector3 => {
-    const angle = (2 * Math.PI * i) / circlePoints;
-    const place = [...center];
-    place[one] += radius * Math.cos(angle);
-    place[other] += radius * Math.sin(angle);
-    return place as unknown as Vector3;
-  }));
+  const circles = [
+    [0, 1],
+    [1, 2],
+    [2, 0],
+  ].map(([one, other]) =>
+    Array.from({ length: circlePoints + 1 }, (_, i): Vector3 => {
+      const angle = (2 * Math.PI * i) / circlePoints;
+      const place = [...center];
+      place[one] += radius * Math.cos(angle);
+      place[other] += radius * Math.sin(angle);
+      return place as unknown as Vector3;
+    }),
+  );
   return [...circles, [center, end]];
 }
 

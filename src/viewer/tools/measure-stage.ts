@@ -44,10 +44,23 @@ export interface StageEvents {
 
 /** The places of points that a person adds without pointing: shares of the picture. */
 const middle: Readonly<Record<MeasureType, readonly Pixel[]>> = {
-  distance: [[0.35, 0.5], [0.65, 0.5]],
-  angle: [[0.65, 0.5], [0.4, 0.65], [0.5, 0.3]],
-  box: [[0.4, 0.6], [0.6, 0.4]],
-  sphere: [[0.5, 0.5], [0.65, 0.5]],
+  distance: [
+    [0.35, 0.5],
+    [0.65, 0.5],
+  ],
+  angle: [
+    [0.65, 0.5],
+    [0.4, 0.65],
+    [0.5, 0.3],
+  ],
+  box: [
+    [0.4, 0.6],
+    [0.6, 0.4],
+  ],
+  sphere: [
+    [0.5, 0.5],
+    [0.65, 0.5],
+  ],
 };
 
 /** One measure in a view: lines in its scene, faint lines over its picture, handles, and the clicks that place points. */
@@ -61,14 +74,22 @@ export class MeasureStage implements ViewPart {
   #release: (() => void) | null = null;
 
   /** @param picture - the part of the view that holds its picture */
-  constructor(readonly view: MeasuredView, picture: Element, readonly events: StageEvents) {
+  constructor(
+    readonly view: MeasuredView,
+    picture: Element,
+    readonly events: StageEvents,
+  ) {
     const { signal } = this.#abort;
-    this.#handles = new Handles(view, picture, { moved: (index, to) => this.#shown && events.moved(index, fromDrawn(to, this.#shown.volume)) });
+    this.#handles = new Handles(view, picture, {
+      moved: (index, to) => this.#shown && events.moved(index, fromDrawn(to, this.#shown.volume)),
+    });
     this.#overlay = new LineOverlay(picture, { part: 'measure', opacity: 0.75, isDashed: true });
     this.#lines = new ViewLines(socketOf(view));
     void socketOf(view).join(this);
     view.addEventListener('keydown', events.key, { signal });
-    view.addEventListener('volume-pick', (event) => this.#take((event as CustomEvent<VolumePick | null>).detail), { signal });
+    view.addEventListener('volume-pick', (event) => this.#take((event as CustomEvent<VolumePick | null>).detail), {
+      signal,
+    });
   }
 
   dispose(): void {
@@ -95,7 +116,11 @@ export class MeasureStage implements ViewPart {
   show(shown: ShownMeasure | null): void {
     this.#shown = shown;
     const points = shown?.points ?? [];
-    this.#handles.set(shown ? points.map((point, i) => ({ ...shown.names[i], at: toDrawn(point, shown.volume), color: shown.color.css })) : []);
+    this.#handles.set(
+      shown
+        ? points.map((point, i) => ({ ...shown.names[i], at: toDrawn(point, shown.volume), color: shown.color.css }))
+        : [],
+    );
     this.#lines.show(this.#worldLines, shown?.color.rgb ?? [1, 1, 1]);
     this.place();
   }
@@ -111,7 +136,11 @@ export class MeasureStage implements ViewPart {
     const { camera, width, height } = picture;
     const places = middle[type].map(([x, y]) => placeInPlane(picture, camera.target, [x * width, y * height]));
     // A box without depth would be empty: move one corner.
-    if (type === 'box') places[1] = placeInPlane(picture, middleOf(places, camera.eye), [middle.box[1][0] * width, middle.box[1][1] * height]);
+    if (type === 'box')
+      places[1] = placeInPlane(picture, middleOf(places, camera.eye), [
+        middle.box[1][0] * width,
+        middle.box[1][1] * height,
+      ]);
     return places.slice(0, pointCounts[type]).map((place) => fromDrawn(place, volume));
   }
 
@@ -122,13 +151,21 @@ export class MeasureStage implements ViewPart {
 
   get #worldLines(): readonly (readonly Vector3[])[] {
     const shown = this.#shown;
-    return shown ? linesOf(shown.type, shown.points).map((line) => line.map((point) => toDrawn(point, shown.volume))) : [];
+    return shown
+      ? linesOf(shown.type, shown.points).map((line) => line.map((point) => toDrawn(point, shown.volume)))
+      : [];
   }
 
   place(): void {
     const shown = this.#shown;
     const isWhole = shown && shown.points.length === pointCounts[shown.type];
-    const text = isWhole ? { at: toDrawn(textPlace(shown.type, shown.points), shown.volume), text: shown.text, isAbove: shown.type === 'box' || shown.type === 'sphere' } : null;
+    const text = isWhole
+      ? {
+          at: toDrawn(textPlace(shown.type, shown.points), shown.volume),
+          text: shown.text,
+          isAbove: shown.type === 'box' || shown.type === 'sphere',
+        }
+      : null;
     this.#overlay.show(shown && this.#picture, this.#worldLines, shown?.color.css ?? '', text);
   }
 

@@ -6,7 +6,14 @@ import { invalidAttribute } from '../../core/errors.ts';
 import { longest } from '../../volume/grid-limits.ts';
 import { length, subtract } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import { measureAngle, measureBox, measureDistance, measureSphere, measureTypes, pointCounts } from '../../volume/measures.ts';
+import {
+  measureAngle,
+  measureBox,
+  measureDistance,
+  measureSphere,
+  measureTypes,
+  pointCounts,
+} from '../../volume/measures.ts';
 import type { EdgesAt, Measured, MeasureType } from '../../volume/measures.ts';
 import { solidOf } from '../../volume/solid.ts';
 import type { Statistics } from '../../volume/statistics.ts';
@@ -47,7 +54,12 @@ export function readMeasureType(text: string | null): MeasureType {
   return found;
 }
 
-const examples = { distance: '10 0 5, 40 0 5', angle: '10 0 5, 40 0 5, 40 30 5', box: '-10 -10 0, 20 15 30', sphere: '10 0 5, 10 12 5' };
+const examples = {
+  distance: '10 0 5, 40 0 5',
+  angle: '10 0 5, 40 0 5, 40 30 5',
+  box: '-10 -10 0, 20 15 30',
+  sphere: '10 0 5, 10 12 5',
+};
 
 /** @returns null where none are given @throws {VolumeViewError} `attribute/invalid` */
 export function readMeasurePoints(text: string | null, type: MeasureType): readonly Vector3[] | null {
@@ -66,14 +78,28 @@ function lengthUnitOf(volume: Volume): 'mm' | 'm' | '' {
   return isInMillimetres(volume) ? 'mm' : '';
 }
 
-const measures = { distance: measureDistance, angle: measureAngle, box: measureBox, sphere: measureSphere } satisfies Record<MeasureType, (points: readonly Vector3[], edgesAt: EdgesAt) => Measured>;
+const measures = {
+  distance: measureDistance,
+  angle: measureAngle,
+  box: measureBox,
+  sphere: measureSphere,
+} satisfies Record<MeasureType, (points: readonly Vector3[], edgesAt: EdgesAt) => Measured>;
 
 /** What can be measured at once: everything except the statistics. */
 export function measure(volume: Volume, type: MeasureType, points: readonly Vector3[]): MeasureResult {
   const edgesAt: EdgesAt = isPolar(volume) ? (place) => edgesOfGate(volume, place) : () => edgesOfVoxel(volume);
   const [from, to] = points;
-  const lengths = type === 'box' ? subtract(to, from).map(Math.abs) : type === 'sphere' ? [length(subtract(to, from))] : [];
-  return { type, points, lengthUnit: lengthUnitOf(volume), ...measures[type](points, edgesAt), lengths, statistics: null, unit: volume.unit };
+  const lengths =
+    type === 'box' ? subtract(to, from).map(Math.abs) : type === 'sphere' ? [length(subtract(to, from))] : [];
+  return {
+    type,
+    points,
+    lengthUnit: lengthUnitOf(volume),
+    ...measures[type](points, edgesAt),
+    lengths,
+    statistics: null,
+    unit: volume.unit,
+  };
 }
 
 function edgesOfVoxel({ grid: { indexToWorld: m } }: Volume): readonly Vector3[] {
@@ -81,7 +107,11 @@ function edgesOfVoxel({ grid: { indexToWorld: m } }: Volume): readonly Vector3[]
 }
 
 /** Sum up the values inside; null for a measure without an inside. */
-export function sumUp(volume: Volume, type: MeasureType, points: readonly Vector3[]): Generator<void, Statistics> | null {
+export function sumUp(
+  volume: Volume,
+  type: MeasureType,
+  points: readonly Vector3[],
+): Generator<void, Statistics> | null {
   if (type !== 'box' && type !== 'sphere') return null;
   const solid = solidOf(type, points);
   const { grid } = volume;

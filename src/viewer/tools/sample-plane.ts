@@ -35,7 +35,9 @@ export function* samplePlane(volume: Volume, max = maxSamples): Generator<undefi
   if (volume.isDiscrete) return null;
   const { grid } = volume;
   const field = isPolar(volume) ? polarField(volume) : cartesianField({ ...volume, dimensions: grid.dimensions });
-  const gradient = isPolar(volume) ? polarGradient(polarBeamField(volume), volume.grid) : cartesianGradient(field, grid);
+  const gradient = isPolar(volume)
+    ? polarGradient(polarBeamField(volume), volume.grid)
+    : cartesianGradient(field, grid);
   const toWorld = perWorldUnit(grid);
   const [values, gradients] = [new Float32Array(max), new Float32Array(max)];
   let count = 0;

@@ -44,13 +44,18 @@ export class AutoRotation {
   /** The viewer that has the last speed, and that speed: radians a millisecond. */
   #reported: { readonly viewer: Viewer; readonly spin: number } | null = null;
 
-  constructor(readonly view: RotatingView, readonly presenter: VolumePresenter) {
+  constructor(
+    readonly view: RotatingView,
+    readonly presenter: VolumePresenter,
+  ) {
     view.addEventListener('pointerdown', ({ pointerId }) => {
       this.#fingers.add(pointerId);
       this.#apply();
     });
     for (const type of ['pointerup', 'pointercancel'] as const) {
-      view.ownerDocument.addEventListener(type, ({ pointerId }) => this.#fingers.delete(pointerId) && this.#wait(), { capture: true });
+      view.ownerDocument.addEventListener(type, ({ pointerId }) => this.#fingers.delete(pointerId) && this.#wait(), {
+        capture: true,
+      });
     }
     view.addEventListener('camera-change', () => this.#wait());
     this.#reduced.addEventListener('change', () => {
@@ -94,10 +99,13 @@ export class AutoRotation {
   /** A person has moved the camera, or it was placed: it stays there for a while. */
   #wait(): void {
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => {
-      this.#timer = undefined;
-      this.#apply();
-    }, Math.min(Math.max(0, this.view.autoRotateDelay ?? defaultDelay), 2 ** 31 - 1));
+    this.#timer = setTimeout(
+      () => {
+        this.#timer = undefined;
+        this.#apply();
+      },
+      Math.min(Math.max(0, this.view.autoRotateDelay ?? defaultDelay), 2 ** 31 - 1),
+    );
     this.#apply();
   }
 
@@ -115,12 +123,28 @@ export class AutoRotation {
 }
 
 /** Radians a second. */
-function read({ autoRotateDelay, rotationPerSecond: text }: RotatingView): { readonly value: number; readonly error?: undefined } | { readonly error: Error } {
-  if (autoRotateDelay !== null && autoRotateDelay < 0) return { error: invalidAttribute('auto-rotate-delay', String(autoRotateDelay), 'a number of milliseconds from 0') };
+function read({
+  autoRotateDelay,
+  rotationPerSecond: text,
+}: RotatingView): { readonly value: number; readonly error?: undefined } | { readonly error: Error } {
+  if (autoRotateDelay !== null && autoRotateDelay < 0)
+    return { error: invalidAttribute('auto-rotate-delay', String(autoRotateDelay), 'a number of milliseconds from 0') };
   if (text === null || text.trim() === '') return { value: usualSpeed };
   const [, number, unit] = /^\s*(\S*?)(deg|rad|%)\s*$/i.exec(text) ?? [];
-  const units = new Map([['deg', Math.PI / 180], ['rad', 1], ['%', usualSpeed / 100]]);
+  const units = new Map([
+    ['deg', Math.PI / 180],
+    ['rad', 1],
+    ['%', usualSpeed / 100],
+  ]);
   const speed = isNumber(number ?? '') ? Number(number) * units.get(unit.toLowerCase())! : NaN;
   // With more than half a turn in a frame, nobody could see the rotation.
-  return Math.abs(speed) <= 20 * Math.PI ? { value: speed } : { error: invalidAttribute('rotation-per-second', text, 'an angle such as 10deg or 0.2rad, or a percentage such as 50%, ten turns at most') };
+  return Math.abs(speed) <= 20 * Math.PI
+    ? { value: speed }
+    : {
+        error: invalidAttribute(
+          'rotation-per-second',
+          text,
+          'an angle such as 10deg or 0.2rad, or a percentage such as 50%, ten turns at most',
+        ),
+      };
 }

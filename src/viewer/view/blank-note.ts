@@ -99,24 +99,41 @@ class BlankNote {
   #judged: RenderStats | null = null;
   #pending: RenderStats | null = null;
 
-  constructor(readonly view: NotedView, readonly presenter: VolumePresenter, readonly quality: typeof ViewQuality) {
+  constructor(
+    readonly view: NotedView,
+    readonly presenter: VolumePresenter,
+    readonly quality: typeof ViewQuality,
+  ) {
     this.#locale = new LocaleController(view as unknown as ConstructorParameters<typeof LocaleController>[0], english);
   }
 
   follow(): void {
-    const { view, view: { renderStats } } = this;
+    const {
+      view,
+      view: { renderStats },
+    } = this;
     if (this.#judged !== renderStats || !isFinal(view, this.presenter)) {
       this.#judged = null;
       if (this.#cause && !this.#isStillBlank()) this.#say(null);
-      if (renderStats?.converged && !renderStats.error?.rays && this.#pending !== renderStats) void this.#judge(renderStats);
+      if (renderStats?.converged && !renderStats.error?.rays && this.#pending !== renderStats)
+        void this.#judge(renderStats);
     } else if (this.#cause) this.#write(); // The language may have changed.
   }
 
   /** Whether the picture is still blank: in motion, before it is final, it may already show something. */
   #isStillBlank(): boolean {
-    const { view: { paused }, presenter: { viewer, errors } } = this;
+    const {
+      view: { paused },
+      presenter: { viewer, errors },
+    } = this;
     const scene = viewer?.scene;
-    return scene !== null && scene !== undefined && paused && !errors.first && largestAlpha(scene.readPicture()) <= this.quality.faint;
+    return (
+      scene !== null &&
+      scene !== undefined &&
+      paused &&
+      !errors.first &&
+      largestAlpha(scene.readPicture()) <= this.quality.faint
+    );
   }
 
   async #judge(stats: RenderStats): Promise<void> {
@@ -126,7 +143,8 @@ class BlankNote {
     await view.whenRendered().catch(() => {});
     if (this.#pending === stats) this.#pending = null;
     const { viewer } = presenter;
-    const isCurrent = (): boolean => view.renderStats === stats && presenter.viewer === viewer && isFinal(view, presenter);
+    const isCurrent = (): boolean =>
+      view.renderStats === stats && presenter.viewer === viewer && isFinal(view, presenter);
     const scene = viewer?.scene;
     if (!viewer || !scene || !isCurrent()) return;
     const alpha = largestAlpha(scene.readPicture());

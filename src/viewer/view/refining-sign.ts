@@ -57,7 +57,10 @@ const pace = 100;
  * Show that a finer picture is in progress, and its progress where it is known; resolves when the picture is final.
  * @param refined - returns the pictures; null where no finer one is in progress
  */
-export async function showSign(view: RefinedView, refined: () => { readonly gathered: number | null } | null): Promise<void> {
+export async function showSign(
+  view: RefinedView,
+  refined: () => { readonly gathered: number | null } | null,
+): Promise<void> {
   const { shadowRoot: root, ownerDocument: document } = view;
   if (!root) return;
   applySheet(root, styles);

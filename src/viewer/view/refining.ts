@@ -21,7 +21,10 @@ export function followRefining(view: RefinedView, presenter: Pick<VolumePresente
     clearTimeout(timers.get(view));
     timers.delete(view);
   } else if (!timers.has(view)) {
-    timers.set(view, setTimeout(() => void show(view, presenter), patience));
+    timers.set(
+      view,
+      setTimeout(() => void show(view, presenter), patience),
+    );
   }
 }
 

@@ -61,11 +61,20 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   #wasMoving = false;
   #disposed = false;
 
-  constructor(readonly place: ScenePlace, readonly listener: ViewerListener) {
+  constructor(
+    readonly place: ScenePlace,
+    readonly listener: ViewerListener,
+  ) {
     this.socket = socketOf(place.host);
     this.shown = new ShownVolume(this.socket);
     this.controller = new SceneController(place, this);
-    this.pictures = new PictureDrawing({ shown: this.shown, author: this.#author, socket: this.socket, loop: this.loop, controller: this.controller });
+    this.pictures = new PictureDrawing({
+      shown: this.shown,
+      author: this.#author,
+      socket: this.socket,
+      loop: this.loop,
+      controller: this.controller,
+    });
     this.frames = new FrameDrawing(place.host, this.#quality, this.pictures, (stats) => {
       if (!this.#disposed) listener.rendered(stats);
     });
@@ -127,11 +136,12 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     const givenUp = (): boolean => this.#disposed || this.#entry !== entry || signal?.aborted === true;
     try {
       // If the scene goes or comes meanwhile, try again with the next scene, or leave it to the code that builds that scene.
-      for (let isThere = false; !isThere; ) {
+      for (let isThere = false; !isThere;) {
         const { scene } = controller;
         await scene?.prepare(volume, optics);
         if (givenUp()) return false;
-        if (scene === controller.scene) isThere = !scene || (await scene.bringVolume(volume, () => givenUp() || scene !== controller.scene));
+        if (scene === controller.scene)
+          isThere = !scene || (await scene.bringVolume(volume, () => givenUp() || scene !== controller.scene));
       }
       this.shown.volume = volume; // At once: a scene that comes a moment later must have it.
       return true;
@@ -174,8 +184,14 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     this.#labels?.set(cuts.rings?.labels ?? [], cuts.rings?.facts ?? null);
     if (volume) {
       const [{ grid }, create] = [this.shown, this.#createFraming];
-      const findFraming = create && optics ? () => create(volume, optics.transferFunction, grid, this.place.host) : undefined;
-      this.rig.setSubject({ ...boundingSphere(cuts.framed ?? grid), isWeather: isPolar(volume), isCoarse: volume.coarse, findFraming });
+      const findFraming =
+        create && optics ? () => create(volume, optics.transferFunction, grid, this.place.host) : undefined;
+      this.rig.setSubject({
+        ...boundingSphere(cuts.framed ?? grid),
+        isWeather: isPolar(volume),
+        isCoarse: volume.coarse,
+        findFraming,
+      });
     }
     for (const part of this.socket.parts) part.cutsChanged?.();
     this.invalidate();

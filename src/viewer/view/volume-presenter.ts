@@ -45,7 +45,10 @@ export class VolumePresenter implements AppearanceHost, SocketView {
   /** What of attached files is not shown, by the object that shows them; see `reportFileNotices`. */
   readonly fileNotices = new Map<object, readonly FileNotices[]>();
 
-  constructor(readonly user: PresenterHost, readonly errors: ErrorState) {
+  constructor(
+    readonly user: PresenterHost,
+    readonly errors: ErrorState,
+  ) {
     this.look = new AppearanceReader(this, errors);
     this.#cuts = new CutReader(user.host, errors, () => user.settings);
     socketOf(user.host).view = this;
@@ -146,7 +149,12 @@ export class VolumePresenter implements AppearanceHost, SocketView {
       const optics = await this.look.read(of);
       await this.#cuts.prepare(volume);
       if (signal.aborted) return;
-      if (isPolar(volume)) (await import('./precompile.ts')).precompile(this.viewer, { volume, optics, cuts: this.#cuts.read(volume, of) });
+      if (isPolar(volume))
+        (await import('./precompile.ts')).precompile(this.viewer, {
+          volume,
+          optics,
+          cuts: this.#cuts.read(volume, of),
+        });
       else await this.viewer?.show(volume, optics, () => this.#cuts.read(volume, of), signal);
     } catch {
       // The large volume follows, and fails in the same way.
@@ -176,7 +184,8 @@ export class VolumePresenter implements AppearanceHost, SocketView {
   followNodes(load: () => Promise<VolumeNodeReader>, readAppearance: () => void): void {
     const { look: appearance } = this;
     // The loaded code then follows them itself.
-    if (!appearance.nodes) this.track((appearance.nodes = load()).then((nodes) => nodes.follow(this, readAppearance), readAppearance));
+    if (!appearance.nodes)
+      this.track((appearance.nodes = load()).then((nodes) => nodes.follow(this, readAppearance), readAppearance));
   }
 
   appearanceChanged(optics: VolumeOptics | null): void {
@@ -197,7 +206,10 @@ export class VolumePresenter implements AppearanceHost, SocketView {
     };
     if (this.#cuts.isReady(shown)) apply();
     // Errors that `apply` reports must stay, so it runs after the end of the loading, which clears errors.
-    else this.track(this.errors.run('slices', null, () => this.#cuts.prepare(shown, true)).then((isLoaded) => isLoaded && apply()));
+    else
+      this.track(
+        this.errors.run('slices', null, () => this.#cuts.prepare(shown, true)).then((isLoaded) => isLoaded && apply()),
+      );
   }
 
   #readCuts(volume: Volume): Cuts {

@@ -43,7 +43,10 @@ export function writeCamera({ eye, target, up, fieldOfView }: Camera): CameraTex
 const edited: readonly string[] = ['transfer-function', 'transfer-function-2d', 'opacity-factor', 'light-factor'];
 
 /** The attributes that restore a view. @param read - returns the present text of an attribute; null where it is absent */
-export function writeView({ camera, scan }: SeenView, read: (attribute: string) => string | null): Record<string, string> {
+export function writeView(
+  { camera, scan }: SeenView,
+  read: (attribute: string) => string | null,
+): Record<string, string> {
   const looks = edited.map((name) => [name, read(name)]).filter(([, text]) => text !== null);
   return {
     ...(camera && writeCamera(camera)),

@@ -22,9 +22,16 @@ interface Shown {
  * @param unit - data units that are 1 in the fields: X3D's atlases hold shares
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export function readIsoSurfaces(node: Element, styles: readonly Element[], { transferFunction, window }: Shown, unit: number): SurfaceStyle {
+export function readIsoSurfaces(
+  node: Element,
+  styles: readonly Element[],
+  { transferFunction, window }: Shown,
+  unit: number,
+): SurfaceStyle {
   const fields = new X3dFields(node, 'IsoSurfaceVolumeData');
-  const values = listValues(fields, window.map((x) => x / unit) as unknown as readonly [number, number]).map((value) => value * unit);
+  const values = listValues(fields, window.map((x) => x / unit) as unknown as readonly [number, number]).map(
+    (value) => value * unit,
+  );
   const looks = styles.map(readAppearance);
   const surfaces = values.map((value, i): IsoSurface => {
     const appearance = looks[Math.min(i, looks.length - 1)] ?? null;
@@ -38,18 +45,28 @@ function listValues(fields: X3dFields, [low, high]: readonly [number, number]): 
   const values = fields.numbers('surfaceValues');
   const step = Math.abs(fields.number('contourStepSize', 0, [-farthest, farthest]));
   fields.number('surfaceTolerance', 0);
-  if (values.length === 0 || !values.every((value) => Math.abs(value) < farthest)) throw fields.error('surfaceValues', 'one value or more, like "300"');
+  if (values.length === 0 || !values.every((value) => Math.abs(value) < farthest))
+    throw fields.error('surfaceValues', 'one value or more, like "300"');
   const [first] = values;
   const reach = (to: number): number => (step > 0 && values.length === 1 ? Math.max(0, Math.floor(to / step)) : 0);
   const [below, above] = [reach(first - low), reach(high - first)];
   if (values.length + below + above > maxSurfaces) {
-    throw fields.error(step > 0 ? 'contourStepSize' : 'surfaceValues', `at most ${maxSurfaces} surfaces in the value-window`);
+    throw fields.error(
+      step > 0 ? 'contourStepSize' : 'surfaceValues',
+      `at most ${maxSurfaces} surfaces in the value-window`,
+    );
   }
-  return [...values, ...Array.from({ length: below }, (_, i) => first - (i + 1) * step), ...Array.from({ length: above }, (_, i) => first + (i + 1) * step)];
+  return [
+    ...values,
+    ...Array.from({ length: below }, (_, i) => first - (i + 1) * step),
+    ...Array.from({ length: above }, (_, i) => first + (i + 1) * step),
+  ];
 }
 
 /** The appearance that a style gives its surface; null if it changes nothing. */
-function readAppearance(style: Element): { readonly color: Color | null; readonly opacity: number; readonly isPlain: boolean } | null {
+function readAppearance(
+  style: Element,
+): { readonly color: Color | null; readonly opacity: number; readonly isPlain: boolean } | null {
   if (!/^shaded/i.test(style.localName)) return null;
   const fields = new X3dFields(style, 'ShadedVolumeStyle');
   const element = meantChildren(style).find(({ localName }) => /^material$/i.test(localName));

@@ -23,12 +23,15 @@ const intensities = '0% black 100%, 100% white 100%';
 
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();
 export const isStyle = (node: Node): boolean => /volumestyle$/i.test(node.nodeName);
-export const isEnabled = (style: Element): boolean => new X3dFields(style, `<${style.localName}>`).flag('enabled', true);
+export const isEnabled = (style: Element): boolean =>
+  new X3dFields(style, `<${style.localName}>`).flag('enabled', true);
 
 /** The voxels of a second volume. */
 export function voxelsOf(blend: Element): Element | undefined {
   const children = meantChildren(blend);
-  return textureOfField(children, 'voxels') ?? children.find(({ localName }) => /^imagetexture(atlas|3d)$/i.test(localName));
+  return (
+    textureOfField(children, 'voxels') ?? children.find(({ localName }) => /^imagetexture(atlas|3d)$/i.test(localName))
+  );
 }
 
 /**
@@ -48,17 +51,34 @@ export function readOpacityFactor(host: Element, isScene: boolean): number | nul
  * atlas. Colours of attributes override them.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export async function withNodeColors(host: Element, appearance: VolumeOptics, { isScene, grid }: { readonly isScene: boolean; readonly grid: Grid }): Promise<VolumeOptics> {
+export async function withNodeColors(
+  host: Element,
+  appearance: VolumeOptics,
+  { isScene, grid }: { readonly isScene: boolean; readonly grid: Grid },
+): Promise<VolumeOptics> {
   if (host.hasAttribute('transfer-function') || appearance.patches) return appearance;
   const isSegmented = host.querySelector('segmentedvolumedata') !== null;
   const texture = (!isSegmented && textureIn(stylesOfFirst(host))) || null;
   const factor = readOpacityFactor(host, isScene);
   if (!texture && factor === null) return appearance;
-  const isProjected = appearance.projection !== null || stylesOfFirst(host).some((one) => nameOf(one) === 'projectionvolumestyle' && isEnabled(one));
+  const isProjected =
+    appearance.projection !== null ||
+    stylesOfFirst(host).some((one) => nameOf(one) === 'projectionvolumestyle' && isEnabled(one));
   const window = isScene && !host.hasAttribute('value-window') ? ([0, atlasUnit] as const) : appearance.window;
   // X3DOM has no rule for thin volumes.
-  const isMeasured = factor !== null && appearance.referenceLength === defaultReferenceLength(grid) && !host.hasAttribute('reference-length');
-  return { ...appearance, window, ...(isMeasured && { referenceLength: longestEdgeShare(grid) }), transferFunction: await resolveTransferFunction(!texture && isProjected ? intensities : await readOpacityMap(texture, factor), window) };
+  const isMeasured =
+    factor !== null &&
+    appearance.referenceLength === defaultReferenceLength(grid) &&
+    !host.hasAttribute('reference-length');
+  return {
+    ...appearance,
+    window,
+    ...(isMeasured && { referenceLength: longestEdgeShare(grid) }),
+    transferFunction: await resolveTransferFunction(
+      !texture && isProjected ? intensities : await readOpacityMap(texture, factor),
+      window,
+    ),
+  };
 }
 
 /** All styles except those of a second volume. */
@@ -73,6 +93,11 @@ export function textureIn(styles: readonly Element[]): Element | undefined {
   const [first, ...rest] = styles.filter((one) => isStyle(one) && isEnabled(one));
   if (!first) return undefined;
   const children = meantChildren(first);
-  const own = nameOf(first) === 'opacitymapvolumestyle' ? children.find(({ localName }) => /texture/i.test(localName)) : nameOf(first) === 'composedvolumestyle' ? textureIn(children) : undefined;
+  const own =
+    nameOf(first) === 'opacitymapvolumestyle'
+      ? children.find(({ localName }) => /texture/i.test(localName))
+      : nameOf(first) === 'composedvolumestyle'
+        ? textureIn(children)
+        : undefined;
   return own ?? textureIn(rest);
 }

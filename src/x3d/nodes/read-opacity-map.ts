@@ -14,7 +14,8 @@ const ramp: Row = Array.from({ length: maxStops }, (_, i) => [i, i, i, i]);
  * Converts an opacity of X3DOM's texture to that of a reference length, a hundredth of the volume's longest edge:
  * X3DOM's share of a step is the texture's times `factor` / 85, and 85 steps are the square root of 2 edges long.
  */
-const perReferenceLength = (opacity: number, factor: number): number => -Math.expm1((-opacity * factor) / (100 * Math.SQRT2));
+const perReferenceLength = (opacity: number, factor: number): number =>
+  -Math.expm1((-opacity * factor) / (100 * Math.SQRT2));
 
 /**
  * The texture of X3D's OpacityMapVolumeStyle as a transfer function that spans the window. Without alpha, opacity is
@@ -25,10 +26,19 @@ const perReferenceLength = (opacity: number, factor: number): number => -Math.ex
  */
 export async function readOpacityMap(texture: Element | null, factor: number | null = null): Promise<string> {
   const row = texture ? await readRow(texture) : ramp;
-  const picked = row.length > maxStops ? Array.from({ length: maxStops }, (_, i) => row[Math.round((i * (row.length - 1)) / (maxStops - 1))]) : row;
+  const picked =
+    row.length > maxStops
+      ? Array.from({ length: maxStops }, (_, i) => row[Math.round((i * (row.length - 1)) / (maxStops - 1))])
+      : row;
   const last = picked.length - 1;
-  const opacityOf = (alpha: number): number => 100 * (factor === null ? alpha / 255 : perReferenceLength(alpha / 255, factor));
-  return picked.map(([red, green, blue, alpha], i) => `${last > 0 ? (100 * i) / last : 100}% rgb(${red} ${green} ${blue}) ${opacityOf(alpha)}%`).join(', ');
+  const opacityOf = (alpha: number): number =>
+    100 * (factor === null ? alpha / 255 : perReferenceLength(alpha / 255, factor));
+  return picked
+    .map(
+      ([red, green, blue, alpha], i) =>
+        `${last > 0 ? (100 * i) / last : 100}% rgb(${red} ${green} ${blue}) ${opacityOf(alpha)}%`,
+    )
+    .join(', ');
 }
 
 function readRow(texture: Element): Row | Promise<Row> {
@@ -49,12 +59,19 @@ function readCanvas(canvas: HTMLCanvasElement): Row {
   } catch {
     throw wrong('a canvas that may not be read', 'one that no picture of another server is painted on');
   }
-  if (!row.some(([, , , alpha]) => alpha > 0)) throw wrong('a canvas that is clear', 'one that has been painted: paint it, then change an attribute of the texture, upon which it is read anew');
+  if (!row.some(([, , , alpha]) => alpha > 0))
+    throw wrong(
+      'a canvas that is clear',
+      'one that has been painted: paint it, then change an attribute of the texture, upon which it is read anew',
+    );
   return row;
 }
 
 function wrong(got: string, expected: string): VolumeViewError {
-  return new VolumeViewError('attribute/invalid', `the transferFunction of <OpacityMapVolumeStyle> got ${got}; expected ${expected}. Or write transfer-function="0% #000 0%, 100% #fff 80%" on the volume-view.`);
+  return new VolumeViewError(
+    'attribute/invalid',
+    `the transferFunction of <OpacityMapVolumeStyle> got ${got}; expected ${expected}. Or write transfer-function="0% #000 0%, 100% #fff 80%" on the volume-view.`,
+  );
 }
 
 /** A colour with alpha; if there is none, alpha is the brightness. */
@@ -64,10 +81,19 @@ function withAlpha([red, green, blue, alpha]: readonly (number | undefined)[]): 
 
 /** The middle row of "width height components pixel pixel ...". */
 function readPixels(fields: X3dFields): Row {
-  const [width, height, components, ...pixels] = fields.text('image').split(/[\s,]+/).map(Number);
-  const isSound = [width, height].every((size) => Number.isInteger(size) && size >= 1 && size <= 4096) && [1, 2, 3, 4].includes(components);
+  const [width, height, components, ...pixels] = fields
+    .text('image')
+    .split(/[\s,]+/)
+    .map(Number);
+  const isSound =
+    [width, height].every((size) => Number.isInteger(size) && size >= 1 && size <= 4096) &&
+    [1, 2, 3, 4].includes(components);
   const row = isSound ? pixels.slice(width * Math.floor(height / 2), width * (Math.floor(height / 2) + 1)) : [];
-  if (!isSound || row.length !== width || !row.every((pixel) => Number.isInteger(pixel) && pixel >= 0 && pixel < 2 ** (8 * components))) {
+  if (
+    !isSound ||
+    row.length !== width ||
+    !row.every((pixel) => Number.isInteger(pixel) && pixel >= 0 && pixel < 2 ** (8 * components))
+  ) {
     throw fields.error('image', '"width height components" and as many pixels, like "2 1 4 0x00000000 0xFFFFFFFF"');
   }
   return row.map((pixel) => {

@@ -24,7 +24,10 @@ export interface Segment {
 export function readIdentifiers(node: Element): Identifiers {
   const texture = textureOfField(node.getElementsByTagName('*'), 'segmentidentifiers');
   if (!texture) {
-    throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got no segment identifiers; expected an <ImageTextureAtlas containerField="segmentIdentifiers" url="…"> in it, with the number of a segment in each voxel.');
+    throw new VolumeViewError(
+      'attribute/invalid',
+      '<SegmentedVolumeData> got no segment identifiers; expected an <ImageTextureAtlas containerField="segmentIdentifiers" url="…"> in it, with the number of a segment in each voxel.',
+    );
   }
   const fields = new X3dFields(node, 'SegmentedVolumeData');
   const max = fields.text('numberOfMaxSegments') === '' ? null : fields.whole('numberOfMaxSegments', 10, [1, 255]);
@@ -34,10 +37,16 @@ export function readIdentifiers(node: Element): Identifiers {
 /** Which segments are drawn, by number; all further ones are drawn. @throws {VolumeViewError} `attribute/invalid` */
 export function readEnabled(node: Element): boolean[] {
   const fields = new X3dFields(node, 'SegmentedVolumeData');
-  return fields.text('segmentEnabled').toLowerCase().split(/[\s,]+/).filter(Boolean).map((word) => {
-    if (word !== 'true' && word !== 'false') throw fields.error('segmentEnabled', '"true" or "false" for each segment, like "false true true"');
-    return word === 'true';
-  });
+  return fields
+    .text('segmentEnabled')
+    .toLowerCase()
+    .split(/[\s,]+/)
+    .filter(Boolean)
+    .map((word) => {
+      if (word !== 'true' && word !== 'false')
+        throw fields.error('segmentEnabled', '"true" or "false" for each segment, like "false true true"');
+      return word === 'true';
+    });
 }
 
 /** Whether a segment is drawn: true if the field has no entry for it. */
@@ -54,10 +63,18 @@ export function leadOf(segments: readonly Segment[], enabled: readonly boolean[]
 }
 
 /** Says in words which styles can't be drawn as they are set; null if all can. @param ids - of the segments in the data */
-export function reportStyles(segments: readonly Segment[], enabled: readonly boolean[], ids: readonly number[]): VolumeViewError | null {
+export function reportStyles(
+  segments: readonly Segment[],
+  enabled: readonly boolean[],
+  ids: readonly number[],
+): VolumeViewError | null {
   const lead = leadOf(segments, enabled);
-  const other = lead < 0 ? undefined : ids.find((id) => isDrawn(enabled, id) && (segments[id]?.key ?? '') !== segments[lead].key);
+  const other =
+    lead < 0 ? undefined : ids.find((id) => isDrawn(enabled, id) && (segments[id]?.key ?? '') !== segments[lead].key);
   if (other === undefined) return null;
   const got = segments[other] ? `<${segments[other].node}>` : 'no style';
-  return new VolumeViewError('attribute/invalid', `<SegmentedVolumeData> got ${got} for segment ${other} and <${segments[lead].node}> for segment ${lead}; expected one style for all segments that are drawn. All of them have that of segment ${lead} now. Segments may differ in segmentEnabled, and in the textures of OpacityMapVolumeStyles.`);
+  return new VolumeViewError(
+    'attribute/invalid',
+    `<SegmentedVolumeData> got ${got} for segment ${other} and <${segments[lead].node}> for segment ${lead}; expected one style for all segments that are drawn. All of them have that of segment ${lead} now. Segments may differ in segmentEnabled, and in the textures of OpacityMapVolumeStyles.`,
+  );
 }

@@ -5,20 +5,49 @@ import { X3dFields } from './x3d-fields.ts';
 
 /** X3D's styles that change the appearance of a point, with the standard's defaults. Source: ISO/IEC 19775-1, 41.4 */
 const readers: Readonly<Record<string, readonly [node: string, read: (fields: X3dFields) => VolumeStyle | null]>> = {
-  boundaryenhancementvolumestyle: ['BoundaryEnhancementVolumeStyle', (fields) => ({
-    kind: 'boundary', retained: fields.number('retainedOpacity', 0.2), boundary: fields.number('boundaryOpacity', 0.9), power: fields.number('opacityFactor', 2, [0, 100]),
-  })],
-  silhouetteenhancementvolumestyle: ['SilhouetteEnhancementVolumeStyle', (fields) => ({
-    kind: 'silhouette',
-    retained: fields.number('silhouetteRetainedOpacity', 1), boundary: fields.number('silhouetteBoundaryOpacity', 0), sharpness: fields.number('silhouetteSharpness', 0.5, [0, 100]),
-  })],
-  edgeenhancementvolumestyle: ['EdgeEnhancementVolumeStyle', (fields) => ({
-    kind: 'edge', color: fields.color('edgeColor', [0, 0, 0]), threshold: fields.number('gradientThreshold', 0.4, [0, Math.PI]),
-  })],
-  cartoonvolumestyle: ['CartoonVolumeStyle', (fields) => ({
-    kind: 'cartoon', parallel: fields.color('parallelColor', [0, 0, 0]), orthogonal: fields.color('orthogonalColor', [1, 1, 1]), steps: fields.whole('colorSteps', 4, [1, 64]),
-  })],
-  tonemappedvolumestyle: ['ToneMappedVolumeStyle', (fields) => ({ kind: 'tone', cool: fields.color('coolColor', [0, 0, 1]), warm: fields.color('warmColor', [1, 1, 0]) })],
+  boundaryenhancementvolumestyle: [
+    'BoundaryEnhancementVolumeStyle',
+    (fields) => ({
+      kind: 'boundary',
+      retained: fields.number('retainedOpacity', 0.2),
+      boundary: fields.number('boundaryOpacity', 0.9),
+      power: fields.number('opacityFactor', 2, [0, 100]),
+    }),
+  ],
+  silhouetteenhancementvolumestyle: [
+    'SilhouetteEnhancementVolumeStyle',
+    (fields) => ({
+      kind: 'silhouette',
+      retained: fields.number('silhouetteRetainedOpacity', 1),
+      boundary: fields.number('silhouetteBoundaryOpacity', 0),
+      sharpness: fields.number('silhouetteSharpness', 0.5, [0, 100]),
+    }),
+  ],
+  edgeenhancementvolumestyle: [
+    'EdgeEnhancementVolumeStyle',
+    (fields) => ({
+      kind: 'edge',
+      color: fields.color('edgeColor', [0, 0, 0]),
+      threshold: fields.number('gradientThreshold', 0.4, [0, Math.PI]),
+    }),
+  ],
+  cartoonvolumestyle: [
+    'CartoonVolumeStyle',
+    (fields) => ({
+      kind: 'cartoon',
+      parallel: fields.color('parallelColor', [0, 0, 0]),
+      orthogonal: fields.color('orthogonalColor', [1, 1, 1]),
+      steps: fields.whole('colorSteps', 4, [1, 64]),
+    }),
+  ],
+  tonemappedvolumestyle: [
+    'ToneMappedVolumeStyle',
+    (fields) => ({
+      kind: 'tone',
+      cool: fields.color('coolColor', [0, 0, 1]),
+      warm: fields.color('warmColor', [1, 1, 0]),
+    }),
+  ],
   shadedvolumestyle: ['ShadedVolumeStyle', readShaded],
 };
 
@@ -30,8 +59,15 @@ export function readVolumeStyle(element: Element): VolumeStyle | null | undefine
   const found = readers[element.localName.toLowerCase()];
   if (!found) return undefined;
   const [node, read] = found;
-  if (meantChildren(element).some(({ attributes }) => /^surfacenormals$/i.test(attributes.getNamedItem('containerfield')?.value ?? ''))) {
-    throw new VolumeViewError('attribute/invalid', `<${node}> got surfaceNormals; expected none. Normals are taken from the volume itself: leave them out.`);
+  if (
+    meantChildren(element).some(({ attributes }) =>
+      /^surfacenormals$/i.test(attributes.getNamedItem('containerfield')?.value ?? ''),
+    )
+  ) {
+    throw new VolumeViewError(
+      'attribute/invalid',
+      `<${node}> got surfaceNormals; expected none. Normals are taken from the volume itself: leave them out.`,
+    );
   }
   return read(new X3dFields(element, node));
 }
@@ -40,7 +76,10 @@ let warned = false;
 
 /** The standard requires shadows only from browsers of its highest level. */
 function warnOfShadows(): void {
-  if (!warned) console.warn('<volume-view>: shadows="true" of a ShadedVolumeStyle is left out of the picture: a volume casts no shadows here.');
+  if (!warned)
+    console.warn(
+      '<volume-view>: shadows="true" of a ShadedVolumeStyle is left out of the picture: a volume casts no shadows here.',
+    );
   warned = true;
 }
 

@@ -24,9 +24,18 @@ export function readVoxelTexture(texture: Element): VoxelTexture {
   if (url === '') throw fields.error('url', 'the image or the file with the voxels');
   if (!/atlas$/i.test(texture.localName)) return { url };
   const mosaic = parseMosaicSize(`${fields.text('slicesOverX')}x${fields.text('slicesOverY')}`);
-  if (!mosaic) throw fields.error('slicesOverX', 'slicesOverX and slicesOverY, whole numbers: slices beside and above one another');
+  if (!mosaic)
+    throw fields.error(
+      'slicesOverX',
+      'slicesOverX and slicesOverY, whole numbers: slices beside and above one another',
+    );
   // It has the volume's place, so an image without spacing needs no warning.
-  return { url, mosaic, spacing: [1, 1, 1], ...(fields.text('numberOfSlices') !== '' && { slices: fields.whole('numberOfSlices', 1, [1, 1e6]) }) };
+  return {
+    url,
+    mosaic,
+    spacing: [1, 1, 1],
+    ...(fields.text('numberOfSlices') !== '' && { slices: fields.whole('numberOfSlices', 1, [1, 1e6]) }),
+  };
 }
 
 /** The texture among several that is a given field of the node around it. */

@@ -7,7 +7,10 @@ import { invalid, isNumber, split } from '../../viewer/model/parse-attributes.ts
  * field and node.
  */
 export class X3dFields {
-  constructor(readonly element: Element, readonly node: string) {}
+  constructor(
+    readonly element: Element,
+    readonly node: string,
+  ) {}
 
   /** Empty if absent. */
   text(field: string): string {
@@ -47,7 +50,8 @@ export class X3dFields {
     if (this.text(field) === '') return fallback;
     const words = split(field, this.text(field));
     const color = words.slice(0, 3).map((word) => (isNumber(word) ? Number(word) : NaN));
-    if (words.length < 3 || words.length > 4 || !color.every((x) => x >= 0 && x <= 1)) throw this.error(field, 'three numbers from 0 to 1, "red green blue"');
+    if (words.length < 3 || words.length > 4 || !color.every((x) => x >= 0 && x <= 1))
+      throw this.error(field, 'three numbers from 0 to 1, "red green blue"');
     return color as unknown as Vector3;
   }
 

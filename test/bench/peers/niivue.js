@@ -52,7 +52,10 @@ export async function start(host, scene) {
 
 /** Opacities hold for a voxel. */
 function makeTable({ table, spacing, referenceLength }) {
-  const texels = Array.from({ length: tableSize }, (_, i) => Math.round((i / (tableSize - 1)) * (table.length / 4 - 1)) * 4);
+  const texels = Array.from(
+    { length: tableSize },
+    (_, i) => Math.round((i / (tableSize - 1)) * (table.length / 4 - 1)) * 4,
+  );
   const channel = (c) => texels.map((at) => Math.round(255 * table[at + c]));
   const voxel = Math.min(...spacing) / referenceLength;
   return {

@@ -98,7 +98,12 @@ export async function start(host, { dimensions, spacing, samples, domain, table,
   box.scale.set(...edges);
   const scene = new THREE.Scene();
   scene.add(box);
-  const view = new THREE.PerspectiveCamera((camera.fieldOfView * 180) / Math.PI, 1, camera.distance * 0.01, camera.distance * 10);
+  const view = new THREE.PerspectiveCamera(
+    (camera.fieldOfView * 180) / Math.PI,
+    1,
+    camera.distance * 0.01,
+    camera.distance * 10,
+  );
   view.position.set(...camera.eye);
   view.up.set(...camera.up);
   view.lookAt(...camera.target);

@@ -6,11 +6,13 @@ import { expect, fieldUrl, open, settle, withElement } from './harness.ts';
 /** What the page says of the field, whose values go from 0 to 255. */
 export const said = '0 blue 0, 100 red 1%, 200 #ffff00 30%';
 export const view = `<volume-view id="field" src="${fieldUrl}" transfer-function="${said}" steps="20" alt="A field"></volume-view>`;
-export const editor = '<volume-transfer-function for="field" style="display: block; width: 400px"></volume-transfer-function>';
+export const editor =
+  '<volume-transfer-function for="field" style="display: block; width: 400px"></volume-transfer-function>';
 export const legend = '<volume-legend for="field" label="Strength"></volume-legend>';
 
 export const handles = (page: Page): Locator => page.getByRole('slider', { name: /^Stop/ });
-export const handle = (page: Page, number: number): Locator => page.getByRole('slider', { name: new RegExp(`^Stop ${number} of`) });
+export const handle = (page: Page, number: number): Locator =>
+  page.getByRole('slider', { name: new RegExp(`^Stop ${number} of`) });
 
 interface Reported {
   type: string;
@@ -25,7 +27,8 @@ export async function openEditor(page: Page, body = view + editor): Promise<void
     const reported: Reported[] = ((window as unknown as { reported: Reported[] }).reported = []);
     const keep = (event: Event): void => {
       const { type, detail, bubbles } = event as CustomEvent<{ transferFunction: string }>;
-      if ((event.target as Element).localName === 'volume-transfer-function') reported.push({ type, transferFunction: detail?.transferFunction, bubbles });
+      if ((event.target as Element).localName === 'volume-transfer-function')
+        reported.push({ type, transferFunction: detail?.transferFunction, bubbles });
     };
     for (const type of ['input', 'change']) document.addEventListener(type, keep, true);
   });
@@ -33,7 +36,8 @@ export async function openEditor(page: Page, body = view + editor): Promise<void
   await settle(page);
 }
 
-export const reported = (page: Page): Promise<Reported[]> => page.evaluate(() => (window as unknown as { reported: Reported[] }).reported);
+export const reported = (page: Page): Promise<Reported[]> =>
+  page.evaluate(() => (window as unknown as { reported: Reported[] }).reported);
 
 /** The stops that the volume has. */
 export async function readStops(page: Page): Promise<{ value: number; opacity: number; color: readonly number[] }[]> {

@@ -18,7 +18,8 @@ export const onBlack = { ...sized, background: [0, 0, 0] } as const;
 export const element = (i: number, children = ''): string =>
   `<volume-view id="v${i}" src="${i % 2 ? ballUrl : fieldUrl}" ${attributesOf({ steps: String(20 + i) })}>${children}</volume-view>`;
 
-export const expected = (i: number): Picture => drawReference({ steps: 20 + i, ...(i % 2 ? { volume: ball } : {}), ...onBlack });
+export const expected = (i: number): Picture =>
+  drawReference({ steps: 20 + i, ...(i % 2 ? { volume: ball } : {}), ...onBlack });
 
 interface Count {
   /** WebGL contexts that are not lost. */
@@ -58,8 +59,12 @@ export const isLive = (page: Page, i: number): Promise<boolean> =>
 
 /** Wait until elements have drawn their final pictures, without asking them for it. */
 export async function waitUntilDrawn(page: Page, numbers: readonly number[]): Promise<void> {
-  await page.waitForFunction((wanted) => wanted.every((i) => {
-    const view = document.querySelector<HTMLElementTagNameMap['volume-view']>(`#v${i}`);
-    return view?.renderStats?.converged;
-  }), numbers);
+  await page.waitForFunction(
+    (wanted) =>
+      wanted.every((i) => {
+        const view = document.querySelector<HTMLElementTagNameMap['volume-view']>(`#v${i}`);
+        return view?.renderStats?.converged;
+      }),
+    numbers,
+  );
 }

@@ -6,7 +6,10 @@ import type { Page } from '@playwright/test';
  * @param css - for small pictures, say; from the beginning, so that none is drawn that is not looked at
  */
 export async function openDemo(page: Page, name: string, css: string): Promise<void> {
-  await fetch(`${process.env.VOLUME_VIEW_URL}/src/index.ts`, { method: 'PUT', body: "export * from '/dist/volume-view.js';" });
+  await fetch(`${process.env.VOLUME_VIEW_URL}/src/index.ts`, {
+    method: 'PUT',
+    body: "export * from '/dist/volume-view.js';",
+  });
   await page.addInitScript((text) => {
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(text);

@@ -38,11 +38,14 @@ interface Fixtures {
 
 export const test = base.extend<Fixtures>({
   allowedLines: [/^$/, { option: true }],
-  lines: [async ({ allowedLines }, use) => {
-    const lines: string[] = [];
-    await use(lines);
-    expectNoLines(lines, allowedLines);
-  }, { auto: true }],
+  lines: [
+    async ({ allowedLines }, use) => {
+      const lines: string[] = [];
+      await use(lines);
+      expectNoLines(lines, allowedLines);
+    },
+    { auto: true },
+  ],
   page: async ({ page, lines }, use) => {
     keepLines(page, lines);
     await use(page);
@@ -54,14 +57,17 @@ export const test = base.extend<Fixtures>({
  * for takes twice as long as most of what is then looked at. What is loaded and defined stays, and so do the page's globals; all else is as in a new page.
  */
 export const keptTest = test.extend<object, { kept: KeptPages }>({
-  kept: [async ({ browser }, use) => {
-    const kept = new KeptPages(browser, (page) => {
-      keptPages.set(page, '');
-      return page.addInitScript(watchEvents, eventNames);
-    });
-    await use(kept);
-    await kept.close();
-  }, { scope: 'worker' }],
+  kept: [
+    async ({ browser }, use) => {
+      const kept = new KeptPages(browser, (page) => {
+        keptPages.set(page, '');
+        return page.addInitScript(watchEvents, eventNames);
+      });
+      await use(kept);
+      await kept.close();
+    },
+    { scope: 'worker' },
+  ],
   page: async ({ kept, lines, viewport, hasTouch, colorScheme }, use, { file }) => {
     const kind = { viewport, hasTouch, colorScheme };
     const page = await kept.take(kind, file);
@@ -78,7 +84,10 @@ function keepLines(page: Page, lines: string[]): void {
 }
 
 function expectNoLines(lines: readonly string[], allowedLines: RegExp): void {
-  expect(lines.filter((line) => !driverHint.test(line) && !allowedLines.test(line)), 'the console').toEqual([]);
+  expect(
+    lines.filter((line) => !driverHint.test(line) && !allowedLines.test(line)),
+    'the console',
+  ).toEqual([]);
 }
 
 const eventNames = ['load', 'progress', 'error', 'camera-change', 'render', 'time-change'];
@@ -89,12 +98,16 @@ function watchEvents(names: string[]): void {
   window.__bubbled = [];
   const isOurs = (event: Event): event is CustomEvent => (event.target as Partial<Element>).localName === 'volume-view';
   for (const name of names) {
-    document.addEventListener(name, (event) => {
-      if (!isOurs(event)) return;
-      const { type, detail, bubbles, target } = event;
-      const plain = JSON.parse(JSON.stringify(detail ?? null)) as unknown;
-      window.__seen.push({ id: (target as Element).id, type, detail: plain, bubbles });
-    }, true);
+    document.addEventListener(
+      name,
+      (event) => {
+        if (!isOurs(event)) return;
+        const { type, detail, bubbles, target } = event;
+        const plain = JSON.parse(JSON.stringify(detail ?? null)) as unknown;
+        window.__seen.push({ id: (target as Element).id, type, detail: plain, bubbles });
+      },
+      true,
+    );
     document.addEventListener(name, (event) => {
       if (isOurs(event)) window.__bubbled.push(name);
     });
@@ -115,7 +128,8 @@ export const ballUrl = '/test/e2e/pages/data/ball.nii';
 /** How the documents of kept pages were opened. */
 const keptPages = new WeakMap<Page, string>();
 
-const keyOf = (page: Page, { head, path, script }: PageOptions): string => JSON.stringify([page.url(), head, path, script]);
+const keyOf = (page: Page, { head, path, script }: PageOptions): string =>
+  JSON.stringify([page.url(), head, path, script]);
 
 /** Put a body in the place of that of a kept page, if it was opened in the same way. Scripts in a body run in a document of their own. */
 async function openAgain(page: Page, body: string, options: PageOptions): Promise<boolean> {
@@ -127,7 +141,8 @@ async function openAgain(page: Page, body: string, options: PageOptions): Promis
 /** Put this in the place of a page's body. */
 async function fill(page: Page, body: string): Promise<void> {
   await page.evaluate((html) => {
-    for (const element of [document.documentElement, document.body]) for (const name of element.getAttributeNames()) if (name !== 'lang') element.removeAttribute(name);
+    for (const element of [document.documentElement, document.body])
+      for (const name of element.getAttributeNames()) if (name !== 'lang') element.removeAttribute(name);
     document.body.innerHTML = html;
     scrollTo(0, 0);
     window.__seen = [];
@@ -140,7 +155,11 @@ async function fill(page: Page, body: string): Promise<void> {
  * reads and compiles the package anew for each page.
  */
 export async function open(page: Page, body: string, options: PageOptions = {}): Promise<void> {
-  const { head = '', path = '/test/e2e/pages/open.html', script = '<script type="module" src="/dist/volume-view.js"></script>' } = options;
+  const {
+    head = '',
+    path = '/test/e2e/pages/open.html',
+    script = '<script type="module" src="/dist/volume-view.js"></script>',
+  } = options;
   if (await openAgain(page, body, options)) return;
   if (!keptPages.has(page)) await page.addInitScript(watchEvents, eventNames);
   const html = `<!doctype html><html lang="en"><head><title>Test</title>${script}
@@ -156,7 +175,10 @@ export async function open(page: Page, body: string, options: PageOptions = {}):
  * One page for all tests of a file, or of the `describe` it is called in: opening one takes most of a short test's time. A
  * test finds in it what the one before left, and no events.
  */
-export function sharePage(body: string, { prepare, ...options }: PageOptions & { readonly prepare?: (page: Page) => Promise<void> } = {}): () => Page {
+export function sharePage(
+  body: string,
+  { prepare, ...options }: PageOptions & { readonly prepare?: (page: Page) => Promise<void> } = {},
+): () => Page {
   let page: Page;
   const lines: string[] = [];
   test.beforeAll(async ({ browser }) => {
@@ -183,12 +205,16 @@ export async function withElement<R, A = undefined>(
 ): Promise<R> {
   // A locator asks the page four times, and sends it all that finds elements first. One question does where there is nothing to wait for.
   // Playwright sends the text that `toString` gives: so that of `act` can be part of it, and no page's policy has a say in it.
-  const ask = { toString: () => `async ([selector, argument]) => {
+  const ask = {
+    toString: () => `async ([selector, argument]) => {
     await customElements.whenDefined('volume-view');
     const found = document.querySelectorAll(selector);
     return found.length === 1 ? { answer: await (${String(act)})(found[0], argument) } : ${JSON.stringify(notOne)};
-  }` };
-  const reported = await page.evaluate(Object.assign(() => notOne, ask) as never, [selector, argument] as never) as { answer: R } | typeof notOne;
+  }`,
+  };
+  const reported = (await page.evaluate(Object.assign(() => notOne, ask) as never, [selector, argument] as never)) as
+    | { answer: R }
+    | typeof notOne;
   // Playwright's own types for what it sends to the page are deeper than the compiler wants to go.
   return reported === notOne ? page.locator(selector).evaluate(act as never, argument as never) : reported.answer;
 }
@@ -218,14 +244,22 @@ export async function forgetEvents(page: Page): Promise<void> {
 }
 
 /** Change attributes (null removes one) and wait for the picture. */
-export async function setAttributes(page: Page, attributes: Record<string, string | null>, selector = 'volume-view'): Promise<void> {
-  await withElement(page, async (element, changes) => {
-    for (const [name, value] of Object.entries(changes)) {
-      if (value === null) element.removeAttribute(name);
-      else element.setAttribute(name, value);
-    }
-    await element.whenRendered();
-  }, { argument: attributes, selector });
+export async function setAttributes(
+  page: Page,
+  attributes: Record<string, string | null>,
+  selector = 'volume-view',
+): Promise<void> {
+  await withElement(
+    page,
+    async (element, changes) => {
+      for (const [name, value] of Object.entries(changes)) {
+        if (value === null) element.removeAttribute(name);
+        else element.setAttribute(name, value);
+      }
+      await element.whenRendered();
+    },
+    { argument: attributes, selector },
+  );
 }
 
 /** What the element's toBlob gives. */
@@ -233,12 +267,16 @@ export async function takePicture(
   page: Page,
   { selector = 'volume-view', ...options }: { selector?: string; type?: string; width?: number; height?: number } = {},
 ): Promise<Picture> {
-  const base64 = await withElement(page, async (element, wanted) => {
-    const bytes = new Uint8Array(await (await element.toBlob(wanted)).arrayBuffer());
-    let text = '';
-    for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
-    return btoa(text);
-  }, { selector, argument: options });
+  const base64 = await withElement(
+    page,
+    async (element, wanted) => {
+      const bytes = new Uint8Array(await (await element.toBlob(wanted)).arrayBuffer());
+      let text = '';
+      for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+      return btoa(text);
+    },
+    { selector, argument: options },
+  );
   return decodePicture(Buffer.from(base64, 'base64'));
 }
 

@@ -4,7 +4,16 @@ import type { Browser, BrowserContextOptions, Page } from '@playwright/test';
 export type PageKind = Required<Pick<BrowserContextOptions, 'viewport' | 'hasTouch' | 'colorScheme'>>;
 
 /** What tests listen to. */
-const listened = ['console', 'pageerror', 'request', 'requestfinished', 'requestfailed', 'response', 'dialog', 'popup'] as const;
+const listened = [
+  'console',
+  'pageerror',
+  'request',
+  'requestfinished',
+  'requestfailed',
+  'response',
+  'dialog',
+  'popup',
+] as const;
 
 /** Pages that the tests of a file use one after the other, one of each kind. */
 export class KeptPages {
@@ -12,7 +21,10 @@ export class KeptPages {
   #file = '';
 
   /** @param prepare - a new page, before it is used */
-  constructor(readonly browser: Browser, readonly prepare: (page: Page) => unknown) {}
+  constructor(
+    readonly browser: Browser,
+    readonly prepare: (page: Page) => unknown,
+  ) {}
 
   async take(kind: PageKind, file: string): Promise<Page> {
     if (file !== this.#file) await this.close();
@@ -36,7 +48,8 @@ export class KeptPages {
     await page.unrouteAll({ behavior: 'ignoreErrors' });
     await page.emulateMedia({ media: null, colorScheme, reducedMotion: null, forcedColors: null, contrast: null });
     const now = page.viewportSize();
-    if (viewport && (now?.width !== viewport.width || now.height !== viewport.height)) await page.setViewportSize(viewport);
+    if (viewport && (now?.width !== viewport.width || now.height !== viewport.height))
+      await page.setViewportSize(viewport);
     if (viewport) await page.mouse.move(viewport.width - 1, viewport.height - 1); // Beside what is shown next.
   }
 

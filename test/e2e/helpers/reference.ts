@@ -36,7 +36,9 @@ export const plainCamera: Camera = orbitCamera(plainOrbit, [0, 0, 0], radians(32
 
 /** The plain attributes as HTML, with others over them. */
 export function attributesOf(changes: Record<string, string> = {}): string {
-  return Object.entries({ ...plainAttributes, ...changes }).map(([name, value]) => `${name}="${value}"`).join(' ');
+  return Object.entries({ ...plainAttributes, ...changes })
+    .map(([name, value]) => `${name}="${value}"`)
+    .join(' ');
 }
 
 export interface ReferenceView {
@@ -58,14 +60,28 @@ export function drawReference(view: ReferenceView = {}): Picture {
 }
 
 // Half a second of work, and most tests ask for the same few.
-const castOnce = remember((volume: Volume) => remember((key: string): Float64Array => {
-  const { camera, steps, width, height, projection } = JSON.parse(key) as Required<Pick<ReferenceView, 'camera' | 'steps' | 'width' | 'height'>> & Pick<ReferenceView, 'projection'>;
-  const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
-  const optics = { transferFunction: plainStops, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
-  const gather = projection && projectionGather(projection);
-  const scene = { ...volume, ...optics, stepLength: longestDiagonal(volume.grid) / steps, ...(gather ? { gather } : {}) };
-  return renderReference(scene, rays, width, height).map((x) => x * 255);
-}));
+const castOnce = remember((volume: Volume) =>
+  remember((key: string): Float64Array => {
+    const { camera, steps, width, height, projection } = JSON.parse(key) as Required<
+      Pick<ReferenceView, 'camera' | 'steps' | 'width' | 'height'>
+    > &
+      Pick<ReferenceView, 'projection'>;
+    const rays = setUpRays(
+      volume.grid,
+      viewMatrix(camera),
+      projectionMatrix(camera.fieldOfView, width / height, 1, 2),
+    )!;
+    const optics = { transferFunction: plainStops, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
+    const gather = projection && projectionGather(projection);
+    const scene = {
+      ...volume,
+      ...optics,
+      stepLength: longestDiagonal(volume.grid) / steps,
+      ...(gather ? { gather } : {}),
+    };
+    return renderReference(scene, rays, width, height).map((x) => x * 255);
+  }),
+);
 
 function putOver(data: Float64Array, background: Vector3): Float64Array {
   return data.map((x, i) => (i % 4 === 3 ? 255 : x + background[i % 4] * (1 - data[i - (i % 4) + 3] / 255)));

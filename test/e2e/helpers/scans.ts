@@ -30,7 +30,10 @@ interface ServerOptions {
 }
 
 /** Serve scans of one value each, some of them missing, and manifests. */
-export async function serve(page: Page, { missing = [], manifest = {}, height = () => 8 }: ServerOptions = {}): Promise<Server> {
+export async function serve(
+  page: Page,
+  { missing = [], manifest = {}, height = () => 8 }: ServerOptions = {},
+): Promise<Server> {
   const server: Server = { asked: [], held: new Set() };
   await page.route('**/scans/*.nii', async (route) => {
     const scan = Number(/(\d+)\.nii/.exec(route.request().url())![1]);
@@ -38,13 +41,17 @@ export async function serve(page: Page, { missing = [], manifest = {}, height = 
     if (missing.includes(scan)) return route.fulfill({ status: 404, body: 'no' });
     while (server.held.has(scan)) await new Promise((resolve) => setTimeout(resolve, 20));
     const volume = syntheticVolume({ dimensions: [8, 8, height(scan)], field: () => valueOf(scan) });
-    await route.fulfill({ body: Buffer.from(niftiBytes(volume)), contentType: 'application/octet-stream' }).catch(() => {});
+    await route
+      .fulfill({ body: Buffer.from(niftiBytes(volume)), contentType: 'application/octet-stream' })
+      .catch(() => {});
   });
   await page.route('**/scans/list.json', (route) => route.fulfill({ json: manifest }));
   return server;
 }
 
-export const listed = (count: number): object => ({ scans: Array.from({ length: count }, (_, i) => ({ image: `${i}.nii`, time: timeOf(i) })) });
+export const listed = (count: number): object => ({
+  scans: Array.from({ length: count }, (_, i) => ({ image: `${i}.nii`, time: timeOf(i) })),
+});
 
 interface Reported {
   readonly index: number;

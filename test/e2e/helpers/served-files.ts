@@ -5,7 +5,11 @@ import type { Page } from '@playwright/test';
  * @param files - by their names
  * @returns the paths that the page asks for from now on, of whatever files
  */
-export async function serveFiles(page: Page, folder: string, files: Readonly<Record<string, Buffer>>): Promise<readonly string[]> {
+export async function serveFiles(
+  page: Page,
+  folder: string,
+  files: Readonly<Record<string, Buffer>>,
+): Promise<readonly string[]> {
   const asked: string[] = [];
   page.on('request', (request) => asked.push(new URL(request.url()).pathname));
   await page.route(`**${folder}/*`, (route) => {

@@ -26,7 +26,11 @@ export async function serveSlowly(bytes: Uint8Array, share: number): Promise<Slo
   const split = Math.round(bytes.length * share);
   const server = createServer((_, response) => {
     requests++;
-    response.writeHead(200, { 'content-length': bytes.length, 'access-control-allow-origin': '*', 'cache-control': 'no-store' });
+    response.writeHead(200, {
+      'content-length': bytes.length,
+      'access-control-allow-origin': '*',
+      'cache-control': 'no-store',
+    });
     response.write(bytes.subarray(0, split));
     response.once('close', () => {
       if (!response.writableFinished) drop();

@@ -12,6 +12,7 @@ export async function touch(page: Page, ways: readonly (readonly Point[])[]): Pr
   const session = await page.context().newCDPSession(page);
   const points = (i: number) => ways.map((way, id) => ({ x: way[i][0], y: way[i][1], id }));
   await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points(0) });
-  for (let i = 1; i < ways[0].length; i++) await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(i) });
+  for (let i = 1; i < ways[0].length; i++)
+    await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(i) });
   await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
 }

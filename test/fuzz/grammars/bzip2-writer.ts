@@ -33,7 +33,10 @@ export function bzip2OfRuns(blocks: number, runs: number, options: Bzip2Options 
   let crc = -1;
   for (let i = 0; i < 255 * runs; i++) crc = (crc << 8) ^ crcTable[(crc >>> 24) ^ byte];
   const block: Block = { symbols: [...packZeros(5 * runs), 2], used: [byte], origin: 0, crc: ~crc >>> 0 };
-  return writeStream(Array.from({ length: blocks }, () => block), options);
+  return writeStream(
+    Array.from({ length: blocks }, () => block),
+    options,
+  );
 }
 
 function packBlock(bytes: Uint8Array): Block {
@@ -57,7 +60,7 @@ function packBlock(bytes: Uint8Array): Block {
 /** Four of a byte, and how many more there are. */
 function packRuns(bytes: Uint8Array): number[] {
   const runs: number[] = [];
-  for (let at = 0; at < bytes.length; ) {
+  for (let at = 0; at < bytes.length;) {
     let length = 1;
     while (length < 255 && bytes[at + length] === bytes[at]) length++;
     for (let i = 0; i < Math.min(4, length); i++) runs.push(bytes[at]);
@@ -99,17 +102,26 @@ function writeStream(blocks: readonly Block[], { level = 9, wrong = 0 }: Bzip2Op
     writeBlock(bits, block, wrong);
     all = (((all << 1) | (all >>> 31)) ^ block.crc) >>> 0;
   }
-  bits.write(0x177245, 24).write(0x385090, 24).write(all >>> 16, 16).write((all + wrong) & 0xffff, 16);
+  bits
+    .write(0x177245, 24)
+    .write(0x385090, 24)
+    .write(all >>> 16, 16)
+    .write((all + wrong) & 0xffff, 16);
   return bits.finish();
 }
 
 function writeBlock(bits: BitWriter, { symbols, used, origin, crc }: Block, wrong: number): void {
-  bits.write(0x314159, 24).write(0x265359, 24).write(crc >>> 16, 16).write((crc + wrong) & 0xffff, 16);
+  bits
+    .write(0x314159, 24)
+    .write(0x265359, 24)
+    .write(crc >>> 16, 16)
+    .write((crc + wrong) & 0xffff, 16);
   bits.write(0, 1).write(origin, 24);
   const isUsed = (byte: number): number => Number(used.includes(byte));
   for (let high = 0; high < 16; high++) bits.write(Number(used.some((byte) => byte >> 4 === high)), 1);
   for (let high = 0; high < 16; high++) {
-    if (used.some((byte) => byte >> 4 === high)) for (let low = 0; low < 16; low++) bits.write(isUsed(16 * high + low), 1);
+    if (used.some((byte) => byte >> 4 === high))
+      for (let low = 0; low < 16; low++) bits.write(isUsed(16 * high + low), 1);
   }
   const count = used.length + 2;
   const width = Math.ceil(Math.log2(count));
@@ -130,7 +142,7 @@ class BitWriter {
   write(value: number, width: number): this {
     for (let bit = width - 1; bit >= 0; bit--, this.#used++) {
       if (this.#used % 8 === 0) this.#bytes.push(0);
-      if ((value >>> bit) & 1) this.#bytes[this.#bytes.length - 1] |= 0x80 >> this.#used % 8;
+      if ((value >>> bit) & 1) this.#bytes[this.#bytes.length - 1] |= 0x80 >> (this.#used % 8);
     }
     return this;
   }

@@ -33,7 +33,9 @@ const files: readonly FuzzFile[] = [
 ];
 
 export function grayPng(width: number, height: number): Uint8Array<ArrayBuffer> {
-  const rows = Uint8Array.from({ length: (width + 1) * height }, (_, i) => (i % (width + 1) === 0 ? 0 : (i * 37) & 0xff));
+  const rows = Uint8Array.from({ length: (width + 1) * height }, (_, i) =>
+    i % (width + 1) === 0 ? 0 : (i * 37) & 0xff,
+  );
   return concat([
     big().text(pngSignature).finish(),
     packChunk({ name: 'IHDR', data: big().u32(width, height).u8(8, 0, 0, 0, 0).finish() }),
@@ -46,19 +48,43 @@ export function grayPng(width: number, height: number): Uint8Array<ArrayBuffer> 
 export const manifest: Grammar = (random) => {
   const kind = random.pick(['image', 'image', 'image', 'radar', 'radar', 'files', 'scans']);
   const text = JSON.stringify(makeObject(random, kind)) ?? '{}';
-  const wrapped = random.or(text, '['.repeat(20_000), `{"a":${'{"a":'.repeat(5000)}1${'}'.repeat(5000)}}`, `\ufeff${text}`, `{"image": "image.png", "title": "${'x'.repeat(100_000)}"}`);
-  return { files: [{ name: 'scan.json', bytes: damage(random, new TextEncoder().encode(wrapped)) }, ...files], settings: random.isWild() ? { scan: { index: random.size(0) } } : {} };
+  const wrapped = random.or(
+    text,
+    '['.repeat(20_000),
+    `{"a":${'{"a":'.repeat(5000)}1${'}'.repeat(5000)}}`,
+    `\ufeff${text}`,
+    `{"image": "image.png", "title": "${'x'.repeat(100_000)}"}`,
+  );
+  return {
+    files: [{ name: 'scan.json', bytes: damage(random, new TextEncoder().encode(wrapped)) }, ...files],
+    settings: random.isWild() ? { scan: { index: random.size(0) } } : {},
+  };
 };
 
 function makeObject(random: Random, kind: string): unknown {
-  const shared = { ...chooseFields(random, root, ['image', 'files', 'scans', 'mosaic', 'elevations', 'sweeps']), mosaic: random.or('3x2', '1x1', '99999x99999', '12x12') };
-  const image = random.or('image.png', 'flat.png', 'missing.png', 'scan.json', '', '//', 'data:,x', 'blob:x', 'javascript:1');
+  const shared = {
+    ...chooseFields(random, root, ['image', 'files', 'scans', 'mosaic', 'elevations', 'sweeps']),
+    mosaic: random.or('3x2', '1x1', '99999x99999', '12x12'),
+  };
+  const image = random.or(
+    'image.png',
+    'flat.png',
+    'missing.png',
+    'scan.json',
+    '',
+    '//',
+    'data:,x',
+    'blob:x',
+    'javascript:1',
+  );
   if (kind === 'files') return { ...shared, mosaic: undefined, files: repeat(random, 'image.png') };
   if (kind === 'scans') return { ...shared, scans: repeat(random, { image, time: '2018-12-20T06:06:28Z' }) };
   if (kind === 'image') return { ...shared, image };
   const tiles = random.int(1, 6);
   const elevations = Array.from({ length: tiles }, (_, i) => random.number(0.5 + i));
-  const sweeps = random.chance(0.5) ? Array.from({ length: random.size(tiles) % 50 }, () => makeSweep(random)) : undefined;
+  const sweeps = random.chance(0.5)
+    ? Array.from({ length: random.size(tiles) % 50 }, () => makeSweep(random))
+    : undefined;
   return { ...shared, image, elevations, range: [random.number(250), random.number(500)], sweeps };
 }
 
@@ -67,25 +93,53 @@ function makeSweep(random: Random): unknown {
   const sweep = (root.properties!.sweeps as Schema).items!;
   return {
     ...chooseFields(random, sweep, ['rays', 'gates', 'azimuths', 'elevations']),
-    ...(random.chance(0.5) ? { rays: random.size(3), azimuths: [0, 120, 240].map((angle) => random.number(angle)) } : {}),
+    ...(random.chance(0.5)
+      ? { rays: random.size(3), azimuths: [0, 120, 240].map((angle) => random.number(angle)) }
+      : {}),
     ...(random.chance(0.5) ? { gates: random.size(2) } : {}),
   };
 }
 
 function repeat(random: Random, item: unknown): unknown[] {
-  return Array.from({ length: random.isWild() ? random.pick([0, 100, 10_000]) : random.int(1, 3) }, () => random.or(item, null, {}, 'flat.png', { image: 'flat.png' }, { scans: [] }));
+  return Array.from({ length: random.isWild() ? random.pick([0, 100, 10_000]) : random.int(1, 3) }, () =>
+    random.or(item, null, {}, 'flat.png', { image: 'flat.png' }, { scans: [] }),
+  );
 }
 
 /** Some fields of an object. */
-function chooseFields(random: Random, { properties = {} }: Schema, without: readonly string[]): Record<string, unknown> {
-  const chosen = Object.entries(properties).filter(([name, one]) => one && !without.includes(name) && random.chance(0.25));
-  return Object.fromEntries(chosen.map(([name, one]) => [random.or(name, '__proto__', 'constructor'), makeValue(random, one as Schema)]));
+function chooseFields(
+  random: Random,
+  { properties = {} }: Schema,
+  without: readonly string[],
+): Record<string, unknown> {
+  const chosen = Object.entries(properties).filter(
+    ([name, one]) => one && !without.includes(name) && random.chance(0.25),
+  );
+  return Object.fromEntries(
+    chosen.map(([name, one]) => [random.or(name, '__proto__', 'constructor'), makeValue(random, one as Schema)]),
+  );
 }
 
 /** A value that fits, or another one. */
 function makeValue(random: Random, one: Schema): unknown {
-  if (random.isWild()) return random.pick([null, true, '', 'x'.repeat(3000), -1, 1e308, -1e308, 1e-308, [], {}, [[[[]]]], Array.from({ length: 5000 }, () => 1), { length: 1e9 }]);
-  if (one.$ref) return makeValue(random, one.$ref === '#' ? { type: 'object' } : definitions[one.$ref.split('/').at(-1)!]);
+  if (random.isWild())
+    return random.pick([
+      null,
+      true,
+      '',
+      'x'.repeat(3000),
+      -1,
+      1e308,
+      -1e308,
+      1e-308,
+      [],
+      {},
+      [[[[]]]],
+      Array.from({ length: 5000 }, () => 1),
+      { length: 1e9 },
+    ]);
+  if (one.$ref)
+    return makeValue(random, one.$ref === '#' ? { type: 'object' } : definitions[one.$ref.split('/').at(-1)!]);
   if (one.const !== undefined) return one.const;
   if (one.enum) return random.pick(one.enum);
   if (one.oneOf && !one.type) return makeValue(random, random.pick(one.oneOf));

@@ -7,26 +7,45 @@ import { packNumbers } from './hdf5-writer.ts';
 import { makeCfradial1 } from './radar-trees.ts';
 import type { NumberName, TreeArray, TreeValue } from './radar-trees.ts';
 
-const codes: Readonly<Record<NumberName | 'text', number>> = { i1: 1, text: 2, i2: 3, i4: 4, f4: 5, f8: 6, u1: 7, u2: 8, u4: 9 };
+const codes: Readonly<Record<NumberName | 'text', number>> = {
+  i1: 1,
+  text: 2,
+  i2: 3,
+  i4: 4,
+  f4: 5,
+  f8: 6,
+  u1: 7,
+  u2: 8,
+  u4: 9,
+};
 
 /** CfRadial 1 in NetCDF-3, all three versions: counts, dimensions and places that lie, records. Source: NetCDF user's guide, appendix B */
 export const netcdf3: Grammar = (random) => {
   const tree = makeCfradial1(random);
   const version = random.pick([1, 2, 5] as const);
-  const arrays = Object.entries(tree.arrays).filter(([, { type }]) => version === 5 || !['u1', 'u2', 'u4'].includes(type));
+  const arrays = Object.entries(tree.arrays).filter(
+    ([, { type }]) => version === 5 || !['u1', 'u2', 'u4'].includes(type),
+  );
   const writer = new Header(random, version);
   const records = random.chance(0.3) ? (tree.arrays.azimuth.shape[0] ?? 0) : NaN;
   const lengths = [...new Set(arrays.flatMap(([, { shape }]) => shape))];
-  const write = (begins: readonly number[]): Uint8Array<ArrayBuffer> => writer.write({ attributes: tree.attributes, arrays, begins, lengths, records });
+  const write = (begins: readonly number[]): Uint8Array<ArrayBuffer> =>
+    writer.write({ attributes: tree.attributes, arrays, begins, lengths, records });
   return oneFile(random.or('scan.nc', 'scan'), damage(random, fill(arrays, records, write)));
 };
 
 /** The header with the places of the data after it, and the data. */
-function fill(arrays: readonly (readonly [string, TreeArray])[], records: number, write: (begins: readonly number[]) => Uint8Array): Uint8Array<ArrayBuffer> {
+function fill(
+  arrays: readonly (readonly [string, TreeArray])[],
+  records: number,
+  write: (begins: readonly number[]) => Uint8Array,
+): Uint8Array<ArrayBuffer> {
   const headLength = write(arrays.map(() => 0)).length;
   const body = big();
   const begins: number[] = [];
-  const packed = arrays.map(([, { type, numbers }]) => (type === 'text' ? Uint8Array.from(numbers) : packNumbers(type, numbers, big())));
+  const packed = arrays.map(([, { type, numbers }]) =>
+    type === 'text' ? Uint8Array.from(numbers) : packNumbers(type, numbers, big()),
+  );
   const isRecord = ([, { shape }]: readonly [string, TreeArray]): boolean => shape[0] === records;
   arrays.forEach((array, i) => {
     if (isRecord(array)) return;
@@ -66,7 +85,9 @@ class Header {
 
   write({ attributes, arrays, begins, lengths, records }: Contents): Uint8Array<ArrayBuffer> {
     this.#at = 0;
-    const out = big().text('CDF').u8(this.#once((random) => random.or<number>(this.#version, 1, 2, 5)));
+    const out = big()
+      .text('CDF')
+      .u8(this.#once((random) => random.or<number>(this.#version, 1, 2, 5)));
     this.#count(out, Number.isNaN(records) ? 0 : this.#once((random) => random.or(records, 2 ** 32 - 1, 2 ** 64)));
     this.#list(out, 10, lengths, (length, i) => {
       this.#name(out, `d${i}`);

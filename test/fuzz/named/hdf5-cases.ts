@@ -19,13 +19,30 @@ class File extends Hdf5Writer {
   }
 
   group(links: Readonly<Record<string, number>>, ...more: Message[]): number {
-    return this.header([...more, ...Object.entries(links).map(([name, address]) => ({ type: 0x06, data: little().u8(1, 0, name.length).text(name).u64(address).finish() }))]);
+    return this.header([
+      ...more,
+      ...Object.entries(links).map(([name, address]) => ({
+        type: 0x06,
+        data: little().u8(1, 0, name.length).text(name).u64(address).finish(),
+      })),
+    ]);
   }
 
   /** An attribute with its text in itself. */
   inPlace(name: string, text: string): Message {
     const [title, type, sizes] = [latin1(`${name}\0`), textType(text.length), shapeOf(this.random, [])];
-    return { type: 0x0c, data: little().u8(3, 0).u16(title.length, type.length, sizes.length).u8(0).put(title).put(type).put(sizes).text(text).finish() };
+    return {
+      type: 0x0c,
+      data: little()
+        .u8(3, 0)
+        .u16(title.length, type.length, sizes.length)
+        .u8(0)
+        .put(title)
+        .put(type)
+        .put(sizes)
+        .text(text)
+        .finish(),
+    };
   }
 
   number(name: string, value: number): Message {
@@ -35,7 +52,10 @@ class File extends Hdf5Writer {
   /** An ODIM_H5 volume whose scans are those. */
   odim(scans: Readonly<Record<string, number>>): FilesCase {
     const what = this.group({}, this.inPlace('object', 'PVOL'));
-    return oneFile('scan.h5', this.finish(this.group({ what, ...scans }, this.attribute('Conventions', 'ODIM_H5/V2_2'))));
+    return oneFile(
+      'scan.h5',
+      this.finish(this.group({ what, ...scans }, this.attribute('Conventions', 'ODIM_H5/V2_2'))),
+    );
   }
 
   /** A scan of ODIM_H5. */
@@ -54,11 +74,25 @@ class File extends Hdf5Writer {
 const shape = (...lengths: number[]): Message => ({ type: 0x01, data: shapeOf(new Random(1, [], true), lengths) });
 const type = (name: 'f4' | 'u1' | 'f8'): Message => ({ type: 0x03, data: numberType(name) });
 const unwritten: Message = { type: 0x08, data: little().u8(3, 1).u64(nowhere, 0).finish() };
-const filters = (ids: readonly number[]): Message => ({ type: 0x0b, data: ids.reduce((out, id) => out.u16(id, 0, 1).u32(4), little().u8(2, ids.length)).finish() });
+const filters = (ids: readonly number[]): Message => ({
+  type: 0x0b,
+  data: ids.reduce((out, id) => out.u16(id, 0, 1).u32(4), little().u8(2, ids.length)).finish(),
+});
 /** One chunk, as the newest layout has it. */
-const chunk = (lengths: readonly number[], elementBytes: number, stored: { address: number; bytes: number }): Message => ({
+const chunk = (
+  lengths: readonly number[],
+  elementBytes: number,
+  stored: { address: number; bytes: number },
+): Message => ({
   type: 0x08,
-  data: little().u8(4, 2, 2, lengths.length + 1, 8).u64(...lengths, elementBytes).u8(1).u64(stored.bytes).u32(0).u64(stored.address).finish(),
+  data: little()
+    .u8(4, 2, 2, lengths.length + 1, 8)
+    .u64(...lengths, elementBytes)
+    .u8(1)
+    .u64(stored.bytes)
+    .u32(0)
+    .u64(stored.address)
+    .finish(),
 });
 
 function store(file: File, bytes: Uint8Array): { address: number; bytes: number } {
@@ -69,24 +103,47 @@ function store(file: File, bytes: Uint8Array): { address: number; bytes: number 
 function attributeBeyond(i: number, count: number): Message {
   const name = latin1(`a${i}\0`.padEnd(8, '\0'));
   const [numbers, sizes] = [numberType('u1'), shapeOf(new Random(1, [], true), [count])];
-  return { type: 0x0c, data: little().u8(3, 0).u16(name.length, numbers.length, sizes.length).u8(0).put(name).put(numbers).put(sizes).finish() };
+  return {
+    type: 0x0c,
+    data: little()
+      .u8(3, 0)
+      .u16(name.length, numbers.length, sizes.length)
+      .u8(0)
+      .put(name)
+      .put(numbers)
+      .put(sizes)
+      .finish(),
+  };
 }
 
 export const hdf5Cases: Readonly<Record<string, () => FuzzCase>> = {
   'hdf5: 64 scans that are one, none of it written': () => {
     const file = new File();
     const data = file.dataset(shape(1000, 60_000), type('f4'), unwritten);
-    return file.odim(Object.fromEntries(Array.from({ length: 64 }, (_, i) => [`dataset${i + 1}`, file.scan(data, i / 2)])));
+    return file.odim(
+      Object.fromEntries(Array.from({ length: 64 }, (_, i) => [`dataset${i + 1}`, file.scan(data, i / 2)])),
+    );
   },
   'hdf5: a chunk of 128 MB for an array of one value': () => {
     const file = new File();
     const stored = store(file, deflateSync(new Uint8Array(2 ** 27), { level: 9 }));
-    return file.odim({ dataset1: file.scan(file.dataset(shape(1, 1), type('f4'), filters([2, 1]), chunk([4096, 8192], 4, stored))) });
+    return file.odim({
+      dataset1: file.scan(file.dataset(shape(1, 1), type('f4'), filters([2, 1]), chunk([4096, 8192], 4, stored))),
+    });
   },
   'hdf5: 255 filters, each of which moves 16 MB': () => {
     const file = new File();
     const stored = store(file, deflateSync(new Uint8Array(2 ** 24), { level: 9 }));
-    return file.odim({ dataset1: file.scan(file.dataset(shape(2048, 2048), type('f4'), filters([...Array.from({ length: 254 }, () => 2), 1]), chunk([2048, 2048], 4, stored))) });
+    return file.odim({
+      dataset1: file.scan(
+        file.dataset(
+          shape(2048, 2048),
+          type('f4'),
+          filters([...Array.from({ length: 254 }, () => 2), 1]),
+          chunk([2048, 2048], 4, stored),
+        ),
+      ),
+    });
   },
   'hdf5: 33 million texts that were never written': () => {
     const file = new File();
@@ -106,11 +163,29 @@ export const hdf5Cases: Readonly<Record<string, () => FuzzCase>> = {
   },
   'hdf5: 4,000 references to one text of 60 KB': () => {
     const file = new File();
-    const text = little().text('GCOL').u8(1, 0, 0, 0).u64(60_064).u16(1, 1).u32(0).u64(60_000).put(new Uint8Array(60_000).fill(0x61)).zeros(32);
+    const text = little()
+      .text('GCOL')
+      .u8(1, 0, 0, 0)
+      .u64(60_064)
+      .u16(1, 1)
+      .u32(0)
+      .u64(60_000)
+      .put(new Uint8Array(60_000).fill(0x61))
+      .zeros(32);
     const address = file.put(text.finish());
-    const places = Array.from({ length: 4000 }).reduce<ReturnType<typeof little>>((out) => out.u32(60_000).u64(address).u32(1), little());
+    const places = Array.from({ length: 4000 }).reduce<ReturnType<typeof little>>(
+      (out) => out.u32(60_000).u64(address).u32(1),
+      little(),
+    );
     const [name, elsewhere, sizes] = [latin1('object\0'), textElsewhereType(), shapeOf(file.random, [4000])];
-    const data = little().u8(3, 0).u16(name.length, elsewhere.length, sizes.length).u8(0).put(name).put(elsewhere).put(sizes).put(places.finish());
+    const data = little()
+      .u8(3, 0)
+      .u16(name.length, elsewhere.length, sizes.length)
+      .u8(0)
+      .put(name)
+      .put(elsewhere)
+      .put(sizes)
+      .put(places.finish());
     return oneFile('scan.h5', file.finish(file.group({ what: file.header([{ type: 0x0c, data: data.finish() }]) })));
   },
   'hdf5: 4,000 names that overlap': () => {
@@ -127,7 +202,11 @@ export const hdf5Cases: Readonly<Record<string, () => FuzzCase>> = {
   'hdf5: a group that holds itself': () => {
     const build = (root: number): { file: File; address: number } => {
       const file = new File();
-      const address = file.group({ what: root, dataset1: root, data1: root, data: root }, ...['object', 'quantity'].map((name) => file.inPlace(name, 'PVOL')), file.number('elangle', 1));
+      const address = file.group(
+        { what: root, dataset1: root, data1: root, data: root },
+        ...['object', 'quantity'].map((name) => file.inPlace(name, 'PVOL')),
+        file.number('elangle', 1),
+      );
       return { file, address };
     };
     const { address } = build(0); // Its own address is known once it is written.

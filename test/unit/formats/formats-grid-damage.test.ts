@@ -9,7 +9,8 @@ import { randomNumbers } from '../../helpers/synthetic.ts';
 // Headers with samples after them or beside them that are damaged, hostile, or hold what can not be shown.
 
 const encode = (text: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text);
-const join = (...parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> => Uint8Array.from(parts.flatMap((part) => Array.from(part)));
+const join = (...parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> =>
+  Uint8Array.from(parts.flatMap((part) => Array.from(part)));
 const data = Uint8Array.from({ length: 48 }, (_, i) => i);
 
 type Fields = Readonly<Record<string, string | null>>;
@@ -23,7 +24,14 @@ function makeNrrd(fields: Fields = {}, body: Uint8Array = data): Uint8Array<Arra
 
 function makeMeta(fields: Fields = {}, body: Uint8Array = data): Uint8Array<ArrayBuffer> {
   const { ElementDataFile = 'LOCAL', ...others } = fields;
-  const all: Fields = { ObjectType: 'Image', NDims: '3', DimSize: '3 2 4', ElementType: 'MET_SHORT', ...others, ElementDataFile };
+  const all: Fields = {
+    ObjectType: 'Image',
+    NDims: '3',
+    DimSize: '3 2 4',
+    ElementType: 'MET_SHORT',
+    ...others,
+    ElementDataFile,
+  };
   const lines = Object.entries(all).flatMap(([name, value]) => (value === null ? [] : [`${name} = ${value}\n`]));
   return join(encode(lines.join('')), body);
 }
@@ -130,15 +138,20 @@ describe('headers that are refused', () => {
   });
 
   it('MetaImage that ends before it says where the data are', async () => {
-    expect((await refuse('MetaImage', { ElementDataFile: null }, new Uint8Array())).message).to.contain('ends without ElementDataFile');
+    expect((await refuse('MetaImage', { ElementDataFile: null }, new Uint8Array())).message).to.contain(
+      'ends without ElementDataFile',
+    );
   });
 });
 
 describe('units of an NRRD file', () => {
-  const spacingOf = async (fields: Fields) => Array.from((await decodeBytes(makeNrrd(fields), 'x.nrrd')).grid.spacing, (s) => Math.round(1e6 * s) / 1e6);
+  const spacingOf = async (fields: Fields) =>
+    Array.from((await decodeBytes(makeNrrd(fields), 'x.nrrd')).grid.spacing, (s) => Math.round(1e6 * s) / 1e6);
 
   it('become millimetres, of the space or of each axis', async () => {
-    expect(await spacingOf({ space: 'RAS', 'space directions': '(1,0,0) (0,2,0) (0,0,3)', 'space units': '"m" "cm" "um"' })).to.deep.equal([1000, 20, 0.003]);
+    expect(
+      await spacingOf({ space: 'RAS', 'space directions': '(1,0,0) (0,2,0) (0,0,3)', 'space units': '"m" "cm" "um"' }),
+    ).to.deep.equal([1000, 20, 0.003]);
     expect(await spacingOf({ spacings: '1 2 3', units: '"mm" "micrometers" "furlong"' })).to.deep.equal([1, 0.002, 3]);
     expect((await decodeBytes(makeNrrd({ 'sample units': '"HU"' }), 'x.nrrd')).unit).to.equal('HU');
   });
@@ -149,7 +162,10 @@ describe('packed data that swell', () => {
 
   it('stop at the size that the header says', async () => {
     expect(bomb.length).to.be.lessThan(2 ** 17);
-    for (const [error, what] of [[await refuse('MetaImage', { CompressedData: 'True' }, bomb), 'MetaImage'], [await refuse('NRRD', { encoding: 'gzip' }, bomb), 'NRRD']] as const) {
+    for (const [error, what] of [
+      [await refuse('MetaImage', { CompressedData: 'True' }, bomb), 'MetaImage'],
+      [await refuse('NRRD', { encoding: 'gzip' }, bomb), 'NRRD'],
+    ] as const) {
       expect(error.code, what).to.equal('format/corrupt');
       expect(error.message, what).to.contain('unpacks to more than the 48 bytes');
     }
@@ -157,19 +173,32 @@ describe('packed data that swell', () => {
 
   it('of bzip2 do too', async () => {
     const bytes = await fetchFixture('nrrd/bzip2.nrrd');
-    const smaller = Uint8Array.from(String.fromCharCode(...bytes).replace('sizes: 3 2 4', 'sizes: 3 2 3'), (c) => c.charCodeAt(0));
+    const smaller = Uint8Array.from(String.fromCharCode(...bytes).replace('sizes: 3 2 4', 'sizes: 3 2 3'), (c) =>
+      c.charCodeAt(0),
+    );
     expect((await expectError(decodeBytes(smaller, 'x.nrrd'))).code).to.equal('format/too-large');
   });
 
   it('take no memory where the header asks for more than they can hold', async () => {
-    for (const error of [await refuse('MetaImage', { CompressedData: 'True', DimSize: '1000 1000 500' }, zlibSync(data)), await refuse('NRRD', { encoding: 'ascii', sizes: '1000 1000 500' }, encode('1 2 3'))]) {
+    for (const error of [
+      await refuse('MetaImage', { CompressedData: 'True', DimSize: '1000 1000 500' }, zlibSync(data)),
+      await refuse('NRRD', { encoding: 'ascii', sizes: '1000 1000 500' }, encode('1 2 3')),
+    ]) {
       expect(error.code).to.equal('format/corrupt');
     }
   });
 });
 
 describe('NRRD and MetaImage files that are damaged', () => {
-  for (const path of ['nrrd/gzip.nrrd', 'nrrd/bzip2.nrrd', 'nrrd/ascii.nrrd', 'nrrd/f8-big.nrrd', 'metaimage/zlib.mha', 'metaimage/i2-big.mha', 'metaimage/text.mha']) {
+  for (const path of [
+    'nrrd/gzip.nrrd',
+    'nrrd/bzip2.nrrd',
+    'nrrd/ascii.nrrd',
+    'nrrd/f8-big.nrrd',
+    'metaimage/zlib.mha',
+    'metaimage/i2-big.mha',
+    'metaimage/text.mha',
+  ]) {
     it(`${path}: cut anywhere, an error with a code`, async () => {
       const bytes = await fetchFixture(path);
       const isText = /ascii|text/.test(path);
@@ -177,7 +206,9 @@ describe('NRRD and MetaImage files that are damaged', () => {
         const error = await expectError(decodeBytes(bytes.slice(0, length), path));
         // A header that is cut in the name of its data file asks for another one.
         const isNamed = /ElementDataFile = (?!LOCAL$)\w+$/.test(String.fromCharCode(...bytes.subarray(0, length)));
-        expect(error.code, `${length} of ${bytes.length} bytes`).to.equal(length === 0 ? 'format/unknown' : isNamed ? 'source/not-found' : 'format/corrupt');
+        expect(error.code, `${length} of ${bytes.length} bytes`).to.equal(
+          length === 0 ? 'format/unknown' : isNamed ? 'source/not-found' : 'format/corrupt',
+        );
       }
     });
 
@@ -189,7 +220,8 @@ describe('NRRD and MetaImage files that are damaged', () => {
         const damaged = bytes.slice();
         for (let n = 0; n <= run % 6; n++) damaged[Math.floor(random() * bytes.length)] = Math.floor(random() * 256);
         await decodeBytes(damaged, path).catch((error: unknown) => {
-          if (!(error instanceof VolumeViewError) || error.code === 'internal') throw new Error(`run ${run}: ${String(error)}`, { cause: error });
+          if (!(error instanceof VolumeViewError) || error.code === 'internal')
+            throw new Error(`run ${run}: ${String(error)}`, { cause: error });
           refused++;
         });
       }
@@ -211,7 +243,9 @@ describe('NRRD and MetaImage files that are damaged', () => {
     expect(short.code).to.equal('format/corrupt');
     expect(short.message).to.contain('12 bytes');
     const list = header.replace('data file: data.raw', 'data file: LIST\ndata.raw\nslice_01#.raw');
-    expect((await expectError(decodeBytes(encode(list.replace('sizes: 3 2 4', 'sizes: 3 2 8')), 'nrrd/x.nhdr'))).message).to.contain('ends early');
+    expect(
+      (await expectError(decodeBytes(encode(list.replace('sizes: 3 2 4', 'sizes: 3 2 8')), 'nrrd/x.nhdr'))).message,
+    ).to.contain('ends early');
   });
 });
 
@@ -224,7 +258,11 @@ describe('data files that a header names', () => {
       return { bytes: data.slice(), url: one, contentType: '' };
     };
     const fetchFiles = (urls: readonly string[]) => fetchInOrder(urls, fetchFile, () => undefined);
-    const volume = await decodeFile({ bytes: makeMeta(fields, new Uint8Array()), url, contentType: '' }, {}, { ...fixtureContext(), fetchFile, fetchFiles });
+    const volume = await decodeFile(
+      { bytes: makeMeta(fields, new Uint8Array()), url, contentType: '' },
+      {},
+      { ...fixtureContext(), fetchFile, fetchFiles },
+    );
     return { asked, volume };
   };
 
@@ -248,7 +286,10 @@ describe('data files that a header names', () => {
   }
 
   it('are no more than are shown', async () => {
-    const { asked, volume } = await follow({ NDims: '4', DimSize: '3 2 4 6', ElementDataFile: 'time%d.raw 1 6 1' }, urlOf('x.mhd'));
+    const { asked, volume } = await follow(
+      { NDims: '4', DimSize: '3 2 4 6', ElementDataFile: 'time%d.raw 1 6 1' },
+      urlOf('x.mhd'),
+    );
     expect(asked).to.deep.equal([urlOf('time1.raw')]);
     expect(volume.format).to.equal('MetaImage, volume 1 of 6');
   });

@@ -16,11 +16,20 @@ const toy: VolumeFormat = {
   endings: ['toy'],
   beginning: 'the letters TY',
   matches: ({ text }) => text.startsWith('TY'),
-  load: async () => async ({ bytes }) => {
-    const samples = bytes.slice(2);
-    const dimensions = [samples.length, 1, 1] as const;
-    return { grid: cartesianGrid(dimensions, axialIndexToWorld(dimensions, [1, 1, 1])), samples, slope: 1, intercept: 0, unit: '', format: 'Toy' };
-  },
+  load:
+    async () =>
+    async ({ bytes }) => {
+      const samples = bytes.slice(2);
+      const dimensions = [samples.length, 1, 1] as const;
+      return {
+        grid: cartesianGrid(dimensions, axialIndexToWorld(dimensions, [1, 1, 1])),
+        samples,
+        slope: 1,
+        intercept: 0,
+        unit: '',
+        format: 'Toy',
+      };
+    },
 };
 const formats: readonly Format[] = [...allFormats, toy];
 

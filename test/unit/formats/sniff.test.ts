@@ -13,15 +13,20 @@ const kindOf = async (name: string): Promise<string> => {
 describe('what a file is, by its bytes alone', () => {
   it('radar files, whatever their name', async () => {
     // The first one has a block of its user's before the HDF5 file.
-    for (const version of ['2.1', '2.0', '2.2', '2.3']) expect(await kindOf(`radar/odim-${version}.h5`), version).to.equal('HDF5');
+    for (const version of ['2.1', '2.0', '2.2', '2.3'])
+      expect(await kindOf(`radar/odim-${version}.h5`), version).to.equal('HDF5');
     expect(await kindOf('radar/cfradial1-nc4.nc')).to.equal('HDF5');
-    for (const form of ['classic', 'records', 'cdf5']) expect(await kindOf(`radar/cfradial1-${form}.nc`), form).to.equal('NetCDF-3');
-    for (const name of ['message-31.ar2v', 'message-1.gz']) expect(await kindOf(`nexrad/${name}`), name).to.equal('NEXRAD Level II');
+    for (const form of ['classic', 'records', 'cdf5'])
+      expect(await kindOf(`radar/cfradial1-${form}.nc`), form).to.equal('NetCDF-3');
+    for (const name of ['message-31.ar2v', 'message-1.gz'])
+      expect(await kindOf(`nexrad/${name}`), name).to.equal('NEXRAD Level II');
   });
 
   it('NRRD and MetaImage, with their data and without', async () => {
-    for (const name of ['i2-big.nrrd', 'crlf.nrrd', 'detached.nhdr']) expect(await kindOf(`nrrd/${name}`), name).to.equal('NRRD');
-    for (const name of ['i2-big.mha', 'by-itk.mhd', 'colons.mha']) expect(await kindOf(`metaimage/${name}`), name).to.equal('MetaImage');
+    for (const name of ['i2-big.nrrd', 'crlf.nrrd', 'detached.nhdr'])
+      expect(await kindOf(`nrrd/${name}`), name).to.equal('NRRD');
+    for (const name of ['i2-big.mha', 'by-itk.mhd', 'colons.mha'])
+      expect(await kindOf(`metaimage/${name}`), name).to.equal('MetaImage');
   });
 
   it('images, manifests and NIfTI', async () => {
@@ -33,8 +38,14 @@ describe('what a file is, by its bytes alone', () => {
 });
 
 describe('files of formats that are not read', () => {
-  const bytesOf = (...parts: readonly (string | number)[]): Uint8Array<ArrayBuffer> => Uint8Array.from(
-    parts.flatMap((part) => (typeof part === 'number' ? Array.from({ length: part }, () => 0) : Array.from(part, (sign) => sign.charCodeAt(0)))));
+  const bytesOf = (...parts: readonly (string | number)[]): Uint8Array<ArrayBuffer> =>
+    Uint8Array.from(
+      parts.flatMap((part) =>
+        typeof part === 'number'
+          ? Array.from({ length: part }, () => 0)
+          : Array.from(part, (sign) => sign.charCodeAt(0)),
+      ),
+    );
   const mgh = bytesOf('\0\0\0\x01\0\0\x01\0\0\0\x01\0', 400);
   // What each begins with. Sources: DICOM PS3.10 7.1; VTK file formats; TIFF 6.0; GRIB2 and BUFR of WMO-No. 306; FreeSurfer's MghFormat
   const cases: readonly (readonly [string, Uint8Array<ArrayBuffer>, RegExp])[] = [
@@ -54,21 +65,32 @@ describe('files of formats that are not read', () => {
   ];
   for (const [name, bytes, words] of cases) {
     it(`are named, with what makes a file that is read: ${name}`, async () => {
-      const error = await expectError(sniffFile({ bytes, url: 'https://example.org/scan.x', contentType: '' }, allFormats));
+      const error = await expectError(
+        sniffFile({ bytes, url: 'https://example.org/scan.x', contentType: '' }, allFormats),
+      );
       expect(error).to.have.property('code', 'format/unsupported');
       expect(error.message).to.match(words);
     });
   }
 
   it('are named where they are packed, too', async () => {
-    const packed = new Uint8Array(await new Response(new Blob([mgh]).stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer());
+    const packed = new Uint8Array(
+      await new Response(new Blob([mgh]).stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer(),
+    );
     const error = await expectError(decodeBytes(packed, 'scan.mgz'));
     expect(error).to.have.property('code', 'format/unsupported');
     expect(error.message).to.match(/FreeSurfer .* mri_convert/);
   });
 
   it('no file that is read is taken for one of them', async () => {
-    for (const name of ['nifti/v1-le-gz.nii.gz', 'nifti/one-row.nii', 'nrrd/i2-big.nrrd', 'radar/odim-2.1.h5', 'radar/cfradial1-classic.nc', 'nexrad/message-1.gz']) {
+    for (const name of [
+      'nifti/v1-le-gz.nii.gz',
+      'nifti/one-row.nii',
+      'nrrd/i2-big.nrrd',
+      'radar/odim-2.1.h5',
+      'radar/cfradial1-classic.nc',
+      'nexrad/message-1.gz',
+    ]) {
       const bytes = await fetchFixture(name);
       expect(findForeign({ bytes, unpacked: null, text: '' }), name).to.equal(null);
     }
@@ -76,7 +98,7 @@ describe('files of formats that are not read', () => {
 });
 
 describe('what messages call a file', () => {
-  it('is the last part of its path, the type of a data: URL, and a blob: URL\'s fragment', () => {
+  it("is the last part of its path, the type of a data: URL, and a blob: URL's fragment", () => {
     expect(nameOf('https://example.org/a/scan.h5?time=1#top')).to.equal('scan.h5');
     expect(nameOf('data:image/png;base64,AAAA')).to.equal('data:image/png;base64,');
     expect(nameOf('blob:https://example.org/d11a9b9a#40%20degrees.h5')).to.equal('40 degrees.h5');

@@ -14,7 +14,20 @@ import { english as slices } from '../../../src/messages/english-slices.ts';
 import { english as view } from '../../../src/messages/english-view.ts';
 import { loadLanguage } from '../../../src/messages/load-language.ts';
 
-const english: Record<string, unknown> = { ...blank, ...clip, ...companions, ...controls, ...handles, ...labels, ...measure, ...notices, ...plane, ...readout, ...slices, ...view };
+const english: Record<string, unknown> = {
+  ...blank,
+  ...clip,
+  ...companions,
+  ...controls,
+  ...handles,
+  ...labels,
+  ...measure,
+  ...notices,
+  ...plane,
+  ...readout,
+  ...slices,
+  ...view,
+};
 const codes = ['ar', 'de', 'es', 'fr', 'ja', 'pt', 'zh'];
 
 /** All texts of some words, by their path; those with parts are called with marks for them. */
@@ -23,7 +36,9 @@ function listTexts(words: unknown, path = ''): [path: string, text: string][] {
   if (typeof words === 'function') {
     const marks = new Proxy({}, { get: (_, name) => `<${String(name)}>` });
     const takesObject = path.endsWith('windowWords');
-    const given = takesObject ? [marks] : Array.from({ length: words.length }, (_, i) => (path.endsWith('scale') && i === 2 ? ['<c>', '<d>'] : `<${i}>`));
+    const given = takesObject
+      ? [marks]
+      : Array.from({ length: words.length }, (_, i) => (path.endsWith('scale') && i === 2 ? ['<c>', '<d>'] : `<${i}>`));
     return [[path, (words as (...all: unknown[]) => string)(...given)]];
   }
   return Object.entries(words as object).flatMap(([name, inner]) => listTexts(inner, `${path}.${name}`));
@@ -37,8 +52,14 @@ describe('the languages of the package', () => {
   for (const code of codes) {
     it(`${code} has every text, and puts into it what English puts into it`, async () => {
       const texts = new Map(listTexts(await loadLanguage(code)));
-      expect([...expected.keys()].filter((path) => !texts.has(path)), 'texts that are missing').to.deep.equal([]);
-      expect([...texts.keys()].filter((path) => !expected.has(path)), 'texts that nobody asks for').to.deep.equal([]);
+      expect(
+        [...expected.keys()].filter((path) => !texts.has(path)),
+        'texts that are missing',
+      ).to.deep.equal([]);
+      expect(
+        [...texts.keys()].filter((path) => !expected.has(path)),
+        'texts that nobody asks for',
+      ).to.deep.equal([]);
       for (const [path, text] of texts) {
         if (path !== '.letter.above') expect(text.trim(), path).to.not.equal('');
         expect(marksIn(text), path).to.deep.equal(marksIn(expected.get(path)!));

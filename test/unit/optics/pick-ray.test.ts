@@ -37,17 +37,39 @@ const byDepth = (valueAt: (depth: number) => number): FieldStage => ({
 const color = [1, 1, 1] as const;
 /** 0 is clear, 1 and 2 are as opaque as is said, with jumps between. */
 const labels = (one: number, two: number): Stop[] => [
-  { value: 0.5, color, opacity: 0 }, { value: 0.5, color, opacity: one }, { value: 1.5, color, opacity: one }, { value: 1.5, color, opacity: two }, { value: 3, color, opacity: two },
+  { value: 0.5, color, opacity: 0 },
+  { value: 0.5, color, opacity: one },
+  { value: 1.5, color, opacity: one },
+  { value: 1.5, color, opacity: two },
+  { value: 3, color, opacity: two },
 ];
 
 function stages(field: FieldStage, transferFunction: readonly Stop[], more: Partial<ReferenceScene> = {}) {
-  return stagesOf({
-    grid, samples: new Uint8Array(0), slope: 1, intercept: 0, transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1, stepLength: 1, field, ...more,
-  }, rays);
+  return stagesOf(
+    {
+      grid,
+      samples: new Uint8Array(0),
+      slope: 1,
+      intercept: 0,
+      transferFunction,
+      referenceLength: 1,
+      opacityFactor: 1,
+      lightFactor: 1,
+      stepLength: 1,
+      field,
+      ...more,
+    },
+    rays,
+  );
 }
 
 /** Depth of the place that is picked; null for none. */
-function pick(scene: ReturnType<typeof stages>, at: PickAt, transferFunction: readonly Stop[], projection: 'max' | 'min' | 'average' | null = null): number | null {
+function pick(
+  scene: ReturnType<typeof stages>,
+  at: PickAt,
+  transferFunction: readonly Stop[],
+  projection: 'max' | 'min' | 'average' | null = null,
+): number | null {
   const found = pickRay(scene, rayThrough(rays, 0, 0), { at, look: { transferFunction, projection } });
   return found && 100 * (1 - found.place[2]);
 }
@@ -85,7 +107,11 @@ describe('a pick', () => {
       const appearance = labels(opacity, 0);
       const t = -Math.log(1 - opacity);
       const half = -Math.log((1 + Math.exp(-100 * t)) / 2) / t;
-      for (const stepLength of [0.3, 1, 2]) expect(pick(stages(fog, appearance, { stepLength }), 'jump', appearance), `${opacity}, ${stepLength}`).to.be.closeTo(half, 1e-4 * half);
+      for (const stepLength of [0.3, 1, 2])
+        expect(
+          pick(stages(fog, appearance, { stepLength }), 'jump', appearance),
+          `${opacity}, ${stepLength}`,
+        ).to.be.closeTo(half, 1e-4 * half);
     }
   });
 
@@ -104,19 +130,37 @@ describe('a pick', () => {
   it('at the maximum is at the largest value that shows and is not hidden', () => {
     // Peaks at 25 and 75, the second one higher; above 0.9 nothing shows.
     const peaks = byDepth((depth) => Math.max(0.6 - Math.abs(depth - 25.3) / 20, 0.8 - Math.abs(depth - 75.2) / 20, 0));
-    const ramp: Stop[] = [{ value: 0.1, color, opacity: 0 }, { value: 1, color, opacity: 0.05 }];
+    const ramp: Stop[] = [
+      { value: 0.1, color, opacity: 0 },
+      { value: 1, color, opacity: 0.05 },
+    ];
     expect(pick(stages(peaks, ramp), 'max', ramp)).to.be.closeTo(75.2, 1e-6);
-    const band: Stop[] = [{ value: 0.1, color, opacity: 0 }, { value: 0.3, color, opacity: 0.05 }, { value: 0.62, color, opacity: 0.05 }, { value: 0.62, color, opacity: 0 }];
+    const band: Stop[] = [
+      { value: 0.1, color, opacity: 0 },
+      { value: 0.3, color, opacity: 0.05 },
+      { value: 0.62, color, opacity: 0.05 },
+      { value: 0.62, color, opacity: 0 },
+    ];
     const at = pick(stages(peaks, band), 'max', band)!;
     expect(Math.abs(at - 75.2), 'where the second peak reaches 0.62').to.be.closeTo(3.6, 0.5);
-    const dense: Stop[] = [{ value: 0.1, color, opacity: 0 }, { value: 0.5, color, opacity: 0.9 }, { value: 1, color, opacity: 0.9 }];
+    const dense: Stop[] = [
+      { value: 0.1, color, opacity: 0 },
+      { value: 0.5, color, opacity: 0.9 },
+      { value: 1, color, opacity: 0.9 },
+    ];
     expect(pick(stages(peaks, dense), 'max', dense)).to.be.below(26);
   });
 
   it('with a projection is where the value is that is shown', () => {
-    const wave = byDepth((depth) => 0.5 + 0.3 * Math.exp(-(((depth - 70.37) / 8) ** 2)) - 0.2 * Math.exp(-(((depth - 20.81) / 8) ** 2)));
-    const ramp: Stop[] = [{ value: 0, color, opacity: 0 }, { value: 1, color, opacity: 0.5 }];
-    const of = (kind: 'max' | 'min' | 'average'): number | null => pick(stages(wave, ramp, { gather: projectionGather(kind) }), 'jump', ramp, kind);
+    const wave = byDepth(
+      (depth) => 0.5 + 0.3 * Math.exp(-(((depth - 70.37) / 8) ** 2)) - 0.2 * Math.exp(-(((depth - 20.81) / 8) ** 2)),
+    );
+    const ramp: Stop[] = [
+      { value: 0, color, opacity: 0 },
+      { value: 1, color, opacity: 0.5 },
+    ];
+    const of = (kind: 'max' | 'min' | 'average'): number | null =>
+      pick(stages(wave, ramp, { gather: projectionGather(kind) }), 'jump', ramp, kind);
     expect(of('max')).to.be.closeTo(70.37, 0.01);
     expect(of('min')).to.be.closeTo(20.81, 0.01);
     expect(of('average')).to.be.closeTo(70.37, 0.01);
@@ -126,12 +170,20 @@ describe('a pick', () => {
     const appearance = labels(0.2, 0.4);
     const scene = stages(shells, appearance);
     const ray = rayThrough(rays, 0, 0);
-    expect(pickRay(scene, ray, { at: 'jump', look: { transferFunction: appearance, projection: null } })!.color).to.deep.equal(castRay(scene, ray));
+    expect(
+      pickRay(scene, ray, { at: 'jump', look: { transferFunction: appearance, projection: null } })!.color,
+    ).to.deep.equal(castRay(scene, ray));
     const clear = labels(0, 0);
     for (const at of ['jump', 'surface', 'max'] as const) {
       expect(pick(stages(shells, clear), at, clear), at).to.equal(null);
-      expect(pickRay(scene, rayThrough(rays, 3, 0), { at, look: { transferFunction: appearance, projection: null } }), `${at}, beside the volume`).to.equal(null);
-      expect(pickRay(scene, rayThrough(rays, NaN, 0), { at, look: { transferFunction: appearance, projection: null } }), `${at}, no place`).to.equal(null);
+      expect(
+        pickRay(scene, rayThrough(rays, 3, 0), { at, look: { transferFunction: appearance, projection: null } }),
+        `${at}, beside the volume`,
+      ).to.equal(null);
+      expect(
+        pickRay(scene, rayThrough(rays, NaN, 0), { at, look: { transferFunction: appearance, projection: null } }),
+        `${at}, no place`,
+      ).to.equal(null);
     }
   });
 
@@ -141,7 +193,8 @@ describe('a pick', () => {
     expect(pick(stages(shells, appearance), 'jump', appearance)).to.be.within(60, 63);
     expect(pick(stages(shells, appearance, { ends: [shape] }), 'jump', appearance)).to.be.within(30, 33);
     // A painted surface is as opaque as what it hides.
-    const painted = (alpha: number) => stages(shells, appearance, { ends: [(_, interval) => ({ ...interval, exit: 0, behind: [1, 1, 1, alpha] })] });
+    const painted = (alpha: number) =>
+      stages(shells, appearance, { ends: [(_, interval) => ({ ...interval, exit: 0, behind: [1, 1, 1, alpha] })] });
     expect(pick(painted(1), 'jump', appearance)).to.be.closeTo(50, 1e-9);
     expect(pick(painted(1), 'surface', appearance)).to.be.closeTo(50, 1e-9);
     expect(pick(painted(0.01), 'jump', appearance)).to.be.within(30, 33);
@@ -151,27 +204,52 @@ describe('a pick', () => {
     const fog = byDepth(() => 1);
     const appearance = labels(0.001, 0);
     const at = 0.613;
-    const slice = planeInterval([{ kind: 'plane', slab: null, window: [0, 2], normal: [0, 0, 1], offset: at }], fog, appearance);
+    const slice = planeInterval(
+      [{ kind: 'plane', slab: null, window: [0, 2], normal: [0, 0, 1], offset: at }],
+      fog,
+      appearance,
+    );
     for (const side of [1, -1]) {
       const ends = [clipInterval([{ kind: 'half-space', normal: [0, 0, side], offset: side * at }]), slice];
-      for (const kind of [null, 'max'] as const) expect(pick(stages(fog, appearance, { ends, ...(kind && { gather: projectionGather(kind) }) }), 'jump', appearance, kind), `${side} ${kind}`).to.be.closeTo(side < 0 || !kind ? 38.7 : 0, 1e-3);
+      for (const kind of [null, 'max'] as const)
+        expect(
+          pick(
+            stages(fog, appearance, { ends, ...(kind && { gather: projectionGather(kind) }) }),
+            'jump',
+            appearance,
+            kind,
+          ),
+          `${side} ${kind}`,
+        ).to.be.closeTo(side < 0 || !kind ? 38.7 : 0, 1e-3);
     }
   });
 
   it('finds the largest value behind a gap where steps are longer than what is left', () => {
     const rising = byDepth((depth) => depth);
-    const ramp: Stop[] = [{ value: 0, color, opacity: 0 }, { value: 100, color, opacity: 0.5 }];
+    const ramp: Stop[] = [
+      { value: 0, color, opacity: 0 },
+      { value: 100, color, opacity: 0.5 },
+    ];
     const random = randomNumbers(3);
     for (let i = 0; i < 100; i++) {
       const [to, thick] = [0.9 * random(), 0.05 * random()];
-      const ends = [cutoutInterval({ kind: 'cutout', unitToBox: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 / thick, -to / thick, 0, 0, 0, 1] }), clipInterval([{ kind: 'half-space', normal: [0, 0, 1], offset: to * random() }])];
-      expect(pick(stages(rising, ramp, { ends, stepLength: 300, gather: projectionGather('max') }), 'jump', ramp, 'max')).to.be.above(0);
+      const ends = [
+        cutoutInterval({
+          kind: 'cutout',
+          unitToBox: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 / thick, -to / thick, 0, 0, 0, 1],
+        }),
+        clipInterval([{ kind: 'half-space', normal: [0, 0, 1], offset: to * random() }]),
+      ];
+      expect(
+        pick(stages(rising, ramp, { ends, stepLength: 300, gather: projectionGather('max') }), 'jump', ramp, 'max'),
+      ).to.be.above(0);
     }
   });
 });
 
 describe('the highest of some rises', () => {
-  const rise = (heights: readonly number[], spans: readonly number[] = []) => findJump(heights.map((height, i) => ({ begin: i, span: spans[i] ?? 1, height })));
+  const rise = (heights: readonly number[], spans: readonly number[] = []) =>
+    findJump(heights.map((height, i) => ({ begin: i, span: spans[i] ?? 1, height })));
 
   it('goes from valley to valley', () => {
     expect(rise([0, 0.1, 0.2, 0.1, 0, 0.3, 0])).to.deep.equal({ first: 0, last: 4, height: 0.1 + 0.2 + 0.1 });
@@ -182,7 +260,10 @@ describe('the highest of some rises', () => {
 
   it('is not parted by what noise does, nor by where steps are cut into substeps', () => {
     expect(rise([0.1, 0.07, 0.1, 0.06, 0.1])!.height).to.be.closeTo(0.43, 1e-12);
-    expect(rise([0.1, 0.02, 0.02, 0.02, 0.02, 0.02, 0.1], [1, 0.2, 0.2, 0.2, 0.2, 0.2, 1])!.height).to.be.closeTo(0.3, 1e-12);
+    expect(rise([0.1, 0.02, 0.02, 0.02, 0.02, 0.02, 0.1], [1, 0.2, 0.2, 0.2, 0.2, 0.2, 1])!.height).to.be.closeTo(
+      0.3,
+      1e-12,
+    );
   });
 
   it('is the one in front where two are as high', () => {
@@ -192,10 +273,19 @@ describe('the highest of some rises', () => {
 
 describe('a pick of surfaces', () => {
   const white = (value: number, opacity: number) => ({ value, color, opacity });
-  const fog: Stop[] = [{ value: -1, color, opacity: 0 }, { value: 1, color, opacity: 0 }, { value: 1, color, opacity: 0.02 }, { value: 9, color, opacity: 0.02 }];
+  const fog: Stop[] = [
+    { value: -1, color, opacity: 0 },
+    { value: 1, color, opacity: 0 },
+    { value: 1, color, opacity: 0.02 },
+    { value: 9, color, opacity: 0.02 },
+  ];
   const bent = byDepth((depth) => (depth / 50) ** 3);
   const found = (surfaces: ReturnType<typeof white>[], at: PickAt, { isClear = true, transferFunction = fog } = {}) => {
-    const scene = stages(bent, transferFunction, { stepLength: 3, moreFields: [pointField], gather: surfaceGather({ surfaces, isClear, light: null, toEye: () => [0, 0, 1], refinements: 40 }) });
+    const scene = stages(bent, transferFunction, {
+      stepLength: 3,
+      moreFields: [pointField],
+      gather: surfaceGather({ surfaces, isClear, light: null, toEye: () => [0, 0, 1], refinements: 40 }),
+    });
     const one = pickRay(scene, rayThrough(rays, 0, 0), { at, look: { transferFunction, projection: null, isClear } });
     return one && { surface: one.surface, depth: 100 * (1 - one.place[2]) };
   };

@@ -47,7 +47,12 @@ function fitOrder(steps: number[], errors: number[]): number {
 
 describe('the reference', () => {
   it('has 1 - exp(-tau L) of a uniform slab for any step, part steps and one long step included', () => {
-    const volume = syntheticVolume({ dimensions: [4, 4, 12], spacing: [1, 1, 0.75], field: () => 0.4, kind: 'float32' });
+    const volume = syntheticVolume({
+      dimensions: [4, 4, 12],
+      spacing: [1, 1, 0.75],
+      field: () => 0.4,
+      kind: 'float32',
+    });
     const tau = extinction(0.1 + Math.fround(0.4) * 0.5) / 5;
     for (const steps of [0.5, 1, 1.0001, 2.7, 8, 33.3, 500, 2048]) {
       const [red, , , alpha] = castAlongZ(sceneOf(volume, { stepLength: 9 / steps }));
@@ -58,9 +63,14 @@ describe('the reference', () => {
 
   it('is the closed form of a field of straight lines where steps end on its kinks, and converges with their square elsewhere', () => {
     // Slices of opacity 0.1, 0.6 and 0.6: constant over a sixth of the way, linear over a third, constant over a half.
-    const volume = syntheticVolume({ dimensions: [2, 2, 3], spacing: [5, 5, 10], field: (_x, _y, z) => (z > 0.67 ? 0 : 1) });
+    const volume = syntheticVolume({
+      dimensions: [2, 2, 3],
+      spacing: [5, 5, 10],
+      field: (_x, _y, z) => (z > 0.67 ? 0 : 1),
+    });
     const tau = (30 / 5) * (extinction(0.1) / 6 + meanExtinction(0.1, 0.6) / 3 + extinction(0.6) / 2);
-    const errorOf = (n: number): number => Math.abs(castAlongZ(sceneOf(volume, { stepLength: 30 / n }))[3] - (1 - Math.exp(-tau)));
+    const errorOf = (n: number): number =>
+      Math.abs(castAlongZ(sceneOf(volume, { stepLength: 30 / n }))[3] - (1 - Math.exp(-tau)));
     for (const n of [6, 12, 96]) expect(errorOf(n), `${n} steps`).to.be.below(1e-12);
     // So many steps, of eight substeps each, have both kinks within a substep.
     const steps = [4, 7, 13, 25, 49];
@@ -77,7 +87,9 @@ describe('the reference', () => {
       renderReference(sceneOf(volume, { transferFunction: colored, stepLength: 70 / steps }), rays, 6, 6);
     const exact = picture(6000);
     const steps = [15, 30, 60, 120, 240];
-    const errors = steps.map((n) => Math.sqrt(picture(n).reduce((sum, x, i) => sum + (x - exact[i]) ** 2, 0) / exact.length));
+    const errors = steps.map((n) =>
+      Math.sqrt(picture(n).reduce((sum, x, i) => sum + (x - exact[i]) ** 2, 0) / exact.length),
+    );
     expect(fitOrder(steps, errors), errors.join(' ')).to.be.above(1.9);
   });
 
@@ -94,7 +106,11 @@ describe('the reference', () => {
     const expected = at(1, 0);
     expect(Math.max(...expected)).to.be.above(0.3);
     // Rounding of the offset, 1e-16 * 1e7 voxels, against a picture that changes over a voxel.
-    for (const [unit, offset, tolerance] of [[1e-6, 0, 1e-10], [1e6, 0, 1e-10], [1, 1e7, 1e-6]]) {
+    for (const [unit, offset, tolerance] of [
+      [1e-6, 0, 1e-10],
+      [1e6, 0, 1e-10],
+      [1, 1e7, 1e-6],
+    ]) {
       at(unit, offset).forEach((x, i) => expect(x).to.be.closeTo(expected[i], tolerance));
     }
   });
@@ -120,22 +136,37 @@ describe('the reference', () => {
     const half = castAlongZ(sceneOf(volume, { ends: [shapeInterval(() => 0)] }));
     expect(half[3]).to.be.closeTo(1 - Math.exp(-tau * 5), 1e-12);
     expect(castAlongZ(sceneOf(volume, { ends: [shapeInterval(() => -9)] }))).to.deep.equal([0, 0, 0, 0]);
-    expect(castAlongZ(sceneOf(volume, { ends: [shapeInterval(() => Infinity)] }))[3]).to.be.closeTo(1 - Math.exp(-tau * 10), 1e-12);
+    expect(castAlongZ(sceneOf(volume, { ends: [shapeInterval(() => Infinity)] }))[3]).to.be.closeTo(
+      1 - Math.exp(-tau * 10),
+      1e-12,
+    );
   });
 
   it('applies slope and intercept before the transfer function', () => {
     const field = (_x: number, _y: number, z: number): number => smoothField(0.5, 0.5, z);
     const plain = syntheticVolume({ dimensions: [4, 4, 20], field, kind: 'uint16' });
-    const houndsfield = syntheticVolume({ dimensions: [4, 4, 20], field, kind: 'uint16', slope: 4000, intercept: -1000 });
+    const houndsfield = syntheticVolume({
+      dimensions: [4, 4, 20],
+      field,
+      kind: 'uint16',
+      slope: 4000,
+      intercept: -1000,
+    });
     const rescaled = colored.map((stop) => ({ ...stop, value: stop.value * 4000 - 1000 }));
     const expected = castAlongZ(sceneOf(plain, { transferFunction: colored }));
-    castAlongZ(sceneOf(houndsfield, { transferFunction: rescaled })).forEach((x, c) => expect(x).to.be.closeTo(expected[c], 1e-12));
+    castAlongZ(sceneOf(houndsfield, { transferFunction: rescaled })).forEach((x, c) =>
+      expect(x).to.be.closeTo(expected[c], 1e-12),
+    );
     expect(expected[3]).to.be.above(0.1);
   });
 
   it('takes half of a part next to an end without data for empty', () => {
     // Eleven slices seen from +z, data in the nearer six: they reach half way to the next slice, which is 6 deep.
-    const volume = syntheticVolume({ dimensions: [4, 4, 11], kind: 'float32', field: (_x, _y, z) => (z < 0.45 ? NaN : 0.5) });
+    const volume = syntheticVolume({
+      dimensions: [4, 4, 11],
+      kind: 'float32',
+      field: (_x, _y, z) => (z < 0.45 ? NaN : 0.5),
+    });
     const tau = extinction(0.35) / 5;
     for (const stepLength of [0.7, 2.2, 3.1, 4.1, 20]) {
       const { 3: alpha } = castAlongZ(sceneOf(volume, { stepLength, maxSubsteps: 5 }));
@@ -151,7 +182,11 @@ describe('the reference', () => {
     const volume = syntheticVolume({ dimensions: [2, 2, 40], kind: 'float32', field: (_x, _y, z) => z });
     const samplesWith = (value: number): number => {
       let samples = 0;
-      const stops = [{ value: value - 0.01, color: white, opacity: 0 }, { value, color: white, opacity: 0.9 }, { value: value + 0.01, color: white, opacity: 0 }];
+      const stops = [
+        { value: value - 0.01, color: white, opacity: 0 },
+        { value, color: white, opacity: 0.9 },
+        { value: value + 0.01, color: white, opacity: 0 },
+      ];
       const valueAt = (point: Vector3): number => {
         samples++;
         return interpolate(volume.samples, volume.grid.dimensions, point);

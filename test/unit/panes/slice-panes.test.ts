@@ -4,7 +4,15 @@ import { fillRows } from '../../../src/panes/fill-slice.ts';
 import type { Slab, SlicePixels } from '../../../src/panes/fill-slice.ts';
 import { grayRange, windowAround } from '../../../src/panes/gray-levels.ts';
 import { colorPainter, grayPainter } from '../../../src/panes/paint-slice.ts';
-import { boxAround, fitFrame, pixelsOf, placeAt, pointAt, roundLength, zoomFrame } from '../../../src/panes/pane-frame.ts';
+import {
+  boxAround,
+  fitFrame,
+  pixelsOf,
+  placeAt,
+  pointAt,
+  roundLength,
+  zoomFrame,
+} from '../../../src/panes/pane-frame.ts';
 import { linearRow, rowOf } from '../../../src/panes/read-row.ts';
 import { linearSampler, nearestSampler } from '../../../src/panes/sample-at.ts';
 import { SlicedVolume } from '../../../src/panes/slice-field.ts';
@@ -23,19 +31,35 @@ const size = { width: 300, height: 200 };
 
 function samplesOf(valueAt: (i: number, j: number, k: number) => number): Float32Array<ArrayBuffer> {
   const [nx, ny] = dimensions;
-  return Float32Array.from({ length: nx * ny * dimensions[2] }, (_, at) => valueAt(at % nx, Math.floor(at / nx) % ny, Math.floor(at / (nx * ny))));
+  return Float32Array.from({ length: nx * ny * dimensions[2] }, (_, at) =>
+    valueAt(at % nx, Math.floor(at / nx) % ny, Math.floor(at / (nx * ny))),
+  );
 }
 
 const linearField = (i: number, j: number, k: number): number => 5 + 2 * i - 3 * j + 4 * k;
 const block = (samples: Float32Array<ArrayBuffer>, hasNoData = false) => ({ samples, dimensions, hasNoData });
 const plane: Slab = { normal: [0, 0, 1], thickness: 0, projection: 'average', planes: 1 };
-const directions: readonly Vector3[] = [[1, 0, 0], [0.3, -0.7, 0.65], [0, 0.05, 1], [-1, -1, -1], [1e-200, 1e-200, 0]];
+const directions: readonly Vector3[] = [
+  [1, 0, 0],
+  [0.3, -0.7, 0.65],
+  [0, 0.05, 1],
+  [-1, -1, -1],
+  [1e-200, 1e-200, 0],
+];
 
 describe('planes of slices', () => {
   it('are right-angled, and lead a place into the plane and back', () => {
-    for (const { right, up, normal } of [...sliceTypes.map((type) => planeOf(type)), ...directions.map((direction) => planeOf('oblique', direction))]) {
+    for (const { right, up, normal } of [
+      ...sliceTypes.map((type) => planeOf(type)),
+      ...directions.map((direction) => planeOf('oblique', direction)),
+    ]) {
       for (const vector of [right, up, normal]) expect(dot(vector, vector)).to.be.closeTo(1, 1e-12);
-      for (const [a, b] of [[right, up], [up, normal], [normal, right]]) expect(dot(a, b)).to.be.closeTo(0, 1e-12);
+      for (const [a, b] of [
+        [right, up],
+        [up, normal],
+        [normal, right],
+      ])
+        expect(dot(a, b)).to.be.closeTo(0, 1e-12);
       const place: Vector3 = [12.345, -67.89, 1012.3];
       const back = toWorld({ right, up, normal }, toPlane({ right, up, normal }, place));
       expect(Math.hypot(...add(back, scale(place, -1)))).to.be.below(1e-9);
@@ -100,10 +124,20 @@ describe('samples of slices', () => {
     for (const direction of directions) {
       const oblique = planeOf('oblique', direction);
       const middle = toPlane(oblique, transformPoint(indexToWorld, [3, 4, 5]));
-      const pixels = pixelsOf(oblique, { u: middle.u, v: middle.v, scale: 0.05 }, { width: 40, height: 30 }, { d: middle.d, columns: 40, rows: 30 });
+      const pixels = pixelsOf(
+        oblique,
+        { u: middle.u, v: middle.v, scale: 0.05 },
+        { width: 40, height: 30 },
+        { d: middle.d, columns: 40, rows: 30 },
+      );
       const values = new Float64Array(1200);
       fillRows({ field: { sampleAt, worldToIndex }, pixels, slab: plane }, values, [0, 30]);
-      for (const [column, row] of [[0, 0], [39, 0], [13, 22], [39, 29]]) {
+      for (const [column, row] of [
+        [0, 0],
+        [39, 0],
+        [13, 22],
+        [39, 29],
+      ]) {
         const world = add(pixels.first, add(scale(pixels.across, column), scale(pixels.down, row)));
         const [i, j, k] = transformPoint(worldToIndex, world);
         expect(values[row * 40 + column]).to.be.closeTo(linearField(i, j, k), 1e-11);
@@ -118,7 +152,16 @@ describe('samples of slices', () => {
     const readRow = linearRow(block(samples), sampleAt);
     const [row, line] = [new Float64Array(40), new Float64Array(40)];
     let [inside, outside] = [0, 0];
-    for (const step of [[0.4, 0, 0], [-0.4, 0, 0], [0, 0.27, 0], [0, -0.3, 0], [0, 0, 0.5], [0, 0, -1], [1e-16, 0.3, 0], [0.2, 0.1, 0]] as const) {
+    for (const step of [
+      [0.4, 0, 0],
+      [-0.4, 0, 0],
+      [0, 0.27, 0],
+      [0, -0.3, 0],
+      [0, 0, 0.5],
+      [0, 0, -1],
+      [1e-16, 0.3, 0],
+      [0.2, 0.1, 0],
+    ] as const) {
       for (let n = 0; n < 40; n++) {
         const from = [0, 1, 2].map(() => 14 * random() - 2) as unknown as Vector3;
         rowOf(sampleAt)(from, step, row);
@@ -140,11 +183,18 @@ describe('samples of slices', () => {
   });
 
   it('of a slab: the mean of x squared is that of its middle and a twelfth of its thickness squared', () => {
-    const field = { sampleAt: (x: number): number => x * x, worldToIndex: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] };
+    const field = {
+      sampleAt: (x: number): number => x * x,
+      worldToIndex: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+    };
     const one: SlicePixels = { width: 1, height: 1, first: [3, 0, 0], across: [0, 1, 0], down: [0, 0, 1] };
     const values = new Float64Array(1);
     const errorOf = (planes: number): number => {
-      fillRows({ field, pixels: one, slab: { normal: [1, 0, 0], thickness: 2, projection: 'average', planes } }, values, [0, 1]);
+      fillRows(
+        { field, pixels: one, slab: { normal: [1, 0, 0], thickness: 2, projection: 'average', planes } },
+        values,
+        [0, 1],
+      );
       return Math.abs(values[0] - (9 + 4 / 12));
     };
     expect(errorOf(64)).to.be.below(1e-4);
@@ -152,12 +202,25 @@ describe('samples of slices', () => {
   });
 
   it('of a slab: the largest and the least of its planes, without data left out', () => {
-    const sampleAt = linearSampler(block(samplesOf((_i, _j, k) => (k === 5 ? NaN : k)), true));
+    const sampleAt = linearSampler(
+      block(
+        samplesOf((_i, _j, k) => (k === 5 ? NaN : k)),
+        true,
+      ),
+    );
     const pixels: SlicePixels = { width: 1, height: 1, first: [3, 4, 5], across: [1, 0, 0], down: [0, -1, 0] };
     const valueOf = (projection: Slab['projection']): number => {
       const values = new Float64Array(1);
       const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-      fillRows({ field: { sampleAt, worldToIndex: identity }, pixels, slab: { normal: [0, 0, 1], thickness: 4, projection, planes: 4 } }, values, [0, 1]);
+      fillRows(
+        {
+          field: { sampleAt, worldToIndex: identity },
+          pixels,
+          slab: { normal: [0, 0, 1], thickness: 4, projection, planes: 4 },
+        },
+        values,
+        [0, 1],
+      );
       return values[0];
     };
     expect(valueOf('max')).to.be.closeTo(6.5, 1e-12);
@@ -183,7 +246,8 @@ describe('samples of slices', () => {
         all.push(values[0]);
       }
       // From the middle of the first voxel to that of the last one, all of them: 0.5 / 64 to 63.5 / 64.
-      for (const [i, expected] of [63.5 / 64, 0.5 / 64, 0.5].entries()) expect(all[i], `${at}`).to.be.closeTo(expected, 1e-6);
+      for (const [i, expected] of [63.5 / 64, 0.5 / 64, 0.5].entries())
+        expect(all[i], `${at}`).to.be.closeTo(expected, 1e-6);
     }
     expect(sliced.thicknessAt(0, { normal, thickness: 0.5, projection: 'max' }), 'a thin one').to.equal(0.5);
   });
@@ -196,7 +260,7 @@ describe('greys and colours of slices', () => {
     return pixels;
   };
 
-  it('follow both of DICOM\'s functions', () => {
+  it("follow both of DICOM's functions", () => {
     // The standard's own example: C.11.2.1.2.1, c = 2048 and w = 4096, black at 0 and white at 4095.
     const window = windowAround(2048, 4096);
     expect(grayRange({ window, windowFunction: 'linear' })).to.deep.equal([0, 4095]);
@@ -210,14 +274,20 @@ describe('greys and colours of slices', () => {
     const pixels = paint(painter, [0, 50, 50.3, 1000, -3, NaN]);
     expect([...pixels].filter((_, i) => i % 4 === 0)).to.deep.equal([0, 100, 101, 255, 0, 0]);
     expect([...pixels].filter((_, i) => i % 4 === 3)).to.deep.equal([255, 255, 255, 255, 255, 0]);
-    const threshold = grayPainter({ window: windowAround(10, 1), windowFunction: 'linear' }, { slope: 1, intercept: 0 });
+    const threshold = grayPainter(
+      { window: windowAround(10, 1), windowFunction: 'linear' },
+      { slope: 1, intercept: 0 },
+    );
     expect([...paint(threshold, [9.5, 9.6])].filter((_, i) => i % 4 === 0)).to.deep.equal([0, 255]);
   });
 
   it('of labels are their own, opaque, and hidden ones are not there', () => {
     const stops = [
-      { value: 0.5, color: [1, 0, 0], opacity: 0 }, { value: 0.5, color: [1, 0, 0], opacity: 0.2 }, { value: 1.5, color: [1, 0, 0], opacity: 0.2 },
-      { value: 1.5, color: [0, 0, 1], opacity: 0.2 }, { value: 2.5, color: [0, 0, 1], opacity: 0.2 },
+      { value: 0.5, color: [1, 0, 0], opacity: 0 },
+      { value: 0.5, color: [1, 0, 0], opacity: 0.2 },
+      { value: 1.5, color: [1, 0, 0], opacity: 0.2 },
+      { value: 1.5, color: [0, 0, 1], opacity: 0.2 },
+      { value: 2.5, color: [0, 0, 1], opacity: 0.2 },
     ] as const;
     const pixels = paint(colorPainter(stops, { slope: 1, intercept: 0 }, true), [0, 1, 2]);
     expect([...pixels]).to.deep.equal([0, 0, 0, 0, 255, 0, 0, 255, 0, 0, 255, 255]);
@@ -230,7 +300,10 @@ describe('the frame of a pane', () => {
     const all = corners(cartesianGrid(dimensions, indexToWorld));
     const frame = fitFrame(boxAround(axial, all), size);
     const points = all.map((corner) => pointAt(frame, size, toPlane(axial, corner)));
-    for (const [axis, max] of [[0, 300], [1, 200]] as const) {
+    for (const [axis, max] of [
+      [0, 300],
+      [1, 200],
+    ] as const) {
       expect(Math.min(...points.map((point) => point[axis]))).to.be.above(-1e-9);
       expect(Math.max(...points.map((point) => point[axis]))).to.be.below(max + 1e-9);
     }
@@ -252,6 +325,8 @@ describe('the frame of a pane', () => {
   });
 
   it('has a bar of a round length', () => {
-    expect([99, 100, 0.03, 7, 4.99].map(roundLength).map((length) => Number(length.toPrecision(6)))).to.deep.equal([50, 100, 0.02, 5, 2]);
+    expect([99, 100, 0.03, 7, 4.99].map(roundLength).map((length) => Number(length.toPrecision(6)))).to.deep.equal([
+      50, 100, 0.02, 5, 2,
+    ]);
   });
 });

@@ -41,7 +41,9 @@ function compareVolumes(got: DecodedPolarVolume, wanted: DecodedPolarVolume, rou
     expect(sweep, `sweep ${i}`).to.deep.equal(geometry);
     expect(azimuths.length).to.equal(places.length);
     expect(elevations?.length).to.equal(heights?.length);
-    heights?.forEach((elevation, ray) => expect(elevations![ray], `sweep ${i}, ray ${ray}`).to.be.closeTo(elevation, 1e-5));
+    heights?.forEach((elevation, ray) =>
+      expect(elevations![ray], `sweep ${i}, ray ${ray}`).to.be.closeTo(elevation, 1e-5),
+    );
     places.forEach((azimuth, ray) => expect(azimuths[ray], `sweep ${i}, ray ${ray}`).to.be.closeTo(azimuth, 1e-5));
   });
   expect(got.samples.length).to.equal(wanted.samples.length);
@@ -90,11 +92,15 @@ describe('a radar file and the mosaic that is written of it hold the same', () =
   }
 
   it('radar/nexrad/KLIX20050828_180149.gz', async function () {
-    expect(await check(await readNexrad(new Uint8Array(await fetchSharedData(this, 'radar/nexrad/KLIX20050828_180149.gz'))))).to.equal(3);
+    expect(
+      await check(await readNexrad(new Uint8Array(await fetchSharedData(this, 'radar/nexrad/KLIX20050828_180149.gz')))),
+    ).to.equal(3);
   });
 
   it('radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5', async function () {
-    const bytes = new Uint8Array(await fetchSharedData(this, 'radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5'));
+    const bytes = new Uint8Array(
+      await fetchSharedData(this, 'radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5'),
+    );
     const { mosaic } = await roundTrip(await readHdf5Radar(bytes), 'DBZH');
     compareVolumes(buildPolarVolume(mosaic, {}), buildPolarVolume(await readHdf5Radar(bytes), { moment: 'DBZH' }), 0);
   });
@@ -103,12 +109,20 @@ describe('a radar file and the mosaic that is written of it hold the same', () =
 describe('a polar mosaic by its attributes', () => {
   // 3 x 2 tiles of 4 gates and 6 radials; five sweeps. A pixel counts sweep, radial and gate.
   const size = { width: 12, height: 12 };
-  const at = (tile: number, ray: number, gate: number): number => (Math.floor(tile / 3) * 6 + ray) * 12 + (tile % 3) * 4 + gate;
+  const at = (tile: number, ray: number, gate: number): number =>
+    (Math.floor(tile / 3) * 6 + ray) * 12 + (tile % 3) * 4 + gate;
   const data = new Uint8Array(144);
-  for (let tile = 0; tile < 5; tile++) for (let ray = 0; ray < 6; ray++) for (let gate = 0; gate < 4; gate++) data[at(tile, ray, gate)] = tile * 40 + ray * 5 + gate;
+  for (let tile = 0; tile < 5; tile++)
+    for (let ray = 0; ray < 6; ray++)
+      for (let gate = 0; gate < 4; gate++) data[at(tile, ray, gate)] = tile * 40 + ray * 5 + gate;
   const image = { ...size, data };
   const settings: PolarMosaicSettings = {
-    mosaic: { columns: 3, rows: 2 }, elevations: [0.5, 1, 2, 4, 8], range: [250, 500], slope: 0.5, intercept: -32, unit: 'dBZ',
+    mosaic: { columns: 3, rows: 2 },
+    elevations: [0.5, 1, 2, 4, 8],
+    range: [250, 500],
+    slope: 0.5,
+    intercept: -32,
+    unit: 'dBZ',
   };
   const layoutError = async (changes: Partial<PolarMosaicSettings>): Promise<string> => {
     const error = await expectError((async () => readPolarMosaic(image, 'PNG', { ...settings, ...changes }))());
@@ -118,7 +132,10 @@ describe('a polar mosaic by its attributes', () => {
 
   it('has one sweep per tile, radials down and gates to the right', () => {
     const radar = readPolarMosaic(image, 'PNG', { ...settings, moment: 'DBZH' });
-    expect(radar).to.deep.include({ format: 'PNG polar mosaic', moments: [{ name: 'DBZH', unit: 'dBZ', kind: 'reflectivity' }] });
+    expect(radar).to.deep.include({
+      format: 'PNG polar mosaic',
+      moments: [{ name: 'DBZH', unit: 'dBZ', kind: 'reflectivity' }],
+    });
     radar.sweeps.forEach((sweep, i) => {
       const { samples, ...rest } = sweep.read('DBZH')!;
       expect(rest).to.deep.equal({ firstGate: 250, gateLength: 500, gates: 4, slope: 0.5, intercept: -32 });
@@ -135,7 +152,18 @@ describe('a polar mosaic by its attributes', () => {
   });
 
   it('may differ from tile to tile', () => {
-    const sweeps = [{}, { rays: 3, gates: 2, range: [100, 50] as const, azimuths: [350, 10.5, 20], elevations: [1, 1.5, 2], nyquist: 8, time: '2020-02-07T13:00:00Z' }];
+    const sweeps = [
+      {},
+      {
+        rays: 3,
+        gates: 2,
+        range: [100, 50] as const,
+        azimuths: [350, 10.5, 20],
+        elevations: [1, 1.5, 2],
+        nyquist: 8,
+        time: '2020-02-07T13:00:00Z',
+      },
+    ];
     const radar = readPolarMosaic(image, 'PNG', { ...settings, unit: 'm/s', nyquist: 7, sweeps });
     expect(radar.moments[0].kind).to.equal('velocity');
     const [first, second] = radar.sweeps;
@@ -143,16 +171,27 @@ describe('a polar mosaic by its attributes', () => {
     expect(second).to.include({ nyquist: 8, time: '2020-02-07T13:00:00Z' });
     expect([...second.azimuths]).to.deep.equal([350, 10.5, 20]);
     expect([...second.elevations!]).to.deep.equal([1, 1.5, 2]);
-    expect(second.read('value')).to.deep.include({ firstGate: 100, gateLength: 50, gates: 2, samples: Uint8Array.from([40, 41, 45, 46, 50, 51]) });
+    expect(second.read('value')).to.deep.include({
+      firstGate: 100,
+      gateLength: 50,
+      gates: 2,
+      samples: Uint8Array.from([40, 41, 45, 46, 50, 51]),
+    });
   });
 
   it('says what is missing or does not fit', async () => {
-    expect(await layoutError({ mosaic: undefined })).to.contain('mosaic="COLUMNSxROWS"').and.to.contain('5 elevations');
+    expect(await layoutError({ mosaic: undefined }))
+      .to.contain('mosaic="COLUMNSxROWS"')
+      .and.to.contain('5 elevations');
     expect(await layoutError({ range: undefined })).to.contain('range="FIRST GATE-LENGTH"');
     expect(await layoutError({ range: [250, 0] })).to.contain('"250 0"');
-    expect(await layoutError({ slices: 4 })).to.contain('slices got 4').and.to.contain('5 angles');
+    expect(await layoutError({ slices: 4 }))
+      .to.contain('slices got 4')
+      .and.to.contain('5 angles');
     expect(await layoutError({ mosaic: { columns: 2, rows: 2 } })).to.contain('5 angles; expected at most 4');
-    expect(await layoutError({ mosaic: { columns: 5, rows: 1 } })).to.contain('2.4 x 12').and.to.contain('whole pixels');
+    expect(await layoutError({ mosaic: { columns: 5, rows: 1 } }))
+      .to.contain('2.4 x 12')
+      .and.to.contain('whole pixels');
     expect(await layoutError({ sweeps: [{ rays: 7 }] })).to.contain('7 radials');
     expect(await layoutError({ sweeps: [{ rays: 2, azimuths: [1] }] })).to.contain('1 azimuths and 2 radials');
     expect(await layoutError({ sweeps: [{ rays: 2, elevations: [1] }] })).to.contain('1 elevations and 2 radials');

@@ -7,7 +7,8 @@ import { randomNumbers } from '../../helpers/synthetic.ts';
 function paint(width: number, height: number, color: (x: number, y: number, channel: number) => number): Pixels {
   const data = new Uint8Array(4 * width * height);
   for (let y = 0; y < height; y++) {
-    for (let x = 0; x < width; x++) for (let c = 0; c < 4; c++) data[4 * (y * width + x) + c] = Math.round(color(x, y, c));
+    for (let x = 0; x < width; x++)
+      for (let c = 0; c < 4; c++) data[4 * (y * width + x) + c] = Math.round(color(x, y, c));
   }
   return { data, width, height };
 }
@@ -51,9 +52,12 @@ const hills = paint(256, 192, (x, y, c) => {
 
 describe('pixels between others', () => {
   it('are exact where the picture is a polynomial of third degree', () => {
-    const cubic = (x: number, y: number, c: number): number => 3 + x - 2 * y + 0.3 * x * x - 0.2 * x * y + 0.1 * y * y + 0.01 * (x ** 3 - x * x * y + (c - 2) * y ** 3);
+    const cubic = (x: number, y: number, c: number): number =>
+      3 + x - 2 * y + 0.3 * x * x - 0.2 * x * y + 0.1 * y * y + 0.01 * (x ** 3 - x * x * y + (c - 2) * y ** 3);
     const [width, height] = [12, 10];
-    const data = Float64Array.from({ length: 4 * width * height }, (_, i) => cubic((i >> 2) % width, Math.floor((i >> 2) / width), i & 3));
+    const data = Float64Array.from({ length: 4 * width * height }, (_, i) =>
+      cubic((i >> 2) % width, Math.floor((i >> 2) / width), i & 3),
+    );
     const quad = emptyQuad();
     for (let y = 1; y < 3; y++) {
       for (let x = 1; x < 4; x++) {

@@ -5,9 +5,19 @@ import { randomNumbers } from '../../helpers/synthetic.ts';
 
 describe('rays that are checked', () => {
   it('lie within what can be seen, a few hundred at the most, wherever they begin', () => {
-    for (const rectangle of [{ left: 3, bottom: 5, width: 512, height: 300 }, { left: 0, bottom: 0, width: 1, height: 1 }, { left: 7, bottom: 2, width: 2, height: 900 }, { left: 1, bottom: 1, width: 4000, height: 3000 }]) {
+    for (const rectangle of [
+      { left: 3, bottom: 5, width: 512, height: 300 },
+      { left: 0, bottom: 0, width: 1, height: 1 },
+      { left: 7, bottom: 2, width: 2, height: 900 },
+      { left: 1, bottom: 1, width: 4000, height: 3000 },
+    ]) {
       for (const begin of [0, 0.5, 1 - 1e-9]) {
-        const { stride, first: [x, y], width, height } = placeChecks(rectangle, () => begin);
+        const {
+          stride,
+          first: [x, y],
+          width,
+          height,
+        } = placeChecks(rectangle, () => begin);
         expect(width, 'columns').to.be.at.least(1);
         expect(height, 'rows').to.be.at.least(1);
         expect(width * height).to.be.at.most(1000);
@@ -60,7 +70,9 @@ describe('how a ray of the GPU compares', () => {
   it('hangs by a thread only where it is off and a ray a thousandth of a pixel beside shows something else', () => {
     const edge = ({ shift: [x] }: RayVariant): number[] => (x > 0 ? [0, 0, 0, 0] : own);
     expect(compareRay([0, 0, 0, 0], edge).isEdge).to.equal(true);
-    expect(compareRay([0, 0, 0, 0], ({ digits }) => (digits === 3 ? [0, 0, 0, 0] : own)).isEdge, 'by a digit').to.equal(true);
+    expect(compareRay([0, 0, 0, 0], ({ digits }) => (digits === 3 ? [0, 0, 0, 0] : own)).isEdge, 'by a digit').to.equal(
+      true,
+    );
     expect(compareRay(own, edge).isEdge).to.equal(false);
     expect(compareRay([0, 0, 0, 0], () => own).isEdge).to.equal(false);
   });
@@ -74,7 +86,13 @@ describe('how a ray of the GPU compares', () => {
     const good = { apart: 0.3, isEdge: false };
     const bad = { apart: 40, isEdge: false };
     const edge = { apart: 90, isEdge: true };
-    expect(sumUpChecks([...Array.from({ length: 22 }, () => good), bad, edge])).to.deep.equal({ rays: 24, edges: 1, off: 1, max: 40, agrees: true });
+    expect(sumUpChecks([...Array.from({ length: 22 }, () => good), bad, edge])).to.deep.equal({
+      rays: 24,
+      edges: 1,
+      off: 1,
+      max: 40,
+      agrees: true,
+    });
     expect(sumUpChecks([...Array.from({ length: 22 }, () => good), bad, bad]).agrees).to.equal(false);
     expect(sumUpChecks([bad]).agrees).to.equal(false);
     expect(sumUpChecks([])).to.deep.equal({ rays: 0, edges: 0, off: 0, max: 0, agrees: true });

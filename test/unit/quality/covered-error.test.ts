@@ -14,7 +14,7 @@ function halfPicture(value: number): Float32Array {
 describe('the error over what a volume covers', () => {
   it('leaves the background out', () => {
     const { rms, p99, max, e, covered } = compareCovered(halfPicture(100), halfPicture(103), 1);
-    expect({ rms, p99, max, e, covered }).to.deep.equal({ rms: 3, p99: 3, max: 3, e: 3, covered: side * side / 2 });
+    expect({ rms, p99, max, e, covered }).to.deep.equal({ rms: 3, p99: 3, max: 3, e: 3, covered: (side * side) / 2 });
   });
 
   it('counts what one of two pictures covers alone', () => {
@@ -49,10 +49,18 @@ describe('what is left of a small thing', () => {
   const at = 4 * (10 * side + 12);
   const withThing = (strength: number): Float32Array => {
     const picture = bare.slice();
-    for (const [offset, share] of [[0, 1], [4, 0.9], [8, 0.3]]) for (let c = 0; c < 4; c++) picture[at + offset + c] += strength * share;
+    for (const [offset, share] of [
+      [0, 1],
+      [4, 0.9],
+      [8, 0.3],
+    ])
+      for (let c = 0; c < 4; c++) picture[at + offset + c] += strength * share;
     return picture;
   };
-  const compare = (strength: number, around: readonly [number, number] = [12.5, 10.5]): ReturnType<typeof measureThing> => {
+  const compare = (
+    strength: number,
+    around: readonly [number, number] = [12.5, 10.5],
+  ): ReturnType<typeof measureThing> => {
     const shown = Uint8Array.from(withThing(strength), (x) => Math.round(255 * x));
     return measureThing({ shown, full: withThing(0.4), bare, size: side }, around, 3);
   };

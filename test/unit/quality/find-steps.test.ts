@@ -3,7 +3,7 @@ import { findFewest, listCounts, remember } from '../../bench/find-steps.ts';
 
 const counts = listCounts(4000);
 
-describe('the benchmark\'s search for the smallest number of steps', () => {
+describe("the benchmark's search for the smallest number of steps", () => {
   it('finds what a test of all of them finds, where errors fall', async () => {
     for (const target of [0.1, 1, 4]) {
       for (const factor of [3, 100, 350]) {
@@ -28,10 +28,14 @@ describe('the benchmark\'s search for the smallest number of steps', () => {
 
   it('measures few of many, and each once', async () => {
     const asked: number[] = [];
-    await findFewest(counts, 1, remember(async (steps) => {
-      asked.push(steps);
-      return 700 / steps;
-    }));
+    await findFewest(
+      counts,
+      1,
+      remember(async (steps) => {
+        asked.push(steps);
+        return 700 / steps;
+      }),
+    );
     expect(new Set(asked).size).to.equal(asked.length);
     expect(asked.length).to.be.below(counts.length / 4);
   });

@@ -3,7 +3,13 @@ import { contributionOf } from '../../../src/optics/cells/empty-space-distance.t
 import { parseTransferFunction } from '../../../src/optics/transfer/parse-transfer-function.ts';
 import { findSeenCells } from '../../../src/optics/cells/seen-cells.ts';
 import { boundMissed, seekMissed, stateError } from '../../../src/quality/largest-error.ts';
-import { cellsAtOnce, detailCodes, findDetail, measureMissable, seekDetail } from '../../../src/optics/cells/cell-detail.ts';
+import {
+  cellsAtOnce,
+  detailCodes,
+  findDetail,
+  measureMissable,
+  seekDetail,
+} from '../../../src/optics/cells/cell-detail.ts';
 import type { SeenVolume } from '../../../src/optics/cells/cell-detail.ts';
 import { buildMacrocells } from '../../../src/volume/macrocells.ts';
 import { offLine } from '../../../src/volume/cell-size.ts';
@@ -13,7 +19,12 @@ import { randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';
 function see(field: (x: number, y: number, z: number) => number, text: string): SeenVolume {
   const volume = syntheticVolume({ dimensions: [24, 24, 24], spacing: [1, 1, 1], field });
   const transferFunction = parseTransferFunction(text, [0, 1]);
-  return { volume, transferFunction, cells: findSeenCells(volume.macrocells, [contributionOf(transferFunction)], volume), opticalScale: 1 };
+  return {
+    volume,
+    transferFunction,
+    cells: findSeenCells(volume.macrocells, [contributionOf(transferFunction)], volume),
+    opticalScale: 1,
+  };
 }
 
 const covered = { rms: 0.3, p99: 0.5, p999: 0.8, max: 0.9, order: 2, discretization: 0.1, coverage: 0.5, covered: 900 };
@@ -21,10 +32,14 @@ const covered = { rms: 0.3, p99: 0.5, p999: 0.8, max: 0.9, order: 2, discretizat
 describe('what could be missed in cells', () => {
   it('is no more than is said quickly, and what follows from it is as without that', () => {
     const random = randomNumbers(11);
-    const seen = see((x, y) => (0.5 * x + 0.3 * Math.sin(9 * y) + 0.4 * random() ** 6) % 1, '0 #246 0, 0.3 #f80 20%, 0.35 #f80 0, 0.7 white 60%, 1 white 90%');
+    const seen = see(
+      (x, y) => (0.5 * x + 0.3 * Math.sin(9 * y) + 0.4 * random() ** 6) % 1,
+      '0 #246 0, 0.3 #f80 20%, 0.35 #f80 0, 0.7 white 60%, 1 white 90%',
+    );
     for (const kind of ['among', 'offLine'] as const) {
       const missable = measureMissable(seen, kind);
-      for (const samples of detailCodes) seen.cells.forEach((_, cell) => expect(missable(cell, samples, true)).to.be.at.least(missable(cell, samples)));
+      for (const samples of detailCodes)
+        seen.cells.forEach((_, cell) => expect(missable(cell, samples, true)).to.be.at.least(missable(cell, samples)));
     }
     const offLineOnly = measureMissable(seen, 'offLine');
     for (const lost of [0.001, 0.02, 0.04, 0.2]) {
@@ -35,7 +50,9 @@ describe('what could be missed in cells', () => {
       expect(Array.from(findDetail(seen, lost))).to.deep.equal(plain);
     }
     const among = measureMissable(seen, 'among');
-    expect(boundMissed(seen, 1)).to.equal(Math.max(...Array.from(seen.cells, (isSeen, cell) => (isSeen ? among(cell, 1) : 0))));
+    expect(boundMissed(seen, 1)).to.equal(
+      Math.max(...Array.from(seen.cells, (isSeen, cell) => (isSeen ? among(cell, 1) : 0))),
+    );
   });
 });
 
@@ -47,7 +64,11 @@ describe('what cells need and could miss, of many cells', () => {
     const high = low.map((x) => x + (1 - x) * random() ** 3);
     const roughness = low.map((x, cell) => (high[cell] - x) * random());
     const { volume, ...seen } = see((x) => x, '0 #246 0, 0.3 #f80 20%, 0.35 #f80 0, 0.7 white 60%, 1 white 90%');
-    const many: SeenVolume = { ...seen, volume: { ...volume, slope: 1, intercept: 0, macrocells: { dimensions: [count, 1, 1], low, high, roughness } }, cells: Uint8Array.from(low, () => Number(random() < 0.8)) };
+    const many: SeenVolume = {
+      ...seen,
+      volume: { ...volume, slope: 1, intercept: 0, macrocells: { dimensions: [count, 1, 1], low, high, roughness } },
+      cells: Uint8Array.from(low, () => Number(random() < 0.8)),
+    };
     const inPauses = <T>(work: Waiting<T>): { value: T; pauses: number } => {
       for (let pauses = 0; ; pauses++) {
         const { done, value } = work.next();
@@ -60,7 +81,9 @@ describe('what cells need and could miss, of many cells', () => {
     expect(new Set(detail.value).size, 'codes').to.equal(detailCodes.length);
     const missed = inPauses(seekMissed(many, 1, detail.value));
     expect(missed.pauses).to.equal(3);
-    expect(missed.value).to.equal(boundMissed(many, 1, detail.value)).and.to.be.above(0.01);
+    expect(missed.value)
+      .to.equal(boundMissed(many, 1, detail.value))
+      .and.to.be.above(0.01);
   });
 });
 
@@ -73,19 +96,32 @@ describe('the roughness of cells', () => {
       samples[300] = NaN;
       const { roughness, low, high, dimensions } = buildMacrocells(samples, [nx, ny, nz]);
       const at = (i: number, j: number, k: number): number =>
-        samples[Math.min(nx - 1, Math.max(0, i)) + nx * (Math.min(ny - 1, Math.max(0, j)) + ny * Math.min(nz - 1, Math.max(0, k)))];
+        samples[
+          Math.min(nx - 1, Math.max(0, i)) +
+            nx * (Math.min(ny - 1, Math.max(0, j)) + ny * Math.min(nz - 1, Math.max(0, k)))
+        ];
       for (let cell = 0; cell < roughness.length; cell++) {
-        const first = [cell % dimensions[0], Math.floor(cell / dimensions[0]) % dimensions[1], Math.floor(cell / (dimensions[0] * dimensions[1]))].map((i) => 8 * i);
+        const first = [
+          cell % dimensions[0],
+          Math.floor(cell / dimensions[0]) % dimensions[1],
+          Math.floor(cell / (dimensions[0] * dimensions[1])),
+        ].map((i) => 8 * i);
         let largest = 0;
         const isOwn = (place: number, axis: number): boolean => place >= first[axis] && place < first[axis] + 8;
-        for (let k = Math.max(0, first[2] - 1); k <= Math.min(nz - 1, first[2] + 8); k++) for (let j = Math.max(0, first[1] - 1); j <= Math.min(ny - 1, first[1] + 8); j++) for (let i = Math.max(0, first[0] - 1); i <= Math.min(nx - 1, first[0] + 8); i++) {
-          [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach(([x, y, z], axis) => {
-            // Planes of voxels beside a cell bend nothing in it; lines of voxels beside it do.
-            if (!isOwn([i, j, k][axis], axis)) return;
-            const second = Math.abs(at(i - x, j - y, k - z) - 2 * at(i, j, k) + at(i + x, j + y, k + z));
-            if (second > largest) largest = second;
-          });
-        }
+        for (let k = Math.max(0, first[2] - 1); k <= Math.min(nz - 1, first[2] + 8); k++)
+          for (let j = Math.max(0, first[1] - 1); j <= Math.min(ny - 1, first[1] + 8); j++)
+            for (let i = Math.max(0, first[0] - 1); i <= Math.min(nx - 1, first[0] + 8); i++) {
+              [
+                [1, 0, 0],
+                [0, 1, 0],
+                [0, 0, 1],
+              ].forEach(([x, y, z], axis) => {
+                // Planes of voxels beside a cell bend nothing in it; lines of voxels beside it do.
+                if (!isOwn([i, j, k][axis], axis)) return;
+                const second = Math.abs(at(i - x, j - y, k - z) - 2 * at(i, j, k) + at(i + x, j + y, k + z));
+                if (second > largest) largest = second;
+              });
+            }
         const range = high[cell] - low[cell];
         if (offLine * roughness[cell] >= 0.999 * range) expect(offLine * largest).to.be.at.least(0.599 * range);
         else expect(roughness[cell]).to.be.closeTo(largest, 1e-6);
@@ -97,19 +133,27 @@ describe('the roughness of cells', () => {
 describe('how finely cells have to be sampled', () => {
   it('is coarse where data are smooth or things too faint to be seen, and fine where a voxel may stand out', () => {
     const ramp = '0 #fff 0, 1 #fff 60%';
-    const codesOf = (field: (x: number, y: number, z: number) => number, text: string): number => Math.max(...findDetail(see(field, text), 2 / 255));
+    const codesOf = (field: (x: number, y: number, z: number) => number, text: string): number =>
+      Math.max(...findDetail(see(field, text), 2 / 255));
     expect(codesOf((x) => 0.3 + 0.1 * Math.sin(3 * x), ramp)).to.be.at.most(1);
-    const speck = (height: number) => (x: number, y: number, z: number): number => (Math.max(Math.abs(x - 0.48), Math.abs(y - 0.48), Math.abs(z - 0.48)) < 0.02 ? 0.1 + height : 0.1);
+    const speck =
+      (height: number) =>
+      (x: number, y: number, z: number): number =>
+        Math.max(Math.abs(x - 0.48), Math.abs(y - 0.48), Math.abs(z - 0.48)) < 0.02 ? 0.1 + height : 0.1;
     expect(codesOf(speck(0.9), ramp)).to.equal(3);
     expect(codesOf(speck(0.006), ramp)).to.be.at.most(1);
     expect(codesOf(speck(0.9), '0 #fff 0, 1 #fff 0.4%'), 'hardly opaque').to.equal(0);
-    expect(codesOf((x) => x, '0 #fff 0, 0.5 #fff 0, 0.5 #fff 100%'), 'a jump').to.equal(3);
+    expect(
+      codesOf((x) => x, '0 #fff 0, 0.5 #fff 0, 0.5 #fff 100%'),
+      'a jump',
+    ).to.equal(3);
   });
 });
 
 describe('the bound of what probes could have missed', () => {
   it('is large where one voxel may be bright, small where the data are smooth, and nothing where nothing is seen', () => {
-    const speck = (x: number, y: number, z: number): number => (Math.max(Math.abs(x - 0.48), Math.abs(y - 0.48), Math.abs(z - 0.48)) < 0.02 ? 1 : 0.1);
+    const speck = (x: number, y: number, z: number): number =>
+      Math.max(Math.abs(x - 0.48), Math.abs(y - 0.48), Math.abs(z - 0.48)) < 0.02 ? 1 : 0.1;
     const smooth = (x: number): number => 0.3 + 0.1 * Math.sin(3 * x);
     const ramp = '0 #fff 0, 1 #fff 60%';
     expect(boundMissed(see(speck, ramp), 1)).to.be.above(0.5);
@@ -124,7 +168,12 @@ describe('the bound of what probes could have missed', () => {
     const finest = rough.cells.map(() => 3);
     expect(boundMissed(rough, 1, finest)).to.equal(boundMissed(rough, 8));
     expect(boundMissed(rough, 0.25, finest), 'no step has more than eight samples').to.equal(boundMissed(rough, 2));
-    expect(boundMissed(see((x) => x, '0 #fff 0, 0.5 #fff 0, 0.5 #fff 100%'), 4)).to.be.above(0.99);
+    expect(
+      boundMissed(
+        see((x) => x, '0 #fff 0, 0.5 #fff 0, 0.5 #fff 100%'),
+        4,
+      ),
+    ).to.be.above(0.99);
   });
 
   it('is what is stated as the largest error, and all that is stated where no probe met anything', () => {
@@ -134,12 +183,24 @@ describe('the bound of what probes could have missed', () => {
     expect(error.rms).to.equal(0.3);
     const nothing = { ...covered, covered: 0, coverage: 0, rms: 0, p99: 0, p999: 0, max: 0 };
     expect(stateError(nothing, boundMissed(speck, 1), 1).error.rms, 'no zero').to.be.above(100);
-    expect(stateError(nothing, boundMissed({ ...speck, cells: speck.cells.map(() => 0) }, 1), 1).error).to.deep.equal({ rms: 0, p99: 0, max: 0, probed: 0, rays: 0 });
+    expect(stateError(nothing, boundMissed({ ...speck, cells: speck.cells.map(() => 0) }, 1), 1).error).to.deep.equal({
+      rms: 0,
+      p99: 0,
+      max: 0,
+      probed: 0,
+      rays: 0,
+    });
   });
 
   it('is not stated where it is not known: what was probed is', () => {
     const jump = see((x) => x, '0 #fff 0, 0.5 #fff 0, 0.5 #fff 100%');
-    expect(stateError(covered, boundMissed(jump, 4), 1).error).to.deep.equal({ rms: 0.3, p99: 0.5, max: null, probed: 0.9, rays: 900 });
+    expect(stateError(covered, boundMissed(jump, 4), 1).error).to.deep.equal({
+      rms: 0.3,
+      p99: 0.5,
+      max: null,
+      probed: 0.9,
+      rays: 900,
+    });
   });
 
   it('says that an error is kept by what probes met, and where they met nothing, by what they could have missed', () => {

@@ -22,10 +22,15 @@ function picture(steps: number, order: number, scale = 0.5): Float32Array {
   });
 }
 
-describe('the estimate of a picture\'s error', () => {
+describe("the estimate of a picture's error", () => {
   for (const order of [1, 2]) {
     it(`finds order ${order} and the distance to the limit, which it never saw`, () => {
-      const estimate = estimateError({ shown: picture(4, order), middle: picture(8, order), fine: picture(16, order), isEven: true });
+      const estimate = estimateError({
+        shown: picture(4, order),
+        middle: picture(8, order),
+        fine: picture(16, order),
+        isEven: true,
+      });
       expect(estimate.order).to.be.closeTo(order, 0.05);
       // Root mean square of a uniform distribution of width scale / steps^order.
       const expected = (255 * 0.5 * 4 ** -order) / Math.sqrt(12);
@@ -44,15 +49,29 @@ describe('the estimate of a picture\'s error', () => {
 
   it('of nothing is nothing', () => {
     const empty = new Float32Array(400);
-    expect(estimateError({ shown: empty, middle: empty, fine: empty, isEven: true })).to.deep.include({ rms: 0, p99: 0, max: 0, discretization: 0, covered: 0 });
+    expect(estimateError({ shown: empty, middle: empty, fine: empty, isEven: true })).to.deep.include({
+      rms: 0,
+      p99: 0,
+      max: 0,
+      discretization: 0,
+      covered: 0,
+    });
   });
 });
 
 describe('the estimate over the pixels that the volume covers', () => {
   /** A tenth of the picture is covered, and off by `off` with the first steps, a quarter and a sixteenth of it with finer ones. */
   const sparse = (off: number, share: number): ErrorEstimate => {
-    const pictureOf = (error: number): Float32Array => Float32Array.from({ length: 400_000 }, (_, i) => (i % 40 < 4 ? 0.5 + (i < 400_000 * share ? error / 255 : 0) : 0));
-    return estimateError({ shown: pictureOf(off), middle: pictureOf(off / 4), fine: pictureOf(off / 16), isEven: true });
+    const pictureOf = (error: number): Float32Array =>
+      Float32Array.from({ length: 400_000 }, (_, i) =>
+        i % 40 < 4 ? 0.5 + (i < 400_000 * share ? error / 255 : 0) : 0,
+      );
+    return estimateError({
+      shown: pictureOf(off),
+      middle: pictureOf(off / 4),
+      fine: pictureOf(off / 16),
+      isEven: true,
+    });
   };
 
   it('does not count what lies around it', () => {
@@ -63,8 +82,15 @@ describe('the estimate over the pixels that the volume covers', () => {
 
   it('does not count what rounds to nothing, as around a cloud that fades, but where there is nothing else', () => {
     /** A tenth of the pixels is off by 8 with the first steps; of the others 8 bits show nothing. */
-    const cloud = (color: number, error: number): Float32Array => Float32Array.from({ length: 40_000 }, (_, i) => (i % 40 < 4 ? color + error / 255 : 0.4 / 255));
-    const estimate = (color: number, off: number): ErrorEstimate => estimateError({ shown: cloud(color, off), middle: cloud(color, off / 4), fine: cloud(color, off / 16), isEven: true });
+    const cloud = (color: number, error: number): Float32Array =>
+      Float32Array.from({ length: 40_000 }, (_, i) => (i % 40 < 4 ? color + error / 255 : 0.4 / 255));
+    const estimate = (color: number, off: number): ErrorEstimate =>
+      estimateError({
+        shown: cloud(color, off),
+        middle: cloud(color, off / 4),
+        fine: cloud(color, off / 16),
+        isEven: true,
+      });
     expect(estimate(0.5, 8).covered).to.equal(1000);
     expect(estimate(0.5, 8).rms).to.be.closeTo(8, 0.6);
     expect(estimate(0, 8).covered, 'what one of the pictures shows counts').to.equal(1000);
@@ -83,10 +109,22 @@ describe('the estimate over the pixels that the volume covers', () => {
     // One pixel in 667 is off by 12: E is 1.5. Samples of 500 to 8,000.
     const isKeptBy = (count: number): boolean => {
       const wrong = Float32Array.from({ length: count }, () => (random() < 0.0015 ? 12 / 255 : 0));
-      const pictureOf = (share: number): Float32Array => Float32Array.from({ length: 4 * count }, (_, i) => 0.5 + share * wrong[i >> 2]);
-      return keptError(estimateError({ shown: pictureOf(1), middle: pictureOf(0.25), fine: pictureOf(0.06), isEven: true, isRare: true })) <= 1;
+      const pictureOf = (share: number): Float32Array =>
+        Float32Array.from({ length: 4 * count }, (_, i) => 0.5 + share * wrong[i >> 2]);
+      return (
+        keptError(
+          estimateError({
+            shown: pictureOf(1),
+            middle: pictureOf(0.25),
+            fine: pictureOf(0.06),
+            isEven: true,
+            isRare: true,
+          }),
+        ) <= 1
+      );
     };
-    const wrongly = (count: number): number => Array.from({ length: 300 }, () => Number(isKeptBy(count))).reduce((a, b) => a + b) / 300;
+    const wrongly = (count: number): number =>
+      Array.from({ length: 300 }, () => Number(isKeptBy(count))).reduce((a, b) => a + b) / 300;
     // By the plain percentile it was kept wrongly in 18 to 47 % of the cases.
     for (const count of [3000, 5000, 8000]) expect(wrongly(count), `of ${count}`).to.be.at.most(0.05);
     expect(wrongly(500), 'which are too few').to.be.above(0.3);
@@ -96,28 +134,53 @@ describe('the estimate over the pixels that the volume covers', () => {
     const random = randomNumbers(3);
     const places = Array.from({ length: 20_000 }, () => random());
     // A pixel is wrong where its own place lies within the step.
-    const pictureOf = (step: number): Float32Array => Float32Array.from({ length: 80_000 }, (_, i) => (places[i >> 2] < step ? 1 : 0.5));
-    const estimate = estimateError({ shown: pictureOf(0.08), middle: pictureOf(0.04), fine: pictureOf(0.02), isEven: true });
+    const pictureOf = (step: number): Float32Array =>
+      Float32Array.from({ length: 80_000 }, (_, i) => (places[i >> 2] < step ? 1 : 0.5));
+    const estimate = estimateError({
+      shown: pictureOf(0.08),
+      middle: pictureOf(0.04),
+      fine: pictureOf(0.02),
+      isEven: true,
+    });
     expect(estimate.rms / (127.5 * Math.sqrt(0.08))).to.be.within(0.7, 1.4);
   });
 });
 
 describe('the choice of a level', () => {
-  const estimateOf = (rms: number, p999 = 0): ErrorEstimate => ({ rms, p999, p99: 0, max: p999, order: 2, discretization: rms, coverage: 1, covered: 1000 });
+  const estimateOf = (rms: number, p999 = 0): ErrorEstimate => ({
+    rms,
+    p999,
+    p99: 0,
+    max: p999,
+    order: 2,
+    discretization: rms,
+    coverage: 1,
+    covered: 1000,
+  });
   const levels = listLevels(300);
-  const choose = async (errors: readonly number[], maxError: number): Promise<{ chosen: number; isKept: boolean; asked: number[] }> => {
+  const choose = async (
+    errors: readonly number[],
+    maxError: number,
+  ): Promise<{ chosen: number; isKept: boolean; asked: number[] }> => {
     const asked: number[] = [];
-    const { level, isKept } = (await chooseLevel(levels, async (one) => {
-      asked.push(levels.indexOf(one));
-      return estimateOf(errors[levels.indexOf(one)]);
-    }, maxError))!;
+    const { level, isKept } = (await chooseLevel(
+      levels,
+      async (one) => {
+        asked.push(levels.indexOf(one));
+        return estimateOf(errors[levels.indexOf(one)]);
+      },
+      maxError,
+    ))!;
     return { chosen: levels.indexOf(level), isKept, asked };
   };
 
   it('has no level below one step a voxel', () => {
     expect(levels[0]).to.deep.equal({ steps: 300, substeps: 1 });
     expect(levels.at(-1)).to.deep.equal({ steps: 1200, substeps: maxSubsteps });
-    expect(listLevels(300, false).map(({ steps }) => steps), 'where substeps make no difference').to.deep.equal([300, 600, 1200]);
+    expect(
+      listLevels(300, false).map(({ steps }) => steps),
+      'where substeps make no difference',
+    ).to.deep.equal([300, 600, 1200]);
     expect(Math.max(...listLevels(3000).map(({ steps }) => steps))).to.equal(maxAutoSteps);
   });
 
@@ -149,7 +212,11 @@ describe('the choice of a level', () => {
 
   it('is finer where that helps in the mean, though the few worst pixels stay as wrong as can be', async () => {
     const chosen = async (means: readonly number[], worst: readonly number[]): Promise<unknown> => {
-      const { level, isKept } = (await chooseLevel(levels, async (one) => estimateOf(means[levels.indexOf(one)], worst[levels.indexOf(one)]), 1))!;
+      const { level, isKept } = (await chooseLevel(
+        levels,
+        async (one) => estimateOf(means[levels.indexOf(one)], worst[levels.indexOf(one)]),
+        1,
+      ))!;
       return [levels.indexOf(level), isKept];
     };
     expect(await chosen([16, 12, 8, 6, 4, 3.9], Array(6).fill(255))).to.deep.equal([4, false]);
@@ -220,7 +287,12 @@ describe('the plan of a frame', () => {
   const timeOf = (a: number, b: number, plan: FramePlan): number => a + b * workOfPlan(plan, full.pixels);
 
   it('is everything where there is time for it', () => {
-    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 1, steps: 100, substeps: wholeSteps, sampling: allRays });
+    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({
+      scale: 1,
+      steps: 100,
+      substeps: wholeSteps,
+      sampling: allRays,
+    });
   });
 
   it('keeps its time, and no other plan that keeps it has a smaller error', () => {
@@ -233,7 +305,8 @@ describe('the plan of a frame', () => {
         for (const scale of [1, 0.7, 0.5, 0.35, 0.25, 0.2, 0.14]) {
           for (let steps = 60; steps <= 100; steps += 4) {
             const other = { scale, steps, substeps: wholeSteps, sampling: allRays };
-            if (timeOf(2, b, other) <= 30) expect(errorOfPlan(model, plan)).to.be.at.most(errorOfPlan(model, other) + 1e-9);
+            if (timeOf(2, b, other) <= 30)
+              expect(errorOfPlan(model, plan)).to.be.at.most(errorOfPlan(model, other) + 1e-9);
           }
         }
       }
@@ -241,7 +314,10 @@ describe('the plan of a frame', () => {
   });
 
   it('spends on pixels or on steps what the scene gains from', () => {
-    const [sharp, banded] = [{ ...errors, atHalf: 30 }, { ...errors, error: 30, atHalf: 0.5 }].map((model) => planFrame({ a: 0, b: 3e-6 }, model, full, { budgetMs: 30 }));
+    const [sharp, banded] = [
+      { ...errors, atHalf: 30 },
+      { ...errors, error: 30, atHalf: 0.5 },
+    ].map((model) => planFrame({ a: 0, b: 3e-6 }, model, full, { budgetMs: 30 }));
     expect(sharp.scale).to.be.above(banded.scale);
     expect(sharp.steps).to.be.below(banded.steps);
   });
@@ -251,16 +327,25 @@ describe('the plan of a frame', () => {
     const best = planFrame(time, errors, full, { budgetMs: 30 });
     const near = planFrame(time, errors, full, { budgetMs: 30.5, last: best });
     expect(near.scale).to.equal(best.scale);
-    expect(planFrame({ a: 0, b: 1e-8 }, errors, full, { budgetMs: 30, last: { scale: 0.25, steps: 12, substeps: wholeSteps, sampling: allRays } }).scale).to.equal(1);
+    expect(
+      planFrame({ a: 0, b: 1e-8 }, errors, full, {
+        budgetMs: 30,
+        last: { scale: 0.25, steps: 12, substeps: wholeSteps, sampling: allRays },
+      }).scale,
+    ).to.equal(1);
   });
 
   describe('if no time is enough', () => {
-    const min = (model: ErrorModel, pixels: number, steps = 100): FramePlan => planFrame({ a: 50, b: 1 }, model, { pixels, steps }, { budgetMs: 30 });
+    const min = (model: ErrorModel, pixels: number, steps = 100): FramePlan =>
+      planFrame({ a: 50, b: 1 }, model, { pixels, steps }, { budgetMs: 30 });
 
     it('does as much work as 30 steps for few of the pixels are', () => {
       expect(min(errors, 256 ** 2)).to.deep.equal({ scale: 0.25, steps: 30, substeps: wholeSteps, sampling: allRays });
       expect(min(errors, 10, 3)).to.deep.equal({ scale: 0.25, steps: 3, substeps: wholeSteps, sampling: allRays });
-      for (const [pixels, max] of [[800 ** 2, 128 ** 2 * 34], [4000 ** 2, 500 ** 2 * 34]]) {
+      for (const [pixels, max] of [
+        [800 ** 2, 128 ** 2 * 34],
+        [4000 ** 2, 500 ** 2 * 34],
+      ]) {
         const work = workOfPlan(min(errors, pixels), pixels);
         expect(work).to.be.at.most(max * (1 + 1e-9));
         expect(work).to.be.above(0.9 * max);
@@ -269,18 +354,32 @@ describe('the plan of a frame', () => {
 
     it('spends that of a large picture on enough steps for what is thin, and on more where the scene gains from them', () => {
       // What was measured of the MRI and of a storm without rings in the demos, see docs/benchmark.md.
-      const [brain, storm] = [{ ...errors, steps: 24, error: 1.8, order: 1.7, atHalf: 0.73 }, { ...errors, steps: 24, error: 4.3, order: 1.4, atHalf: 0.67 }].map((model) => min(model, 800 ** 2));
+      const [brain, storm] = [
+        { ...errors, steps: 24, error: 1.8, order: 1.7, atHalf: 0.73 },
+        { ...errors, steps: 24, error: 4.3, order: 1.4, atHalf: 0.67 },
+      ].map((model) => min(model, 800 ** 2));
       expect(brain.steps).to.be.at.least(60);
       expect(800 * brain.scale).to.be.within(80, 105);
       expect(storm.steps).to.be.above(brain.steps - 1);
       expect(min({ ...errors, atHalf: 1000 }, 800 ** 2).steps, 'however many edges there are').to.be.within(60, 80);
-      expect(800 * min({ ...errors, error: 1000 }, 800 ** 2).scale, 'however much steps would help').to.be.closeTo(80, 1e-9);
+      expect(800 * min({ ...errors, error: 1000 }, 800 ** 2).scale, 'however much steps would help').to.be.closeTo(
+        80,
+        1e-9,
+      );
     });
 
     it('changes nothing for a little more or less time', () => {
       let last: FramePlan | undefined;
       const seen = new Set<number>();
-      for (const b of [0.9, 1.1, 1, 0.95, 1.05]) seen.add((last = planFrame({ a: 10, b: (b * 18) / 3e5 }, { ...errors, steps: 24, error: 1.8, order: 1.7, atHalf: 0.73 }, { pixels: 800 ** 2, steps: 300 }, { budgetMs: 28, last })).scale);
+      for (const b of [0.9, 1.1, 1, 0.95, 1.05])
+        seen.add(
+          (last = planFrame(
+            { a: 10, b: (b * 18) / 3e5 },
+            { ...errors, steps: 24, error: 1.8, order: 1.7, atHalf: 0.73 },
+            { pixels: 800 ** 2, steps: 300 },
+            { budgetMs: 28, last },
+          )).scale,
+        );
       expect([...seen]).to.have.length(1);
     });
   });

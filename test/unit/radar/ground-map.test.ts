@@ -9,10 +9,13 @@ const reach = 250_000;
  * Kilometres, and degrees clockwise from north, to the nearest coast and border in world-atlas 2.0.2 (countries-50m.json), all of its points, with pyproj 3
  * (`aeqd` on a sphere of 6,371 km) and shapely 2.
  */
-const places: Record<string, { at: [latitude: number, longitude: number]; coast?: [number, number]; border?: [number, number] }> = {
+const places: Record<
+  string,
+  { at: [latitude: number, longitude: number]; coast?: [number, number]; border?: [number, number] }
+> = {
   'Captains Flat': { at: [-35.661, 149.512], coast: [64.6, 108] },
-  'Helchteren': { at: [51.069072, 5.4064], coast: [89.5, 294], border: [20.1, 43] },
-  'Tokyo': { at: [35.69, 139.69], coast: [12.4, 129] },
+  Helchteren: { at: [51.069072, 5.4064], coast: [89.5, 294], border: [20.1, 43] },
+  Tokyo: { at: [35.69, 139.69], coast: [12.4, 129] },
   'Suva, on both sides of 180 degrees': { at: [-18.05, 178.57], coast: [6.7, 178] },
 };
 
@@ -34,10 +37,20 @@ function nearest(lines: readonly (readonly Vector3[])[]): [number, number] | und
 const pointsOf = ({ coasts, borders }: GroundMap): Vector3[] => [...coasts, ...borders].flat();
 
 describe('the map around a radar', () => {
-  for (const [name, { at: [latitude, longitude], coast, border }] of Object.entries(places)) {
+  for (const [
+    name,
+    {
+      at: [latitude, longitude],
+      coast,
+      border,
+    },
+  ] of Object.entries(places)) {
     it(`has the nearest coast and border of ${name} where they are`, () => {
       const map = buildGroundMap({ latitude, longitude }, reach);
-      for (const [found, expected] of [[nearest(map.coasts), coast], [nearest(map.borders), border]] as const) {
+      for (const [found, expected] of [
+        [nearest(map.coasts), coast],
+        [nearest(map.borders), border],
+      ] as const) {
         expect(found === undefined, 'whether there is one').to.equal(expected === undefined);
         if (!found || !expected) continue;
         expect(found[0]).to.be.closeTo(expected[0], 1.5); // Lines were simplified by 0.01 degrees.
@@ -54,7 +67,9 @@ describe('the map around a radar', () => {
   }
 
   it('is cut where a line enters and leaves', () => {
-    const [far, near] = [reach, 100_000].map((radius) => buildGroundMap({ latitude: -35.661, longitude: 149.512 }, radius));
+    const [far, near] = [reach, 100_000].map((radius) =>
+      buildGroundMap({ latitude: -35.661, longitude: 149.512 }, radius),
+    );
     const ends = near.coasts.flatMap((line) => [line[0], line.at(-1)!]).map(([x, y]) => Math.hypot(x, y));
     expect(ends.some((distance) => Math.abs(distance - 100_000) < 1)).to.equal(true);
     expect(pointsOf(near).length).to.be.below(pointsOf(far).length / 2);
@@ -62,14 +77,22 @@ describe('the map around a radar', () => {
 
   it('is empty far out at sea, and at the poles has no lines across them', () => {
     expect(pointsOf(buildGroundMap({ latitude: 0, longitude: -140 }, reach))).to.deep.equal([]);
-    for (const latitude of [90, -90]) for (const line of buildGroundMap({ latitude, longitude: 0 }, reach).coasts) {
-      for (let i = 1; i < line.length; i++) expect(Math.hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1])).to.be.below(reach);
-    }
+    for (const latitude of [90, -90])
+      for (const line of buildGroundMap({ latitude, longitude: 0 }, reach).coasts) {
+        for (let i = 1; i < line.length; i++)
+          expect(Math.hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1])).to.be.below(reach);
+      }
   });
 
   it('reads numbers as "encoded polylines" have them', () => {
     // The example of Google's description of the format, of hundred-thousandths of a degree; here the first number is the longitude, and counts hundredths.
     const points = readLine('_p~iF~ps|U_ulLnnqC_mqNvxq`@');
-    expect(points.map(({ longitude, latitude }) => [longitude, latitude].map((x) => Math.round(x * 100)))).to.deep.equal([[3850000, -12020000], [4070000, -12095000], [4325200, -12645300]]);
+    expect(
+      points.map(({ longitude, latitude }) => [longitude, latitude].map((x) => Math.round(x * 100))),
+    ).to.deep.equal([
+      [3850000, -12020000],
+      [4070000, -12095000],
+      [4325200, -12645300],
+    ]);
   });
 });

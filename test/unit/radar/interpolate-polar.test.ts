@@ -14,12 +14,26 @@ function at(volume: PolarVolume, range: number, azimuth: number, elevation: numb
 
 /** Gates of 1 km from 500 m on, 24 radials: the number says where it is. */
 const place = (azimuth: number, gate: number): number => gate + 1 + azimuth;
-const floats = (sweep: SweepOptions): SweepOptions => ({ kind: 'float32', slope: 1, intercept: 0, stored: place, ...sweep });
-const two: RadarOptions = { sweeps: [floats({ elevation: 1 }), floats({ elevation: 3, stored: (a, g) => place(a, g) + 10 })] };
+const floats = (sweep: SweepOptions): SweepOptions => ({
+  kind: 'float32',
+  slope: 1,
+  intercept: 0,
+  stored: place,
+  ...sweep,
+});
+const two: RadarOptions = {
+  sweeps: [floats({ elevation: 1 }), floats({ elevation: 3, stored: (a, g) => place(a, g) + 10 })],
+};
 
 describe('interpolation on a polar grid', () => {
   it('gives each gate its own value', () => {
-    for (const name of ['five sweeps', 'rays and gates that differ', 'uneven azimuths', 'sixty sweeps', 'to the poles']) {
+    for (const name of [
+      'five sweeps',
+      'rays and gates that differ',
+      'uneven azimuths',
+      'sixty sweeps',
+      'to the poles',
+    ]) {
       const volume = radarVolume(polarScenes[name]);
       for (const { elevation, azimuths, firstGate, gateLength, gates, offset } of volume.grid.sweeps) {
         if (Math.abs(elevation) === 90) continue;
@@ -51,7 +65,11 @@ describe('interpolation on a polar grid', () => {
 
   it('is linear between the elevations that two sweeps have at an azimuth, and reaches half a beam beyond', () => {
     // Radials 15 degrees apart, from 7.5 on: the lower sweep rises from 1 to 1.4 between 67.5 and 82.5 degrees.
-    const lower = floats({ elevation: 1, stored: () => 10, rayElevation: (azimuth) => (azimuth > 75 && azimuth < 90 ? 1.4 : 1) });
+    const lower = floats({
+      elevation: 1,
+      stored: () => 10,
+      rayElevation: (azimuth) => (azimuth > 75 && azimuth < 90 ? 1.4 : 1),
+    });
     const volume = radarVolume({ sweeps: [lower, floats({ elevation: 3, stored: () => 20 })], beamWidth: 1 });
     expect(at(volume, 5500, 67.5, 2)).to.be.closeTo(15, 1e-6);
     expect(at(volume, 5500, 82.5, 2.2)).to.be.closeTo(15, 1e-6);
@@ -65,7 +83,10 @@ describe('interpolation on a polar grid', () => {
 
   it('takes the nearest sweeps where two cross', () => {
     // Between 67.5 and 82.5 degrees the first sweep is above the second one.
-    const crossing = (inside: number, elsewhere: number) => (azimuth: number): number => (azimuth > 60 && azimuth < 90 ? inside : elsewhere);
+    const crossing =
+      (inside: number, elsewhere: number) =>
+      (azimuth: number): number =>
+        azimuth > 60 && azimuth < 90 ? inside : elsewhere;
     const volume = radarVolume({
       sweeps: [
         floats({ elevation: 1, stored: () => 10, rayElevation: crossing(1.8, 1) }),
@@ -141,7 +162,9 @@ describe('interpolation on a polar grid', () => {
   it('lets no-data gates bleed into nothing: they leave the value of the valid ones, up to half way', () => {
     const stored = (_a: number, gate: number): number => (gate < 10 ? 100 : 0);
     for (const kind of ['uint8', 'uint16', 'float32'] as const) {
-      const volume = radarVolume({ sweeps: [{ elevation: 1, kind, stored: (a, g) => (kind === 'float32' ? stored(a, g) || NaN : stored(a, g)) }] });
+      const volume = radarVolume({
+        sweeps: [{ elevation: 1, kind, stored: (a, g) => (kind === 'float32' ? stored(a, g) || NaN : stored(a, g)) }],
+      });
       expect(at(volume, 9500, 67.5, 1)).to.equal(100);
       expect(at(volume, 9999, 67.5, 1)).to.equal(100);
       expect(at(volume, 10001, 67.5, 1)).to.deep.equal(NaN);
@@ -156,13 +179,21 @@ describe('interpolation on a polar grid', () => {
 
   describe('across gaps between sweeps', () => {
     /** As ../shared/data/reports/12-odim-variants/birdbath.h5: 33 dBZ from 2.75 to 10 km in the sweep that looks straight up, alone. */
-    const birdbath = (beamWidth?: number, own = 0): PolarVolume => radarVolume({
-      sweeps: [1.5, 12, 25, 90].map((elevation) => floats({
-        elevation, gateLength: 250, firstGate: 125, gates: 100, azimuths: evenAzimuths(360),
-        stored: (_azimuth, gate) => (elevation === 90 && gate > 10 && gate < 40 ? 33 : NaN), ...(own ? { rayElevation: (azimuth: number) => elevation - own * (azimuth % 2) } : {}),
-      })),
-      ...(beamWidth === undefined ? {} : { beamWidth }),
-    });
+    const birdbath = (beamWidth?: number, own = 0): PolarVolume =>
+      radarVolume({
+        sweeps: [1.5, 12, 25, 90].map((elevation) =>
+          floats({
+            elevation,
+            gateLength: 250,
+            firstGate: 125,
+            gates: 100,
+            azimuths: evenAzimuths(360),
+            stored: (_azimuth, gate) => (elevation === 90 && gate > 10 && gate < 40 ? 33 : NaN),
+            ...(own ? { rayElevation: (azimuth: number) => elevation - own * (azimuth % 2) } : {}),
+          }),
+        ),
+        ...(beamWidth === undefined ? {} : { beamWidth }),
+      });
 
     for (const own of [0, 0.1]) {
       it(`a vertical beam stays one, half a beam to each side${own ? ', where radials have elevations of their own' : ''}`, () => {
@@ -170,7 +201,8 @@ describe('interpolation on a polar grid', () => {
         const volume = birdbath(1, own);
         for (const azimuth of [0.5, 77, 300.5]) {
           expect(at(volume, 6500, azimuth, 89.6 - own)).to.equal(33);
-          for (const elevation of [89.4 - own, 80, 60, 57.6, 40, 26]) expect(at(volume, 6500, azimuth, elevation), `${elevation}`).to.deep.equal(NaN);
+          for (const elevation of [89.4 - own, 80, 60, 57.6, 40, 26])
+            expect(at(volume, 6500, azimuth, elevation), `${elevation}`).to.deep.equal(NaN);
         }
       });
     }
@@ -179,12 +211,23 @@ describe('interpolation on a polar grid', () => {
       expect(at(birdbath(2.7), 6500, 77, 60)).to.equal(33);
       expect(at(birdbath(2.5), 6500, 77, 60)).to.deep.equal(NaN);
       // Sweden's and Finland's highest sweeps, with their beams: 24 to 40 and 25 to 45.
-      for (const [low, high, beamWidth] of [[24, 40, 0.9], [25, 45, 0.95], [14.6, 19.5, 0.95], [23.9, 32, 2]]) {
-        const volume = radarVolume({ sweeps: [floats({ elevation: low, stored: () => 10 }), floats({ elevation: high, stored: () => 20 })], beamWidth });
+      for (const [low, high, beamWidth] of [
+        [24, 40, 0.9],
+        [25, 45, 0.95],
+        [14.6, 19.5, 0.95],
+        [23.9, 32, 2],
+      ]) {
+        const volume = radarVolume({
+          sweeps: [floats({ elevation: low, stored: () => 10 }), floats({ elevation: high, stored: () => 20 })],
+          beamWidth,
+        });
         expect(at(volume, 5500, 67.5, (low + high) / 2), `${low} to ${high}`).to.be.closeTo(15, 1e-6);
       }
       // A narrow beam, as a lidar's, is not cut into sheets.
-      const narrow = radarVolume({ sweeps: [floats({ elevation: 5, stored: () => 10 }), floats({ elevation: 9, stored: () => 20 })], beamWidth: 0.05 });
+      const narrow = radarVolume({
+        sweeps: [floats({ elevation: 5, stored: () => 10 }), floats({ elevation: 9, stored: () => 20 })],
+        beamWidth: 0.05,
+      });
       expect(at(narrow, 5500, 67.5, 7)).to.be.closeTo(15, 1e-6);
     });
 
@@ -195,7 +238,12 @@ describe('interpolation on a polar grid', () => {
       // A column of cells over the antenna: no wider than two cells to each side.
       expect(filled).to.be.within(1, 16 * volume.macrocells.dimensions[2]);
       // The box without the sweep that looks up is as wide.
-      const without = radarVolume({ sweeps: [1.5, 12, 25].map((elevation) => floats({ elevation, gateLength: 250, firstGate: 125, gates: 100, azimuths: evenAzimuths(360) })), beamWidth: 1 });
+      const without = radarVolume({
+        sweeps: [1.5, 12, 25].map((elevation) =>
+          floats({ elevation, gateLength: 250, firstGate: 125, gates: 100, azimuths: evenAzimuths(360) }),
+        ),
+        beamWidth: 1,
+      });
       expect(volume.grid.box.high[0]).to.be.closeTo(without.grid.box.high[0], 1e-6);
       // The last gate with data, and one more, as for all sweeps.
       expect(volume.grid.box.high[2]).to.be.closeTo(10_250, 1e-6);
@@ -204,7 +252,17 @@ describe('interpolation on a polar grid', () => {
 
   it('takes a sweep with different radials and gates by its own', () => {
     const volume = radarVolume({
-      sweeps: [floats({ elevation: 1 }), floats({ elevation: 3, azimuths: evenAzimuths(15), gateLength: 700, firstGate: 900, gates: 30, stored: (a, g) => a + (900 + 700 * g + 500) / 1000 })],
+      sweeps: [
+        floats({ elevation: 1 }),
+        floats({
+          elevation: 3,
+          azimuths: evenAzimuths(15),
+          gateLength: 700,
+          firstGate: 900,
+          gates: 30,
+          stored: (a, g) => a + (900 + 700 * g + 500) / 1000,
+        }),
+      ],
     });
     // Both hold azimuth + range in km + 0.5.
     expect(at(volume, 8000, 100, 1.7)).to.be.closeTo(100 + 8.5, 1e-4);
@@ -218,7 +276,9 @@ describe('interpolation on a polar grid', () => {
     expect(at(sector, 5500, 0.74, 1)).to.equal(7);
     expect(at(sector, 5500, 0.76, 1)).to.deep.equal(NaN);
     expect(at(sector, 5500, 180, 1)).to.deep.equal(NaN);
-    const missing = radarVolume({ sweeps: [floats({ elevation: 1, azimuths: evenAzimuths(24).filter((a) => a !== 67.5), stored: () => 7 })] });
+    const missing = radarVolume({
+      sweeps: [floats({ elevation: 1, azimuths: evenAzimuths(24).filter((a) => a !== 67.5), stored: () => 7 })],
+    });
     expect(at(missing, 5500, 59.9, 1)).to.equal(7);
     expect(at(missing, 5500, 60.1, 1)).to.deep.equal(NaN);
     expect(at(missing, 5500, 74.9, 1)).to.deep.equal(NaN);
@@ -238,14 +298,27 @@ describe('interpolation on a polar grid', () => {
     // A fold outside of what is around a point does not matter: 10 alone.
     expect(at(folding, 8500, 90, 1)).to.equal(10);
     // Below the lowest sweep the one above it has no weight.
-    const tall = radarVolume({ sweeps: [{ elevation: 1, nyquist: 20, stored: (_a, gate) => 100 + gate }, { elevation: 3, nyquist: 20, stored: () => 255 }], moments: [['VRAD', 'velocity']] });
+    const tall = radarVolume({
+      sweeps: [
+        { elevation: 1, nyquist: 20, stored: (_a, gate) => 100 + gate },
+        { elevation: 3, nyquist: 20, stored: () => 255 },
+      ],
+      moments: [['VRAD', 'velocity']],
+    });
     expect(at(tall, 5750, 67.5, 0.8)).to.be.closeTo(105.25, 1e-6);
   });
 
   it('of a constant field is that constant wherever there are data', () => {
     const random = randomNumbers(80);
     for (const [name, { sweeps, ...rest }] of Object.entries(polarScenes)) {
-      const volume = radarVolume({ ...rest, sweeps: sweeps.map((sweep) => ({ ...sweep, stored: (a, g, r) => (sweep.stored && !(sweep.stored(a, g, r) > 0) ? (sweep.kind === 'float32' ? NaN : 0) : 77) })) });
+      const volume = radarVolume({
+        ...rest,
+        sweeps: sweeps.map((sweep) => ({
+          ...sweep,
+          stored: (a, g, r) =>
+            sweep.stored && !(sweep.stored(a, g, r) > 0) ? (sweep.kind === 'float32' ? NaN : 0) : 77,
+        })),
+      });
       const valueAt = polarSampler(volume);
       let found = 0;
       for (let i = 0; i < 5000; i++) {

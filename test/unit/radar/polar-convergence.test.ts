@@ -21,14 +21,24 @@ import { cloudCamera, cloudColors, cloudField, cloudVolume } from '../../helpers
 const [width, height] = [12, 9];
 
 function picture(volume: PolarVolume, cast: (setup: RaySetup, ray: Ray) => Premultiplied): number[] {
-  const setup = setUpRays(volume.grid, viewMatrix(cloudCamera), projectionMatrix(cloudCamera.fieldOfView, width / height, 1, 2))!;
+  const setup = setUpRays(
+    volume.grid,
+    viewMatrix(cloudCamera),
+    projectionMatrix(cloudCamera.fieldOfView, width / height, 1, 2),
+  )!;
   return castPixels(setup, [width, height], (ray) => cast(setup, ray));
 }
 
 function sceneOf(volume: PolarVolume, steps: number, maxSubsteps?: number): ReferenceScene {
   return {
-    ...volume, transferFunction: cloudColors, referenceLength: 3000, opacityFactor: 1, lightFactor: 1,
-    stepLength: longestDiagonal(volume.grid) / steps, field: polarField(volume), maxSubsteps,
+    ...volume,
+    transferFunction: cloudColors,
+    referenceLength: 3000,
+    opacityFactor: 1,
+    lightFactor: 1,
+    stepLength: longestDiagonal(volume.grid) / steps,
+    field: polarField(volume),
+    maxSubsteps,
   };
 }
 
@@ -59,7 +69,9 @@ function rms(a: readonly number[], b: readonly number[]): number {
 
 function logOrder(what: string, counts: readonly number[], errors: readonly number[]): number {
   const order = fitOrder(counts, errors);
-  console.log(`polar, ${what}: order ${order.toFixed(2)}; ${counts.map((n, i) => `${n}: ${(errors[i] * 255).toPrecision(3)}`).join(', ')}`);
+  console.log(
+    `polar, ${what}: order ${order.toFixed(2)}; ${counts.map((n, i) => `${n}: ${(errors[i] * 255).toPrecision(3)}`).join(', ')}`,
+  );
   return order;
 }
 

@@ -4,7 +4,14 @@ import { openRadar } from '../../../src/formats/radar/read-radar.ts';
 import { cartesianGrid, unitToWorld } from '../../../src/volume/grid.ts';
 import { transformPoint } from '../../../src/volume/matrix.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
-import { beamToLocal, boxIndexToWorld, localToBeam, spansOfRings, standardEarthRadius, unitToLocal } from '../../../src/radar/polar-geometry.ts';
+import {
+  beamToLocal,
+  boxIndexToWorld,
+  localToBeam,
+  spansOfRings,
+  standardEarthRadius,
+  unitToLocal,
+} from '../../../src/radar/polar-geometry.ts';
 import type { BeamPoint } from '../../../src/radar/polar-geometry.ts';
 import { fetchFixture } from '../../helpers/decode.ts';
 import { fetchSharedData } from '../../helpers/shared-data.ts';
@@ -67,11 +74,16 @@ describe('polar geometry', () => {
 
   it('of volumes of the shared files puts gates where Py-ART does, within 10 m', async function () {
     this.timeout(120_000);
-    const { files } = JSON.parse(new TextDecoder().decode(await fetchFixture('polar-positions-shared.json'))) as { files: PlacedGates[] };
+    const { files } = JSON.parse(new TextDecoder().decode(await fetchFixture('polar-positions-shared.json'))) as {
+      files: PlacedGates[];
+    };
     expect(files.length).to.equal(24);
     let [all, inVolumes, worst, plain] = [0, 0, 0, 0];
     for (const { path, gates } of files) {
-      const file = await openRadar(path.includes('nexrad') ? 'nexrad' : path.includes('cr_raster') ? 'netcdf3' : 'hdf5', new Uint8Array(await fetchSharedData(this, path)));
+      const file = await openRadar(
+        path.includes('nexrad') ? 'nexrad' : path.includes('cr_raster') ? 'netcdf3' : 'hdf5',
+        new Uint8Array(await fetchSharedData(this, path)),
+      );
       const { sweeps } = buildPolarVolume(file, {}).grid;
       for (const [number, ray, range, x, y, z] of gates) {
         const { azimuths, elevation, elevations } = file.sweeps[number];
@@ -87,7 +99,11 @@ describe('polar geometry', () => {
         // Of sweeps at one elevation the volume holds one.
         const shown = sweeps.find((sweep) => sweep.elevation === elevation && sweep.azimuths.includes(azimuth));
         if (!shown) continue;
-        const off = offBy({ range, azimuth, elevation: shown.elevations?.[shown.azimuths.indexOf(azimuth)] ?? elevation });
+        const off = offBy({
+          range,
+          azimuth,
+          elevation: shown.elevations?.[shown.azimuths.indexOf(azimuth)] ?? elevation,
+        });
         // The issue's own bounds.
         expect(off, `${path}, sweep ${number}, ray ${ray}`).to.be.below(10);
         worst = Math.max(worst, off);
@@ -97,13 +113,20 @@ describe('polar geometry', () => {
     expect(all).to.equal(2400);
     expect(inVolumes).to.be.above(2000);
     expect(plain, 'by the elevations of sweeps').to.be.above(100);
-    console.log(`${inVolumes} of ${all} gates of ${files.length} shared files in their volumes: at most ${worst.toFixed(2)} m from Py-ART's places; ${plain.toFixed(0)} m by the sweeps' elevations`);
+    console.log(
+      `${inVolumes} of ${all} gates of ${files.length} shared files in their volumes: at most ${worst.toFixed(2)} m from Py-ART's places; ${plain.toFixed(0)} m by the sweeps' elevations`,
+    );
   });
 
   it('agrees with the formula as printed, where that keeps its digits', () => {
     // Doviak and Zrnic 1993, eq. 2.28 b and c.
     const a = standardEarthRadius;
-    for (const [range, elevation] of [[1e5, 0.5], [4.6e5, 19.5], [2e5, 60], [3e5, -0.5]]) {
+    for (const [range, elevation] of [
+      [1e5, 0.5],
+      [4.6e5, 19.5],
+      [2e5, 60],
+      [3e5, -0.5],
+    ]) {
       const e = (elevation * Math.PI) / 180;
       const h = Math.sqrt(range ** 2 + a ** 2 + 2 * range * a * Math.sin(e)) - a;
       const s = a * Math.asin((range * Math.cos(e)) / (a + h));
@@ -113,7 +136,10 @@ describe('polar geometry', () => {
     }
   });
 
-  for (const [name, radius] of [['a round Earth', standardEarthRadius], ['a flat ground', Infinity]] as const) {
+  for (const [name, radius] of [
+    ['a round Earth', standardEarthRadius],
+    ['a flat ground', Infinity],
+  ] as const) {
     it(`comes back to range, azimuth and elevation over ${name}`, () => {
       const random = randomNumbers(60);
       for (let i = 0; i < 2000; i++) {
@@ -171,7 +197,11 @@ describe('polar geometry', () => {
         const found = { range: [Infinity, -Infinity], elevation: [Infinity, -Infinity] };
         for (let a = 0; a <= 32; a++) {
           for (let h = 0; h <= 32; h++) {
-            const place: Vector3 = [arcs[0] + ((arcs[1] - arcs[0]) * a) / 32, 0, heights[0] + ((heights[1] - heights[0]) * h) / 32];
+            const place: Vector3 = [
+              arcs[0] + ((arcs[1] - arcs[0]) * a) / 32,
+              0,
+              heights[0] + ((heights[1] - heights[0]) * h) / 32,
+            ];
             const beam = localToBeam(place, radius);
             for (const key of ['range', 'elevation'] as const) {
               found[key] = [Math.min(found[key][0], beam[key]), Math.max(found[key][1], beam[key])];
@@ -193,7 +223,11 @@ describe('polar geometry', () => {
     const box = { low: [-3e5, -2e5, -100] as const, high: [3e5, 2e5, 15000] as const };
     const dimensions: Vector3 = [7, 5, 3];
     const grid = cartesianGrid(dimensions, boxIndexToWorld(box, dimensions, 5));
-    for (const p of [[0, 0, 0], [1, 1, 1], [0.25, 0.5, 0.75]] as Vector3[]) {
+    for (const p of [
+      [0, 0, 0],
+      [1, 1, 1],
+      [0.25, 0.5, 0.75],
+    ] as Vector3[]) {
       const [x, y, z] = unitToLocal(box, p);
       const world = transformPoint(unitToWorld(grid), p);
       [x, y, 5 * z].forEach((value, axis) => expect(world[axis]).to.be.closeTo(value, 1e-6));

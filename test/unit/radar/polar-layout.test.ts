@@ -31,7 +31,9 @@ describe('the layout of radials in a texture', () => {
         const layout = layOutRadials(grid, maxSize)!;
         expect(Math.max(layout.width, layout.height)).to.be.at.most(maxSize);
         const texels = packAll(volume, layout, 3);
-        expect(texels).to.have.length(texelsOf(layout)).and.to.deep.equal(packAll(volume, layout, layout.height));
+        expect(texels)
+          .to.have.length(texelsOf(layout))
+          .and.to.deep.equal(packAll(volume, layout, layout.height));
         const taken = new Set<number>();
         grid.sweeps.forEach((sweep, i) => {
           const placed = layout.sweeps[i];
@@ -57,7 +59,9 @@ describe('the layout of radials in a texture', () => {
       const { sweeps } = radarVolume(options).grid;
       const layout = layOutRadials({ sweeps } as PolarGrid, 8192)!;
       sweeps.forEach((sweep, i) => {
-        const turns = Array.from({ length: sweep.azimuths.length + 4 }, (_, place) => turnAt(sweep, layout.sweeps[i], layout.from, place));
+        const turns = Array.from({ length: sweep.azimuths.length + 4 }, (_, place) =>
+          turnAt(sweep, layout.sweeps[i], layout.from, place),
+        );
         for (let place = 1; place < turns.length; place++) expect(turns[place]).to.be.above(turns[place - 1]);
         expect(turns[0]).to.be.below(0);
         expect(turns[1]).to.be.at.least(0);
@@ -72,7 +76,9 @@ describe('the layout of radials in a texture', () => {
 
   it('takes no more texels for short radials than they need', () => {
     const { grid, samples } = radarVolume(unequalSweeps);
-    const padded = grid.sweeps.reduce((sum, { azimuths }) => sum + azimuths.length, 0) * Math.max(...grid.sweeps.map(({ gates }) => gates));
+    const padded =
+      grid.sweeps.reduce((sum, { azimuths }) => sum + azimuths.length, 0) *
+      Math.max(...grid.sweeps.map(({ gates }) => gates));
     expect(padded / samples.length, 'padded to the longest').to.be.above(2);
     for (const maxSize of [4096, 16384]) {
       expect(texelsOf(layOutRadials(grid, maxSize)!) / samples.length, `on a device of ${maxSize}`).to.be.below(1.12);

@@ -9,11 +9,13 @@ import { polarScenes, radarVolume } from '../../helpers/synthetic-radar.ts';
 const points = 20_000;
 
 function cellOf({ grid: { dimensions }, macrocells }: Volume, p: Vector3): number {
-  const [i, j, k] = p.map((x, axis) => Math.min(macrocells.dimensions[axis] - 1, Math.floor((x * dimensions[axis]) / cellSize)));
+  const [i, j, k] = p.map((x, axis) =>
+    Math.min(macrocells.dimensions[axis] - 1, Math.floor((x * dimensions[axis]) / cellSize)),
+  );
   return i + macrocells.dimensions[0] * (j + macrocells.dimensions[1] * k);
 }
 
-describe('macrocells of a radar\'s box', () => {
+describe("macrocells of a radar's box", () => {
   for (const [name, options] of Object.entries(polarScenes)) {
     for (const beamModel of ['standard', 'straight'] as const) {
       it(`hold every value that interpolation gives: ${name}, ${beamModel}`, () => {
@@ -39,11 +41,20 @@ describe('macrocells of a radar\'s box', () => {
   }
 
   it('are empty where no beam reaches: below the lowest and in the cone of silence', () => {
-    const volume = radarVolume({ sweeps: [{ elevation: 5, gates: 60 }, { elevation: 10, gates: 60 }] }, { beamModel: 'straight' });
+    const volume = radarVolume(
+      {
+        sweeps: [
+          { elevation: 5, gates: 60 },
+          { elevation: 10, gates: 60 },
+        ],
+      },
+      { beamModel: 'straight' },
+    );
     const { low, high } = volume.macrocells;
     const at = (p: Vector3): boolean => low[cellOf(volume, p)] <= high[cellOf(volume, p)];
     // 50 km out, 5 degrees are 4.4 km up.
-    const up = (height: number): number => (height - volume.grid.box.low[2]) / (volume.grid.box.high[2] - volume.grid.box.low[2]);
+    const up = (height: number): number =>
+      (height - volume.grid.box.low[2]) / (volume.grid.box.high[2] - volume.grid.box.low[2]);
     const east = (distance: number): number => 0.5 + distance / (2 * volume.grid.box.high[0]);
     expect(at([east(5e4), 0.5, up(6000)])).to.equal(true);
     expect(at([east(5.8e4), 0.5, up(100)])).to.equal(false);
@@ -51,7 +62,8 @@ describe('macrocells of a radar\'s box', () => {
   });
 
   it('tell storms from empty air: cells away from the only gates with data are empty', () => {
-    const stored = (azimuth: number, gate: number): number => (Math.abs(azimuth - 90) < 10 && gate > 30 && gate < 40 ? 200 : 0);
+    const stored = (azimuth: number, gate: number): number =>
+      Math.abs(azimuth - 90) < 10 && gate > 30 && gate < 40 ? 200 : 0;
     const volume = radarVolume({ sweeps: [1, 2, 4, 8].map((elevation) => ({ elevation, gates: 60, stored })) });
     const { low, high } = volume.macrocells;
     const share = low.filter((value, i) => value <= high[i]).length / low.length;

@@ -8,22 +8,91 @@ import { cutRegion } from '../../../src/volume/region.ts';
 import { VolumeViewError } from '../../../src/core/errors.ts';
 import { polarScenes, radarVolume } from '../../helpers/synthetic-radar.ts';
 
-const square: Rectangle = [[-1, 1], [-1, 1]];
+const square: Rectangle = [
+  [-1, 1],
+  [-1, 1],
+];
 
 describe('a line above a rectangle', () => {
   it('is cut where it enters and leaves, heights with it', () => {
-    expect(clipLine([[-3, 0, 0], [3, 0, 6]], square)).to.deep.equal([[[-1, 0, 2], [1, 0, 4]]]);
-    expect(clipLine([[0, 0, 0], [0.5, 0, 0], [0.5, 3, 0]], square)).to.deep.equal([[[0, 0, 0], [0.5, 0, 0], [0.5, 1, 0]]]);
-    expect(clipLine([[-2, 0.5, 0], [0, 0.5, 0], [0, 2, 0], [0.5, 2, 0], [0.5, -2, 0]], square)).to.deep.equal([
-      [[-1, 0.5, 0], [0, 0.5, 0], [0, 1, 0]],
-      [[0.5, 1, 0], [0.5, -1, 0]],
+    expect(
+      clipLine(
+        [
+          [-3, 0, 0],
+          [3, 0, 6],
+        ],
+        square,
+      ),
+    ).to.deep.equal([
+      [
+        [-1, 0, 2],
+        [1, 0, 4],
+      ],
+    ]);
+    expect(
+      clipLine(
+        [
+          [0, 0, 0],
+          [0.5, 0, 0],
+          [0.5, 3, 0],
+        ],
+        square,
+      ),
+    ).to.deep.equal([
+      [
+        [0, 0, 0],
+        [0.5, 0, 0],
+        [0.5, 1, 0],
+      ],
+    ]);
+    expect(
+      clipLine(
+        [
+          [-2, 0.5, 0],
+          [0, 0.5, 0],
+          [0, 2, 0],
+          [0.5, 2, 0],
+          [0.5, -2, 0],
+        ],
+        square,
+      ),
+    ).to.deep.equal([
+      [
+        [-1, 0.5, 0],
+        [0, 0.5, 0],
+        [0, 1, 0],
+      ],
+      [
+        [0.5, 1, 0],
+        [0.5, -1, 0],
+      ],
     ]);
   });
 
   it('outside gives nothing, and inside stays as it is', () => {
-    expect(clipLine([[2, -5, 0], [2, 5, 0]], square)).to.deep.equal([]);
-    expect(clipLine([[-3, 0, 0], [0, 3, 0]], square)).to.deep.equal([]);
-    const inside: Vector3[] = [[0, 0, 0], [0.5, 0.5, 1], [-0.5, 0.5, 1]];
+    expect(
+      clipLine(
+        [
+          [2, -5, 0],
+          [2, 5, 0],
+        ],
+        square,
+      ),
+    ).to.deep.equal([]);
+    expect(
+      clipLine(
+        [
+          [-3, 0, 0],
+          [0, 3, 0],
+        ],
+        square,
+      ),
+    ).to.deep.equal([]);
+    const inside: Vector3[] = [
+      [0, 0, 0],
+      [0.5, 0.5, 1],
+      [-0.5, 0.5, 1],
+    ];
     expect(clipLine(inside, square)).to.deep.equal([inside]);
   });
 });
@@ -36,7 +105,8 @@ describe('range rings around a radar', () => {
     expect(radiiOf(readRings('auto', volume, null))).to.deep.equal([5000, 10_000, 15_000, 20_000, null]);
     expect(radiiOf(readRings(8, volume, null))).to.deep.equal([8000, 16_000, null]);
     expect(readRings('none', volume, null) === null).to.equal(true);
-    for (const spacing of [0.1, 25]) expect(() => readRings(spacing, volume, null), `${spacing}`).to.throw(VolumeViewError, 'rings got');
+    for (const spacing of [0.1, 25])
+      expect(() => readRings(spacing, volume, null), `${spacing}`).to.throw(VolumeViewError, 'rings got');
   });
 
   it('are there where nothing is said, with spokes between them as a ground; of other volumes there are none', () => {

@@ -14,7 +14,8 @@ import { randomNumbers } from '../../helpers/synthetic.ts';
 /** From a ray's local points at t = 0 and 1, in metres. */
 function rayFrom({ grid }: PolarVolume, from: Vector3, to: Vector3): Ray {
   const { low, high } = grid.box;
-  const toUnit = (local: Vector3): Vector3 => local.map((x, axis) => (x - low[axis]) / (high[axis] - low[axis])) as unknown as Vector3;
+  const toUnit = (local: Vector3): Vector3 =>
+    local.map((x, axis) => (x - low[axis]) / (high[axis] - low[axis])) as unknown as Vector3;
   const [point, end] = [toUnit(from), toUnit(to)];
   return { point, direction: end.map((x, axis) => x - point[axis]) as unknown as Vector3, lengthPerT: 1 };
 }
@@ -33,7 +34,10 @@ function meeterOf(volume: PolarVolume, slices: readonly Slice[]): ReturnType<typ
 const whole: [number, number] = [0, 1];
 const five = radarVolume(polarScenes['five sweeps']);
 const gateOf = (sweep: Sweep, ray: number, gate: number): Vector3 =>
-  beamToLocal({ range: sweep.firstGate + gate * sweep.gateLength, azimuth: sweep.azimuths[ray], elevation: sweep.elevation }, five.grid.earthRadius);
+  beamToLocal(
+    { range: sweep.firstGate + gate * sweep.gateLength, azimuth: sweep.azimuths[ray], elevation: sweep.elevation },
+    five.grid.earthRadius,
+  );
 
 describe('slices of a radar volume', () => {
   it('on a PPI, gates are seen with exactly their values, from above, below and aside', () => {
@@ -42,8 +46,16 @@ describe('slices of a radar volume', () => {
       for (let i = 0; i < 60; i++) {
         const [ray, gate] = [(i * 7) % sweep.azimuths.length, (i * 5) % sweep.gates];
         const [x, y, z] = gateOf(sweep, ray, gate);
-        const step: Vector3 = [[0, 0, 900], [0, 0, -900], [400, -300, 700], [-200, 90, 5]][i % 4] as unknown as Vector3;
-        const hit = meet(rayFrom(five, [x - step[0], y - step[1], z - step[2]], [x + step[0], y + step[1], z + step[2]]), whole)!;
+        const step: Vector3 = [
+          [0, 0, 900],
+          [0, 0, -900],
+          [400, -300, 700],
+          [-200, 90, 5],
+        ][i % 4] as unknown as Vector3;
+        const hit = meet(
+          rayFrom(five, [x - step[0], y - step[1], z - step[2]], [x + step[0], y + step[1], z + step[2]]),
+          whole,
+        )!;
         expect(hit.t).to.be.closeTo(0.5, 1e-5);
         expect(hit.color[0] * 256).to.be.closeTo(five.samples[sweep.offset + ray * sweep.gates + gate], 0.01);
       }
@@ -68,7 +80,10 @@ describe('slices of a radar volume', () => {
       for (let i = 0; i < 60; i++) {
         const [ray, gate] = [(i * 7) % sweep.azimuths.length, (i * 5) % sweep.gates];
         const range = sweep.firstGate + gate * sweep.gateLength;
-        const [x, y, z] = beamToLocal({ range, azimuth: sweep.azimuths[ray], elevation: sweep.elevations![ray] }, volume.grid.earthRadius);
+        const [x, y, z] = beamToLocal(
+          { range, azimuth: sweep.azimuths[ray], elevation: sweep.elevations![ray] },
+          volume.grid.earthRadius,
+        );
         const hit = meet(rayFrom(volume, [x, y, z + 400], [x, y, z - 400]), whole)!;
         expect(hit.t).to.be.closeTo(0.5, 1e-5);
         expect(hit.color[0] * 256).to.be.closeTo(volume.samples[sweep.offset + ray * sweep.gates + gate], 0.01);
@@ -79,7 +94,7 @@ describe('slices of a radar volume', () => {
   it('a cone is where the beam is: height over ground by the law of the 4/3 Earth', () => {
     for (const elevation of [-0.5, 0, 0.5, 4, 30]) {
       for (const arc of [0, 1e3, 6e4, 4.6e5]) {
-        const turned = ((elevation * Math.PI) / 180) + arc / standardEarthRadius;
+        const turned = (elevation * Math.PI) / 180 + arc / standardEarthRadius;
         const height = standardEarthRadius * (Math.cos((elevation * Math.PI) / 180) / Math.cos(turned) - 1);
         expect(heightOverCone([0.6 * arc, 0.8 * arc, height], elevation, standardEarthRadius)).to.be.closeTo(0, 1e-5);
       }
@@ -88,7 +103,9 @@ describe('slices of a radar volume', () => {
 
   it('a line that goes through a cone twice sees the far side where the near one is empty', () => {
     const half = (azimuth: number): number => (azimuth < 180 ? 100 : 0);
-    const volume = radarVolume({ sweeps: [1, 10].map((elevation) => ({ elevation, gates: 40, azimuths: evenAzimuths(36), stored: half })) });
+    const volume = radarVolume({
+      sweeps: [1, 10].map((elevation) => ({ elevation, gates: 40, azimuths: evenAzimuths(36), stored: half })),
+    });
     const meet = meeterOf(volume, [{ kind: 'cone', sweep: 1 }]);
     const [x, , z] = beamToLocal({ range: 20_000, azimuth: 90, elevation: 10 }, standardEarthRadius);
     const eastward = meet(rayFrom(volume, [-30_000, 100, z], [30_000, 100, z]), whole)!;
@@ -98,10 +115,13 @@ describe('slices of a radar volume', () => {
     expect(westward.t).to.be.closeTo(0.5 - x / 60_000, 1e-4);
   });
 
-  it('a level and an upright slice are met where planes are, with the volume\'s own values', () => {
+  it("a level and an upright slice are met where planes are, with the volume's own values", () => {
     const random = randomNumbers(7);
     const valueAt = polarSampler(five);
-    const [east, toward] = [[0.6, 0.8], [1000, -2000]] as const;
+    const [east, toward] = [
+      [0.6, 0.8],
+      [1000, -2000],
+    ] as const;
     const level = meeterOf(five, [{ kind: 'level', height: 700 }]);
     const upright = meeterOf(five, [{ kind: 'upright', from: toward, direction: east, length: 9000 }]);
     let [levels, uprights] = [0, 0];
@@ -139,7 +159,11 @@ describe('slices of a radar volume', () => {
   });
 
   it('of several the nearest is seen; outside of the span none is', () => {
-    const slices: Slice[] = [{ kind: 'level', height: 300 }, { kind: 'level', height: 500 }, { kind: 'cone', sweep: 2 }];
+    const slices: Slice[] = [
+      { kind: 'level', height: 300 },
+      { kind: 'level', height: 500 },
+      { kind: 'cone', sweep: 2 },
+    ];
     const meet = meeterOf(five, slices);
     const down = rayFrom(five, [3000, 8000, 1000], [3000, 8000, 0]);
     expect(meet(down, whole)!.t).to.be.closeTo(0.5, 1e-9);

@@ -4,7 +4,10 @@ import { expectError } from '../../helpers/decode.ts';
 import { fetchOne, withServer } from '../../helpers/fake-fetch.ts';
 
 /** A server that sends these pieces and says so much of their length. */
-async function fetchPieces(pieces: readonly number[][], contentLength: number | null): Promise<{ bytes: Uint8Array; totals: number[] }> {
+async function fetchPieces(
+  pieces: readonly number[][],
+  contentLength: number | null,
+): Promise<{ bytes: Uint8Array; totals: number[] }> {
   const native = globalThis.fetch;
   const body = new ReadableStream<Uint8Array>({
     start(controller) {
@@ -26,7 +29,13 @@ async function fetchPieces(pieces: readonly number[][], contentLength: number | 
 
 describe('bytes that are fetched', () => {
   const pieces = [[1, 2, 3], [4], [5, 6]];
-  const lengths: [string, number | null, number][] = [['is right', 6, 6], ['is missing', null, 0], ['is too small', 4, 0], ['is smaller than a piece', 2, 0], ['is too large', 9, 9]];
+  const lengths: [string, number | null, number][] = [
+    ['is right', 6, 6],
+    ['is missing', null, 0],
+    ['is too small', 4, 0],
+    ['is smaller than a piece', 2, 0],
+    ['is too large', 9, 9],
+  ];
   for (const [what, announced, total] of lengths) {
     it(`are all there where the announced length ${what}`, async () => {
       const { bytes, totals } = await fetchPieces(pieces, announced);
@@ -69,15 +78,18 @@ describe('an announced length', () => {
   it('that is true ends in one buffer of that length, of which an eighth was copied', async () => {
     const mebibyte = new Uint8Array(2 ** 20).fill(7);
     const length = 17 * 2 ** 20;
-    await withServer([{ headers: { 'content-length': String(length) }, pieces: Array<typeof mebibyte>(17).fill(mebibyte) }], async () => {
-      let bytes = new Uint8Array();
-      const lengths = await watchAllocations(async () => {
-        ({ bytes } = await fetchOne());
-      });
-      expect(lengths.filter((one) => one >= 2 ** 20)).to.deep.equal([length / 8, length]);
-      expect(bytes.buffer.byteLength).to.equal(length);
-      expect(bytes.every((byte) => byte === 7)).to.equal(true);
-    });
+    await withServer(
+      [{ headers: { 'content-length': String(length) }, pieces: Array<typeof mebibyte>(17).fill(mebibyte) }],
+      async () => {
+        let bytes = new Uint8Array();
+        const lengths = await watchAllocations(async () => {
+          ({ bytes } = await fetchOne());
+        });
+        expect(lengths.filter((one) => one >= 2 ** 20)).to.deep.equal([length / 8, length]);
+        expect(bytes.buffer.byteLength).to.equal(length);
+        expect(bytes.every((byte) => byte === 7)).to.equal(true);
+      },
+    );
   });
 
   it('beyond what the load may hold is refused before a byte is read', () =>

@@ -1,5 +1,13 @@
 import { expect } from '@esm-bundle/chai';
-import { axialIndexToWorld, boundingSphere, cartesianGrid, corners, edgeLengths, longestDiagonal, unitToWorld } from '../../../src/volume/grid.ts';
+import {
+  axialIndexToWorld,
+  boundingSphere,
+  cartesianGrid,
+  corners,
+  edgeLengths,
+  longestDiagonal,
+  unitToWorld,
+} from '../../../src/volume/grid.ts';
 import { determinant, length, scaleAndTranslate, subtract, transformPoint } from '../../../src/volume/matrix.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
 import { obliqueAffine, randomNumbers } from '../../helpers/synthetic.ts';
@@ -13,7 +21,11 @@ describe('a cartesian grid', () => {
 
   it('has its voxel centres half a voxel inside the unit cube', () => {
     const grid = cartesianGrid(dimensions, obliqueAffine(randomNumbers(2), [0.7, -1.1, 3], [5, 6, 7]));
-    for (const [i, j, k] of [[0, 0, 0], [3, 5, 9], [1, 2, 3]]) {
+    for (const [i, j, k] of [
+      [0, 0, 0],
+      [3, 5, 9],
+      [1, 2, 3],
+    ]) {
       const u: Vector3 = [(i + 0.5) / 4, (j + 0.5) / 6, (k + 0.5) / 10];
       expectNear(transformPoint(unitToWorld(grid), u), transformPoint(grid.indexToWorld, [i, j, k]));
     }

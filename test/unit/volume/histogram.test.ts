@@ -9,7 +9,9 @@ describe('a histogram', () => {
     expect(range).to.deep.equal([0, 255]);
     expect(hasNoData).to.equal(false);
     expect(total(histogram.counts)).to.equal(7);
-    expect([histogram.counts[0], histogram.counts[1], histogram.counts[128], histogram.counts[255]]).to.deep.equal([2, 1, 1, 3]);
+    expect([histogram.counts[0], histogram.counts[1], histogram.counts[128], histogram.counts[255]]).to.deep.equal([
+      2, 1, 1, 3,
+    ]);
   });
 
   it('is in data units, low to high, also where the slope is negative', () => {

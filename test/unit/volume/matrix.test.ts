@@ -1,5 +1,13 @@
 import { expect } from '@esm-bundle/chai';
-import { determinant, identity, invertAffine, multiply, scaleAndTranslate, transformDirection, transformPoint } from '../../../src/volume/matrix.ts';
+import {
+  determinant,
+  identity,
+  invertAffine,
+  multiply,
+  scaleAndTranslate,
+  transformDirection,
+  transformPoint,
+} from '../../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../../src/volume/matrix.ts';
 import { obliqueAffine, randomNumbers } from '../../helpers/synthetic.ts';
 
@@ -13,7 +21,11 @@ describe('matrices', () => {
   it('invert affine maps at spacings from 1e-9 to 1e9, sheared ones too', () => {
     const random = randomNumbers(1);
     for (let exponent = -9; exponent <= 9; exponent += 3) {
-      for (const shape of [[1, 1, 1], [1, -3, 0.01], [-7, 0.5, 20]]) {
+      for (const shape of [
+        [1, 1, 1],
+        [1, -3, 0.01],
+        [-7, 0.5, 20],
+      ]) {
         const spacing = shape.map((s) => s * 10 ** exponent) as unknown as Vector3;
         const m = obliqueAffine(random, spacing, [spacing[0] * 90, spacing[1] * -40, spacing[2] * 7]);
         // A hundred voxels to and fro, with a condition below 1e5 between axes: 1e-16 * 100 * 1e5.

@@ -3,7 +3,14 @@ import { orbitCamera, projectionMatrix, viewMatrix } from '../../../src/optics/r
 import { countSamples } from '../../../src/optics/rays/count-samples.ts';
 import { crossVolume, rayThrough, setUpRays } from '../../../src/optics/rays/rays.ts';
 import { autoSteps, stepLengthOf } from '../../../src/quality/steps.ts';
-import { boundingSphere, cartesianGrid, edgeLengths, finestSpacing, longestDiagonal, unitToWorld } from '../../../src/volume/grid.ts';
+import {
+  boundingSphere,
+  cartesianGrid,
+  edgeLengths,
+  finestSpacing,
+  longestDiagonal,
+  unitToWorld,
+} from '../../../src/volume/grid.ts';
 import { transformDirection, transformPoint } from '../../../src/volume/matrix.ts';
 import type { Matrix4 } from '../../../src/volume/matrix.ts';
 import { stretchOf } from '../../../src/radar/polar-geometry.ts';
@@ -17,7 +24,11 @@ const oblique: Matrix4 = [Math.sqrt(3), -1.5, 0, 0, 1, 1.5 * Math.sqrt(3), 0, 0,
 
 describe('a region of a volume', () => {
   it('is its box, whichever corners are given, and no more than the volume has', () => {
-    for (const box of [[5, 6, 7, 15, 10, 40], [15, 10, 40, 5, 6, 7], [5, 10, 40, 15, 6, 7]]) {
+    for (const box of [
+      [5, 6, 7, 15, 10, 40],
+      [15, 10, 40, 5, 6, 7],
+      [5, 10, 40, 15, 6, 7],
+    ]) {
       const region = cutRegion(grid, box)!;
       expect(boundingSphere(region).center).to.deep.equal([10, 8, 15.5]);
       expect(edgeLengths(region)).to.deep.equal([10, 4, 17]);
@@ -25,7 +36,12 @@ describe('a region of a volume', () => {
   });
 
   it('is none where the box holds nothing of the volume', () => {
-    for (const box of [[21, 0, 0, 30, 10, 10], [0, 0, 0, 0, 10, 10], [0, 0, -5, 10, 10, 0]]) expect(cutRegion(grid, box)).to.equal(null);
+    for (const box of [
+      [21, 0, 0, 30, 10, 10],
+      [0, 0, 0, 0, 10, 10],
+      [0, 0, -5, 10, 10, 0],
+    ])
+      expect(cutRegion(grid, box)).to.equal(null);
   });
 
   it('is as fine as the volume: a step is as long, and there are fewer', () => {
@@ -44,7 +60,7 @@ describe('a region of a volume', () => {
     expect(boundingSphere(region).center[2]).to.be.closeTo(4200, 1e-6);
   });
 
-  it('ends rays at the world\'s planes, in oblique volumes too', () => {
+  it("ends rays at the world's planes, in oblique volumes too", () => {
     for (const volume of [grid, cartesianGrid(grid.dimensions, oblique)]) {
       const region = cutRegion(volume, [2, 5, 6, 9, 14, 18])!;
       const camera = orbitCamera({ theta: 0.7, phi: 1.1, radius: 60 }, boundingSphere(region).center, 0.5);
@@ -57,9 +73,14 @@ describe('a region of a volume', () => {
         if (!(entry < exit)) continue;
         met++;
         for (const t of [entry, exit]) {
-          const world = [0, 1, 2].map((c) => transformPoint(toWorld, ray.point)[c] + t * transformDirection(toWorld, ray.direction)[c]);
+          const world = [0, 1, 2].map(
+            (c) => transformPoint(toWorld, ray.point)[c] + t * transformDirection(toWorld, ray.direction)[c],
+          );
           const unit = ray.point.map((x, c) => x + t * ray.direction[c]);
-          const ends = [...world.map((x, c) => Math.min(x - [2, 5, 6][c], [9, 14, 18][c] - x)), ...unit.map((x) => 10 * Math.min(x, 1 - x))];
+          const ends = [
+            ...world.map((x, c) => Math.min(x - [2, 5, 6][c], [9, 14, 18][c] - x)),
+            ...unit.map((x) => 10 * Math.min(x, 1 - x)),
+          ];
           // Inside of all planes, and on one of them.
           expect(Math.min(...ends)).to.be.closeTo(0, 1e-9);
         }

@@ -36,16 +36,22 @@ describe('a page that allows no worker', () => {
 
 describe('the files that a manifest names', () => {
   for (const [what, base, image, credentials] of [
-    ['of the page\'s own origin come as the page\'s reader', pageOrigin, 'a.nii', undefined],
+    ["of the page's own origin come as the page's reader", pageOrigin, 'a.nii', undefined],
     ['of another origin do not', 'https://other.test', 'a.nii', 'omit'],
-    ['of another origin do not, at the page\'s origin least of all', 'https://other.test', `${pageOrigin}/private`, 'omit'],
+    [
+      "of another origin do not, at the page's origin least of all",
+      'https://other.test',
+      `${pageOrigin}/private`,
+      'omit',
+    ],
   ] as const) {
     it(what, () =>
       withServer([textOf(JSON.stringify({ image })), { status: 404 }], async (asked) => {
         await expectError(decodeRequest(requestOf(`${base}/a.json`), environment));
         expect(asked.map((one) => one.credentials)).to.deep.equal([undefined, credentials]);
         expect(asked[1].url).to.equal(new URL(image, base).href);
-      }));
+      }),
+    );
   }
 
   it('that the page lists itself come as its reader, whatever their first one is', async () => {
@@ -53,11 +59,18 @@ describe('the files that a manifest names', () => {
     const png = await fetchFixture('mosaic/gray-3x2.png');
     await withServer([{ pieces: [png] }, { status: 404 }], async (asked) => {
       await expectError(decodeRequest(requestOf(files[0], files), environment));
-      expect(asked.map(({ url, credentials }) => [url, credentials])).to.deep.equal(files.map((url) => [url, undefined]));
+      expect(asked.map(({ url, credentials }) => [url, credentials])).to.deep.equal(
+        files.map((url) => [url, undefined]),
+      );
     });
   });
 
-  for (const image of ['blob:https://example.test/8c5b1c5e', 'file:///etc/passwd', 'javascript:alert(1)', 'ftp://example.test/a.nii']) {
+  for (const image of [
+    'blob:https://example.test/8c5b1c5e',
+    'file:///etc/passwd',
+    'javascript:alert(1)',
+    'ftp://example.test/a.nii',
+  ]) {
     it(`may not be ${image}`, () =>
       withServer([textOf(JSON.stringify({ image }))], async (asked) => {
         const { code, message } = await expectError(decodeRequest(requestOf(`${pageOrigin}/a.json`), environment));

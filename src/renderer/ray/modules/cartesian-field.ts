@@ -37,11 +37,15 @@ export async function loadCartesianChunks(): Promise<void> {
 
 /** The same, but only if the volume needs this code. */
 export async function prepareCartesian(volume: Volume, device: Device): Promise<void> {
-  if (!device.webgl2 || volume.samples instanceof Float32Array || !isFiltered(volume, device)) await loadCartesianChunks();
+  if (!device.webgl2 || volume.samples instanceof Float32Array || !isFiltered(volume, device))
+    await loadCartesianChunks();
 }
 
 /** Whether the device's own filter interpolates a volume. */
-export function isFiltered({ samples, hasNoData }: Pick<Volume, 'samples' | 'hasNoData'>, { twoByteLinear, floatLinear }: Device): boolean {
+export function isFiltered(
+  { samples, hasNoData }: Pick<Volume, 'samples' | 'hasNoData'>,
+  { twoByteLinear, floatLinear }: Device,
+): boolean {
   if (samples instanceof Uint16Array) return twoByteLinear === true;
   return !hasNoData && (samples instanceof Uint8Array || floatLinear);
 }
@@ -51,13 +55,26 @@ export function cartesianText({ texture3d, twoBytes, noData, filterInShader }: C
   return {
     name: 'cartesian',
     stage: 'field',
-    defines: { TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: Number(filterInShader), FOLDS: 0 },
-    chunks: [decode, texture3d ? volume3d : chunks!.volumeMosaic, ...(filterInShader ? [chunks!.interpolateVoxels] : []), sampleVolume],
+    defines: {
+      TEXTURE_3D: Number(texture3d),
+      TWO_BYTES: Number(twoBytes),
+      NO_DATA: Number(noData),
+      FILTER_IN_SHADER: Number(filterInShader),
+      FOLDS: 0,
+    },
+    chunks: [
+      decode,
+      texture3d ? volume3d : chunks!.volumeMosaic,
+      ...(filterInShader ? [chunks!.interpolateVoxels] : []),
+      sampleVolume,
+    ],
     samplers: ['uVolume'],
   };
 }
 
-export const cartesianTwin = twinOf(usualTwins, ({ cartesianField }, { volume }) => ({ field: cartesianField({ ...volume, dimensions: volume.grid.dimensions }) }));
+export const cartesianTwin = twinOf(usualTwins, ({ cartesianField }, { volume }) => ({
+  field: cartesianField({ ...volume, dimensions: volume.grid.dimensions }),
+}));
 
 /** Samples on a cartesian grid. */
 interface Block extends Pick<Volume, 'samples' | 'hasNoData'> {
@@ -71,7 +88,14 @@ function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldM
   const { samples, hasNoData: noData } = volume;
   const filterInShader = !isFiltered(volume, device);
   const block = yield* uploadBlock(gl, volume, { device, filterInShader });
-  return { ...block, ...cartesianText({ texture3d: isWebGl2(gl), twoBytes: samples instanceof Uint16Array, noData, filterInShader }), stage: 'field', sparesRays: true, order: 2, twin: cartesianTwin };
+  return {
+    ...block,
+    ...cartesianText({ texture3d: isWebGl2(gl), twoBytes: samples instanceof Uint16Array, noData, filterInShader }),
+    stage: 'field',
+    sparesRays: true,
+    order: 2,
+    twin: cartesianTwin,
+  };
 }
 
 /** The members of a field module that a texture of samples provides: how samples are stored, and how shaders read them. */
@@ -95,8 +119,15 @@ export interface BlockOptions {
  * Upload samples at their own precision: one channel for 8 bit and float, two 8-bit channels for 16 bit.
  * @throws {VolumeViewError} `format/too-large` if the texture does not fit the device
  */
-export function* uploadBlock(gl: Gl, volume: Block, { device, filterInShader, packing }: BlockOptions): Upload<BlockTexture> {
-  const { samples, grid: { dimensions } } = volume;
+export function* uploadBlock(
+  gl: Gl,
+  volume: Block,
+  { device, filterInShader, packing }: BlockOptions,
+): Upload<BlockTexture> {
+  const {
+    samples,
+    grid: { dimensions },
+  } = volume;
   const texture3d = isWebGl2(gl);
   const twoBytes = samples instanceof Uint16Array;
   const float = samples instanceof Float32Array;
@@ -107,7 +138,12 @@ export function* uploadBlock(gl: Gl, volume: Block, { device, filterInShader, pa
   const texture = yield* fill(gl, volume, { atlas, floatScale, packing, tooLarge: () => tooLarge(volume, device) });
   const uniforms: Uniforms = atlas ? { uMosaic: [atlas.columns, atlas.rows, atlas.width, atlas.height] } : {};
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
-  const unit = textureUnit(gl, { type: texture3d ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture, filter, samplerName: 'uVolume' });
+  const unit = textureUnit(gl, {
+    type: texture3d ? gl.TEXTURE_3D : gl.TEXTURE_2D,
+    texture,
+    filter,
+    samplerName: 'uVolume',
+  });
   return {
     storedScale: float ? floatScale : twoBytes ? 1 : 255,
     bytes: (atlas ? atlas.width * atlas.height : samples.length) * samples.BYTES_PER_ELEMENT,
@@ -127,10 +163,17 @@ interface Filling {
 
 /** Make a texture with all of a volume's samples. */
 function* fill(gl: Gl, volume: Block, { atlas, floatScale, packing, tooLarge: refuse }: Filling): Upload<WebGLTexture> {
-  const { samples, grid: { dimensions } } = volume;
+  const {
+    samples,
+    grid: { dimensions },
+  } = volume;
   const changes = volume.hasNoData || floatScale !== 1;
   const prepare = (some: Samples): Samples =>
-    packing ? packing.pack(some, floatScale) : some instanceof Float32Array && changes ? chunks!.prepareFloats(some, floatScale) : some;
+    packing
+      ? packing.pack(some, floatScale)
+      : some instanceof Float32Array && changes
+        ? chunks!.prepareFloats(some, floatScale)
+        : some;
   const texels = packing?.texels ?? texelsOf(gl, samples);
   const texture = gl.createTexture();
   let isWhole = false;
@@ -141,7 +184,10 @@ function* fill(gl: Gl, volume: Block, { atlas, floatScale, packing, tooLarge: re
     if (samples.byteLength > slowBytes) yield Infinity;
     if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
     if (isWebGl2(gl)) yield* fillTexture3d(gl, texture, { samples, dimensions, texels }, prepare);
-    else yield* chunks!.fillPlane(gl, texture, { texels, ...atlas! }, (first, count) => prepare(packAtlas(samples, dimensions, atlas!, { first, count })));
+    else
+      yield* chunks!.fillPlane(gl, texture, { texels, ...atlas! }, (first, count) =>
+        prepare(packAtlas(samples, dimensions, atlas!, { first, count })),
+      );
     if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
     isWhole = true;
   } finally {

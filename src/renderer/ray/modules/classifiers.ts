@@ -25,7 +25,10 @@ export class Classifiers {
   #looking: ReturnType<typeof createJumps> | null = null;
   #shown: readonly [TransferFunction, number | null] | null = null;
 
-  constructor(gl: Gl, readonly device: Device) {
+  constructor(
+    gl: Gl,
+    readonly device: Device,
+  ) {
     this.#gl = gl;
     this.#columns = createColumns(gl);
   }
@@ -33,25 +36,42 @@ export class Classifiers {
   /** These modules replace those of the same stages. @param looks - whether rays search for places where the volume becomes opaque at once */
   modulesFor(volume: Volume, field: FieldModule, optics: Optics, looks: boolean): readonly RayModule[] {
     const { transferFunction } = optics;
-    if (this.#shown?.[0] !== transferFunction) this.#shown = [transferFunction, this.device.floatLinear ? findColumns(transferFunction) : null];
+    if (this.#shown?.[0] !== transferFunction)
+      this.#shown = [transferFunction, this.device.floatLinear ? findColumns(transferFunction) : null];
     const [, columns] = this.#shown;
     const table = this.#tables.get([columns], (last) => {
       last?.dispose?.();
       return columns === null ? null : createTransferFunction(this.#gl, columns);
     });
-    return table ? [table] : [...this.#columns.modulesFor({ volume, field, optics, domain: domainOf(transferFunction) }), ...(looks ? this.#lookingForJumps(volume, optics) : [])];
+    return table
+      ? [table]
+      : [
+          ...this.#columns.modulesFor({ volume, field, optics, domain: domainOf(transferFunction) }),
+          ...(looks ? this.#lookingForJumps(volume, optics) : []),
+        ];
   }
 
   /** The module that finds where rays pass directly from clear to opaque values. */
   #lookingForJumps(volume: Volume, { transferFunction, referenceLength, opacityFactor }: Optics): readonly RayModule[] {
     const values = this.jumpsOf(volume, { transferFunction, referenceLength, opacityFactor });
-    return this.#lookers.get([values], () => (values.length > 0 ? [(this.#looking ??= createJumps(this.#gl, this.device)).of(values)] : []));
+    return this.#lookers.get([values], () =>
+      values.length > 0 ? [(this.#looking ??= createJumps(this.#gl, this.device)).of(values)] : [],
+    );
   }
 
   /** Values at which a volume becomes opaque at once, see optics/transfer/opaque-jumps.ts */
-  jumpsOf(volume: Volume, { transferFunction, referenceLength, opacityFactor }: Pick<Optics, 'transferFunction' | 'referenceLength' | 'opacityFactor'>): readonly number[] {
+  jumpsOf(
+    volume: Volume,
+    {
+      transferFunction,
+      referenceLength,
+      opacityFactor,
+    }: Pick<Optics, 'transferFunction' | 'referenceLength' | 'opacityFactor'>,
+  ): readonly number[] {
     const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
-    return this.#jumps.get([volume, transferFunction, voxelRatio], () => (isPolar(volume) || volume.isDiscrete ? [] : findOpaqueJumps(transferFunction, voxelRatio)));
+    return this.#jumps.get([volume, transferFunction, voxelRatio], () =>
+      isPolar(volume) || volume.isDiscrete ? [] : findOpaqueJumps(transferFunction, voxelRatio),
+    );
   }
 
   dispose(): void {

@@ -15,7 +15,8 @@ export const createClip = (): SliceModule<HalfSpace> => create(true);
 /** The same, if slices are cut too: the picture jumps at their new edges. */
 export const createClipOfSlices = (): SliceModule<HalfSpace> => create(false);
 
-const twin = (kept: readonly HalfSpace[]): RayTwin => twinOf(usualTwins, ({ clipInterval }) => ({ intervals: [clipInterval(kept)] }));
+const twin = (kept: readonly HalfSpace[]): RayTwin =>
+  twinOf(usualTwins, ({ clipInterval }) => ({ intervals: [clipInterval(kept)] }));
 
 function create(sparesRays: boolean): SliceModule<HalfSpace> {
   return {
@@ -29,10 +30,11 @@ function create(sparesRays: boolean): SliceModule<HalfSpace> {
       return twin(this.slices);
     },
     inputs() {
-      const four = (first: number): number[] => [0, 1, 2, 3].flatMap((i) => {
-        const kept = this.slices[first + i];
-        return kept ? [...kept.normal, -kept.offset] : everything;
-      });
+      const four = (first: number): number[] =>
+        [0, 1, 2, 3].flatMap((i) => {
+          const kept = this.slices[first + i];
+          return kept ? [...kept.normal, -kept.offset] : everything;
+        });
       return { uniforms: { uClipA: four(0), uClipB: four(4), uClipC: four(8) }, units: [] };
     },
   };

@@ -38,22 +38,49 @@ export interface ColumnTables {
 }
 
 /** Keeps the columns of transfer functions on the GPU. @param room - the number of functions that the textures hold, one below another */
-export function keepColumns(gl: Gl, room = 1): { readonly get: (frame: ColumnsFrame) => ColumnTables; readonly dispose: () => void } {
+export function keepColumns(
+  gl: Gl,
+  room = 1,
+): { readonly get: (frame: ColumnsFrame) => ColumnTables; readonly dispose: () => void } {
   const made = new Kept<ColumnTables>();
   const make = (frame: ColumnsFrame, last: ColumnTables | null): ColumnTables => {
-    const { volume: { slope, intercept, range, samples }, field: { storedScale } } = frame;
+    const {
+      volume: { slope, intercept, range, samples },
+      field: { storedScale },
+    } = frame;
     const values = { slope, intercept, range, storedScale, whole: !(samples instanceof Float32Array) };
     const map = mapShares(values, clip(frame.domain, range));
     const { transferFunction, lightFactor } = frame.optics;
-    const all = [transferFunction, ...(frame.functions ?? [])].map((one) => cutColumns(brighten(one, lightFactor), (value) => placeThreshold(values, map, value)));
+    const all = [transferFunction, ...(frame.functions ?? [])].map((one) =>
+      cutColumns(brighten(one, lightFactor), (value) => placeThreshold(values, map, value)),
+    );
     const bins = binAll(all);
     const { uniforms, units } = upload(gl, { all, bins, room }, last?.inputs.units ?? []);
-    return { hasBins: bins !== null, inputs: { uniforms: { ...uniforms, uColumnDomain: [map.scale, map.from] }, units } };
+    return {
+      hasBins: bins !== null,
+      inputs: { uniforms: { ...uniforms, uColumnDomain: [map.scale, map.from] }, units },
+    };
   };
   return {
     get: (frame) => {
-      const { volume, optics: { transferFunction, lightFactor }, field, domain, functions = [] } = frame;
-      const key = [transferFunction, ...functions, lightFactor, volume.slope, volume.intercept, ...volume.range, field.storedScale, volume.samples.constructor, ...domain];
+      const {
+        volume,
+        optics: { transferFunction, lightFactor },
+        field,
+        domain,
+        functions = [],
+      } = frame;
+      const key = [
+        transferFunction,
+        ...functions,
+        lightFactor,
+        volume.slope,
+        volume.intercept,
+        ...volume.range,
+        field.storedScale,
+        volume.samples.constructor,
+        ...domain,
+      ];
       return made.get(key, (last) => make(frame, last));
     },
     dispose() {
@@ -70,7 +97,10 @@ function binAll(all: readonly Columns[]): readonly ColumnBins[] | null {
 }
 
 /** The part of a domain that is in the data: floats distinguish values best near its low end, and if it is narrow. */
-function clip([low, high]: readonly [number, number], [min, max]: readonly [number, number]): readonly [number, number] {
+function clip(
+  [low, high]: readonly [number, number],
+  [min, max]: readonly [number, number],
+): readonly [number, number] {
   const [from, to] = [Math.max(low, Math.min(min, high)), Math.min(high, Math.max(max, low))];
   return to > from ? [from, to] : [low, high];
 }
@@ -92,10 +122,27 @@ function upload(gl: Gl, { all, bins, room }: Tables, previous: readonly TextureU
     parts.forEach((part, i) => texels.set(part, 4 * width * height * i));
     gl.bindTexture(gl.TEXTURE_2D, texture);
     prepareUpload(gl);
-    gl.texImage2D(gl.TEXTURE_2D, 0, isWebGl2(gl) ? gl.RGBA32F : gl.RGBA, width, height * room, 0, gl.RGBA, gl.FLOAT, texels);
+    gl.texImage2D(
+      gl.TEXTURE_2D,
+      0,
+      isWebGl2(gl) ? gl.RGBA32F : gl.RGBA,
+      width,
+      height * room,
+      0,
+      gl.RGBA,
+      gl.FLOAT,
+      texels,
+    );
     return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName });
   };
-  const units = [fill('uColumns', all.map((columns) => packColumns(columns, across * lines)), across, columnRows * lines)];
+  const units = [
+    fill(
+      'uColumns',
+      all.map((columns) => packColumns(columns, across * lines)),
+      across,
+      columnRows * lines,
+    ),
+  ];
   if (!bins) {
     gl.deleteTexture(previous.find(({ samplerName }) => samplerName === 'uColumnBins')?.texture ?? null);
     return { uniforms: { uColumnTexels }, units };
@@ -104,7 +151,15 @@ function upload(gl: Gl, { all, bins, room }: Tables, previous: readonly TextureU
   const [width, height] = [Math.min(binsAcross, binCount), Math.max(1, binCount / binsAcross)];
   return {
     uniforms: { uColumnTexels, uBinTexels: [binCount, width, 1 / width, 1 / (height * room)] },
-    units: [...units, fill('uColumnBins', bins.map(({ texels }) => texels), width, height)],
+    units: [
+      ...units,
+      fill(
+        'uColumnBins',
+        bins.map(({ texels }) => texels),
+        width,
+        height,
+      ),
+    ],
   };
 }
 
@@ -120,8 +175,12 @@ function packColumns({ edges, starts, ends, sumsAtStart, sumsAtEnd }: Columns, a
   [sumsAtStart, sumsAtEnd].forEach((sums, i) => {
     const high = Float32Array.from(sums);
     texels.set(high, (2 + 2 * i) * row);
-    texels.set(sums.map((sum, at) => sum - high[at]), (3 + 2 * i) * row);
+    texels.set(
+      sums.map((sum, at) => sum - high[at]),
+      (3 + 2 * i) * row,
+    );
   });
-  for (let k = 0; k < across; k++) texels.set([edges[k] ?? edges[edges.length - 1], edges[k + 1] ?? 0], 6 * row + 4 * k);
+  for (let k = 0; k < across; k++)
+    texels.set([edges[k] ?? edges[edges.length - 1], edges[k + 1] ?? 0], 6 * row + 4 * k);
   return texels;
 }

@@ -28,18 +28,39 @@ export function columnsText(bins: boolean): RayText {
 }
 
 /** Computes means over a segment from the columns of its two samples. */
-export const columnMeansText: Pick<Means, 'name' | 'defines' | 'chunks' | 'samplers'> = { name: 'columnMeans', defines: {}, chunks: [columnMeans], samplers: [] };
+export const columnMeansText: Pick<Means, 'name' | 'defines' | 'chunks' | 'samplers'> = {
+  name: 'columnMeans',
+  defines: {},
+  chunks: [columnMeans],
+  samplers: [],
+};
 
 /**
  * Any transfer function with the precision of float32: jumps, narrow pieces, and stops at any place.
  * @returns `modulesFor`, which makes the two modules: the columns of samples, and the colours of segments
  */
-export function createColumns(gl: Gl): { readonly modulesFor: (frame: ColumnsFrame) => readonly RayModule[]; readonly dispose: () => void } {
+export function createColumns(gl: Gl): {
+  readonly modulesFor: (frame: ColumnsFrame) => readonly RayModule[];
+  readonly dispose: () => void;
+} {
   const { get, dispose } = keepColumns(gl);
-  const classify = createClassify(gl, { ...columnMeansText, inputs: () => ({ uniforms: {}, units: [] }), dispose: () => {} });
-  const column: Omit<RayModule, keyof RayText> = { sparesRays: true, order: 2, inputs: (frame) => get(frame).inputs, twin: null };
+  const classify = createClassify(gl, {
+    ...columnMeansText,
+    inputs: () => ({ uniforms: {}, units: [] }),
+    dispose: () => {},
+  });
+  const column: Omit<RayModule, keyof RayText> = {
+    sparesRays: true,
+    order: 2,
+    inputs: (frame) => get(frame).inputs,
+    twin: null,
+  };
   return {
-    modulesFor: (frame) => [...fetchEach(gl, frame.field), { ...columnsText(get(frame).hasBins), ...column, stage: 'field' }, classify],
+    modulesFor: (frame) => [
+      ...fetchEach(gl, frame.field),
+      { ...columnsText(get(frame).hasBins), ...column, stage: 'field' },
+      classify,
+    ],
     dispose() {
       dispose();
       classify.dispose?.();
@@ -55,5 +76,12 @@ export function fetchEach(gl: Gl, field: FieldModule): readonly RayModule[] {
     const { uniforms, units } = field.inputs();
     return { uniforms, units: units.map((unit) => ({ ...unit, minFilter: gl.NEAREST, magFilter: gl.NEAREST })) };
   };
-  return [{ ...field, ...cartesianText({ texture3d: false, twoBytes: TWO_BYTES === 1, noData: NO_DATA === 1, filterInShader: true }), stage: 'field', inputs }];
+  return [
+    {
+      ...field,
+      ...cartesianText({ texture3d: false, twoBytes: TWO_BYTES === 1, noData: NO_DATA === 1, filterInShader: true }),
+      stage: 'field',
+      inputs,
+    },
+  ];
 }

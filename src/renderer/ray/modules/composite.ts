@@ -33,8 +33,14 @@ export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
     inputs({ volume, skipping, contributions, detail, voxelsPerStep }) {
       const { macrocells } = volume;
       const { unit, uniforms } = cells.get([volume, skipping, detail, ...contributions], (previous) => {
-        const distances = skipping ? measureEmptySpace(macrocells, contributions, volume) : new Uint8Array(macrocells.low.length);
-        return uploadCells(gl, encodeCells(distances, detail ?? undefined), macrocells.dimensions, { previous, device, samplerName: 'uEmptySpaceDistance' });
+        const distances = skipping
+          ? measureEmptySpace(macrocells, contributions, volume)
+          : new Uint8Array(macrocells.low.length);
+        return uploadCells(gl, encodeCells(distances, detail ?? undefined), macrocells.dimensions, {
+          previous,
+          device,
+          samplerName: 'uEmptySpaceDistance',
+        });
       });
       return { uniforms: { ...uniforms, uDetailPower: powerOfSteps(voxelsPerStep) }, units: [unit] };
     },

@@ -15,7 +15,13 @@ export function discreteText({ texture3d, twoBytes, noData }: Omit<CartesianOpti
   return {
     name: 'discrete',
     stage: 'field',
-    defines: { TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: 1, FOLDS: 1 },
+    defines: {
+      TEXTURE_3D: Number(texture3d),
+      TWO_BYTES: Number(twoBytes),
+      NO_DATA: Number(noData),
+      FILTER_IN_SHADER: 1,
+      FOLDS: 1,
+    },
     chunks: [decode, texture3d ? volume3d : volumeMosaic, vote, discrete],
     samplers: ['uVolume'],
   };
@@ -27,5 +33,12 @@ export const discreteProvider: FieldProvider = { upload: uploadDiscrete };
 function* uploadDiscrete(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
   const block = yield* uploadBlock(gl, volume, { device, filterInShader: true });
   const { webgl2: texture3d } = device;
-  return { ...block, ...discreteText({ texture3d, twoBytes: volume.samples instanceof Uint16Array, noData: volume.hasNoData }), stage: 'field', sparesRays: true, order: 1, twin: cartesianTwin };
+  return {
+    ...block,
+    ...discreteText({ texture3d, twoBytes: volume.samples instanceof Uint16Array, noData: volume.hasNoData }),
+    stage: 'field',
+    sparesRays: true,
+    order: 1,
+    twin: cartesianTwin,
+  };
 }

@@ -21,19 +21,31 @@ export function jumpsText(isOne: boolean): RayText {
     name: 'jumps',
     stage: 'gather',
     walk: walkParts,
-    defines: { ...compositeText.defines, SURFACE_COUNT: isOne ? 1 : maxSurfaces, MAX_HIDDEN: maxHidden, MIN_SHARE: 0.5 ** maxHalvings, MAX_LOOKS: maxLooks },
+    defines: {
+      ...compositeText.defines,
+      SURFACE_COUNT: isOne ? 1 : maxSurfaces,
+      MAX_HIDDEN: maxHidden,
+      MIN_SHARE: 0.5 ** maxHalvings,
+      MAX_LOOKS: maxLooks,
+    },
     chunks: [emptySpace, surfaceValuesChunk, cubic, voxelPlanes, jumpsChunk, compositeWalk],
     samplers: compositeText.samplers,
   };
 }
 
-const twin = (values: readonly number[]): RayTwin => twinOf(usualTwins, ({ jumpGather }, { volume, rays }) => ({ gather: jumpGather(values, finestSpacing(volume.grid) / rays.diameter) }));
+const twin = (values: readonly number[]): RayTwin =>
+  twinOf(usualTwins, ({ jumpGather }, { volume, rays }) => ({
+    gather: jumpGather(values, finestSpacing(volume.grid) / rays.diameter),
+  }));
 
 /**
  * Emission and absorption on cartesian grids that also finds every place where a ray touches a value at which the volume becomes opaque
  * at once. Its modules for one volume differ only by their texts.
  */
-export function createJumps(gl: Gl, device: Device): { of(values: readonly number[]): RayModule<'gather'>; dispose(): void } {
+export function createJumps(
+  gl: Gl,
+  device: Device,
+): { of(values: readonly number[]): RayModule<'gather'>; dispose(): void } {
   const composite = createComposite(gl, device);
   return {
     of: (values) => ({
@@ -43,7 +55,14 @@ export function createJumps(gl: Gl, device: Device): { of(values: readonly numbe
       twin: twin(values),
       // If segments are exact, the picture is exact too.
       order: Infinity,
-      inputs: (frame) => joinInputs(composite.inputs(frame), { uniforms: { uSurfaceValues: surfaceValues(values, frame), uVoxelLength: finestSpacing(frame.volume.grid) / frame.rays.diameter }, units: [] }),
+      inputs: (frame) =>
+        joinInputs(composite.inputs(frame), {
+          uniforms: {
+            uSurfaceValues: surfaceValues(values, frame),
+            uVoxelLength: finestSpacing(frame.volume.grid) / frame.rays.diameter,
+          },
+          units: [],
+        }),
     }),
     dispose: () => composite.dispose!(),
   };

@@ -37,7 +37,12 @@ export function groupColumnsText(bins: boolean): RayText {
   return { ...text, defines: { ...text.defines, ...defines } };
 }
 
-export const labelFunctionsText = classifyText({ name: 'labelFunctions', defines, chunks: [columnMeans, labelFunctions], samplers: [] });
+export const labelFunctionsText = classifyText({
+  name: 'labelFunctions',
+  defines,
+  chunks: [columnMeans, labelFunctions],
+  samplers: [],
+});
 
 /** The groups that have transfer functions. */
 interface Groups {
@@ -71,8 +76,22 @@ export class LabelFunctions {
     const usual = { sparesRays: true, order: 2 };
     return [
       ...fetchEach(this.gl, frame.field),
-      { ...groupColumnsText(tables(frame).hasBins), ...usual, stage: 'field', inputs: (now) => tables(now).inputs, contributes: (optics) => this.#showsOwn(optics, looks), twin: null },
-      { ...labelFunctionsText, ...usual, stage: 'classify', inputs: (now) => this.#inputs(now, functions), contributes: (optics) => this.#showsAny(optics, functions), twin: groupsTwin(functions) },
+      {
+        ...groupColumnsText(tables(frame).hasBins),
+        ...usual,
+        stage: 'field',
+        inputs: (now) => tables(now).inputs,
+        contributes: (optics) => this.#showsOwn(optics, looks),
+        twin: null,
+      },
+      {
+        ...labelFunctionsText,
+        ...usual,
+        stage: 'classify',
+        inputs: (now) => this.#inputs(now, functions),
+        contributes: (optics) => this.#showsAny(optics, functions),
+        twin: groupsTwin(functions),
+      },
     ];
   }
 
@@ -93,19 +112,31 @@ export class LabelFunctions {
   }
 
   #inputs(frame: RayFrame, functions: readonly TransferFunction[]): ProgramInputs {
-    const { optics: { transferFunction, lightFactor, opacityFactor, referenceLength }, volume, domain: [from, to] } = frame;
+    const {
+      optics: { transferFunction, lightFactor, opacityFactor, referenceLength },
+      volume,
+      domain: [from, to],
+    } = frame;
     const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
     const all = [transferFunction, ...functions];
     // The shader does not read the table if only cells cut steps.
-    const unit = frame.maxSubsteps > 1 && this.#substeps.get([...all, lightFactor, voxelRatio], (last) => {
-      const tables = all.map((one) => buildSubstepTable(integrateForTable(brighten(one, lightFactor)), voxelRatio));
-      return this.#upload(tables.map(({ texels }) => texels), last?.texture ?? null);
-    });
+    const unit =
+      frame.maxSubsteps > 1 &&
+      this.#substeps.get([...all, lightFactor, voxelRatio], (last) => {
+        const tables = all.map((one) => buildSubstepTable(integrateForTable(brighten(one, lightFactor)), voxelRatio));
+        return this.#upload(
+          tables.map(({ texels }) => texels),
+          last?.texture ?? null,
+        );
+      });
     const uFunctionShares = functions.flatMap((one) => {
       const [low, high] = domainOf(one);
       return [(to - from) / (high - low), (from - low) / (high - low), 0, 0];
     });
-    const uniforms = { ...opticalUniforms(frame), uFunctionShares: Array.from({ length: 16 }, (_, i) => uFunctionShares[i] ?? 0) };
+    const uniforms = {
+      ...opticalUniforms(frame),
+      uFunctionShares: Array.from({ length: 16 }, (_, i) => uFunctionShares[i] ?? 0),
+    };
     return joinInputs({ uniforms, units: unit ? [unit] : [] });
   }
 
@@ -128,9 +159,14 @@ export class LabelFunctions {
   }
 }
 
-export const groupsTwin = (functions: readonly TransferFunction[]): RayTwin => twinOf(usualTwins, ({ classifyPicture, groupClassify }, { volume, optics, rays }, { field }) => ({
-  classify: groupClassify([optics.transferFunction, ...functions].map((transferFunction) => classifyPicture({ ...optics, transferFunction }, volume.grid, rays.diameter, field))),
-}));
+export const groupsTwin = (functions: readonly TransferFunction[]): RayTwin =>
+  twinOf(usualTwins, ({ classifyPicture, groupClassify }, { volume, optics, rays }, { field }) => ({
+    classify: groupClassify(
+      [optics.transferFunction, ...functions].map((transferFunction) =>
+        classifyPicture({ ...optics, transferFunction }, volume.grid, rays.diameter, field),
+      ),
+    ),
+  }));
 
 /** From the lowest to the highest stop of several functions. */
 function spanAll(all: readonly TransferFunction[]): readonly [number, number] {

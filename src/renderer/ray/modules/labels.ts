@@ -27,7 +27,11 @@ export function labelsText({ texture3d, twoBytes, hides, groups = false }: Label
     name: 'labels',
     stage: 'field',
     defines: {
-      LABELS_3D: Number(texture3d), LABEL_TWO_BYTES: Number(twoBytes), LABELS_HIDE: Number(hides), LABELS_ACROSS: labelsAcross.toFixed(1), ...(hides && { NO_DATA: 1 }),
+      LABELS_3D: Number(texture3d),
+      LABEL_TWO_BYTES: Number(twoBytes),
+      LABELS_HIDE: Number(hides),
+      LABELS_ACROSS: labelsAcross.toFixed(1),
+      ...(hides && { NO_DATA: 1 }),
     },
     chunks: [vote, texture3d ? labels3d : labelsMosaic, labels],
     samplers: ['uLabels', 'uLabelTable'],
@@ -36,4 +40,5 @@ export function labelsText({ texture3d, twoBytes, hides, groups = false }: Label
 }
 
 /** @param hides - as in `LabelOptions` */
-export const labelsTwin = (labels: ShownLabels, hides: boolean): RayTwin => twinOf(usualTwins, ({ labelField }) => ({ moreFields: [labelField(labels, hides)] }));
+export const labelsTwin = (labels: ShownLabels, hides: boolean): RayTwin =>
+  twinOf(usualTwins, ({ labelField }) => ({ moreFields: [labelField(labels, hides)] }));

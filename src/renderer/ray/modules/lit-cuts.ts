@@ -24,7 +24,10 @@ export function cutsOf(cuts: readonly RayCut[]): CutsOfRays {
 const far = 1e9;
 
 /** The uniforms of shaders/chunks/shade/lit-cuts.glsl. */
-export function cutUniforms({ halfSpaces, unitToCutout, unitToRegion }: CutFaces, { grid: { dimensions } }: Volume): Uniforms {
+export function cutUniforms(
+  { halfSpaces, unitToCutout, unitToRegion }: CutFaces,
+  { grid: { dimensions } }: Volume,
+): Uniforms {
   const planes = Array.from({ length: maxHalfSpaces }, (_, i) => {
     const plane = halfSpaces[i];
     if (!plane) return [0, 0, 0, far];
@@ -32,8 +35,16 @@ export function cutUniforms({ halfSpaces, unitToCutout, unitToRegion }: CutFaces
     return [...plane.normal, -plane.offset].map((x) => x / perVoxel);
   });
   const [uClipVoxelsA, uClipVoxelsB, uClipVoxelsC] = [0, 4, 8].map((first) => planes.slice(first, first + 4).flat());
-  const uCutoutInVoxels = unitToCutout ? boxColumns(unitToCutout, dimensions) : [0, 0, 0, -far, 0, 0, 0, -far, 0, 0, 0, -far, 0, 0, 0, 0];
-  return { uClipVoxelsA, uClipVoxelsB, uClipVoxelsC, uCutoutInVoxels, uRegionInVoxels: boxColumns(unitToRegion, dimensions) };
+  const uCutoutInVoxels = unitToCutout
+    ? boxColumns(unitToCutout, dimensions)
+    : [0, 0, 0, -far, 0, 0, 0, -far, 0, 0, 0, -far, 0, 0, 0, 0];
+  return {
+    uClipVoxelsA,
+    uClipVoxelsB,
+    uClipVoxelsC,
+    uCutoutInVoxels,
+    uRegionInVoxels: boxColumns(unitToRegion, dimensions),
+  };
 }
 
 export function hasCuts({ halfSpaces, unitToCutout }: CutsOfRays): boolean {

@@ -11,7 +11,14 @@ import type { LitScene } from '../../../optics/rays/lit.ts';
 import type { SlopedField } from '../../../optics/shading-twins.ts';
 import { domainOf } from '../../../optics/transfer/emission.ts';
 import { flatChange, normalsToWorld } from '../../../optics/rays/gradient.ts';
-import { fogFlat, fogMaterial, headlightAlone, plainMaterial, softFacing, softSpecular } from '../../../optics/transfer/lights.ts';
+import {
+  fogFlat,
+  fogMaterial,
+  headlightAlone,
+  plainMaterial,
+  softFacing,
+  softSpecular,
+} from '../../../optics/transfer/lights.ts';
 import type { LitMaterial, SceneLights } from '../../../optics/transfer/lights.ts';
 import { mapShares } from '../../../optics/transfer/share-map.ts';
 import { unitToWorld } from '../../../volume/grid.ts';
@@ -39,7 +46,9 @@ export interface FieldTaps {
 }
 
 /** The code of all twins that need gradients. */
-export const shadingTwins = later(() => loadPart(import('../../../optics/shading-twins.ts'), 'lights rays on the processor'));
+export const shadingTwins = later(() =>
+  loadPart(import('../../../optics/shading-twins.ts'), 'lights rays on the processor'),
+);
 
 export const cartesianTapsOf: FieldTaps = {
   chunk: cartesianTaps,
@@ -59,7 +68,14 @@ export interface LitOptions {
 
 /** Adds its place to each sample. */
 export const pointsModule: RayModule<'field'> = {
-  name: 'points', stage: 'field', defines: {}, members: ['vec3 point'], chunks: [points], samplers: [], sparesRays: true, order: Infinity,
+  name: 'points',
+  stage: 'field',
+  defines: {},
+  members: ['vec3 point'],
+  chunks: [points],
+  samplers: [],
+  sparesRays: true,
+  order: Infinity,
   inputs: () => ({ uniforms: {}, units: [] }),
   twin: twinOf(usualTwins, ({ pointField }) => ({ moreFields: [pointField] })),
 };
@@ -68,10 +84,19 @@ export const pointsModule: RayModule<'field'> = {
 export function shadingText({ taps, ...options }: LitOptions): Pick<RayText, 'defines' | 'chunks'> {
   return {
     defines: {
-      LIT_LIGHTS: Number(options.lights), LIT_CUTS: Number(options.cuts), MIN_LIT: minLit.toExponential(),
+      LIT_LIGHTS: Number(options.lights),
+      LIT_CUTS: Number(options.cuts),
+      MIN_LIT: minLit.toExponential(),
       ...(options.lights && { SOFT_FACING: softFacing.toFixed(2), SOFT_SPECULAR: softSpecular.toFixed(2) }),
     },
-    chunks: [litBegin, ...(options.lights ? [lights] : []), ...(options.cuts ? [litCuts] : []), taps.chunk, gradientTaps, litSample],
+    chunks: [
+      litBegin,
+      ...(options.lights ? [lights] : []),
+      ...(options.cuts ? [litCuts] : []),
+      taps.chunk,
+      gradientTaps,
+      litSample,
+    ],
   };
 }
 
@@ -92,7 +117,11 @@ export function shadedTwin({ taps }: LitOptions, parts: RayTwin['parts']): RayTw
 }
 
 /** The scene that lights places in float64. For picks it has only the light at the eye, because only places matter to them. */
-export function litScene({ volume, optics, rays, placesOnly }: TwinFrame, { taps }: LitOptions, { lights: shining, cuts }: LitSurroundings): LitScene {
+export function litScene(
+  { volume, optics, rays, placesOnly }: TwinFrame,
+  { taps }: LitOptions,
+  { lights: shining, cuts }: LitSurroundings,
+): LitScene {
   return {
     grid: volume.grid,
     gradient: taps.slopes.code(volume).gradient,
@@ -104,8 +133,13 @@ export function litScene({ volume, optics, rays, placesOnly }: TwinFrame, { taps
 
 /** If only places matter, light is left out, and its code is not loaded. */
 function litTwin(options: LitOptions, scene: LitSurroundings): RayTwin {
-  const { load, parts } = shadedTwin(options, (frame) => ({ shades: [shadingTwins.code.litShade(litScene(frame, options, scene))] }));
-  return { load: (frame) => (frame.placesOnly ? Promise.resolve() : load(frame)), parts: (frame, before) => (frame.placesOnly ? {} : parts(frame, before)) };
+  const { load, parts } = shadedTwin(options, (frame) => ({
+    shades: [shadingTwins.code.litShade(litScene(frame, options, scene))],
+  }));
+  return {
+    load: (frame) => (frame.placesOnly ? Promise.resolve() : load(frame)),
+    parts: (frame, before) => (frame.placesOnly ? {} : parts(frame, before)),
+  };
 }
 
 /** Light on every place of a field, with its gradient as the normal of a surface. */
@@ -116,12 +150,23 @@ export function createLit(options: LitOptions, scene: LitSurroundings): RayModul
     sparesRays: true,
     order: 2,
     twin: litTwin(options, scene),
-    inputs: (frame) => ({ uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame) / fogFlat, uFogMaterial: toVector(fogMaterial) }, units: [] }),
+    inputs: (frame) => ({
+      uniforms: {
+        ...shadingUniforms(frame, options.taps, scene),
+        uPerFlat: perFlat(frame) / fogFlat,
+        uFogMaterial: toVector(fogMaterial),
+      },
+      units: [],
+    }),
   };
 }
 
 /** The uniforms of the chunks of `shadingText`. */
-export function shadingUniforms({ volume, rays }: RayFrame, taps: FieldTaps, { lights: shining, cuts }: LitSurroundings): Uniforms {
+export function shadingUniforms(
+  { volume, rays }: RayFrame,
+  taps: FieldTaps,
+  { lights: shining, cuts }: LitSurroundings,
+): Uniforms {
   return {
     ...taps.uniforms(volume),
     uMaterial: toVector(plainMaterial),
@@ -140,7 +185,8 @@ function toVector({ ambient, diffuse, specular, shininess }: LitMaterial): numbe
 /** 1 / the change of value that counts as flat, as a share of the domain. */
 export function perFlat({ volume, field, optics, domain }: RayFrame): number {
   // The data value of one share of the domain.
-  const share = (volume.slope * field.storedScale) / mapShares({ ...volume, storedScale: field.storedScale }, domain).scale;
+  const share =
+    (volume.slope * field.storedScale) / mapShares({ ...volume, storedScale: field.storedScale }, domain).scale;
   return share / flatChange(domainOf(optics.transferFunction), volume.range);
 }
 

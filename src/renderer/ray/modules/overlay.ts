@@ -34,7 +34,14 @@ export function overlayText({ texture3d, twoBytes, filter, holes }: OverlayOptio
   return {
     name: 'overlay',
     stage: 'field',
-    defines: { OVERLAY_3D: Number(texture3d), OVERLAY_TWO_BYTES: Number(twoBytes), OVERLAY_FILTER: Number(filter), OVERLAY_HOLES: Number(holes), OVERLAY_SLACK: edgeSlack, MIN_OVERLAY: minShare },
+    defines: {
+      OVERLAY_3D: Number(texture3d),
+      OVERLAY_TWO_BYTES: Number(twoBytes),
+      OVERLAY_FILTER: Number(filter),
+      OVERLAY_HOLES: Number(holes),
+      OVERLAY_SLACK: edgeSlack,
+      MIN_OVERLAY: minShare,
+    },
     chunks: [overlayGrid, texture3d ? overlay3d : overlayMosaic, overlayCartesian, overlayField],
     samplers: ['uOverlay'],
     members: ['float overlay'],
@@ -67,7 +74,12 @@ export function overlayAppearanceText({ color, tableFilter, folds }: OverlayLook
   return {
     name: 'overlayLook',
     stage: 'shade',
-    defines: { OVERLAY_COLOR: Number(color), OVERLAY_TABLE_FILTER: Number(tableFilter), OVERLAY_FOLDS: Number(folds), OVERLAY_DEEPEST: deepest.toFixed(1) },
+    defines: {
+      OVERLAY_COLOR: Number(color),
+      OVERLAY_TABLE_FILTER: Number(tableFilter),
+      OVERLAY_FOLDS: Number(folds),
+      OVERLAY_DEEPEST: deepest.toFixed(1),
+    },
     chunks: [depths, overlay],
     samplers: ['uOverlayTable'],
   };
@@ -89,6 +101,11 @@ export function overlayTwins(overlay: ShownOverlay, field = onOwnGrid): OverlayT
   const load = (): Promise<unknown> => Promise.all([usualTwins.load(), field.load()]);
   return {
     field: { load, parts: () => ({ moreFields: [usualTwins.code.overlayField(field.code(overlay))] }) },
-    look: { load, parts: ({ optics, rays }) => ({ shades: usualTwins.code.overlayStages(overlay, field.code(overlay), { optics, diameter: rays.diameter }).shades }) },
+    look: {
+      load,
+      parts: ({ optics, rays }) => ({
+        shades: usualTwins.code.overlayStages(overlay, field.code(overlay), { optics, diameter: rays.diameter }).shades,
+      }),
+    },
   };
 }

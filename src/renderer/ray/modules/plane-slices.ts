@@ -35,7 +35,9 @@ const kinds: readonly ProjectionKind[] = ['average', 'max', 'min'];
 const steepest = 1e30;
 
 const twin = (planes: readonly PlaneSlice[]): RayTwin =>
-  twinOf(usualTwins, ({ planeInterval }, { optics }, { field }) => ({ intervals: [planeInterval(planes, field, brighten(optics.transferFunction, optics.lightFactor))] }));
+  twinOf(usualTwins, ({ planeInterval }, { optics }, { field }) => ({
+    intervals: [planeInterval(planes, field, brighten(optics.transferFunction, optics.lightFactor))],
+  }));
 
 /** Planes through a volume end rays; the volume in front of them stays visible: grey by a window, or in the volume's colours. Four at most. */
 export function createPlanes(): SliceModule<PlaneSlice> {
@@ -56,7 +58,10 @@ export function createPlanes(): SliceModule<PlaneSlice> {
       return twin(this.slices);
     },
     inputs({ domain, rays }) {
-      return { uniforms: { ...planeUniforms(this.slices, domain), ...outlineUniforms(outlinesOf(this.slices, rays)) }, units: [] };
+      return {
+        uniforms: { ...planeUniforms(this.slices, domain), ...outlineUniforms(outlinesOf(this.slices, rays)) },
+        units: [],
+      };
     },
   };
 }
@@ -66,12 +71,14 @@ function planeUniforms(planes: readonly PlaneSlice[], [low, high]: readonly [num
   const fill = (numbers: readonly number[]): number[] => Array.from({ length: 16 }, (_, i) => numbers[i] ?? 0);
   return {
     uPlanes: fill(planes.flatMap(({ normal, offset }) => [...normal, offset])),
-    uPlanePaints: fill(planes.flatMap(({ window, slab }) => {
-      const kind = kinds.indexOf(slab?.kind ?? 'average');
-      if (!window) return [2, 0, 0, kind];
-      const [black, white] = window.map((value) => (value - low) / (high - low));
-      return [1, black, white > black ? 1 / (white - black) : steepest, kind];
-    })),
+    uPlanePaints: fill(
+      planes.flatMap(({ window, slab }) => {
+        const kind = kinds.indexOf(slab?.kind ?? 'average');
+        if (!window) return [2, 0, 0, kind];
+        const [black, white] = window.map((value) => (value - low) / (high - low));
+        return [1, black, white > black ? 1 / (white - black) : steepest, kind];
+      }),
+    ),
     uSlabs: fill(planes.flatMap(({ slab }) => (slab ? [...slab.way, 1] : [0, 0, 0, 0]))),
   };
 }

@@ -27,13 +27,27 @@ export interface ProjectionOptions {
   readonly isExact?: boolean;
 }
 
-export function projectionText(kind: ProjectionKind, { isLocal = false, isExact = false }: ProjectionOptions = {}): RayText {
+export function projectionText(
+  kind: ProjectionKind,
+  { isLocal = false, isExact = false }: ProjectionOptions = {},
+): RayText {
   const shared = { name: kind, stage: 'gather', ...(isExact && { walk: walkVoxels }) } as const;
   const planes = isExact ? [cubic, voxelPlanes] : [];
   const defines = { EXACT: Number(isExact) };
-  if (kind === 'average') return { ...shared, defines: { ...defines, CELL_CODES: cellCodes.toFixed(1) }, chunks: [emptySpace, ...planes, average], samplers: ['uEmptySpaceDistance'] };
+  if (kind === 'average')
+    return {
+      ...shared,
+      defines: { ...defines, CELL_CODES: cellCodes.toFixed(1) },
+      chunks: [emptySpace, ...planes, average],
+      samplers: ['uEmptySpaceDistance'],
+    };
   const sign = kind === 'max' ? '1.0' : '-1.0';
-  return { ...shared, defines: { ...defines, EXTREME_SIGN: sign, REFINEMENTS: refinements, LOCAL_EXTREME: Number(isLocal) }, chunks: [...planes, extreme], samplers: ['uCellLimits'] };
+  return {
+    ...shared,
+    defines: { ...defines, EXTREME_SIGN: sign, REFINEMENTS: refinements, LOCAL_EXTREME: Number(isLocal) },
+    chunks: [...planes, extreme],
+    samplers: ['uCellLimits'],
+  };
 }
 
 /** Which of a ray's values is shown. */
@@ -43,13 +57,18 @@ interface Projection {
   readonly threshold?: number;
 }
 
-export const projectionTwin = ({ kind, threshold }: Projection): RayTwin => twinOf(usualTwins, ({ projectionGather }) => ({ gather: projectionGather(kind, threshold) }));
+export const projectionTwin = ({ kind, threshold }: Projection): RayTwin =>
+  twinOf(usualTwins, ({ projectionGather }) => ({ gather: projectionGather(kind, threshold) }));
 
 /**
  * The largest, the smallest or the mean value along each ray, in the transfer function's colours.
  * @returns one module that takes steps, and one that goes from plane to plane of voxels
  */
-export function createProjection({ kind, threshold }: Projection, gl: Gl, device: Device): { readonly stepped: RayModule<'gather'>; readonly exact: RayModule<'gather'> } {
+export function createProjection(
+  { kind, threshold }: Projection,
+  gl: Gl,
+  device: Device,
+): { readonly stepped: RayModule<'gather'>; readonly exact: RayModule<'gather'> } {
   const cells = new Kept<CellTexture>();
   const isLocal = threshold !== undefined && kind !== 'average';
   const [samplerName] = projectionText(kind).samplers;
@@ -61,15 +80,31 @@ export function createProjection({ kind, threshold }: Projection, gl: Gl, device
     twin: projectionTwin({ kind, threshold }),
     order: isLocal ? 1 : kind === 'average' ? 2 : 4,
     inputs(frame) {
-      const { volume: { macrocells }, skipping, volume, domain } = frame;
+      const {
+        volume: { macrocells },
+        skipping,
+        volume,
+        domain,
+      } = frame;
       const key = kind === 'average' ? [volume, skipping] : [volume, skipping, ...domain];
       const { unit, uniforms } = cells.get(key, (previous) =>
-        uploadCells(gl, describeCells(kind, frame), macrocells.dimensions, { previous, device, samplerName }));
-      return { uniforms: { ...uniforms, uDetailPower: powerOfSteps(0), ...(isLocal && { uThreshold: shareOf(threshold, domain) * (kind === 'max' ? 1 : -1) }) }, units: [unit] };
+        uploadCells(gl, describeCells(kind, frame), macrocells.dimensions, { previous, device, samplerName }),
+      );
+      return {
+        uniforms: {
+          ...uniforms,
+          uDetailPower: powerOfSteps(0),
+          ...(isLocal && { uThreshold: shareOf(threshold, domain) * (kind === 'max' ? 1 : -1) }),
+        },
+        units: [unit],
+      };
     },
     dispose: () => gl.deleteTexture(cells.last?.unit.texture ?? null),
   };
-  return { stepped, exact: { ...stepped, ...projectionText(kind, { isLocal, isExact: true }), stage: 'gather', order: Infinity } };
+  return {
+    stepped,
+    exact: { ...stepped, ...projectionText(kind, { isLocal, isExact: true }), stage: 'gather', order: Infinity },
+  };
 }
 
 function shareOf(value: number, [low, high]: readonly [number, number]): number {
@@ -77,9 +112,17 @@ function shareOf(value: number, [low, high]: readonly [number, number]): number 
 }
 
 /** A byte for each cell that says whether a ray may skip the cell; it does not depend on opacity. */
-function describeCells(kind: ProjectionKind, { volume, skipping, domain: [low, high] }: RayFrame): Uint8Array<ArrayBuffer> {
+function describeCells(
+  kind: ProjectionKind,
+  { volume, skipping, domain: [low, high] }: RayFrame,
+): Uint8Array<ArrayBuffer> {
   const { macrocells, slope, intercept } = volume;
-  if (kind === 'average') return skipping ? encodeCells(measureEmptySpace(macrocells, [], volume)) : new Uint8Array(macrocells.low.length);
+  if (kind === 'average')
+    return skipping ? encodeCells(measureEmptySpace(macrocells, [], volume)) : new Uint8Array(macrocells.low.length);
   if (!skipping) return new Uint8Array(macrocells.low.length).fill(anything);
-  return measureCellLimits(macrocells, { scale: slope / (high - low), offset: (intercept - low) / (high - low) }, kind === 'max' ? 1 : -1);
+  return measureCellLimits(
+    macrocells,
+    { scale: slope / (high - low), offset: (intercept - low) / (high - low) },
+    kind === 'max' ? 1 : -1,
+  );
 }

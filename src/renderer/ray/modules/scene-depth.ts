@@ -14,10 +14,17 @@ export const sceneDepthText: RayText = {
   defines: {},
   chunks: [sceneDepth],
   samplers: ['uSceneDepth'],
-  between: { defines: {}, chunks: [quadPlace, needsRays], samplers: ['uDepthJumps'], needsRays: 'needsRaysAtJumps(place, around)' },
+  between: {
+    defines: {},
+    chunks: [quadPlace, needsRays],
+    samplers: ['uDepthJumps'],
+    needsRays: 'needsRaysAtJumps(place, around)',
+  },
 };
 
-const twin = twinOf(usualTwins, ({ shapeInterval }, { shapeT }) => (shapeT ? { intervals: [shapeInterval(shapeT)] } : {}));
+const twin = twinOf(usualTwins, ({ shapeInterval }, { shapeT }) =>
+  shapeT ? { intervals: [shapeInterval(shapeT)] } : {},
+);
 
 /** The scene's opaque shapes end rays. */
 export function createSceneDepth(gl: Gl): SurfacesModule {
@@ -31,7 +38,8 @@ export function createSceneDepth(gl: Gl): SurfacesModule {
     inputs({ rays, surfaces, fades }): ProgramInputs {
       if (!surfaces) return { uniforms: {}, units: [] };
       const depth = depthInputs(surfaces, [rays.planeDepth, rays.diameter]);
-      if (!surfaces.lattice.half) return { ...depth, units: [...depth.units, { ...depth.units[0], samplerName: 'uDepthJumps' }] };
+      if (!surfaces.lattice.half)
+        return { ...depth, units: [...depth.units, { ...depth.units[0], samplerName: 'uDepthJumps' }] };
       const units = (jumps ??= new DepthJumps(gl)).draw(rays, surfaces, depth);
       return { uniforms: { ...depth.uniforms, uFaint: fades ? faint : -1 }, units: [...depth.units, ...units] };
     },
@@ -41,7 +49,15 @@ export function createSceneDepth(gl: Gl): SurfacesModule {
 }
 
 /** Uniforms that say where a lattice's pixels are in the picture's depth buffer, and how to convert its values. */
-export function depthInputs({ depths, projection, picture: { width, height }, lattice: { stride, first, isCoarse } }: Omit<Surfaces, 'stepLength'>, uDepthToT: readonly [number, number]): ProgramInputs {
+export function depthInputs(
+  {
+    depths,
+    projection,
+    picture: { width, height },
+    lattice: { stride, first, isCoarse },
+  }: Omit<Surfaces, 'stepLength'>,
+  uDepthToT: readonly [number, number],
+): ProgramInputs {
   const shift = (begin: number): number => begin + 0.5 - 0.5 * stride;
   return {
     uniforms: {

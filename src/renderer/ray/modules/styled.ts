@@ -3,7 +3,17 @@ import styledSample from '../../../../shaders/chunks/shade/styled-sample.glsl?ra
 import { maxOpacity, perGradientReach, perReferenceLength, splitMaterial } from '../../../optics/rays/styled.ts';
 import { flatChange } from '../../../optics/rays/gradient.ts';
 import { domainOf } from '../../../optics/transfer/emission.ts';
-import { buildStyleTable, flatFactor, flatOf, hasEdges, maxChains, shadedOf, shareOfChange, styleColumns, styleRows } from '../../../optics/transfer/volume-styles.ts';
+import {
+  buildStyleTable,
+  flatFactor,
+  flatOf,
+  hasEdges,
+  maxChains,
+  shadedOf,
+  shareOfChange,
+  styleColumns,
+  styleRows,
+} from '../../../optics/transfer/volume-styles.ts';
 import type { StyleChain } from '../../../optics/transfer/volume-styles.ts';
 import { isWebGl2 } from '../../device/device.ts';
 import type { Gl } from '../../device/device.ts';
@@ -24,7 +34,12 @@ export { withLight } from '../../../optics/transfer/volume-styles.ts';
 export function stylingText(options: LitOptions): Pick<RayText, 'defines' | 'chunks' | 'samplers'> {
   const { defines, chunks } = shadingText(options);
   return {
-    defines: { ...defines, STYLE_COLUMNS: styleColumns.toFixed(1), STYLE_ROWS: styleRows.toFixed(1), STYLE_CHANGES: (2 * shareOfChange(1)).toFixed(6) },
+    defines: {
+      ...defines,
+      STYLE_COLUMNS: styleColumns.toFixed(1),
+      STYLE_ROWS: styleRows.toFixed(1),
+      STYLE_CHANGES: (2 * shareOfChange(1)).toFixed(6),
+    },
     chunks: [...chunks, styledSample],
     samplers: ['uStyleTable'],
   };
@@ -32,7 +47,13 @@ export function stylingText(options: LitOptions): Pick<RayText, 'defines' | 'chu
 
 export function styledText(options: LitOptions): RayText {
   const { defines, chunks, samplers } = stylingText(options);
-  return { name: 'styled', stage: 'shade', defines: { ...defines, STYLE_MAX: String(maxOpacity) }, chunks: [...chunks, styled], samplers };
+  return {
+    name: 'styled',
+    stage: 'shade',
+    defines: { ...defines, STYLE_MAX: String(maxOpacity) },
+    chunks: [...chunks, styled],
+    samplers,
+  };
 }
 
 let reported = false;
@@ -40,28 +61,55 @@ let reported = false;
 /** Whether a sampler is left for the table: in WebGL 1 other modules may use all of them. Then styles are left out, with one console warning. */
 export function hasRoom(others: readonly RayText[], { webgl2 }: { readonly webgl2: boolean }): boolean {
   const fits = listSamplers({ adaptive: false, modules: others }).length < maxSamplers(webgl2);
-  if (!fits && !reported) console.warn('<volume-view>: this device has no room for rendering styles beside shapes, a transfer function of steep stops, and labels, a layer or a radar. They are left out.');
+  if (!fits && !reported)
+    console.warn(
+      '<volume-view>: this device has no room for rendering styles beside shapes, a transfer function of steep stops, and labels, a layer or a radar. They are left out.',
+    );
   reported ||= !fits;
   return fits;
 }
 
-const styledTwin = (chains: readonly StyleChain[], options: LitOptions, scene: LitSurroundings): RayTwin => shadedTwin(options, (frame) => {
-  const { optics: { referenceLength, opacityFactor }, rays } = frame;
-  return { shades: [shadingTwins.code.styledShade({ ...litScene(frame, options, scene), chains, referenceLength, opticalScale: (rays.diameter / referenceLength) * opacityFactor })] };
-});
+const styledTwin = (chains: readonly StyleChain[], options: LitOptions, scene: LitSurroundings): RayTwin =>
+  shadedTwin(options, (frame) => {
+    const {
+      optics: { referenceLength, opacityFactor },
+      rays,
+    } = frame;
+    return {
+      shades: [
+        shadingTwins.code.styledShade({
+          ...litScene(frame, options, scene),
+          chains,
+          referenceLength,
+          opticalScale: (rays.diameter / referenceLength) * opacityFactor,
+        }),
+      ],
+    };
+  });
 
 /** Styles in float64: a function of the place on a ray. */
 export type StylesTwin = (frame: TwinFrame) => (ray: Ray) => (known: Sample) => Styled;
 
-const stylesTwin = (chains: readonly StyleChain[], flatPart: number, options: LitOptions, scene: LitSurroundings): StylesTwin =>
-  (frame) => shadingTwins.code.stylesAt({ ...litScene(frame, options, scene), chains, flatPart, referenceLength: frame.optics.referenceLength });
+const stylesTwin =
+  (chains: readonly StyleChain[], flatPart: number, options: LitOptions, scene: LitSurroundings): StylesTwin =>
+  (frame) =>
+    shadingTwins.code.stylesAt({
+      ...litScene(frame, options, scene),
+      chains,
+      flatPart,
+      referenceLength: frame.optics.referenceLength,
+    });
 
 /** X3D's rendering styles, and their table on the GPU. */
 export class StyledRays {
   #table: WebGLTexture | null = null;
 
   /** @param flatPart - see `StyledPlaces` */
-  constructor(readonly gl: Gl, readonly chains: readonly StyleChain[], readonly flatPart = flatOf(chains)) {}
+  constructor(
+    readonly gl: Gl,
+    readonly chains: readonly StyleChain[],
+    readonly flatPart = flatOf(chains),
+  ) {}
 
   module(options: LitOptions, scene: LitSurroundings): RayModule<'shade'> {
     return {
@@ -82,13 +130,25 @@ export class StyledRays {
   /** The inputs of the chunks of `stylingText`. */
   inputs(frame: RayFrame, options: LitOptions, scene: LitSurroundings): ProgramInputs {
     return {
-      uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame) / this.flatPart, ...this.#uniforms(frame) },
-      units: [textureUnit(this.gl, { type: this.gl.TEXTURE_2D, texture: this.#table ??= this.#upload(), filter: this.gl.NEAREST, samplerName: 'uStyleTable' })],
+      uniforms: {
+        ...shadingUniforms(frame, options.taps, scene),
+        uPerFlat: perFlat(frame) / this.flatPart,
+        ...this.#uniforms(frame),
+      },
+      units: [
+        textureUnit(this.gl, {
+          type: this.gl.TEXTURE_2D,
+          texture: (this.#table ??= this.#upload()),
+          filter: this.gl.NEAREST,
+          samplerName: 'uStyleTable',
+        }),
+      ],
     };
   }
 
   #uniforms({ volume, optics }: RayFrame): Uniforms {
-    const both = (read: (chain: StyleChain) => number): number[] => Array.from({ length: maxChains }, (_, i) => (this.chains[i] ? read(this.chains[i]) : 0));
+    const both = (read: (chain: StyleChain) => number): number[] =>
+      Array.from({ length: maxChains }, (_, i) => (this.chains[i] ? read(this.chains[i]) : 0));
     const lit = this.chains.flatMap(({ styles }) => shadedOf(styles) ?? []);
     const { shares, colors } = splitMaterial(lit[0]?.material ?? null);
     return {
@@ -96,7 +156,9 @@ export class StyledRays {
       uStyleWeights: both(({ weight }) => weight),
       uStyleFlat: both(({ styles }) => flatFactor(styles)),
       uStyleLit: both(({ styles }) => Number(shadedOf(styles) !== undefined)),
-      uStylePerReach: both(({ styles }) => perGradientReach(styles, flatChange(domainOf(optics.transferFunction), volume.range), optics.referenceLength)),
+      uStylePerReach: both(({ styles }) =>
+        perGradientReach(styles, flatChange(domainOf(optics.transferFunction), volume.range), optics.referenceLength),
+      ),
       uStyleDiffuse: colors.diffuse,
       uStyleSpecular: colors.specular,
       uStyleEmissive: colors.emissive,
@@ -111,7 +173,17 @@ export class StyledRays {
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
     prepareUpload(gl);
-    gl.texImage2D(gl.TEXTURE_2D, 0, isWebGl2(gl) ? gl.RGBA32F : gl.RGBA, styleColumns, styleRows * maxChains, 0, gl.RGBA, gl.FLOAT, texels);
+    gl.texImage2D(
+      gl.TEXTURE_2D,
+      0,
+      isWebGl2(gl) ? gl.RGBA32F : gl.RGBA,
+      styleColumns,
+      styleRows * maxChains,
+      0,
+      gl.RGBA,
+      gl.FLOAT,
+      texels,
+    );
     return texture;
   }
 

@@ -9,7 +9,14 @@ const nowhere = 1e36;
 export const kinkProbes = 6;
 
 /** Values as shares of the domain; unused slots get a value that is far from any other. */
-export function surfaceValues(values: readonly number[], { volume, field: { storedScale }, domain }: RayFrame): number[] {
+export function surfaceValues(
+  values: readonly number[],
+  { volume, field: { storedScale }, domain }: RayFrame,
+): number[] {
   const { from, scale } = mapShares({ ...volume, storedScale }, domain);
-  return Array.from({ length: maxSurfaces }, (_, i) => (i < values.length ? Math.min(nowhere, ((values[i] - volume.intercept) / volume.slope / storedScale - from) * scale) : nowhere));
+  return Array.from({ length: maxSurfaces }, (_, i) =>
+    i < values.length
+      ? Math.min(nowhere, ((values[i] - volume.intercept) / volume.slope / storedScale - from) * scale)
+      : nowhere,
+  );
 }

@@ -20,7 +20,6 @@ import type { StyledRays, StylesTwin } from './styled.ts';
 import { kinkProbes, surfaceValues } from './surface-values.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
 
-
 /** A difference of values for places where it is not known: larger than between any two values, smaller than to an unused surface slot. */
 const farthest = '1e35';
 
@@ -51,17 +50,43 @@ export function surfacesText({ isOne, fog, kinks, light, styling }: SurfaceOptio
     name: 'surfaces',
     stage: 'gather',
     defines: {
-      ...compositeText.defines, ...shading?.defines, LOOKS: 1, SURFACE_COUNT: count, FARTHEST: farthest, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null && !styling), SURFACES_STYLED: Number(light !== null && styling !== undefined), KINKS: Number(kinks),
+      ...compositeText.defines,
+      ...shading?.defines,
+      LOOKS: 1,
+      SURFACE_COUNT: count,
+      FARTHEST: farthest,
+      SURFACE_FOG: Number(fog),
+      SURFACES_LIT: Number(light !== null && !styling),
+      SURFACES_STYLED: Number(light !== null && styling !== undefined),
+      KINKS: Number(kinks),
       // MAX_PIECES: crossings of each surface up, down, and the one after that; and the ends of these three parts.
-      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? kinkProbes : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MAX_PIECES: 3 * count + 3,
+      SURFACE_REFINEMENTS: surfaceRefinements,
+      GRAZING_PROBES: grazingProbes,
+      KINK_PROBES: kinks ? kinkProbes : 0,
+      GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`,
+      MAX_PIECES: 3 * count + 3,
     },
-    chunks: [...(shading?.chunks ?? []), emptySpace, surfaceValuesChunk, crossings, gatheredPieces, surfacesChunk, compositeWalk],
+    chunks: [
+      ...(shading?.chunks ?? []),
+      emptySpace,
+      surfaceValuesChunk,
+      crossings,
+      gatheredPieces,
+      surfacesChunk,
+      compositeWalk,
+    ],
     samplers: [...compositeText.samplers, ...(shading?.samplers ?? [])],
   };
 }
 
 /** Emission and absorption, with surfaces in it. Its modules for one volume differ only by their texts. */
-export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly IsoSurface[], options: SurfaceOptions, shading: SurfaceShading | null): RayModule<'gather'>; dispose(): void } {
+export function createSurfaces(
+  gl: Gl,
+  device: Device,
+): {
+  of(surfaces: readonly IsoSurface[], options: SurfaceOptions, shading: SurfaceShading | null): RayModule<'gather'>;
+  dispose(): void;
+} {
   const composite = createComposite(gl, device);
   let edges: EdgeRays | null = null;
   return {
@@ -73,7 +98,11 @@ export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly 
       order: Infinity,
       twin: surfacesTwin(surfaces, options, shadingOf(options, shading)),
       edges: () => (edges ??= new EdgeRays(gl)),
-      inputs: (frame) => joinInputs(joinInputs(composite.inputs(frame), { uniforms: surfaceUniforms(surfaces, frame), units: [] }), shadingInputs(frame, options, shading)),
+      inputs: (frame) =>
+        joinInputs(
+          joinInputs(composite.inputs(frame), { uniforms: surfaceUniforms(surfaces, frame), units: [] }),
+          shadingInputs(frame, options, shading),
+        ),
     }),
     dispose: () => {
       composite.dispose!();
@@ -99,7 +128,11 @@ function shadingOf({ light, styling }: SurfaceOptions, shading: SurfaceShading |
 
 function surfacesTwin(surfaces: readonly IsoSurface[], { fog }: SurfaceOptions, shading: TwinShading | null): RayTwin {
   const parts: RayTwin['parts'] = (frame) => {
-    const { optics, volume: { grid }, placesOnly } = frame;
+    const {
+      optics,
+      volume: { grid },
+      placesOnly,
+    } = frame;
     const { surfaceGather, brightenSurfaces, lightAt, towardsEye } = shadingTwins.code;
     const stylesOf = shading?.styles?.(frame);
     const scene = shading && !stylesOf && !placesOnly ? litScene(frame, shading.light, shading.surroundings) : null;
@@ -117,17 +150,30 @@ function surfacesTwin(surfaces: readonly IsoSurface[], { fog }: SurfaceOptions, 
   return shading ? shadedTwin(shading.light, parts) : { load: shadingTwins.load, parts };
 }
 
-function shadingInputs(frame: RayFrame, { light, styling }: SurfaceOptions, shading: SurfaceShading | null): ProgramInputs {
+function shadingInputs(
+  frame: RayFrame,
+  { light, styling }: SurfaceOptions,
+  shading: SurfaceShading | null,
+): ProgramInputs {
   if (!light || !shading) return { uniforms: {}, units: [] };
   if (styling) return shading.styles!.inputs(frame, light, shading.surroundings);
-  return { uniforms: { ...shadingUniforms(frame, light.taps, shading.surroundings), uPerFlatSurface: perFlat(frame) / surfaceFlat }, units: [] };
+  return {
+    uniforms: {
+      ...shadingUniforms(frame, light.taps, shading.surroundings),
+      uPerFlatSurface: perFlat(frame) / surfaceFlat,
+    },
+    units: [],
+  };
 }
 
 function surfaceUniforms(surfaces: readonly IsoSurface[], frame: RayFrame): Uniforms {
   const shown = brightenSurfaces(surfaces, frame.optics.lightFactor);
   const slots = Array.from({ length: maxSurfaces }, (_, i) => shown[i] ?? { color: [0, 0, 0], opacity: 0 });
   return {
-    uSurfaceValues: surfaceValues(shown.map(({ value }) => value), frame),
+    uSurfaceValues: surfaceValues(
+      shown.map(({ value }) => value),
+      frame,
+    ),
     uSurfaceColors: slots.flatMap(({ color, opacity }) => [...color, opacity]),
   };
 }

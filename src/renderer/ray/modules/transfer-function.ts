@@ -26,7 +26,12 @@ export interface Means extends Omit<RayText, 'stage' | 'members'> {
 }
 
 /** The classify stage. */
-export function classifyText({ name, defines, chunks, samplers }: Pick<Means, 'name' | 'defines' | 'chunks' | 'samplers'>): RayText {
+export function classifyText({
+  name,
+  defines,
+  chunks,
+  samplers,
+}: Pick<Means, 'name' | 'defines' | 'chunks' | 'samplers'>): RayText {
   return {
     name,
     stage: 'classify',
@@ -37,7 +42,11 @@ export function classifyText({ name, defines, chunks, samplers }: Pick<Means, 'n
 }
 
 /** The uniforms of classification, in addition to its tables. */
-export function opticalUniforms({ optics: { transferFunction, opacityFactor, referenceLength }, rays, maxSubsteps }: RayFrame): Uniforms {
+export function opticalUniforms({
+  optics: { transferFunction, opacityFactor, referenceLength },
+  rays,
+  maxSubsteps,
+}: RayFrame): Uniforms {
   return {
     uOpticalScale: Math.min(largestFactor, (rays.diameter / referenceLength) * opacityFactor),
     uLargestOpacity: largestOpacity(transferFunction),
@@ -48,7 +57,9 @@ export function opticalUniforms({ optics: { transferFunction, opacityFactor, ref
 /** Factors stay below this, so that the shader's products don't overflow. */
 const largestFactor = 1e30;
 
-export const classifyTwin = twinOf(usualTwins, ({ classifyPicture }, { volume, optics, rays }, { field }) => ({ classify: classifyPicture(optics, volume.grid, rays.diameter, field) }));
+export const classifyTwin = twinOf(usualTwins, ({ classifyPicture }, { volume, optics, rays }, { field }) => ({
+  classify: classifyPicture(optics, volume.grid, rays.diameter, field),
+}));
 
 /** The transfer function gives colour and opacity: with pre-integration, and with substeps where a step may show much. */
 export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
@@ -65,9 +76,12 @@ export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
       const { volume, optics } = frame;
       const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
       // The shader does not read the table if only cells cut steps.
-      if (frame.maxSubsteps <= 1) return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [] });
+      if (frame.maxSubsteps <= 1)
+        return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [] });
       const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
-      const unit = substeps.get([transferFunction, lightFactor, voxelRatio], (last) => substepPart().makeTable(gl, brighten(transferFunction, lightFactor), voxelRatio, last?.texture ?? null));
+      const unit = substeps.get([transferFunction, lightFactor, voxelRatio], (last) =>
+        substepPart().makeTable(gl, brighten(transferFunction, lightFactor), voxelRatio, last?.texture ?? null),
+      );
       return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [unit] });
     },
     dispose() {
@@ -89,10 +103,14 @@ export function createTransferFunction(gl: Gl, columns = usualColumns): RayModul
   const tables = new Kept<ProgramInputs>();
   return createClassify(gl, {
     ...tableText,
-    inputs: ({ optics: { transferFunction, lightFactor } }) => tables.get([transferFunction, lightFactor], (last) => {
-      const table = buildPreintegrationTable(brighten(transferFunction, lightFactor), { columns, rows: preintegrationTableSize.rows });
-      return { uniforms: tableUniforms(table), units: [uploadTable(gl, table, last?.units[0].texture ?? null)] };
-    }),
+    inputs: ({ optics: { transferFunction, lightFactor } }) =>
+      tables.get([transferFunction, lightFactor], (last) => {
+        const table = buildPreintegrationTable(brighten(transferFunction, lightFactor), {
+          columns,
+          rows: preintegrationTableSize.rows,
+        });
+        return { uniforms: tableUniforms(table), units: [uploadTable(gl, table, last?.units[0].texture ?? null)] };
+      }),
     dispose: () => gl.deleteTexture(tables.last?.units[0].texture ?? null),
   });
 }

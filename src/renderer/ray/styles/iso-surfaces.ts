@@ -9,7 +9,10 @@ import { createSurfaces } from '../modules/surfaces.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 
 /** Volumes of labels have no values between their labels, and therefore no surfaces. */
-export async function createIsoSurfaces({ surfaces = [], plain, clear, surfaceStyles }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
+export async function createIsoSurfaces(
+  { surfaces = [], plain, clear, surfaceStyles }: RayStyle,
+  layer: StyledLayer,
+): Promise<StyleModules> {
   const lightOf = plain ? () => null : await loadLight(layer);
   const made = createSurfaces(layer.gl, layer.device);
   const styling = surfaceStyles && (await import('../modules/styled.ts'));
@@ -29,15 +32,25 @@ export async function createIsoSurfaces({ surfaces = [], plain, clear, surfaceSt
     modules: (others) => {
       if (!has()) return [];
       const light = styling && !styling.hasRoom(others, layer.device) ? null : lightOf();
-      const options = { isOne: surfaces.length === 1, fog: !clear, kinks: !isPolar(layer.volume!), light: light && light.options, styling: light && styling ? styling.stylingText(light.options) : undefined };
+      const options = {
+        isOne: surfaces.length === 1,
+        fog: !clear,
+        kinks: !isPolar(layer.volume!),
+        light: light && light.options,
+        styling: light && styling ? styling.stylingText(light.options) : undefined,
+      };
       return [pointsModule, made.of(surfaces, options, light && { surroundings: light.surroundings, styles })];
     },
     // Parts that labels hide stay hidden; the other contributions are about emission and absorption, so surfaces extend them.
-    contributions: (all, optics) => all.flatMap((module) => {
-      const shows = module.contributes?.(optics);
-      return !shows || !has() || module.name === 'labels' ? (shows ?? []) : widen(shows);
-    }),
-    seen: (more) => (has() ? { ...(clear ? { more: () => 0 } : more), hasSurfaces: true, jumps: [...(more?.jumps ?? []), depth] } : more),
+    contributions: (all, optics) =>
+      all.flatMap((module) => {
+        const shows = module.contributes?.(optics);
+        return !shows || !has() || module.name === 'labels' ? (shows ?? []) : widen(shows);
+      }),
+    seen: (more) =>
+      has()
+        ? { ...(clear ? { more: () => 0 } : more), hasSurfaces: true, jumps: [...(more?.jumps ?? []), depth] }
+        : more,
     dispose: () => {
       made.dispose();
       styles?.dispose();

@@ -6,7 +6,9 @@ import { cutsOf, hasCuts } from '../modules/lit-cuts.ts';
 import type { StyledLayer } from './style-modules.ts';
 
 /** Load the code for light. The returned function gives the current light of a layer's volume; null if the volume can't be lit. */
-export async function loadLight(layer: StyledLayer): Promise<() => { readonly options: LitOptions; readonly surroundings: LitSurroundings } | null> {
+export async function loadLight(
+  layer: StyledLayer,
+): Promise<() => { readonly options: LitOptions; readonly surroundings: LitSurroundings } | null> {
   const polarTaps: FieldTaps | null = (await layer.providers.polarTaps?.()) ?? null;
   return () => {
     const volume = layer.volume!;
@@ -14,6 +16,9 @@ export async function loadLight(layer: StyledLayer): Promise<() => { readonly op
     if (volume.isDiscrete || !taps) return null;
     const lights = layer.lights() ?? headlightAlone;
     const cuts = cutsOf(layer.cuts);
-    return { options: { taps, lights: lights.lights.length > 0, cuts: layer.region !== null || hasCuts(cuts) }, surroundings: { lights, cuts } };
+    return {
+      options: { taps, lights: lights.lights.length > 0, cuts: layer.region !== null || hasCuts(cuts) },
+      surroundings: { lights, cuts },
+    };
   };
 }

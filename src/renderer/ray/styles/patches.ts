@@ -19,12 +19,16 @@ export async function createPatched(patches: readonly Patch[], layer: StyledLaye
     projects: false,
     modules: (others) => {
       const light = lightOf();
-      return light && !others.some(({ name }) => name === 'labelFunctions') ? [pointsModule, made.of(light.options, light.surroundings)] : [];
+      return light && !others.some(({ name }) => name === 'labelFunctions')
+        ? [pointsModule, made.of(light.options, light.surroundings)]
+        : [];
     },
     // A separate contribution, in addition to that of values: cells that are empty for different reasons can't be skipped together.
     contributions: (all, optics) => {
       const shows = all.flatMap((module) => module.contributes?.(optics) ?? []);
-      return all.some(({ name }) => name === 'patches') ? [...shows, byGradient.get([layer.volume], () => contributionOfGradients(patches, layer.volume!))] : shows;
+      return all.some(({ name }) => name === 'patches')
+        ? [...shows, byGradient.get([layer.volume], () => contributionOfGradients(patches, layer.volume!))]
+        : shows;
     },
     seen: (more) => ({ ...more, jumps: [...(more?.jumps ?? []), depth] }),
     dispose: () => made.dispose(),

@@ -13,15 +13,25 @@ export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<
   // Rendering styles also light the volume, so that normals are computed once.
   if (style.styles && !style.clear) parts.push(createStyled(style.styles, style, layer));
   else if (style.lit && !style.clear) parts.push(createLight(layer));
-  if (style.patches && !style.clear) parts.push(import('./patches.ts').then(({ createPatched }) => createPatched(style.patches!, layer)));
-  if (style.surfaces) parts.push(import('./iso-surfaces.ts').then(({ createIsoSurfaces }) => createIsoSurfaces(style, layer)));
+  if (style.patches && !style.clear)
+    parts.push(import('./patches.ts').then(({ createPatched }) => createPatched(style.patches!, layer)));
+  if (style.surfaces)
+    parts.push(import('./iso-surfaces.ts').then(({ createIsoSurfaces }) => createIsoSurfaces(style, layer)));
   return join(await Promise.all(parts));
 }
 
-async function createProjected(kind: ProjectionKind, threshold: number | undefined, layer: StyledLayer): Promise<StyleModules> {
+async function createProjected(
+  kind: ProjectionKind,
+  threshold: number | undefined,
+  layer: StyledLayer,
+): Promise<StyleModules> {
   const { createProjection } = await import('../modules/projection.ts');
   const { stepped, exact } = createProjection({ kind, threshold }, layer.gl, layer.device);
-  return { projects: true, modules: () => [projectsExactly(layer) ? exact : stepped], dispose: () => stepped.dispose!() };
+  return {
+    projects: true,
+    modules: () => [projectsExactly(layer) ? exact : stepped],
+    dispose: () => stepped.dispose!(),
+  };
 }
 
 /** A radar's gates are not voxels, and pictures in motion have to take few steps: both project by steps. */
@@ -44,7 +54,11 @@ function join(parts: readonly StyleModules[]): StyleModules {
 
 /** Light. Volumes of labels have no gradients, so they have no surfaces that could face a light. */
 async function createLight(layer: StyledLayer): Promise<StyleModules> {
-  const [{ createLit, pointsModule }, { loadLight }, { rangeLight }] = await Promise.all([import('../modules/lit.ts'), import('./load-light.ts'), import('../../../optics/cells/style-detail.ts')]);
+  const [{ createLit, pointsModule }, { loadLight }, { rangeLight }] = await Promise.all([
+    import('../modules/lit.ts'),
+    import('./load-light.ts'),
+    import('../../../optics/cells/style-detail.ts'),
+  ]);
   const lightOf = await loadLight(layer);
   return {
     projects: false,
@@ -57,9 +71,16 @@ async function createLight(layer: StyledLayer): Promise<StyleModules> {
   };
 }
 
-async function createStyled(chains: readonly StyleChain[], { lit }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
+async function createStyled(
+  chains: readonly StyleChain[],
+  { lit }: RayStyle,
+  layer: StyledLayer,
+): Promise<StyleModules> {
   const [{ pointsModule }, { loadLight }, { rangeStyles }, { hasRoom, StyledRays, withLight }] = await Promise.all([
-    import('../modules/lit.ts'), import('./load-light.ts'), import('../../../optics/cells/style-detail.ts'), import('../modules/styled.ts'),
+    import('../modules/lit.ts'),
+    import('./load-light.ts'),
+    import('../../../optics/cells/style-detail.ts'),
+    import('../modules/styled.ts'),
   ]);
   const lightOf = await loadLight(layer);
   const all = lit ? withLight(chains) : chains;
@@ -68,7 +89,9 @@ async function createStyled(chains: readonly StyleChain[], { lit }: RayStyle, la
     projects: false,
     modules: (others) => {
       const light = lightOf();
-      return light && hasRoom(others, layer.device) ? [pointsModule, rays.module(light.options, light.surroundings)] : [];
+      return light && hasRoom(others, layer.device)
+        ? [pointsModule, rays.module(light.options, light.surroundings)]
+        : [];
     },
     seen: (more, appearance) => ({ ...more, style: rangeStyles(all, appearance) }),
     dispose: () => rays.dispose(),

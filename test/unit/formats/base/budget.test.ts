@@ -29,7 +29,8 @@ describe('the budget of a load', () => {
   });
 
   it('refuses sizes that are no numbers', () => {
-    for (const bytes of [NaN, Infinity, -1]) expect(errorOf(() => Budget.ofFile(0).take(bytes, 'a part')).code).to.equal('format/too-large');
+    for (const bytes of [NaN, Infinity, -1])
+      expect(errorOf(() => Budget.ofFile(0).take(bytes, 'a part')).code).to.equal('format/too-large');
   });
 
   it('ends what makes and drops for ever', () => {
@@ -45,8 +46,10 @@ describe('the budget of a load', () => {
 
   it('ends loops', () => {
     const budget = Budget.ofFile(100);
-    expect(errorOf(() => {
-      for (let i = 0; i < 1e8; i++) budget.step(1, 'a list');
-    }).code).to.equal('format/too-large');
+    expect(
+      errorOf(() => {
+        for (let i = 0; i < 1e8; i++) budget.step(1, 'a list');
+      }).code,
+    ).to.equal('format/too-large');
   });
 });

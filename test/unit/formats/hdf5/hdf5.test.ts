@@ -11,7 +11,10 @@ import { gateValues } from '../../../helpers/radar.ts';
 type Table = readonly (readonly number[])[];
 
 /** What h5py reads; made by test/fixtures/make-hdf5-fixtures.py. */
-const expected = JSON.parse(new TextDecoder().decode(await fetchFile('/test/fixtures/hdf5-fixtures.json'))) as Record<string, Record<string, Table>>;
+const expected = JSON.parse(new TextDecoder().decode(await fetchFile('/test/fixtures/hdf5-fixtures.json'))) as Record<
+  string,
+  Record<string, Table>
+>;
 
 const open = async (name: string): Promise<DataGroup> => openHdf5(await fetchFixture(`hdf5/${name}`));
 

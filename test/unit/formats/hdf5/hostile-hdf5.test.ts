@@ -6,36 +6,85 @@ import { readAll } from '../../../../src/formats/base/data-tree.ts';
 import { openHdf5 } from '../../../../src/formats/hdf5/hdf5.ts';
 import { openNetcdf3 } from '../../../../src/formats/netcdf/netcdf3.ts';
 import { errorOf } from '../../../helpers/error-of.ts';
-import { attribute, chunked, contiguous, Hdf5Builder, link, message, nowhere, shape, types, u16, u32, u64 } from '../../../helpers/hdf5-builder.ts';
+import {
+  attribute,
+  chunked,
+  contiguous,
+  Hdf5Builder,
+  link,
+  message,
+  nowhere,
+  shape,
+  types,
+  u16,
+  u32,
+  u64,
+} from '../../../helpers/hdf5-builder.ts';
 import type { Message } from '../../../helpers/hdf5-builder.ts';
 import { buildNetcdf3 } from '../../../helpers/netcdf3-builder.ts';
 
 /** A file of one group. */
-function rootOf(links: Record<string, number>, builder: Hdf5Builder, more: readonly Message[] = []): Uint8Array<ArrayBuffer> {
-  return builder.build(builder.object([...Object.entries(links).map(([name, address]) => link(name, address)), ...more]));
+function rootOf(
+  links: Record<string, number>,
+  builder: Hdf5Builder,
+  more: readonly Message[] = [],
+): Uint8Array<ArrayBuffer> {
+  return builder.build(
+    builder.object([...Object.entries(links).map(([name, address]) => link(name, address)), ...more]),
+  );
 }
 
 function arrayOf(bytes: Uint8Array<ArrayBuffer>, name = 'data', budget?: Budget): DataArray {
   return openHdf5(bytes, budget).array(name)!;
 }
 
-const filters = (ids: readonly number[]): Message => message(0x0b, [2, ids.length, ...ids.flatMap((id) => [...u16(id), ...u16(0), ...u16(0)])]);
+const filters = (ids: readonly number[]): Message =>
+  message(0x0b, [2, ids.length, ...ids.flatMap((id) => [...u16(id), ...u16(0), ...u16(0)])]);
 
 /** A B-tree of one chunk, at the array's begin. */
 const oneChunk = (axes: number, address: number, bytes: number): number[] => [
-  ...new TextEncoder().encode('TREE'), 1, 0, ...u16(1), ...u64(nowhere), ...u64(nowhere),
-  ...u32(bytes), ...u32(0), ...Array.from({ length: axes + 1 }, () => u64(0)).flat(), ...u64(address),
-  ...u32(0), ...u32(0), ...Array.from({ length: axes + 1 }, () => u64(0)).flat(),
+  ...new TextEncoder().encode('TREE'),
+  1,
+  0,
+  ...u16(1),
+  ...u64(nowhere),
+  ...u64(nowhere),
+  ...u32(bytes),
+  ...u32(0),
+  ...Array.from({ length: axes + 1 }, () => u64(0)).flat(),
+  ...u64(address),
+  ...u32(0),
+  ...u32(0),
+  ...Array.from({ length: axes + 1 }, () => u64(0)).flat(),
 ];
 
 /** An old group: its names lie in one row of bytes, where they may overlap. */
 function oldGroup(builder: Hdf5Builder, names: string, offsets: readonly number[], header: number): Message {
   const bytes = new TextEncoder().encode(names);
   const row = builder.place(bytes);
-  const heap = builder.place([...new TextEncoder().encode('HEAP'), 0, 0, 0, 0, ...u64(bytes.length), ...u64(0), ...u64(row)]);
+  const heap = builder.place([
+    ...new TextEncoder().encode('HEAP'),
+    0,
+    0,
+    0,
+    0,
+    ...u64(bytes.length),
+    ...u64(0),
+    ...u64(row),
+  ]);
   const entries = offsets.flatMap((offset) => [...u64(offset), ...u64(header), ...Array.from({ length: 24 }, () => 0)]);
   const node = builder.place([...new TextEncoder().encode('SNOD'), 1, 0, ...u16(offsets.length), ...entries]);
-  const tree = builder.place([...new TextEncoder().encode('TREE'), 0, 0, ...u16(1), ...u64(nowhere), ...u64(nowhere), ...u64(0), ...u64(node), ...u64(0)]);
+  const tree = builder.place([
+    ...new TextEncoder().encode('TREE'),
+    0,
+    0,
+    ...u16(1),
+    ...u64(nowhere),
+    ...u64(nowhere),
+    ...u64(0),
+    ...u64(node),
+    ...u64(0),
+  ]);
   return message(0x11, [...u64(tree), ...u64(heap)]);
 }
 
@@ -51,7 +100,19 @@ describe('HDF5 files that ask for more than they hold', () => {
   it('a text that is referred to again and again counts each time', () => {
     const builder = new Hdf5Builder();
     const long = new Uint8Array(40_000).fill(65);
-    const heap = builder.place([...new TextEncoder().encode('GCOL'), 1, 0, 0, 0, ...u64(16 + 16 + long.length), ...u16(1), ...u16(1), ...u32(0), ...u64(long.length), ...long]);
+    const heap = builder.place([
+      ...new TextEncoder().encode('GCOL'),
+      1,
+      0,
+      0,
+      0,
+      ...u64(16 + 16 + long.length),
+      ...u16(1),
+      ...u16(1),
+      ...u32(0),
+      ...u64(long.length),
+      ...long,
+    ]);
     const places = Array.from({ length: 4000 }, () => [...u32(long.length), ...u64(heap), ...u32(1)]).flat();
     const at = builder.place(places);
     const data = builder.array(types.anyText, [4000], [contiguous(at, places.length)]);
@@ -63,7 +124,16 @@ describe('HDF5 files that ask for more than they hold', () => {
   it('names that overlap count each, and have an end', () => {
     const long = 'n'.repeat(60_000);
     const crowd = new Hdf5Builder();
-    const bytes = crowd.build(crowd.object([oldGroup(crowd, long, Array.from({ length: 3000 }, (_, i) => i), 48)]));
+    const bytes = crowd.build(
+      crowd.object([
+        oldGroup(
+          crowd,
+          long,
+          Array.from({ length: 3000 }, (_, i) => i),
+          48,
+        ),
+      ]),
+    );
     expect(errorOf(() => openHdf5(bytes)).code).to.equal('format/too-large');
     const endless = new Hdf5Builder();
     const one = endless.build(endless.object([oldGroup(endless, long + long, [0], 48)]));
@@ -117,7 +187,11 @@ describe('HDF5 files that ask for more than they hold', () => {
     const stored = zlibSync(new Uint8Array(100));
     const array = (count: number, id: number): DataArray => {
       const tree = many.place(oneChunk(1, many.place(stored), stored.length));
-      const data = many.array(types.uint8, [100], [chunked(tree, [100], 1), filters(Array.from({ length: count }, () => id))]);
+      const data = many.array(
+        types.uint8,
+        [100],
+        [chunked(tree, [100], 1), filters(Array.from({ length: count }, () => id))],
+      );
       return arrayOf(rootOf({ data }, many));
     };
     expect(errorOf(() => array(255, 2)).message).to.contain('lists 255 filters');
@@ -160,7 +234,11 @@ describe('HDF5 files that ask for more than they hold', () => {
 describe('NetCDF-3 files that ask for more than they hold', () => {
   it('rows of nothing are none, however many there are', () => {
     // Along the records twice: 4,000,000,000 rows of no values.
-    const bytes = buildNetcdf3([0], [{ name: 'azimuth', dimensions: [0, 0], data: new Float64Array(0) }], 4_000_000_000);
+    const bytes = buildNetcdf3(
+      [0],
+      [{ name: 'azimuth', dimensions: [0, 0], data: new Float64Array(0) }],
+      4_000_000_000,
+    );
     const array = openNetcdf3(bytes).array('azimuth')!;
     expect(array.shape[0]).to.equal(4_000_000_000);
     expect(readAll(array)).to.have.length(0);

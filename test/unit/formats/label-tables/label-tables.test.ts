@@ -4,49 +4,96 @@ import type { LabelTable } from '../../../../src/formats/label-tables/label-tabl
 import { maxTableBytes, readLabelTable } from '../../../../src/formats/label-tables/read-label-table.ts';
 
 const read = (text: string): LabelTable => readLabelTable(new TextEncoder().encode(text), 'names.txt');
-const listOf = (table: LabelTable): unknown[] => [...table.rows.values()].map(({ id, name, color, opacity, hidden }) => [id, name, color && color.map((c) => Math.round(c * 255)), opacity, hidden]);
+const listOf = (table: LabelTable): unknown[] =>
+  [...table.rows.values()].map(({ id, name, color, opacity, hidden }) => [
+    id,
+    name,
+    color && color.map((c) => Math.round(c * 255)),
+    opacity,
+    hidden,
+  ]);
 
 describe('tables of labels', () => {
   it('of BIDS: columns in any order, n/a, colours of 3 and 6 digits', () => {
     // Columns and values as in the example of BIDS 1.10, "Common image-derived labels": tab-separated, with a header.
-    const table = read('﻿index\tname\tabbreviation\tcolor\tmapping\r\n1\tGray Matter\tGM\t#ff53bb\t1\r\n10\tn/a\tWM\t#2f8\t2\r\n\r\n-3\tOther\tn/a\tn/a\tn/a\r\n');
+    const table = read(
+      '﻿index\tname\tabbreviation\tcolor\tmapping\r\n1\tGray Matter\tGM\t#ff53bb\t1\r\n10\tn/a\tWM\t#2f8\t2\r\n\r\n-3\tOther\tn/a\tn/a\tn/a\r\n',
+    );
     expect(table.format).to.equal('BIDS');
     expect(table.problems).to.deep.equal([]);
-    expect(listOf(table)).to.deep.equal([[1, 'Gray Matter', [255, 83, 187], 1, false], [10, 'WM', [34, 255, 136], 1, false], [-3, 'Other', null, 1, false]]);
+    expect(listOf(table)).to.deep.equal([
+      [1, 'Gray Matter', [255, 83, 187], 1, false],
+      [10, 'WM', [34, 255, 136], 1, false],
+      [-3, 'Other', null, 1, false],
+    ]);
     expect(listOf(read('color\tname\tindex\n#102030\tBone\t7'))).to.deep.equal([[7, 'Bone', [16, 32, 48], 1, false]]);
   });
 
   it('of FreeSurfer: A lets light through, and comments are left out', () => {
     // Rows of FreeSurferColorLUT.txt; A by CTABreadASCII: alpha = 255 - t.
-    const table = read('#$Id: FreeSurferColorLUT.txt\n\n#No. Label Name:                            R   G   B   A\n0   Unknown                                 0   0   0   0\n17  Left-Hippocampus                        220 216 20  0\n18  Left-Amygdala  103 255 255 51\n');
+    const table = read(
+      '#$Id: FreeSurferColorLUT.txt\n\n#No. Label Name:                            R   G   B   A\n0   Unknown                                 0   0   0   0\n17  Left-Hippocampus                        220 216 20  0\n18  Left-Amygdala  103 255 255 51\n',
+    );
     expect(table.format).to.equal('FreeSurfer');
-    expect(listOf(table)).to.deep.equal([[0, 'Unknown', [0, 0, 0], 1, false], [17, 'Left-Hippocampus', [220, 216, 20], 1, false], [18, 'Left-Amygdala', [103, 255, 255], 0.8, false]]);
+    expect(listOf(table)).to.deep.equal([
+      [0, 'Unknown', [0, 0, 0], 1, false],
+      [17, 'Left-Hippocampus', [220, 216, 20], 1, false],
+      [18, 'Left-Amygdala', [103, 255, 255], 0.8, false],
+    ]);
     // Colour tables of 3D Slicer and MRtrix have 255 for opaque.
-    expect(listOf(read('0 Background 0 0 0 0\n1 tissue 128 174 128 255\n2 bone 241 214 145 255'))).to.deep.equal([[0, 'Background', [0, 0, 0], 0, false], [1, 'tissue', [128, 174, 128], 1, false], [2, 'bone', [241, 214, 145], 1, false]]);
+    expect(listOf(read('0 Background 0 0 0 0\n1 tissue 128 174 128 255\n2 bone 241 214 145 255'))).to.deep.equal([
+      [0, 'Background', [0, 0, 0], 0, false],
+      [1, 'tissue', [128, 174, 128], 1, false],
+      [2, 'bone', [241, 214, 145], 1, false],
+    ]);
     expect(listOf(read('5 Inner ear, left 1 2 3\n'))).to.deep.equal([[5, 'Inner ear, left', [1, 2, 3], 1, false]]);
   });
 
   it('of ITK-SNAP: A is 0 to 1, and VIS hides', () => {
     // As ITK-SNAP 3 and 4 write them: IDX R G B A VIS MSH LABEL.
-    const table = read('################################################\n# ITK-SnAP Label Description File\n    0     0    0    0        0  0  0    "Clear Label"\n    1   255    0    0        1  1  1    "Label 1"\n    2     0  255    0      0.5  0  1    "Left ""\n    3     0    0  255       .25  0  1    "Right, hidden"\n');
+    const table = read(
+      '################################################\n# ITK-SnAP Label Description File\n    0     0    0    0        0  0  0    "Clear Label"\n    1   255    0    0        1  1  1    "Label 1"\n    2     0  255    0      0.5  0  1    "Left ""\n    3     0    0  255       .25  0  1    "Right, hidden"\n',
+    );
     expect(table.format).to.equal('ITK-SNAP');
-    expect(listOf(table)).to.deep.equal([[0, 'Clear Label', [0, 0, 0], 0, true], [1, 'Label 1', [255, 0, 0], 1, false], [3, 'Right, hidden', [0, 0, 255], 0.25, true]]);
+    expect(listOf(table)).to.deep.equal([
+      [0, 'Clear Label', [0, 0, 0], 0, true],
+      [1, 'Label 1', [255, 0, 0], 1, false],
+      [3, 'Right, hidden', [0, 0, 255], 0.25, true],
+    ]);
     expect(table.problems).to.have.length(1);
     expect(table.problems[0]).to.match(/^line 5 got "2 0 255 0 0.5/);
   });
 
   it('of NiiVue: lists in JSON, with ids or without', () => {
     // NiiVue's label colormaps: R, G, B, A, I, labels; makeLabelLut counts from 0 without I, and is opaque without A.
-    const table = read('{"R": [0, 255], "G": [0, 128], "B": [0, 64], "A": [0, 51], "I": [0, 1000], "labels": ["air", "bone"]}');
+    const table = read(
+      '{"R": [0, 255], "G": [0, 128], "B": [0, 64], "A": [0, 51], "I": [0, 1000], "labels": ["air", "bone"]}',
+    );
     expect(table.format).to.equal('NiiVue');
-    expect(listOf(table)).to.deep.equal([[0, 'air', [0, 0, 0], 0, false], [1000, 'bone', [255, 128, 64], 0.2, false]]);
-    expect(listOf(read('{"labels": ["air", "bone"]}'))).to.deep.equal([[0, 'air', null, 1, false], [1, 'bone', null, 1, false]]);
+    expect(listOf(table)).to.deep.equal([
+      [0, 'air', [0, 0, 0], 0, false],
+      [1000, 'bone', [255, 128, 64], 0.2, false],
+    ]);
+    expect(listOf(read('{"labels": ["air", "bone"]}'))).to.deep.equal([
+      [0, 'air', null, 1, false],
+      [1, 'bone', null, 1, false],
+    ]);
   });
 
   it('tell bad rows with their line, and keep the others; of doubled ids the first holds', () => {
-    const table = read('index\tname\tcolor\n1\tone\t#ff0000\n1.5\thalf\t#00ff00\n2\ttwo\torange-ish\n1\tagain\t#0000ff\nx\ty\tz\n');
-    expect(listOf(table)).to.deep.equal([[1, 'one', [255, 0, 0], 1, false], [2, 'two', null, 1, false]]);
-    expect(table.problems.map((problem) => problem.slice(0, 7))).to.deep.equal(['line 3 ', 'line 4 ', 'line 5:', 'line 6 ']);
+    const table = read(
+      'index\tname\tcolor\n1\tone\t#ff0000\n1.5\thalf\t#00ff00\n2\ttwo\torange-ish\n1\tagain\t#0000ff\nx\ty\tz\n',
+    );
+    expect(listOf(table)).to.deep.equal([
+      [1, 'one', [255, 0, 0], 1, false],
+      [2, 'two', null, 1, false],
+    ]);
+    expect(table.problems.map((problem) => problem.slice(0, 7))).to.deep.equal([
+      'line 3 ',
+      'line 4 ',
+      'line 5:',
+      'line 6 ',
+    ]);
     expect(table.problems[2]).to.contain('the first one holds');
     const broken = read('1 a 1 2 3 0\n1 b 256 2 3 0\nnonsense\n');
     expect([...broken.rows.keys()]).to.deep.equal([1]);
@@ -87,8 +134,10 @@ describe('tables of labels', () => {
 
   it('of any damage are read as far as they go, or refused', () => {
     const tables = [
-      'index\tname\tcolor\n1\tone\t#ff0000\n2\ttwo\t#00ff00\n', '17 Left-Hippocampus 220 216 20 0\n18 Left-Amygdala 103 255 255 0\n',
-      '1 255 0 0 1 1 1 "Label 1"\n2 0 255 0 0.5 0 1 "Label 2"\n', '{"R": [0, 255], "G": [0, 1], "B": [0, 2], "I": [0, 5], "labels": ["a", "b"]}',
+      'index\tname\tcolor\n1\tone\t#ff0000\n2\ttwo\t#00ff00\n',
+      '17 Left-Hippocampus 220 216 20 0\n18 Left-Amygdala 103 255 255 0\n',
+      '1 255 0 0 1 1 1 "Label 1"\n2 0 255 0 0.5 0 1 "Label 2"\n',
+      '{"R": [0, 255], "G": [0, 1], "B": [0, 2], "I": [0, 5], "labels": ["a", "b"]}',
     ];
     let seed = 15;
     const random = (below: number): number => (seed = (seed * 1103515245 + 12345) % 2 ** 31) % below;
@@ -97,8 +146,17 @@ describe('tables of labels', () => {
       const bytes = new TextEncoder().encode(tables[run % 4]);
       for (let change = random(5); change >= 0; change--) bytes[random(bytes.length)] = random(256);
       try {
-        for (const { id, name, color, opacity } of readLabelTable(bytes.subarray(0, 1 + random(bytes.length)), 'x').rows.values()) {
-          expect(Number.isSafeInteger(id) && typeof name === 'string' && opacity >= 0 && opacity <= 1 && (color?.every((c) => c >= 0 && c <= 1) ?? true)).to.equal(true);
+        for (const { id, name, color, opacity } of readLabelTable(
+          bytes.subarray(0, 1 + random(bytes.length)),
+          'x',
+        ).rows.values()) {
+          expect(
+            Number.isSafeInteger(id) &&
+              typeof name === 'string' &&
+              opacity >= 0 &&
+              opacity <= 1 &&
+              (color?.every((c) => c >= 0 && c <= 1) ?? true),
+          ).to.equal(true);
         }
         kept++;
       } catch (error) {

@@ -5,26 +5,68 @@ import { VolumeViewError } from '../../../../src/core/errors.ts';
 import { readManifest } from '../../../../src/formats/manifest/manifest.ts';
 import { decodeBytes, expectError, fetchFile, fetchFixture, valuesOf } from '../../../helpers/decode.ts';
 
-const encode = (value: unknown): Uint8Array<ArrayBuffer> => new TextEncoder().encode(typeof value === 'string' ? value : JSON.stringify(value));
+const encode = (value: unknown): Uint8Array<ArrayBuffer> =>
+  new TextEncoder().encode(typeof value === 'string' ? value : JSON.stringify(value));
 const affine12 = [1, 0, 0, 5, 0, 2, 0, 6, 0, 0, 3, 7];
 
 const good: unknown[] = [
   { image: 'a.png' },
-  { image: 'a.png', mosaic: '10x10', slices: 96, spacing: [0.8, 0.8, 1.2], window: [-100, 300], transferFunction: 'ct-angio', unit: 'HU', slope: 1, intercept: -1024, title: 't', credit: 'c' },
+  {
+    image: 'a.png',
+    mosaic: '10x10',
+    slices: 96,
+    spacing: [0.8, 0.8, 1.2],
+    window: [-100, 300],
+    transferFunction: 'ct-angio',
+    unit: 'HU',
+    slope: 1,
+    intercept: -1024,
+    title: 't',
+    credit: 'c',
+  },
   { image: '../x/head.nii.gz', indexToWorld: affine12 },
   { image: 'a.png', indexToWorld: [...affine12, 0, 0, 0, 1], mosaic: '4 X 3' },
   { image: 'a.png', channels: 'high-low', spacing: [1, 1, -2.5] },
   { image: 'a.png', mosaic: '2x1', elevations: [0.5, 1.2], range: [250, 500] },
   {
-    image: 'a.png', mosaic: '2x1', elevations: [0.5, -1], range: [-375, 250], azimuth: [0.5, -1], beamWidth: 0.95, moment: 'VRAD', nyquist: 7.5,
-    site: { name: 'here', latitude: 50, longitude: -6.5, height: 100 }, time: '2020-02-07T13:00:00Z',
-    sweeps: [{}, { rays: 3, gates: 4, range: [1, 2], azimuth: [0, 1], azimuths: [1, 2.5, 350], elevations: [0.4, 0.5, -0.1], nyquist: 8, time: '2020-02-07T13:00:00.250Z', note: 'left alone' }],
+    image: 'a.png',
+    mosaic: '2x1',
+    elevations: [0.5, -1],
+    range: [-375, 250],
+    azimuth: [0.5, -1],
+    beamWidth: 0.95,
+    moment: 'VRAD',
+    nyquist: 7.5,
+    site: { name: 'here', latitude: 50, longitude: -6.5, height: 100 },
+    time: '2020-02-07T13:00:00Z',
+    sweeps: [
+      {},
+      {
+        rays: 3,
+        gates: 4,
+        range: [1, 2],
+        azimuth: [0, 1],
+        azimuths: [1, 2.5, 350],
+        elevations: [0.4, 0.5, -0.1],
+        nyquist: 8,
+        time: '2020-02-07T13:00:00.250Z',
+        note: 'left alone',
+      },
+    ],
   },
   { image: 'a.png', slope: -0.5, unit: '', note: 'unknown fields are left alone' },
   { scans: [{ image: 'a.png' }] },
   { files: ['a.png', '../b.png', 'https://example.org/c.png'], spacing: [1, 1, 2] },
   { unit: 'HU', scans: [{ files: ['a.png'] }, { image: 'b.nrrd' }] },
-  { mosaic: '2x2', unit: 'dBZ', scans: [{ image: 'a.png', time: '2020-02-07T13:00:00Z' }, { image: 'b.png', unit: 'm/s' }, { image: 'c.png', time: '2020-02-07T13:10:00Z', note: 1 }] },
+  {
+    mosaic: '2x2',
+    unit: 'dBZ',
+    scans: [
+      { image: 'a.png', time: '2020-02-07T13:00:00Z' },
+      { image: 'b.png', unit: 'm/s' },
+      { image: 'c.png', time: '2020-02-07T13:10:00Z', note: 1 },
+    ],
+  },
 ];
 
 const bad: [field: string, value: unknown][] = [
@@ -90,7 +132,16 @@ const bad: [field: string, value: unknown][] = [
 const badBeyondSchema: [field: string, value: unknown][] = [
   ['window', { image: 'a', window: [300, -100] }],
   ['time', { image: 'a', time: '2020-13-07T13:00:00Z' }],
-  ['scans', { scans: [{ image: 'a', time: '2020-02-07T13:10:00Z' }, { image: 'b' }, { image: 'c', time: '2020-02-07T13:00:00Z' }] }],
+  [
+    'scans',
+    {
+      scans: [
+        { image: 'a', time: '2020-02-07T13:10:00Z' },
+        { image: 'b' },
+        { image: 'c', time: '2020-02-07T13:00:00Z' },
+      ],
+    },
+  ],
   ['indexToWorld', { image: 'a', indexToWorld: [1, 0, 0, 0, 2, 0, 0, 0, 0, 0, 3, 0] }],
 ];
 
@@ -105,7 +156,8 @@ function errorOf(value: unknown): VolumeViewError | null {
 }
 
 describe('the manifest and its JSON schema', () => {
-  const readSchema = async () => JSON.parse(new TextDecoder().decode(await fetchFile('/schema/manifest.json'))) as Schema;
+  const readSchema = async () =>
+    JSON.parse(new TextDecoder().decode(await fetchFile('/schema/manifest.json'))) as Schema;
 
   it('accept the same', async () => {
     const schema = new Validator(await readSchema(), '2020-12');
@@ -132,7 +184,8 @@ describe('the manifest and its JSON schema', () => {
   });
 
   it('are not JSON, or no object', () => {
-    for (const text of ['{', '{"image": }', '[1]', '{"image": "a.png",}']) expect(errorOf(text)?.code).to.equal('manifest/invalid');
+    for (const text of ['{', '{"image": }', '[1]', '{"image": "a.png",}'])
+      expect(errorOf(text)?.code).to.equal('manifest/invalid');
   });
 });
 
@@ -140,9 +193,27 @@ describe('a volume by its manifest', () => {
   const image = 'mosaic/gray-3x2.png';
 
   it('has the values, the position and the texts of the manifest', async () => {
-    const manifest = { image, mosaic: '3x2', slices: 5, slope: 2, intercept: -10, unit: 'HU', window: [-10, 200], transferFunction: 'gray', title: 'T', credit: 'C', indexToWorld: affine12 };
+    const manifest = {
+      image,
+      mosaic: '3x2',
+      slices: 5,
+      slope: 2,
+      intercept: -10,
+      unit: 'HU',
+      window: [-10, 200],
+      transferFunction: 'gray',
+      title: 'T',
+      credit: 'C',
+      indexToWorld: affine12,
+    };
     const volume = await decodeBytes(encode(manifest), 'a.json');
-    expect(volume).to.deep.include({ unit: 'HU', title: 'T', credit: 'C', transferFunction: 'gray', format: 'PNG mosaic' });
+    expect(volume).to.deep.include({
+      unit: 'HU',
+      title: 'T',
+      credit: 'C',
+      transferFunction: 'gray',
+      format: 'PNG mosaic',
+    });
     expect(volume.grid.dimensions).to.deep.equal([4, 4, 5]);
     expect(volume.window).to.deep.equal([-10, 200]);
     expect(volume.grid.indexToWorld).to.deep.equal([...affine12, 0, 0, 0, 1]);
@@ -152,7 +223,11 @@ describe('a volume by its manifest', () => {
 
   it('gives way to attributes', async () => {
     const manifest = { image, mosaic: '1x1', slices: 1, spacing: [9, 9, 9] };
-    const volume = await decodeBytes(encode(manifest), 'a.json', { mosaic: { columns: 3, rows: 2 }, slices: 4, spacing: [1, 2, 3] });
+    const volume = await decodeBytes(encode(manifest), 'a.json', {
+      mosaic: { columns: 3, rows: 2 },
+      slices: 4,
+      spacing: [1, 2, 3],
+    });
     expect(volume.grid.dimensions).to.deep.equal([4, 4, 4]);
     expect(volume.grid.spacing).to.deep.equal([1, 2, 3]);
   });

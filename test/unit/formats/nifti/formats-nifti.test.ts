@@ -45,7 +45,8 @@ describe('NIfTI files of the shared data against nibabel', () => {
 });
 
 describe('NIfTI samples as stored', () => {
-  const load = async (name: string): Promise<Volume> => decodeBytes(await fetchFixture(`nifti/${name}.nii`), `${name}.nii`);
+  const load = async (name: string): Promise<Volume> =>
+    decodeBytes(await fetchFixture(`nifti/${name}.nii`), `${name}.nii`);
 
   it('keep small types in 8 and 16 bits', async () => {
     for (const name of ['v1-le-u1', 'v2-be-i1']) expect((await load(name)).samples).to.be.instanceOf(Uint8Array);
@@ -78,7 +79,11 @@ describe('NIfTI samples as stored', () => {
 
 describe('NIfTI files that are refused', () => {
   /** The plain int16 fixture with bytes written over. */
-  const patched = async (at: number, value: number, type: 'Int16' | 'Float32' | 'Uint8' = 'Int16'): Promise<Uint8Array<ArrayBuffer>> => {
+  const patched = async (
+    at: number,
+    value: number,
+    type: 'Int16' | 'Float32' | 'Uint8' = 'Int16',
+  ): Promise<Uint8Array<ArrayBuffer>> => {
     const bytes = await fetchFixture('nifti/v1-le-i2.nii');
     new DataView(bytes.buffer)[`set${type}`](at, value, true);
     return bytes;
@@ -102,26 +107,40 @@ describe('NIfTI files that are refused', () => {
   it('refuse a small gzip file that asks for much, before it allocates', async () => {
     const bytes = await patched(42, 10000);
     new DataView(bytes.buffer).setInt16(44, 10000, true);
-    const packed = await new Response(new Blob([bytes]).stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer();
+    const packed = await new Response(
+      new Blob([bytes]).stream().pipeThrough(new CompressionStream('gzip')),
+    ).arrayBuffer();
     const error = await refuse(new Uint8Array(packed), 'x.nii.gz');
     expect(error.code).to.equal('format/corrupt');
     expect(error.message).to.contain('ends early');
   });
 
   it('refuse colours, bits, pairs and Analyze in clear words', async () => {
-    for (const [code, words] of [[128, 'RGB24'], [2304, 'RGBA32'], [1, 'one bit per voxel']] as const) {
+    for (const [code, words] of [
+      [128, 'RGB24'],
+      [2304, 'RGBA32'],
+      [1, 'one bit per voxel'],
+    ] as const) {
       const error = await refuse(await patched(70, code));
       expect(error.code).to.equal('format/unsupported');
       expect(error.message).to.contain(words);
     }
-    const pair = await refuse(await patched(345, 'i'.charCodeAt(0), 'Uint8').then((b) => (b.set([110, 105, 49], 344), b)));
+    const pair = await refuse(
+      await patched(345, 'i'.charCodeAt(0), 'Uint8').then((b) => (b.set([110, 105, 49], 344), b)),
+    );
     expect(pair.code).to.equal('format/unsupported');
     expect(pair.message).to.contain('.img');
     expect((await refuse(await patched(344, 0, 'Uint8'))).message).to.contain('Analyze');
   });
 
   it('refuse headers that contradict themselves', async () => {
-    for (const [at, value] of [[40, 0], [40, 9], [42, -3], [42, 0], [70, 77]] as const) {
+    for (const [at, value] of [
+      [40, 0],
+      [40, 9],
+      [42, -3],
+      [42, 0],
+      [70, 77],
+    ] as const) {
       expect((await refuse(await patched(at, value))).code, `${value} at ${at}`).to.equal('format/corrupt');
     }
     const infinite = await patched(112, 1, 'Float32');

@@ -22,25 +22,57 @@ import type { SweepOptions } from '../../../helpers/synthetic-radar.ts';
 const errorOf = async (run: () => unknown): Promise<Error & { code: string }> => expectError((async () => run())());
 
 /** ODIM_H5 whose scans all lead to one array that was never written. */
-function unwritten(sweeps: number, lengths: readonly [number, number], where: (i: number) => Record<string, number>): Uint8Array<ArrayBuffer> {
+function unwritten(
+  sweeps: number,
+  lengths: readonly [number, number],
+  where: (i: number) => Record<string, number>,
+): Uint8Array<ArrayBuffer> {
   const builder = new Hdf5Builder();
   const data = builder.array(types.uint8, lengths, [contiguous(nowhere, 0)]);
   return builder.buildOdim(Array.from({ length: sweeps }, (_, i) => builder.odimSweep(data, where(i))));
 }
 
 /** CfRadial 1 in NetCDF-3: sweeps of some radials each, of all of one variable. */
-function cfradial(sweeps: readonly { from: number; to: number; elevation: number }[], radials: number, gates: number, more: readonly Netcdf3Variable[] = []): Uint8Array<ArrayBuffer> {
+function cfradial(
+  sweeps: readonly { from: number; to: number; elevation: number }[],
+  radials: number,
+  gates: number,
+  more: readonly Netcdf3Variable[] = [],
+): Uint8Array<ArrayBuffer> {
   const along = { radials: 0, gates: 1, sweeps: 2 };
-  const doubles = (name: string, dimension: number, numbers: readonly number[]): Netcdf3Variable => ({ name, dimensions: [dimension], data: Float64Array.from(numbers) });
-  return buildNetcdf3([radials, gates, sweeps.length], [
-    doubles('azimuth', along.radials, evenAzimuths(radials)),
-    doubles('range', along.gates, Array.from({ length: gates }, (_, i) => 500 + 1000 * i)),
-    doubles('sweep_start_ray_index', along.sweeps, sweeps.map(({ from }) => from)),
-    doubles('sweep_end_ray_index', along.sweeps, sweeps.map(({ to }) => to)),
-    doubles('fixed_angle', along.sweeps, sweeps.map(({ elevation }) => elevation)),
-    { name: 'DBZ', dimensions: [along.radials, along.gates], data: new Uint8Array(radials * gates).fill(7) },
-    ...more,
-  ]);
+  const doubles = (name: string, dimension: number, numbers: readonly number[]): Netcdf3Variable => ({
+    name,
+    dimensions: [dimension],
+    data: Float64Array.from(numbers),
+  });
+  return buildNetcdf3(
+    [radials, gates, sweeps.length],
+    [
+      doubles('azimuth', along.radials, evenAzimuths(radials)),
+      doubles(
+        'range',
+        along.gates,
+        Array.from({ length: gates }, (_, i) => 500 + 1000 * i),
+      ),
+      doubles(
+        'sweep_start_ray_index',
+        along.sweeps,
+        sweeps.map(({ from }) => from),
+      ),
+      doubles(
+        'sweep_end_ray_index',
+        along.sweeps,
+        sweeps.map(({ to }) => to),
+      ),
+      doubles(
+        'fixed_angle',
+        along.sweeps,
+        sweeps.map(({ elevation }) => elevation),
+      ),
+      { name: 'DBZ', dimensions: [along.radials, along.gates], data: new Uint8Array(radials * gates).fill(7) },
+      ...more,
+    ],
+  );
 }
 
 describe('radar files that ask for more than they hold', () => {
@@ -52,9 +84,14 @@ describe('radar files that ask for more than they hold', () => {
   });
 
   it('of scans at one elevation one is read', () => {
-    const file = syntheticRadar({ sweeps: Array.from({ length: 50 }, (_, i) => ({ elevation: 1 + i / 1e4, gates: 20 + (i === 30 ? 1 : 0) })) });
+    const file = syntheticRadar({
+      sweeps: Array.from({ length: 50 }, (_, i) => ({ elevation: 1 + i / 1e4, gates: 20 + (i === 30 ? 1 : 0) })),
+    });
     let reads = 0;
-    const counted: RadarFile = { ...file, sweeps: file.sweeps.map((sweep) => ({ ...sweep, read: (moment) => (reads++, sweep.read(moment)) })) };
+    const counted: RadarFile = {
+      ...file,
+      sweeps: file.sweeps.map((sweep) => ({ ...sweep, read: (moment) => (reads++, sweep.read(moment)) })),
+    };
     const { chosen, details } = chooseSweeps(counted, 'DBZH', 1);
     expect(chosen.map(({ sweep }) => sweep)).to.deep.equal([counted.sweeps[30]]);
     expect(details).to.have.length(49);
@@ -71,17 +108,34 @@ describe('radar files that ask for more than they hold', () => {
 
   it('sweeps that overlap: angles and gates count for each', async () => {
     const whole = { from: 0, to: 7999 };
-    const bytes = cfradial(Array.from({ length: 2000 }, (_, i) => ({ ...whole, elevation: i / 25 })), 8000, 2);
+    const bytes = cfradial(
+      Array.from({ length: 2000 }, (_, i) => ({ ...whole, elevation: i / 25 })),
+      8000,
+      2,
+    );
     const error = await errorOf(() => readCfradial1(bytes));
     expect(error.code).to.equal('format/too-large');
-    const some = cfradial(Array.from({ length: 300 }, (_, i) => ({ ...whole, elevation: i / 4 })), 8000, 2);
+    const some = cfradial(
+      Array.from({ length: 300 }, (_, i) => ({ ...whole, elevation: i / 4 })),
+      8000,
+      2,
+    );
     // 2.4 million radials in a table on the GPU.
     expect((await expectError(decodeBytes(some, 'scan.nc'))).message).to.contain('sweeps of up to 8000 radials');
   });
 
   it('sweeps by the thousand share the list of their moments', async () => {
-    const moments = Array.from({ length: 300 }, (_, i): Netcdf3Variable => ({ name: `M${i}`, dimensions: [0, 1], data: new Uint8Array(4) }));
-    const bytes = cfradial(Array.from({ length: 700 }, (_, i) => ({ from: 0, to: 1, elevation: i / 4 - 88 })), 2, 2, moments);
+    const moments = Array.from({ length: 300 }, (_, i): Netcdf3Variable => ({
+      name: `M${i}`,
+      dimensions: [0, 1],
+      data: new Uint8Array(4),
+    }));
+    const bytes = cfradial(
+      Array.from({ length: 700 }, (_, i) => ({ from: 0, to: 1, elevation: i / 4 - 88 })),
+      2,
+      2,
+      moments,
+    );
     const { sweeps } = await readCfradial1(bytes);
     expect(new Set(sweeps.map((sweep) => sweep.moments)).size).to.equal(1);
     const error = await expectError(decodeBytes(bytes, 'scan.nc'));
@@ -89,7 +143,12 @@ describe('radar files that ask for more than they hold', () => {
   });
 
   it('one long radial does not make all others as long', async () => {
-    const radials = Array.from({ length: 1110 }, (_, i) => ({ azimuth: (i * 360) / 1110, elevation: 1, cut: 1, gates: i === 0 ? 60_000 : 1 }));
+    const radials = Array.from({ length: 1110 }, (_, i) => ({
+      azimuth: (i * 360) / 1110,
+      elevation: 1,
+      cut: 1,
+      gates: i === 0 ? 60_000 : 1,
+    }));
     const bytes = buildNexrad(radials);
     const error = await expectError(decodeBytes(bytes, 'radar.ar2v'));
     expect(error.code).to.equal('format/too-large');
@@ -132,7 +191,14 @@ describe('radar files that ask for more than they hold', () => {
 
   it('a mosaic has no more radials than a file', async () => {
     const image = { width: 1, height: 100_001, data: new Uint8Array(100_001) };
-    const settings = { mosaic: { columns: 1, rows: 1 }, elevations: [1], range: [0, 250] as const, slope: 1, intercept: 0, unit: 'dBZ' };
+    const settings = {
+      mosaic: { columns: 1, rows: 1 },
+      elevations: [1],
+      range: [0, 250] as const,
+      slope: 1,
+      intercept: 0,
+      unit: 'dBZ',
+    };
     expect((await errorOf(() => readPolarMosaic(image, 'PNG', settings))).message).to.contain('at most 100000');
   });
 });
@@ -151,13 +217,17 @@ describe('radar files whose numbers are no places', () => {
     });
   }
 
-  it('elevations of NaN or 1e308 are left out, those of radials are the sweep\'s, azimuths in the millions wrap', () => {
+  it("elevations of NaN or 1e308 are left out, those of radials are the sweep's, azimuths in the millions wrap", () => {
     const { grid, radar } = buildPolarVolume(
       syntheticRadar({
         sweeps: [
           { elevation: NaN },
           { elevation: 1e308 },
-          { elevation: 2, rayElevation: (_, ray) => [NaN, 1e308, -1e9, 2.5][ray % 4], azimuths: [...evenAzimuths(24), 3.6e6 + 7, NaN, 1e308] },
+          {
+            elevation: 2,
+            rayElevation: (_, ray) => [NaN, 1e308, -1e9, 2.5][ray % 4],
+            azimuths: [...evenAzimuths(24), 3.6e6 + 7, NaN, 1e308],
+          },
         ],
       }),
       {},
@@ -167,23 +237,36 @@ describe('radar files whose numbers are no places', () => {
     const [sweep] = grid.sweeps;
     expect(sweep.azimuths.every((azimuth) => azimuth >= 0 && azimuth < 360)).to.equal(true);
     expect(sweep.elevations!.every((one) => one >= 2 && one <= 2.5)).to.equal(true);
-    expect([...grid.indexToWorld, ...grid.spacing, ...grid.box.low, ...grid.box.high].every(Number.isFinite)).to.equal(true);
+    expect([...grid.indexToWorld, ...grid.spacing, ...grid.box.low, ...grid.box.high].every(Number.isFinite)).to.equal(
+      true,
+    );
   });
 
   it('floats that float32 can not hold are no data, and a fold that no value reaches is none', () => {
-    const volume = radarVolume({ sweeps: [{ elevation: 1, nyquist: 1e308, slope: 1e-3 }], moments: [['VRAD', 'velocity']] });
+    const volume = radarVolume({
+      sweeps: [{ elevation: 1, nyquist: 1e308, slope: 1e-3 }],
+      moments: [['VRAD', 'velocity']],
+    });
     expect(volume.grid.foldFrom).to.equal(undefined);
   });
 });
 
 describe('the table of a radar on the GPU', () => {
   const sweepOf = (elevation: number, radials: number, gates: number): Sweep => ({
-    elevation, azimuths: Float64Array.from(evenAzimuths(radials)), firstGate: 500, gateLength: 1000, gates, offset: 0,
+    elevation,
+    azimuths: Float64Array.from(evenAzimuths(radials)),
+    firstGate: 500,
+    gateLength: 1000,
+    gates,
+    offset: 0,
   });
   const gridOf = (sweeps: readonly Sweep[]): PolarGrid => ({ sweeps }) as PolarGrid;
 
   it('is counted before it is made', () => {
-    const wide = gridOf([sweepOf(0, 20_000, 1), ...Array.from({ length: 150 }, (_, i) => sweepOf(0.2 + 0.2 * i, 1, 1))]);
+    const wide = gridOf([
+      sweepOf(0, 20_000, 1),
+      ...Array.from({ length: 150 }, (_, i) => sweepOf(0.2 + 0.2 * i, 1, 1)),
+    ]);
     expect(buildPolarTable(wide, layOutRadials(wide, 16_384)!, 16_384)).to.equal(null);
     // Few radials, but each sweep begins a row: its numbers go on by thousands.
     const sparse = gridOf(Array.from({ length: 200 }, (_, i) => sweepOf(0.2 * i, 1, 1 + (i % 2))));

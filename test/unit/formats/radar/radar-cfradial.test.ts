@@ -17,7 +17,8 @@ const read = (bytes: Uint8Array<ArrayBuffer>, path: string): Promise<RadarFile> 
 
 describe('CfRadial against Py-ART and xradar', () => {
   for (const expected of fixtures) {
-    it(`${expected.path} (${expected.source})`, async () => compareRadar(await read(await fetchFixture(expected.path), expected.path), expected));
+    it(`${expected.path} (${expected.source})`, async () =>
+      compareRadar(await read(await fetchFixture(expected.path), expected.path), expected));
   }
 
   it('classic, 64-bit offsets, 64-bit data, NetCDF-4, radials of different lengths and CfRadial 2 are there', () => {
@@ -58,11 +59,15 @@ describe('CfRadial as stored', () => {
   });
 
   it('reads the same from NetCDF-3 and NetCDF-4, whole and by records', async () => {
-    const [first, ...others] = await Promise.all(['cfradial1-classic.nc', 'cfradial1-records.nc', 'cfradial1-nc4.nc', 'cfradial1-cdf5.nc'].map(load));
+    const [first, ...others] = await Promise.all(
+      ['cfradial1-classic.nc', 'cfradial1-records.nc', 'cfradial1-nc4.nc', 'cfradial1-cdf5.nc'].map(load),
+    );
     for (const other of others) {
       for (const [i, sweep] of first.sweeps.entries()) {
         for (const moment of ['DBZ', 'VEL', 'WIDTH']) {
-          expect(gateValues(other.sweeps[i].read(moment)!), `${moment}, sweep ${i}`).to.deep.equal(gateValues(sweep.read(moment)!));
+          expect(gateValues(other.sweeps[i].read(moment)!), `${moment}, sweep ${i}`).to.deep.equal(
+            gateValues(sweep.read(moment)!),
+          );
         }
       }
     }
@@ -104,12 +109,18 @@ describe('CfRadial as stored', () => {
 describe('CfRadial files that are refused', () => {
   it('say what is no NetCDF, what is another, and what is cut', async () => {
     expect((await expectError(readCfradial1(new Uint8Array(5000)))).code).to.equal('format/unknown');
-    expect((await expectError(readCfradial2(await fetchFixture('radar/odim-2.0.h5')))).code).to.equal('format/unsupported');
-    expect((await expectError(readCfradial1(await fetchFixture('radar/odim-2.0.h5')))).code).to.equal('format/unsupported');
+    expect((await expectError(readCfradial2(await fetchFixture('radar/odim-2.0.h5')))).code).to.equal(
+      'format/unsupported',
+    );
+    expect((await expectError(readCfradial1(await fetchFixture('radar/odim-2.0.h5')))).code).to.equal(
+      'format/unsupported',
+    );
     const bytes = await fetchFixture('radar/cfradial1-classic.nc');
     const error = await expectError(readCfradial1(bytes.slice(0, bytes.length - 8)));
     expect(error.code).to.equal('format/corrupt');
-    expect(error.message).to.contain('ends early').and.to.contain(`${bytes.length - 8} bytes`);
+    expect(error.message)
+      .to.contain('ends early')
+      .and.to.contain(`${bytes.length - 8} bytes`);
   });
 
   it('refuse a list that is longer than the file, before it is read', async () => {
@@ -125,7 +136,8 @@ describe('CfRadial files that are refused', () => {
     bytes.set(rhi, text.indexOf('sector\0'));
     const some = await readCfradial1(bytes);
     expect(some.sweeps.map(({ elevation }) => elevation)).to.deep.equal([0.5, 1.5]);
-    for (let at = text.indexOf('azimuth_surveillance\0'); at >= 0; at = text.indexOf('azimuth_surveillance\0', at + 1)) bytes.set(rhi, at);
+    for (let at = text.indexOf('azimuth_surveillance\0'); at >= 0; at = text.indexOf('azimuth_surveillance\0', at + 1))
+      bytes.set(rhi, at);
     const error = await expectError(readCfradial1(bytes));
     expect(error.code).to.equal('format/unsupported');
     expect(error.message).to.contain('range-height');
@@ -167,7 +179,16 @@ describe('what a moment is', () => {
   }
 
   it('units in one spelling', () => {
-    for (const unit of ['m/s', 'm s-1', 'meters_per_second', 'meters per second', 'm.s-1', 'ms-1']) expect(normaliseUnit(unit), unit).to.equal('m/s');
-    expect(['DBZ', 'dBz', 'unitless', '1', 'degree', 'degrees/km', 'furlongs'].map(normaliseUnit)).to.deep.equal(['dBZ', 'dBZ', '', '', 'degrees', 'degrees/km', 'furlongs']);
+    for (const unit of ['m/s', 'm s-1', 'meters_per_second', 'meters per second', 'm.s-1', 'ms-1'])
+      expect(normaliseUnit(unit), unit).to.equal('m/s');
+    expect(['DBZ', 'dBz', 'unitless', '1', 'degree', 'degrees/km', 'furlongs'].map(normaliseUnit)).to.deep.equal([
+      'dBZ',
+      'dBZ',
+      '',
+      '',
+      'degrees',
+      'degrees/km',
+      'furlongs',
+    ]);
   });
 });

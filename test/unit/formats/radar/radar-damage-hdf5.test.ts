@@ -22,7 +22,21 @@ const files: readonly (readonly [string, Reader])[] = [
 ];
 
 /** Signatures of structures in an HDF5 file. */
-const signatures = ['TREE', 'SNOD', 'HEAP', 'OHDR', 'OCHK', 'FRHP', 'FHDB', 'FHIB', 'BTHD', 'BTLF', 'FAHD', 'FADB', 'GCOL'];
+const signatures = [
+  'TREE',
+  'SNOD',
+  'HEAP',
+  'OHDR',
+  'OCHK',
+  'FRHP',
+  'FHDB',
+  'FHIB',
+  'BTHD',
+  'BTLF',
+  'FAHD',
+  'FADB',
+  'GCOL',
+];
 
 /** Read all that a file holds. A radar file or one of our errors is well; anything else, or a long wait, is not. */
 async function survive(read: Reader, bytes: Uint8Array<ArrayBuffer>, what: string): Promise<string> {
@@ -31,7 +45,10 @@ async function survive(read: Reader, bytes: Uint8Array<ArrayBuffer>, what: strin
   try {
     const radar = await read(bytes);
     for (const sweep of radar.sweeps) {
-      expect(sweep.azimuths.every((azimuth) => azimuth >= 0 && azimuth < 360), what).to.equal(true);
+      expect(
+        sweep.azimuths.every((azimuth) => azimuth >= 0 && azimuth < 360),
+        what,
+      ).to.equal(true);
       for (const moment of sweep.moments) checkData(sweep.read(moment), sweep.azimuths.length, what);
     }
   } catch (error) {

@@ -12,7 +12,8 @@ async function survive(bytes: Uint8Array<ArrayBuffer>, what: string): Promise<st
   const start = performance.now();
   try {
     const radar = await readNexrad(bytes);
-    for (const sweep of radar.sweeps) for (const moment of sweep.moments) expect(sweep.read(moment)!.samples.length).to.be.greaterThan(-1);
+    for (const sweep of radar.sweeps)
+      for (const moment of sweep.moments) expect(sweep.read(moment)!.samples.length).to.be.greaterThan(-1);
     return radar.partial ? 'partial' : 'whole';
   } catch (error) {
     if (!(error instanceof VolumeViewError)) throw new Error(`${what}: ${String(error)}`, { cause: error });

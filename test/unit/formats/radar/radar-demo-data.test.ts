@@ -27,7 +27,10 @@ function* echoes(sweep: RadarSweep, moment: string): Generator<{ value: number; 
       const value = values[ray * data.gates + gate];
       if (Number.isNaN(value)) continue;
       const range = data.firstGate + gate * data.gateLength;
-      const [x, y, z] = beamToLocal({ range, azimuth: sweep.azimuths[ray], elevation: sweep.elevation }, standardEarthRadius);
+      const [x, y, z] = beamToLocal(
+        { range, azimuth: sweep.azimuths[ray], elevation: sweep.elevation },
+        standardEarthRadius,
+      );
       yield { value, x, y, z };
     }
   }
@@ -35,8 +38,8 @@ function* echoes(sweep: RadarSweep, moment: string): Generator<{ value: number; 
 
 const mean = (numbers: readonly number[]): number => numbers.reduce((sum, n) => sum + n, 0) / numbers.length;
 
-describe('the demos\' radar scans', () => {
-  it('are synthetic and say so; as large as the paper\'s, ten minutes apart', () => {
+describe("the demos' radar scans", () => {
+  it("are synthetic and say so; as large as the paper's, ten minutes apart", () => {
     [...scans, ...velocities].forEach((scan, i) => {
       expect(scan.title).to.contain('synthetic');
       expect(scan.site.name).to.contain('synthetic');
@@ -54,18 +57,26 @@ describe('the demos\' radar scans', () => {
       expect(all.reduce((max, { value }) => Math.max(max, value), -99)).to.be.within(60, 75);
       // A tenth to a quarter of the gates: below the threshold, most hold nothing.
       expect(all.length / (14 * 360 * 400)).to.be.within(0.05, 0.25);
-      expect(all.filter(({ value, x, y }) => !(value >= -36.5 + 20 * Math.log10(Math.hypot(x, y) / 1000) - 0.1))).to.deep.equal([]);
+      expect(
+        all.filter(({ value, x, y }) => !(value >= -36.5 + 20 * Math.log10(Math.hypot(x, y) / 1000) - 0.1)),
+      ).to.deep.equal([]);
     }
   });
 
   it('move: the strongest echoes go east, 13 m/s', () => {
-    const [first, , last] = scans.map(({ sweeps }) => mean([...echoes(sweeps[0], 'DBZH')].filter(({ value, y }) => value > 55 && y < -20_000).map(({ x }) => x)));
+    const [first, , last] = scans.map(({ sweeps }) =>
+      mean([...echoes(sweeps[0], 'DBZH')].filter(({ value, y }) => value > 55 && y < -20_000).map(({ x }) => x)),
+    );
     expect((last - first) / 1200).to.be.within(10, 16);
   });
 
   it('have a bright band where snow melts', () => {
-    const rain = scans[0].sweeps.slice(3, 9).flatMap((sweep) => [...echoes(sweep, 'DBZH')]).filter(({ x, y }) => Math.hypot(x + 66_000, y - 78_000) < 30_000);
-    const at = (low: number, high: number): number => mean(rain.filter(({ z }) => z > low && z < high).map(({ value }) => value));
+    const rain = scans[0].sweeps
+      .slice(3, 9)
+      .flatMap((sweep) => [...echoes(sweep, 'DBZH')])
+      .filter(({ x, y }) => Math.hypot(x + 66_000, y - 78_000) < 30_000);
+    const at = (low: number, high: number): number =>
+      mean(rain.filter(({ z }) => z > low && z < high).map(({ value }) => value));
     expect(at(3300, 3900)).to.be.greaterThan(at(2000, 2800) + 2);
     expect(at(3300, 3900)).to.be.greaterThan(at(4700, 5500) + 4);
   });
@@ -82,7 +93,9 @@ describe('the demos\' radar scans', () => {
       expect(folds).to.be.greaterThan(100);
     }
     // Low down, toward and away side by side in the supercell, which the mean wind alone does not make.
-    const couplet = [...echoes(velocities[0].sweeps[0], 'VRADH')].filter(({ x, y }) => Math.hypot(x + 28_000, y + 62_500) < 9000).map(({ value }) => value);
+    const couplet = [...echoes(velocities[0].sweeps[0], 'VRADH')]
+      .filter(({ x, y }) => Math.hypot(x + 28_000, y + 62_500) < 9000)
+      .map(({ value }) => value);
     expect(Math.max(...couplet)).to.be.greaterThan(8);
     expect(Math.min(...couplet)).to.be.lessThan(-12);
   });
@@ -95,10 +108,14 @@ describe('the demos\' radar scans', () => {
     // Half a step of either file.
     const rounding = 0.25 + 0.063 + 1e-9;
     const isSame = (value: number, i: number): boolean =>
-      Number.isNaN(value) ? Number.isNaN(folded[i]) : Math.abs((value - folded[i]) / 32 - Math.round((value - folded[i]) / 32)) * 32 <= rounding;
+      Number.isNaN(value)
+        ? Number.isNaN(folded[i])
+        : Math.abs((value - folded[i]) / 32 - Math.round((value - folded[i]) / 32)) * 32 <= rounding;
     expect(unfolded.every(isSame)).to.equal(true);
     expect(unfolded.filter((value) => Math.abs(value) > 17).length).to.be.greaterThan(10_000);
     // No gate is far from its neighbour along the beam, as it is at a fold.
-    expect(unfolded.filter((value, i) => i % 400 > 0 && Math.abs(value - unfolded[i - 1]) > 24).length).to.be.lessThan(20);
+    expect(unfolded.filter((value, i) => i % 400 > 0 && Math.abs(value - unfolded[i - 1]) > 24).length).to.be.lessThan(
+      20,
+    );
   });
 });

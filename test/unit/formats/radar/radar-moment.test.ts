@@ -14,18 +14,27 @@ const tiles = { image: 'mosaic/gray-3x2.png', mosaic: '3x2', elevations: [1, 2, 
 describe('the moment of a radar', () => {
   it('of a mosaic whose manifest names it is that one, and another is told with it', async () => {
     const manifest = { ...tiles, moment: 'DBZH' };
-    for (const settings of [{}, { moment: 'DBZH' }]) expect((await decodeManifest(manifest, settings)).radar).to.deep.include({ moment: 'DBZH', moments: ['DBZH'] });
+    for (const settings of [{}, { moment: 'DBZH' }])
+      expect((await decodeManifest(manifest, settings)).radar).to.deep.include({ moment: 'DBZH', moments: ['DBZH'] });
     const scans = { ...tiles, image: undefined, scans: [{ image: tiles.image, moment: 'DBZH' }] };
     for (const one of [manifest, scans]) {
       const error = await expectError(decodeManifest(one, { moment: 'VRADH' }));
-      expect([error.code, error.message]).to.deep.equal(['attribute/invalid', 'moment got "VRADH"; expected one that the file holds: DBZH']);
+      expect([error.code, error.message]).to.deep.equal([
+        'attribute/invalid',
+        'moment got "VRADH"; expected one that the file holds: DBZH',
+      ]);
     }
   });
 
   it('of a mosaic that nothing else names is what the attribute says', async () => {
     expect((await decodeManifest(tiles, { moment: 'VRADH' })).radar?.moment).to.equal('VRADH');
     const mosaic = { columns: 3, rows: 2 };
-    const volume = await decodeBytes(await fetchFixture('mosaic/gray-3x2.png'), 'a.png', { mosaic, elevations: tiles.elevations, range: [250, 500], moment: 'VRADH' });
+    const volume = await decodeBytes(await fetchFixture('mosaic/gray-3x2.png'), 'a.png', {
+      mosaic,
+      elevations: tiles.elevations,
+      range: [250, 500],
+      moment: 'VRADH',
+    });
     expect(volume.radar?.moment).to.equal('VRADH');
   });
 
@@ -40,12 +49,19 @@ describe('the moment of a radar', () => {
 });
 
 it('attributes of a radar mosaic go before its manifest', async () => {
-  const volume = await decodeManifest({ ...tiles, mosaic: undefined, range: [100, 100] }, { mosaic: { columns: 3, rows: 2 }, range: [250, 500] });
+  const volume = await decodeManifest(
+    { ...tiles, mosaic: undefined, range: [100, 100] },
+    { mosaic: { columns: 3, rows: 2 }, range: [250, 500] },
+  );
   expect(volume.radar?.sweeps[0]).to.include({ firstGate: 250, gateLength: 500 });
 });
 
 describe('the quantity that nobody asked for', () => {
-  const moments: [string, MomentKind][] = [['TH', 'reflectivity'], ['VRADH', 'velocity'], ['DBZH', 'reflectivity']];
+  const moments: [string, MomentKind][] = [
+    ['TH', 'reflectivity'],
+    ['VRADH', 'velocity'],
+    ['DBZH', 'reflectivity'],
+  ];
   const sweeps = [['TH', 'VRADH'], ['DBZH'], ['VRADH', 'DBZH']].map((of, i) => ({ elevation: 0.5 + i, moments: of }));
 
   it('is of the reflectivities the one that most sweeps hold, and is named', () => {
@@ -58,17 +74,29 @@ describe('the quantity that nobody asked for', () => {
   });
 
   it('is the first of those that as many hold, and one that is asked for is not explained', () => {
-    const same = buildPolarVolume(syntheticRadar({ sweeps: sweeps.slice(1).map((sweep) => ({ ...sweep, moments: ['TH', 'DBZH'] })), moments }), {}).radar!;
+    const same = buildPolarVolume(
+      syntheticRadar({ sweeps: sweeps.slice(1).map((sweep) => ({ ...sweep, moments: ['TH', 'DBZH'] })), moments }),
+      {},
+    ).radar!;
     expect([same.moment, same.left.length]).to.deep.equal(['TH', 0]);
-    expect(buildPolarVolume(syntheticRadar({ sweeps, moments }), { moment: 'TH' }).radar!.details.join()).not.to.contain('most sweeps');
+    expect(
+      buildPolarVolume(syntheticRadar({ sweeps, moments }), { moment: 'TH' }).radar!.details.join(),
+    ).not.to.contain('most sweeps');
   });
 
   it('has no radials of an antenna on its way to another elevation', () => {
-    const file = syntheticRadar({ sweeps: [{ elevation: 1, azimuths: [0, 10, 20, 30, 40, 50], gates: 2, stored: (azimuth) => 1 + azimuth }] });
+    const file = syntheticRadar({
+      sweeps: [{ elevation: 1, azimuths: [0, 10, 20, 30, 40, 50], gates: 2, stored: (azimuth) => 1 + azimuth }],
+    });
     const [sweep] = file.sweeps;
-    const { grid, samples, radar } = buildPolarVolume({ ...file, sweeps: [{ ...sweep, transitions: Uint8Array.of(1, 0, 0, 0, 1, 1) }] }, {});
+    const { grid, samples, radar } = buildPolarVolume(
+      { ...file, sweeps: [{ ...sweep, transitions: Uint8Array.of(1, 0, 0, 0, 1, 1) }] },
+      {},
+    );
     expect(radar!.sweeps[0].radials).to.equal(3);
-    expect(radar!.details).to.deep.equal(['3 radials are left out: the antenna was on its way between sweeps (antenna_transition)']);
+    expect(radar!.details).to.deep.equal([
+      '3 radials are left out: the antenna was on its way between sweeps (antenna_transition)',
+    ]);
     const held = [...grid.sweeps[0].azimuths].filter((_, radial) => samples[radial * 2] > 0);
     expect(held).to.deep.equal([10, 20, 30]);
     expect([...samples].filter((value) => value > 0)).to.deep.equal([11, 11, 21, 21, 31, 31]);

@@ -49,14 +49,17 @@ function compare(radar: RadarFile, expected: Expected): void {
     const wanted = expected.sweeps[i];
     expect(sweep.elevation, `elevation ${i}`).to.be.closeTo(wanted.elevation, 2e-6 * Math.max(1, wanted.elevation));
     expect(sweep.azimuths.length, `rays ${i}`).to.equal(wanted.rays);
-    for (const [ray, azimuth] of wanted.azimuths) expect(sweep.azimuths[ray], `azimuth ${i}, ${ray}`).to.be.closeTo(azimuth, 1e-5);
+    for (const [ray, azimuth] of wanted.azimuths)
+      expect(sweep.azimuths[ray], `azimuth ${i}, ${ray}`).to.be.closeTo(azimuth, 1e-5);
     expect(sweep.time).to.equal(wanted.time);
     if (wanted.nyquist === null) expect(sweep.nyquist).to.equal(undefined);
     else expect(sweep.nyquist).to.be.closeTo(wanted.nyquist, 1e-6);
-    const grids = Object.fromEntries(sweep.moments.map((moment) => {
-      const { gates, firstGate, gateLength } = sweep.read(moment)!;
-      return [moment, [gates, firstGate, gateLength]];
-    }));
+    const grids = Object.fromEntries(
+      sweep.moments.map((moment) => {
+        const { gates, firstGate, gateLength } = sweep.read(moment)!;
+        return [moment, [gates, firstGate, gateLength]];
+      }),
+    );
     expect(grids).to.deep.equal(wanted.moments);
   });
   for (const moment of Object.keys(expected.moments)) compareValues(radar, expected, moment);
@@ -77,12 +80,17 @@ function compareValues(radar: RadarFile, expected: Expected, moment: string): vo
 
 /** Largest distance between our gates and Py-ART's, metres. */
 function comparePositions(radar: RadarFile, { positions }: Expected): number {
-  return Math.max(...positions.map(({ sweep, moment, ray, gate, x, y, z }) => {
-    const { elevation, azimuths, read } = radar.sweeps[sweep];
-    const { firstGate, gateLength } = read(moment)!;
-    const local = beamToLocal({ range: firstGate + gate * gateLength, azimuth: azimuths[ray], elevation }, standardEarthRadius);
-    return Math.max(Math.hypot(local[0] - x, local[1] - y), Math.abs(local[2] - z));
-  }));
+  return Math.max(
+    ...positions.map(({ sweep, moment, ray, gate, x, y, z }) => {
+      const { elevation, azimuths, read } = radar.sweeps[sweep];
+      const { firstGate, gateLength } = read(moment)!;
+      const local = beamToLocal(
+        { range: firstGate + gate * gateLength, azimuth: azimuths[ray], elevation },
+        standardEarthRadius,
+      );
+      return Math.max(Math.hypot(local[0] - x, local[1] - y), Math.abs(local[2] - z));
+    }),
+  );
 }
 
 describe('NEXRAD Level II against Py-ART', () => {
@@ -113,7 +121,9 @@ describe('NEXRAD Level II files of the shared data against Py-ART', () => {
     expect(radar.sweeps.length).to.be.within(2, 10);
     const whole = await readNexrad(bytes);
     const count = radar.sweeps[0].azimuths.length * 1832;
-    expect(radar.sweeps[0].read('REF')!.samples.slice(0, count)).to.deep.equal(whole.sweeps[0].read('REF')!.samples.slice(0, count));
+    expect(radar.sweeps[0].read('REF')!.samples.slice(0, count)).to.deep.equal(
+      whole.sweeps[0].read('REF')!.samples.slice(0, count),
+    );
   });
 
   it('make volumes: of the two scans of the lowest elevation, one is shown', async function () {
@@ -141,12 +151,17 @@ describe('NEXRAD Level II as stored', () => {
 
   it('knows the elevation of each radial', async () => {
     // As test/fixtures/make-nexrad-fixtures.py makes them; angles of message 1 are 65,536ths of a turn.
-    for (const [name, means, step] of [['message-31.ar2v', [0.53, 0.49, -1.25], 1e-6], ['message-1.gz', [0.4], 360 / 65536]] as const) {
+    for (const [name, means, step] of [
+      ['message-31.ar2v', [0.53, 0.49, -1.25], 1e-6],
+      ['message-1.gz', [0.4], 360 / 65536],
+    ] as const) {
       const { sweeps } = await readNexrad(await fetchFixture(`nexrad/${name}`));
       means.forEach((mean, i) => {
         const { azimuths, elevations } = sweeps[i];
         expect(elevations).to.have.length(azimuths.length);
-        elevations!.forEach((elevation, ray) => expect(elevation, name).to.be.closeTo(mean + 0.02 * Math.cos(ray), step));
+        elevations!.forEach((elevation, ray) =>
+          expect(elevation, name).to.be.closeTo(mean + 0.02 * Math.cos(ray), step),
+        );
       });
     }
   });
@@ -154,12 +169,20 @@ describe('NEXRAD Level II as stored', () => {
   it('gives moments their kinds', async () => {
     const { moments } = await readNexrad(await fetchFixture('nexrad/message-31.ar2v'));
     expect(Object.fromEntries(moments.map(({ name, kind }) => [name, kind]))).to.deep.equal({
-      REF: 'reflectivity', VEL: 'velocity', SW: 'spectrum-width', ZDR: 'differential-reflectivity', PHI: 'differential-phase', RHO: 'correlation', CFP: 'other',
+      REF: 'reflectivity',
+      VEL: 'velocity',
+      SW: 'spectrum-width',
+      ZDR: 'differential-reflectivity',
+      PHI: 'differential-phase',
+      RHO: 'correlation',
+      CFP: 'other',
     });
   });
 
   it('packed or not, the same', async () => {
-    const [packed, plain] = await Promise.all(['message-31', 'message-31-plain'].map(async (name) => readNexrad(await fetchFixture(`nexrad/${name}.ar2v`))));
+    const [packed, plain] = await Promise.all(
+      ['message-31', 'message-31-plain'].map(async (name) => readNexrad(await fetchFixture(`nexrad/${name}.ar2v`))),
+    );
     packed.sweeps.forEach((sweep, i) => {
       for (const moment of sweep.moments) expect(plain.sweeps[i].read(moment)).to.deep.equal(sweep.read(moment));
     });
@@ -171,17 +194,26 @@ describe('NEXRAD Level II files with more than one volume', () => {
   // Py-ART 2.3.0 on the second one alone (whole.ar2v): 5 sweeps of 360 radials at 0.5, 1.5, 2.401, 3.4 and 4.301 degrees.
   it('give the more complete one, and say what is left', async () => {
     const radar = await readNexrad(await fetchFixture('nexrad/restarted.ar2v'));
-    expect(radar.sweeps.map(({ elevation }) => Number(elevation.toFixed(3)))).to.deep.equal([0.5, 1.5, 2.401, 3.4, 4.301]);
+    expect(radar.sweeps.map(({ elevation }) => Number(elevation.toFixed(3)))).to.deep.equal([
+      0.5, 1.5, 2.401, 3.4, 4.301,
+    ]);
     expect(radar.partial).to.equal(undefined);
     expect(radar.left).to.have.length(1);
-    expect(radar.left![0]).to.match(/^of the 2 volumes .* with 2 sweeps is left out; .* with 5 sweeps, the more complete one, is shown$/);
+    expect(radar.left![0]).to.match(
+      /^of the 2 volumes .* with 2 sweeps is left out; .* with 5 sweeps, the more complete one, is shown$/,
+    );
     expect(buildPolarVolume(radar, {}).radar!.left).to.deep.equal(radar.left);
   });
 
   it('are told by their radials, where there is no second header, and by it where they are not packed', async () => {
-    const volume = (cuts: number): BuiltRadial[] => Array.from({ length: cuts * 36 }, (_, i) => ({
-      azimuth: 10 * (i % 36), elevation: Math.floor(i / 36), cut: 1 + Math.floor(i / 36), gates: 8, status: i === 0 ? 3 : i === cuts * 36 - 1 ? 4 : 1,
-    }));
+    const volume = (cuts: number): BuiltRadial[] =>
+      Array.from({ length: cuts * 36 }, (_, i) => ({
+        azimuth: 10 * (i % 36),
+        elevation: Math.floor(i / 36),
+        cut: 1 + Math.floor(i / 36),
+        gates: 8,
+        status: i === 0 ? 3 : i === cuts * 36 - 1 ? 4 : 1,
+      }));
     const without = await readNexrad(buildNexrad([...volume(1), ...volume(3)]));
     expect([without.sweeps.length, without.left!.length]).to.deep.equal([3, 1]);
     const [first, second] = [buildNexrad(volume(3)), buildNexrad(volume(1))];
@@ -193,11 +225,22 @@ describe('NEXRAD Level II files with more than one volume', () => {
   });
 
   it('radials that the radar marks as bad, or did not send, hold nothing', async () => {
-    const radials = Array.from({ length: 36 }, (_, i): BuiltRadial => ({ azimuth: 10 * i, elevation: 1, cut: 1, gates: 8, code: 100, status: (i === 5 ? 0x80 : 0) + (i === 35 ? 4 : 1), blanked: i === 7 }));
+    const radials = Array.from({ length: 36 }, (_, i): BuiltRadial => ({
+      azimuth: 10 * i,
+      elevation: 1,
+      cut: 1,
+      gates: 8,
+      code: 100,
+      status: (i === 5 ? 0x80 : 0) + (i === 35 ? 4 : 1),
+      blanked: i === 7,
+    }));
     const radar = await readNexrad(buildNexrad(radials));
-    expect(radar.left).to.deep.equal(['2 of 36 radials are left out: the radar marks them as bad, or as not sent (spot blanking)']);
+    expect(radar.left).to.deep.equal([
+      '2 of 36 radials are left out: the radar marks them as bad, or as not sent (spot blanking)',
+    ]);
     const { samples, gates } = radar.sweeps[0].read('REF')!;
-    for (let radial = 0; radial < 36; radial++) expect(samples[radial * gates], `${radial}`).to.equal(radial === 5 || radial === 7 ? 0 : 100);
+    for (let radial = 0; radial < 36; radial++)
+      expect(samples[radial * gates], `${radial}`).to.equal(radial === 5 || radial === 7 ? 0 : 100);
   });
 });
 

@@ -34,7 +34,10 @@ describe('the radials of a sweep', () => {
   });
 
   it('have one without data where one is missing', () => {
-    const { azimuths, radials } = arrangeRadials(evenAzimuths(36).filter((a) => a !== 45), 1);
+    const { azimuths, radials } = arrangeRadials(
+      evenAzimuths(36).filter((a) => a !== 45),
+      1,
+    );
     expect(azimuths).to.have.length(36);
     expect(azimuths[4]).to.be.closeTo(45, 1e-9);
     expect(radials[4]).to.equal(-1);
@@ -62,7 +65,7 @@ describe('the radials of a sweep', () => {
 
 describe('a radar file as a volume', () => {
   it('holds every gate once, where its sweep says', () => {
-    const stored = (azimuth: number, gate: number): number => (Math.round(azimuth) * 3 + gate) % 251 + 1;
+    const stored = (azimuth: number, gate: number): number => ((Math.round(azimuth) * 3 + gate) % 251) + 1;
     const volume = radarVolume({
       sweeps: [
         { elevation: 4, stored, gates: 7 },
@@ -83,7 +86,14 @@ describe('a radar file as a volume', () => {
   });
 
   it('says what it is', () => {
-    const volume = radarVolume({ sweeps: [{ elevation: 1 }], moments: [['TH', 'other'], ['DBZH', 'reflectivity'], ['VRADH', 'velocity']] });
+    const volume = radarVolume({
+      sweeps: [{ elevation: 1 }],
+      moments: [
+        ['TH', 'other'],
+        ['DBZH', 'reflectivity'],
+        ['VRADH', 'velocity'],
+      ],
+    });
     expect(volume.radar).to.deep.equal({
       moment: 'DBZH',
       moments: ['TH', 'DBZH', 'VRADH'],
@@ -93,7 +103,12 @@ describe('a radar file as a volume', () => {
       left: [],
       details: [],
     });
-    expect([volume.unit, volume.format, volume.slope, volume.intercept]).to.deep.equal(['dBZ', 'synthetic radar', 0.5, -32]);
+    expect([volume.unit, volume.format, volume.slope, volume.intercept]).to.deep.equal([
+      'dBZ',
+      'synthetic radar',
+      0.5,
+      -32,
+    ]);
     expect(volume.hasNoData).to.equal(true);
   });
 
@@ -104,13 +119,24 @@ describe('a radar file as a volume', () => {
   });
 
   it('takes the moment that is asked for, or says which there are', () => {
-    const radar = syntheticRadar({ sweeps: [{ elevation: 1 }], moments: [['DBZH', 'reflectivity'], ['VRADH', 'velocity']] });
+    const radar = syntheticRadar({
+      sweeps: [{ elevation: 1 }],
+      moments: [
+        ['DBZH', 'reflectivity'],
+        ['VRADH', 'velocity'],
+      ],
+    });
     expect(buildPolarVolume(radar, { moment: 'VRADH' }).unit).to.equal('m/s');
-    expect(() => buildPolarVolume(radar, { moment: 'ZDR' })).to.throw(VolumeViewError, 'moment got "ZDR"; expected one that the file holds: DBZH, VRADH')
+    expect(() => buildPolarVolume(radar, { moment: 'ZDR' }))
+      .to.throw(VolumeViewError, 'moment got "ZDR"; expected one that the file holds: DBZH, VRADH')
       .with.property('code', 'attribute/invalid');
     const empty = syntheticRadar({ sweeps: [{ elevation: 1, moments: [] }] });
-    expect(() => buildPolarVolume(empty, {})).to.throw(VolumeViewError, 'none of its 1 sweeps').with.property('code', 'format/unsupported');
-    expect(() => buildPolarVolume({ ...empty, moments: [] }, {})).to.throw(VolumeViewError, 'no quantity').with.property('code', 'format/unsupported');
+    expect(() => buildPolarVolume(empty, {}))
+      .to.throw(VolumeViewError, 'none of its 1 sweeps')
+      .with.property('code', 'format/unsupported');
+    expect(() => buildPolarVolume({ ...empty, moments: [] }, {}))
+      .to.throw(VolumeViewError, 'no quantity')
+      .with.property('code', 'format/unsupported');
   });
 
   it('keeps of sweeps at one elevation the one that holds the moment and reaches farthest', () => {
@@ -123,9 +149,15 @@ describe('a radar file as a volume', () => {
         { elevation: 0.9, gates: 30, azimuths: evenAzimuths(36) },
         { elevation: 0.9, gates: 30, azimuths: evenAzimuths(36) },
       ],
-      moments: [['DBZH', 'reflectivity'], ['VRADH', 'velocity']],
+      moments: [
+        ['DBZH', 'reflectivity'],
+        ['VRADH', 'velocity'],
+      ],
     });
-    expect(grid.sweeps.map(({ elevation, gates, azimuths }) => [elevation, gates, azimuths.length])).to.deep.equal([[0.48, 30, 24], [0.9, 30, 36]]);
+    expect(grid.sweeps.map(({ elevation, gates, azimuths }) => [elevation, gates, azimuths.length])).to.deep.equal([
+      [0.48, 30, 24],
+      [0.9, 30, 36],
+    ]);
     expect(radar!.details).to.deep.equal([
       'sweep 6 at 0.9° is left out for sweep 5 at 0.9°',
       'sweep 4 at 0.9° is left out for sweep 5 at 0.9°',
@@ -136,9 +168,16 @@ describe('a radar file as a volume', () => {
   });
 
   it('takes a sweep with data for one that was filled with nothing', () => {
-    const sweeps = [{ elevation: 0.5, gates: 90, stored: () => 0 }, { elevation: 0.5, gates: 30 }, { elevation: 3, stored: () => 0 }];
+    const sweeps = [
+      { elevation: 0.5, gates: 90, stored: () => 0 },
+      { elevation: 0.5, gates: 30 },
+      { elevation: 3, stored: () => 0 },
+    ];
     const { grid, radar } = radarVolume({ sweeps });
-    expect(grid.sweeps.map(({ elevation, gates }) => [elevation, gates])).to.deep.equal([[0.5, 30], [3, 20]]);
+    expect(grid.sweeps.map(({ elevation, gates }) => [elevation, gates])).to.deep.equal([
+      [0.5, 30],
+      [3, 20],
+    ]);
     expect(radar!.details).to.deep.equal(['sweep 1 at 0.5° is left out for sweep 2 at 0.5°']);
   });
 
@@ -150,7 +189,13 @@ describe('a radar file as a volume', () => {
 
   it('brings sweeps of several types to one', () => {
     const of = (...kinds: ('uint8' | 'uint16' | 'float32')[]): ReturnType<typeof radarVolume> =>
-      radarVolume({ sweeps: kinds.map((kind, i) => ({ elevation: 1 + i, kind, stored: (_a, gate) => (gate === 0 ? (kind === 'float32' ? NaN : 0) : gate) })) });
+      radarVolume({
+        sweeps: kinds.map((kind, i) => ({
+          elevation: 1 + i,
+          kind,
+          stored: (_a, gate) => (gate === 0 ? (kind === 'float32' ? NaN : 0) : gate),
+        })),
+      });
     const values = [0, 1, 2, 3];
     for (const [volume, type, empty] of [
       [of('uint8', 'uint8'), Uint8Array, 0],
@@ -160,14 +205,19 @@ describe('a radar file as a volume', () => {
       expect(volume.samples).to.be.instanceOf(type);
       expect([volume.slope, volume.intercept]).to.deep.equal([0.5, -32]);
       for (const { offset } of volume.grid.sweeps) {
-        values.forEach((value, gate) => expect(volume.samples[offset + gate]).to.deep.equal(gate === 0 ? empty : value));
+        values.forEach((value, gate) =>
+          expect(volume.samples[offset + gate]).to.deep.equal(gate === 0 ? empty : value),
+        );
       }
     }
   });
 
   it('brings sweeps of several scales to data values', () => {
     const volume = radarVolume({
-      sweeps: [{ elevation: 1, slope: 0.5, intercept: -32 }, { elevation: 2, slope: 1, intercept: -20 }].map((sweep) => ({ ...sweep, stored: (_a: number, gate: number) => gate })),
+      sweeps: [
+        { elevation: 1, slope: 0.5, intercept: -32 },
+        { elevation: 2, slope: 1, intercept: -20 },
+      ].map((sweep) => ({ ...sweep, stored: (_a: number, gate: number) => gate })),
     });
     expect([volume.slope, volume.intercept]).to.deep.equal([1, 0]);
     const [low, high] = volume.grid.sweeps;
@@ -176,9 +226,13 @@ describe('a radar file as a volume', () => {
   });
 
   it('folds velocities only, from the smallest Nyquist velocity on', () => {
-    const sweeps = [{ elevation: 1, nyquist: 26.3 }, { elevation: 2, nyquist: 8.3 }];
+    const sweeps = [
+      { elevation: 1, nyquist: 26.3 },
+      { elevation: 2, nyquist: 8.3 },
+    ];
     const fold = (kind: 'velocity' | 'reflectivity', sweepKind: 'uint8' | 'float32' = 'uint8'): number | undefined =>
-      radarVolume({ sweeps: sweeps.map((sweep) => ({ ...sweep, kind: sweepKind })), moments: [['V', kind]] }).grid.foldFrom;
+      radarVolume({ sweeps: sweeps.map((sweep) => ({ ...sweep, kind: sweepKind })), moments: [['V', kind]] }).grid
+        .foldFrom;
     // 8.3 m/s are 16.6 stored steps of 0.5 m/s.
     expect(fold('velocity')).to.equal(16.5);
     expect(fold('velocity', 'float32')).to.be.closeTo(16.6, 1e-12);
@@ -189,13 +243,17 @@ describe('a radar file as a volume', () => {
   it('does not fold velocities that have been unfolded', () => {
     const fold = (name: string): number | undefined =>
       radarVolume({ sweeps: [{ elevation: 1, nyquist: 8.3 }], moments: [[name, 'velocity']] }).grid.foldFrom;
-    for (const name of ['VRADDH', 'VRADDV', 'corrected_velocity', 'dealiased_velocity', 'velocity_unfolded']) expect(fold(name), name).to.equal(undefined);
+    for (const name of ['VRADDH', 'VRADDV', 'corrected_velocity', 'dealiased_velocity', 'velocity_unfolded'])
+      expect(fold(name), name).to.equal(undefined);
     for (const name of ['VRADH', 'VRADV', 'VRAD', 'UVRADH', 'VEL', 'velocity']) expect(fold(name), name).to.equal(16.5);
   });
 
   it('stands in a box as wide as its gates reach, and as high as there are data', () => {
     const stored = (_azimuth: number, gate: number): number => (gate < 20 ? 9 : 0);
-    const options = { sweeps: [{ elevation: 0 }, { elevation: 30, stored }].map((sweep) => ({ gates: 100, stored, ...sweep })), beamWidth: 2 };
+    const options = {
+      sweeps: [{ elevation: 0 }, { elevation: 30, stored }].map((sweep) => ({ gates: 100, stored, ...sweep })),
+      beamWidth: 2,
+    };
     const { grid } = radarVolume(options, { beamModel: 'straight' });
     const { low, high } = grid.box;
     expect(grid.earthRadius).to.equal(Infinity);
@@ -214,16 +272,32 @@ describe('a radar file as a volume', () => {
 
   it('of a sector stands in the box of the sector, of a circle in a whole one though some radials are missing', () => {
     const boxOf = (azimuths: number[], firstGate = 500) => {
-      const { low, high } = radarVolume({ sweeps: [{ elevation: 0, azimuths, firstGate, gates: 100 }] }, { beamModel: 'straight' }).grid.box;
+      const { low, high } = radarVolume(
+        { sweeps: [{ elevation: 0, azimuths, firstGate, gates: 100 }] },
+        { beamModel: 'straight' },
+      ).grid.box;
       return [low[0], high[0], low[1], high[1]].map((metres) => Number((metres / 1000).toFixed(2)));
     };
     const from = (first: number, count: number): number[] => Array.from({ length: count }, (_, i) => (first + i) % 360);
-    const at = (azimuth: number, range: number): number[] => [range * Math.sin((azimuth * Math.PI) / 180), range * Math.cos((azimuth * Math.PI) / 180)].map((x) => Number(x.toFixed(2)));
+    const at = (azimuth: number, range: number): number[] =>
+      [range * Math.sin((azimuth * Math.PI) / 180), range * Math.cos((azimuth * Math.PI) / 180)].map((x) =>
+        Number(x.toFixed(2)),
+      );
     // One radial without data is at each end.
     expect(boxOf(from(40, 3)), 'north-east').to.deep.equal([0, at(43, 100)[0], 0, at(39, 100)[1]]);
-    expect(boxOf(from(40, 3), 60_500), 'that begins far away').to.deep.equal([at(39, 60)[0], at(43, 160)[0], at(43, 60)[1], at(39, 160)[1]]);
+    expect(boxOf(from(40, 3), 60_500), 'that begins far away').to.deep.equal([
+      at(39, 60)[0],
+      at(43, 160)[0],
+      at(43, 60)[1],
+      at(39, 160)[1],
+    ]);
     expect(boxOf(from(350, 21)), 'across north').to.deep.equal([-at(11, 100)[0], at(11, 100)[0], 0, 100]);
-    expect(boxOf(from(80, 120)), 'to the east and the south').to.deep.equal([at(200, 100)[0], 100, -100, at(79, 100)[1]]);
+    expect(boxOf(from(80, 120)), 'to the east and the south').to.deep.equal([
+      at(200, 100)[0],
+      100,
+      -100,
+      at(79, 100)[1],
+    ]);
     expect(boxOf(from(10, 340)), 'all but twenty radials').to.deep.equal([-100, 100, -100, 100]);
   });
 

@@ -18,18 +18,32 @@ import { radarVolume } from '../../../helpers/synthetic-radar.ts';
 import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const volume = syntheticVolume({ dimensions: [24, 20, 16] });
-const signed = (over: Volume = volume): Volume => syntheticVolume({ dimensions: [14, 12, 18], kind: 'float32', indexToWorld: askew(over, [14, 12, 18]), field: waves });
+const signed = (over: Volume = volume): Volume =>
+  syntheticVolume({ dimensions: [14, 12, 18], kind: 'float32', indexToWorld: askew(over, [14, 12, 18]), field: waves });
 
 /** What a segment of two values of the layer becomes. */
-function shade(overlay: ShownOverlay, [front, back]: readonly [number, number], seen: Premultiplied, span = 1): Premultiplied {
+function shade(
+  overlay: ShownOverlay,
+  [front, back]: readonly [number, number],
+  seen: Premultiplied,
+  span = 1,
+): Premultiplied {
   const end = (value: number): OverlaidSample => ({ value: 0, valid: true, overlay: value });
-  return overlayShade(overlay, { isFolded: () => false }, { lightFactor: 1, opticalScale: 1 })({ front: end(front), back: end(back), begin: 0, span }, seen, { point: [0, 0, 0], direction: [1, 0, 0], lengthPerT: 1 });
+  return overlayShade(overlay, { isFolded: () => false }, { lightFactor: 1, opticalScale: 1 })(
+    { front: end(front), back: end(back), begin: 0, span },
+    seen,
+    { point: [0, 0, 0], direction: [1, 0, 0], lengthPerT: 1 },
+  );
 }
 
-const near = (got: readonly number[], expected: readonly number[], off = 1e-12): void => got.forEach((x, c) => expect(x, `channel ${c}`).to.be.closeTo(expected[c], off));
+const near = (got: readonly number[], expected: readonly number[], off = 1e-12): void =>
+  got.forEach((x, c) => expect(x, `channel ${c}`).to.be.closeTo(expected[c], off));
 
 describe('two media in one place', () => {
-  const one = [{ value: 0, color: [0.9, 0.4, 0.1], opacity: 0.3 }, { value: 1, color: [0.2, 0.5, 1], opacity: 0.7 }] as const;
+  const one = [
+    { value: 0, color: [0.9, 0.4, 0.1], opacity: 0.3 },
+    { value: 1, color: [0.2, 0.5, 1], opacity: 0.7 },
+  ] as const;
 
   it('add their extinctions and their light, in any order, in halves as in one', () => {
     const overlay = overlayOf(volume, signed(), { transferFunction: one });
@@ -41,13 +55,25 @@ describe('two media in one place', () => {
     near(both, [0, 1, 2].map((c) => (light[c] / depth) * -Math.expm1(-depth)).concat(-Math.expm1(-depth)));
     // Cut in two, the ray shows the same.
     const half = shade(overlay, [1, 1], attenuate([0.2, 0.1, 0.4, 0.5], 0.4), 0.4);
-    near(half.map((x) => x + (1 - half[3]) * x), both);
+    near(
+      half.map((x) => x + (1 - half[3]) * x),
+      both,
+    );
     near(shade(overlay, [NaN, NaN], first), first, 0);
-    near(shade(overlay, [1, NaN], first, 1.6), both.map((_, c) => shade(overlay, [1, 1], first, 0.8)[c]));
+    near(
+      shade(overlay, [1, NaN], first, 1.6),
+      both.map((_, c) => shade(overlay, [1, 1], first, 0.8)[c]),
+    );
   });
 
   it('of colour alone keep the opacity: all of a constant colour is as if the volume had it, and none leaves its own', () => {
-    const red = overlayOf(volume, signed(), { blend: 'color', transferFunction: [{ value: 0, color: [1, 0, 0], opacity: 0 }, { value: 1, color: [1, 0, 0], opacity: 0.4 }] });
+    const red = overlayOf(volume, signed(), {
+      blend: 'color',
+      transferFunction: [
+        { value: 0, color: [1, 0, 0], opacity: 0 },
+        { value: 1, color: [1, 0, 0], opacity: 0.4 },
+      ],
+    });
     const seen: Premultiplied = [0.1, 0.2, 0.3, 0.5];
     near(shade(red, [1, 1], seen), [0.5, 0, 0, 0.5]);
     near(shade(red, [0, 0], seen), seen);
@@ -58,7 +84,7 @@ describe('two media in one place', () => {
   });
 });
 
-describe('a layer\'s place', () => {
+describe("a layer's place", () => {
   const refused = (layer: Volume, over: Volume = volume): string => {
     try {
       placeOverlay(layer, over, 'map.nii');
@@ -69,27 +95,63 @@ describe('a layer\'s place', () => {
     return '';
   };
   const nifti = { ...volume, format: 'NIfTI-1' };
-  const moved = (layer: Volume, change: (entry: number, i: number) => number): Volume => ({ ...layer, format: 'NIfTI-1', grid: { ...layer.grid, indexToWorld: layer.grid.indexToWorld.map(change) } });
+  const moved = (layer: Volume, change: (entry: number, i: number) => number): Volume => ({
+    ...layer,
+    format: 'NIfTI-1',
+    grid: { ...layer.grid, indexToWorld: layer.grid.indexToWorld.map(change) },
+  });
 
   it('is the one that its file says; nowhere in common, in another unit or not known is told', () => {
-    expect(refused(moved(signed(), (x) => x), nifti)).to.equal('');
-    expect(refused(moved(signed(), (x, i) => (i === 7 ? x + 500 : x)), nifti)).to.match(/the layer map\.nii and the volume have no place in common; expected files of the same body/);
-    expect(refused(moved(signed(), (x, i) => (i < 12 ? x / 1000 : x)), nifti)).to.match(/is 0\.0\d+ across and the volume 3\d\.\d; expected files in the same unit of length/);
-    expect(refused({ ...syntheticVolume({ dimensions: [8, 8, 8] }), format: 'PNG mosaic' }, nifti)).to.match(/grid of 8 x 8 x 8 voxels and the volume on one of 24 x 20 x 16/);
+    expect(
+      refused(
+        moved(signed(), (x) => x),
+        nifti,
+      ),
+    ).to.equal('');
+    expect(
+      refused(
+        moved(signed(), (x, i) => (i === 7 ? x + 500 : x)),
+        nifti,
+      ),
+    ).to.match(/the layer map\.nii and the volume have no place in common; expected files of the same body/);
+    expect(
+      refused(
+        moved(signed(), (x, i) => (i < 12 ? x / 1000 : x)),
+        nifti,
+      ),
+    ).to.match(/is 0\.0\d+ across and the volume 3\d\.\d; expected files in the same unit of length/);
+    expect(refused({ ...syntheticVolume({ dimensions: [8, 8, 8] }), format: 'PNG mosaic' }, nifti)).to.match(
+      /grid of 8 x 8 x 8 voxels and the volume on one of 24 x 20 x 16/,
+    );
     const same = { ...syntheticVolume({ dimensions: [24, 20, 16] }), format: 'PNG mosaic' };
-    expect(placeOverlay(same, moved(volume, (x, i) => (i === 3 ? x + 9 : x)), 'm').grid.indexToWorld[3]).to.equal(volume.grid.indexToWorld[3] + 9);
+    expect(
+      placeOverlay(
+        same,
+        moved(volume, (x, i) => (i === 3 ? x + 9 : x)),
+        'm',
+      ).grid.indexToWorld[3],
+    ).to.equal(volume.grid.indexToWorld[3] + 9);
   });
 
   it('on a radar is another moment of its gates, and of no other radar', () => {
-    const [a, b] = [20, 30].map((gates) => radarVolume({ sweeps: [{ elevation: 1, gates }, { elevation: 3, gates }] }));
+    const [a, b] = [20, 30].map((gates) =>
+      radarVolume({
+        sweeps: [
+          { elevation: 1, gates },
+          { elevation: 3, gates },
+        ],
+      }),
+    );
     expect(placeOverlay(a, { ...a }, 'm')).to.equal(a);
-    expect(refused(b, a)).to.match(/DBZH has 2 sweeps of up to 30 gates, and DBZH has 2 sweeps of up to 20 gates; expected two moments of one scan on the same gates/);
+    expect(refused(b, a)).to.match(
+      /DBZH has 2 sweeps of up to 30 gates, and DBZH has 2 sweeps of up to 20 gates; expected two moments of one scan on the same gates/,
+    );
     expect(refused(a)).to.match(/is a radar scan; expected a volume of voxels/);
     expect(refused(volume, a)).to.match(/is over a radar scan/);
   });
 });
 
-describe('a layer\'s look', () => {
+describe("a layer's look", () => {
   const words = { transferFunction: null, valueWindow: null, blend: null, opacityFactor: null };
 
   it('follows its values: both signs around a clear zero, and a glow for one sign', async () => {
@@ -105,10 +167,20 @@ describe('a layer\'s look', () => {
   });
 
   it('refuses labels, and words that it does not know', async () => {
-    const failed = async (appearance: Promise<unknown>): Promise<string> => appearance.then(() => '', (error: VolumeViewError) => `${error.code} ${error.message}`);
-    expect(await failed(resolveOverlayAppearance(words, { ...volume, isDiscrete: true }))).to.match(/^format\/unsupported <volume-layer> got labels.*Use <volume-labels>/);
-    expect(await failed(resolveOverlayAppearance({ ...words, blend: 'add' }, volume))).to.match(/^attribute\/invalid blend.*mix/);
-    expect(await failed(resolveOverlayAppearance({ ...words, opacityFactor: '-1' }, volume))).to.match(/^attribute\/invalid opacity-factor/);
+    const failed = async (appearance: Promise<unknown>): Promise<string> =>
+      appearance.then(
+        () => '',
+        (error: VolumeViewError) => `${error.code} ${error.message}`,
+      );
+    expect(await failed(resolveOverlayAppearance(words, { ...volume, isDiscrete: true }))).to.match(
+      /^format\/unsupported <volume-layer> got labels.*Use <volume-labels>/,
+    );
+    expect(await failed(resolveOverlayAppearance({ ...words, blend: 'add' }, volume))).to.match(
+      /^attribute\/invalid blend.*mix/,
+    );
+    expect(await failed(resolveOverlayAppearance({ ...words, opacityFactor: '-1' }, volume))).to.match(
+      /^attribute\/invalid opacity-factor/,
+    );
   });
 });
 
@@ -116,7 +188,12 @@ it('what a layer may have in a macrocell of the volume holds all that it has at 
   const random = randomNumbers(3);
   for (const size of [0.3, 1.4]) {
     const own: Vector3 = size < 1 ? [30, 26, 34] : [9, 8, 7];
-    const layer = syntheticVolume({ dimensions: own, kind: 'float32', indexToWorld: askew(volume, own, size), field: waves });
+    const layer = syntheticVolume({
+      dimensions: own,
+      kind: 'float32',
+      indexToWorld: askew(volume, own, size),
+      field: waves,
+    });
     const overlay = overlayOf(volume, layer);
     const cells = listOverlayCells(volume, layer);
     const field = cartesianOverlay(overlay);
@@ -135,14 +212,21 @@ it('what a layer may have in a macrocell of the volume holds all that it has at 
     }
     expect(met, 'places in the layer').to.be.above(300);
   }
-  expect(shownByOverlay(listOverlayCells(volume, signed()), overlayOf(volume, signed(), { blend: 'color' }))).to.equal(null);
+  expect(shownByOverlay(listOverlayCells(volume, signed()), overlayOf(volume, signed(), { blend: 'color' }))).to.equal(
+    null,
+  );
 });
 
 describe('the values that a layer has in each macrocell', () => {
   it('are those of the voxels around it, and of no wider block', () => {
     const own: Vector3 = [40, 36, 32];
     // One voxel of a layer whose voxels are smaller and turned.
-    const layer = syntheticVolume({ dimensions: own, kind: 'float32', indexToWorld: askew(volume, own, 1), field: (x, y, z) => (Math.hypot(x - 0.49, y - 0.51, z - 0.5) < 0.02 ? 9 : 1) });
+    const layer = syntheticVolume({
+      dimensions: own,
+      kind: 'float32',
+      indexToWorld: askew(volume, own, 1),
+      field: (x, y, z) => (Math.hypot(x - 0.49, y - 0.51, z - 0.5) < 0.02 ? 9 : 1),
+    });
     expect(layer.samples.filter((value) => value === 9).length).to.be.within(1, 8);
     const field = cartesianOverlay(overlayOf(volume, layer));
     const cells = listOverlayCells(volume, layer);
@@ -161,7 +245,7 @@ describe('the values that a layer has in each macrocell', () => {
     expect(reported.length).to.be.at.most(8);
   });
 
-  it('are those of the volume\'s own macrocells for one on the same grid, also where there are too many voxels to read them again', () => {
+  it("are those of the volume's own macrocells for one on the same grid, also where there are too many voxels to read them again", () => {
     for (const edge of [24, 176]) {
       const same = syntheticVolume({ dimensions: [edge, edge, edge], kind: 'uint8', field: waves });
       const { low, high } = listOverlayCells(same, same);
@@ -177,8 +261,20 @@ describe('the values that a layer has in each macrocell', () => {
 });
 
 it('in a pane the largest opacity covers the grey, a clear value leaves it, and so does what is outside', () => {
-  const layer = syntheticVolume({ dimensions: [3, 1, 1], kind: 'float32', indexToWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], field: (x) => (x < 0.4 ? -1 : x < 0.7 ? 0 : 1) });
-  const overlay = paneOverlay({ volume: layer, transferFunction: [{ value: -1, color: [0, 0, 1], opacity: 0.2 }, { value: 0, color: [0, 0, 1], opacity: 0 }, { value: 1, color: [1, 0, 0], opacity: 0.4 }] })!;
+  const layer = syntheticVolume({
+    dimensions: [3, 1, 1],
+    kind: 'float32',
+    indexToWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+    field: (x) => (x < 0.4 ? -1 : x < 0.7 ? 0 : 1),
+  });
+  const overlay = paneOverlay({
+    volume: layer,
+    transferFunction: [
+      { value: -1, color: [0, 0, 1], opacity: 0.2 },
+      { value: 0, color: [0, 0, 1], opacity: 0 },
+      { value: 1, color: [1, 0, 0], opacity: 0.4 },
+    ],
+  })!;
   const pixels = { width: 5, height: 1, first: [-2, 0, 0], across: [1, 0, 0], down: [0, 1, 0] } as const;
   const picture = new Uint8ClampedArray(20).fill(100).map((x, i) => (i % 4 === 3 ? 255 : x));
   picture[19] = 0; // The last pixel is outside of the volume.

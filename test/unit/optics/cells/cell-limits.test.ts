@@ -8,13 +8,23 @@ import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
 const dimensions: Vector3 = [30, 20, 25];
 
 describe('limits of cells', () => {
-  for (const [kind, scale, offset] of [['uint8', 1.6 / 255, -0.3], ['uint16', -1.2 / 65535, 1.1], ['float32', 3, -1]] as const) {
+  for (const [kind, scale, offset] of [
+    ['uint8', 1.6 / 255, -0.3],
+    ['uint16', -1.2 / 65535, 1.1],
+    ['float32', 3, -1],
+  ] as const) {
     it(`hold every value of a cell, and are no further off than two bytes' steps: ${kind}`, () => {
       const random = randomNumbers(63);
-      const { samples, macrocells } = syntheticVolume({ dimensions, kind, field: (x, y) => (x > 0.7 ? 0.1 * random() : 0.6 * random() + 0.3 * y) });
+      const { samples, macrocells } = syntheticVolume({
+        dimensions,
+        kind,
+        field: (x, y) => (x > 0.7 ? 0.1 * random() : 0.6 * random() + 0.3 * y),
+      });
       for (const sign of [1, -1] as const) {
         const limits = measureCellLimits(macrocells, { scale, offset }, sign);
-        const shares = [macrocells.low, macrocells.high].map((values) => Array.from(values, (value) => sign * (scale * value + offset)));
+        const shares = [macrocells.low, macrocells.high].map((values) =>
+          Array.from(values, (value) => sign * (scale * value + offset)),
+        );
         limits.forEach((limit, cell) => {
           const share = (limit - 1) / 254 - (sign < 0 ? 1 : 0);
           const largest = Math.max(shares[0][cell], shares[1][cell]);

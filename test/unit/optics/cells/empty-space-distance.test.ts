@@ -21,7 +21,10 @@ const gaps: TransferFunction = [
 
 /** A few bright blobs in the dark. */
 function blobs(x: number, y: number, z: number): number {
-  return Math.exp(-90 * ((x - 0.3) ** 2 + (y - 0.6) ** 2 + (z - 0.2) ** 2)) + 0.9 * Math.exp(-200 * ((x - 0.8) ** 2 + (y - 0.2) ** 2 + (z - 0.8) ** 2));
+  return (
+    Math.exp(-90 * ((x - 0.3) ** 2 + (y - 0.6) ** 2 + (z - 0.2) ** 2)) +
+    0.9 * Math.exp(-200 * ((x - 0.8) ** 2 + (y - 0.2) ** 2 + (z - 0.8) ** 2))
+  );
 }
 
 describe('macrocells', () => {
@@ -35,7 +38,11 @@ describe('macrocells', () => {
       const cell = cells.dimensions.map((n) => Math.floor(random() * n));
       // Ends of a cell as often as its inside.
       const place = cell.map((c, axis) => Math.min(dimensions[axis], (c + [0, 1, random()][i % 3]) * cellSize));
-      const value = interpolate(samples, dimensions, place.map((x, axis) => x / dimensions[axis]) as unknown as Vector3);
+      const value = interpolate(
+        samples,
+        dimensions,
+        place.map((x, axis) => x / dimensions[axis]) as unknown as Vector3,
+      );
       const at = cell[0] + 3 * (cell[1] + 1 * cell[2]);
       expect(value).to.be.within(cells.low[at] - 1e-6, cells.high[at] + 1e-6);
     }
@@ -55,8 +62,21 @@ describe('macrocells', () => {
 
 describe('the empty-space distance', () => {
   it('knows which ranges of values a transfer function shows', () => {
-    const shown: [number, number][] = [[0.71, 0.72], [0, 1], [0.6, 0.701], [0.799, 0.9], [0.95, 0.95], [0.96, 2], [0.75, 0.75]];
-    const hidden: [number, number][] = [[0, 0.7], [-5, 0.1], [0.8, 0.949], [0.9, 0.9]];
+    const shown: [number, number][] = [
+      [0.71, 0.72],
+      [0, 1],
+      [0.6, 0.701],
+      [0.799, 0.9],
+      [0.95, 0.95],
+      [0.96, 2],
+      [0.75, 0.75],
+    ];
+    const hidden: [number, number][] = [
+      [0, 0.7],
+      [-5, 0.1],
+      [0.8, 0.949],
+      [0.9, 0.9],
+    ];
     for (const [low, high] of shown) expect(contributionOf(gaps)(low, high), `${low} to ${high}`).to.equal(true);
     for (const [low, high] of hidden) expect(contributionOf(gaps)(low, high), `${low} to ${high}`).to.equal(false);
     expect(contributionOf([{ value: 3, color: white, opacity: 0.1 }])(-9, -8)).to.equal(true);
@@ -69,23 +89,35 @@ describe('the empty-space distance', () => {
     const rings = measureEmptySpace(volume.macrocells, [contributionOf(gaps)], volume);
     const [nx, ny, nz] = volume.macrocells.dimensions;
     const shows = Array.from(rings, (_, c) =>
-      contributionOf(gaps)(volume.slope * volume.macrocells.low[c], volume.slope * volume.macrocells.high[c]));
+      contributionOf(gaps)(volume.slope * volume.macrocells.low[c], volume.slope * volume.macrocells.high[c]),
+    );
     expect(shows.filter(Boolean).length).to.be.within(2, 100);
     for (let c = 0; c < rings.length; c++) {
       const [x, y, z] = [c % nx, Math.floor(c / nx) % ny, Math.floor(c / nx / ny)];
       let nearest = 255;
       shows.forEach((shown, d) => {
-        if (shown) nearest = Math.min(nearest, Math.max(Math.abs(x - (d % nx)), Math.abs(y - (Math.floor(d / nx) % ny)), Math.abs(z - Math.floor(d / nx / ny))));
+        if (shown)
+          nearest = Math.min(
+            nearest,
+            Math.max(
+              Math.abs(x - (d % nx)),
+              Math.abs(y - (Math.floor(d / nx) % ny)),
+              Math.abs(z - Math.floor(d / nx / ny)),
+            ),
+          );
       });
       expect(rings[c], `cell ${c} of ${nx * ny * nz}`).to.equal(nearest);
     }
   });
 
-  it('is right: at no point of an empty cell is there anything to see, whatever the slope\'s sign', () => {
+  it("is right: at no point of an empty cell is there anything to see, whatever the slope's sign", () => {
     const random = randomNumbers(21);
     const dimensions: Vector3 = [40, 40, 40];
     for (const slope of [1, -1]) {
-      const volume = { ...syntheticVolume({ dimensions, kind: 'float32', field: blobs, slope }), intercept: slope < 0 ? 0.9 : 0 };
+      const volume = {
+        ...syntheticVolume({ dimensions, kind: 'float32', field: blobs, slope }),
+        intercept: slope < 0 ? 0.9 : 0,
+      };
       const rings = measureEmptySpace(volume.macrocells, [contributionOf(gaps)], volume);
       let looked = 0;
       for (let i = 0; i < 5000; i++) {

@@ -16,19 +16,38 @@ const dimensions = [19, 17, 21] as const;
 
 function rough(options: { spacing?: Vector3; skewed?: boolean; holes?: boolean }): Volume {
   const random = randomNumbers(3);
-  const indexToWorld = options.skewed ? { indexToWorld: [2, 0.9, 0, -9, 0, 1.5, 0.4, 3, 0.3, 0, 1, 7, 0, 0, 0, 1] as const } : {};
+  const indexToWorld = options.skewed
+    ? { indexToWorld: [2, 0.9, 0, -9, 0, 1.5, 0.4, 3, 0.3, 0, 1, 7, 0, 0, 0, 1] as const }
+    : {};
   const volume = syntheticVolume({
-    dimensions, kind: 'float32', spacing: options.spacing, slope: -300, intercept: 20, ...indexToWorld,
+    dimensions,
+    kind: 'float32',
+    spacing: options.spacing,
+    slope: -300,
+    intercept: 20,
+    ...indexToWorld,
     field: (x) => (options.holes && random() < 0.05 ? NaN : random() ** 12 * (x > 0.5 ? 1 : 0.2)),
   });
-  return options.holes ? { ...volume, hasNoData: true, macrocells: buildMacrocells(volume.samples, dimensions) } : volume;
+  return options.holes
+    ? { ...volume, hasNoData: true, macrocells: buildMacrocells(volume.samples, dimensions) }
+    : volume;
 }
 
 describe('the gradients that macrocells may have', () => {
-  for (const [name, options] of Object.entries({ 'a cubic grid': {}, 'long voxels': { spacing: [1, 2, 5] as Vector3 }, 'a skewed grid': { skewed: true }, 'places without data': { holes: true } })) {
+  for (const [name, options] of Object.entries({
+    'a cubic grid': {},
+    'long voxels': { spacing: [1, 2, 5] as Vector3 },
+    'a skewed grid': { skewed: true },
+    'places without data': { holes: true },
+  })) {
     it(`bound all of ${name}, and not by much`, () => {
       const volume = rough(options);
-      const { grid, macrocells: { dimensions: [nx, ny] } } = volume;
+      const {
+        grid,
+        macrocells: {
+          dimensions: [nx, ny],
+        },
+      } = volume;
       const bounds = boundGradients(volume);
       const field = cartesianField({ ...volume, dimensions });
       const gradient = cartesianGradient(field, grid);
@@ -38,9 +57,13 @@ describe('the gradients that macrocells may have', () => {
         const place = [random(), random(), random()] as const;
         const [i, j, k] = place.map((x, axis) => Math.floor((x * dimensions[axis]) / cellSize));
         const cell = i + nx * (j + ny * k);
-        largest[cell] = Math.max(largest[cell], perWorldUnit(grid) * length(gradient(place, field.sampleAt(place)).world));
+        largest[cell] = Math.max(
+          largest[cell],
+          perWorldUnit(grid) * length(gradient(place, field.sampleAt(place)).world),
+        );
       }
-      for (let cell = 0; cell < bounds.length; cell++) expect(bounds[cell], `cell ${cell}`).to.be.at.least(largest[cell]);
+      for (let cell = 0; cell < bounds.length; cell++)
+        expect(bounds[cell], `cell ${cell}`).to.be.at.least(largest[cell]);
       const closest = bounds.reduce((min, bound, cell) => Math.min(min, bound / largest[cell]), Infinity);
       expect(closest).to.be.below('holes' in options ? 4 : 3);
     });
@@ -52,8 +75,18 @@ describe('the gradients that macrocells may have', () => {
     const shows = contributionOfGradients([box], volume);
     expect([0, 1, 2, 3, 4].map((cell) => shows(0.4, 0.4, cell))).to.deep.equal([false, false, false, true, true]);
     expect(shows(0.6, 1, 4)).to.equal(false);
-    expect(contributionOfGradients([{ ...box, gradients: [0, 0.4] }], volume)(0.4, 0.4, 0), 'what is flat shows').to.equal(true);
-    const bell: Patch = { kind: 'gaussian', value: 0.4, gradient: 0.4, widths: [0.1, 0.1], color: [1, 1, 1], opacity: 0.5 };
+    expect(
+      contributionOfGradients([{ ...box, gradients: [0, 0.4] }], volume)(0.4, 0.4, 0),
+      'what is flat shows',
+    ).to.equal(true);
+    const bell: Patch = {
+      kind: 'gaussian',
+      value: 0.4,
+      gradient: 0.4,
+      widths: [0.1, 0.1],
+      color: [1, 1, 1],
+      opacity: 0.5,
+    };
     expect([0, 4].map((cell) => contributionOfGradients([bell], volume)(0.4, 0.4, cell))).to.deep.equal([false, true]);
   });
 });

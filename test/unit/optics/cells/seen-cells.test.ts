@@ -27,12 +27,28 @@ describe('the cells in which something can be seen', () => {
       expect(cells.includes(1)).to.equal(true);
       expect(cells.includes(0)).to.equal(true);
       const { center, radius } = boundingSphere(volume.grid);
-      const camera = orbitCamera({ theta: 6 * random(), phi: 0.2 + 2.7 * random(), radius: (2 + 2 * random()) * radius }, center, 0.6);
-      const [view, projection] = [viewMatrix(camera), projectionMatrix(camera.fieldOfView, 1, radius / 100, radius * 10)];
+      const camera = orbitCamera(
+        { theta: 6 * random(), phi: 0.2 + 2.7 * random(), radius: (2 + 2 * random()) * radius },
+        center,
+        0.6,
+      );
+      const [view, projection] = [
+        viewMatrix(camera),
+        projectionMatrix(camera.fieldOfView, 1, radius / 100, radius * 10),
+      ];
       const bounds = boundSeenCells(volume, cells, { view, projection })!;
       const picture = renderReference(
-        { ...volume, transferFunction, referenceLength: 0.01, opacityFactor: 1, lightFactor: 1, stepLength: radius / 40 },
-        setUpRays(volume.grid, view, projection)!, size, size,
+        {
+          ...volume,
+          transferFunction,
+          referenceLength: 0.01,
+          opacityFactor: 1,
+          lightFactor: 1,
+          stepLength: radius / 40,
+        },
+        setUpRays(volume.grid, view, projection)!,
+        size,
+        size,
       );
       let shown = 0;
       for (let row = 0; row < size; row++) {
@@ -65,13 +81,19 @@ describe('the cells in which something can be seen', () => {
     const cubes = (...places: readonly Vector3[]): { volume: Volume; cells: Uint8Array } => {
       const volume = syntheticVolume({
         dimensions: [edge, edge, edge],
-        field: (...at) => Number(places.some((place) => at.every((x, axis) => Math.floor(x * edge) >= place[axis] && Math.floor(x * edge) < place[axis] + 2))),
+        field: (...at) =>
+          Number(
+            places.some((place) =>
+              at.every((x, axis) => Math.floor(x * edge) >= place[axis] && Math.floor(x * edge) < place[axis] + 2),
+            ),
+          ),
       });
       return { volume, cells: findSeenCells(volume.macrocells, [contributionOf(transferFunction)], volume) };
     };
     /** From a place of the world, in voxels around the middle, along the second axis of the grid, which runs to -y, or against it. */
     const appearance = (eye: Vector3, along: 1 | -1): { view: Matrix4; projection: Matrix4 } => ({
-      view: viewMatrix({ eye, target: [eye[0], eye[1] - along, eye[2]], up: [0, 0, 1], fieldOfView: 0.6 }), projection: projectionMatrix(0.6, 1, 0.1, 1000),
+      view: viewMatrix({ eye, target: [eye[0], eye[1] - along, eye[2]], up: [0, 0, 1], fieldOfView: 0.6 }),
+      projection: projectionMatrix(0.6, 1, 0.1, 1000),
     });
 
     it('leave out those behind the eye', () => {

@@ -8,7 +8,9 @@ import { randomNumbers } from '../../../helpers/synthetic.ts';
 const quarter = Math.PI / 2;
 
 function expectNear(got: readonly number[], expected: readonly number[], tolerance = 1e-12): void {
-  got.forEach((x, i) => expect(x, `${got.join(' ')} is not ${expected.join(' ')}`).to.be.closeTo(expected[i], tolerance));
+  got.forEach((x, i) =>
+    expect(x, `${got.join(' ')} is not ${expected.join(' ')}`).to.be.closeTo(expected[i], tolerance),
+  );
 }
 
 describe('a camera', () => {
@@ -26,7 +28,7 @@ describe('a camera', () => {
     }
   });
 
-  it('orbits as <model-viewer> does, z up: the front is +y, theta counts to the viewer\'s right', () => {
+  it("orbits as <model-viewer> does, z up: the front is +y, theta counts to the viewer's right", () => {
     const stand = (theta: number, phi: number): Camera => orbitCamera({ theta, phi, radius: 2 }, [0, 0, 0], 1);
     expectNear(stand(0, quarter).eye, [0, 2, 0]);
     expectNear(stand(quarter, quarter).eye, [-2, 0, 0]);
@@ -49,7 +51,6 @@ describe('a camera', () => {
       }
     }
   });
-
 });
 
 describe('a projection', () => {

@@ -8,13 +8,34 @@ const inside = [-0.5, 0.5] as const;
 const perspective: EndScale = { planeDepth: 2, stepLength: 0.02 };
 const parallel: EndScale = { planeDepth: null, stepLength: 0.02 };
 
-const knownPlaces = [[0, 0], [2, 0], [0, 2], [2, 2]] as const;
-const ownPlaces = [[0, 0], [1, 0], [0, 1], [1, 1]] as const;
+const knownPlaces = [
+  [0, 0],
+  [2, 0],
+  [0, 2],
+  [2, 2],
+] as const;
+const ownPlaces = [
+  [0, 0],
+  [1, 0],
+  [0, 1],
+  [1, 1],
+] as const;
 
 /** The ends of a quad where shapes stand at a t: those of the known lattice, and the others. */
-function endsOf(scale: EndScale, solidT: (x: number, y: number) => number, ownT = solidT, span: (x: number, y: number) => readonly [number, number] = () => inside): EndsAround {
-  const end = (t: typeof solidT) => ([x, y]: readonly [number, number]): RayEnd => rayEnd(span(x, y), t(x, y), scale);
-  return { known: knownPlaces.map(end(solidT)) as unknown as EndsAround['known'], own: ownPlaces.map(end(ownT)) as unknown as EndsAround['own'] };
+function endsOf(
+  scale: EndScale,
+  solidT: (x: number, y: number) => number,
+  ownT = solidT,
+  span: (x: number, y: number) => readonly [number, number] = () => inside,
+): EndsAround {
+  const end =
+    (t: typeof solidT) =>
+    ([x, y]: readonly [number, number]): RayEnd =>
+      rayEnd(span(x, y), t(x, y), scale);
+  return {
+    known: knownPlaces.map(end(solidT)) as unknown as EndsAround['known'],
+    own: ownPlaces.map(end(ownT)) as unknown as EndsAround['own'],
+  };
 }
 
 const nothing = (): number => Infinity;
@@ -35,7 +56,10 @@ describe('rays that end at shapes', () => {
   });
 
   it('are not where a surface bends by more than a sixteenth of a step', () => {
-    const bent = (bend: number) => (x: number): number => 0.1 + bend * (x - 1) ** 2;
+    const bent =
+      (bend: number) =>
+      (x: number): number =>
+        0.1 + bend * (x - 1) ** 2;
     expect(findJump(endsOf(parallel, bent(0.001)))).to.equal(jumps.none);
     expect(findJump(endsOf(parallel, bent(0.002)))).to.equal(jumps.nearer);
     expect(findJump(endsOf(parallel, bent(-0.002)))).to.equal(jumps.farther);
@@ -64,7 +88,10 @@ describe('rays that end at shapes', () => {
 
   it('take a ray of their own, but not for a shape in the dark', () => {
     expect(needsRays(jumps.none, 1)).to.equal(false);
-    expect([0, faint, 2 * faint].map((brightest) => needsRays(128 / 255, brightest)), 'nearer').to.deep.equal([false, false, true]);
+    expect(
+      [0, faint, 2 * faint].map((brightest) => needsRays(128 / 255, brightest)),
+      'nearer',
+    ).to.deep.equal([false, false, true]);
     expect(needsRays(jumps.farther, 0), 'what is behind may be bright').to.equal(true);
   });
 });
@@ -81,16 +108,25 @@ describe('a picture without thin lines', () => {
     const [columns, rows] = [width / 2, height / 2];
     const marks = Uint8Array.from({ length: 4 * columns * rows }, (_, i) => {
       const [x, y] = [2 * ((i >> 2) % columns), 2 * Math.floor((i >> 2) / columns)];
-      return (i & 3) === 1 ? 17 * ownPlaces.reduce((sum, [dx, dy], bit) => sum + (isThin(x + dx, y + dy) ? 2 ** bit : 0), 0) : 0;
+      return (i & 3) === 1
+        ? 17 * ownPlaces.reduce((sum, [dx, dy], bit) => sum + (isThin(x + dx, y + dy) ? 2 ** bit : 0), 0)
+        : 0;
     });
     const restored = withoutThin({ data, width, height }, { data: marks, width: columns, height: rows }).data;
     let worst = 0;
-    for (let i = 0; i < restored.length; i++) worst = Math.max(worst, Math.abs(restored[i] - slope((i >> 2) % width, Math.floor((i >> 2) / width), i & 3)));
+    for (let i = 0; i < restored.length; i++)
+      worst = Math.max(worst, Math.abs(restored[i] - slope((i >> 2) % width, Math.floor((i >> 2) / width), i & 3)));
     return { worst };
   }
 
   it('has what is on both sides of a line in its place, whichever way it runs', () => {
-    for (const isThin of [() => false, (x: number) => x === 3, (_: number, y: number) => y === 2, (x: number, y: number) => x === y && x > 0 && y < 5, (x: number) => x === 3 || x === 4]) {
+    for (const isThin of [
+      () => false,
+      (x: number) => x === 3,
+      (_: number, y: number) => y === 2,
+      (x: number, y: number) => x === y && x > 0 && y < 5,
+      (x: number) => x === 3 || x === 4,
+    ]) {
       expect(restore(isThin).worst, String(isThin)).to.be.at.most(1);
     }
   });

@@ -31,7 +31,12 @@ describe('interpolation', () => {
 
   it('gives the voxels themselves at their centres, the last ones too', () => {
     const samples = sample((i, j, k) => i + 10 * j + 100 * k);
-    for (const [i, j, k] of [[0, 0, 0], [4, 3, 6], [2, 3, 0], [4, 0, 5]]) {
+    for (const [i, j, k] of [
+      [0, 0, 0],
+      [4, 3, 6],
+      [2, 3, 0],
+      [4, 0, 5],
+    ]) {
       expect(interpolate(samples, dimensions, unit(i, j, k))).to.be.closeTo(i + 10 * j + 100 * k, 1e-12);
     }
   });
@@ -69,6 +74,12 @@ describe('interpolation', () => {
     expect(interpolate(samples, dimensions, unit(0.49, 1, 1))).to.eql(NaN);
     expect(interpolate(samples, dimensions, unit(0.51, 1, 1))).to.equal(7);
     expect(interpolate(samples, dimensions, unit(-0.4, 1, 1))).to.eql(NaN);
-    expect(interpolate(sample(() => NaN), dimensions, unit(2, 2, 2))).to.eql(NaN);
+    expect(
+      interpolate(
+        sample(() => NaN),
+        dimensions,
+        unit(2, 2, 2),
+      ),
+    ).to.eql(NaN);
   });
 });

@@ -40,16 +40,23 @@ function samplePoints(scene: ReferenceScene, setup: RaySetup, ray: Ray, samplesP
 }
 
 /** Errors of one sample a voxel, root mean square, 1/255: ours, and plain samples. */
-function measure(volume: Volume, transferFunction: ReferenceScene['transferFunction']): { ours: number; plain: number } {
+function measure(
+  volume: Volume,
+  transferFunction: ReferenceScene['transferFunction'],
+): { ours: number; plain: number } {
   const setup = defaultRays(volume);
   const scene: ReferenceScene = {
-    ...volume, transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1,
+    ...volume,
+    transferFunction,
+    referenceLength: defaultReferenceLength(volume),
+    opacityFactor: 1,
+    lightFactor: 1,
     stepLength: stepLengthOf(volume.grid, autoSteps(volume.grid)),
   };
   const optics = opticsOf(scene);
   const random = randomNumbers(97);
   const sums = { ours: 0, plain: 0 };
-  for (let met = 0; met < raysPerScene; ) {
+  for (let met = 0; met < raysPerScene;) {
     const ray = rayThrough(setup, random() * 2 - 1, random() * 2 - 1);
     const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
     if (!(exit > entry)) continue;

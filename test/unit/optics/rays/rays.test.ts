@@ -10,7 +10,24 @@ import { obliqueAffine, randomNumbers } from '../../../helpers/synthetic.ts';
 const perspective = projectionMatrix(0.7, 1.5, 0.01, 1000);
 const offAxis: Matrix4 = perspective.map((x, i) => (i === 2 ? 0.3 : i === 6 ? -0.2 : x));
 /** A parallel projection, shifted, over a picture `reach` wide. */
-const parallel = (reach: number): Matrix4 => [1 / reach, 0, 0, 0.1, 0, 1.5 / reach, 0, -0.3, 0, 0, -1e-3, 0, 0, 0, 0, 1];
+const parallel = (reach: number): Matrix4 => [
+  1 / reach,
+  0,
+  0,
+  0.1,
+  0,
+  1.5 / reach,
+  0,
+  -0.3,
+  0,
+  0,
+  -1e-3,
+  0,
+  0,
+  0,
+  0,
+  1,
+];
 
 interface Setup {
   readonly spacing?: Vector3;
@@ -20,19 +37,30 @@ interface Setup {
   readonly projection?: Matrix4 | 'parallel';
 }
 
-function setUp(seed: number, { spacing = [1, 2, 0.5], offset = [3, 2, 1], distance = 1.7, projection = perspective }: Setup) {
+function setUp(
+  seed: number,
+  { spacing = [1, 2, 0.5], offset = [3, 2, 1], distance = 1.7, projection = perspective }: Setup,
+) {
   const random = randomNumbers(seed);
   const grid = cartesianGrid([30, 20, 40], obliqueAffine(random, spacing, offset));
   const diagonal = longestDiagonal(grid);
   const center = transformPoint(unitToWorld(grid), [0.5, 0.5, 0.5]);
-  const camera = orbitCamera({ theta: random() * 6, phi: 0.2 + random() * 2.7, radius: distance * diagonal }, center, 1);
+  const camera = orbitCamera(
+    { theta: random() * 6, phi: 0.2 + random() * 2.7, radius: distance * diagonal },
+    center,
+    1,
+  );
   const view = viewMatrix(camera);
   const matrix = projection === 'parallel' ? parallel(diagonal) : projection;
   return { grid, view, projection: matrix, camera, diagonal, rays: setUpRays(grid, view, matrix)! };
 }
 
 /** Where a point of a ray is in the picture, and its depth. */
-function reproject({ grid, view, projection: p, rays }: ReturnType<typeof setUp>, [x, y]: number[], t: number): number[] {
+function reproject(
+  { grid, view, projection: p, rays }: ReturnType<typeof setUp>,
+  [x, y]: number[],
+  t: number,
+): number[] {
   const ray = rayThrough(rays, x, y);
   const [ex, ey, ez] = transformPoint(view, transformPoint(unitToWorld(grid), add(ray.point, scale(ray.direction, t))));
   const w = p[14] * ez + p[15];
@@ -42,7 +70,12 @@ function reproject({ grid, view, projection: p, rays }: ReturnType<typeof setUp>
 /** Largest error in the picture (device coordinates) and in depth (diagonals) over pixels and depths near the volume. */
 function worstError(set: ReturnType<typeof setUp>): number {
   let worst = 0;
-  for (const pixel of [[0, 0], [1, 1], [-1, 0.4], [0.37, -0.9]]) {
+  for (const pixel of [
+    [0, 0],
+    [1, 1],
+    [-1, 0.4],
+    [0.37, -0.9],
+  ]) {
     for (const t of [-0.4, 0, 0.3]) {
       const [x, y, depth] = reproject(set, pixel, t);
       const depthError = (depth - set.rays.planeDepth - t * set.rays.diameter) / set.diagonal;
@@ -73,9 +106,18 @@ describe('rays', () => {
   }
 
   it('begin at the eye', () => {
-    for (const [seed, distance] of [[1, 2], [2, 0.2], [3, 1e-3], [4, 1e4]]) {
+    for (const [seed, distance] of [
+      [1, 2],
+      [2, 0.2],
+      [3, 1e-3],
+      [4, 1e4],
+    ]) {
       const { grid, camera, rays, diagonal } = setUp(seed, { distance });
-      for (const [x, y] of [[0, 0], [1, -1], [0.2, 0.8]]) {
+      for (const [x, y] of [
+        [0, 0],
+        [1, -1],
+        [0.2, 0.8],
+      ]) {
         const ray = rayThrough(rays, x, y);
         const eye = transformPoint(unitToWorld(grid), add(ray.point, scale(ray.direction, rays.eyeT)));
         expect(length(subtract(eye, camera.eye)) / diagonal).to.be.below(1e-12 * Math.max(1, distance));
@@ -86,7 +128,11 @@ describe('rays', () => {
 
   it('know how long a unit of t is in the world', () => {
     const { grid, rays } = setUp(5, {});
-    for (const [x, y] of [[0, 0], [1, 1], [-0.5, 0.9]]) {
+    for (const [x, y] of [
+      [0, 0],
+      [1, 1],
+      [-0.5, 0.9],
+    ]) {
       const ray = rayThrough(rays, x, y);
       const ends = [0, 1].map((t) => transformPoint(unitToWorld(grid), add(ray.point, scale(ray.direction, t))));
       expect((ray.lengthPerT * rays.diameter) / length(subtract(ends[1], ends[0]))).to.be.closeTo(1, 1e-12);
@@ -105,7 +151,9 @@ describe('rays', () => {
 
   it('there are none through a flat volume', () => {
     const flat = cartesianGrid([4, 4, 4], [1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1]);
-    expect(setUpRays(flat, viewMatrix(orbitCamera({ theta: 0, phi: 1, radius: 9 }, [0, 0, 0], 1)), perspective)).to.equal(null);
+    expect(
+      setUpRays(flat, viewMatrix(orbitCamera({ theta: 0, phi: 1, radius: 9 }, [0, 0, 0], 1)), perspective),
+    ).to.equal(null);
   });
 });
 
@@ -127,10 +175,22 @@ describe('the crossing of the unit cube', () => {
 
   it('misses beside, before and between', () => {
     for (const [point, direction] of [
-      [[2, 0, 0], [0, 1, 0]],
-      [[-0.001, 0.5, 0.5], [0, 0, 1]],
-      [[1.001, 0.5, 0.5], [0, -1, 0]],
-      [[-1, 0.5, 0], [1, 1, 0]],
+      [
+        [2, 0, 0],
+        [0, 1, 0],
+      ],
+      [
+        [-0.001, 0.5, 0.5],
+        [0, 0, 1],
+      ],
+      [
+        [1.001, 0.5, 0.5],
+        [0, -1, 0],
+      ],
+      [
+        [-1, 0.5, 0],
+        [1, 1, 0],
+      ],
     ] as [Vector3, Vector3][]) {
       const [entry, exit] = intersectUnitCube(point, direction);
       expect(entry, `${point.join(' ')} along ${direction.join(' ')}`).to.be.above(exit);
@@ -149,9 +209,18 @@ describe('the crossing of the unit cube', () => {
   it('of every so many pixels are those of the whole picture', () => {
     const { rays } = setUp(4, {});
     const picture = { width: 101, height: 67 };
-    for (const lattice of [{ stride: 4, first: [0, 0], width: 26, height: 17 }, { stride: 9, first: [4, 2], width: 11, height: 7 }, { stride: 1, first: [0, 0], ...picture }] as const) {
+    for (const lattice of [
+      { stride: 4, first: [0, 0], width: 26, height: 17 },
+      { stride: 9, first: [4, 2], width: 11, height: 7 },
+      { stride: 1, first: [0, 0], ...picture },
+    ] as const) {
       const own = raysOfLattice(rays, picture, lattice);
-      for (const [i, j] of [[0, 0], [lattice.width - 1, 0], [3, 5], [lattice.width - 1, lattice.height - 1]]) {
+      for (const [i, j] of [
+        [0, 0],
+        [lattice.width - 1, 0],
+        [3, 5],
+        [lattice.width - 1, lattice.height - 1],
+      ]) {
         const middle = (index: number, pixels: number): number => (2 * index + 1) / pixels - 1;
         const found = rayThrough(own, middle(i, lattice.width), middle(j, lattice.height));
         const [x, y] = [i, j].map((index, axis) => lattice.first[axis] + index * lattice.stride);
@@ -164,7 +233,12 @@ describe('the crossing of the unit cube', () => {
     }
   });
 
-  for (const [name, setup] of [['perspective', {}], ['parallel', { projection: 'parallel' }], ['near', { distance: 0.9 }], ['far', { distance: 300 }]] as const) {
+  for (const [name, setup] of [
+    ['perspective', {}],
+    ['parallel', { projection: 'parallel' }],
+    ['near', { distance: 0.9 }],
+    ['far', { distance: 300 }],
+  ] as const) {
     it(`none outside of the bounds meets the volume, and the bounds are tight: ${name}`, () => {
       for (let seed = 1; seed < 6; seed++) {
         const { rays } = setUp(seed, setup);

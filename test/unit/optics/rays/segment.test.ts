@@ -3,7 +3,14 @@ import { exactMeans } from '../../../../src/optics/transfer/exact-means.ts';
 import { extinction } from '../../../../src/optics/transfer/opacity.ts';
 import { buildSubstepTable, reachBeyond } from '../../../../src/optics/transfer/substep-table.ts';
 import type { SubstepTable } from '../../../../src/optics/transfer/substep-table.ts';
-import { attenuate, composite, countSubsteps, lookUpRoot, maxSubsteps, substepsPerRoot } from '../../../../src/optics/rays/segment.ts';
+import {
+  attenuate,
+  composite,
+  countSubsteps,
+  lookUpRoot,
+  maxSubsteps,
+  substepsPerRoot,
+} from '../../../../src/optics/rays/segment.ts';
 import { integrateForTable } from '../../../../src/optics/transfer/preintegration-table.ts';
 import type { Premultiplied, TransferFunction } from '../../../../src/optics/transfer/transfer-function.ts';
 import { expectNear, smooth, worstDifference } from '../../../helpers/emission.ts';
@@ -18,7 +25,11 @@ const halves: TransferFunction = [
 ];
 
 /** The limit: the segment in very many slices, each so thin that order within it does not matter. */
-function limitOf(transferFunction: TransferFunction, [from, to]: readonly [number, number], ratio: number): Premultiplied {
+function limitOf(
+  transferFunction: TransferFunction,
+  [from, to]: readonly [number, number],
+  ratio: number,
+): Premultiplied {
   const means = exactMeans(transferFunction);
   const accumulated: Premultiplied = [0, 0, 0, 0];
   const slices = 4096;
@@ -32,7 +43,7 @@ function limitOf(transferFunction: TransferFunction, [from, to]: readonly [numbe
 describe('what a length of one mean shows', () => {
   const mean: Premultiplied = [0.6, 0.3, 0, 0.6];
 
-  it('is Beer and Lambert in the mean\'s colour', () => {
+  it("is Beer and Lambert in the mean's colour", () => {
     const alpha = 1 - Math.exp(-0.6 * 1.7);
     expectNear(attenuate(mean, 1.7), [alpha, alpha / 2, 0, alpha]);
   });
@@ -58,7 +69,11 @@ describe('a segment', () => {
       const alpha = 1 - 0.5 ** ratio;
       expectNear(attenuate(means.mean(0, 1), ratio), [alpha / 2, 0, alpha / 2, alpha], 1e-14);
       const inSubsteps: Premultiplied = [0, 0, 0, 0];
-      for (const [from, to] of [[0, 0.5], [0.5, 1]]) composite(inSubsteps, attenuate(means.mean(from, to), ratio / 2));
+      for (const [from, to] of [
+        [0, 0.5],
+        [0.5, 1],
+      ])
+        composite(inSubsteps, attenuate(means.mean(from, to), ratio / 2));
       const first = 1 - 0.5 ** (ratio / 2);
       expectNear(inSubsteps, [first, 0, (1 - first) * first, alpha], 1e-14);
     }
@@ -68,7 +83,15 @@ describe('a segment', () => {
     const means = exactMeans(smooth);
     const random = randomNumbers(33);
     // Bounds in 1/255, by the depth of the whole: the error of a substep grows with the square of its own.
-    for (const [ratio, bound] of [[0.01, 0.01], [0.1, 0.05], [0.3, 0.2], [1, 1], [3, 4], [10, 12], [1000, 40]]) {
+    for (const [ratio, bound] of [
+      [0.01, 0.01],
+      [0.1, 0.05],
+      [0.3, 0.2],
+      [1, 1],
+      [3, 4],
+      [10, 12],
+      [1000, 40],
+    ]) {
       let worst = 0;
       for (let i = 0; i < 60; i++) {
         const ends = [random() * 1.2 - 0.1, random() * 1.2 - 0.1] as const;
@@ -87,7 +110,12 @@ describe('a segment', () => {
   it('has one opacity whatever the order: that of its whole depth', () => {
     const means = exactMeans(smooth);
     for (const ratio of [0.1, 1, 5]) {
-      for (const ends of [[0, 1], [1, 0], [0.2, 0.9], [-1, 0.5]] as const) {
+      for (const ends of [
+        [0, 1],
+        [1, 0],
+        [0.2, 0.9],
+        [-1, 0.5],
+      ] as const) {
         const alpha = 1 - Math.exp(-means.mean(ends[0], ends[1])[3] * ratio);
         expect(attenuate(means.mean(ends[0], ends[1]), ratio)[3]).to.be.closeTo(alpha, 1e-6);
       }
@@ -118,10 +146,12 @@ describe('the substeps of a step', () => {
   const tableOf = (transferFunction: TransferFunction, voxelRatio: number): SubstepTable =>
     buildSubstepTable(integrateForTable(transferFunction), voxelRatio);
 
-  it('are more the more may be seen: by the cube root of a voxel\'s opacity, up to a bound', () => {
+  it("are more the more may be seen: by the cube root of a voxel's opacity, up to a bound", () => {
     // Well beyond the domain the extinction is that of opacity 0.9, whatever the reach.
-    const at = (opacity: number): number => countSubsteps(tableOf(smooth, extinction(opacity) / extinction(0.9)), [9, 9], 1);
-    for (const opacity of [1e-3, 5e-3, 2e-2]) expect(at(opacity)).to.equal(Math.ceil((substepsPerRoot * Math.ceil(255 * Math.cbrt(opacity))) / 255));
+    const at = (opacity: number): number =>
+      countSubsteps(tableOf(smooth, extinction(opacity) / extinction(0.9)), [9, 9], 1);
+    for (const opacity of [1e-3, 5e-3, 2e-2])
+      expect(at(opacity)).to.equal(Math.ceil((substepsPerRoot * Math.ceil(255 * Math.cbrt(opacity))) / 255));
     expect(at(1e-12)).to.equal(1);
     expect(at(0.1)).to.equal(maxSubsteps);
     expect(countSubsteps(tableOf(smooth, 1e30), [9, 9], 1)).to.equal(maxSubsteps);
@@ -134,7 +164,16 @@ describe('the substeps of a step', () => {
   });
 
   it('take into account values beyond the ends as far as the value may go between them', () => {
-    const peak = tableOf([{ value: 0, color: [1, 1, 1], opacity: 0 }, { value: 0.5, color: [1, 1, 1], opacity: 0 }, { value: 0.51, color: [1, 1, 1], opacity: 0.9 }, { value: 0.52, color: [1, 1, 1], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 0 }], 1);
+    const peak = tableOf(
+      [
+        { value: 0, color: [1, 1, 1], opacity: 0 },
+        { value: 0.5, color: [1, 1, 1], opacity: 0 },
+        { value: 0.51, color: [1, 1, 1], opacity: 0.9 },
+        { value: 0.52, color: [1, 1, 1], opacity: 0 },
+        { value: 1, color: [1, 1, 1], opacity: 0 },
+      ],
+      1,
+    );
     expect(countSubsteps(peak, [0.3, 0.45], 1)).to.be.above(1);
     expect(countSubsteps(peak, [0.45, 0.3], 1)).to.equal(countSubsteps(peak, [0.3, 0.45], 1));
     expect(countSubsteps(peak, [0.485, 0.485], 1)).to.be.above(1);

@@ -7,7 +7,9 @@ const window = [-100, 300] as const;
 describe('surface-values', () => {
   it('are values, colours and opacities, sorted by value; an opacity may be left out', () => {
     expect(parseSurfaces('300 white, 25% rgb(255 0 0 / 50%) 60%, -20 #0f0 0.25', window)).to.deep.equal([
-      { value: -20, color: [0, 1, 0], opacity: 0.25 }, { value: 0, color: [1, 0, 0], opacity: 0.3 }, { value: 300, color: [1, 1, 1], opacity: 1 },
+      { value: -20, color: [0, 1, 0], opacity: 0.25 },
+      { value: 0, color: [1, 0, 0], opacity: 0.3 },
+      { value: 300, color: [1, 1, 1], opacity: 1 },
     ]);
     expect(parseSurfaces('  ', window)).to.deep.equal([]);
   });
@@ -25,12 +27,15 @@ describe('surface-values', () => {
     ['9'.repeat(9000), 'got 9,000 characters; expected at most 3,200'],
   ]) {
     it(`refuses "${text.slice(0, 40)}" in words`, () => {
-      expect(() => parseSurfaces(text, window)).to.throw(VolumeViewError, words).with.property('code', 'attribute/invalid');
+      expect(() => parseSurfaces(text, window))
+        .to.throw(VolumeViewError, words)
+        .with.property('code', 'attribute/invalid');
     });
   }
 
   it('stand alone where nothing is said of a transfer function, and are lit unless that is said', () => {
-    const read = (transferFunction: string | null, shading: 'lit' | 'unlit' | null) => readSurfaces('1 red', window, { transferFunction, shading });
+    const read = (transferFunction: string | null, shading: 'lit' | 'unlit' | null) =>
+      readSurfaces('1 red', window, { transferFunction, shading });
     expect(read(null, null)).to.deep.include({ clear: true }).and.not.have.property('plain');
     expect(read('mri', 'lit')).to.have.all.keys('surfaces');
     expect(read('mri', 'unlit')).to.deep.include({ plain: true }).and.not.have.property('clear');

@@ -15,12 +15,24 @@ import { isUsual } from '../../../../src/optics/transfer/usual-columns.ts';
 import { chooseOffset } from '../../../../src/volume/detail-offset.ts';
 import { randomNumbers } from '../../../helpers/synthetic.ts';
 
-const stop = (value: number, opacity: number, color: readonly [number, number, number] = [1, 0.5, 0]): TransferFunction[number] => ({ value, color, opacity });
+const stop = (
+  value: number,
+  opacity: number,
+  color: readonly [number, number, number] = [1, 0.5, 0],
+): TransferFunction[number] => ({ value, color, opacity });
 
 const functions: Record<string, TransferFunction> = {
   'a ramp': [stop(0, 0), stop(1, 0.8, [0, 0.5, 1])],
   'a narrow ramp in a wide domain': [stop(0, 0), stop(1e-5, 0.5), stop(1, 0.6, [0, 0, 1])],
-  'jumps': [stop(0, 0.7), stop(0, 0.02), stop(0.3, 0), stop(0.3, 0.9, [0, 0, 1]), stop(0.6, 0.9), stop(0.6, 0), stop(1, 0.5)],
+  jumps: [
+    stop(0, 0.7),
+    stop(0, 0.02),
+    stop(0.3, 0),
+    stop(0.3, 0.9, [0, 0, 1]),
+    stop(0.6, 0.9),
+    stop(0.6, 0),
+    stop(1, 0.5),
+  ],
   'a ramp to opacity 1': [stop(0, 0), stop(1, 1, [0, 1, 1])],
   'opacity 1 at one value': [stop(0, 0.1), stop(0.4, 1, [0, 0, 1]), stop(1, 0.2)],
   'opacity 1 between two values': [stop(0, 0.1), stop(0.4, 1, [0, 0, 1]), stop(0.5, 1), stop(1, 0.2)],
@@ -33,7 +45,11 @@ const exactly = (value: number): { share: number; edge: number } => ({ share: va
 
 /** Largest difference of what two means show over any length up to a reference length, 1/255. */
 const apart = (a: Premultiplied, b: Premultiplied): number =>
-  Math.max(...[0.01, 0.1, 1].flatMap((length) => attenuate(a, length).map((x, c) => 255 * Math.abs(x - attenuate(b, length)[c]))));
+  Math.max(
+    ...[0.01, 0.1, 1].flatMap((length) =>
+      attenuate(a, length).map((x, c) => 255 * Math.abs(x - attenuate(b, length)[c])),
+    ),
+  );
 
 describe('columns of a transfer function', () => {
   for (const [name, stops] of Object.entries(functions)) {
@@ -98,14 +114,18 @@ describe('where stops lie among the numbers of a GPU', () => {
         const range = [Math.min(0, slope) * max + intercept, Math.max(0, slope) * max + intercept] as const;
         const values = { slope, intercept, storedScale, range, whole };
         const map = mapShares(values, range);
-        const shareOf = (stored: number): number => Math.fround(Math.fround(Math.fround(stored / storedScale) - map.from) * map.scale);
+        const shareOf = (stored: number): number =>
+          Math.fround(Math.fround(Math.fround(stored / storedScale) - map.from) * map.scale);
         // As an author writes it: with fewer digits than slope and intercept make.
         const written = Number(value.toPrecision(12));
         const { edge } = placeThreshold(values, map, written);
         for (const attached of [-1, 0, 1]) {
           const isRight = slope * (sample + attached) + intercept >= written;
           for (const ulps of [-2, 0, 2]) {
-            expect(shareOf(sample + attached) * (1 + ulps * 2 ** -24) >= Math.fround(edge), `${written}, ${sample} + ${attached}, slope ${slope}, intercept ${intercept}`).to.equal(isRight);
+            expect(
+              shareOf(sample + attached) * (1 + ulps * 2 ** -24) >= Math.fround(edge),
+              `${written}, ${sample} + ${attached}, slope ${slope}, intercept ${intercept}`,
+            ).to.equal(isRight);
           }
         }
       }
@@ -115,7 +135,11 @@ describe('where stops lie among the numbers of a GPU', () => {
   it('values are where they should be in domains as wide as numbers go, by factors that no GPU takes for 0', () => {
     const minNormal = 2 ** -126;
     for (const width of [1e5, 1e30, 1e38, 3e38, 1e300]) {
-      for (const [slope, intercept, storedScale] of [[1, 0, 1], [-1, 0, 255], [1 / 65535, -1024, 1]] as const) {
+      for (const [slope, intercept, storedScale] of [
+        [1, 0, 1],
+        [-1, 0, 255],
+        [1 / 65535, -1024, 1],
+      ] as const) {
         const map = mapShares({ slope, intercept, storedScale, range: [intercept, intercept + 1] }, [-width, width]);
         expect(Math.abs(map.scale), `${width}, slope ${slope}`).to.be.at.least(minNormal);
         expect([map.scale, map.from].every(Number.isFinite)).to.equal(true);
@@ -129,7 +153,12 @@ describe('where stops lie among the numbers of a GPU', () => {
   });
 
   it('the low end of a domain is 0 to the last bit', () => {
-    for (const [slope, intercept, storedScale, low] of [[1, 0, 255, 41], [0.1, 0, 1, 0.3], [1, -1000, 1, -990], [1, 1e7, 1, 1e7 + 13]]) {
+    for (const [slope, intercept, storedScale, low] of [
+      [1, 0, 255, 41],
+      [0.1, 0, 1, 0.3],
+      [1, -1000, 1, -990],
+      [1, 1e7, 1, 1e7 + 13],
+    ]) {
       const { from } = mapShares({ slope, intercept, storedScale, range: [low, low + 100] }, [low, low + 50]);
       expect(from).to.equal(Math.fround(Math.round((low - intercept) / slope) / storedScale));
     }
@@ -138,14 +167,19 @@ describe('where stops lie among the numbers of a GPU', () => {
 
 describe('the table of means holds', () => {
   it('all presets, with all stops that are clear on columns', async () => {
-    for (const window of [[-123.7, 981.3], [0, 255], [0.013, 0.9]] as const) {
+    for (const window of [
+      [-123.7, 981.3],
+      [0, 255],
+      [0.013, 0.9],
+    ] as const) {
       for (const name of presetNames) {
         const stops = name === 'mri' ? buildDefaultPreset(window) : await readTransferFunction(name, window);
         const columns = findColumns(stops)!;
         expect(columns, name).to.be.within(1024, 2048);
         const [low, high] = domainOf(stops);
         stops.forEach(({ value, opacity }, i) => {
-          const isKink = i > 0 && i < stops.length - 1 && opacity === 0 && stops[i - 1].opacity + stops[i + 1].opacity > 0;
+          const isKink =
+            i > 0 && i < stops.length - 1 && opacity === 0 && stops[i - 1].opacity + stops[i + 1].opacity > 0;
           const column = ((value - low) / (high - low)) * (columns - 1);
           if (isKink) expect(Math.abs(column - Math.round(column)), `${name} at ${value}`).to.be.below(1e-5);
         });
@@ -175,7 +209,9 @@ describe('what is taken off values before they become float32', () => {
 
   it('is near the detail, whatever lies far away', () => {
     const random = randomNumbers(75);
-    const detail = Float64Array.from({ length: 5000 }, (_, i) => (i % 100 === 0 ? 0 : i % 777 === 0 ? -2e9 : 1.5e9 + 1000 * random()));
+    const detail = Float64Array.from({ length: 5000 }, (_, i) =>
+      i % 100 === 0 ? 0 : i % 777 === 0 ? -2e9 : 1.5e9 + 1000 * random(),
+    );
     expect(chooseOffset(detail)).to.be.within(1.5e9, 1.5e9 + 1000);
   });
 });

@@ -32,13 +32,21 @@ describe('CSS colours', () => {
   });
 
   it('colour tables begin and end as they are known to', () => {
-    const ends = Object.fromEntries(colorTables.map((name) => {
-      const stops = colorTableStops(name, [0, 1]);
-      return [name, [stops[0], stops.at(-1)!].map(({ color }) => color.map((c) => Math.round(255 * c)))];
-    }));
+    const ends = Object.fromEntries(
+      colorTables.map((name) => {
+        const stops = colorTableStops(name, [0, 1]);
+        return [name, [stops[0], stops.at(-1)!].map(({ color }) => color.map((c) => Math.round(255 * c)))];
+      }),
+    );
     // Source: matplotlib's viridis, 0 and 255
-    expect(ends.viridis).to.deep.equal([[68, 1, 84], [253, 231, 37]]);
-    expect(ends.inferno).to.deep.equal([[0, 0, 4], [252, 255, 164]]);
+    expect(ends.viridis).to.deep.equal([
+      [68, 1, 84],
+      [253, 231, 37],
+    ]);
+    expect(ends.inferno).to.deep.equal([
+      [0, 0, 4],
+      [252, 255, 164],
+    ]);
     expect(colorTableStops('turbo', [0, 1])).to.have.length(65);
   });
 });

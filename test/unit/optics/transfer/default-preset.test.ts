@@ -5,10 +5,15 @@ import { presetNames } from '../../../../src/optics/transfer/preset-names.ts';
 import { resolveTransferFunction } from '../../../../src/optics/transfer/resolve-transfer-function.ts';
 
 describe('the default preset', () => {
-  const text = '0% #1c0a0a 0, 14% #33100c 2.5%, 32% #6e3426 5%, 50% #b57758 7%, 68% #e8bd92 9%, 86% #fff0d8 14%, 100% white 18%';
+  const text =
+    '0% #1c0a0a 0, 14% #33100c 2.5%, 32% #6e3426 5%, 50% #b57758 7%, 68% #e8bd92 9%, 86% #fff0d8 14%, 100% white 18%';
 
   it('is to the last bit what an author would write', async () => {
-    for (const window of [[0, 1], [-150.25, 250.7], [1e-3, 7e8]] as const) {
+    for (const window of [
+      [0, 1],
+      [-150.25, 250.7],
+      [1e-3, 7e8],
+    ] as const) {
       const parsed = parseTransferFunction(text, window);
       expect(buildDefaultPreset(window)).to.deep.equal(parsed);
       expect(await resolveTransferFunction(` ${defaultPreset.toUpperCase()} `, window)).to.deep.equal(parsed);
@@ -16,7 +21,12 @@ describe('the default preset', () => {
   });
 
   it('has numbers in windows as wide as they go', () => {
-    for (const [low, high] of [[-1e38, 1e38], [-3.4e38, 3.4e38], [-1e300, 1e300], [0, 1e300]] as const) {
+    for (const [low, high] of [
+      [-1e38, 1e38],
+      [-3.4e38, 3.4e38],
+      [-1e300, 1e300],
+      [0, 1e300],
+    ] as const) {
       const values = buildDefaultPreset([low, high]).map(({ value }) => value);
       expect(values.every(Number.isFinite), `${low} to ${high}`).to.equal(true);
       expect([values[0], values.at(-1)]).to.deep.equal([low, high]);

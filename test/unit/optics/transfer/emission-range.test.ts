@@ -40,8 +40,12 @@ describe('how much emission differs among values', () => {
         const apart = (high - low) * random();
         const found = range.among(low, high, apart);
         const bin = 100 / 512;
-        expect(found, `${low} to ${high}, ${apart}`).to.be.at.least(tryPairs(transferFunction, [low, high], apart) - 1e-6);
-        expect(found).to.be.at.most(tryPairs(transferFunction, [low - 2 * bin, high + 2 * bin], 1.5 * apart + 6 * bin) + 0.005);
+        expect(found, `${low} to ${high}, ${apart}`).to.be.at.least(
+          tryPairs(transferFunction, [low, high], apart) - 1e-6,
+        );
+        expect(found).to.be.at.most(
+          tryPairs(transferFunction, [low - 2 * bin, high + 2 * bin], 1.5 * apart + 6 * bin) + 0.005,
+        );
       }
     });
   }
@@ -54,7 +58,8 @@ describe('how much emission differs among values', () => {
         let largest = 0;
         for (let from = 0; from <= 100 - apart; from += 0.05) {
           const at = (share: number): number => emission(transferFunction, from + share * apart)[3];
-          for (let share = 0.1; share < 1; share += 0.1) largest = Math.max(largest, Math.abs(at(share) - at(0) * (1 - share) - at(1) * share));
+          for (let share = 0.1; share < 1; share += 0.1)
+            largest = Math.max(largest, Math.abs(at(share) - at(0) * (1 - share) - at(1) * share));
         }
         expect(range.offLine(0, 100, apart), `${apart} apart`).to.be.at.least(0.5 * largest - 1e-6);
         expect(range.offLine(0, 100, apart)).to.be.at.most(range.among(0, 100, apart));
@@ -65,7 +70,14 @@ describe('how much emission differs among values', () => {
   it('is not off the straight line where emission is one, however steep', () => {
     const even = rangeEmission(parseTransferFunction('0 #fff 0, 100 #fff 1%', [0, 100]));
     expect(even.offLine(0, 100, 20)).to.be.below(0.02 * even.among(0, 100, 20));
-    expect(rangeEmission(parseTransferFunction('0 #fff 0, 50 #fff 0, 50 #fff 80%, 65535 #fff 80%', [0, 65535])).offLine(0, 65535, 10), 'a jump in a wide domain').to.be.above(0.4 * 1.6);
+    expect(
+      rangeEmission(parseTransferFunction('0 #fff 0, 50 #fff 0, 50 #fff 80%, 65535 #fff 80%', [0, 65535])).offLine(
+        0,
+        65535,
+        10,
+      ),
+      'a jump in a wide domain',
+    ).to.be.above(0.4 * 1.6);
   });
 
   it('is nothing where all values look the same', () => {

@@ -17,14 +17,27 @@ const stops: TransferFunction = [
 
 describe('emission', () => {
   it('is extinction in the straight colour', () => {
-    expectNear(emission(stops, 5), [1, 0.5, 0, 1].map((x) => x * extinction(0.1)));
-    expectNear(emission(stops, 15), [1, 0.5, 0, 1].map((x) => x * extinction(0.35)));
-    expectNear(emission(stops, 30), [0, 0.5, 1, 1].map((x) => x * extinction(0.3)));
+    expectNear(
+      emission(stops, 5),
+      [1, 0.5, 0, 1].map((x) => x * extinction(0.1)),
+    );
+    expectNear(
+      emission(stops, 15),
+      [1, 0.5, 0, 1].map((x) => x * extinction(0.35)),
+    );
+    expectNear(
+      emission(stops, 30),
+      [0, 0.5, 1, 1].map((x) => x * extinction(0.3)),
+    );
   });
 
   it('is nothing at opacity 0, of any colour, and finite at opacity 1', () => {
     expectNear(emission([{ value: 0, color: [1, 1, 1], opacity: 0 }], 0), [0, 0, 0, 0], 0);
-    expectNear(emission([{ value: 0, color: [1, 0.5, 0], opacity: 1 }], 0), [opaqueExtinction, opaqueExtinction / 2, 0, opaqueExtinction], 0);
+    expectNear(
+      emission([{ value: 0, color: [1, 0.5, 0], opacity: 1 }], 0),
+      [opaqueExtinction, opaqueExtinction / 2, 0, opaqueExtinction],
+      0,
+    );
     // A hundredth of a reference length of it lets less through than float32 can tell from nothing.
     expect(Math.exp(-opaqueExtinction / 100)).to.be.below(2 ** -24);
   });
@@ -59,7 +72,15 @@ describe('the mean over a span of values', () => {
     // Five nodes of Gauss where the opacity stays away from 1; towards 1, what is left after the halvings.
     expectNear(meanOverSpan(stops, 10, 20), ramp(0.1, 0.6), 1e-6);
     expectNear(meanOverSpan(stops, 12, 13), ramp(0.2, 0.25), 1e-12);
-    for (const [from, to] of [[0, 0.01], [0, 1e-6], [0.3, 0.300001], [0, 0.99], [0.9, 0.999], [0, 1], [0.5, 1]]) {
+    for (const [from, to] of [
+      [0, 0.01],
+      [0, 1e-6],
+      [0.3, 0.300001],
+      [0, 0.99],
+      [0.9, 0.999],
+      [0, 1],
+      [0.5, 1],
+    ]) {
       const one: TransferFunction = [
         { value: 0, color: [1, 0.5, 0], opacity: from },
         { value: 1, color: [1, 0.5, 0], opacity: to },
@@ -72,8 +93,16 @@ describe('the mean over a span of values', () => {
   });
 
   it('is the mean colour times the extinction over a ramp of colour', () => {
-    expectNear(meanOverSpan(stops, 20, 40), [0, 0.5, 1, 1].map((x) => x * extinction(0.3)), 1e-14);
-    expectNear(meanOverSpan(stops, 22, 24), [0, 0.15, 1, 1].map((x) => x * extinction(0.3)), 1e-14);
+    expectNear(
+      meanOverSpan(stops, 20, 40),
+      [0, 0.5, 1, 1].map((x) => x * extinction(0.3)),
+      1e-14,
+    );
+    expectNear(
+      meanOverSpan(stops, 22, 24),
+      [0, 0.15, 1, 1].map((x) => x * extinction(0.3)),
+      1e-14,
+    );
   });
 
   it('weighs the two sides of a jump by their shares', () => {
@@ -102,7 +131,8 @@ describe('the mean over a span of values', () => {
   });
 
   it('at one value is the emission there, from the right at a jump', () => {
-    for (const value of [-5, 0, 3, 20, 33, 40, 99]) expectNear(meanOverSpan(stops, value, value), emission(stops, value), 0);
+    for (const value of [-5, 0, 3, 20, 33, 40, 99])
+      expectNear(meanOverSpan(stops, value, value), emission(stops, value), 0);
   });
 
   it('does not ask which end comes first', () => {
@@ -122,12 +152,22 @@ describe('the mean over a span of values', () => {
       const share = (b - a) / (c - a);
       const [first, second] = [meanOverSpan(stops, a, b), meanOverSpan(stops, b, c)];
       // Gauss's rule on a longer and on two shorter pieces of the one ramp.
-      expectNear(meanOverSpan(stops, a, c), first.map((x, k) => x * share + second[k] * (1 - share)), 2e-6);
+      expectNear(
+        meanOverSpan(stops, a, c),
+        first.map((x, k) => x * share + second[k] * (1 - share)),
+        2e-6,
+      );
     }
   });
 
   it('may be of one stop', () => {
     const one: TransferFunction = [{ value: 3, color: [1, 0.5, 0], opacity: 0.4 }];
-    for (const [from, to] of [[3, 3], [2, 4], [4, 9], [-9, 3]]) expectNear(meanOverSpan(one, from, to), emission(one, 0), 1e-15);
+    for (const [from, to] of [
+      [3, 3],
+      [2, 4],
+      [4, 9],
+      [-9, 3],
+    ])
+      expectNear(meanOverSpan(one, from, to), emission(one, 0), 1e-15);
   });
 });

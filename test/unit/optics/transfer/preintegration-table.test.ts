@@ -3,7 +3,12 @@ import { colorTableStops } from '../../../../src/optics/transfer/color-tables.ts
 import { emission, meanOverSpan } from '../../../../src/optics/transfer/emission.ts';
 import { exactMeans } from '../../../../src/optics/transfer/exact-means.ts';
 import { attenuate } from '../../../../src/optics/rays/segment.ts';
-import { buildPreintegrationTable, spanOfRow, preintegrationTableSize, tableMeans } from '../../../../src/optics/transfer/preintegration-table.ts';
+import {
+  buildPreintegrationTable,
+  spanOfRow,
+  preintegrationTableSize,
+  tableMeans,
+} from '../../../../src/optics/transfer/preintegration-table.ts';
 import type { TransferFunction } from '../../../../src/optics/transfer/transfer-function.ts';
 import { expectNear, worstDifference } from '../../../helpers/emission.ts';
 import { randomNumbers } from '../../../helpers/synthetic.ts';
@@ -89,7 +94,11 @@ describe('the table of means over spans', () => {
           const expected = meanOverSpan(transferFunction, middle - reach, middle + reach);
           // Half a cell of the running integral at each end, taken as a straight line, and float32.
           const tolerance = (row === 1 ? 2e-2 : 2e-3) * Math.max(1, expected[3]);
-          expectNear([...texels.subarray((row * columns + column) * 4, (row * columns + column) * 4 + 4)], expected, tolerance);
+          expectNear(
+            [...texels.subarray((row * columns + column) * 4, (row * columns + column) * 4 + 4)],
+            expected,
+            tolerance,
+          );
         }
       }
     }
@@ -100,7 +109,11 @@ describe('the table of means over spans', () => {
       const { texels, columns, low, high } = buildPreintegrationTable(transferFunction, { columns: 1024, rows: 16 });
       expect(columns).to.equal(1024);
       for (const column of [0, 1, 300, 800, 1022, 1023]) {
-        expectNear([...texels.subarray(column * 4, column * 4 + 4)], emission(transferFunction, low + ((high - low) * column) / 1023), 1e-7);
+        expectNear(
+          [...texels.subarray(column * 4, column * 4 + 4)],
+          emission(transferFunction, low + ((high - low) * column) / 1023),
+          1e-7,
+        );
       }
     }
     const jump: TransferFunction = [
@@ -112,7 +125,10 @@ describe('the table of means over spans', () => {
     const { texels } = buildPreintegrationTable(jump, { columns: 1025, rows: 16 });
     expect(texels[511 * 4 + 3]).to.be.closeTo(emission(jump, 0)[3], 1e-6);
     expect(texels[512 * 4 + 3]).to.be.closeTo(emission(jump, 1)[3], 1e-6);
-    expect(buildPreintegrationTable(jumpAtEnd, { columns: 1025, rows: 16 }).texels[1024 * 4 + 3]).to.be.closeTo(emission(jumpAtEnd, 0)[3], 1e-6);
+    expect(buildPreintegrationTable(jumpAtEnd, { columns: 1025, rows: 16 }).texels[1024 * 4 + 3]).to.be.closeTo(
+      emission(jumpAtEnd, 0)[3],
+      1e-6,
+    );
   });
 
   it('knows what holds for all values beyond its ends, where these are jumps too', () => {
@@ -121,18 +137,29 @@ describe('the table of means over spans', () => {
       const means = tableMeans(table);
       expectNear(table.first, emission(transferFunction, -1e9), 0);
       expectNear(table.last, emission(transferFunction, 1e9), 0);
-      for (const [from, to] of [[-1e30, -1e29], [table.low - 5, table.low - 5], [table.low - 3, table.low - 1e-9]]) {
+      for (const [from, to] of [
+        [-1e30, -1e29],
+        [table.low - 5, table.low - 5],
+        [table.low - 3, table.low - 1e-9],
+      ]) {
         expectNear(means.mean(from, to), table.first, 1e-12);
         expectNear(means.mean(to, from), table.first, 1e-12);
       }
-      for (const [from, to] of [[1e29, 1e30], [table.high + 5, table.high + 5], [table.high, table.high], [table.high, table.high + 3]]) {
+      for (const [from, to] of [
+        [1e29, 1e30],
+        [table.high + 5, table.high + 5],
+        [table.high, table.high],
+        [table.high, table.high + 3],
+      ]) {
         expectNear(means.mean(from, to), table.last, 1e-12);
       }
     }
   });
 
   it('has nothing of what lies beyond a jump at its end in spans that end there', () => {
-    const [start, end] = [jumpAtStart, jumpAtEnd].map((transferFunction) => tableMeans(buildPreintegrationTable(transferFunction)));
+    const [start, end] = [jumpAtStart, jumpAtEnd].map((transferFunction) =>
+      tableMeans(buildPreintegrationTable(transferFunction)),
+    );
     for (const width of [0, 1e-9, 1e-5, 1e-3, 0.01, 0.3, 1]) {
       expectNear(start.mean(0, width), emission(jumpAtStart, 0), 1e-6);
       expectNear(end.mean(1 - width - 1e-12, 1 - 1e-12), emission(jumpAtEnd, 0), 1e-6);
@@ -154,7 +181,14 @@ describe('the table of means over spans', () => {
     const means = tableMeans(buildPreintegrationTable(one));
     expect(means.low).to.be.below(42);
     expect(means.high).to.be.above(42);
-    for (const [from, to] of [[42, 42], [0, 0], [99, 99], [0, 99], [41, 42], [-1e9, 1e9]]) {
+    for (const [from, to] of [
+      [42, 42],
+      [0, 0],
+      [99, 99],
+      [0, 99],
+      [41, 42],
+      [-1e9, 1e9],
+    ]) {
       expectNear(means.mean(from, to), emission(one, 42), 1e-7);
     }
     const jump = tableMeans(buildPreintegrationTable(onlyJump));
@@ -183,7 +217,9 @@ describe('the table of means over spans', () => {
       ['64 stops', table64],
     ];
     const widths = [1e-4, 1e-3, 0.005, 0.01, 0.02, 0.05, 0.2, 0.7, 1.5];
-    console.log(['one reference length, 1/255:'.padEnd(14), ...widths.map((w) => `${w * 100} %`.padStart(8))].join(' '));
+    console.log(
+      ['one reference length, 1/255:'.padEnd(14), ...widths.map((w) => `${w * 100} %`.padStart(8))].join(' '),
+    );
     const errors = new Map<string, number[]>();
     for (const [name, transferFunction] of functions) {
       const row = widths.map((width) => worstOf(transferFunction, width));
@@ -201,7 +237,12 @@ describe('the table of means over spans', () => {
   });
 
   it('is built in a time that is printed', () => {
-    for (const [name, transferFunction] of [['smooth', smooth], ['1 % peaks', peaks], ['to opacity 1', opaqueRamp], ['64 stops', colorTableStops('turbo', [0, 1])]] as const) {
+    for (const [name, transferFunction] of [
+      ['smooth', smooth],
+      ['1 % peaks', peaks],
+      ['to opacity 1', opaqueRamp],
+      ['64 stops', colorTableStops('turbo', [0, 1])],
+    ] as const) {
       buildPreintegrationTable(transferFunction);
       const start = performance.now();
       for (let i = 0; i < 10; i++) buildPreintegrationTable(transferFunction);

@@ -9,7 +9,10 @@ import { length, normalize, subtract } from '../../../../src/volume/matrix.ts';
 const degrees = Math.PI / 180;
 const subject = { center: [10, -20, 30] as Vector3, radius: 100 };
 
-function place(attributes: Parameters<CameraRig['setAttributes']>[0] = {}, changes: Partial<Parameters<CameraRig['setSubject']>[0]> = {}): CameraRig {
+function place(
+  attributes: Parameters<CameraRig['setAttributes']>[0] = {},
+  changes: Partial<Parameters<CameraRig['setSubject']>[0]> = {},
+): CameraRig {
   const rig = new CameraRig();
   rig.setAttributes(attributes);
   rig.setSubject({ ...subject, ...changes });
@@ -44,7 +47,7 @@ describe('the camera rig', () => {
     expect(angleOf(rig), 'a tall one').to.be.closeTo(across, 1e-9);
   });
 
-  it('looks from the patient\'s front left and above, at the weather from the south and higher up', () => {
+  it("looks from the patient's front left and above, at the weather from the south and higher up", () => {
     const [body, weather] = [{}, { isWeather: true }].map((changes) => {
       const { camera } = place({}, changes);
       return normalize(subtract(camera.eye, camera.target));
@@ -56,7 +59,9 @@ describe('the camera rig', () => {
   });
 
   it('frames what stood in for a volume anew when that is there; not where a person has turned it', () => {
-    const framed = (radius: number): Pick<Parameters<CameraRig['setSubject']>[0], 'findFraming'> => ({ findFraming: () => () => ({ target: subject.center, radius }) });
+    const framed = (radius: number): Pick<Parameters<CameraRig['setSubject']>[0], 'findFraming'> => ({
+      findFraming: () => () => ({ target: subject.center, radius }),
+    });
     const rig = place({}, { isCoarse: true, ...framed(150) });
     expect(rig.orbit.radius).to.equal(150);
     const rounded = { ...subject, center: subject.center.map((c) => c + 1e-12) as unknown as Vector3 };
@@ -97,7 +102,7 @@ describe('the camera rig', () => {
     expect(rig.orbit.phi).to.equal(Math.PI);
   });
 
-  it('zooms between a fiftieth of the subject\'s radius and four times the distance that just shows it, or where the author placed it', () => {
+  it("zooms between a fiftieth of the subject's radius and four times the distance that just shows it, or where the author placed it", () => {
     const rig = place({ radius: { world: 100 } });
     zoom(rig, 0.5);
     arrive(rig);
@@ -118,7 +123,7 @@ describe('the camera rig', () => {
     expect(far.goal.radius).to.equal(9 * framed);
   });
 
-  it('is not lost by twelve clicks of the wheel at the picture\'s edge, each 100 pixels', () => {
+  it("is not lost by twelve clicks of the wheel at the picture's edge, each 100 pixels", () => {
     const rig = place();
     const framed = rig.orbit.radius;
     for (let i = 0; i < 12; i++) zoomFrom(rig, 2 ** (100 / 600), [1.2, -0.9]);
@@ -163,12 +168,19 @@ describe('the camera rig', () => {
     const target: Vector3 = [10, 380, 30];
     const aside = place({ target });
     pan(aside, [0.1, 0.1]);
-    expect(length(subtract(aside.goal.target, subject.center)), 'an author may look farther aside').to.be.closeTo(400, 1e-6);
+    expect(length(subtract(aside.goal.target, subject.center)), 'an author may look farther aside').to.be.closeTo(
+      400,
+      1e-6,
+    );
   });
 
-  it('keeps within an author\'s limits: hands, attributes, sides; to and fro in them by itself', () => {
+  it("keeps within an author's limits: hands, attributes, sides; to and fro in them by itself", () => {
     const rig = place({ theta: 0, phi: 1, radius: { world: 200 } });
-    rig.setLimits({ ...defaultLimits, min: { theta: -1, phi: 0.5, radius: { fraction: 0.5 } }, max: { theta: 1, phi: 1.2, radius: { world: 300 } } });
+    rig.setLimits({
+      ...defaultLimits,
+      min: { theta: -1, phi: 0.5, radius: { fraction: 0.5 } },
+      max: { theta: 1, phi: 1.2, radius: { world: 300 } },
+    });
     rotate(rig, 2, -2);
     zoom(rig, 10);
     arrive(rig);
@@ -275,7 +287,7 @@ describe('the camera rig', () => {
     expectNear(rig.camera.eye, eye);
   });
 
-  it('keeps a person\'s view for a volume in the same place, and gives it up for another one', () => {
+  it("keeps a person's view for a volume in the same place, and gives it up for another one", () => {
     const rig = place();
     rotate(rig, 1, 0);
     arrive(rig);
@@ -289,9 +301,20 @@ describe('the camera rig', () => {
     expect(angleOf(rig, 50)).to.be.closeTo(rig.camera.fieldOfView / 2, 1e-9);
   });
 
-  it('begins at an author\'s viewpoint, and turns around its centre of rotation, else around what it looks at', () => {
-    const camera = { eye: [10, -220, 30] as Vector3, target: [10, -219, 30] as Vector3, up: [0, 0, 1] as Vector3, fieldOfView: 0.7 };
-    for (const [centerOfRotation, target] of [[[10, -100, 30], [10, -100, 30]], [null, subject.center]] as [Vector3 | null, Vector3][]) {
+  it("begins at an author's viewpoint, and turns around its centre of rotation, else around what it looks at", () => {
+    const camera = {
+      eye: [10, -220, 30] as Vector3,
+      target: [10, -219, 30] as Vector3,
+      up: [0, 0, 1] as Vector3,
+      fieldOfView: 0.7,
+    };
+    for (const [centerOfRotation, target] of [
+      [
+        [10, -100, 30],
+        [10, -100, 30],
+      ],
+      [null, subject.center],
+    ] as [Vector3 | null, Vector3][]) {
       const rig = place();
       rig.setViewpoint((shown) => frameViewpoint(camera, centerOfRotation, shown));
       expectNear(rig.camera.eye, camera.eye);
@@ -306,7 +329,13 @@ describe('the camera rig', () => {
 
   it('comes to rest whatever it is told, and looks from somewhere', () => {
     const rig = place();
-    for (const [theta, phi] of [[NaN, 0], [0, Infinity], [1e308, -1e308], [0.1, 0.1]]) rotate(rig, theta, phi);
+    for (const [theta, phi] of [
+      [NaN, 0],
+      [0, Infinity],
+      [1e308, -1e308],
+      [0.1, 0.1],
+    ])
+      rotate(rig, theta, phi);
     for (const factor of [NaN, 0, -1, Infinity, 1e-320, 1.1]) zoom(rig, factor);
     rig.setSubject({ center: [NaN, 0, 0], radius: 1 });
     rig.setSubject({ center: [0, 0, 0], radius: Infinity });
@@ -323,7 +352,13 @@ describe('the camera rig', () => {
   it('tells that attributes are no place to look from, and stays where it was', () => {
     const rig = place();
     const { eye } = rig.camera;
-    for (const attributes of [{ theta: Infinity }, { radius: { world: Infinity } }, { radius: { fraction: 1e308 } }, { target: [0, NaN, 0] as Vector3 }, { fieldOfView: 1e-320 }]) {
+    for (const attributes of [
+      { theta: Infinity },
+      { radius: { world: Infinity } },
+      { radius: { fraction: 1e308 } },
+      { target: [0, NaN, 0] as Vector3 },
+      { fieldOfView: 1e-320 },
+    ]) {
       expect(() => rig.setAttributes(attributes), JSON.stringify(attributes)).to.throw(/too large or too small/);
       expect(rig.camera.eye).to.deep.equal(eye);
     }
@@ -335,8 +370,16 @@ describe('the camera rig', () => {
   });
 
   it('turns around something where a viewpoint stands in its own centre, or right above it', () => {
-    const camera = { eye: [0, 0, 30] as Vector3, target: [0, 0, 29] as Vector3, up: [0, 1, 0] as Vector3, fieldOfView: 0.7 };
-    for (const centerOfRotation of [[0, 0, 30], [0, -50, 30]] as Vector3[]) {
+    const camera = {
+      eye: [0, 0, 30] as Vector3,
+      target: [0, 0, 29] as Vector3,
+      up: [0, 1, 0] as Vector3,
+      fieldOfView: 0.7,
+    };
+    for (const centerOfRotation of [
+      [0, 0, 30],
+      [0, -50, 30],
+    ] as Vector3[]) {
       const rig = place();
       rig.setViewpoint((shown) => frameViewpoint(camera, centerOfRotation, shown));
       expect([...rig.camera.eye, ...rig.camera.up].every(Number.isFinite)).to.equal(true);

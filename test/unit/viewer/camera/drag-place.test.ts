@@ -1,7 +1,13 @@
 // Handles over a picture: where a place of the world goes when it is dragged by pixels, and by keys.
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../../../src/optics/rays/camera.ts';
-import { axesOf, lengthOfPixel, moveByKey, placeInPlane, placeOnLine } from '../../../../src/viewer/camera/drag-place.ts';
+import {
+  axesOf,
+  lengthOfPixel,
+  moveByKey,
+  placeInPlane,
+  placeOnLine,
+} from '../../../../src/viewer/camera/drag-place.ts';
 import type { SeenPicture } from '../../../../src/viewer/camera/drag-place.ts';
 import { projectPlace } from '../../../../src/viewer/camera/project-place.ts';
 import { add, dot, scale, subtract } from '../../../../src/volume/matrix.ts';
@@ -9,18 +15,28 @@ import type { Vector3 } from '../../../../src/volume/matrix.ts';
 import { randomNumbers } from '../../../helpers/synthetic.ts';
 
 function expectNear(got: readonly number[], expected: readonly number[], tolerance = 1e-9): void {
-  got.forEach((x, i) => expect(x, `${got.join(' ')} is not ${expected.join(' ')}`).to.be.closeTo(expected[i], tolerance));
+  got.forEach((x, i) =>
+    expect(x, `${got.join(' ')} is not ${expected.join(' ')}`).to.be.closeTo(expected[i], tolerance),
+  );
 }
 
 /** From the front, at a distance of 10: x runs to the left, and a picture of 200 pixels is 20 tan(30 deg) high. */
-const front: SeenPicture = { camera: orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 10 }, [0, 0, 0], Math.PI / 3), width: 300, height: 200 };
+const front: SeenPicture = {
+  camera: orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 10 }, [0, 0, 0], Math.PI / 3),
+  width: 300,
+  height: 200,
+};
 const pixel = (20 * Math.tan(Math.PI / 6)) / 200;
 
 const random = randomNumbers(15);
 const anyNumber = (size: number): number => (2 * random() - 1) * size;
 const anyPlace = (size: number): Vector3 => [anyNumber(size), anyNumber(size), anyNumber(size)];
 const anyPicture = (): SeenPicture => ({
-  camera: orbitCamera({ theta: anyNumber(3), phi: 0.2 + random() * 2.7, radius: 20 + 10 * random() }, anyPlace(3), 0.3 + random()),
+  camera: orbitCamera(
+    { theta: anyNumber(3), phi: 0.2 + random() * 2.7, radius: 20 + 10 * random() },
+    anyPlace(3),
+    0.3 + random(),
+  ),
   width: 100 + 500 * random(),
   height: 100 + 500 * random(),
 });
@@ -53,7 +69,10 @@ describe('a place that is dragged', () => {
       const from = projectPlace(picture.camera, through, picture)!;
       const goal = projectPlace(picture.camera, add(through, scale(direction, 0.7)), picture)!;
       const aside = anyNumber(1);
-      const moved = placeOnLine(picture, { through, direction, from }, [goal[0] + aside * (goal[1] - from[1]), goal[1] + aside * (from[0] - goal[0])]);
+      const moved = placeOnLine(picture, { through, direction, from }, [
+        goal[0] + aside * (goal[1] - from[1]),
+        goal[1] + aside * (from[0] - goal[0]),
+      ]);
       expectNear(moved, add(through, scale(direction, 0.7)), 1e-7);
     }
   });
@@ -66,7 +85,8 @@ describe('a place that is dragged', () => {
 });
 
 describe('a place that keys move', () => {
-  const press = (key: string, shiftKey = false, along?: Vector3): Vector3 | null => moveByKey(front, [0, 0, 0], { key, shiftKey }, along);
+  const press = (key: string, shiftKey = false, along?: Vector3): Vector3 | null =>
+    moveByKey(front, [0, 0, 0], { key, shiftKey }, along);
 
   it('goes by four pixels, with Shift by forty, across the picture, away and nearer', () => {
     expectNear(press('ArrowRight')!, [-4 * pixel, 0, 0]);

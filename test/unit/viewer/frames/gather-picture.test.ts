@@ -25,7 +25,10 @@ const picture = { stepLength: 1, width: 100, height: 80, rows: 16, pieceMs: 1e-6
 const nextTask = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
 describe('a picture in pieces', () => {
-  for (const [what, webgl2, finished] of [['fences', true, nextTask], ['none, as in WebGL 1', false, async () => {}]] as const) {
+  for (const [what, webgl2, finished] of [
+    ['fences', true, nextTask],
+    ['none, as in WebGL 1', false, async () => {}],
+  ] as const) {
     it(`lets the page go on, and has each row once, with ${what}`, async () => {
       const { scene, rows } = sceneOf(webgl2, finished);
       const seen: number[] = [];
@@ -57,7 +60,10 @@ describe('a picture in pieces', () => {
     for (const pieceMs of [1e-6, 3, 1e6]) {
       const { scene, pieces } = sceneOf(true, nextTask);
       expect(await gatherPicture(scene, { ...picture, rows: 35, height: 301, pieceMs }, () => true)).to.be.a('number');
-      expect(pieces.slice(0, -1).every((count) => count % 4 === 0), pieces.join(' ')).to.equal(true);
+      expect(
+        pieces.slice(0, -1).every((count) => count % 4 === 0),
+        pieces.join(' '),
+      ).to.equal(true);
       expect(pieces.reduce((sum, count) => sum + count, 0)).to.equal(301);
     }
   });

@@ -5,7 +5,10 @@ import type { Volume } from '../../../../src/volume/volume.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 /** Open a source with nothing behind it; returns what was asked for, and whether it was opened as scans in time. */
-async function ask(src: string, stack: boolean): Promise<{ requests: SourceRequest[]; opened: boolean; volume: Volume }> {
+async function ask(
+  src: string,
+  stack: boolean,
+): Promise<{ requests: SourceRequest[]; opened: boolean; volume: Volume }> {
   const requests: SourceRequest[] = [];
   let opened = false;
   const host: SourceHost = {
@@ -20,7 +23,12 @@ async function ask(src: string, stack: boolean): Promise<{ requests: SourceReque
     giveUp: () => {},
   };
   const { signal } = new AbortController();
-  const volume = await openSource({ src, stack }, host, { wanted: { index: 0 }, signal, onProgress: () => {}, onCoarse: () => {} });
+  const volume = await openSource({ src, stack }, host, {
+    wanted: { index: 0 },
+    signal,
+    onProgress: () => {},
+    onCoarse: () => {},
+  });
   return { requests, opened, volume };
 }
 

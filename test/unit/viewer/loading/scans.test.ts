@@ -22,7 +22,9 @@ describe('chooseScan', () => {
   const times = [at(0), at(10), null, at(20)];
 
   it('takes the last one that is not after a time, and the first where all are', () => {
-    const chosen = [-5, 0, 9.99, 10, 19, 20, 59].map((minute) => chooseScan(times, { time: Date.parse(at(0)) + minute * 60_000 }).index);
+    const chosen = [-5, 0, 9.99, 10, 19, 20, 59].map(
+      (minute) => chooseScan(times, { time: Date.parse(at(0)) + minute * 60_000 }).index,
+    );
     expect(chosen).to.deep.equal([0, 0, 0, 1, 1, 3, 3]);
     expect(chooseScan([null, null], { time: ms(5) })).to.deep.equal({ index: 0, certain: true });
   });
@@ -76,7 +78,12 @@ describe('the cache of volumes', () => {
 
 describe('a sequence of scans', () => {
   /** Loads that end when the test says so. */
-  function controlled(): { load: LoadScan; begun: number[]; aborted: number[]; end: (scan: number, time?: string) => Promise<void> } {
+  function controlled(): {
+    load: LoadScan;
+    begun: number[];
+    aborted: number[];
+    end: (scan: number, time?: string) => Promise<void>;
+  } {
     const ends = new Map<number, (volume: Volume) => void>();
     const begun: number[] = [];
     const aborted: number[] = [];
@@ -113,7 +120,10 @@ describe('a sequence of scans', () => {
   });
 
   it('wraps around only where it loops', async () => {
-    for (const [loops, expected] of [[false, [3, 2]], [true, [3, 0, 2]]] as const) {
+    for (const [loops, expected] of [
+      [false, [3, 2]],
+      [true, [3, 0, 2]],
+    ] as const) {
       const { load, begun, end } = controlled();
       const scans = new ScanSequence(sources(4), load);
       const last = scans.get(3);
@@ -129,7 +139,10 @@ describe('a sequence of scans', () => {
   it('gives up a load that is neither wanted nor next to it', async () => {
     const { load, begun, aborted } = controlled();
     const scans = new ScanSequence(sources(9), load);
-    const unwanted = scans.get(2).then(() => 'loaded', () => 'given up');
+    const unwanted = scans.get(2).then(
+      () => 'loaded',
+      () => 'given up',
+    );
     void scans.get(3).catch(() => {});
     expect(aborted).to.deep.equal([]);
     void scans.get(6).catch(() => {});
@@ -156,7 +169,7 @@ describe('a sequence of scans', () => {
 describe('what stays from scan to scan', () => {
   const box = (height: number, unit = 'dBZ'): Volume => ({ ...syntheticVolume({ dimensions: [8, 8, height] }), unit });
 
-  it('is the first scan\'s, without its samples, until one is twice as large or of another unit', () => {
+  it("is the first scan's, without its samples, until one is twice as large or of another unit", () => {
     const model = followModel(null, box(8));
     expect('samples' in model || 'macrocells' in model).to.equal(false);
     expect(followModel(model, box(14))).to.equal(model);
@@ -169,13 +182,19 @@ describe('words of the timeline', () => {
   it('are in UTC, with seconds where they are needed', () => {
     const language = new Language('en-GB', english);
     expect(labelScans([at(6), at(12)], language)).to.deep.equal(['06:06', '06:12']);
-    expect(labelScans(['2018-12-20T06:06:28Z', '2018-12-20T06:06:58Z', null], language)).to.deep.equal(['06:06:28', '06:06:58', '3']);
+    expect(labelScans(['2018-12-20T06:06:28Z', '2018-12-20T06:06:58Z', null], language)).to.deep.equal([
+      '06:06:28',
+      '06:06:58',
+      '3',
+    ]);
     expect(language.day(at(0))).to.equal('20 Dec 2018');
     expect(describeScan([at(6), at(12)], 1, language)).to.equal('06:12 UTC, 20 Dec 2018, scan 2 of 2');
     expect(describeScan([null, null], 0, language)).to.equal('scan 1 of 2');
     // Sydney has daylight saving time in December: 11 hours before UTC. So it is the next day there.
     const sydney = new Language('en-GB', english, 'Australia/Sydney');
-    expect(describeScan([at(6), '2018-12-20T16:30:00Z'], 1, sydney)).to.match(/^03:30 (AEDT|GMT\+11), 21 Dec 2018, scan 2 of 2$/);
+    expect(describeScan([at(6), '2018-12-20T16:30:00Z'], 1, sydney)).to.match(
+      /^03:30 (AEDT|GMT\+11), 21 Dec 2018, scan 2 of 2$/,
+    );
     expect(labelScans([at(6), at(12)], sydney)).to.deep.equal(['17:06', '17:12']);
     expect(describeScan([at(6)], 0, language)).to.equal('06:06 UTC, 20 Dec 2018');
   });
@@ -186,16 +205,27 @@ describe('a manifest of scans', () => {
     { image: 'nifti/v1-le-scaled.nii', time: at(0) },
     { image: 'mosaic/gray-3x2.png', time: at(10), unit: 'own' },
   ];
-  const bytes = new TextEncoder().encode(JSON.stringify({ mosaic: '3x2', slices: 5, unit: 'shared', title: 'T', scans }));
+  const bytes = new TextEncoder().encode(
+    JSON.stringify({ mosaic: '3x2', slices: 5, unit: 'shared', title: 'T', scans }),
+  );
 
   it('gives the one that is wanted, with what it shares with the others', async () => {
     expect(await decodeBytes(bytes, 'a.json')).to.deep.include({ unit: 'shared', title: 'T', format: 'NIfTI-1' });
     const second = await decodeBytes(bytes, 'a.json', { scan: { time: ms(15) } });
     expect(second).to.deep.include({ unit: 'own', title: 'T', format: 'PNG mosaic' });
-    expect(second.samples).to.deep.equal((await decodeBytes(await fetchFixture('mosaic/gray-3x2.png'), 'b.png', { mosaic: { columns: 3, rows: 2 }, slices: 5 })).samples);
+    expect(second.samples).to.deep.equal(
+      (
+        await decodeBytes(await fetchFixture('mosaic/gray-3x2.png'), 'b.png', {
+          mosaic: { columns: 3, rows: 2 },
+          slices: 5,
+        })
+      ).samples,
+    );
   });
 
   it('has no more than it lists', async () => {
-    expect((await expectError(decodeBytes(bytes, 'a.json', { scan: { index: 2 } }))).code).to.equal('attribute/invalid');
+    expect((await expectError(decodeBytes(bytes, 'a.json', { scan: { index: 2 } }))).code).to.equal(
+      'attribute/invalid',
+    );
   });
 });

@@ -41,20 +41,29 @@ interface ExpectedFile {
   readonly gates: readonly ExpectedGate[];
 }
 
-const { files } = JSON.parse(new TextDecoder().decode(await fetchFixture('radar-picks.json'))) as { files: ExpectedFile[] };
+const { files } = JSON.parse(new TextDecoder().decode(await fetchFixture('radar-picks.json'))) as {
+  files: ExpectedFile[];
+};
 
 async function loadVolume(context: Mocha.Context, { path, field }: ExpectedFile): Promise<PolarVolume> {
-  if (path.startsWith('shared-data/')) return finishPolar(buildPolarVolume(await openRadar('hdf5', new Uint8Array(await fetchSharedData(context, path.slice(12)))), {}));
-  if (path.endsWith('.nc')) return finishPolar(buildPolarVolume(await openRadar('netcdf3', await fetchFile(`/${path}`)), { moment: field }));
+  if (path.startsWith('shared-data/'))
+    return finishPolar(
+      buildPolarVolume(await openRadar('hdf5', new Uint8Array(await fetchSharedData(context, path.slice(12)))), {}),
+    );
+  if (path.endsWith('.nc'))
+    return finishPolar(buildPolarVolume(await openRadar('netcdf3', await fetchFile(`/${path}`)), { moment: field }));
   const manifest = readManifest(await fetchFile(`/${path}`));
   const { slope = 1, intercept = 0, unit = '', elevations = [] } = manifest;
   const image = await readPng(await fetchFile(`/demos/data/${manifest.image}`));
-  return finishPolar(buildPolarVolume(readPolarMosaic(image, 'PNG', { ...manifest, elevations, slope, intercept, unit }), {}));
+  return finishPolar(
+    buildPolarVolume(readPolarMosaic(image, 'PNG', { ...manifest, elevations, slope, intercept, unit }), {}),
+  );
 }
 
 /** Hardly anything shows but slices. */
 const faint = (range: readonly [number, number]) => [
-  { value: range[0] - 1, color: [1, 1, 1] as const, opacity: 2e-5 }, { value: range[1] + 1, color: [1, 0, 0] as const, opacity: 2e-5 },
+  { value: range[0] - 1, color: [1, 1, 1] as const, opacity: 2e-5 },
+  { value: range[1] + 1, color: [1, 0, 0] as const, opacity: 2e-5 },
 ];
 
 /** What is picked where a place of the world is seen from straight above, on the cone of a sweep. */
@@ -67,12 +76,22 @@ function pickAbove(volume: PolarVolume, sweep: number, [x, y, z]: Vector3) {
   const at = projectPlace(camera, world, size)!;
   const appearance = { transferFunction: faint(volume.range), projection: null };
   const optics = { ...appearance, lightFactor: 1, opacityFactor: 1, referenceLength: 1e6 };
-  const scene = { ...volume, ...optics, stepLength: longestDiagonal(grid) / 100, field: polarField(volume), ends: [sliceInterval(sliceMeeter(volume, [{ kind: 'cone', sweep }], optics))] };
-  const found = pickRay(stagesOf(scene, rays), rayThrough(rays, (2 * at[0]) / size.width - 1, 1 - (2 * at[1]) / size.height), { at: 'jump', look: appearance });
+  const scene = {
+    ...volume,
+    ...optics,
+    stepLength: longestDiagonal(grid) / 100,
+    field: polarField(volume),
+    ends: [sliceInterval(sliceMeeter(volume, [{ kind: 'cone', sweep }], optics))],
+  };
+  const found = pickRay(
+    stagesOf(scene, rays),
+    rayThrough(rays, (2 * at[0]) / size.width - 1, 1 - (2 * at[1]) / size.height),
+    { at: 'jump', look: appearance },
+  );
   return found && describeRadar(volume, found.place);
 }
 
-describe('a pick in a radar\'s volume', () => {
+describe("a pick in a radar's volume", () => {
   for (const file of files) {
     it(`is Py-ART's gate, place and value: ${file.path}`, async function () {
       this.timeout(120_000);
@@ -80,8 +99,12 @@ describe('a pick in a radar\'s volume', () => {
       const { sweeps } = volume.grid;
       let [count, off] = [0, 0];
       for (const gate of file.gates) {
-        const radialIn = ({ azimuths }: Sweep): number => azimuths.findIndex((azimuth) => Math.abs(azimuth - gate.azimuth) < 1e-4);
-        const sweep = sweeps.findIndex((one) => Math.abs((one.elevations?.[radialIn(one)] ?? one.elevation) - gate.elevation) < 0.01 && radialIn(one) >= 0);
+        const radialIn = ({ azimuths }: Sweep): number =>
+          azimuths.findIndex((azimuth) => Math.abs(azimuth - gate.azimuth) < 1e-4);
+        const sweep = sweeps.findIndex(
+          (one) =>
+            Math.abs((one.elevations?.[radialIn(one)] ?? one.elevation) - gate.elevation) < 0.01 && radialIn(one) >= 0,
+        );
         if (sweep < 0) continue; // Of sweeps at one elevation the volume holds one.
         const radial = radialIn(sweeps[sweep]);
         const number = (gate.range - sweeps[sweep].firstGate) / sweeps[sweep].gateLength;
@@ -89,15 +112,23 @@ describe('a pick in a radar\'s volume', () => {
         const where = `${gate.range} m, ${gate.azimuth}, ${gate.elevation} degrees`;
         expect(picked, where).to.not.equal(null);
         const { value, place } = picked!;
-        expect([place.gate.sweep, place.gate.radial, place.gate.gate], where).to.deep.equal([sweep, radial, Math.round(number)]);
+        expect([place.gate.sweep, place.gate.radial, place.gate.gate], where).to.deep.equal([
+          sweep,
+          radial,
+          Math.round(number),
+        ]);
         expect(value, where).to.be.closeTo(gate.value, 1e-4);
         // Py-ART's places are rounded to a centimetre; its Earth is ours.
         expect(place.range, where).to.be.closeTo(gate.range, 1);
         expect(place.azimuth, where).to.be.closeTo(gate.azimuth, 1e-3);
         expect(place.elevation, where).to.be.closeTo(gate.elevation, 1e-3);
         expect(place.heightAboveAntenna, where).to.be.closeTo(gate.local[2], 1);
-        expect([place.gate.range, place.gate.azimuth], where).to.deep.equal([sweeps[sweep].firstGate + Math.round(number) * sweeps[sweep].gateLength, sweeps[sweep].azimuths[radial]]);
-        if (gate.altitude === undefined) expect([place.heightAboveSea, place.latitude, place.longitude]).to.deep.equal([null, null, null]);
+        expect([place.gate.range, place.gate.azimuth], where).to.deep.equal([
+          sweeps[sweep].firstGate + Math.round(number) * sweeps[sweep].gateLength,
+          sweeps[sweep].azimuths[radial],
+        ]);
+        if (gate.altitude === undefined)
+          expect([place.heightAboveSea, place.latitude, place.longitude]).to.deep.equal([null, null, null]);
         else {
           expect(place.heightAboveSea, where).to.be.closeTo(gate.altitude, 1);
           // Py-ART's Earth under the map has a radius of 6,370.997 km, ours 6,371 km.
@@ -113,9 +144,15 @@ describe('a pick in a radar\'s volume', () => {
   }
 
   it('has the value of a gate that has data, and between gates that of the nearest', () => {
-    const volume = radarVolume({ sweeps: [1, 3, 6].map((elevation) => ({ elevation, stored: (azimuth, gate) => (gate % 2 === 0 ? 0 : 1 + Math.floor(azimuth / 15) + gate) })) });
+    const volume = radarVolume({
+      sweeps: [1, 3, 6].map((elevation) => ({
+        elevation,
+        stored: (azimuth, gate) => (gate % 2 === 0 ? 0 : 1 + Math.floor(azimuth / 15) + gate),
+      })),
+    });
     const { low, high } = volume.grid.box;
-    const placeAt = (x: number, y: number, z: number): Vector3 => [x, y, z].map((at, axis) => (at - low[axis]) / (high[axis] - low[axis])) as unknown as Vector3;
+    const placeAt = (x: number, y: number, z: number): Vector3 =>
+      [x, y, z].map((at, axis) => (at - low[axis]) / (high[axis] - low[axis])) as unknown as Vector3;
     // Azimuth 7.5, the first radial: gate 3 is at 3.5 km, gate 4 without data at 4.5 km.
     const [sin, cos] = [Math.sin((7.5 * Math.PI) / 180), Math.cos((7.5 * Math.PI) / 180)];
     const found = describeRadar(volume, placeAt(3900 * sin, 3900 * cos, 70))!;
@@ -127,7 +164,7 @@ describe('a pick in a radar\'s volume', () => {
 });
 
 describe('a place on the Earth', () => {
-  it('is where Snyder\'s azimuthal equidistant projection says', () => {
+  it("is where Snyder's azimuthal equidistant projection says", () => {
     // Due east along the equator, due north, and over the date line: arcs of a great circle.
     const degree = (6_371_000 * Math.PI) / 180;
     const near = (found: { latitude: number; longitude: number }, latitude: number, longitude: number): void => {

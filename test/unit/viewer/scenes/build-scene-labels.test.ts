@@ -8,7 +8,9 @@ import { ViewSocket } from '../../../../src/viewer/model/view-socket.ts';
 import type { SocketView } from '../../../../src/viewer/model/view-socket.ts';
 
 it('a new scene, such as one after a lost context, is told of the labels, and of what becomes of them while it is built', async () => {
-  const [first, second] = ['one', 'two'].map((name) => ({ shown: { map: name }, nameOf: () => null }) as unknown as ViewLabels);
+  const [first, second] = ['one', 'two'].map(
+    (name) => ({ shown: { map: name }, nameOf: () => null }) as unknown as ViewLabels,
+  );
   const socket = new ViewSocket();
   socket.view = { viewer: null } as unknown as SocketView;
   const target = new PresenterTarget(socket);
@@ -26,7 +28,13 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
   } as unknown as Scene;
   const contents = { volume: {}, optics: { projection: null }, socket, givenUp: false } as unknown as SceneContents;
   let put: unknown = null;
-  const build = (one: Scene): Promise<void> => buildScene(async () => one, contents, async () => true, (built) => (put = built));
+  const build = (one: Scene): Promise<void> =>
+    buildScene(
+      async () => one,
+      contents,
+      async () => true,
+      (built) => (put = built),
+    );
   await build(scene);
   expect(put).to.equal(scene);
   expect(reported).to.deep.equal([first.shown, second.shown]);
