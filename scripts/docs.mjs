@@ -233,7 +233,7 @@ const guides = {
   'volume-workspace': [['Companions', 'companions.md']],
 };
 
-/** @param {Entry} element @param {string} path - from the page to the folder of guides */
+/** @param {Entry} element @param {string} path - from the page to docs */
 function linkGuides({ tagName }, path) {
   if (!guides[tagName]) throw new Error(`docs: no guide is named for <${tagName}>, see guides in scripts/docs.mjs`);
   return guides[tagName].map(([title, page]) => `[${title}](${path}${page})`).join(', ');

@@ -13,7 +13,7 @@ export interface Level {
 
 /**
  * Steps as a multiple of one per voxel, and the largest number of substeps of each. Steps are cut by the samples at their ends only if two
- * and four times as many steps are not enough: more steps take less time and leave smaller errors, see docs/benchmark.md.
+ * and four times as many steps are not enough: more steps take less time and leave smaller errors, see docs/numbers/benchmark.md.
  */
 const shares: readonly (readonly [number, number])[] = [
   [1, 1],
@@ -44,7 +44,7 @@ export function listLevels(oneAVoxel: number, cutsSteps = true): Level[] {
   );
 }
 
-/** By the bound, a single thing may lose this many times `max-error`. Real losses are far below the bound: see docs/accuracy.md. */
+/** By the bound, a single thing may lose this many times `max-error`. Real losses are far below the bound: see docs/numbers/accuracy.md. */
 const lostPerError = 10;
 
 /**

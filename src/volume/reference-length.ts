@@ -17,7 +17,7 @@ export function longestEdgeShare(grid: Grid): number {
  * volume that would leave almost nothing of a ray's opacity along the shortest edge. So there the length gives as much
  * as in a volume that is just not thin: 100 / 5 of these lengths. A radar's cells are not a box: its file suggests its
  * own length.
- * Derived in docs/maths.md, "Opacity per reference length".
+ * Derived in docs/develop/maths.md, "Opacity per reference length".
  */
 export function defaultReferenceLength(grid: Grid): number {
   const usual = longestEdgeShare(grid);

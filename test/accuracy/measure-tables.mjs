@@ -7,7 +7,7 @@ import { fillMarks } from './fill-marks.mjs';
 /** @typedef {{ page: import('@playwright/test').Page, openPage: (options?: import('../helpers/measure-in-browser.mjs').PageOptions) => Promise<import('@playwright/test').Page>, machine: import('../helpers/measure-in-browser.mjs').Machine }} Place */
 
 /**
- * Measure in a page, print tables, and write them between the marks of docs/accuracy.md that have their names. A quick run writes nothing, nor does one of
+ * Measure in a page, print tables, and write them between the marks of docs/numbers/accuracy.md that have their names. A quick run writes nothing, nor does one of
  * some scenes (SCENES, ANGLES, COUNT), or one with DRY=1.
  * @param {{ quick: boolean }} options
  * @param {(place: Place) => Promise<Record<string, string>>} measure - tables as Markdown, by their names
@@ -21,7 +21,7 @@ export async function measureTables({ quick }, measure) {
     console.log(`\n${nameMachine(machine)}\n`);
     for (const [name, table] of Object.entries(tables)) console.log(`${name}\n\n${table}\n`);
     const { DRY, SCENES, ANGLES, COUNT } = process.env;
-    if (DRY !== '1' && !quick && !(SCENES ?? ANGLES ?? COUNT)) fillMarks(join(projectRoot, 'docs/accuracy.md'), tables);
+    if (DRY !== '1' && !quick && !(SCENES ?? ANGLES ?? COUNT)) fillMarks(join(projectRoot, 'docs/numbers/accuracy.md'), tables);
     console.log(`${Math.round((performance.now() - began) / 1000)} s`);
   });
 }

@@ -1,5 +1,5 @@
 // `npm run accuracy`: the study of error and time, in a browser. Prints tables, writes them between the marks of
-// docs/accuracy.md, and writes demos/accuracy/results.json, which the demo page shows. All but the times come out the
+// docs/numbers/accuracy.md, and writes demos/accuracy/results.json, which the demo page shows. All but the times come out the
 // same on the same browser. VOLUME_VIEW_GPU=1 takes the GPU instead of software GL; SIZE=256 measures errors on more
 // pixels; SCENES=mni152,ct-phantom takes some of the volumes; DRY=1 writes nothing.
 import { existsSync, writeFileSync } from 'node:fs';

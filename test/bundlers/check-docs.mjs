@@ -1,4 +1,4 @@
-// What docs/bundlers.md says is what the apps do: each marked block is in its file, each command is one that was run.
+// What docs/guide/bundlers.md says is what the apps do: each marked block is in its file, each command is one that was run.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,7 +9,7 @@ import { apps } from './apps.mjs';
 const read = (path) => readFileSync(join(projectRoot, path), 'utf8');
 
 export function checkDocs() {
-  const docs = read('docs/bundlers.md');
+  const docs = read('docs/guide/bundlers.md');
   const blocks = [...docs.matchAll(/<!-- (\S+) -->\n```\w+\n([^]*?)```/g)];
   assert.ok(blocks.length > 3);
   for (const [, path, text] of blocks)

@@ -80,7 +80,7 @@ function shareBeyond(a: Uint8ClampedArray, b: Uint8ClampedArray, max: number): n
   return beyond / (a.length / 4);
 }
 
-/** Tested for: their error, and what docs/quality.md promises of it. */
+/** Tested for: their error, and what docs/guide/quality.md promises of it. */
 const [maxError, outliers] = [1, 8];
 
 /** Each kind of shape once; those of all sorts with each kind of volume and of WebGL. */

@@ -1,4 +1,4 @@
-// The way of a new user: what the README, docs/first-steps.md and docs/embedding.md print, copied into a folder of its own, word by word.
+// The way of a new user: what the README, docs/guide/first-steps.md and docs/guide/embedding.md print, copied into a folder of its own, word by word.
 import { spawnSync } from 'node:child_process';
 import { cpSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -16,9 +16,9 @@ function readBlocks(path: string, language: string): string[] {
   );
 }
 
-const firstPages = ['README.md', 'docs/first-steps.md'];
+const firstPages = ['README.md', 'docs/guide/first-steps.md'];
 const tags = firstPages.flatMap((path) => readBlocks(path, 'html'));
-const frames = [...tags.filter((block) => block.startsWith('<iframe')), ...readBlocks('docs/embedding.md', 'html')];
+const frames = [...tags.filter((block) => block.startsWith('<iframe')), ...readBlocks('docs/guide/embedding.md', 'html')];
 const script = tags.find((block) => block.includes('<script'))!.replace(/\n\n[^]*/, '\n');
 
 /** A folder as a new user has it who follows the README: the build, and the files to try. */

@@ -1,5 +1,5 @@
 // Scenes of the form of X3DOM's own examples, moved into the element: each draws what it says, before its background, and tells no
-// error but what docs/x3d-styles.md says. Their picture beside X3DOM's is made by scripts/x3dom-sheet.mjs.
+// error but what docs/guide/x3d-styles.md says. Their picture beside X3DOM's is made by scripts/x3dom-sheet.mjs.
 import { encode } from 'fast-png';
 import { exampleScenes } from '../../scripts/x3dom-scenes.mjs';
 import { expect, open, seenEvents, settle, takeScreenshot, test, withElement } from './helpers/harness.ts';

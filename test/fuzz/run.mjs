@@ -1,4 +1,4 @@
-// `npm run fuzz -- --minutes N [--cases N] [--format F] [--seed S]`: cases of all formats, or of one. See docs/fuzzing.md.
+// `npm run fuzz -- --minutes N [--cases N] [--format F] [--seed S]`: cases of all formats, or of one. See docs/develop/fuzzing.md.
 import { parseArgs } from 'node:util';
 import { bundleWorker } from './bundle.mjs';
 import { listCorpus, saveCase } from './corpus-files.mjs';

@@ -1,6 +1,6 @@
-// Relative links of the pages: the file is there, and so is the heading. And a broken one is found.
+// Relative links of the pages: the file is there, and so is the heading. The index leads to every page. Files that pages and comments name are there.
 import assert from 'node:assert/strict';
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { findBrokenLinks } from '../../scripts/find-broken-links.mjs';

@@ -52,7 +52,7 @@ export const firstFrame: FramePlan = { scale: 0.125, steps: 128, substeps: whole
 export const standInFrame: FramePlan = { ...firstFrame, scale: 0.25 };
 
 /**
- * Decides how many steps, pixels and rays a picture gets, and measures what error it then has (see docs/maths.md). At rest all
+ * Decides how many steps, pixels and rays a picture gets, and measures what error it then has (see docs/develop/maths.md). At rest all
  * pixels get rays, with the first level of steps that keeps the error target: this choice depends only on the view, not on times
  * or on earlier views. While something moves, the plan has the smallest error within a frame's time, by a model of time and one of
  * error, which are fitted to the drawn and measured pictures.

@@ -12,7 +12,7 @@ export interface RenderStats {
   readonly stepLength: number;
   /** Share of the pixels that got a ray, approximately; the pixels between rays are interpolated where the picture is smooth. */
   readonly rays: number;
-  /** Largest curvature at which pixels were interpolated instead of getting rays, 1/255, see docs/maths.md; 0 where every pixel got a ray. */
+  /** Largest curvature at which pixels were interpolated instead of getting rays, 1/255, see docs/develop/maths.md; 0 where every pixel got a ray. */
   readonly maxCurvature: number;
   /** Steps of all rays of the picture, including steps through empty space and behind opaque things; estimated from 1,024 rays. */
   readonly samples: number;
