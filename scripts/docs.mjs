@@ -1,9 +1,10 @@
 // `npm run docs` writes docs/reference.md and the pages in docs/reference, one for each element. The text comes from the comments of the
-// elements, from the types of their events and properties, and from the error codes. `--check` fails if a page is out of date, missing or
-// no longer needed.
+// elements, from the types of their events and properties, and from the error codes. It also writes the map of the code, docs/develop/rooms.md
+// (map-rooms.mjs). `--check` fails if a page is out of date, missing or no longer needed.
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { mapRooms } from './map-rooms.mjs';
 import { projectRoot } from './shared-data.mjs';
 
 /** @typedef {Record<string, any>} Entry - of the custom-elements manifest */
@@ -270,9 +271,10 @@ const pages = new Map([
     `# Error codes\n\nThey stay the same from version to version. How errors are shown: [Errors](../errors.md). [All elements](../reference.md).\n\n${describeErrors()}`,
   ],
 ]);
-const notes = (/** @type {string} */ text) => (text.includes(note) ? text : `${text.trimEnd()}\n\n*${note}*\n`);
+pages.set('develop/rooms.md', mapRooms(elements.map((element) => ({ name: element.tagName, summary: summarise(element) }))));
+const notes = (/** @type {string} */ text) => (text.includes('Written by `npm run docs`') ? text : `${text.trimEnd()}\n\n*${note}*\n`);
 const wanted = new Map([...pages].map(([path, text]) => [path, `${notes(text).trimEnd()}\n`]));
-const present = ['reference.md', ...readdirSync(mkdirs(join(folder, 'reference'))).map((name) => `reference/${name}`)];
+const present = ['reference.md', 'develop/rooms.md', ...readdirSync(mkdirs(join(folder, 'reference'))).map((name) => `reference/${name}`)];
 const leftOver = present.filter((path) => !wanted.has(path));
 
 /** @param {string} path - of a folder, which is created if it does not exist @returns {string} the same path */

@@ -7,7 +7,7 @@ import { projectRoot } from './shared-data.mjs';
  * Each module, and the modules that it may import from, in addition to itself. `viewer/model` means that folder only.
  * @type {Record<string, string[]>}
  */
-const MAY_IMPORT = {
+export const MAY_IMPORT = {
   core: [],
   page: ['core'],
   messages: ['core'],
@@ -81,7 +81,7 @@ const MAY_IMPORT = {
  * in the module itself.
  * @type {Record<string, string[]>}
  */
-const FOLDERS = {
+export const FOLDERS = {
   optics: ['transfer', 'rays', 'attachments', 'cells', 'surfaces', '.'],
   formats: [
     'base',
