@@ -1,5 +1,5 @@
 // For volumes of labels that have to be made smaller, or that have more labels, or larger ids, than a transfer function
-// of values can tell apart.
+// of values can distinguish.
 import { cartesianGrid } from '../volume/grid.ts';
 import { summarize } from '../volume/histogram.ts';
 import { indexLabels, summarizeLabels } from '../volume/label-volume.ts';

@@ -12,7 +12,7 @@ export const english: BlankMessages = {
     labels: 'All labels are hidden.',
     cut: 'All that would show is cut away (region, slices, clips).',
     sight: 'The volume is out of sight (camera-orbit, camera-target).',
-    faint: 'What is there is too faint. A larger opacity-factor would show it.',
+    faint: 'The volume is too faint to see. A larger opacity-factor would show it.',
     noEchoes: 'The scan has no echoes.',
     weakEchoes: (value) => `No echoes from ${value} on, where the colours begin.`,
   },

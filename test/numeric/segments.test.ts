@@ -130,7 +130,7 @@ describe("X3D's segments", () => {
     );
     const error = await view.read().catch((thrown: unknown) => thrown);
     expect(error).to.be.instanceOf(VolumeViewError);
-    expect((error as Error).message).to.match(/got <volume-labels> beside it.*The <volume-labels> is drawn/);
+    expect((error as Error).message).to.match(/got <volume-labels>; .*The <volume-labels> is drawn/);
     view.host.firstElementChild!.remove();
     await view.read();
     expect(view.shown.labels!.shown!.map.ids).to.deep.equal([0, 1, 2]);

@@ -43,7 +43,7 @@ function writeVolumePage(path: string, alt: string | undefined, out: string | un
     );
   const name = `${out ?? nameFiles(path)}.html`;
   writeFileSync(name, writePage(readFileSync(path), alt ?? basename(path)));
-  console.log(`${name}: put volume-view.iife.js of the package volume-view beside it, and open it`);
+  console.log(`${name}: put volume-view.iife.js of the package volume-view next to it, and open it`);
 }
 
 async function main(): Promise<void> {

@@ -9,7 +9,7 @@ import type { Samples, Volume } from '../../volume/volume.ts';
 /** A value from which on voxels belong to something, or the one from which on the volume shows something where nothing else is said of its colours. */
 export type Cleaning = number | 'auto';
 
-/** What of a volume tells where something begins. */
+/** What of a volume says where something begins. */
 type Cleaned = Pick<Volume, 'slope' | 'intercept' | 'range' | 'window' | 'transferFunction' | 'isDiscrete'>;
 
 /**

@@ -71,7 +71,7 @@ export function readOdimTree(root: DataGroup, budget: Budget): RadarFile {
   };
 }
 
-/** Whether a dataset is a scan, and not another product beside the scans. */
+/** Whether a dataset is a scan, and not another product of the same file. */
 function isScan(dataset: DataGroup, details: string[]): boolean {
   const product = findText([dataset], 'what', 'product');
   if (product === undefined || ['SCAN', 'AZIM', 'PPI', 'PVOL'].includes(product)) return true;
@@ -79,7 +79,7 @@ function isScan(dataset: DataGroup, details: string[]): boolean {
   return false;
 }
 
-/** Fields of quality beside the data: each says what it says in its own way, and none that a gate is no data. Source: ODIM_H5 2.4, 4.5 and table 8, how/task */
+/** Fields of quality in addition to the data: each says what it says in its own way, and none that a gate is no data. Source: ODIM_H5 2.4, 4.5 and table 8, how/task */
 function describeQuality(scans: readonly DataGroup[]): string[] {
   const groups = scans
     .flatMap((scan) => [scan, ...listGroups(scan, 'data')])

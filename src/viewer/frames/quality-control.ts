@@ -192,7 +192,7 @@ export class QualityControl {
   warmUp(): void {
     if (this.#tools) return;
     const tools = loadTools().then((tools) => (this.#tools = tools));
-    for (const part of [tools, import('./gather-picture.ts')]) part.catch(() => {}); // Told when it is needed.
+    for (const part of [tools, import('./gather-picture.ts')]) part.catch(() => {}); // Reported when it is needed.
   }
 
   /** Load the code that cuts given steps before the first picture that has such steps. @throws {VolumeViewError} `format/unsupported` */
