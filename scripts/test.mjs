@@ -22,7 +22,7 @@ const parts = [
   { title: 'Lint', args: ['scripts/lint.mjs'], counts: false },
   { title: 'Lint: the rule of the modules works', args: ['test/package/lint-modules.mjs'], counts: true },
   { title: 'No cycles of imports', args: ['test/package/cycles.mjs'], counts: true },
-  { title: 'One word for one idea, in comments', args: ['test/package/words.mjs'], counts: true },
+  { title: 'One word for one idea, in comments, sentences and pages', args: ['test/package/words.mjs'], counts: true },
   { title: 'Engines of packages', args: ['test/package/engines.mjs'], counts: true },
   { title: 'Types', args: [bin('typescript/bin/tsc'), '--noEmit'], counts: false },
   {
