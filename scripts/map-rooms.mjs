@@ -10,6 +10,13 @@ const note = 'Written by `npm run docs` from `scripts/modules-lint-plugin.mjs` a
 /** The folder or file of a module. @param {string} name */
 const placeOf = (name) => [`src/${name}`, name, `src/${name}.ts`].find((path) => existsSync(join(projectRoot, path))) ?? name;
 
+/** The folders below a folder that have files of code, by name. @param {string} folder */
+function listFolders(folder) {
+  const files = readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' }).map((name) => name.replaceAll('\\', '/'));
+  const holders = files.filter((name) => /\/[^/]+\.(?:ts|glsl)$/.test(name)).map((name) => name.slice(0, name.lastIndexOf('/')));
+  return [...new Set(holders)].sort();
+}
+
 /** The first sentence of a folder's README.md. @param {string} folder */
 function summariseFolder(folder) {
   const path = join(projectRoot, folder, 'README.md');
@@ -45,6 +52,8 @@ function describeModule(name) {
   const place = placeOf(name);
   const isFile = place.endsWith('.ts');
   const folders = (FOLDERS[name] ?? []).filter((folder) => folder !== '.');
+  const lost = FOLDERS[name] && listFolders(place).find((folder) => !folders.includes(folder));
+  if (lost) throw new Error(`docs: ${place}/${lost} is not in FOLDERS of scripts/modules-lint-plugin.mjs`);
   const rows = folders.map((folder) => `| [\`${folder}\`](../../${place}/${folder}) | ${summariseFolder(`${place}/${folder}`)} |`);
   return [
     `## ${name}`,
@@ -82,8 +91,7 @@ export function mapRooms(elements) {
     '',
     '| folder | what it is for |',
     '| --- | --- |',
-    ...readdirSync(join(projectRoot, 'shaders'), { recursive: true, withFileTypes: true }).filter((one) => one.isDirectory())
-      .map((one) => join(one.parentPath ?? one.path, one.name).slice(join(projectRoot, 'shaders').length + 1).replaceAll('\\', '/')).toSorted()
+    ...listFolders('shaders')
       .map((folder) => `| [\`${folder}\`](../../shaders/${folder}) | ${summariseFolder(`shaders/${folder}`)} |`),
     '',
     '## The elements',

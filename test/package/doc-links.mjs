@@ -4,6 +4,7 @@ import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSy
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { findBrokenLinks } from '../../scripts/find-broken-links.mjs';
+import { listDirectArrows } from '../../scripts/map-rooms.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { check, finish } from './checks.mjs';
 
@@ -47,6 +48,10 @@ await check('docs/README.md leads to every page', () => {
     guides.filter((path) => !index.includes(`](${path})`)),
     [],
   );
+});
+
+await check('the map of the code leaves out arrows that follow from others', () => {
+  assert.deepEqual(listDirectArrows({ a: [], b: ['a'], c: ['a', 'b'], d: ['a'] }), [['b', 'a'], ['c', 'b'], ['d', 'a']]);
 });
 
 await check('each element has a page of its own, and the index leads to it', () => {

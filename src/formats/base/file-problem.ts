@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../core/errors.ts';
 
-// Errors of readers of a header with samples after it or in other files; `what` is for example 'the NRRD header'.
+// Errors of readers; `what` is for example 'the NRRD header', `problem` says what was got and what was expected.
 
 export function corruptFile(what: string, problem: string): VolumeViewError {
   return new VolumeViewError('format/corrupt', `${what} ${problem}`);

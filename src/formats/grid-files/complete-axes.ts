@@ -1,6 +1,6 @@
 import { invertAffine, cross, length, normalize } from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
-import { corruptFile } from './file-problem.ts';
+import { corruptFile } from '../base/file-problem.ts';
 
 /**
  * Voxel index to world, from the world step along each axis. An axis that a line or a flat image lacks is made

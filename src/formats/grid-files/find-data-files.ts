@@ -2,7 +2,7 @@ import { checkFileCount } from '../base/check-file-count.ts';
 import type { DecodeInput } from '../base/decoded-volume.ts';
 import type { ReadContext } from '../base/format.ts';
 import { nameOf } from '../base/name-of.ts';
-import { corruptFile, unsupportedFile } from './file-problem.ts';
+import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 
 /**
  * The names that a pattern stands for: 'slice%03d.raw 1 20 1' has one number in the syntax of C's printf, its first and

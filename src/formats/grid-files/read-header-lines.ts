@@ -1,4 +1,4 @@
-import { corruptFile } from './file-problem.ts';
+import { corruptFile } from '../base/file-problem.ts';
 
 /** More than a header with thousands of file names takes; anything longer is not a header. */
 const maxHeaderBytes = 2 ** 21;

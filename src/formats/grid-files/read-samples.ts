@@ -5,7 +5,7 @@ import { isZlib, unzlib } from '../codecs/unzlib.ts';
 import type { ReadContext } from '../base/format.ts';
 import type { NumberType } from '../base/number-types.ts';
 import { PieceReader, yieldOnce } from '../base/piece-reader.ts';
-import { corruptFile } from './file-problem.ts';
+import { corruptFile } from '../base/file-problem.ts';
 import { readTextNumbers } from './read-text-numbers.ts';
 
 /** Where a header says that its samples are, and how they are written. */

@@ -1,5 +1,5 @@
 import type { NumberType } from '../base/number-types.ts';
-import { corruptFile } from './file-problem.ts';
+import { corruptFile } from '../base/file-problem.ts';
 
 const longestNumber = 64;
 

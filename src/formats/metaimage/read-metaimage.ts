@@ -4,7 +4,7 @@ import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { DecodeInput } from '../base/decoded-volume.ts';
 import type { FormatReader, ReadContext } from '../base/format.ts';
 import { completeAxes } from '../grid-files/complete-axes.ts';
-import { corruptFile, unsupportedFile } from '../grid-files/file-problem.ts';
+import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { findDataFiles, shareBytes } from '../grid-files/find-data-files.ts';
 import { listDataFiles } from '../grid-files/list-data-files.ts';
 import { readSamples } from '../grid-files/read-samples.ts';

@@ -1,5 +1,5 @@
 import type { Vector3 } from '../../volume/matrix.ts';
-import { corruptFile, unsupportedFile } from '../grid-files/file-problem.ts';
+import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { needField, readCount, what } from './nrrd-header.ts';
 import type { NrrdFields } from './nrrd-header.ts';
 

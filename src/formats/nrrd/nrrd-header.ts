@@ -1,4 +1,4 @@
-import { corruptFile, unsupportedFile } from '../grid-files/file-problem.ts';
+import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { checkValue, cutLine, readHeaderLines } from '../grid-files/read-header-lines.ts';
 import { expandPattern } from '../grid-files/find-data-files.ts';
 import { numberTypes } from '../base/number-types.ts';

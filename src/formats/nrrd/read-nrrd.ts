@@ -1,5 +1,5 @@
 import { cartesianGrid } from '../../volume/grid.ts';
-import { corruptFile } from '../grid-files/file-problem.ts';
+import { corruptFile } from '../base/file-problem.ts';
 import { findDataFiles, shareBytes } from '../grid-files/find-data-files.ts';
 import { pickVolume } from '../grid-files/pick-volume.ts';
 import { readSamples } from '../grid-files/read-samples.ts';

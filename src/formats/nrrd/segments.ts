@@ -3,7 +3,7 @@ import { maxLabels, valueOf } from '../../volume/index-numbers.ts';
 import type { NamedLabel } from '../../volume/labels.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Samples } from '../../volume/samples.ts';
-import { unsupportedFile } from '../grid-files/file-problem.ts';
+import { unsupportedFile } from '../base/file-problem.ts';
 import type { NrrdAxis, NrrdLayout } from './nrrd-axes.ts';
 
 /** One segment, as the header's keys describe it. */
