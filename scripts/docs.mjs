@@ -46,12 +46,19 @@ function writeTable(title, heads, rows) {
 function describeMethod(method) {
   /** @type {Entry[]} */
   const parameters = method.parameters ?? [];
-  const said = parameters.map(({ description }) => cell(description)).filter(Boolean);
+  const said = parameters.filter(({ description }) => cell(description)).map(({ name, description }) => `${code(name)}: ${cell(description)}.`.replace(/\.\.$/, '.'));
   return [
     code(`${method.name}(${parameters.map(({ name }) => name).join(', ')})`),
     linkType(method.return?.type?.text),
     [cell(method.description), ...said].join(' '),
   ];
+}
+
+/** Which events bubble; a comment says so of those that do. @param {Entry[]} events */
+function describeBubbling(events = []) {
+  const bubbling = events.filter((one) => /\bit bubbles\b/.test(one.description)).length;
+  if (events.length === 0 || events.length === bubbling) return '';
+  return bubbling > 0 ? 'The other events do not bubble.\n\n' : 'These events do not bubble.\n\n';
 }
 
 /** @param {Entry} element - a declaration with a tagName */

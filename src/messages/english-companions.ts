@@ -58,10 +58,10 @@ export const english: CompanionMessages = {
   redo: 'Redo',
   redoTip: 'Redo (Ctrl+Shift+Z)',
   reset: 'Reset',
-  resetTip: 'Back to what the page says',
+  resetTip: 'Back to the settings of the page',
   copy: 'Copy',
   copyTip: 'Copy it as attributes for a page',
   copied: 'Copied',
-  copyRefused: 'The browser did not let it copy.',
+  copyRefused: 'The browser does not allow copying.',
   copyByHand: 'Copy it from here',
 };

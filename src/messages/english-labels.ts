@@ -12,5 +12,5 @@ export const english: LabelMessages = {
   moreLabels: (count) => `${count} more: find them by their names.`,
   noLabels: 'This volume has no labels.',
   labelsComing: 'No labels are shown yet.',
-  noSuchLabel: 'No label is called that.',
+  noSuchLabel: 'No label has this name.',
 };
