@@ -52,7 +52,7 @@ function listStatistics(
   const inside = isRadar ? messages.measureGates : messages.measureVoxels;
   if (!statistics) return [{ name: inside, text: messages.measureSummingUp }];
   const rows: Row[] = [{ name: inside, text: writeCount(statistics, { language, messages }) }];
-  const { mean, standardError, deviation, min, largest } = statistics;
+  const { mean, standardError, deviation, least: min, largest } = statistics;
   if (mean === null || min === null || largest === null) return rows;
   const value = (known: number, digits = valueDigits): string =>
     `${language.number(known, digits)}${unit && ` ${unit}`}`;

@@ -9,7 +9,8 @@ export interface Statistics {
   readonly deviation: number | null;
   /** Standard error of the mean, if the values were independent of each other: deviation / sqrt(count). */
   readonly standardError: number | null;
-  readonly min: number | null;
+  /** The smallest value, and the largest. */
+  readonly least: number | null;
   readonly largest: number | null;
   /**
    * Number of voxels inside, with or without data, that the surface cuts: a part of them is outside. Null if they were
@@ -70,7 +71,7 @@ export class Tally {
       mean: count > 0 ? slope * (this.#first + apart) + intercept : null,
       deviation,
       standardError: deviation === null ? null : deviation / Math.sqrt(count),
-      min: count > 0 ? Math.min(...ends) : null,
+      least: count > 0 ? Math.min(...ends) : null,
       largest: count > 0 ? Math.max(...ends) : null,
       cut: this.#cut,
     };

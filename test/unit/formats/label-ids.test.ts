@@ -147,7 +147,7 @@ describe('ids of an atlas that float32 does not tell apart', () => {
     );
     let step = work.next();
     while (!step.done) step = work.next();
-    expect([step.value.count, step.value.min, step.value.largest]).to.deep.equal([30720, 0, 614454277]);
+    expect([step.value.count, step.value.least, step.value.largest]).to.deep.equal([30720, 0, 614454277]);
   });
 
   const size: Vector3 = [12, 10, 8];
