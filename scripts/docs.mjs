@@ -46,7 +46,9 @@ function writeTable(title, heads, rows) {
 function describeMethod(method) {
   /** @type {Entry[]} */
   const parameters = method.parameters ?? [];
-  const said = parameters.filter(({ description }) => cell(description)).map(({ name, description }) => `${code(name)}: ${cell(description)}.`.replace(/\.\.$/, '.'));
+  const said = parameters
+    .filter(({ description }) => cell(description))
+    .map(({ name, description }) => `${code(name)}: ${cell(description)}.`.replace(/\.\.$/, '.'));
   return [
     code(`${method.name}(${parameters.map(({ name }) => name).join(', ')})`),
     linkType(method.return?.type?.text),
@@ -103,7 +105,7 @@ function describeElement(element) {
         cell(one.description),
       ]),
     ),
-    element.events ? 'These events do not bubble.\n\n' : '',
+    describeBubbling(element.events),
     writeTable('Slots', ['slot', 'content'], named(element.slots)),
     writeTable('CSS parts', ['part', 'meaning'], named(element.cssParts)),
     writeTable('CSS custom properties', ['property', 'meaning'], named(element.cssProperties)),
@@ -191,6 +193,7 @@ const details = [
   'CameraChangeDetail',
   'Orbit',
   'MeasureResult',
+  'Statistics',
   'SliceCursorDetail',
   'LayerLook',
   'VolumeSurfaceInfo',
@@ -219,26 +222,26 @@ const elements = [
 /** The pages that explain how to use each element. @type {Record<string, readonly [title: string, page: string][]>} */
 const guides = {
   'volume-view': [
-    ['Data', 'data.md'],
-    ['Looks and presets', 'looks.md'],
-    ['Transfer functions', 'transfer-functions.md'],
-    ['Camera', 'camera.md'],
+    ['Data', 'guide/data.md'],
+    ['Looks and presets', 'guide/looks.md'],
+    ['Transfer functions', 'guide/transfer-functions.md'],
+    ['Camera', 'guide/camera.md'],
   ],
-  'volume-clip': [['Cutting', 'cutting.md']],
-  'volume-label': [['Labels', 'labels.md']],
-  'volume-label-list': [['Labels', 'labels.md']],
-  'volume-labels': [['Labels', 'labels.md']],
-  'volume-layer': [['Layers', 'layers.md']],
-  'volume-legend': [['Companions', 'companions.md#volume-legend']],
-  'volume-measure': [['Measuring', 'measuring.md']],
-  'volume-readout': [['Pointing', 'pointing.md']],
-  'volume-slice': [['Slices', 'slices.md']],
-  'volume-slice-view': [['Slices', 'slices.md']],
-  'volume-surface': [['Surfaces and terrain', 'surfaces.md']],
-  'volume-terrain': [['Surfaces and terrain', 'surfaces.md']],
-  'volume-timeline': [['Scans in time', 'scans-in-time.md']],
-  'volume-transfer-function': [['Companions', 'companions.md#volume-transfer-function']],
-  'volume-workspace': [['Companions', 'companions.md']],
+  'volume-clip': [['Cutting', 'guide/cutting.md']],
+  'volume-label': [['Labels', 'guide/labels.md']],
+  'volume-label-list': [['Labels', 'guide/labels.md']],
+  'volume-labels': [['Labels', 'guide/labels.md']],
+  'volume-layer': [['Layers', 'guide/layers.md']],
+  'volume-legend': [['Companions', 'guide/companions.md#volume-legend']],
+  'volume-measure': [['Measuring', 'guide/measuring.md']],
+  'volume-readout': [['Pointing', 'guide/pointing.md']],
+  'volume-slice': [['Slices', 'guide/slices.md']],
+  'volume-slice-view': [['Slices', 'guide/slices.md']],
+  'volume-surface': [['Surfaces and terrain', 'guide/surfaces.md']],
+  'volume-terrain': [['Surfaces and terrain', 'guide/surfaces.md']],
+  'volume-timeline': [['Scans in time', 'guide/scans-in-time.md']],
+  'volume-transfer-function': [['Companions', 'guide/companions.md#volume-transfer-function']],
+  'volume-workspace': [['Companions', 'guide/companions.md']],
 };
 
 /** @param {Entry} element @param {string} path - from the page to docs */
@@ -275,13 +278,21 @@ const pages = new Map([
   ],
   [
     'reference/error-codes.md',
-    `# Error codes\n\nThey stay the same from version to version. How errors are shown: [Errors](../errors.md). [All elements](../reference.md).\n\n${describeErrors()}`,
+    `# Error codes\n\nThey stay the same from version to version. How errors are shown: [Errors](../guide/errors.md). [All elements](../reference.md).\n\n${describeErrors()}`,
   ],
 ]);
-pages.set('develop/rooms.md', mapRooms(elements.map((element) => ({ name: element.tagName, summary: summarise(element) }))));
-const notes = (/** @type {string} */ text) => (text.includes('Written by `npm run docs`') ? text : `${text.trimEnd()}\n\n*${note}*\n`);
+pages.set(
+  'develop/rooms.md',
+  mapRooms(elements.map((element) => ({ name: element.tagName, summary: summarise(element) }))),
+);
+const notes = (/** @type {string} */ text) =>
+  text.includes('Written by `npm run docs`') ? text : `${text.trimEnd()}\n\n*${note}*\n`;
 const wanted = new Map([...pages].map(([path, text]) => [path, `${notes(text).trimEnd()}\n`]));
-const present = ['reference.md', 'develop/rooms.md', ...readdirSync(mkdirs(join(folder, 'reference'))).map((name) => `reference/${name}`)];
+const present = [
+  'reference.md',
+  'develop/rooms.md',
+  ...readdirSync(mkdirs(join(folder, 'reference'))).map((name) => `reference/${name}`),
+];
 const leftOver = present.filter((path) => !wanted.has(path));
 
 /** @param {string} path - of a folder, which is created if it does not exist @returns {string} the same path */

@@ -130,7 +130,7 @@ export class AuthorCopies {
     };
     if (/volume(style|data)$/i.test(element.localName)) return null; // The volume's own nodes are read elsewhere.
     if (!isAllowedNode(element))
-      return leaveOut('no X3D node of this name takes part in the scene, see docs/shapes.md');
+      return leaveOut('no X3D node of this name takes part in the scene, see docs/guide/shapes.md');
     if (depth > maxDepth) return leaveOut(`it is more than ${maxDepth} elements deep`);
     const kind = costly.exec(element.localName)?.[1].toLowerCase();
     if (

@@ -21,7 +21,8 @@ export async function measureTables({ quick }, measure) {
     console.log(`\n${nameMachine(machine)}\n`);
     for (const [name, table] of Object.entries(tables)) console.log(`${name}\n\n${table}\n`);
     const { DRY, SCENES, ANGLES, COUNT } = process.env;
-    if (DRY !== '1' && !quick && !(SCENES ?? ANGLES ?? COUNT)) fillMarks(join(projectRoot, 'docs/numbers/accuracy.md'), tables);
+    if (DRY !== '1' && !quick && !(SCENES ?? ANGLES ?? COUNT))
+      fillMarks(join(projectRoot, 'docs/numbers/accuracy.md'), tables);
     console.log(`${Math.round((performance.now() - began) / 1000)} s`);
   });
 }

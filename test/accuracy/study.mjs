@@ -67,7 +67,7 @@ export const run = () =>
     if (process.env.DRY !== '1') {
       writeFileSync(join(projectRoot, 'demos/accuracy/results.json'), `${JSON.stringify(results)}\n`);
       const where = `Measured with ${machine.browser}, ${results.where.renderer}; ${results.where.note} Errors at ${results.size} × ${results.size} pixels, times at ${results.timeSize} × ${results.timeSize}${results.where.software ? ', in software: they show proportions, not the speed of a device' : ''}.`;
-      fillMarks(join(projectRoot, 'docs/accuracy.md'), {
+      fillMarks(join(projectRoot, 'docs/numbers/accuracy.md'), {
         where,
         headline,
         findings: found,
@@ -86,7 +86,7 @@ export const run = () =>
         );
         writeFileSync(join(projectRoot, `docs/images/${file}.webp`), Buffer.from(image.split(',')[1], 'base64'));
       }
-      console.log('written: demos/accuracy/results.json, docs/accuracy.md, docs/images/accuracy-*.webp');
+      console.log('written: demos/accuracy/results.json, docs/numbers/accuracy.md, docs/images/accuracy-*.webp');
     }
     console.log(`${Math.round((performance.now() - began) / 1000)} s`);
   });

@@ -13,11 +13,11 @@ export function checkDocs() {
   const blocks = [...docs.matchAll(/<!-- (\S+) -->\n```\w+\n([^]*?)```/g)];
   assert.ok(blocks.length > 3);
   for (const [, path, text] of blocks)
-    assert.ok(read(path).includes(text), `docs/bundlers.md shows what is not in ${path}:\n${text}`);
+    assert.ok(read(path).includes(text), `docs/guide/bundlers.md shows what is not in ${path}:\n${text}`);
   for (const { command } of apps)
     assert.ok(
       docs.includes(`\`${command.replace(/ --no-autoinstall$/, '')}\``),
-      `docs/bundlers.md does not say: ${command}`,
+      `docs/guide/bundlers.md does not say: ${command}`,
     );
   return `${blocks.length} blocks, ${apps.length} commands`;
 }

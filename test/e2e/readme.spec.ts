@@ -18,7 +18,10 @@ function readBlocks(path: string, language: string): string[] {
 
 const firstPages = ['README.md', 'docs/guide/first-steps.md'];
 const tags = firstPages.flatMap((path) => readBlocks(path, 'html'));
-const frames = [...tags.filter((block) => block.startsWith('<iframe')), ...readBlocks('docs/guide/embedding.md', 'html')];
+const frames = [
+  ...tags.filter((block) => block.startsWith('<iframe')),
+  ...readBlocks('docs/guide/embedding.md', 'html'),
+];
 const script = tags.find((block) => block.includes('<script'))!.replace(/\n\n[^]*/, '\n');
 
 /** A folder as a new user has it who follows the README: the build, and the files to try. */

@@ -97,7 +97,7 @@ describe('a second volume in BlendedVolumeStyle', () => {
   it("leaves a page's own layer in its place", async () => {
     const view = fakeView(`<volume-layer></volume-layer>${blend('', voxels)}`);
     expect(String(await view.read().catch((error: unknown) => error))).to.match(
-      /got voxels and a <volume-layer> beside it.*The <volume-layer> is drawn/,
+      /got voxels and a <volume-layer>; .*The <volume-layer> is drawn/,
     );
     expect(view.shown.overlay).to.equal(null);
   });

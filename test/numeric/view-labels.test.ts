@@ -154,7 +154,7 @@ describe('transfer functions of labels', () => {
     expect(many.functions.length).to.equal(4);
     expect([...many.numbers.keys()]).to.not.include('turbo');
     expect((many.error as Error).message).to.equal(
-      'transfer-function of the label 6 got "turbo"; expected one of the 4 that labels before it have. Labels have at most 4 different ones beside the volume\'s own.',
+      'transfer-function of the label 6 got "turbo"; expected one of the 4 that labels before it have. Labels have at most 4 different ones in addition to the volume\'s own.',
     );
     const wrong = (await new LabelFunctions().read(entriesOf(label(2, '0 blau 1') + label(3, 'gray')), [0, 1]))!;
     expect([...wrong.numbers]).to.deep.equal([['gray', 1]]);

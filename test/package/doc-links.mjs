@@ -30,9 +30,15 @@ const pages = readdirSync(join(projectRoot, 'docs'), { recursive: true })
   .map(String)
   .filter((name) => name.endsWith('.md'))
   .map((name) => `docs/${name}`);
-const files = ['README.md', 'CHANGELOG.md', 'CREDITS.md', 'test/bench/peers/README.md', ...pages].map((name) =>
-  join(projectRoot, name),
-);
+const otherPages = [
+  'README.md',
+  'CONTRIBUTING.md',
+  'GLOSSARY.md',
+  'CHANGELOG.md',
+  'CREDITS.md',
+  'test/bench/peers/README.md',
+];
+const files = [...otherPages, ...pages].map((name) => join(projectRoot, name));
 
 await check('the pages of this project have none', () => {
   assert.deepEqual(findBrokenLinks(files), []);
@@ -40,18 +46,78 @@ await check('the pages of this project have none', () => {
 
 await check('docs/README.md leads to every page', () => {
   const index = readFileSync(join(projectRoot, 'docs/README.md'), 'utf8');
-  const guides = pages
+  const listed = pages
     .map((path) => path.slice('docs/'.length))
-    .filter((path) => !path.includes('/') && path !== 'README.md');
-  assert.ok(guides.length > 20);
+    .filter((path) => !path.startsWith('reference/') && path !== 'README.md');
+  for (const folder of ['guide', 'numbers', 'develop'])
+    assert.ok(
+      listed.some((path) => path.startsWith(`${folder}/`)),
+      folder,
+    );
   assert.deepEqual(
-    guides.filter((path) => !index.includes(`](${path})`)),
+    listed.filter((path) => !index.includes(`](${path})`)),
     [],
   );
 });
 
+/**
+ * Names of files in a text that are not there: paths from the root of the project anywhere, and names of code between backticks.
+ * @param {string} text @param {{ names: ReadonlySet<string> }} code - the names of all files of code, without their folders
+ */
+function listLostNames(text, { names }) {
+  const paths = [
+    ...text.matchAll(
+      /(?<![\w./-])(?:src|components|shaders|docs|scripts|test|demos|packages)\/[\w./-]*\.(?:ts|mjs|glsl|md|html|css|json)\b/g,
+    ),
+  ].map(([path]) => path);
+  const short = [...text.matchAll(/`([\w-]+(?:\.[\w-]+)*\.(?:ts|mjs|glsl))`/g)].map(([, name]) => name);
+  return [...paths.filter((path) => !existsSync(join(projectRoot, path))), ...short.filter((name) => !names.has(name))];
+}
+
+/** Files of code, from the root of the project. */
+const code = ['src', 'components', 'shaders', 'scripts', 'test', 'demos', 'packages']
+  .flatMap((folder) =>
+    readdirSync(join(projectRoot, folder), { recursive: true }).map(
+      (name) => `${folder}/${String(name).replaceAll('\\', '/')}`,
+    ),
+  )
+  .filter((path) => /\.(?:ts|mjs|glsl)$/.test(path) && !/node_modules|\/dist\//.test(path));
+const names = new Set(code.map((path) => path.slice(path.lastIndexOf('/') + 1)));
+
+await check('files of code that pages for developers name are there', () => {
+  assert.deepEqual(listLostNames('`src/core/errors.ts`, `errors.ts`', { names }), []);
+  assert.deepEqual(listLostNames('`src/core/gone.ts`, docs/gone.md, `gone.ts`', { names }), [
+    'src/core/gone.ts',
+    'docs/gone.md',
+    'gone.ts',
+  ]);
+  const developer = [...otherPages, ...pages.filter((path) => path.startsWith('docs/develop/'))];
+  assert.deepEqual(
+    developer.flatMap((path) =>
+      listLostNames(readFileSync(join(projectRoot, path), 'utf8'), { names }).map((name) => `${path}: ${name}`),
+    ),
+    [],
+  );
+});
+
+await check('pages that code names are there', () => {
+  const lost = code
+    .filter((path) => path !== 'test/package/doc-links.mjs')
+    .flatMap((path) =>
+      [...readFileSync(join(projectRoot, path), 'utf8').matchAll(/\bdocs\/[\w/-]+\.md\b/g)]
+        .filter(([page]) => !existsSync(join(projectRoot, page)))
+        .map(([page]) => `${path}: ${page}`),
+    );
+  assert.deepEqual(lost, []);
+  return `${code.length} files of code`;
+});
+
 await check('the map of the code leaves out arrows that follow from others', () => {
-  assert.deepEqual(listDirectArrows({ a: [], b: ['a'], c: ['a', 'b'], d: ['a'] }), [['b', 'a'], ['c', 'b'], ['d', 'a']]);
+  assert.deepEqual(listDirectArrows({ a: [], b: ['a'], c: ['a', 'b'], d: ['a'] }), [
+    ['b', 'a'],
+    ['c', 'b'],
+    ['d', 'a'],
+  ]);
 });
 
 await check('each element has a page of its own, and the index leads to it', () => {

@@ -52,7 +52,9 @@ function listComments(text) {
 function listSentences(text) {
   return text.split('\n').flatMap((line, i) => {
     if (/^\s*(?:\*|\/\/|\/\*|import )/.test(line)) return [];
-    const strings = [...line.matchAll(/'((?:[^'\\]|\\.)*)'|"((?:[^"\\]|\\.)*)"|`([^`]*)`/g)].map(([, ...found]) => found.join('').replace(/\$\{[^}]*\}/g, ''));
+    const strings = [...line.matchAll(/'((?:[^'\\]|\\.)*)'|"((?:[^"\\]|\\.)*)"|`([^`]*)`/g)].map(([, ...found]) =>
+      found.join('').replace(/\$\{[^}]*\}/g, ''),
+    );
     return strings.filter((one) => /[a-z],? [a-z]/.test(one)).map((sentence) => ({ line: i + 1, sentence }));
   });
 }
@@ -60,16 +62,23 @@ function listSentences(text) {
 /** The prose of a page, line by line: without code, addresses and comments. @param {string} text */
 function listProse(text) {
   const blank = (/** @type {string} */ block) => block.replace(/[^\n]/g, '');
-  return text.replace(/^ *```[\s\S]*?^ *```/gm, blank).replace(/<!--[\s\S]*?-->/g, blank)
-    .replace(/`[^`\n]*`/g, '').replace(/\]\([^)\s]*\)/g, ']')
-    .split('\n').map((prose, i) => ({ line: i + 1, prose }));
+  return text
+    .replace(/^ *```[\s\S]*?^ *```/gm, blank)
+    .replace(/<!--[\s\S]*?-->/g, blank)
+    .replace(/`[^`\n]*`/g, '')
+    .replace(/\]\([^)\s]*\)/g, ']')
+    .split('\n')
+    .map((prose, i) => ({ line: i + 1, prose }));
 }
 
 /**
  * Private words in a text, as lines that say what to write.
  * @param {string} file @param {number} line @param {string} text
  */
-const findWords = (file, line, text) => words.filter(([word]) => word.test(text)).map(([word, better]) => `${file}:${line}: "${word.exec(text)?.[0]}"; write: ${better}`);
+const findWords = (file, line, text) =>
+  words
+    .filter(([word]) => word.test(text))
+    .map(([word, better]) => `${file}:${line}: "${word.exec(text)?.[0]}"; write: ${better}`);
 
 await check('a list that finds nothing is no list', () => {
   const [found] = listComments('const a = 1; // Who is told of it.\n').filter(({ comment }) =>
@@ -80,18 +89,21 @@ await check('a list that finds nothing is no list', () => {
 });
 
 await check('a sentence in a string, and one in a page, is found', () => {
-  assert.deepEqual(listSentences("fail('Nobody is told of it.');").map(({ sentence }) => findWords('a.ts', 1, sentence)), [['a.ts:1: "told"; write: say, report, notify, show']]);
+  assert.deepEqual(
+    listSentences("fail('Nobody is told of it.');").map(({ sentence }) => findWords('a.ts', 1, sentence)),
+    [['a.ts:1: "told"; write: say, report, notify, show']],
+  );
   assert.deepEqual(listSentences('const shadowRoot = `beside`;'), []);
-  const page = listProse('It lies\nbeside `tell` [a](beside.md).\n```\ntell\n```\n').flatMap(({ line, prose }) => findWords('a.md', line, prose));
+  const page = listProse('It lies\nbeside `tell` [a](beside.md).\n```\ntell\n```\n').flatMap(({ line, prose }) =>
+    findWords('a.md', line, prose),
+  );
   assert.deepEqual(page, ['a.md:2: "beside"; write: next to, in addition to, together with']);
 });
 
 await check('comments have no private words', () => {
   const found = files.flatMap((file) =>
     listComments(readFileSync(join(projectRoot, file), 'utf8')).flatMap(({ line, comment }) =>
-      words
-        .filter(([word]) => word.test(comment))
-        .map(([word, better]) => `${file}:${line}: "${word.exec(comment)?.[0]}"; write: ${better}`),
+      findWords(file, line, comment),
     ),
   );
   assert.deepEqual(found, []);
@@ -100,7 +112,11 @@ await check('comments have no private words', () => {
 
 await check('sentences that a person reads have none', () => {
   const code = files.filter((file) => file.endsWith('.ts') && !file.startsWith('src/messages/locales/'));
-  const found = code.flatMap((file) => listSentences(readFileSync(join(projectRoot, file), 'utf8')).flatMap(({ line, sentence }) => findWords(file, line, sentence)));
+  const found = code.flatMap((file) =>
+    listSentences(readFileSync(join(projectRoot, file), 'utf8')).flatMap(({ line, sentence }) =>
+      findWords(file, line, sentence),
+    ),
+  );
   assert.deepEqual(found, []);
 });
 
@@ -108,7 +124,9 @@ await check('pages have none', () => {
   // The glossary lists the words that are not to be used.
   const pages = listCode(/\.md$/).filter((path) => !/^(?:GLOSSARY|CREDITS)\.md$|LICENSES\.md$/.test(path));
   assert.ok(pages.length > 50);
-  const found = pages.flatMap((file) => listProse(readFileSync(join(projectRoot, file), 'utf8')).flatMap(({ line, prose }) => findWords(file, line, prose)));
+  const found = pages.flatMap((file) =>
+    listProse(readFileSync(join(projectRoot, file), 'utf8')).flatMap(({ line, prose }) => findWords(file, line, prose)),
+  );
   assert.deepEqual(found, []);
   return `${pages.length} pages`;
 });

@@ -100,7 +100,7 @@ function storeBigInts(values: BigInt64Array | BigUint64Array, { budget, chooseWh
     if (value > high) high = value;
   }
   const { store: Store, from } = chooseStore({ low: Number(low), high: Number(high), range: Number(high - low) });
-  // Subtracted as 64-bit integers, because doubles can't tell 2^60 from 2^60 + 1.
+  // Subtracted as 64-bit integers, because doubles can't distinguish 2^60 from 2^60 + 1.
   const detail =
     from === 'detail' ? low + BigInt(chooseOffset(Float64Array.from(values, (value) => Number(value - low)))) : 0n;
   const whole = from === 'detail' ? chooseWhole?.(values, detail, BigInt, budget) : null;

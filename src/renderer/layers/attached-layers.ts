@@ -52,7 +52,7 @@ export class AttachedLayers {
     if (others.length < modules.length && !this.#hasNotified) {
       this.#hasNotified = true;
       console.warn(
-        'WebGL 1 has no room here for a layer beside all else that is shown: the layer is left out. Show it without labels, or without shapes.',
+        'WebGL 1 has no room here for a layer in addition to all else that is shown: the layer is left out. Show it without labels, or without shapes.',
       );
     }
     return others;

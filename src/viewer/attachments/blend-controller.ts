@@ -59,7 +59,7 @@ export class BlendController extends AttachmentController<BlendTarget, Attachmen
     if (this.#target.isTaken) {
       throw new VolumeViewError(
         'attribute/invalid',
-        '<BlendedVolumeStyle> got voxels and a <volume-layer> beside it; expected one of the two, as a volume has one other over it. The <volume-layer> is drawn.',
+        '<BlendedVolumeStyle> got voxels and a <volume-layer>; expected one of the two, as a volume has one other over it. The <volume-layer> is drawn.',
       );
     }
     this.#second = second;

@@ -220,7 +220,7 @@ function withNamed(table: LabelTable | null, named: readonly NamedLabel[] = []):
 function ownHaveNone(): VolumeViewError {
   return new VolumeViewError(
     'attribute/invalid',
-    'transfer-function of <volume-labels> or of a <volume-label> is for labels beside a volume, and here the volume is the labels; expected none. Use color and opacity.',
+    'transfer-function of <volume-labels> or of a <volume-label> is for labels that lie over a volume, and here the volume is the labels; expected none. Use color and opacity.',
   );
 }
 

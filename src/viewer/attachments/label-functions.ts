@@ -46,7 +46,7 @@ async function readAll(firsts: ReadonlyMap<string, number>, window: readonly [nu
         throw invalidAttribute(
           name,
           text,
-          `one of the ${maxGroups} that labels before it have. Labels have at most ${maxGroups} different ones beside the volume's own`,
+          `one of the ${maxGroups} that labels before it have. Labels have at most ${maxGroups} different ones in addition to the volume's own`,
         );
       functions.push(await resolveTransferFunction(text, window));
       numbers.set(text, functions.length);

@@ -168,7 +168,7 @@ function readAll(host: Element, appearance: VolumeOptics): VolumeOptics & Pick<S
   const { second } = said;
   if (said.projection && (second || said.chains.some((chain) => chain.styles.length > 0))) {
     throw forbidden(
-      '<ProjectionVolumeStyle> got other styles beside it; expected it alone, as X3D composes no projections. Set enabled="false" on one of them.',
+      '<ProjectionVolumeStyle> got other styles; expected it alone, as X3D composes no projections. Set enabled="false" on one of them.',
     );
   }
   const hasStyles = said.chains.length > 1 || said.chains[0].styles.length > 0;
@@ -189,7 +189,7 @@ function readSurfaceStyles(enabled: readonly Element[]): readonly VolumeStyle[] 
   if (!other) return null;
   if (enabled.length > 1)
     throw forbidden(
-      `<IsoSurfaceVolumeData> got <${other.localName}> beside other styles; expected one style for all surfaces, which may be a ComposedVolumeStyle, or a ShadedVolumeStyle for each.`,
+      `<IsoSurfaceVolumeData> got <${other.localName}> and other styles; expected one style for all surfaces, which may be a ComposedVolumeStyle, or a ShadedVolumeStyle for each.`,
     );
   const said = nothingSaid();
   readStyle(other, said);
@@ -263,7 +263,7 @@ function readStyle(element: Element, said: Said, around: readonly Element[] = []
   const style = readVolumeStyle(element);
   if (style === undefined)
     throw forbidden(
-      `<${element.localName}> is no rendering style of X3D's; expected one that docs/x3d-styles.md lists.`,
+      `<${element.localName}> is no rendering style of X3D's; expected one that docs/guide/x3d-styles.md lists.`,
     );
   if (style) said.chains = [{ weight: 1, styles: checkLight([...said.chains[0].styles, style]) }];
 }

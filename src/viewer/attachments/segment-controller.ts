@@ -79,7 +79,7 @@ export class SegmentController {
     if (this.#target.isTaken) {
       throw new VolumeViewError(
         'attribute/invalid',
-        '<SegmentedVolumeData> got <volume-labels> beside it; expected one of the two, as a volume has one set of labels. The <volume-labels> is drawn.',
+        '<SegmentedVolumeData> got <volume-labels>; expected one of the two, as a volume has one set of labels. The <volume-labels> is drawn.',
       );
     }
     const functions = await Promise.all(

@@ -70,7 +70,7 @@ export function labelsIn(volume: Volume, url: string): Pick<LabelFile, 'voxels' 
   if (found.problem === 'too-large') {
     throw new VolumeViewError(
       'format/unsupported',
-      `${name} has ids that can not be told apart, up to about ${found.value.toLocaleString('en')}; expected at most 65,536 different ones, up to 9,007,199,254,740,991. Give them new numbers, from 1.`,
+      `${name} has ids that can not be distinguished, up to about ${found.value.toLocaleString('en')}; expected at most 65,536 different ones, up to 9,007,199,254,740,991. Give them new numbers, from 1.`,
     );
   }
   const got = found.problem === 'too-many' ? 'more than 65,536 different values' : `the value ${found.value}`;

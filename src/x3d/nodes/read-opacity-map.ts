@@ -62,7 +62,7 @@ function readCanvas(canvas: HTMLCanvasElement): Row {
   if (!row.some(([, , , alpha]) => alpha > 0))
     throw wrong(
       'a canvas that is clear',
-      'one that has been painted: paint it, then change an attribute of the texture, upon which it is read anew',
+      'one that has been painted: paint it, then change an attribute of the texture, then it is read again',
     );
   return row;
 }

@@ -27,7 +27,7 @@ export function readVoxelTexture(texture: Element): VoxelTexture {
   if (!mosaic)
     throw fields.error(
       'slicesOverX',
-      'slicesOverX and slicesOverY, whole numbers: slices beside and above one another',
+      'slicesOverX and slicesOverY, whole numbers: slices next to and above one another',
     );
   // It has the volume's place, so an image without spacing needs no warning.
   return {

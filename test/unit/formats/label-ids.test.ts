@@ -182,7 +182,7 @@ describe('ids of an atlas that float32 does not tell apart', () => {
       expect(beyond.left?.join()).to.match(/whole numbers are rounded, by up to .* none beyond 9,007,199,254,740,991/);
       const error = await expectError((async () => labelsIn(beyond, 'segments.nrrd'))());
       expect(error.message).to.match(
-        /^segments\.nrrd has ids that can not be told apart, up to about 1,152,921,504,606,84\d,\d{3}; expected at most 65,536 different ones, up to 9,007,199,254,740,991\. /,
+        /^segments\.nrrd has ids that can not be distinguished, up to about 1,152,921,504,606,84\d,\d{3}; expected at most 65,536 different ones, up to 9,007,199,254,740,991\. /,
       );
     }
   });

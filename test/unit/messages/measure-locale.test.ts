@@ -82,7 +82,7 @@ describe('what was measured, in words', () => {
       mean: 12.3456,
       deviation: 3.21,
       standardError: 0.107,
-      min: -5,
+      least: -5,
       largest: 30,
       cut: 100,
     };
@@ -109,7 +109,7 @@ describe('what was measured, in words', () => {
       mean: null,
       deviation: null,
       standardError: null,
-      min: null,
+      least: null,
       largest: null,
       cut: 0,
     };

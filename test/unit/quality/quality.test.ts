@@ -353,7 +353,7 @@ describe('the plan of a frame', () => {
     });
 
     it('spends that of a large picture on enough steps for what is thin, and on more where the scene gains from them', () => {
-      // What was measured of the MRI and of a storm without rings in the demos, see docs/benchmark.md.
+      // What was measured of the MRI and of a storm without rings in the demos, see docs/numbers/benchmark.md.
       const [brain, storm] = [
         { ...errors, steps: 24, error: 1.8, order: 1.7, atHalf: 0.73 },
         { ...errors, steps: 24, error: 4.3, order: 1.4, atHalf: 0.67 },

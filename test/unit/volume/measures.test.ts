@@ -219,7 +219,7 @@ describe('statistics of the voxels inside', () => {
           sumUpVoxels({ ...volume, grid: cartesianGrid(own.dimensions, affine) }, solidOf(kind, points)),
         );
         const what = `${kind} ${affine.slice(0, 4).join(' ')}`;
-        expect([found.count, found.cut, found.withoutData, found.min, found.largest], what).to.deep.equal([
+        expect([found.count, found.cut, found.withoutData, found.least, found.largest], what).to.deep.equal([
           numbers.count,
           numbers.cut,
           0,
@@ -253,7 +253,7 @@ describe('statistics of the voxels inside', () => {
         ]),
       ),
     );
-    expect([all.count, all.withoutData, all.min, all.largest, all.cut]).to.deep.equal([22, 2, 1, 47, 24]);
+    expect([all.count, all.withoutData, all.least, all.largest, all.cut]).to.deep.equal([22, 2, 1, 47, 24]);
     expect(all.mean).to.be.closeTo(2 * ((276 - 22) / 22) + 1, 1e-12);
     const around = finish(
       sumUpVoxels(
@@ -308,7 +308,7 @@ describe('statistics of the voxels inside', () => {
         mean: null,
         deviation: null,
         standardError: null,
-        min: null,
+        least: null,
         largest: null,
         cut: 0,
       });
@@ -383,7 +383,7 @@ describe('statistics of the gates of a radar inside', () => {
       }
       const mean = values.reduce((sum, x) => sum + x, 0) / values.length;
       const found = finish(sumUpGates(volume, solid));
-      expect([found.count, found.withoutData, found.min, found.largest, found.cut]).to.deep.equal([
+      expect([found.count, found.withoutData, found.least, found.largest, found.cut]).to.deep.equal([
         values.length,
         0,
         Math.min(...values),

@@ -63,7 +63,7 @@ export function hasRoom(others: readonly RayText[], { webgl2 }: { readonly webgl
   const fits = listSamplers({ adaptive: false, modules: others }).length < maxSamplers(webgl2);
   if (!fits && !reported)
     console.warn(
-      '<volume-view>: this device has no room for rendering styles beside shapes, a transfer function of steep stops, and labels, a layer or a radar. They are left out.',
+      '<volume-view>: this device has no room for rendering styles in addition to shapes, a transfer function of steep stops, and labels, a layer or a radar. They are left out.',
     );
   reported ||= !fits;
   return fits;

@@ -37,6 +37,7 @@ describe('the default preset', () => {
 
   it('is one of the presets, each of which has stops', async () => {
     expect(presetNames).to.include(defaultPreset);
-    for (const name of presetNames) expect((await resolveTransferFunction(name, [0, 100])).length, `stops of ${name}`).to.be.at.least(2);
+    for (const name of presetNames)
+      expect((await resolveTransferFunction(name, [0, 100])).length, `stops of ${name}`).to.be.at.least(2);
   });
 });
