@@ -13,7 +13,7 @@ export const look = `transfer-function="${colors.map((color, i) => `${valueOf(i)
 /** When scan i began. */
 export const timeOf = (scan: number): string => `2018-12-20T06:${String(6 * scan).padStart(2, '0')}:28Z`;
 export const urls = (count: number): string[] => Array.from({ length: count }, (_, i) => `/scans/${i}.nii`);
-export const several = (count: number): string => `src="${urls(count).join(' ')}" ${appearance} alt="Scans"`;
+export const several = (count: number): string => `src="${urls(count).join(' ')}" ${look} alt="Scans"`;
 
 interface Server {
   /** Numbers of the scans in the order in which they were asked for. */
