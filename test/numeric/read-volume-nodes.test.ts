@@ -416,7 +416,7 @@ describe("X3D's volume nodes", () => {
     [
       'surfaces in several styles',
       '<IsoSurfaceVolumeData surfaceValues="1"><CartoonVolumeStyle></CartoonVolumeStyle><ShadedVolumeStyle></ShadedVolumeStyle></IsoSurfaceVolumeData>',
-      /got <cartoonvolumestyle> beside other styles; expected one style for all surfaces/,
+      /got <cartoonvolumestyle> and other styles; expected one style for all surfaces/,
     ],
     [
       'surfaces that are blended',
