@@ -9,6 +9,7 @@ export interface ControlledView extends LitElement {
   readonly orientationMarker: boolean;
   readonly camera: CameraState | null;
   readonly src: string | null;
+  readonly files: readonly unknown[] | null;
   readonly controlslist: string | null;
   readonly interaction: string | null;
   readonly volume: VolumeInfo | null;

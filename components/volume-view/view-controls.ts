@@ -254,9 +254,10 @@ export class ViewControls {
 const sheets = [styles.styleSheet!, markerStyles.styleSheet!];
 
 /** Whether another page can load the source of a view. It can't load files on a person's own computer. */
-function isEmbeddable({ src }: ControlledView): boolean {
+function isEmbeddable({ src, files }: ControlledView): boolean {
   return (
     location.protocol !== 'file:' &&
+    files === null &&
     src !== null &&
     src.trim() !== '' &&
     src.length < longestSource &&

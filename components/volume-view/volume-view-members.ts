@@ -1,6 +1,7 @@
 import type { PictureCheck } from '../../src/quality/compare-rays.ts';
 import type { RenderStats } from '../../src/viewer/model/render-stats.ts';
 import type { TimeChangeDetail } from '../../src/viewer/loading/scan-player.ts';
+import type { LocalFiles } from '../../src/formats/base/load-request.ts';
 import type { VolumeInfo, VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import type { PickOptions, VolumePick } from '../../src/viewer/model/volume-pick.ts';
 import type { VolumeSession } from '../../src/viewer/session/volume-session.ts';
@@ -8,10 +9,34 @@ import type { CameraState } from '../../src/viewer/view/write-camera.ts';
 import { warnOfOldName } from '../internal/deprecated.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
 
+/** Choices of files so far: each has URLs of its own, of a host that no server can have (RFC 2606). */
+let choices = 0;
+
 /** The properties and methods of `<volume-view>` for scripts, in addition to its attributes. Each one calls the session. */
 export abstract class VolumeViewMembers extends VolumeViewAttributes {
+  static {
+    // Lit keeps what a script sets before the element is defined.
+    this.createProperty('files', { attribute: false, noAccessor: true });
+  }
+
+  protected _local?: LocalFiles;
   /** @internal */
   abstract readonly _session: VolumeSession;
+
+  /**
+   * Files of the reader's disk, of one volume: a `FileList` of `<input type="file">`, or an array of `File`. While it is set, `src` is not
+   * used; null where it is not set. Nothing is sent to a server.
+   */
+  get files(): readonly File[] | null {
+    return (this._local?.files as readonly File[] | undefined) ?? null;
+  }
+
+  set files(files: FileList | readonly File[] | null) {
+    const copy =
+      files?.length === 0 ? null : files && Array.from(files, (file) => (file instanceof Blob ? file : null));
+    this._local = copy ? { base: `https://local-${++choices}.invalid/`, files: copy } : undefined;
+    this.requestUpdate('files');
+  }
 
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is loaded. */
   get volume(): VolumeInfo | null {

@@ -151,7 +151,7 @@ export class VolumeView extends VolumeViewMembers {
     const { given } = this;
     this.#size.set(this.shadowRoot!, given.width, given.height);
     this._session.apply(
-      readSettings(given),
+      readSettings(given, this._local),
       (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)),
     );
     if (changed.has('time')) loader.showTime();

@@ -56,7 +56,7 @@ function withBudget(
   { budget = new Budget(), fetchFile, fetchFiles }: DecodeContext,
 ): FileAccess & { readonly budget: Budget } {
   const count = (file: DecodeInput): DecodeInput => {
-    budget.addFile(file.bytes.length);
+    budget.addFile(file.packedBytes ?? file.bytes.length);
     return file;
   };
   count(input);

@@ -24,12 +24,14 @@ export async function findFormat<F extends Format>(
   return findByBytes(await lookAt(bytes), formats);
 }
 
-function findByBytes<F extends Format>(start: FileStart, formats: readonly F[]): F | null {
+/** The format whose bytes a file begins with, or null. */
+export function findByBytes<F extends Format>(start: FileStart, formats: readonly F[]): F | null {
   const matching = formats.filter((format) => format.matches(start));
   return matching.find(({ last }) => !last) ?? matching[0] ?? null;
 }
 
-async function lookAt(bytes: Uint8Array<ArrayBuffer>): Promise<FileStart> {
+/** What formats look at in a file. @param bytes - the whole file, or its start */
+export async function lookAt(bytes: Uint8Array<ArrayBuffer>): Promise<FileStart> {
   return {
     bytes,
     unpacked: isGzip(bytes) ? await firstPiece(bytes) : null,

@@ -6,6 +6,8 @@ import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import { maxFileBytes } from '../sources/download.ts';
 import { fetchBytes } from '../sources/fetch-bytes.ts';
 import type { FetchOne } from '../sources/fetch-files.ts';
+import { isZip } from '../sources/is-zip.ts';
+import type { OpenedFiles } from '../sources/open-files.ts';
 import { finishVolume } from '../formats/finish-volume.ts';
 import { loadReader } from '../formats/base/load-reader.ts';
 import type {
@@ -46,18 +48,17 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   } = environment;
   const url = request.files?.[0] ?? request.url;
   let named: RequestCredentials | undefined;
+  let opened: OpenedFiles | undefined;
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
     signal?.throwIfAborted(); // Long work on the main thread passes here often.
     onProgress({ loaded, total, phase });
   };
-  const fetchOne: FetchOne = (url, onProgress) =>
-    fetchBytes(url, {
-      signal,
-      pageOrigin,
-      credentials: request.files?.includes(url) ? undefined : named,
-      maxBytes: Math.min(maxFileBytes, budget.deviceBytes),
-      onProgress,
-    });
+  const fetchOne: FetchOne = (url, onProgress) => {
+    const credentials = request.files?.includes(url) ? undefined : named;
+    const maxBytes = Math.min(maxFileBytes, budget.deviceBytes);
+    const options = { signal, pageOrigin, credentials, maxBytes, onProgress };
+    return opened ? opened.read(url, options) : fetchBytes(url, options);
+  };
   const fetchFile = (url: string) => fetchOne(url, report('fetch'));
   const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
     const { fetchInOrder } = await loadReader(() => import('../sources/fetch-files.ts'));
@@ -66,24 +67,32 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   const context: DecodeContext = {
     fetchFile,
     fetchFiles,
-    files: request.files,
     onProgress: report('decode'),
     onScans,
     onRadar: () => onCoarse?.(null),
     budget,
   };
   const start = async (): Promise<DecodeInput> => {
-    const first = await fetchFile(url);
+    const { files, local } = request;
+    let first = local ? null : await fetchFile(url);
     // A file from another server chooses what else is fetched: that must not use the reader's cookies and logins.
-    if (first.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
+    if (first?.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
+    if (!first || (isZip(first.bytes) && !files?.[1])) {
+      const { openFiles } = await loadReader(() => import('../sources/open-files.ts'));
+      opened = await openFiles(first ?? local!, { isStack: files !== undefined, signal });
+      first = await fetchFile(opened.first);
+    }
     await breathe?.();
     return first;
   };
-  // Only the decoder holds the file, so that its memory can be freed during the next steps.
-  const decoded = await decodeFile(await start(), request, context);
-  await breathe?.();
-  signal?.throwIfAborted();
   try {
+    // Only the decoder holds the file, so that its memory can be freed during the next steps.
+    const decoded = await decodeFile(await start(), request, {
+      ...context,
+      files: opened ? opened.files : request.files,
+    });
+    await breathe?.();
+    signal?.throwIfAborted();
     return await finishVolume(decoded, await request.limits, onCoarse, request.clean);
   } catch (cause) {
     throw await explain(cause, url);

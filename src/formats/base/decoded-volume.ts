@@ -50,6 +50,8 @@ export interface DecodeInput {
   readonly url: string;
   /** MIME type from the server or the data: URL, '' if there is none. */
   readonly contentType: string;
+  /** Bytes that the file takes where it lies, if it was unpacked on its way here: what a load may hold depends on them. */
+  readonly packedBytes?: number;
 }
 
 export type ProgressListener = (loaded: number, total: number) => void;

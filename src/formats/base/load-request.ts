@@ -7,6 +7,14 @@ import type { RadarSettings } from './radar-settings.ts';
 
 export type { DeviceLimits };
 
+/** Files of the reader's disk. */
+export interface LocalFiles {
+  /** Begins the URLs that the files have for each other; each choice of files has its own. */
+  readonly base: string;
+  /** They are checked when they are opened: scripts of a page may give anything. */
+  readonly files: readonly unknown[];
+}
+
 /** What to load: a `src`, and what the element's other attributes say about it. They override the file and a manifest. */
 export interface LoadRequest extends RadarSettings {
   /** http(s), data: or blob:; a relative URL is resolved against the page's base URL. */
@@ -16,6 +24,8 @@ export interface LoadRequest extends RadarSettings {
    * image is a volume of one slice); a header comes before the files of its data. Undefined if `url` is the only file.
    */
   readonly files?: readonly string[];
+  /** Files of the reader's disk, of one volume; then `url` is their base. */
+  readonly local?: LocalFiles;
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   /** Number of tiles of a mosaic that are in use; all if undefined. */
   readonly slices?: number;

@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import { Adler32 } from './adler32.ts';
+import { addToCrc } from './crc32.ts';
 import { DeflateError, Inflater } from './inflate.ts';
 import { startsWith } from '../base/starts-with.ts';
 
@@ -88,15 +89,3 @@ function* unpackZlib(bytes: Uint8Array<ArrayBuffer>): Generator<Uint8Array<Array
   if (new DataView(bytes.buffer, bytes.byteOffset + next.value).getUint32(0) !== sum.value)
     throw new DeflateError(false);
 }
-
-/** CRC-32 as gzip has it, the lowest bit first. Source: RFC 1952, 8 */
-function addToCrc(crc: number, bytes: Uint8Array): number {
-  for (let i = 0; i < bytes.length; i++) crc = (crc >>> 8) ^ crcTable[(crc ^ bytes[i]) & 0xff];
-  return crc;
-}
-
-const crcTable = Int32Array.from({ length: 256 }, (_, byte) => {
-  let crc = byte;
-  for (let bit = 0; bit < 8; bit++) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
-  return crc;
-});

@@ -135,6 +135,7 @@ class ColorMoment {
     const request = {
       ...(settings.source && readSource(settings.source)),
       ...which,
+      local: settings.local,
       moment,
       limits: deviceLimits(probeDevice()),
     };

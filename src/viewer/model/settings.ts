@@ -1,4 +1,5 @@
 import type { ScanTarget } from '../../formats/base/choose-scan.ts';
+import type { LocalFiles } from '../../formats/base/load-request.ts';
 import { projectionKinds, shadings } from '../../optics/rays/ray-style.ts';
 import type { ProjectionKind, Shading } from '../../optics/rays/ray-style.ts';
 import { maxSteps } from '../../renderer/ray/compose-ray.ts';
@@ -78,6 +79,8 @@ export interface AppearanceSettings {
 export interface Settings {
   /** One URL, or several, separated by blanks. */
   readonly src: string | null;
+  /** Files of the reader's disk, which `src` is the base of. */
+  readonly local: LocalFiles | undefined;
   /** Whether several URLs are the files of one volume. */
   readonly stack: boolean;
   /** How to read the file, as the author gives it: it is parsed together with the file. null where the author gives nothing. */
@@ -118,9 +121,10 @@ export const plainAppearance: AppearanceSettings = {
 };
 
 /** Read all attributes. If one can't be read, its error is in its own place, and the others are still read. */
-export function readSettings(given: GivenAttributes): Settings {
+export function readSettings(given: GivenAttributes, local?: LocalFiles): Settings {
   return {
-    src: given.src,
+    src: local ? local.base : given.src,
+    local,
     stack: given.stack !== null,
     source: pickSource(given),
     time: read(() => readTime(given.time)),

@@ -276,14 +276,14 @@ export class SourceLoader {
   }
 
   async #loadShared(request: SourceRequest, options: LoadOptions): Promise<Volume> {
-    const { source } = this.host.settings;
+    const { source, local } = this.host.settings;
     const reader = source && (await loadPart(import('../loading/read-source.ts'), 'reads attributes of the source'));
     options.signal.throwIfAborted();
     const limits = this.#askLimits();
     limits.catch(() => {}); // The load that waits for it reports the error, if there is such a load.
     return sharedVolumes.get(
       this,
-      { ...request, ...reader?.readSource(source!), limits, maxBytes: this.#maxBytes },
+      { ...request, local, ...reader?.readSource(source!), limits, maxBytes: this.#maxBytes },
       options,
     );
   }

@@ -1,0 +1,46 @@
+import type { DecodeInput, ProgressListener } from '../formats/base/decoded-volume.ts';
+
+/** Bytes of a file from `start` up to `end`, which is not included. */
+export interface ByteRange {
+  readonly start: number;
+  readonly end: number;
+}
+
+/** What is known of a file without reading it. */
+export interface FileStat {
+  /** Bytes; null where only reading the file would tell. */
+  readonly size: number | null;
+}
+
+export interface ReadOptions {
+  /** The whole file if undefined. A range that reaches beyond the end of the file gives fewer bytes. */
+  readonly range?: ByteRange;
+  /** Maximum bytes to read; more are refused before memory is allocated. */
+  readonly maxBytes?: number;
+  readonly signal?: AbortSignal;
+  readonly onProgress?: ProgressListener;
+}
+
+/**
+ * Files, wherever they are: on servers, in an archive, on the reader's disk. A file is named by its absolute URL, so that
+ * a file can name another one relative to itself. Files that are on no server have URLs of a host that does not exist.
+ */
+export interface ByteStore {
+  /** URLs of all files, in their order; null where they can't be listed, as those of a server. */
+  list(): Promise<readonly string[] | null>;
+  /** @throws {VolumeViewError} `source/…` */
+  stat(url: string): Promise<FileStat>;
+  /** @throws {VolumeViewError} `source/…`, `format/…`; the signal's reason */
+  read(url: string, options?: ReadOptions): Promise<DecodeInput>;
+}
+
+/** The URL of a file in a store. @param base - ends with a slash @param path - its parts are separated by slashes */
+export function urlInStore(base: string, path: string): string {
+  const parts = path.replaceAll('\\', '/').split('/').filter(Boolean);
+  return new URL(parts.map(encodeURIComponent).join('/'), base).href;
+}
+
+/** The path of a file in its store, for messages. */
+export function pathOf(url: string): string {
+  return decodeURIComponent(new URL(url).pathname.slice(1)).slice(0, 200);
+}

@@ -1,0 +1,72 @@
+import { VolumeViewError } from '../core/errors.ts';
+import type { DecodeInput } from '../formats/base/decoded-volume.ts';
+import { pathOf, urlInStore } from './byte-store.ts';
+import type { ByteStore, FileStat, ReadOptions } from './byte-store.ts';
+import { Download } from './download.ts';
+import { refuseSize } from './store-errors.ts';
+
+/**
+ * Files from the reader's disk: those that a person chose, or a folder. Their URLs are below `base`, with the path inside
+ * of the folder where a folder was chosen.
+ */
+export class LocalStore implements ByteStore {
+  readonly #files: ReadonlyMap<string, Blob>;
+
+  /**
+   * @param base - a URL that ends with a slash
+   * @throws {VolumeViewError} `attribute/invalid` where one of them is no file
+   */
+  constructor(files: readonly unknown[], base: string) {
+    this.#files = new Map(files.map((file, i) => [urlInStore(base, nameFile(file, i)), file as Blob]));
+  }
+
+  async list(): Promise<readonly string[]> {
+    return [...this.#files.keys()];
+  }
+
+  async stat(url: string): Promise<FileStat> {
+    return { size: this.#find(url).size };
+  }
+
+  async read(
+    url: string,
+    { range, maxBytes, signal, onProgress = () => undefined }: ReadOptions = {},
+  ): Promise<DecodeInput> {
+    const file = this.#find(url);
+    const part = range ? file.slice(range.start, range.end) : file;
+    const download = new Download(url, { signal, maxBytes, pageOrigin: '', onProgress });
+    try {
+      return await download.read(
+        new Response(part, { headers: { 'content-length': String(part.size), 'content-type': file.type } }),
+      );
+    } catch (cause) {
+      signal?.throwIfAborted();
+      if (cause instanceof VolumeViewError) throw refuseSize(pathOf(url), part.size, maxBytes!);
+      throw new VolumeViewError(
+        'source/not-found',
+        `${pathOf(url)} can not be read from the disk: it was moved, changed or removed since it was chosen, or it is a folder; expected a file. Choose it again`,
+        { cause },
+      );
+    }
+  }
+
+  #find(url: string): Blob {
+    const file = this.#files.get(url);
+    if (file) return file;
+    throw new VolumeViewError(
+      'source/not-found',
+      `${pathOf(url)} is not among the chosen files; choose it together with the others`,
+    );
+  }
+}
+
+/** The path of a file in its folder, or its name. Pictures of the clipboard and the like have none. */
+function nameFile(file: unknown, place: number): string {
+  if (!(file instanceof Blob))
+    throw new VolumeViewError(
+      'attribute/invalid',
+      `files got something that is no file at place ${place + 1}; expected a FileList, or an array of File objects.`,
+    );
+  const { name, webkitRelativePath } = file as Partial<File>;
+  return webkitRelativePath || name || `file ${place + 1}`;
+}

@@ -1,0 +1,62 @@
+// Opens what holds files: a ZIP archive, or the files that a person chose. Loaded when it is needed.
+import { VolumeViewError } from '../core/errors.ts';
+import type { DecodeInput } from '../formats/base/decoded-volume.ts';
+import type { LocalFiles } from '../formats/base/load-request.ts';
+import { nameOf } from '../formats/base/name-of.ts';
+import { pathOf } from './byte-store.ts';
+import type { ByteStore, ReadOptions } from './byte-store.ts';
+import { findVolume } from './find-volume.ts';
+import type { FindOptions, FoundVolume } from './find-volume.ts';
+import { HttpStore } from './http-store.ts';
+import { LocalStore } from './local-store.ts';
+import { MemoryStore } from './memory-store.ts';
+import { isZip } from './is-zip.ts';
+import { ZipStore } from './zip-store.ts';
+
+/** The volume in an archive, or in chosen files. */
+export interface OpenedFiles extends FoundVolume {
+  /** Reads any file that belongs to it. @throws {VolumeViewError} as ByteStore says, and `source/not-found` for files of other places */
+  read(url: string, options: ReadOptions): Promise<DecodeInput>;
+}
+
+/** The URLs of files in an archive begin with this: no server can have this name (RFC 2606). */
+const archiveBase = 'https://archive.invalid/';
+
+/**
+ * Finds the one volume in an archive or in chosen files.
+ * @param given - the archive, or the files
+ * @throws {VolumeViewError} `format/…`, `source/…`, `attribute/invalid`
+ */
+export async function openFiles(given: DecodeInput | LocalFiles, options: FindOptions): Promise<OpenedFiles> {
+  if ('bytes' in given) return openZip(new MemoryStore(given), given.url, nameOf(given.url), options);
+  const store = new LocalStore(given.files, given.base);
+  const [only, ...others] = await store.list();
+  if (!only)
+    throw new VolumeViewError(
+      'attribute/invalid',
+      'files got no files; expected a FileList, or an array of File objects.',
+    );
+  const { bytes } = await store.read(only, { range: { start: 0, end: 4 } });
+  if (others.length === 0 && isZip(bytes)) return openZip(store, only, pathOf(only), options);
+  return openStore(store, `the choice of ${others.length + 1} files`, given.base, options);
+}
+
+async function openZip(store: ByteStore, url: string, name: string, options: FindOptions): Promise<OpenedFiles> {
+  const zip = await ZipStore.open(store, url, archiveBase, name);
+  return openStore(zip, `the ZIP archive ${name}`, archiveBase, options);
+}
+
+async function openStore(store: ByteStore, what: string, base: string, options: FindOptions): Promise<OpenedFiles> {
+  return {
+    ...(await findVolume(store, what, options)),
+    async read(url, reading) {
+      if (url.startsWith(base)) return store.read(url, reading);
+      if (url.startsWith('data:')) return new HttpStore({ pageOrigin: '' }).read(url, reading);
+      // A file from anywhere must not make the page request what its author has not named.
+      throw new VolumeViewError(
+        'source/not-found',
+        `${what} names ${url.slice(0, 300)}, which it does not hold; expected all files of the volume in it`,
+      );
+    },
+  };
+}

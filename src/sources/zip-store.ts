@@ -1,0 +1,161 @@
+import { VolumeViewError } from '../core/errors.ts';
+import type { DecodeInput } from '../formats/base/decoded-volume.ts';
+import { crc32 } from '../formats/codecs/crc32.ts';
+import { unpack } from '../formats/codecs/gunzip.ts';
+import { DeflateError, Inflater } from '../formats/codecs/inflate.ts';
+import { pathOf, urlInStore } from './byte-store.ts';
+import type { ByteRange, ByteStore, FileStat, ReadOptions } from './byte-store.ts';
+import { maxFileBytes } from './download.ts';
+import { refuseSize } from './store-errors.ts';
+import { corruptZip, localBytes, readDirectory, unsupportedZip } from './zip-directory.ts';
+import type { ReadBytes, ZipEntry } from './zip-directory.ts';
+
+/** Ways of packing that are not read. Source: APPNOTE.TXT 6.3.10, 4.4.5 */
+const methods: Readonly<Record<number, string>> = {
+  9: 'Deflate64',
+  12: 'bzip2',
+  14: 'LZMA',
+  93: 'Zstandard',
+  95: 'xz',
+  99: 'AES',
+};
+
+/** The files in a ZIP archive, which is itself a file of another store. */
+export class ZipStore implements ByteStore {
+  /**
+   * @param base - of the files' URLs, ends with a slash
+   * @param name - of the archive, for messages
+   */
+  private constructor(
+    readonly base: string,
+    readonly name: string,
+    readonly entries: ReadonlyMap<string, ZipEntry>,
+    private readonly readBytes: ReadBytes,
+  ) {}
+
+  /** Reads the list of an archive's files. @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large` */
+  static async open(store: ByteStore, url: string, base: string, name: string): Promise<ZipStore> {
+    const { size } = await store.stat(url);
+    if (size === null)
+      throw new VolumeViewError(
+        'source/unavailable',
+        `the server does not say how large ${name} is, so that no part of it can be read`,
+      );
+    const readBytes: ReadBytes = async (start, end) => {
+      const { bytes } = await store.read(url, { range: { start, end } });
+      if (bytes.length < end - start) throw corruptZip(name, 'is cut short');
+      return bytes;
+    };
+    const entries = await readDirectory(readBytes, size, name);
+    // Of files of the same name the last one counts, as for other programs.
+    return new ZipStore(base, name, new Map(entries.map((entry) => [urlInStore(base, entry.path), entry])), readBytes);
+  }
+
+  async list(): Promise<readonly string[]> {
+    return [...this.entries.keys()];
+  }
+
+  async stat(url: string): Promise<FileStat> {
+    return { size: this.#find(url).size };
+  }
+
+  async read(url: string, { range, maxBytes = maxFileBytes }: ReadOptions = {}): Promise<DecodeInput> {
+    const entry = this.#find(url);
+    const [start, end] = [Math.min(range?.start ?? 0, entry.size), Math.min(range?.end ?? entry.size, entry.size)];
+    if (end - start > maxBytes) throw refuseSize(this.#describe(entry), end - start, maxBytes);
+    const packed = await this.#readPacked(entry);
+    const isWhole = end - start === entry.size;
+    const bytes = isWhole
+      ? await this.#unpackWhole(entry, packed)
+      : entry.method === 0
+        ? packed.slice(start, end)
+        : this.#unpackPart(entry, packed, { start, end });
+    return { bytes, url, contentType: '', packedBytes: entry.packed };
+  }
+
+  #find(url: string): ZipEntry {
+    const entry = this.entries.get(url);
+    if (entry) return entry;
+    throw new VolumeViewError(
+      'source/not-found',
+      `the ZIP archive ${this.name} does not hold ${pathOf(url)}; expected it in the archive`,
+    );
+  }
+
+  #describe({ path }: ZipEntry): string {
+    return `${path.slice(0, 200)} in the ZIP archive ${this.name}`;
+  }
+
+  async #readPacked(entry: ZipEntry): Promise<Uint8Array<ArrayBuffer>> {
+    const { isEncrypted, method, start, packed } = entry;
+    if (isEncrypted)
+      throw unsupportedZip(this.name, 'is encrypted', 'expected one without a password: pack the files again');
+    if (method !== 0 && method !== 8) {
+      throw unsupportedZip(
+        this.name,
+        `is packed with ${methods[method] ?? `method ${method}`}`,
+        'expected Deflate, which every program for ZIP archives can write',
+      );
+    }
+    const header = await this.readBytes(start, start + localBytes);
+    const view = new DataView(header.buffer, header.byteOffset, localBytes);
+    if (view.getUint32(0, true) !== 0x04034b50) throw corruptZip(this.name, 'has no file where its list says');
+    const dataStart = start + localBytes + view.getUint16(26, true) + view.getUint16(28, true);
+    return this.readBytes(dataStart, dataStart + packed);
+  }
+
+  /** Unpacks a file, and checks its length and its checksum. */
+  async #unpackWhole(entry: ZipEntry, packed: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
+    const { method, size, crc } = entry;
+    const what = this.#describe(entry);
+    const damaged = (cause?: unknown): VolumeViewError =>
+      new VolumeViewError('format/corrupt', `${what} is damaged; fetch the archive again, or pack it again`, { cause });
+    if (method === 0) {
+      if (crc32(packed) !== crc) throw damaged();
+      return packed.slice();
+    }
+    const bytes = new Uint8Array(size);
+    let at = 0;
+    for await (const piece of unpack(asGzip(packed, entry), 'gzip', what)) {
+      if (at + piece.length > size) throw damaged();
+      bytes.set(piece, at);
+      at += piece.length;
+    }
+    if (at < size) throw damaged();
+    return bytes;
+  }
+
+  /** Unpacks a file up to the end of a range. */
+  #unpackPart(entry: ZipEntry, packed: Uint8Array<ArrayBuffer>, { start, end }: ByteRange): Uint8Array<ArrayBuffer> {
+    const bytes = new Uint8Array(end - start);
+    let at = 0;
+    try {
+      for (const piece of new Inflater().unpack(packed, 0)) {
+        const part = piece.subarray(Math.max(0, start - at), Math.max(0, end - at));
+        bytes.set(part, Math.max(0, at - start));
+        at += piece.length;
+        if (at >= end) break;
+      }
+    } catch (cause) {
+      if (cause instanceof DeflateError)
+        throw new VolumeViewError(
+          'format/corrupt',
+          `${this.#describe(entry)} ${cause.message}; fetch the archive again, or pack it again`,
+          { cause },
+        );
+      throw cause;
+    }
+    return bytes;
+  }
+}
+
+/** The same data as a gzip file of one member (RFC 1952): so every browser's own decompressor unpacks and checks them. */
+function asGzip(packed: Uint8Array, { crc, size }: ZipEntry): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(10 + packed.length + 8);
+  bytes.set([0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 0xff]);
+  bytes.set(packed, 10);
+  const end = new DataView(bytes.buffer, 10 + packed.length);
+  end.setUint32(0, crc, true);
+  end.setUint32(4, size % 2 ** 32, true);
+  return bytes;
+}
