@@ -32,8 +32,7 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
   }
 
   set files(files: FileList | readonly File[] | null) {
-    const copy =
-      files?.length === 0 ? null : files && Array.from(files, (file) => (file instanceof Blob ? file : null));
+    const copy = files?.length === 0 ? null : files && Array.from(files, (file) => file instanceof Blob && file);
     this._local = copy ? { base: `https://local-${++choices}.invalid/`, files: copy } : undefined;
     this.requestUpdate('files');
   }

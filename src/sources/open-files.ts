@@ -15,7 +15,7 @@ import { ZipStore } from './zip-store.ts';
 
 /** The volume in an archive, or in chosen files. */
 export interface OpenedFiles extends FoundVolume {
-  /** Reads any file that belongs to it. @throws {VolumeViewError} as ByteStore says, and `source/not-found` for files of other places */
+  /** Reads any file that belongs to it; it needs no `this`. @throws {VolumeViewError} as ByteStore says, and `source/not-found` for files of other places */
   read(url: string, options: ReadOptions): Promise<DecodeInput>;
 }
 

@@ -49,37 +49,34 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   const url = request.files?.[0] ?? request.url;
   let named: RequestCredentials | undefined;
   let opened: OpenedFiles | undefined;
+  let { files } = request;
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
     signal?.throwIfAborted(); // Long work on the main thread passes here often.
     onProgress({ loaded, total, phase });
   };
   const fetchOne: FetchOne = (url, onProgress) => {
-    const credentials = request.files?.includes(url) ? undefined : named;
-    const maxBytes = Math.min(maxFileBytes, budget.deviceBytes);
-    const options = { signal, pageOrigin, credentials, maxBytes, onProgress };
-    return opened ? opened.read(url, options) : fetchBytes(url, options);
+    const read = opened?.read ?? fetchBytes;
+    return read(url, {
+      signal,
+      pageOrigin,
+      credentials: request.files?.includes(url) ? undefined : named,
+      maxBytes: Math.min(maxFileBytes, budget.deviceBytes),
+      onProgress,
+    });
   };
   const fetchFile = (url: string) => fetchOne(url, report('fetch'));
   const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
     const { fetchInOrder } = await loadReader(() => import('../sources/fetch-files.ts'));
     yield* fetchInOrder(urls, fetchOne, report('fetch'));
   };
-  const context: DecodeContext = {
-    fetchFile,
-    fetchFiles,
-    onProgress: report('decode'),
-    onScans,
-    onRadar: () => onCoarse?.(null),
-    budget,
-  };
   const start = async (): Promise<DecodeInput> => {
-    const { files, local } = request;
-    let first = local ? null : await fetchFile(url);
+    let first = request.local ? null : await fetchFile(url);
     // A file from another server chooses what else is fetched: that must not use the reader's cookies and logins.
     if (first?.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
     if (!first || (isZip(first.bytes) && !files?.[1])) {
       const { openFiles } = await loadReader(() => import('../sources/open-files.ts'));
-      opened = await openFiles(first ?? local!, { isStack: files !== undefined, signal });
+      opened = await openFiles(first ?? request.local!, { isStack: files !== undefined, signal });
+      ({ files } = opened);
       first = await fetchFile(opened.first);
     }
     await breathe?.();
@@ -88,8 +85,13 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   try {
     // Only the decoder holds the file, so that its memory can be freed during the next steps.
     const decoded = await decodeFile(await start(), request, {
-      ...context,
-      files: opened ? opened.files : request.files,
+      fetchFile,
+      fetchFiles,
+      files,
+      onProgress: report('decode'),
+      onScans,
+      onRadar: () => onCoarse?.(null),
+      budget,
     });
     await breathe?.();
     signal?.throwIfAborted();

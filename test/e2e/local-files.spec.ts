@@ -50,7 +50,7 @@ test.describe('src with an archive', () => {
       await open(page, plain.replace(fieldUrl, asUrl(archive)), { script });
       expectSamePicture(await takePicture(page), drawReference());
       const [{ detail }] = (await seenEvents(page)).filter(({ type }) => type === 'load');
-      expect(detail).toMatchObject({ dimensions: [12, 12, 12] });
+      expect(detail).toMatchObject({ dimensions: [24, 20, 16], format: 'NIfTI-1' });
     });
   }
 

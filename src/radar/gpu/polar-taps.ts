@@ -1,6 +1,6 @@
 import polarTaps from '../../../shaders/chunks/radar/gradient-polar.glsl?raw';
 import type { FieldTaps } from '../../renderer/ray/modules/lit.ts';
-import { partOf } from '../../renderer/ray/ray-twin.ts';
+import { partOf } from '../../renderer/ray/part-of-twins.ts';
 import { beamTaps } from '../polar-gradient.ts';
 import { stretchOf } from '../polar-geometry.ts';
 import { radarTwins } from './radar-twins.ts';

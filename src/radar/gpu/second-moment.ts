@@ -9,7 +9,7 @@ import { pairTexels, pairUp } from '../../renderer/textures/float-pairs.ts';
 import { chooseFloatScale, prepareFloats } from '../../renderer/device/prepare-floats.ts';
 import type { SecondField } from '../../renderer/ray/ray-module.ts';
 import { overlayTwins, secondMomentText } from '../../renderer/ray/modules/overlay.ts';
-import { partOf } from '../../renderer/ray/ray-twin.ts';
+import { partOf } from '../../renderer/ray/part-of-twins.ts';
 import { textureUnit } from '../../renderer/device/texture-unit.ts';
 import { layOutRadials, packRows } from '../polar-layout.ts';
 import { radarTwins } from './radar-twins.ts';

@@ -27,16 +27,6 @@ export function later<T>(load: () => Promise<T>): Later<T> {
   };
 }
 
-/** One export of some code that is loaded later. */
-export function partOf<T, P>(from: Later<T>, choose: (code: T) => P): Later<P> {
-  return {
-    load: async () => choose(await from.load()),
-    get code() {
-      return choose(from.code);
-    },
-  };
-}
-
 /**
  * Make the twin of a module. Call it outside of functions that have a WebGL context in scope: a twin must not keep a context alive.
  * @param parts - called with the loaded code

@@ -10,7 +10,7 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { withoutIds } from '../../volume/label-volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { noticesOf } from '../model/file-notices.ts';
+import { noticesOf } from '../model/report-notices.ts';
 import { AttachmentController } from './attachment-controller.ts';
 import type { AttachmentHost } from './attachment-controller.ts';
 import { LastWork } from '../model/last-work.ts';

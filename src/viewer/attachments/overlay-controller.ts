@@ -6,7 +6,7 @@ import { probeDevice } from '../../renderer/probes/probe-device.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { withoutIds } from '../../volume/label-volume.ts';
 import type { PolarVolume, Volume } from '../../volume/volume.ts';
-import { noticesOf } from '../model/file-notices.ts';
+import { noticesOf } from '../model/report-notices.ts';
 import { AttachmentController } from './attachment-controller.ts';
 import type { AttachmentHost } from './attachment-controller.ts';
 import { LastWork } from '../model/last-work.ts';

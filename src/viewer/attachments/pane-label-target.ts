@@ -3,8 +3,8 @@ import type { VolumeViewError } from '../../core/errors.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { asLabels } from '../../volume/label-volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { reportFileNotices } from '../model/file-notices.ts';
 import type { FileNotices, ReportedFile } from '../model/file-notices.ts';
+import { reportFileNotices } from '../model/report-notices.ts';
 import type { LabelTarget } from './label-target.ts';
 
 /** A pane with its own volume. */

@@ -1,5 +1,6 @@
 import type { Volume } from '../../volume/volume.ts';
 import type { ReportedFile } from '../model/file-notices.ts';
+import { reportFileNotices } from '../model/report-notices.ts';
 import type { Aspect } from '../model/error-state.ts';
 import type { Scene } from '../model/scene.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
@@ -75,6 +76,6 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
   }
 
   reportFiles(files: readonly ReportedFile[]): void {
-    this.view.reportFiles(this, files);
+    reportFileNotices(this.view, this, files);
   }
 }

@@ -4,6 +4,7 @@ import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ReportedFile } from '../model/file-notices.ts';
+import { reportFileNotices } from '../model/report-notices.ts';
 import type { AttachmentTarget } from '../model/label-target.ts';
 import type { Scene } from '../model/scene.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
@@ -122,7 +123,7 @@ export class SurfaceTarget implements AttachmentTarget, ViewPart {
   }
 
   reportFiles(files: readonly ReportedFile[]): void {
-    this.view.reportFiles(this.element, files);
+    reportFileNotices(this.view, this.element, files);
   }
 
   /** The surface no longer belongs to this view. */

@@ -5,7 +5,7 @@ import type { GridFrame } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { WorldCut } from '../../volume/world-cut.ts';
-import type { ReportedFile } from './file-notices.ts';
+import type { NoticePlace } from './file-notices.ts';
 import type { ClipShape } from './clip-source.ts';
 import type { ErrorState } from './error-state.ts';
 import type { LabelTarget } from './label-target.ts';
@@ -69,7 +69,7 @@ export interface ViewPart {
 }
 
 /** What parts and companions can use of a view; the view's presenter implements it. */
-export interface SocketView {
+export interface SocketView extends NoticePlace {
   /** The `<volume-view>`. */
   readonly host: HTMLElement;
   /** The last good volume; null before there is one. */
@@ -90,8 +90,6 @@ export interface SocketView {
   readonly viewer: SocketViewer | null;
   /** Add work that scripts wait for when they wait for the picture. It does not reject. */
   track(work: Promise<unknown>): void;
-  /** Report which parts of files are not in the picture; empty where all are. @param owner - the object that shows the files */
-  reportFiles(owner: object, files: readonly ReportedFile[]): void;
   /** Read again which cuts the volume has. */
   cutAgain(): void;
   /** Show another volume in place of the last one, and notify the page. @throws {VolumeViewError} */

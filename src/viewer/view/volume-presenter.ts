@@ -1,8 +1,8 @@
 import type { CoarseVolume } from '../../formats/base/load-request.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { hasNotices, reportFileNotices } from '../model/file-notices.ts';
-import type { FileNotices, ReportedFile } from '../model/file-notices.ts';
+import { hasNotices } from '../model/file-notices.ts';
+import type { FileNotices } from '../model/file-notices.ts';
 import { CutReader } from '../cuts/cuts.ts';
 import type { Cuts } from '../cuts/cuts.ts';
 import type { ErrorState } from '../model/error-state.ts';
@@ -66,10 +66,6 @@ export class VolumePresenter implements AppearanceHost, SocketView {
   /** Whether something of the files is not in the picture, or is changed in it. */
   get hasNotices(): boolean {
     return hasNotices(this.#info, this.fileNotices);
-  }
-
-  reportFiles(owner: object, files: readonly ReportedFile[]): void {
-    reportFileNotices(this, owner, files);
   }
 
   get host(): HTMLElement {

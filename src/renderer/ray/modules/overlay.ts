@@ -11,7 +11,8 @@ import { deepest, edgeSlack } from '../../../optics/attachments/overlay.ts';
 import type { ShownOverlay } from '../../../optics/attachments/overlay.ts';
 import type { FieldStage } from '../../../optics/rays/ray-stages.ts';
 import type { RayText, RayTwin } from '../ray-module.ts';
-import { partOf, usualTwins } from '../ray-twin.ts';
+import { partOf } from '../part-of-twins.ts';
+import { usualTwins } from '../ray-twin.ts';
 import type { Later } from '../ray-twin.ts';
 
 /** No share of a layer's domain is smaller than this; a smaller value means no data. */
