@@ -8,7 +8,7 @@ export interface ByteRange {
 
 /** What is known of a file without reading it. */
 export interface FileStat {
-  /** Bytes; null where only reading the file would tell. */
+  /** Bytes; null where it is only known after reading the file. */
   readonly size: number | null;
 }
 
