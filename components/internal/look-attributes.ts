@@ -5,11 +5,11 @@ import { number, pair, transferFunction } from './property-kinds.ts';
 import { property, writeSafely } from './reflecting-element.ts';
 
 /** The properties that an editor changes. */
-const edited = ['transferFunction', 'transferFunction2d', 'opacityFactor', 'lightFactor'] as const;
+const edited = ['transferFunction', 'transferFunction2d', 'opacityFactor', 'lightFactor', 'shading'] as const;
 
 /** The attributes that say how the volume should look. */
 export class LookAttributes extends PictureAttributes {
-  /** The four attributes that an editor of the transfer function changes, all at once. */
+  /** The attributes that an editor of the transfer function changes, all at once. */
   get appearance(): Appearance {
     return Object.fromEntries(edited.map((name) => [name, this[name]])) as unknown as Appearance;
   }

@@ -11,6 +11,7 @@ export interface Appearance {
   readonly transferFunction2d?: string | null;
   readonly opacityFactor: number | null;
   readonly lightFactor: number | null;
+  readonly shading?: string | null;
 }
 
 /** The same, parsed. */
@@ -19,6 +20,7 @@ interface Optics {
   readonly patches?: readonly Patch[];
   readonly opacityFactor: number;
   readonly lightFactor: number;
+  readonly shading?: string;
 }
 
 /** The state that is edited. */
@@ -41,7 +43,7 @@ export interface EditedView {
 /** More stops than this can't be handled separately by a person. */
 export const maxHandles = 24;
 
-const names = ['transferFunction', 'transferFunction2d', 'opacityFactor', 'lightFactor'] as const;
+const names = ['transferFunction', 'transferFunction2d', 'opacityFactor', 'lightFactor', 'shading'] as const;
 
 /**
  * The edits of one volume's appearance: the present state, the earlier ones, and the writing to the volume, at most
@@ -53,6 +55,8 @@ export class EditSession {
   #look: Look | null = null;
   /** The volume's attributes when they were last read or written here. */
   #known: Appearance | null = null;
+  /** What the view chose together with its colours. It would go with the first stops of the page's own, so an edit writes it. */
+  #chosen: Partial<Appearance> = {};
   #frame = 0;
 
   /** @param wrote - called after the volume received an edit that continues (`input`) or is finished (`change`) */
@@ -138,7 +142,7 @@ export class EditSession {
   writeAttributes(): string {
     if (!this.#look) return '';
     const { stops, opacityFactor, lightFactor, attributes } = this.#look;
-    const { transferFunction, transferFunction2d = null } = attributes;
+    const { transferFunction, transferFunction2d = null, shading } = { ...this.#chosen, ...attributes };
     return [
       ...(transferFunction2d === null ? [] : [writeAttribute('transfer-function-2d', transferFunction2d)]),
       ...(transferFunction2d !== null && transferFunction === null
@@ -146,12 +150,18 @@ export class EditSession {
         : [writeAttribute('transfer-function', transferFunction ?? writeTransferFunction(stops))]),
       ...(opacityFactor === 1 ? [] : [writeAttribute('opacity-factor', String(opacityFactor))]),
       ...(lightFactor === 1 ? [] : [writeAttribute('light-factor', String(lightFactor))]),
+      ...(shading ? [writeAttribute('shading', shading)] : []),
     ].join(' ');
   }
 
   #begin(view: EditedView, optics: Optics, attributes: Appearance): void {
     this.#stop();
-    const { transferFunction, patches = [], opacityFactor, lightFactor } = optics;
+    const { transferFunction, patches = [], opacityFactor, lightFactor, shading = 'unlit' } = optics;
+    const isChosen = opacityFactor !== (attributes.opacityFactor ?? 1);
+    this.#chosen = {
+      ...(isChosen ? { opacityFactor } : {}),
+      ...(shading === (attributes.shading ?? 'unlit') ? {} : { shading }),
+    };
     this.#view = view;
     this.#known = attributes;
     this.#look = {
@@ -186,7 +196,7 @@ export class EditSession {
 
   #edit(change: Partial<Look>, attributes: Partial<Appearance>): void {
     if (!this.#look) return;
-    this.#look = { ...this.#look, ...change, attributes: { ...this.#look.attributes, ...attributes } };
+    this.#look = { ...this.#look, ...change, attributes: { ...this.#look.attributes, ...this.#chosen, ...attributes } };
     if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#write('input'));
   }
 

@@ -1,9 +1,10 @@
 import type { ErrorState } from '../model/error-state.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
+import { withDefaultLook } from './default-look.ts';
 import { resolveAppearance } from './resolve-appearance.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import { plainAppearance } from '../model/settings.ts';
-import type { Settings } from '../model/settings.ts';
+import type { AppearanceSettings, Settings } from '../model/settings.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
 /** What the reader needs of its view. */
@@ -35,6 +36,8 @@ export class AppearanceReader {
   /** Stops the reading in progress. */
   #reading: AbortController | null = null;
   #isDue = false;
+  /** Whether the view itself chose light, because nothing else decides how the volume looks. */
+  #isLit = false;
   /** The code that reads X3D's volume nodes, once there are some. */
   declare nodes?: Promise<VolumeNodeReader>;
   /** The transfer function of a volume that is itself labels, where its page gives none. */
@@ -76,6 +79,13 @@ export class AppearanceReader {
     this.#isDue = true;
   }
 
+  /** Another picture has joined or left the view. If it decides how the volume looks, read again. */
+  attachmentsChanged(): void {
+    const { model, settings } = this.host;
+    if (!model || settings.look.error || !this.#current) return;
+    if ((this.#complete(settings.look.value, model) !== settings.look.value) !== this.#isLit) this.readAgain();
+  }
+
   /** Another volume will be shown. A reading in progress is repeated afterwards. */
   interrupt(): void {
     if (!this.#reading) return;
@@ -93,7 +103,9 @@ export class AppearanceReader {
   async read(model: ScanModel): Promise<VolumeOptics> {
     const { look: appearance } = this.host.settings;
     if (appearance.error) throw appearance.error;
-    const optics = await resolveAppearance(appearance.value, { ...model, ...this.replacement });
+    const said = this.#complete(appearance.value, model);
+    this.#isLit = said !== appearance.value;
+    const optics = await resolveAppearance(said, { ...model, ...this.replacement });
     return (await this.nodes)?.withVolumeNodes(this.host, optics, model) ?? optics;
   }
 
@@ -108,6 +120,11 @@ export class AppearanceReader {
       this.errors.report('optics', error);
       return resolveAppearance(plainAppearance, model);
     }
+  }
+
+  /** Volume nodes of X3D say themselves how the volume looks. */
+  #complete(said: AppearanceSettings, model: ScanModel): AppearanceSettings {
+    return this.nodes ? said : withDefaultLook(said, model, this.host.user.host);
   }
 
   /** The volume has this appearance now, or null where it is gone. */

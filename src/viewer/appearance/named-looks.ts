@@ -4,6 +4,7 @@ import { otsuBin } from '../../optics/transfer/window.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import type { AppearanceSettings } from '../model/settings.ts';
+import { litLook, scanKindOf } from './default-look.ts';
 
 /** The settings behind a name. Stops and factor belong together: where an author writes stops, the factor is not used. */
 type NamedLook = Partial<
@@ -34,14 +35,14 @@ type Word = (typeof words)['ct'][number];
 /** Opaque enough that light shows how a surface is inclined, and that nothing behind it shines through. */
 const looks: Readonly<Record<'ct' | 'intensity', Partial<Record<Word, (volume: ScanModel) => NamedLook>>>> = {
   ct: {
-    textbook: () => boneAppearance,
-    bone: () => boneAppearance,
+    textbook: () => bone,
+    bone: () => bone,
     skin: () => ({ transferFunction: '-400 #c98f73 0, -250 #d9a489 60%, 200 #f0c8a8 90%', shading: 'lit' }),
     vessels: () => ({ transferFunction: 'ct-angio', opacityFactor: 3, shading: 'lit' }),
     mip: (volume) => ({ transferFunction: 'gray', window: windowOfMaxima(volume, -100), projection: 'max' }),
   },
   intensity: {
-    textbook: () => ({ opacityFactor: 6, shading: 'lit' }),
+    textbook: () => litLook('intensity'),
     skin: () => ({
       transferFunction: '0% #b47a60 0, 12% #c98f73 60%, 60% #e3b498 90%, 100% #f6dcc6 95%',
       shading: 'lit',
@@ -54,7 +55,7 @@ const looks: Readonly<Record<'ct' | 'intensity', Partial<Record<Word, (volume: S
   },
 };
 
-const boneAppearance: NamedLook = { transferFunction: 'ct-bone', opacityFactor: 3, shading: 'lit' };
+const bone: NamedLook = { transferFunction: 'ct-bone', ...litLook('ct') };
 
 /**
  * The author's settings, completed by those of the named appearance.
@@ -95,13 +96,11 @@ function explain(word: string): string {
 }
 
 function kindOf(volume: ScanModel): Kind {
-  const { transferFunction, unit, isDiscrete } = volume;
-  if (isDiscrete) return 'things';
-  if (isPolar(volume)) return 'scale';
-  if (transferFunction ? typeof transferFunction === 'string' && transferFunction.startsWith('ct-') : unit === 'HU')
-    return 'ct';
-  if (!transferFunction) return unit === '' ? 'intensity' : 'scale';
-  return volume.histogram.counts.filter(Boolean).length === 2 ? 'mask' : 'scale';
+  const scan = scanKindOf(volume);
+  if (scan) return scan;
+  if (volume.isDiscrete) return 'things';
+  const isMask = volume.transferFunction && !isPolar(volume);
+  return isMask && volume.histogram.counts.filter(Boolean).length === 2 ? 'mask' : 'scale';
 }
 
 /** The mean of rays through the middle of the scanned object, above air, as a share of the mean of tissue: they also cross some air. */

@@ -85,6 +85,8 @@ export interface SocketView extends NoticePlace {
     /** The transfer function of a volume that is labels, where its page gives none. `readAgain` applies it. */
     replacement: { readonly transferFunction: TransferFunction } | null;
     readAgain(): void;
+    /** A part has joined or left. */
+    attachmentsChanged(): void;
   };
   /** Draws the pictures of the view; null while the view is in no page. */
   readonly viewer: SocketViewer | null;
@@ -158,6 +160,7 @@ export class ViewSocket {
    */
   join(part: ViewPart, isFirst = false): Promise<void> {
     this.#parts = isFirst ? [part, ...this.#parts] : [...this.#parts, part];
+    this.view?.look.attachmentsChanged();
     return this.#change(part);
   }
 
@@ -171,6 +174,7 @@ export class ViewSocket {
     if (!this.#versions.delete(part)) return;
     this.#parts = this.#parts.filter((one) => one !== part);
     this.#version++;
+    this.view?.look.attachmentsChanged();
     await this.#show(part, (scene) => this.#remove(part, scene));
   }
 

@@ -40,7 +40,13 @@ export function writeCamera({ eye, target, up, fieldOfView }: Camera): CameraTex
 }
 
 /** The attributes of the appearance that a person can change. */
-const edited: readonly string[] = ['transfer-function', 'transfer-function-2d', 'opacity-factor', 'light-factor'];
+const edited: readonly string[] = [
+  'transfer-function',
+  'transfer-function-2d',
+  'opacity-factor',
+  'light-factor',
+  'shading',
+];
 
 /** The attributes that restore a view. @param read - returns the present text of an attribute; null where it is absent */
 export function writeView(

@@ -1,0 +1,40 @@
+// The appearance of a scan whose page asks for nothing: lit, because an unlit scan looks like wax.
+import { isPolar } from '../../volume/volume.ts';
+import type { ScanModel } from '../model/scan-model.ts';
+import type { AppearanceSettings } from '../model/settings.ts';
+
+/** How many times as dense a lit scan is drawn: light shows a surface only where little shines through from behind. */
+const litFactors = { intensity: 6, ct: 3 };
+
+/**
+ * What the values of a scan of matter are. `intensity`: values without a known scale, as in MRI. null: labels, masks, and values whose
+ * colours people read as numbers, as in a radar scan, a map of statistics or PET. Light would change what those colours mean.
+ */
+export function scanKindOf({
+  transferFunction,
+  unit,
+  isDiscrete,
+  grid,
+}: Pick<ScanModel, 'transferFunction' | 'unit' | 'isDiscrete' | 'grid'>): keyof typeof litFactors | null {
+  if (isDiscrete || isPolar({ grid })) return null;
+  if (transferFunction) return typeof transferFunction === 'string' && transferFunction.startsWith('ct-') ? 'ct' : null;
+  return unit === 'HU' ? 'ct' : unit === '' ? 'intensity' : null;
+}
+
+/** The settings of a lit scan of one kind; the colours are those that the data choose. */
+export function litLook(kind: keyof typeof litFactors): Pick<AppearanceSettings, 'opacityFactor' | 'shading'> {
+  return { opacityFactor: litFactors[kind], shading: 'lit' };
+}
+
+/** Children of a view that give it a picture of their own: what the page shows with the scan decides how the scan looks. */
+const others = 'volume-labels, volume-layer, volume-surface, volume-terrain, shape';
+
+/**
+ * The author's settings; where they and the view's children leave the appearance open, completed by that of a lit scan. Window and
+ * reference length don't decide it: people change the window while they look.
+ */
+export function withDefaultLook(said: AppearanceSettings, volume: ScanModel, host: Element): AppearanceSettings {
+  const { window: _window, referenceLength: _length, lightFactor: _light, ...rest } = said;
+  const kind = Object.values(rest).every((value) => value === null) && scanKindOf(volume);
+  return kind && !host.querySelector(others) ? { ...said, ...litLook(kind) } : said;
+}
