@@ -142,7 +142,8 @@ export class EditSession {
   writeAttributes(): string {
     if (!this.#look) return '';
     const { stops, opacityFactor, lightFactor, attributes } = this.#look;
-    const { transferFunction, transferFunction2d = null, shading } = { ...this.#chosen, ...attributes };
+    const { transferFunction, transferFunction2d = null } = attributes;
+    const shading = attributes.shading ?? this.#chosen.shading;
     return [
       ...(transferFunction2d === null ? [] : [writeAttribute('transfer-function-2d', transferFunction2d)]),
       ...(transferFunction2d !== null && transferFunction === null

@@ -55,7 +55,7 @@ export function fakeView(html: string): FakeView {
     awake: true,
     settings: { src: 'ct.png' },
     errors,
-    look: { current: plainAppearance, replacement: null },
+    look: { current: plainAppearance, replacement: null, attachmentsChanged: () => {} },
     volume: { grid, samples: new Uint8Array(4), slope: 1, intercept: 0, format: 'png mosaic', range: [0, 200] },
     viewer: { scene, invalidate: () => {} },
     track: (one: Promise<unknown>) => work.push(one),

@@ -25,7 +25,12 @@ describe('beside a volume', () => {
   it('the error of a surface that still has one is shown when another one is well again', () => {
     const errors = new ErrorState({ file: '', changed: () => {}, failed: () => {} });
     const socket = socketOf(document.createElement('div'));
-    socket.view = { errors, viewer: null, volume: null } as unknown as SocketView;
+    socket.view = {
+      errors,
+      look: { attachmentsChanged: () => {} },
+      viewer: null,
+      volume: null,
+    } as unknown as SocketView;
     const [first, second] = [0, 1].map(() => new SurfaceTarget(socket, document.createElement('i')));
     first.failed(wrong('one'));
     second.failed(wrong('two'));
@@ -75,6 +80,7 @@ describe('beside a volume', () => {
     const work: Promise<unknown>[] = [];
     const presenter = {
       host,
+      look: { attachmentsChanged: () => {} },
       awake: true,
       errors: new ErrorState({ file: '', changed: () => {}, failed: () => {} }),
       viewer: viewer as typeof viewer | null,
@@ -142,7 +148,13 @@ describe('beside a volume', () => {
       colorMoment: null as string | null,
       scan: null,
     }) as ColoredView & { colorMoment: string | null };
-    socketOf(view).view = { errors, viewer: null, volume: null, track: () => {} } as unknown as SocketView;
+    socketOf(view).view = {
+      errors,
+      look: { attachmentsChanged: () => {} },
+      viewer: null,
+      volume: null,
+      track: () => {},
+    } as unknown as SocketView;
     errors.report('overlay', wrong('a layer'));
     await colorsOf(view).refresh();
     expect(errors.first?.message).to.equal('a layer');

@@ -8,6 +8,7 @@ import { PatchEditor } from '../../src/editor/patch-editor.ts';
 import { EditSession } from '../../src/editor/transfer-function-session.ts';
 import type { Appearance, EditedView } from '../../src/editor/transfer-function-session.ts';
 import { parsePatches } from '../../src/optics/transfer/parse-patches.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import type { Patch } from '../../src/optics/transfer/patches.ts';
 import { writePatches } from '../../src/optics/transfer/write-patches.ts';
 import { collectSamples, samplePlane } from '../../src/viewer/tools/sample-plane.ts';
@@ -230,5 +231,43 @@ describe('a histogram of values and gradients', () => {
     const control = new AbortController();
     control.abort();
     expect(await collectSamples(volume, control.signal)).to.equal(null);
+  });
+});
+
+describe('the first edit of a scan that the view has lit by itself', () => {
+  const stops = parseTransferFunction('0 black 0, 1 white 50%', [0, 1]);
+  const begin = (given: Partial<Appearance> = {}): { session: EditSession; view: EditedView } => {
+    const none: Appearance = { transferFunction: null, opacityFactor: null, lightFactor: null, shading: null };
+    const optics = { transferFunction: stops, opacityFactor: 6, lightFactor: 1, shading: 'lit' };
+    const view: EditedView = { appearance: { ...none, ...given }, optics };
+    const session = new EditSession(() => {});
+    session.follow(view);
+    return { session, view };
+  };
+
+  it('writes light and density too, because stops of the page take them away', () => {
+    const { session, view } = begin();
+    session.setStops(parseTransferFunction('0 black 0, 1 red 50%', [0, 1]));
+    session.commit();
+    expect(view.appearance).to.include({ opacityFactor: 6, shading: 'lit' });
+    expect(session.writeAttributes()).to.contain('opacity-factor="6"').and.to.contain('shading="lit"');
+    session.undo();
+    expect(view.appearance, 'what the page said').to.include({ opacityFactor: null, shading: null });
+  });
+
+  it('can be copied before the first edit', () => {
+    expect(begin().session.writeAttributes()).to.contain('opacity-factor="6"').and.to.contain('shading="lit"');
+  });
+
+  it('writes nothing that the page says itself', () => {
+    const { session, view } = begin({ opacityFactor: 6, shading: 'lit' });
+    session.setFactor('lightFactor', 2);
+    session.commit();
+    expect(view.appearance).to.deep.equal({
+      transferFunction: null,
+      opacityFactor: 6,
+      lightFactor: 2,
+      shading: 'lit',
+    });
   });
 });

@@ -24,6 +24,7 @@ function createView() {
   const viewer = { volume, shown, scene: { loadLines: async () => null }, invalidate: () => {}, reframe: () => {} };
   socket.view = {
     host,
+    look: { attachmentsChanged: () => {} },
     awake: true,
     errors: new ErrorState({ file: '', changed: () => {}, failed: () => {} }),
     settings,

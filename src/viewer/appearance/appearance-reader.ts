@@ -1,6 +1,6 @@
 import type { ErrorState } from '../model/error-state.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
-import { withDefaultLook } from './default-look.ts';
+import { showsMore, withDefaultLook } from './default-look.ts';
 import { resolveAppearance } from './resolve-appearance.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import { plainAppearance } from '../model/settings.ts';
@@ -124,7 +124,7 @@ export class AppearanceReader {
 
   /** Volume nodes of X3D say themselves how the volume looks. */
   #complete(said: AppearanceSettings, model: ScanModel): AppearanceSettings {
-    return this.nodes ? said : withDefaultLook(said, model, this.host.user.host);
+    return this.nodes || showsMore(this.host.user.host) ? said : withDefaultLook(said, model);
   }
 
   /** The volume has this appearance now, or null where it is gone. */

@@ -26,15 +26,20 @@ export function litLook(kind: keyof typeof litFactors): Pick<AppearanceSettings,
   return { opacityFactor: litFactors[kind], shading: 'lit' };
 }
 
-/** Children of a view that give it a picture of their own: what the page shows with the scan decides how the scan looks. */
-const others = 'volume-labels, volume-layer, volume-surface, volume-terrain, shape';
-
 /**
- * The author's settings; where they and the view's children leave the appearance open, completed by that of a lit scan. Window and
- * reference length don't decide it: people change the window while they look.
+ * The author's settings; where they leave the appearance open, completed by that of a lit scan. Window and reference length don't
+ * decide it: people change the window while they look.
  */
-export function withDefaultLook(said: AppearanceSettings, volume: ScanModel, host: Element): AppearanceSettings {
+export function withDefaultLook(said: AppearanceSettings, volume: ScanModel): AppearanceSettings {
   const { window: _window, referenceLength: _length, lightFactor: _light, ...rest } = said;
   const kind = Object.values(rest).every((value) => value === null) && scanKindOf(volume);
-  return kind && !host.querySelector(others) ? { ...said, ...litLook(kind) } : said;
+  return kind ? { ...said, ...litLook(kind) } : said;
+}
+
+/** Children of a view that are seen in or on its scan: a lit scan is so dense that it would hide them. */
+const inScan = 'volume-labels, volume-layer, volume-surface, volume-terrain, shape';
+
+/** Whether a view shows something else in its scan. */
+export function showsMore(host: Element): boolean {
+  return host.querySelector(inScan) !== null;
 }

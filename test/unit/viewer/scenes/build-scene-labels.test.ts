@@ -12,7 +12,7 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
     (name) => ({ shown: { map: name }, nameOf: () => null }) as unknown as ViewLabels,
   );
   const socket = new ViewSocket();
-  socket.view = { viewer: null } as unknown as SocketView;
+  socket.view = { viewer: null, look: { attachmentsChanged: () => {} } } as unknown as SocketView;
   const target = new PresenterTarget(socket);
   await target.show(first);
   const reported: unknown[] = [];
@@ -50,7 +50,7 @@ it('labels that come after a new scene has looked for them, and before it is in 
   const scene = { setLabels: async (labels: unknown) => void reported.push(labels) };
   const viewer = { scene: null as unknown, invalidate: () => reported.push('drawn anew') };
   const socket = new ViewSocket();
-  socket.view = { viewer } as unknown as SocketView;
+  socket.view = { viewer, look: { attachmentsChanged: () => {} } } as unknown as SocketView;
   const labels = { shown: { map: 'one' }, nameOf: () => null } as unknown as ViewLabels;
   const applied = new PresenterTarget(socket).show(labels);
   await Promise.resolve();
