@@ -48,7 +48,8 @@ export class LookAttributes extends PictureAttributes {
 
   /**
    * `lit` shows the orientation of surfaces in the volume, by a light at the eye and the X3D lights among the children; `unlit` shows the
-   * colours as they are in the legend. By default only the surfaces of `surface-values` are lit. A `projection` is never lit.
+   * colours as they are in the legend. By default the surfaces of `surface-values` are lit, and MRI and CT if no other attribute and no child
+   * decides how they look. A `projection` is never lit.
    */
   @property() shading!: 'lit' | 'unlit' | null;
 
