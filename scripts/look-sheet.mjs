@@ -21,9 +21,9 @@ const { values: options } = parseArgs({
 const [width, height] = options.size.split('x').map(Number);
 const sheetFile = 'docs/images/looks.webp';
 
-/** Words in the order of the columns; the first column is the tag without `look`. */
-const scans = ['', 'textbook', 'skin', 'xray', 'mip'];
-const ct = ['', 'bone', 'skin', 'xray', 'mip'];
+/** Words in the order of the columns; an empty word is the tag without `look`. */
+const scans = ['flat', 'textbook', 'skin', 'xray', 'mip'];
+const ct = ['flat', 'bone', 'skin', 'xray', 'mip'];
 const others = ['', 'textbook', 'flat', 'mip'];
 
 /** @type {readonly { src: string, name: string, words: readonly string[], attributes?: string, isPrivate?: true }[]} - `isPrivate`: pictures stay out of the docs */
