@@ -17,105 +17,122 @@ interface Counted {
   widths: number[];
 }
 
-test('a plain MRI compiles one ray-caster, and asks for no part of other features', async ({ page }) => {
-  const scripts: string[] = [];
-  page.on('request', (request) => {
-    if (request.url().endsWith('.js'))
-      scripts.push(
-        new URL(request.url()).pathname
-          .split('/')
-          .at(-1)!
-          .replace(/-.{8}\.js$/, ''),
+/** A scan that is lit pays for light, and one that is not does not. */
+const plainScans = [
+  { title: 'an unlit MRI', attributes: 'shading="unlit"', parts: [] },
+  {
+    title: 'an MRI that is lit by default',
+    attributes: '',
+    parts: [
+      ...['lit', 'styles', 'load-light', 'style-detail', 'cut-fade', 'gradient', 'styled', 'keep-last'],
+      // 2.5 kB of a radar's light: it is loaded together with all light, before it is known what the volume is.
+      ...['polar-taps', 'polar-gradient', 'polar-geometry', 'radar-twins'],
+    ],
+  },
+];
+
+for (const { title, attributes, parts } of plainScans) {
+  test(`${title} compiles one ray-caster, and asks for no part of other features`, async ({ page }) => {
+    const scripts: string[] = [];
+    page.on('request', (request) => {
+      if (request.url().endsWith('.js'))
+        scripts.push(
+          new URL(request.url()).pathname
+            .split('/')
+            .at(-1)!
+            .replace(/-.{8}\.js$/, ''),
+        );
+    });
+    await page.addInitScript(countGpuBytes);
+    await page.addInitScript(() => {
+      const counted: Counted = { programs: [], atFirst: 0, contexts: 0, reads: 0, readsAt: [], tables: 0, widths: [] };
+      Object.assign(window, { counted });
+      const { linkProgram } = WebGL2RenderingContext.prototype;
+      WebGL2RenderingContext.prototype.linkProgram = function (program) {
+        counted.programs.push(
+          (this.getAttachedShaders(program) ?? []).some((shader) =>
+            this.getShaderSource(shader)?.includes('gatherSegment'),
+          ),
+        );
+        linkProgram.call(this, program);
+      };
+      const getContext = HTMLCanvasElement.prototype.getContext as (
+        this: HTMLCanvasElement,
+        kind: string,
+        options?: unknown,
+      ) => RenderingContext | null;
+      HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, options?: unknown) {
+        if (kind === 'webgl2') counted.contexts++;
+        return getContext.call(this, kind, options);
+      } as typeof HTMLCanvasElement.prototype.getContext;
+      const { readPixels, texImage2D } = WebGL2RenderingContext.prototype;
+      WebGL2RenderingContext.prototype.readPixels = function (this: WebGL2RenderingContext, ...args: unknown[]) {
+        counted.reads++;
+        Reflect.apply(readPixels, this, args);
+      };
+      WebGL2RenderingContext.prototype.texImage2D = function (this: WebGL2RenderingContext, ...args: unknown[]) {
+        if (args.at(-1) instanceof Float32Array && args[4] === 64) counted.tables++;
+        Reflect.apply(texImage2D, this, args);
+      };
+      document.addEventListener(
+        'render',
+        (event) => {
+          counted.atFirst ||= counted.programs.length;
+          counted.readsAt.push(counted.reads);
+          counted.widths.push((event as CustomEvent<{ width: number }>).detail.width);
+        },
+        true,
       );
-  });
-  await page.addInitScript(countGpuBytes);
-  await page.addInitScript(() => {
-    const counted: Counted = { programs: [], atFirst: 0, contexts: 0, reads: 0, readsAt: [], tables: 0, widths: [] };
-    Object.assign(window, { counted });
-    const { linkProgram } = WebGL2RenderingContext.prototype;
-    WebGL2RenderingContext.prototype.linkProgram = function (program) {
-      counted.programs.push(
-        (this.getAttachedShaders(program) ?? []).some((shader) =>
-          this.getShaderSource(shader)?.includes('gatherSegment'),
-        ),
-      );
-      linkProgram.call(this, program);
-    };
-    const getContext = HTMLCanvasElement.prototype.getContext as (
-      this: HTMLCanvasElement,
-      kind: string,
-      options?: unknown,
-    ) => RenderingContext | null;
-    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, options?: unknown) {
-      if (kind === 'webgl2') counted.contexts++;
-      return getContext.call(this, kind, options);
-    } as typeof HTMLCanvasElement.prototype.getContext;
-    const { readPixels, texImage2D } = WebGL2RenderingContext.prototype;
-    WebGL2RenderingContext.prototype.readPixels = function (this: WebGL2RenderingContext, ...args: unknown[]) {
-      counted.reads++;
-      Reflect.apply(readPixels, this, args);
-    };
-    WebGL2RenderingContext.prototype.texImage2D = function (this: WebGL2RenderingContext, ...args: unknown[]) {
-      if (args.at(-1) instanceof Float32Array && args[4] === 64) counted.tables++;
-      Reflect.apply(texImage2D, this, args);
-    };
-    document.addEventListener(
-      'render',
-      (event) => {
-        counted.atFirst ||= counted.programs.length;
-        counted.readsAt.push(counted.reads);
-        counted.widths.push((event as CustomEvent<{ width: number }>).detail.width);
-      },
-      true,
+    });
+    await open(
+      page,
+      `<volume-view src="/demos/data/mni152-t1.nii.gz" ${attributes} style="width: 160px; height: 120px" alt="A head"></volume-view>`,
     );
+    await settle(page);
+    const bytes = await page.evaluate(() =>
+      (window as unknown as { gpuBytes: () => { samples: number; textures: number } }).gpuBytes(),
+    );
+    const { programs, atFirst, contexts, readsAt, tables, widths } = await page.evaluate(
+      () => (window as unknown as { counted: Counted }).counted,
+    );
+    expect(programs.filter((casts) => casts)).toHaveLength(1);
+    // Two of x3dom's own come with every scene.
+    expect(atFirst).toBeLessThanOrEqual(3);
+    expect(programs.length).toBeLessThanOrEqual(4);
+    expect(contexts, "the scene's, and one that tells what the device can do").toBeLessThanOrEqual(2);
+    expect(readsAt[0], 'the first picture waits for nothing').toBe(0);
+    expect(readsAt.at(-1), 'two lattices of three pictures tell the error').toBeLessThanOrEqual(6);
+    expect(tables, 'what the coarse picture has made stays').toBe(1);
+    expect(
+      widths.every((width, i) => i === 0 || width >= widths[i - 1]),
+      `no picture is smaller than the one before: ${widths.join(' ')}`,
+    ).toBe(true);
+    expect(widths.at(-1)).toBe(160);
+    const expected = [
+      'volume-view.js',
+      'decode-worker.js',
+      'x3dom.js',
+      'framing',
+      'gpu-timer',
+      'upload-gradually',
+      'view-quality',
+      'emission-range',
+      'depth-jumps',
+      'interaction',
+      'camera-moves',
+      'pointer-place',
+      'gather-picture',
+      'worker-nifti',
+      'worker-grid-samples',
+      ...parts,
+    ];
+    // Where the final picture takes more than a second, which no test can say.
+    expected.push('refining-sign', 'apply-sheet');
+    expect(scripts.filter((name) => !expected.includes(name))).toEqual([]);
+    expect(bytes.samples).toBe(197 * 233 * 189);
+    expect(bytes.textures).toBeLessThan(1.3 * bytes.samples);
   });
-  await open(
-    page,
-    '<volume-view src="/demos/data/mni152-t1.nii.gz" style="width: 160px; height: 120px" alt="A head"></volume-view>',
-  );
-  await settle(page);
-  const bytes = await page.evaluate(() =>
-    (window as unknown as { gpuBytes: () => { samples: number; textures: number } }).gpuBytes(),
-  );
-  const { programs, atFirst, contexts, readsAt, tables, widths } = await page.evaluate(
-    () => (window as unknown as { counted: Counted }).counted,
-  );
-  expect(programs.filter((casts) => casts)).toHaveLength(1);
-  // Two of x3dom's own come with every scene.
-  expect(atFirst).toBeLessThanOrEqual(3);
-  expect(programs.length).toBeLessThanOrEqual(4);
-  expect(contexts, "the scene's, and one that tells what the device can do").toBeLessThanOrEqual(2);
-  expect(readsAt[0], 'the first picture waits for nothing').toBe(0);
-  expect(readsAt.at(-1), 'two lattices of three pictures tell the error').toBeLessThanOrEqual(6);
-  expect(tables, 'what the coarse picture has made stays').toBe(1);
-  expect(
-    widths.every((width, i) => i === 0 || width >= widths[i - 1]),
-    `no picture is smaller than the one before: ${widths.join(' ')}`,
-  ).toBe(true);
-  expect(widths.at(-1)).toBe(160);
-  const expected = [
-    'volume-view.js',
-    'decode-worker.js',
-    'x3dom.js',
-    'framing',
-    'gpu-timer',
-    'upload-gradually',
-    'view-quality',
-    'emission-range',
-    'depth-jumps',
-    'interaction',
-    'camera-moves',
-    'pointer-place',
-    'gather-picture',
-    'worker-nifti',
-    'worker-grid-samples',
-  ];
-  // Where the final picture takes more than a second, which no test can say.
-  expected.push('refining-sign', 'apply-sheet');
-  expect(scripts.filter((name) => !expected.includes(name))).toEqual([]);
-  expect(bytes.samples).toBe(197 * 233 * 189);
-  expect(bytes.textures).toBeLessThan(1.3 * bytes.samples);
-});
+}
 
 test('what draws a radar is there before its file is', async ({ page }) => {
   const scripts: string[] = [];
