@@ -12,16 +12,14 @@ export type { Samples } from './samples.ts';
 /** The positions of a volume's samples. */
 export type Grid = CartesianGrid | PolarGrid;
 
-/** A scalar volume. It is plain data, because workers send it to their page. */
-export interface Volume {
+/** The values of a volume, and where they are: all that drawing, picking and measuring need. */
+export interface VolumeData {
   readonly grid: Grid;
   /**
    * Cartesian: `dimensions[0] * dimensions[1] * dimensions[2]` stored values, i fastest; NaN (float only) means no data.
    * Polar: sweep after sweep, radial after radial, gate after gate; 0 (integers) or NaN (float) means no data.
    */
   readonly samples: Samples;
-  /** Set for volumes from radar files: what the file says about the scan. */
-  readonly radar?: RadarInfo;
   /** Data value = slope * sample + intercept, in `unit`; but see `ids`. */
   readonly slope: number;
   readonly intercept: number;
@@ -35,16 +33,6 @@ export interface Volume {
   readonly macrocells: Macrocells;
   /** Whether any sample has no data. */
   readonly hasNoData: boolean;
-  /** The format of the file: 'NIfTI-1', 'PNG mosaic', ... */
-  readonly format: string;
-  /** Whether the file says that the world's axes are a patient's: x to the right, y to the front, z to the head. */
-  readonly anatomical?: boolean;
-  readonly title?: string;
-  readonly credit?: string;
-  /** How the volume is shown: from its file or manifest, else suggested by its values. Attributes override these. */
-  readonly window?: readonly [number, number];
-  readonly transferFunction?: string;
-  readonly referenceLength?: number;
   /**
    * Whether values stand for things, as labels do: there are no values between two of them, and a point has the value
    * of one of the eight samples around it.
@@ -55,12 +43,24 @@ export interface Volume {
    * The renderer uses the indices as values.
    */
   readonly ids?: readonly number[];
-  /** What the file itself says about its labels. */
-  readonly named?: readonly NamedLabel[];
   /** The file's exact whole numbers, if `samples` rounds them; absent if there are too many different ones. */
   readonly indexed?: IndexedSamples;
   /** Set where whole numbers are rounded that are not in `indexed`. */
   readonly rounded?: Rounded;
+}
+
+/** Where a volume comes from: what its file says about it, and what was changed on its way. */
+export interface Provenance {
+  /** The format of the file: 'NIfTI-1', 'PNG mosaic', ... */
+  readonly format: string;
+  /** Whether the file says that the world's axes are a patient's: x to the right, y to the front, z to the head. */
+  readonly anatomical?: boolean;
+  /** Set for volumes from radar files: what the file says about the scan. */
+  readonly radar?: RadarInfo;
+  readonly title?: string;
+  readonly credit?: string;
+  /** What the file itself says about its labels. */
+  readonly named?: readonly NamedLabel[];
   /** What of the file is not in it, or not as it is there, and changes what is seen, in words; absent where all is. */
   readonly left?: readonly string[];
   /** Set when the volume was made smaller to fit the device. */
@@ -68,6 +68,19 @@ export interface Volume {
   /** Set for a small stand-in of a large volume; range, histogram and `hasNoData` are those of the large one. */
   readonly coarse?: true;
 }
+
+/** How a volume is shown: from its file or manifest, else suggested by its values. Attributes override these. */
+export interface OwnAppearance {
+  readonly window?: readonly [number, number];
+  readonly transferFunction?: string;
+  readonly referenceLength?: number;
+}
+
+/**
+ * A scalar volume: its data, where they come from, and how they want to be shown. It is plain data, because workers send
+ * it to their page. What needs a part of it takes that part's type.
+ */
+export interface Volume extends VolumeData, Provenance, OwnAppearance {}
 
 /** A volume on a radar's grid. */
 export type PolarVolume = Volume & { readonly grid: PolarGrid };
