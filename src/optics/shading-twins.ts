@@ -1,6 +1,6 @@
 // The float64 twins of light, rendering styles, surfaces and transfer functions by gradient. They are loaded with the first ray that needs
 // one of them.
-import type { Volume } from '../volume/volume.ts';
+import type { VolumeData } from '../volume/volume.ts';
 import { cartesianGradient } from './rays/gradient.ts';
 import type { GradientStage } from './rays/gradient.ts';
 import { cartesianField } from './rays/ray-field.ts';
@@ -18,7 +18,7 @@ export interface SlopedField {
 }
 
 /** The gradients of a volume on a cartesian grid. */
-export function cartesianSlopes(volume: Volume): SlopedField {
+export function cartesianSlopes(volume: VolumeData): SlopedField {
   const { grid } = volume;
   const field = cartesianField({ ...volume, dimensions: grid.dimensions });
   return { gradient: cartesianGradient(field, grid), isFolded: field.isFolded };

@@ -4,7 +4,7 @@ import { boundsOf, contains } from '../volume/solid.ts';
 import type { Solid } from '../volume/solid.ts';
 import { Tally } from '../volume/statistics.ts';
 import type { Statistics } from '../volume/statistics.ts';
-import type { PolarVolume } from '../volume/volume.ts';
+import type { PolarData } from '../volume/volume.ts';
 import { beamToLocal } from './polar-geometry.ts';
 
 /** The places of a radial's gates, in metres: along the ground's arc, and above the antenna. */
@@ -18,7 +18,7 @@ interface Profile {
  * @param solid - in local metres: east, north, and above the antenna. The generator yields after each radial.
  */
 export function* sumUpGates(
-  { grid: { sweeps, earthRadius }, samples, slope, intercept }: PolarVolume,
+  { grid: { sweeps, earthRadius }, samples, slope, intercept }: PolarData,
   solid: Solid,
 ): Generator<void, Statistics> {
   const tally = new Tally();
@@ -60,7 +60,7 @@ function profileOf({ firstGate, gateLength, gates }: Sweep, elevation: number, e
  * width upward. Metres in local coordinates.
  */
 export function edgesOfGate(
-  { grid: { sweeps, beamWidth } }: Pick<PolarVolume, 'grid'>,
+  { grid: { sweeps, beamWidth } }: Pick<PolarData, 'grid'>,
   [x, y, z]: Vector3,
 ): readonly Vector3[] {
   const arc = Math.hypot(x, y);

@@ -3,7 +3,7 @@ import { localToBeam, unitToLocal } from './polar-geometry.ts';
 import type { BeamPoint } from './polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
 import { countUpTo, elevationAt, radialsAround, widestGap } from './sweep-elevations.ts';
-import type { PolarVolume, Samples } from '../volume/volume.ts';
+import type { PolarData, Samples } from '../volume/volume.ts';
 
 /** Gates with a smaller weight do not count: a 0 that rounding has changed must not decide whether there is a fold. */
 const minWeight = 1e-6;
@@ -18,7 +18,7 @@ interface Corner {
 }
 
 /** Stored values of a polar volume at points of its unit cube; NaN if there is no data. */
-export function polarSampler({ samples, grid }: Pick<PolarVolume, 'samples' | 'grid'>): (p: Vector3) => number {
+export function polarSampler({ samples, grid }: Pick<PolarData, 'samples' | 'grid'>): (p: Vector3) => number {
   return (p) => interpolatePolar(samples, grid, unitToLocal(grid.box, p));
 }
 

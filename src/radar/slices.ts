@@ -3,7 +3,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import { heightOverCone, localToBeam, unitToLocal } from './polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
 import { elevationAt } from './sweep-elevations.ts';
-import type { PolarVolume, Samples } from '../volume/volume.ts';
+import type { PolarData, Samples } from '../volume/volume.ts';
 import { brighten } from '../optics/transfer/brighten.ts';
 import { interpolatePolar, interpolateSweep } from './interpolate-polar.ts';
 import type { HalfSpace, Plane } from '../optics/attachments/plane-outlines.ts';
@@ -90,7 +90,7 @@ export const coneSearch = { intervals: 24, halvings: 20 } as const;
  * @param optics - opacity only decides whether a value is visible at all
  */
 export function sliceMeeter(
-  volume: Pick<PolarVolume, 'samples' | 'grid' | 'slope' | 'intercept'>,
+  volume: Pick<PolarData, 'samples' | 'grid' | 'slope' | 'intercept'>,
   slices: readonly Slice[],
   optics: { readonly transferFunction: TransferFunction; readonly lightFactor: number },
 ): (ray: Ray, span: readonly [number, number], gap?: Interval['gap']) => SliceHit | null {

@@ -3,7 +3,7 @@ import type { ShownOverlay } from '../optics/attachments/overlay.ts';
 import type { FieldStage } from '../optics/rays/ray-stages.ts';
 import type { SlopedField } from '../optics/shading-twins.ts';
 import { isPolar } from '../volume/volume.ts';
-import type { PolarVolume, Volume } from '../volume/volume.ts';
+import type { PolarData, VolumeData } from '../volume/volume.ts';
 import { polarBeamField, secondMomentField } from './polar-field.ts';
 import { polarGradient } from './polar-gradient.ts';
 
@@ -11,7 +11,7 @@ export { polarField } from './polar-field.ts';
 export { sliceInterval, sliceMeeter } from './slices.ts';
 
 /** The gradients of a radar's volume. */
-export function polarSlopes(volume: Volume): SlopedField {
+export function polarSlopes(volume: VolumeData): SlopedField {
   const polar = asPolar(volume);
   const field = polarBeamField(polar);
   return { gradient: polarGradient(field, polar.grid), isFolded: field.isFolded };
@@ -22,7 +22,7 @@ export function secondMoment({ over, volume }: ShownOverlay): FieldStage {
   return secondMomentField(asPolar(over), asPolar(volume));
 }
 
-function asPolar(volume: Volume): PolarVolume {
+function asPolar(volume: VolumeData): PolarData {
   if (!isPolar(volume)) throw new TypeError("a radar's twin got a cartesian grid; expected a polar one");
   return volume;
 }

@@ -85,6 +85,9 @@ export interface Volume extends VolumeData, Provenance, OwnAppearance {}
 /** A volume on a radar's grid. */
 export type PolarVolume = Volume & { readonly grid: PolarGrid };
 
+/** The data of such a volume. */
+export type PolarData = VolumeData & { readonly grid: PolarGrid };
+
 export function isPolar<V extends { readonly grid: Grid }>(volume: V): volume is V & { readonly grid: PolarGrid } {
   return volume.grid.kind === 'polar';
 }

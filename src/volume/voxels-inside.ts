@@ -6,10 +6,10 @@ import { boundsOf, contains, cutLine } from './solid.ts';
 import type { Solid } from './solid.ts';
 import { Tally } from './statistics.ts';
 import type { Statistics } from './statistics.ts';
-import type { Volume } from './volume.ts';
+import type { VolumeData } from './volume.ts';
 
 /** The parts of a volume that are needed. */
-type Block = Pick<Volume, 'samples' | 'slope' | 'intercept' | 'ids' | 'indexed'> & { readonly grid: CartesianGrid };
+type Block = Pick<VolumeData, 'samples' | 'slope' | 'intercept' | 'ids' | 'indexed'> & { readonly grid: CartesianGrid };
 
 /** The eight corners of a voxel, from its centre, in voxels. */
 const voxelCorners = [0, 1, 2, 3, 4, 5, 6, 7].map((c): Vector3 => [

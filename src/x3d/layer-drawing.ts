@@ -12,7 +12,7 @@ import { rayUniforms } from '../renderer/ray/uniforms.ts';
 import type { VolumeLayer } from '../renderer/layers/volume-layer.ts';
 import { castableRays, VolumePictures } from '../renderer/pictures/volume-pictures.ts';
 import type { Cast, SmoothEdges } from '../renderer/pictures/volume-pictures.ts';
-import type { Volume } from '../volume/volume.ts';
+import type { VolumeData } from '../volume/volume.ts';
 import type { SceneCamera } from './scene-camera.ts';
 import type { OtherShapes } from './other-shapes.ts';
 import type { VolumePicture } from './read-volume.ts';
@@ -64,7 +64,7 @@ export class LayerDrawing {
   }
 
   /** Gives the layer's volume a shape in the scene. */
-  shapeVolume(volume: Volume): void {
+  shapeVolume(volume: VolumeData): void {
     if (this.#shape) this.#shape.setBounds(volume);
     else this.#shape = new VolumeShape(this.surroundings.started.document, volume);
   }

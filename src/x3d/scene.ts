@@ -3,7 +3,7 @@ import type { SceneLights } from '../optics/transfer/lights.ts';
 import type { Camera } from '../optics/rays/camera.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays/rays.ts';
 import { isPolar } from '../volume/volume.ts';
-import type { Volume } from '../volume/volume.ts';
+import type { VolumeData } from '../volume/volume.ts';
 import type { Device, Gl } from '../renderer/device/device.ts';
 import { describe } from '../renderer/probes/probe-device.ts';
 import { gpuFinished } from '../renderer/device/gpu-finished.ts';
@@ -101,7 +101,7 @@ export class VolumeScene extends LayerScene {
    * Loads the code that only some volumes and some optics need, before `setVolume` and `setOptics`. @throws
    * {VolumeViewError} `format/unsupported`
    */
-  async prepare(volume: Volume, optics?: Optics): Promise<void> {
+  async prepare(volume: VolumeData, optics?: Optics): Promise<void> {
     await this.layers[0].prepare(volume, optics);
     if (isPolar(volume)) await this.#others.load(); // Radar volumes may have rings.
   }
@@ -115,7 +115,7 @@ export class VolumeScene extends LayerScene {
   }
 
   /** Puts a volume on the GPU, in place of the one before, at once. */
-  setVolume(volume: Volume): void {
+  setVolume(volume: VolumeData): void {
     this.layers[0].set(volume);
     this.#drawing.shapeVolume(volume);
   }
@@ -126,7 +126,7 @@ export class VolumeScene extends LayerScene {
    * @param givenUp - whether the volume is no longer wanted
    * @returns whether it is in place; false if it was given up or the context was lost
    */
-  async bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean> {
+  async bringVolume(volume: VolumeData, givenUp: () => boolean): Promise<boolean> {
     const isThere = await this.layers[0].bring(volume, givenUp);
     if (isThere) this.#drawing.shapeVolume(volume);
     return isThere;

@@ -1,6 +1,6 @@
 import { unitToWorld } from '../volume/grid.ts';
 import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
-import type { Volume } from '../volume/volume.ts';
+import type { VolumeData } from '../volume/volume.ts';
 import type { Gl } from '../renderer/device/device.ts';
 import type { ProgramInputs } from '../renderer/device/inputs.ts';
 import { shaderError } from '../renderer/device/program.ts';
@@ -35,7 +35,7 @@ export class VolumeShape {
 
   constructor(
     readonly document: X3dDocument,
-    volume: Volume,
+    volume: VolumeData,
   ) {
     const vertex = build('shaderpart', { type: 'VERTEX' });
     const fragment = build('shaderpart', { type: 'FRAGMENT' });
@@ -63,7 +63,7 @@ export class VolumeShape {
   }
 
   /** Sets the bounds of another volume. */
-  setBounds(volume: Volume): void {
+  setBounds(volume: VolumeData): void {
     this.#root.setAttribute('matrix', boundsMatrix(volume));
   }
 
@@ -116,7 +116,7 @@ export class VolumeShape {
 }
 
 /** x3dom wants the matrix of the centred unit box column by column. */
-function boundsMatrix(volume: Volume): string {
+function boundsMatrix(volume: VolumeData): string {
   const m = multiply(unitToWorld(volume.grid), scaleAndTranslate([1, 1, 1], [0.5, 0.5, 0.5]));
   return [0, 1, 2, 3].flatMap((column) => [0, 4, 8, 12].map((row) => m[row + column])).join(' ');
 }

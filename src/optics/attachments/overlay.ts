@@ -2,7 +2,7 @@ import { unitToWorld } from '../../volume/grid.ts';
 import { invertAffine, multiply, transformPoint } from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
-import type { Grid, Volume } from '../../volume/volume.ts';
+import type { Grid, Volume, VolumeData } from '../../volume/volume.ts';
 import { brighten } from '../transfer/brighten.ts';
 import { exactMeans } from '../transfer/exact-means.ts';
 import { extinction } from '../transfer/opacity.ts';
@@ -21,7 +21,7 @@ export interface ShownOverlay {
   /** The layer's samples, on a grid of its own; or another moment of the same radar's gates. */
   readonly volume: Volume;
   /** The volume below the layer. A radar's moment belongs to one scan; any other layer belongs to a place in the world. */
-  readonly over: Volume;
+  readonly over: VolumeData;
   readonly transferFunction: TransferFunction;
   readonly blend: OverlayBlend;
   /** Multiplies the layer's extinction, in addition to the picture's own factor. */
@@ -54,7 +54,7 @@ export function overlayColors({ transferFunction, blend }: ShownOverlay, lightFa
 export const fullColor = extinction(allOfColor);
 
 /** Whether a layer belongs to a volume: the volume may have changed in the meantime. */
-export function isOver({ over }: ShownOverlay, volume: Volume): boolean {
+export function isOver({ over }: ShownOverlay, volume: VolumeData): boolean {
   if (volume === over) return true;
   if (isPolar(volume) || isPolar(over)) return false;
   const [a, b] = [over, volume].map(({ grid }) => unitToWorld(grid));

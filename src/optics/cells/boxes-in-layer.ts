@@ -2,7 +2,7 @@
 import { cellSize } from '../../volume/cell-size.ts';
 import { transformPoint } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import type { Grid, Volume } from '../../volume/volume.ts';
+import type { Grid, VolumeData } from '../../volume/volume.ts';
 import { toOverlay } from '../attachments/overlay.ts';
 
 /** A box along the axes of a layer's unit cube. It may reach beyond the cube. */
@@ -59,7 +59,7 @@ export function boxReader({
   grid: { dimensions },
   slope,
   intercept,
-}: Volume): (box: UnitBox) => readonly [low: number, high: number] {
+}: VolumeData): (box: UnitBox) => readonly [low: number, high: number] {
   const [nx, ny] = dimensions;
   const inside = (index: number, axis: number): number => Math.min(dimensions[axis] - 1, Math.max(0, index));
   return ({ low, high }) => {

@@ -1,6 +1,6 @@
 import { finestSpacing } from '../../volume/grid.ts';
 import { offLine } from '../../volume/cell-size.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import { atOnce } from '../../core/waiting.ts';
 import type { Waiting } from '../../core/waiting.ts';
 import { rangeEmission } from '../transfer/emission-range.ts';
@@ -11,7 +11,7 @@ import type { TransferFunction } from '../transfer/transfer-function.ts';
 
 /** How a volume appears, as far as it matters for what samples could miss. */
 export interface SeenVolume {
-  readonly volume: Pick<Volume, 'grid' | 'macrocells' | 'slope' | 'intercept'>;
+  readonly volume: Pick<VolumeData, 'grid' | 'macrocells' | 'slope' | 'intercept'>;
   /** One byte per macrocell: 1 where something is visible. */
   readonly cells: Uint8Array;
   /** Already brightened. */

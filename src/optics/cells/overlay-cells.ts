@@ -2,7 +2,7 @@ import { cellSize, offLine } from '../../volume/cell-size.ts';
 import { finestSpacing } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import { boxesIn, boxReader, countTouched, isOutside, reachesBeyond } from './boxes-in-layer.ts';
 import type { UnitBox } from './boxes-in-layer.ts';
 import type { SeenVolume } from './cell-detail.ts';
@@ -36,7 +36,7 @@ const maxReads = 2 ** 23;
 /** The range of no values. */
 const none: readonly [number, number] = [Infinity, -Infinity];
 
-export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
+export function listOverlayCells(over: VolumeData, volume: VolumeData): OverlayCells {
   const {
     dimensions: [nx, ny, nz],
     low: { length },
@@ -92,7 +92,7 @@ function measureEdge({
   },
   slope,
   intercept,
-}: Volume): readonly [number, number] {
+}: VolumeData): readonly [number, number] {
   let [low, high] = none;
   for (let k = 0; k < nz; k++)
     for (let j = 0; j < ny; j++) {
@@ -115,7 +115,7 @@ const shared = 0.25;
 /** The macrocells of a layer that hold everything in a box: from the first to the last along each axis. */
 function blocksOf(
   { low, high }: UnitBox,
-  { grid: { dimensions }, macrocells }: Volume,
+  { grid: { dimensions }, macrocells }: VolumeData,
 ): { readonly first: Vector3; readonly last: Vector3 } {
   const toBlock = (position: number, axis: number): number =>
     Math.min(macrocells.dimensions[axis] - 1, Math.max(0, Math.floor(position / cellSize)));

@@ -1,6 +1,6 @@
 // In which macrocells patches of values and gradients may be visible.
 import { isPolar } from '../../volume/volume.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import type { Contribution } from './empty-space-distance.ts';
 import { normalsToWorld } from '../rays/gradient.ts';
 import { perWorldUnit } from '../rays/patch-classify.ts';
@@ -24,7 +24,7 @@ export function boundGradients({
   slope,
   grid,
   hasNoData,
-}: Volume): Float32Array {
+}: VolumeData): Float32Array {
   const m = normalsToWorld(grid);
   const axes = [0, 1, 2].map((axis) => [m[axis], m[4 + axis], m[8 + axis]]);
   // An upper bound of the length of the image of any change of at most 1 along each axis: all products of the axes are summed; for a
@@ -55,7 +55,7 @@ export function boundGradients({
 }
 
 /** Which cells may have gradients that patches make visible. A radar's gradients may have any size, so all its cells count. */
-export function contributionOfGradients(patches: readonly Patch[], volume: Volume): Contribution {
+export function contributionOfGradients(patches: readonly Patch[], volume: VolumeData): Contribution {
   if (isPolar(volume)) return () => true;
   const bounds = boundGradients(volume);
   const parts = patches.map((patch) => ({ span: spanOfPatch(patch), min: minGradient(patch) }));

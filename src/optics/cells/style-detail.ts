@@ -1,6 +1,6 @@
 // How much light and styles may change between two samples whose values differ little. The stated largest error includes this.
 import type { GridFrame } from '../../volume/grid.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import { domainOf } from '../transfer/emission.ts';
 import { flatChange, weighChange } from '../rays/gradient.ts';
 import { fogFlat } from '../transfer/lights.ts';
@@ -22,7 +22,7 @@ export type StyleRange = (low: number, high: number) => StyleChange;
 
 /** A volume and its style. */
 export interface StyledAppearance {
-  readonly volume: Pick<Volume, 'range'> & { readonly grid: GridFrame & { readonly kind?: string } };
+  readonly volume: Pick<VolumeData, 'range'> & { readonly grid: GridFrame & { readonly kind?: string } };
   readonly transferFunction: TransferFunction;
   readonly referenceLength: number;
 }

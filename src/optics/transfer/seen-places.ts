@@ -3,7 +3,7 @@ import type { GridFrame } from '../../volume/grid.ts';
 import { cellSize } from '../../volume/cell-size.ts';
 import { transformPoint } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import { evaluate, largestOpacity } from './transfer-function.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
@@ -22,7 +22,7 @@ const haze = { opacity: 0.005, share: 0.03 };
  * @param shown - a box along the world's axes, or the volume's own grid
  * @returns world coordinates; an empty list if nothing is visible
  */
-export function findSeenPlaces(volume: Volume, appearance: TransferFunction, shown: GridFrame): Vector3[] {
+export function findSeenPlaces(volume: VolumeData, appearance: TransferFunction, shown: GridFrame): Vector3[] {
   const {
     grid,
     samples,

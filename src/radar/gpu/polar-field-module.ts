@@ -6,7 +6,7 @@ import { VolumeViewError } from '../../core/errors.ts';
 import { highestElevation, lowestElevation } from '../polar-box.ts';
 import type { PolarGrid } from '../../volume/polar-grid.ts';
 import { isPolar } from '../../volume/volume.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import { isWebGl2 } from '../../renderer/device/device.ts';
 import type { Device, Gl } from '../../renderer/device/device.ts';
 import { allocatePlane, fillPlane } from '../../renderer/textures/fill-plane.ts';
@@ -60,7 +60,7 @@ const noDataBelow = -3e38;
  * Uploads a radar's gates at their own precision, and the table in which the shader finds them.
  * @throws {VolumeViewError} `format/too-large` if the textures do not fit the device
  */
-export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
+export function* uploadPolarVolume(gl: Gl, volume: VolumeData, device: Device): Upload<FieldModule> {
   const { samples } = volume;
   if (!isPolar(volume)) throw new TypeError('uploadPolarVolume got a cartesian grid; expected a polar one');
   const polar = volume.grid;

@@ -1,5 +1,5 @@
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
-import type { Samples, Volume } from '../../volume/volume.ts';
+import type { Samples, VolumeData } from '../../volume/volume.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { VolumeViewError } from '../../core/errors.ts';
 import type { Device, Gl } from '../../renderer/device/device.ts';
@@ -70,7 +70,7 @@ export function* uploadSecondMoment(
 type Convert = (rows: Samples) => Float32Array;
 
 /** Converts samples as the shader decodes the texels of the volume itself. */
-function storedValues(volume: Volume): Convert {
+function storedValues(volume: VolumeData): Convert {
   const { samples } = volume;
   if (samples instanceof Float32Array) {
     const scale = chooseFloatScale(volume);
@@ -80,7 +80,7 @@ function storedValues(volume: Volume): Convert {
   return (rows) => Float32Array.from(rows, (x) => x / full);
 }
 
-function dataValues({ samples, slope, intercept }: Volume): Convert {
+function dataValues({ samples, slope, intercept }: VolumeData): Convert {
   const isNone = samples instanceof Float32Array ? (x: number) => !Number.isFinite(x) : (x: number) => x === 0;
   return (rows) =>
     prepareFloats(

@@ -1,4 +1,4 @@
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 
 /** Missing data are stored as this, because GLSL ES need not support NaN. The shader reads all values below -3e38 as no data. */
 const noDataSentinel = -3.4028234e38;
@@ -10,7 +10,7 @@ const smallestMagnitude = 2 ** -100;
 const largestMagnitude = 2 ** 100;
 
 /** The divisor of floats: a power of two that brings extreme values into a range where a GPU computes well; 1 for all other values. */
-export function chooseFloatScale({ range, slope, intercept }: Volume): number {
+export function chooseFloatScale({ range, slope, intercept }: VolumeData): number {
   const largest = Math.max(...range.map((value) => Math.abs((value - intercept) / slope)));
   if (!(largest > 0) || largest === Infinity) return 1;
   const power = 2 ** Math.floor(Math.log2(largest));

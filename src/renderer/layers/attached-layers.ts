@@ -4,7 +4,7 @@ import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import type { ShownLabels } from '../../volume/labels.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import type { Device, Gl } from '../device/device.ts';
 import type { FieldProviders } from './field-providers.ts';
 import { Kept } from '../device/kept.ts';
@@ -19,7 +19,7 @@ export class AttachedLayers {
   #overlay: OverlayLayer | null = null;
   #hasNotified = false;
   readonly #widened = new Kept<readonly Contribution[]>();
-  readonly #opened = new Kept<Volume>();
+  readonly #opened = new Kept<VolumeData>();
 
   constructor(
     readonly gl: Gl,
@@ -60,7 +60,7 @@ export class AttachedLayers {
 
   /** The detail that rays could miss, for the labels and the second field: see `SeenVolume`. */
   more(
-    volume: Volume,
+    volume: VolumeData,
     seen: Omit<SeenVolume, 'cells' | 'more'>,
     optics: Optics,
   ): Pick<SeenVolume, 'more' | 'functions'> | undefined {
@@ -71,7 +71,7 @@ export class AttachedLayers {
   }
 
   /** Which values may show in a volume with a second field: all values in the cells where the second field shows something. */
-  widen(volume: Volume, contributions: readonly Contribution[]): readonly Contribution[] {
+  widen(volume: VolumeData, contributions: readonly Contribution[]): readonly Contribution[] {
     const own = this.#overlay?.ownCells(volume);
     if (!own) return contributions;
     return this.#widened.get([own, ...contributions], () =>
@@ -84,7 +84,7 @@ export class AttachedLayers {
   }
 
   /** The volume, but with values in cells that have none where the second field shows something: the skipping of empty space needs them. */
-  open(volume: Volume): Volume {
+  open(volume: VolumeData): VolumeData {
     const own = this.#overlay?.ownCells(volume);
     if (!own) return volume;
     return this.#opened.get([volume, own], () => {

@@ -9,7 +9,7 @@ import { listLabels } from '../../volume/label-cells.ts';
 import type { LabelCells } from '../../volume/label-cells.ts';
 import type { ShownLabels } from '../../volume/labels.ts';
 import { isPolar } from '../../volume/volume.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import type { Device, Gl } from '../device/device.ts';
 import { finishUpload, quickBytes } from '../textures/fill-texture.ts';
 import type { Upload } from '../textures/fill-texture.ts';
@@ -38,7 +38,7 @@ interface Brought {
 
 /** The members of a layer that its labels read. */
 export interface LabelledLayer {
-  readonly volume: Volume | null;
+  readonly volume: VolumeData | null;
   readonly field: FieldModule | null;
   readonly optics: Optics | null;
   /** Whether opacity matters. */
@@ -144,7 +144,7 @@ export class LabelLayer {
 
   /** How labels change the detail that rays could miss: see `SeenVolume`. */
   more(
-    volume: Volume,
+    volume: VolumeData,
     seen: Omit<SeenVolume, 'cells' | 'more'>,
     lightFactor: number,
   ): Pick<SeenVolume, 'more' | 'functions'> | undefined {
@@ -159,7 +159,7 @@ export class LabelLayer {
   }
 
   /** A radar's grid has no voxels to label. */
-  #labelsOf(volume: Volume): ShownLabels | null {
+  #labelsOf(volume: VolumeData): ShownLabels | null {
     const labels = this.#shown;
     return labels && !isPolar(volume) && labels.map.dimensions.every((n, axis) => n === volume.grid.dimensions[axis])
       ? labels

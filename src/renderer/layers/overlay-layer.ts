@@ -10,7 +10,7 @@ import { mapShares } from '../../optics/transfer/share-map.ts';
 import { findColumns } from '../../optics/transfer/table-columns.ts';
 import { usualColumns } from '../../optics/transfer/usual-columns.ts';
 import { isPolar } from '../../volume/volume.ts';
-import type { Samples, Volume } from '../../volume/volume.ts';
+import type { Samples, VolumeData } from '../../volume/volume.ts';
 import type { Device, Gl } from '../device/device.ts';
 import type { FieldProviders } from './field-providers.ts';
 import { finishUpload, quickBytes } from '../textures/fill-texture.ts';
@@ -82,7 +82,7 @@ export class OverlayLayer {
       : uploadGradually(this.gl, upload, () => this.#wanted !== overlay);
   }
 
-  *#upload(volume: Volume): Upload<SecondField> {
+  *#upload(volume: VolumeData): Upload<SecondField> {
     const { slope, intercept, samples, grid, hasNoData } = volume;
     // If the device filters floats, it also filters floats with holes (missing data).
     const holes = hasNoData && samples instanceof Float32Array && this.device.floatLinear;
@@ -113,7 +113,7 @@ export class OverlayLayer {
   }
 
   /** The overlay modules of a volume; none if it has no overlay. @param projects - whether rays project values: then the overlay is left out */
-  modules(volume: Volume, projects: boolean): readonly RayModule[] {
+  modules(volume: VolumeData, projects: boolean): readonly RayModule[] {
     const overlay = this.over(volume);
     const field = this.#field;
     if (!overlay || !field || projects) return [];
@@ -176,12 +176,12 @@ export class OverlayLayer {
   }
 
   /** The overlay, if it lies over this volume; else null. */
-  over(volume: Volume): ShownOverlay | null {
+  over(volume: VolumeData): ShownOverlay | null {
     return this.#shown && isOver(this.#shown, volume) ? this.#shown : null;
   }
 
   /** Macrocells in which the overlay shows something, whatever the volume has there; null if there are none. */
-  ownCells(volume: Volume): Uint8Array | null {
+  ownCells(volume: VolumeData): Uint8Array | null {
     const overlay = this.over(volume);
     if (!overlay) return null;
     const cells = this.#cellsOf(volume, overlay);
@@ -191,12 +191,12 @@ export class OverlayLayer {
   }
 
   /** How the overlay changes the detail that rays could miss: see `SeenVolume`. @param lightFactor - of the picture */
-  more(volume: Volume, seen: Omit<SeenVolume, 'cells'>, { lightFactor }: Optics): SeenVolume['more'] {
+  more(volume: VolumeData, seen: Omit<SeenVolume, 'cells'>, { lightFactor }: Optics): SeenVolume['more'] {
     const overlay = this.over(volume);
     return overlay ? overlaidDetail(this.#cellsOf(volume, overlay), overlay, { seen, lightFactor }) : seen.more;
   }
 
-  #cellsOf(volume: Volume, overlay: ShownOverlay): OverlayCells {
+  #cellsOf(volume: VolumeData, overlay: ShownOverlay): OverlayCells {
     return this.#cells.get([volume, overlay.volume], () => listOverlayCells(volume, overlay.volume));
   }
 

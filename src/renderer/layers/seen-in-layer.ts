@@ -3,7 +3,7 @@ import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
 import { findSeenCells } from '../../optics/cells/seen-cells.ts';
 import type { Substeps } from '../../optics/cells/substeps.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import { Kept } from '../device/kept.ts';
 import type { Optics } from '../ray/ray-module.ts';
 
@@ -26,7 +26,7 @@ export class SeenInLayer {
    * Which macrocells show something, and what they show.
    * @param contributions - which values can show; empty if any value can be seen
    */
-  find(volume: Volume, optics: Optics, contributions: readonly Contribution[], attached: MoreSeen): SeenVolume {
+  find(volume: VolumeData, optics: Optics, contributions: readonly Contribution[], attached: MoreSeen): SeenVolume {
     const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
     const cells = this.#cells.get([volume, ...contributions], () =>
       findSeenCells(volume.macrocells, contributions, volume),

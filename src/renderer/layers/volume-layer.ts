@@ -11,7 +11,7 @@ import type { Substeps } from '../../optics/cells/substeps.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import { isPolar } from '../../volume/volume.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import type { AttachedLayers } from './attached-layers.ts';
 import type { Device, Gl } from '../device/device.ts';
 import type { FieldProviders } from './field-providers.ts';
@@ -53,7 +53,7 @@ export type { View } from '../device/view.ts';
 /** A volume on the GPU, which part of it is shown, and its appearance: the modules of its rays, and all inputs that they read. */
 export class VolumeLayer {
   readonly #usual: readonly RayModule[];
-  #volume: Volume | null = null;
+  #volume: VolumeData | null = null;
   #field: FieldModule | null = null;
   #polar: FieldProvider | null = null;
   #discrete: FieldProvider | null = null;
@@ -91,7 +91,7 @@ export class VolumeLayer {
     this.#usual = [boxModule, createTransferFunction(gl), createComposite(gl, device)];
   }
 
-  get volume(): Volume | null {
+  get volume(): VolumeData | null {
     return this.#volume;
   }
 
@@ -152,7 +152,7 @@ export class VolumeLayer {
    * Load the code that only some volumes and some optics need, before they are set.
    * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing
    */
-  async prepare(volume: Volume, optics?: Optics): Promise<void> {
+  async prepare(volume: VolumeData, optics?: Optics): Promise<void> {
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     if (!isPolar(volume)) await prepareCartesian(volume, this.device);
@@ -163,7 +163,7 @@ export class VolumeLayer {
   }
 
   /** Upload a volume to the GPU at once; it replaces the previous volume. */
-  set(volume: Volume): void {
+  set(volume: VolumeData): void {
     this.#replace(volume, finishUpload(this.#upload(volume)));
   }
 
@@ -173,7 +173,7 @@ export class VolumeLayer {
    * @returns true if the volume is in place; false if it was given up or the context was lost
    * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing
    */
-  async bring(volume: Volume, givenUp: () => boolean): Promise<boolean> {
+  async bring(volume: VolumeData, givenUp: () => boolean): Promise<boolean> {
     const upload = this.#upload(volume);
     // The context may have been lost long before, while the volume was loading: the gradual upload finds that out too.
     const slow =
@@ -184,17 +184,17 @@ export class VolumeLayer {
     return field !== null;
   }
 
-  #upload(volume: Volume): Upload<FieldModule> {
+  #upload(volume: VolumeData): Upload<FieldModule> {
     return this.#providerOf(volume).upload(this.gl, volume, this.device);
   }
 
-  #providerOf(volume: Volume): FieldProvider {
+  #providerOf(volume: VolumeData): FieldProvider {
     const provider = isPolar(volume) ? this.#polar : volume.isDiscrete ? this.#discrete : cartesianProvider;
     if (!provider) throw new TypeError('prepare() was not awaited');
     return provider;
   }
 
-  #replace(volume: Volume, field: FieldModule): void {
+  #replace(volume: VolumeData, field: FieldModule): void {
     this.#field?.dispose();
     this.#field = field;
     this.#volume = volume;
@@ -255,7 +255,7 @@ export class VolumeLayer {
       : this.#classifiers!.modulesFor(this.#volume!, this.#field!, optics, looks);
   }
 
-  #slicesOf(volume: Volume): SliceModule[] {
+  #slicesOf(volume: VolumeData): SliceModule[] {
     if (this.slices.length === 0) return [];
     const { createSlices } = this.#providerOf(volume);
     if (!createSlices) return [];
@@ -332,7 +332,7 @@ export class VolumeLayer {
   }
 
   /** The volume as the code that skips empty space reads it. */
-  get #opened(): Volume {
+  get #opened(): VolumeData {
     return this.#attached?.open(this.#volume!) ?? this.#volume!;
   }
 

@@ -43,7 +43,7 @@ import type { RayStages } from '../../optics/rays/ray-stages.ts';
 import type { PixelLattice, Ray, RaySetup } from '../../optics/rays/rays.ts';
 import type { OpticalFactors, TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import type { Defines } from '../device/compose-stage.ts';
 import type { Device, Gl } from '../device/device.ts';
 import type { DrawTarget } from '../device/draw-target.ts';
@@ -58,7 +58,7 @@ export type TwinStages = Omit<RayStages, Walk>;
 
 /** The scene of a ray that is cast in float64; on the GPU, this is `RayFrame`. */
 export interface TwinFrame {
-  readonly volume: Volume;
+  readonly volume: VolumeData;
   readonly optics: Optics;
   readonly rays: RaySetup;
   /** Whether only places and opacities matter, as for a pick. Light changes neither, so it may be left out. */
@@ -185,7 +185,7 @@ export interface SurfacesModule extends RayModule<'interval'> {
 /** Uploads volumes of one kind of grid to the GPU. */
 export interface FieldProvider {
   /** @throws {VolumeViewError} `format/too-large` if the volume does not fit the device */
-  upload(gl: Gl, volume: Volume, device: Device): Upload<FieldModule>;
+  upload(gl: Gl, volume: VolumeData, device: Device): Upload<FieldModule>;
   /** Absent if such volumes have no slices. */
   createSlices?(gl: Gl): SliceModule;
   /** Loads the code that uploads a second volume on the same grid, which the shader reads together with the first; absent if there is none. */
@@ -202,7 +202,7 @@ export interface SecondField {
   readonly stored: { readonly slope: number; readonly intercept: number; readonly storedScale: number };
   /** Data values that differ by more than this are on two sides of a fold; Infinity if values do not fold. */
   readonly foldFrom: number;
-  inputs(over: Volume): ProgramInputs;
+  inputs(over: VolumeData): ProgramInputs;
   dispose(): void;
 }
 
@@ -245,7 +245,7 @@ export interface Surfaces {
 
 /** All data that a picture is drawn from. */
 export interface RayFrame {
-  readonly volume: Volume;
+  readonly volume: VolumeData;
   readonly field: FieldModule;
   readonly optics: Optics;
   /** Data values that are 0 and 1 of the transfer function's domain. */

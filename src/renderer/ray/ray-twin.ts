@@ -1,11 +1,11 @@
 // Rays in float64, which the modules' twins compose. The first ray that is cast on the processor loads the code of the twins.
 import { loadPart } from '../../core/load-part.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import type { Optics, RayModule, RayTwin, TwinFrame, TwinStages } from './ray-module.ts';
 
 /** The modules of a picture's rays, reduced to what casting in float64 needs. They need no WebGL context, so they stay valid after the scene. */
 export interface RayTwins {
-  readonly volume: Volume;
+  readonly volume: VolumeData;
   readonly optics: Optics;
   readonly modules: readonly Pick<RayModule, 'name' | 'stage' | 'members' | 'twin'>[];
 }

@@ -4,7 +4,7 @@ import volume3d from '../../../../shaders/chunks/field/volume-3d.glsl?raw';
 import { VolumeViewError } from '../../../core/errors.ts';
 import { atlasLayout, packAtlas } from '../../../volume/atlas.ts';
 import type { AtlasLayout } from '../../../volume/atlas.ts';
-import type { Samples, Volume } from '../../../volume/volume.ts';
+import type { Samples, VolumeData } from '../../../volume/volume.ts';
 import { isWebGl2 } from '../../device/device.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import { allocateTexture3d, fillTexture3d, slowBytes, texelsOf } from '../../textures/fill-texture.ts';
@@ -36,14 +36,14 @@ export async function loadCartesianChunks(): Promise<void> {
 }
 
 /** The same, but only if the volume needs this code. */
-export async function prepareCartesian(volume: Volume, device: Device): Promise<void> {
+export async function prepareCartesian(volume: VolumeData, device: Device): Promise<void> {
   if (!device.webgl2 || volume.samples instanceof Float32Array || !isFiltered(volume, device))
     await loadCartesianChunks();
 }
 
 /** Whether the device's own filter interpolates a volume. */
 export function isFiltered(
-  { samples, hasNoData }: Pick<Volume, 'samples' | 'hasNoData'>,
+  { samples, hasNoData }: Pick<VolumeData, 'samples' | 'hasNoData'>,
   { twoByteLinear, floatLinear }: Device,
 ): boolean {
   if (samples instanceof Uint16Array) return twoByteLinear === true;
@@ -77,14 +77,14 @@ export const cartesianTwin = twinOf(usualTwins, ({ cartesianField }, { volume })
 }));
 
 /** Samples on a cartesian grid. */
-interface Block extends Pick<Volume, 'samples' | 'hasNoData'> {
-  readonly grid: Pick<Volume['grid'], 'dimensions'>;
+interface Block extends Pick<VolumeData, 'samples' | 'hasNoData'> {
+  readonly grid: Pick<VolumeData['grid'], 'dimensions'>;
 }
 
 /** Uploads volumes on cartesian grids to the GPU. */
 export const cartesianProvider: FieldProvider = { upload: uploadCartesian };
 
-function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
+function* uploadCartesian(gl: Gl, volume: VolumeData, device: Device): Upload<FieldModule> {
   const { samples, hasNoData: noData } = volume;
   const filterInShader = !isFiltered(volume, device);
   const block = yield* uploadBlock(gl, volume, { device, filterInShader });
@@ -134,7 +134,7 @@ export function* uploadBlock(
   const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
   if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
 
-  const floatScale = float ? chunks!.chooseFloatScale(volume as Volume) : 1;
+  const floatScale = float ? chunks!.chooseFloatScale(volume as VolumeData) : 1;
   const texture = yield* fill(gl, volume, { atlas, floatScale, packing, tooLarge: () => tooLarge(volume, device) });
   const uniforms: Uniforms = atlas ? { uMosaic: [atlas.columns, atlas.rows, atlas.width, atlas.height] } : {};
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;

@@ -4,7 +4,7 @@ import { findColumns } from '../../../optics/transfer/table-columns.ts';
 import type { TransferFunction } from '../../../optics/transfer/transfer-function.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
 import { isPolar } from '../../../volume/volume.ts';
-import type { Volume } from '../../../volume/volume.ts';
+import type { VolumeData } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import { Kept } from '../../device/kept.ts';
 import type { FieldModule, Optics, RayModule } from '../ray-module.ts';
@@ -34,7 +34,7 @@ export class Classifiers {
   }
 
   /** These modules replace those of the same stages. @param looks - whether rays search for places where the volume becomes opaque at once */
-  modulesFor(volume: Volume, field: FieldModule, optics: Optics, looks: boolean): readonly RayModule[] {
+  modulesFor(volume: VolumeData, field: FieldModule, optics: Optics, looks: boolean): readonly RayModule[] {
     const { transferFunction } = optics;
     if (this.#shown?.[0] !== transferFunction)
       this.#shown = [transferFunction, this.device.floatLinear ? findColumns(transferFunction) : null];
@@ -52,7 +52,10 @@ export class Classifiers {
   }
 
   /** The module that finds where rays pass directly from clear to opaque values. */
-  #lookingForJumps(volume: Volume, { transferFunction, referenceLength, opacityFactor }: Optics): readonly RayModule[] {
+  #lookingForJumps(
+    volume: VolumeData,
+    { transferFunction, referenceLength, opacityFactor }: Optics,
+  ): readonly RayModule[] {
     const values = this.jumpsOf(volume, { transferFunction, referenceLength, opacityFactor });
     return this.#lookers.get([values], () =>
       values.length > 0 ? [(this.#looking ??= createJumps(this.#gl, this.device)).of(values)] : [],
@@ -61,7 +64,7 @@ export class Classifiers {
 
   /** Values at which a volume becomes opaque at once, see optics/transfer/opaque-jumps.ts */
   jumpsOf(
-    volume: Volume,
+    volume: VolumeData,
     {
       transferFunction,
       referenceLength,

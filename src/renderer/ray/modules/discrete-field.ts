@@ -3,7 +3,7 @@ import discrete from '../../../../shaders/chunks/field/discrete-field.glsl?raw';
 import volume3d from '../../../../shaders/chunks/field/volume-3d.glsl?raw';
 import volumeMosaic from '../../../../shaders/chunks/field/volume-mosaic.glsl?raw';
 import vote from '../../../../shaders/chunks/field/vote.glsl?raw';
-import type { Volume } from '../../../volume/volume.ts';
+import type { VolumeData } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import type { Upload } from '../../textures/fill-texture.ts';
 import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
@@ -30,7 +30,7 @@ export function discreteText({ texture3d, twoBytes, noData }: Omit<CartesianOpti
 /** Uploads volumes of labels to the GPU. */
 export const discreteProvider: FieldProvider = { upload: uploadDiscrete };
 
-function* uploadDiscrete(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
+function* uploadDiscrete(gl: Gl, volume: VolumeData, device: Device): Upload<FieldModule> {
   const block = yield* uploadBlock(gl, volume, { device, filterInShader: true });
   const { webgl2: texture3d } = device;
   return {

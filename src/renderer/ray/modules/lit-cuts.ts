@@ -4,7 +4,7 @@ import { changePerVoxel, measureBox } from '../../../optics/rays/cut-fade.ts';
 import type { CutFaces } from '../../../optics/rays/cut-fade.ts';
 import type { PlaneSlice } from '../../../optics/attachments/plane-slices.ts';
 import type { Matrix4, Vector3 } from '../../../volume/matrix.ts';
-import type { Volume } from '../../../volume/volume.ts';
+import type { VolumeData } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 import type { RayCut } from '../ray-module.ts';
 
@@ -26,7 +26,7 @@ const far = 1e9;
 /** The uniforms of shaders/chunks/shade/lit-cuts.glsl. */
 export function cutUniforms(
   { halfSpaces, unitToCutout, unitToRegion }: CutFaces,
-  { grid: { dimensions } }: Volume,
+  { grid: { dimensions } }: VolumeData,
 ): Uniforms {
   const planes = Array.from({ length: maxHalfSpaces }, (_, i) => {
     const plane = halfSpaces[i];

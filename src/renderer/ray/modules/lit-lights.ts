@@ -2,7 +2,7 @@ import { maxLights } from '../../../optics/transfer/lights.ts';
 import type { SceneLight, SceneLights } from '../../../optics/transfer/lights.ts';
 import { unitToWorld } from '../../../volume/grid.ts';
 import { subtract, transformPoint } from '../../../volume/matrix.ts';
-import type { Volume } from '../../../volume/volume.ts';
+import type { VolumeData } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 
 /** The kinds of lights, in the order of their numbers in the shader, which start at 1; 0 means no light. */
@@ -15,7 +15,7 @@ const everywhere = 1e30;
  * The uniforms of shaders/chunks/shade/lights.glsl. Places are relative to the volume's centre: far from the world's origin float32
  * would have too few digits.
  */
-export function lightUniforms({ headlight, lights }: SceneLights, { grid }: Volume): Uniforms {
+export function lightUniforms({ headlight, lights }: SceneLights, { grid }: VolumeData): Uniforms {
   const uHeadlight = Number(headlight);
   if (lights.length === 0) return { uHeadlight };
   const center = transformPoint(unitToWorld(grid), [0.5, 0.5, 0.5]);

@@ -23,7 +23,7 @@ import type { LitMaterial, SceneLights } from '../../../optics/transfer/lights.t
 import { mapShares } from '../../../optics/transfer/share-map.ts';
 import { unitToWorld } from '../../../volume/grid.ts';
 import type { Matrix4 } from '../../../volume/matrix.ts';
-import type { Volume } from '../../../volume/volume.ts';
+import type { VolumeData } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 import type { RayFrame, RayModule, RayText, RayTwin, TwinFrame } from '../ray-module.ts';
 import { partOf } from '../part-of-twins.ts';
@@ -39,11 +39,11 @@ const minLit = 1 / 1024;
 /** How a kind of field takes taps (samples around a place) for gradients: its chunk, and the uniforms that the chunk reads. */
 export interface FieldTaps {
   readonly chunk: string;
-  uniforms(volume: Volume): Uniforms;
+  uniforms(volume: VolumeData): Uniforms;
   /** Row-major matrix: from the direction in which values grow, as the chunk returns it, to a direction in the world. */
-  normals(volume: Volume): Matrix4;
+  normals(volume: VolumeData): Matrix4;
   /** The same field in float64. */
-  readonly slopes: Later<(volume: Volume) => SlopedField>;
+  readonly slopes: Later<(volume: VolumeData) => SlopedField>;
 }
 
 /** The code of all twins that need gradients. */

@@ -3,7 +3,7 @@ import type { Contribution } from '../../../optics/cells/empty-space-distance.ts
 import type { SceneLights } from '../../../optics/transfer/lights.ts';
 import type { Substeps } from '../../../optics/cells/substeps.ts';
 import type { StyledAppearance } from '../../../optics/cells/style-detail.ts';
-import type { Volume } from '../../../volume/volume.ts';
+import type { VolumeData } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import type { FieldTaps } from '../modules/lit.ts';
 import type { Optics, RayCut, RayModule } from '../ray-module.ts';
@@ -29,7 +29,7 @@ export interface StyledLayer {
   readonly gl: Gl;
   readonly device: Device;
   readonly providers: { readonly polarTaps?: () => Promise<FieldTaps> };
-  readonly volume: Volume | null;
+  readonly volume: VolumeData | null;
   readonly substeps: Substeps;
   readonly cuts: readonly RayCut[];
   readonly region: unknown;
