@@ -1,10 +1,11 @@
-// Unit tests in a real browser: `npx wtr --files test/numeric/x.test.ts` runs one file.
-import { createReadStream } from 'node:fs';
+// Unit tests in a real browser: `npx wtr --files test/numeric/x.test.ts` runs one file; `--watch` serves the files as they are.
+import { createReadStream, existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { esbuildPlugin } from '@web/dev-server-esbuild';
 import { defaultReporter } from '@web/test-runner';
 import { playwrightLauncher } from '@web/test-runner-playwright';
+import { bundleUnitTests } from './scripts/bundle-unit-tests.mjs';
 import { findBrowser, listTestArgs } from './scripts/find-browser.mjs';
 import { reusePages } from './scripts/reuse-pages.mjs';
 import { countsReporter } from './scripts/wtr-counts-reporter.mjs';
@@ -43,8 +44,25 @@ async function serveFixtures(context, next) {
   context.body = createReadStream(file);
 }
 
+const folders = ['test/numeric', 'test/glsl', 'test/components'];
+
+/** The test files of this run, if it names them one by one; else all. */
+function listTests() {
+  const named = process.argv
+    .slice(2)
+    .filter((word) => word.endsWith('.test.ts') && existsSync(join(projectRoot, word)));
+  const all = () =>
+    folders.flatMap((folder) => readdirSync(join(projectRoot, folder)).map((name) => `${folder}/${name}`));
+  return named.length > 0 ? named : all().filter((name) => name.endsWith('.test.ts'));
+}
+
+const isWatching = process.argv.includes('--watch');
+const bundled = isWatching ? null : await bundleUnitTests(listTests());
+const setup = '<script type="module" src="/test/helpers/provide-substeps.ts"></script>';
+const flags = process.env.VOLUME_VIEW_ALL_CASES ? '<script>globalThis.__allCases = true</script>' : '';
+
 export default {
-  files: ['test/{numeric,glsl,components}/**/*.test.ts'],
+  files: folders.map((folder) => `${folder}/**/*.test.ts`),
   nodeResolve: { exportConditions: ['production'] }, // Lit's development build talks on the console.
   concurrency: 2, // While one file starts, or works a reference out, another has software GL.
   browserStartTimeout: 120_000,
@@ -52,7 +70,7 @@ export default {
   testsFinishTimeout: 600_000,
   /** @param {string} framework */
   testRunnerHtml: (framework) =>
-    `<!doctype html><html><body><script type="module" src="/test/helpers/provide-substeps.ts"></script><script type="module" src="${framework}"></script></body></html>`,
+    `<!doctype html><html><body>${flags}${isWatching ? setup : ''}<script type="module" src="${framework}"></script></body></html>`,
   testFramework: { config: { timeout: 60_000 } },
   browsers: [
     playwrightLauncher({
@@ -62,6 +80,7 @@ export default {
     }),
   ],
   plugins: [
+    ...(bundled ? [bundled] : []),
     esbuildPlugin({ ts: true, target: 'es2022', tsconfig: fileURLToPath(new URL('./tsconfig.json', import.meta.url)) }),
     rawPlugin,
   ],

@@ -12,6 +12,7 @@ import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
 import { findPixel } from '../accuracy/full-rays.ts';
+import { casesOf } from '../helpers/cases.ts';
 import { settle } from '../helpers/at-rest.ts';
 import { askew, overlayOf, signed, waves } from '../helpers/overlays.ts';
 import { shareScene } from '../helpers/picture.ts';
@@ -77,11 +78,14 @@ const scenes: readonly {
   },
 ];
 
+/** One of small things, and one that colours. */
+const tested = casesOf(scenes, (_, i) => i === 0 || i === 3);
+
 describe('a second field in the picture at rest', () => {
   const scene = shareScene({});
   const ratios: number[] = [];
 
-  for (const { name, colors, overlay, places } of scenes) {
+  for (const { name, colors, overlay, places } of tested) {
     it(name, async function () {
       this.timeout(60_000);
       const { center } = boundingSphere(volume.grid);
@@ -135,7 +139,7 @@ describe('a second field in the picture at rest', () => {
   }
 
   it('is said to be off by what it is, within a factor of two; of specks on nothing, which few pixels show, by no less', () => {
-    expect(ratios.length).to.equal(scenes.length);
+    expect(ratios.length).to.equal(tested.length);
     expect(ratios.filter((ratio) => ratio < 0.5)).to.deep.equal([]);
     expect(ratios.filter((ratio) => ratio > 2).length).to.be.at.most(1);
   });

@@ -12,6 +12,7 @@ import type { PolarVolume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
 import { findPixel } from '../accuracy/full-rays.ts';
+import { casesIn, takesAll } from '../helpers/cases.ts';
 import { settle } from '../helpers/at-rest.ts';
 import type { CoveredError } from '../helpers/covered-error.ts';
 import { shareScene } from '../helpers/picture.ts';
@@ -105,15 +106,19 @@ async function look(
 }
 
 for (const [version, angles] of [
-  [2, 5],
-  [1, 2],
+  [2, takesAll ? 5 : 2],
+  [1, takesAll ? 2 : 1],
 ] as const) {
   describe(`a radar in the picture at rest in WebGL ${version}`, () => {
     const scene = shareScene({ webgl1: version === 1 });
-    for (const [name, around] of [
-      ['gates in a veil', 84],
-      ['gates in empty air', 0],
-    ] as const) {
+    for (const [name, around] of casesIn(
+      version,
+      [
+        ['gates in a veil', 84],
+        ['gates in empty air', 0],
+      ] as const,
+      ([name]) => name === 'gates in empty air',
+    )) {
       it(`${name}: none is lost, and the stated error holds`, async function () {
         this.timeout(120_000);
         const volumes = [radarOf(around, specks), radarOf(around, [])] as const;

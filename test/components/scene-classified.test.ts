@@ -2,6 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { castRay } from '../../src/optics/rays/cast-ray.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { casesIn, casesOf } from '../helpers/cases.ts';
 import { drawLots, listClassified } from '../helpers/classified.ts';
 import type { Classified } from '../helpers/classified.ts';
 import { listOff } from '../helpers/edges.ts';
@@ -93,13 +94,16 @@ function measure(scene: VolumeScene, { name }: Classified, expectation: Expectat
 }
 
 const classified = listClassified();
-const lots = Array.from({ length: 100 }, (_, i) => drawLots(1000 + i));
+const lots = casesOf(
+  Array.from({ length: 100 }, (_, i) => drawLots(1000 + i)),
+  (_, i) => i < 24,
+);
 
 for (const version of [2, 1] as const) {
   describe(`values look as the transfer function says in WebGL ${version}`, () => {
     const scene = shareScene({ webgl1: version === 1 });
 
-    for (const one of classified) {
+    for (const one of casesIn(version, classified, (_, i) => i % 4 === 0)) {
       it(one.name, () => {
         expect(scene().device.webgl2).to.equal(version === 2);
         for (const expectation of expectationOf(one)) {
@@ -112,7 +116,7 @@ for (const version of [2, 1] as const) {
       });
     }
 
-    it('in 100 random scenes', () => {
+    it(`in ${lots.length} random scenes`, () => {
       const found = lots.flatMap((one, i) =>
         walksIn(version, i, expectationOf(one)).map((expectation) => measure(scene(), one, expectation)),
       );

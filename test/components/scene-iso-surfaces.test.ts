@@ -12,6 +12,7 @@ import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { ShownLabels } from '../../src/volume/labels.ts';
+import { casesIn } from '../helpers/cases.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { blocks, mixedAppearances } from '../helpers/labels.ts';
 import { litStages } from '../helpers/lit.ts';
@@ -182,7 +183,7 @@ const expectationOf = remember(({ view: make, style, lights, labels: label }: Ca
 for (const version of [2, 1] as const) {
   describe(`surfaces in WebGL ${version}`, () => {
     const scene = shareScene({ webgl1: version === 1 });
-    for (const one of cases) {
+    for (const one of casesIn(version, cases, ({ lights, name }) => lights !== undefined || name === 'polar')) {
       it(`are the twin's: ${one.name}; and skipping changes no byte`, async function () {
         this.timeout(180_000);
         for (const { view, labels, expected } of expectationOf(one)) {

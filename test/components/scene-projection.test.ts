@@ -11,6 +11,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import { fitOrder } from '../accuracy/orders.ts';
+import { casesIn, takesAll } from '../helpers/cases.ts';
 import {
   bothWalks,
   comparePictures,
@@ -131,6 +132,9 @@ const cases: Case[] = [
   { name: 'polar with slices', view: () => polar(radar(), { slices }) },
 ];
 
+/** In one projection: as for emission and absorption, textures are what differs. */
+const drawnInWebGl1 = new Set(['16 bit, half the steps of a voxel', 'floats with a hole', 'polar with slices']);
+
 const expectationOf = remember((one: Case) =>
   remember((projection: ProjectionKind) => {
     return bothWalks({ ...one.view(), projection }).map((view) => ({ view, expected: drawReference(view) }));
@@ -141,7 +145,11 @@ for (const version of [2, 1] as const) {
   describe(`projection in WebGL ${version} is the reference's`, () => {
     const scene = shareScene({ webgl1: version === 1 });
     for (const [i, one] of cases.entries()) {
-      for (const kind of projectionKinds) {
+      for (const kind of casesIn(
+        version,
+        projectionKinds,
+        (kind) => i === 0 || (kind === 'max' && drawnInWebGl1.has(one.name)),
+      )) {
         it(`${kind}: ${one.name}; and skipping changes no byte`, async () => {
           await scene().setStyle({ projection: kind });
           for (const { view, expected } of walksIn(version, i, expectationOf(one)(kind))) {
@@ -202,55 +210,56 @@ for (const version of [2, 1] as const) {
         }
       }));
 
-    it('converges with order 1.9 and more, down to what kinks between voxels leave', () =>
-      withScene({ webgl1: version === 1 }, async (scene) => {
-        // A peak of a few steps, and something that is cut off at the faces: else a mean by trapezoids has next to no error.
-        const peak =
-          (width: number) =>
-          (x: number, y: number, z: number): number =>
-            Math.exp(-(((x - 0.45) ** 2 + (y - 0.52) ** 2 + (z - 0.5) ** 2) / width ** 2)) + 0.2 * x;
-        const gray = [
-          { value: 0, color: [0, 0, 0], opacity: 1 },
-          { value: 1.2, color: [1, 1, 1], opacity: 1 },
-        ] as const;
-        for (const [kind, counts, peakWidth, floor] of [
-          ['max', [6, 7, 8, 9, 11, 16], 0.16, 6e-4],
-          ['average', [6, 8, 11, 15, 21, 30], 0.4, 1e-3],
-        ] as const) {
-          // Pictures in motion take steps.
-          const view = {
-            ...cartesian({
-              dimensions: [96, 96, 96],
-              spacing: [0.2, 0.2, 0.2],
-              kind: 'float32',
-              field: peak(peakWidth),
-            }),
-            maxSubsteps: 1,
-          };
-          const diagonal = longestDiagonal(view.volume.grid);
-          await scene.setStyle({ projection: kind });
-          drawPicture(scene, { ...view, optics: { ...plainOptics, transferFunction: gray } });
-          // Rays in the middle of the picture, which go through two opposite faces.
-          const lattice = { stride: 1, first: [width / 2 - 7, height / 2 - 7] as const, width: 15, height: 15 };
-          const [limit, ...pictures] = probe(
-            scene,
-            [diagonal / 3000, ...counts.map((count) => diagonal / count)],
-            lattice,
-            { width, height },
-          )!;
-          const errors = pictures.map(
-            (picture) => Math.hypot(...limit.map((x, i) => picture[i] - x)) / Math.sqrt(limit.length),
-          );
-          const order = fitOrder(counts, errors);
-          const stated = Math.min(...scene.layers[0].modules(false).map((module) => module.order));
-          console.log(
-            `WebGL ${version} ${kind}: ${errors.map((error) => error.toExponential(1)).join(' ')}, order ${order.toFixed(2)}`,
-          );
-          expect(stated, 'what the modules say').to.equal(2);
-          expect(order, kind).to.be.at.least(stated - 0.1);
-          expect(errors.at(-1), kind).to.be.below(floor);
-        }
-      }));
+    if (takesAll || version === 2)
+      it('converges with order 1.9 and more, down to what kinks between voxels leave', () =>
+        withScene({ webgl1: version === 1 }, async (scene) => {
+          // A peak of a few steps, and something that is cut off at the faces: else a mean by trapezoids has next to no error.
+          const peak =
+            (width: number) =>
+            (x: number, y: number, z: number): number =>
+              Math.exp(-(((x - 0.45) ** 2 + (y - 0.52) ** 2 + (z - 0.5) ** 2) / width ** 2)) + 0.2 * x;
+          const gray = [
+            { value: 0, color: [0, 0, 0], opacity: 1 },
+            { value: 1.2, color: [1, 1, 1], opacity: 1 },
+          ] as const;
+          for (const [kind, counts, peakWidth, floor] of [
+            ['max', [6, 7, 8, 9, 11, 16], 0.16, 6e-4],
+            ['average', [6, 8, 11, 15, 21, 30], 0.4, 1e-3],
+          ] as const) {
+            // Pictures in motion take steps.
+            const view = {
+              ...cartesian({
+                dimensions: [96, 96, 96],
+                spacing: [0.2, 0.2, 0.2],
+                kind: 'float32',
+                field: peak(peakWidth),
+              }),
+              maxSubsteps: 1,
+            };
+            const diagonal = longestDiagonal(view.volume.grid);
+            await scene.setStyle({ projection: kind });
+            drawPicture(scene, { ...view, optics: { ...plainOptics, transferFunction: gray } });
+            // Rays in the middle of the picture, which go through two opposite faces.
+            const lattice = { stride: 1, first: [width / 2 - 7, height / 2 - 7] as const, width: 15, height: 15 };
+            const [limit, ...pictures] = probe(
+              scene,
+              [diagonal / 3000, ...counts.map((count) => diagonal / count)],
+              lattice,
+              { width, height },
+            )!;
+            const errors = pictures.map(
+              (picture) => Math.hypot(...limit.map((x, i) => picture[i] - x)) / Math.sqrt(limit.length),
+            );
+            const order = fitOrder(counts, errors);
+            const stated = Math.min(...scene.layers[0].modules(false).map((module) => module.order));
+            console.log(
+              `WebGL ${version} ${kind}: ${errors.map((error) => error.toExponential(1)).join(' ')}, order ${order.toFixed(2)}`,
+            );
+            expect(stated, 'what the modules say').to.equal(2);
+            expect(order, kind).to.be.at.least(stated - 0.1);
+            expect(errors.at(-1), kind).to.be.below(floor);
+          }
+        }));
 
     it('ends at shapes, which are seen behind it', () => {
       const [center, size] = [[4, 2, 3] as Vector3, 6];
@@ -312,18 +321,19 @@ for (const version of [2, 1] as const) {
         ).to.equal(255);
       }));
 
-    it('casts fewer rays where it is smooth, as for any picture', () =>
-      withScene({ webgl1: version === 1 }, async (scene) => {
-        const view = cartesian({ dimensions: [40, 36, 32] });
-        await scene.setStyle({ projection: 'max' });
-        scene.resize(181, 137);
-        const all = drawPicture(scene, view);
-        expect(scene.adaptive).to.equal(true);
-        scene.setMaxCurvature(6);
-        const { rmse, worst } = comparePictures(drawPicture(scene, view), all);
-        console.log(`WebGL ${version} adaptive: worst ${worst} rmse ${rmse.toFixed(2)}`);
-        expect(rmse).to.be.within(0.01, 1);
-      }));
+    if (takesAll || version === 2)
+      it('casts fewer rays where it is smooth, as for any picture', () =>
+        withScene({ webgl1: version === 1 }, async (scene) => {
+          const view = cartesian({ dimensions: [40, 36, 32] });
+          await scene.setStyle({ projection: 'max' });
+          scene.resize(181, 137);
+          const all = drawPicture(scene, view);
+          expect(scene.adaptive).to.equal(true);
+          scene.setMaxCurvature(6);
+          const { rmse, worst } = comparePictures(drawPicture(scene, view), all);
+          console.log(`WebGL ${version} adaptive: worst ${worst} rmse ${rmse.toFixed(2)}`);
+          expect(rmse).to.be.within(0.01, 1);
+        }));
   });
 }
 

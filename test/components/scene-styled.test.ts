@@ -9,6 +9,7 @@ import { programKey } from '../../src/renderer/ray/compose-ray.ts';
 import { hasRoom } from '../../src/renderer/ray/modules/styled.ts';
 import type { RayText } from '../../src/renderer/ray/ray-module.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import { casesIn } from '../helpers/cases.ts';
 import { styledStages } from '../helpers/lit.ts';
 import {
   bothWalks,
@@ -144,7 +145,7 @@ for (const version of [2, 1] as const) {
         for (const view of viewsOf(name)) {
           await scene().prepare(view.volume);
           const keys = new Set<string>();
-          for (const appearance of shown) {
+          for (const appearance of casesIn(version, shown, (one) => ['all of them', 'two blended'].includes(one))) {
             await scene().setStyle(null);
             const plain = drawPicture(scene(), view);
             await scene().setStyle({ styles: looks[appearance] });

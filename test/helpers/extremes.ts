@@ -574,3 +574,8 @@ const eyes: Extreme[] = [
 
 /** Issue 3, "stability at the extremes". Separate tests cover its other items. */
 export const extremes: readonly Extreme[] = [...steps, ...opacities, ...shapes, ...values, ...places, ...eyes];
+
+/** The names of those that textures and tables of numbers decide: sizes of volumes, and every third kind of numbers. */
+export const storedExtremes: ReadonlySet<string> = new Set(
+  [...shapes, ...values.filter((_, i) => i % 3 === 0)].map(({ name }) => name),
+);

@@ -164,12 +164,11 @@ export function bothWalks(view: View): View[] {
 }
 
 /**
- * Chooses what one version of WebGL draws of many scenes. All scenes in both walks would take half as long again, so it draws both walks
- * only of every second scene, and only substeps of the others; the other version of WebGL draws those in both walks.
+ * Chooses the walks of a scene that a version of WebGL draws: WebGL 2 both, WebGL 1 one of them, in turns.
  * @param both - one item for each walk, in the order of `bothWalks`
  */
 export function walksIn<T>(version: 1 | 2, scene: number, both: readonly T[]): readonly T[] {
-  return scene % 2 === version % 2 ? both : both.slice(-1);
+  return version === 2 ? both : [both[scene % both.length]];
 }
 
 /** Draw a view with the GPU. */
