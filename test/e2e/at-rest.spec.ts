@@ -1,4 +1,4 @@
-import { compare, expect, open, settle, takeScreenshot, test, withElement } from './helpers/harness.ts';
+import { compare, expect, keptTest as test, open, settle, takeScreenshot, withElement } from './helpers/harness.ts';
 import type { Page } from '@playwright/test';
 
 const tag = (

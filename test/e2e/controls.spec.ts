@@ -51,7 +51,7 @@ newPageTest('they are not there, and not loaded, without the attribute; and they
   await expect(page.locator('volume-view').getByRole('button')).toHaveCount(0);
 });
 
-newPageTest('axe finds nothing in them, open and closed; each is 44 pixels large', async ({ page }) => {
+test('axe finds nothing in them, open and closed; each is 44 pixels large', async ({ page }) => {
   await openView(page);
   expect(await findFaults(page)).toEqual([]);
   for (const name of ['Views', 'More']) {
@@ -101,7 +101,7 @@ test('by keys alone: tab, enter, escape', async ({ page }) => {
   await expect(button(page, 'Views')).toBeFocused();
 });
 
-newPageTest('a press elsewhere closes what is open; the hint goes when the picture is turned', async ({ page }) => {
+test('a press elsewhere closes what is open; the hint goes when the picture is turned', async ({ page }) => {
   await openView(page);
   const hint = page.locator('volume-view').locator('.hint');
   await expect(hint).toHaveText('Drag to turn. After a click, the wheel zooms.');
@@ -156,7 +156,7 @@ newPageTest('where the page may not copy, the attributes stand in a field', asyn
   await expect(page.locator('volume-view').getByRole('textbox')).toHaveValue(/camera-orbit="/);
 });
 
-newPageTest('full screen fills the screen, and back', async ({ page }) => {
+test('full screen fills the screen, and back', async ({ page }) => {
   await openView(page);
   await button(page, 'Full screen').click();
   await expect(button(page, 'Leave full screen')).toBeVisible();
@@ -169,7 +169,7 @@ newPageTest('full screen fills the screen, and back', async ({ page }) => {
   await expect(button(page, 'Full screen')).toBeVisible();
 });
 
-newPageTest('a frame that does not allow full screen has no button for it', async ({ page }) => {
+test('a frame that does not allow full screen has no button for it', async ({ page }) => {
   await page.route('**/inner-controls.html', (route) =>
     route.fulfill({
       contentType: 'text/html',
@@ -269,7 +269,7 @@ newPageTest(
 test.describe('where the page for frames is not', () => {
   test.use({ allowedLines: networkLines });
 
-  newPageTest('a sentence says which files are missing and where', async ({ page }) => {
+  test('a sentence says which files are missing and where', async ({ page }) => {
     await page.route('**/embed.html', (route) => route.fulfill({ status: 404, body: '' }));
     await openView(page);
     await button(page, 'More').click();
@@ -280,7 +280,7 @@ test.describe('where the page for frames is not', () => {
   });
 });
 
-newPageTest("what lies on a person's own computer has no code for other pages", async ({ page }) => {
+test("what lies on a person's own computer has no code for other pages", async ({ page }) => {
   await openView(page);
   await withElement(page, async (element) => {
     element.src = URL.createObjectURL(await (await fetch(element.src!)).blob());

@@ -2,9 +2,17 @@
 import type { Page } from '@playwright/test';
 import type { PictureCheck } from '../../src/quality/compare-rays.ts';
 import { openDemo } from './helpers/demo.ts';
-import { expect, fieldUrl, open, settle, test, withElement } from './helpers/harness.ts';
+import {
+  expect,
+  fieldUrl,
+  keptTest as test,
+  open,
+  settle,
+  test as newPageTest,
+  withElement,
+} from './helpers/harness.ts';
 
-const shown = 'style="width: 200px; height: 150px" alt="What is shown"';
+const shown = 'style="width: 120px; height: 90px" alt="What is shown"';
 const mri = '/demos/data/mni152-t1.nii.gz';
 const torso = '/demos/data/ct-phantom.nii.gz';
 const storm = '/demos/data/storm-radar-1510.json';
@@ -74,7 +82,7 @@ const watched = `<volume-view src="${fieldUrl}" self-check ${shown}></volume-vie
   view.addEventListener('error', ({ detail }) => (view.code = detail.code));
 }</script>`;
 
-test('a GPU that draws wrong is told of, and the picture stays', async ({ page }) => {
+newPageTest('a GPU that draws wrong is told of, and the picture stays', async ({ page }) => {
   await page.addInitScript(breakGpu);
   await open(page, watched);
   await expect.poll(async () => (await reported(page)).code, { timeout: 30_000 }).toBe('webgl/inaccurate');
@@ -94,7 +102,7 @@ test('a GPU that draws wrong is told of, and the picture stays', async ({ page }
   await expect.poll(async () => (await reported(page)).message).toBe('');
 });
 
-test('with self-check each picture at rest is checked, and a good one is no error', async ({ page }) => {
+newPageTest('with self-check each picture at rest is checked, and a good one is no error', async ({ page }) => {
   await open(page, watched);
   await expect.poll(async () => (await reported(page)).checks.length, { timeout: 30_000 }).toBeGreaterThan(0);
   await withElement(page, (element) => {
@@ -108,7 +116,7 @@ test('with self-check each picture at rest is checked, and a good one is no erro
   expect(message).toBe('');
 });
 
-test('the page of steps says whether its device draws right', async ({ page }) => {
+newPageTest('the page of steps says whether its device draws right', async ({ page }) => {
   await openDemo(page, 'steps.html', '');
   await page.locator('#check').click();
   await expect(page.locator('#checked')).toContainText(

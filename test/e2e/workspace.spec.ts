@@ -1,7 +1,7 @@
 // <volume-workspace>: a volume, its panes and companions, laid out by the room that there is; and companions as wide as their view.
 import type { Page } from '@playwright/test';
 import { findFaults } from './helpers/axe.ts';
-import { ballUrl, expect, fieldUrl, open, seenEvents, settle, test } from './helpers/harness.ts';
+import { ballUrl, expect, fieldUrl, keptTest as test, open, seenEvents, settle } from './helpers/harness.ts';
 
 const radar = '/test/fixtures/radar/odim-2.1.h5';
 const workspace = (inside: string, attributes = ''): string =>

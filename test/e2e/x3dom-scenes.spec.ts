@@ -2,7 +2,7 @@
 // error but what docs/guide/x3d-styles.md says. Their picture beside X3DOM's is made by scripts/x3dom-sheet.mjs.
 import { encode } from 'fast-png';
 import { exampleScenes } from '../../scripts/x3dom-scenes.mjs';
-import { expect, open, seenEvents, settle, takeScreenshot, test, withElement } from './helpers/harness.ts';
+import { expect, keptTest as test, open, seenEvents, settle, takeScreenshot, withElement } from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { serveFiles } from './helpers/served-files.ts';
 
@@ -115,6 +115,7 @@ for (const { file, title, html, code } of exampleScenes) {
     await open(
       page,
       `<volume-view style="width: 120px; height: 120px" alt="A ball"><x3d>${html(data)}</x3d></volume-view>`,
+      { head: '<style>volume-view::part(error) { display: none }</style>' },
     );
     await settle(page).catch(() => {}); // Of what is wrong the event tells.
     const errors = (await seenEvents(page))
@@ -124,7 +125,6 @@ for (const { file, title, html, code } of exampleScenes) {
     // In float64 it is the same.
     const checked = code ? null : await withElement(page, (element) => element.checkPicture());
     if (!code) expect(checked).toMatchObject({ off: 0, agrees: true });
-    await page.addStyleTag({ content: 'volume-view::part(error) { display: none }' });
     const { share, color, background, strongest } = describe(await takeScreenshot(page));
     const [sky, [min, max], isOfColor, [weak, strong]] = expected[title];
     expect(background).toEqual(sky);
