@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { nameColor } from '../../src/editor/color-names.ts';
-import { english } from '../../src/messages/english-companions.ts';
-import { EditHistory } from '../../src/editor/edit-history.ts';
+import { nameColor } from '../../../src/editor/color-names.ts';
+import { english } from '../../../src/messages/english-companions.ts';
+import { EditHistory } from '../../../src/editor/edit-history.ts';
 import {
   addStop,
   addStopBeside,
@@ -10,14 +10,14 @@ import {
   removeStop,
   simplifyStops,
   stopBounds,
-} from '../../src/editor/transfer-function-edits.ts';
-import { colorTableStops } from '../../src/optics/transfer/color-tables.ts';
-import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
-import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
-import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { writeColor, writeTransferFunction } from '../../src/optics/transfer/write-transfer-function.ts';
-import { expectNear } from '../helpers/emission.ts';
+} from '../../../src/editor/transfer-function-edits.ts';
+import { colorTableStops } from '../../../src/optics/transfer/color-tables.ts';
+import { parseTransferFunction } from '../../../src/optics/transfer/parse-transfer-function.ts';
+import { resolveTransferFunction } from '../../../src/optics/transfer/resolve-transfer-function.ts';
+import { evaluate } from '../../../src/optics/transfer/transfer-function.ts';
+import type { TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
+import { writeColor, writeTransferFunction } from '../../../src/optics/transfer/write-transfer-function.ts';
+import { expectNear } from '../../helpers/emission.ts';
 
 const stops: TransferFunction = [
   { value: 0, color: [0, 0, 1], opacity: 0 },

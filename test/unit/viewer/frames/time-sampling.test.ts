@@ -1,11 +1,11 @@
 import { expect } from '@esm-bundle/chai';
-import { unknownErrors } from '../../src/quality/frame-plan.ts';
-import { planFrame } from '../../src/quality/plan-frame.ts';
-import type { SamplingOutcome } from '../../src/quality/sampling-outcome.ts';
-import type { DrawnView } from '../../src/viewer/model/drawn-view.ts';
-import type { Scene } from '../../src/viewer/model/scene.ts';
-import { timeSampling } from '../../src/viewer/frames/time-sampling.ts';
-import { cartesianGrid } from '../../src/volume/grid.ts';
+import { unknownErrors } from '../../../../src/quality/frame-plan.ts';
+import { planFrame } from '../../../../src/quality/plan-frame.ts';
+import type { SamplingOutcome } from '../../../../src/quality/sampling-outcome.ts';
+import type { DrawnView } from '../../../../src/viewer/model/drawn-view.ts';
+import type { Scene } from '../../../../src/viewer/model/scene.ts';
+import { timeSampling } from '../../../../src/viewer/frames/time-sampling.ts';
+import { cartesianGrid } from '../../../../src/volume/grid.ts';
 
 const outcomes: readonly SamplingOutcome[] = [
   { maxCurvature: 4, share: 0.8, error: 0.1 },

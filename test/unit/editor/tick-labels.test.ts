@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import { labelTicks } from '../../src/editor/tick-labels.ts';
-import { legendDomain } from '../../src/editor/describe-scale.ts';
-import { listTicks } from '../../src/editor/ticks.ts';
-import { english } from '../../src/messages/english-companions.ts';
-import { Language } from '../../src/messages/language.ts';
+import { labelTicks } from '../../../src/editor/tick-labels.ts';
+import { legendDomain } from '../../../src/editor/describe-scale.ts';
+import { listTicks } from '../../../src/editor/ticks.ts';
+import { english } from '../../../src/messages/english-companions.ts';
+import { Language } from '../../../src/messages/language.ts';
 
 const language = new Language('en', english);
 const textsOf = (domain: readonly [number, number], max = 9): string => {

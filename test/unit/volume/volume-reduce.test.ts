@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { atlasLayout } from '../../src/volume/atlas.ts';
-import { cartesianGrid, corners, spacingOf } from '../../src/volume/grid.ts';
-import { transformPoint } from '../../src/volume/matrix.ts';
-import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
-import { chooseReduction, reduceDimensions, reduceVolume } from '../../src/volume/reduce.ts';
-import type { Samples } from '../../src/volume/volume.ts';
+import { atlasLayout } from '../../../src/volume/atlas.ts';
+import { cartesianGrid, corners, spacingOf } from '../../../src/volume/grid.ts';
+import { transformPoint } from '../../../src/volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../../src/volume/matrix.ts';
+import { chooseReduction, reduceDimensions, reduceVolume } from '../../../src/volume/reduce.ts';
+import type { Samples } from '../../../src/volume/volume.ts';
 
 const oblique: Matrix4 = [-1.5, 0.2, 0.1, 30, 0.3, 2, -0.4, -20, 0.05, 0.25, 3.5, 10, 0, 0, 0, 1];
 const roomy = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 30 };

@@ -1,11 +1,11 @@
 // What CfRadial says of gates, radials and sweeps that are no data: read from files.
 import { expect } from '@esm-bundle/chai';
-import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
-import { readCfradial1 } from '../../src/formats/radar/cfradial1.ts';
-import type { RadarFile } from '../../src/formats/radar/radar-file.ts';
-import { buildNetcdf3 } from '../helpers/netcdf3-builder.ts';
-import type { Netcdf3Variable } from '../helpers/netcdf3-builder.ts';
-import { gateValues } from '../helpers/radar.ts';
+import { buildPolarVolume } from '../../../../src/formats/radar/build-polar-volume.ts';
+import { readCfradial1 } from '../../../../src/formats/radar/cfradial1.ts';
+import type { RadarFile } from '../../../../src/formats/radar/radar-file.ts';
+import { buildNetcdf3 } from '../../../helpers/netcdf3-builder.ts';
+import type { Netcdf3Variable } from '../../../helpers/netcdf3-builder.ts';
+import { gateValues } from '../../../helpers/radar.ts';
 
 type Attributes = NonNullable<Netcdf3Variable['attributes']>;
 

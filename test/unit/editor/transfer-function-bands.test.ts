@@ -1,16 +1,16 @@
 import { expect } from '@esm-bundle/chai';
-import { describeScale, legendDomain } from '../../src/editor/describe-scale.ts';
-import { drawArea, drawCurve, paintStops } from '../../src/editor/paint-curve.ts';
-import { labelShift, listTicks, roundStep, roundTo } from '../../src/editor/ticks.ts';
-import { chooseDomain, toHeight, toOpacity, toShare, toValue } from '../../src/editor/transfer-function-axes.ts';
-import { bandsFromStops, chooseBandEdges, stopsFromBands } from '../../src/editor/transfer-function-bands.ts';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
-import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { english } from '../../src/messages/english-companions.ts';
-import { Language } from '../../src/messages/language.ts';
-import { expectNear } from '../helpers/emission.ts';
+import { describeScale, legendDomain } from '../../../src/editor/describe-scale.ts';
+import { drawArea, drawCurve, paintStops } from '../../../src/editor/paint-curve.ts';
+import { labelShift, listTicks, roundStep, roundTo } from '../../../src/editor/ticks.ts';
+import { chooseDomain, toHeight, toOpacity, toShare, toValue } from '../../../src/editor/transfer-function-axes.ts';
+import { bandsFromStops, chooseBandEdges, stopsFromBands } from '../../../src/editor/transfer-function-bands.ts';
+import { VolumeViewError } from '../../../src/core/errors.ts';
+import { resolveTransferFunction } from '../../../src/optics/transfer/resolve-transfer-function.ts';
+import { evaluate } from '../../../src/optics/transfer/transfer-function.ts';
+import type { TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
+import { english } from '../../../src/messages/english-companions.ts';
+import { Language } from '../../../src/messages/language.ts';
+import { expectNear } from '../../helpers/emission.ts';
 
 const none = { bands: null, bandEdges: null };
 const dbz = { unit: 'dBZ', window: [-10, 60] as const };

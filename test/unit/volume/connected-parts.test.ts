@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { findSmallParts, keptShare } from '../../src/volume/connected-parts.ts';
-import type { SmallParts } from '../../src/volume/connected-parts.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import { findSmallParts, keptShare } from '../../../src/volume/connected-parts.ts';
+import type { SmallParts } from '../../../src/volume/connected-parts.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { randomNumbers } from '../../helpers/synthetic.ts';
 
 type Box = readonly [low: Vector3, high: Vector3];
 

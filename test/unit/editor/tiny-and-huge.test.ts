@@ -1,17 +1,17 @@
 // Panes, scales, histograms and numbers of data at the ends of what doubles hold: as of data around 1.
 import { expect } from '@esm-bundle/chai';
-import { drawHistogram } from '../../src/editor/draw-histogram.ts';
-import { labelTicks } from '../../src/editor/tick-labels.ts';
-import { roundStep } from '../../src/editor/ticks.ts';
-import { toShare } from '../../src/editor/transfer-function-axes.ts';
-import { colorPainter, grayPainter } from '../../src/panes/paint-slice.ts';
-import type { Painter } from '../../src/panes/paint-slice.ts';
-import { suitingWindow } from '../../src/panes/suiting-window.ts';
-import { resolveAppearance } from '../../src/viewer/appearance/resolve-appearance.ts';
-import { plainAppearance } from '../../src/viewer/model/settings.ts';
-import { english } from '../../src/messages/english-companions.ts';
-import { Language } from '../../src/messages/language.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { drawHistogram } from '../../../src/editor/draw-histogram.ts';
+import { labelTicks } from '../../../src/editor/tick-labels.ts';
+import { roundStep } from '../../../src/editor/ticks.ts';
+import { toShare } from '../../../src/editor/transfer-function-axes.ts';
+import { colorPainter, grayPainter } from '../../../src/panes/paint-slice.ts';
+import type { Painter } from '../../../src/panes/paint-slice.ts';
+import { suitingWindow } from '../../../src/panes/suiting-window.ts';
+import { resolveAppearance } from '../../../src/viewer/appearance/resolve-appearance.ts';
+import { plainAppearance } from '../../../src/viewer/model/settings.ts';
+import { english } from '../../../src/messages/english-companions.ts';
+import { Language } from '../../../src/messages/language.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 /** Factors of the data, and how well doubles of that size tell shares of them apart: below 2.2e-308 they are whole multiples of 4.94e-324. */
 const sizes = [

@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { atlasLayout, packAtlas } from '../../src/volume/atlas.ts';
-import { parseMosaicSize } from '../../src/volume/mosaic-size.ts';
-import { checkMosaicLayout, cutMosaic, mosaicDimensions } from '../../src/volume/mosaic.ts';
-import type { GrayImage } from '../../src/volume/mosaic.ts';
+import { VolumeViewError } from '../../../src/core/errors.ts';
+import { atlasLayout, packAtlas } from '../../../src/volume/atlas.ts';
+import { parseMosaicSize } from '../../../src/volume/mosaic-size.ts';
+import { checkMosaicLayout, cutMosaic, mosaicDimensions } from '../../../src/volume/mosaic.ts';
+import type { GrayImage } from '../../../src/volume/mosaic.ts';
 
 /** An image whose pixel at (x, y) is `value(x, y)`. */
 function draw(width: number, height: number, value: (x: number, y: number) => number, deep = false): GrayImage {

@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { brighten } from '../../src/optics/transfer/brighten.ts';
-import { emission } from '../../src/optics/transfer/emission.ts';
-import { attenuate } from '../../src/optics/rays/segment.ts';
-import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
-import type { Premultiplied, TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { expectNear } from '../helpers/emission.ts';
+import { brighten } from '../../../../src/optics/transfer/brighten.ts';
+import { emission } from '../../../../src/optics/transfer/emission.ts';
+import { attenuate } from '../../../../src/optics/rays/segment.ts';
+import { evaluate } from '../../../../src/optics/transfer/transfer-function.ts';
+import type { Premultiplied, TransferFunction } from '../../../../src/optics/transfer/transfer-function.ts';
+import { expectNear } from '../../../helpers/emission.ts';
 
 /** Red fades in from transparent blue, jumps to green at 20. */
 const stops: TransferFunction = [

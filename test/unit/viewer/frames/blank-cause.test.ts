@@ -1,11 +1,11 @@
 // Why nothing is to be seen of a volume: told from what is known of its picture.
 import { expect } from '@esm-bundle/chai';
-import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
-import { estimateError } from '../../src/quality/error-estimate.ts';
-import { findBlankCause } from '../../src/viewer/frames/blank-cause.ts';
-import type { BlankFacts } from '../../src/viewer/frames/blank-cause.ts';
-import type { ViewLabels } from '../../src/viewer/model/view-labels.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { parseTransferFunction } from '../../../../src/optics/transfer/parse-transfer-function.ts';
+import { estimateError } from '../../../../src/quality/error-estimate.ts';
+import { findBlankCause } from '../../../../src/viewer/frames/blank-cause.ts';
+import type { BlankFacts } from '../../../../src/viewer/frames/blank-cause.ts';
+import type { ViewLabels } from '../../../../src/viewer/model/view-labels.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const volume = syntheticVolume({ dimensions: [8, 8, 8], field: (x) => 10 + 90 * x, kind: 'float32' });
 const polar = { ...volume, grid: { kind: 'polar' } as unknown as BlankFacts['volume']['grid'] };

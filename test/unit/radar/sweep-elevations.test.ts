@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
-import { elevationAt, spanOfSweep, sweepsAround } from '../../src/radar/sweep-elevations.ts';
-import { polarScenes, radarVolume, syntheticRadar } from '../helpers/synthetic-radar.ts';
-import type { SweepOptions } from '../helpers/synthetic-radar.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import { buildPolarVolume } from '../../../src/formats/radar/build-polar-volume.ts';
+import { elevationAt, spanOfSweep, sweepsAround } from '../../../src/radar/sweep-elevations.ts';
+import { polarScenes, radarVolume, syntheticRadar } from '../../helpers/synthetic-radar.ts';
+import type { SweepOptions } from '../../helpers/synthetic-radar.ts';
+import { randomNumbers } from '../../helpers/synthetic.ts';
 
 /** A beam so wide that radials a quarter of the circle apart are neighbours. */
 const sweepOf = (options: Partial<SweepOptions>, beamWidth = 4) =>
