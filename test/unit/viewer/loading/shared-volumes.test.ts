@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import { SharedVolumes } from '../../src/viewer/loading/shared-volumes.ts';
-import type { LoadOptions } from '../../src/worker/load.ts';
-import type { LoadProgress, LoadRequest } from '../../src/formats/base/load-request.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { SharedVolumes } from '../../../../src/viewer/loading/shared-volumes.ts';
+import type { LoadOptions } from '../../../../src/worker/load.ts';
+import type { LoadProgress, LoadRequest } from '../../../../src/formats/base/load-request.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const request: LoadRequest = { url: 'a.nii', limits: { maxVoxelsPerAxis: 64, maxAtlasSize: null, maxBytes: 1e6 } };
 const half: LoadProgress = { loaded: 1, total: 2, phase: 'fetch' };

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { LoadQueue } from '../../src/viewer/loading/load-queue.ts';
+import { LoadQueue } from '../../../../src/viewer/loading/load-queue.ts';
 
 /** Loads that end when they are told to, by name. */
 function prepare(max: number): {
