@@ -10,3 +10,6 @@ globalThis.fetch = async (input, init) => {
   const file = findSharedData(input) ?? findFile(projectRoot, input.slice(1));
   return file ? new Response(readFileSync(file)) : new Response(null, { status: 404 });
 };
+
+// See test/helpers/cases.ts.
+if (process.env.VOLUME_VIEW_ALL_CASES) Reflect.set(globalThis, '__allCases', true);

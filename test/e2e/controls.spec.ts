@@ -101,7 +101,7 @@ test('by keys alone: tab, enter, escape', async ({ page }) => {
   await expect(button(page, 'Views')).toBeFocused();
 });
 
-test('a press elsewhere closes what is open; the hint goes when the picture is turned', async ({ page }) => {
+newPageTest('a press elsewhere closes what is open; the hint goes when the picture is turned', async ({ page }) => {
   await openView(page);
   const hint = page.locator('volume-view').locator('.hint');
   await expect(hint).toHaveText('Drag to turn. After a click, the wheel zooms.');
