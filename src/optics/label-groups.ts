@@ -2,49 +2,8 @@
 import { dataEnds } from './rays/cast-ray.ts';
 import { groupOf, labelledEnds, labelShade, apply } from './attachments/labels.ts';
 import type { LabelledSample } from './attachments/labels.ts';
-import { transferFunctionClassify } from './rays/ray-classify.ts';
-import type { RayOptics } from './rays/ray-classify.ts';
-import type { ClassifyStage, FieldStage, RayStages, ShadeStage } from './rays/ray-stages.ts';
-import type { RaySetup } from './rays/rays.ts';
-import { opticsOf, stagesOf } from './reference.ts';
-import type { ReferenceScene } from './reference.ts';
+import type { ClassifyStage, FieldStage, ShadeStage } from './rays/ray-stages.ts';
 import { composite } from './rays/segment.ts';
-import type { TransferFunction } from './transfer/transfer-function.ts';
-
-/** The optics of each group's transfer function. @param scene - its own transfer function is replaced */
-export function groupOptics(functions: readonly TransferFunction[], scene: ReferenceScene): RayOptics[] {
-  return functions.map((transferFunction) => opticsOf({ ...scene, transferFunction }));
-}
-
-/** The stages of a scene's rays when groups of labels have transfer functions of their own. @param groups - by group from 1 */
-export function groupedStagesOf(
-  scene: ReferenceScene,
-  setup: RaySetup,
-  groups: readonly RayOptics[],
-  own?: RayOptics,
-): RayStages {
-  const stages = stagesOf(scene, setup, own);
-  const opticalScale = (setup.diameter * scene.opacityFactor) / scene.referenceLength;
-  return groups.length > 0
-    ? groupStages(
-        stages,
-        groups.map((one) => transferFunctionClassify(one, stages.field, opticalScale)),
-      )
-    : stages;
-}
-
-/**
- * Adds the transfer functions of groups of labels to stages.
- * @param others - the classification by each group's transfer function, by group from 1
- */
-export function groupStages(stages: RayStages, others: readonly ClassifyStage[]): RayStages {
-  const classify = groupClassify([stages.classify, ...others]);
-  return {
-    ...stages,
-    classify,
-    shades: stages.shades.map((shade) => (shade === labelShade ? groupShade(classify, stages.field) : shade)),
-  };
-}
 
 /**
  * If a piece of a ray lies in one group, it has the means of that group's function. The function that needs the most substeps decides how

@@ -3,7 +3,11 @@ import type { GridFrame } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/volume.ts';
 import { brighten } from './transfer/brighten.ts';
+import { labelShade } from './attachments/labels.ts';
+import { groupClassify, groupShade } from './label-groups.ts';
 import { castRay } from './rays/cast-ray.ts';
+import { composeStages } from './rays/compose-stages.ts';
+import type { StageGiver, StageName } from './rays/compose-stages.ts';
 import { jumpGather } from './surfaces/jump-gather.ts';
 import { findOpaqueJumps } from './transfer/opaque-jumps.ts';
 import { prepareOptics, transferFunctionClassify } from './rays/ray-classify.ts';
@@ -48,6 +52,8 @@ export interface ReferenceScene extends OpticalFactors {
   readonly shades?: readonly ShadeStage[];
   /** What ends rays in addition to the bounds of the volume and of the region. */
   readonly ends?: readonly IntervalStage[];
+  /** Transfer functions of groups of labels, by group from 1. */
+  readonly functions?: readonly TransferFunction[];
   /** Replaces the classification by the transfer function. */
   readonly classifyBy?: (usual: ClassifyStage) => ClassifyStage;
   /**
@@ -87,27 +93,47 @@ const asItIs = (usual: ClassifyStage): ClassifyStage => usual;
 
 /** The five stages of a scene's rays. */
 export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOptics = opticsOf(scene)): RayStages {
-  const { grid, stepLength, referenceLength, opacityFactor } = scene;
-  const field = scene.field ?? cartesianField({ ...scene, dimensions: grid.dimensions });
-  // Only cartesian grids know where values kink. Pictures in motion do not cut their steps, so they do not look for jumps.
+  const { grid, stepLength, referenceLength, opacityFactor, moreFields = [], shades = [], functions = [] } = scene;
+  const classifyBy = (one: RayOptics, field: FieldStage): ClassifyStage =>
+    transferFunctionClassify(one, field, (setup.diameter * opacityFactor) / referenceLength);
+  return composeStages(
+    [
+      giver('field', () => ({ field: scene.field ?? cartesianField({ ...scene, dimensions: grid.dimensions }) })),
+      { ...giver('field', () => ({ moreFields })), isSecond: true },
+      giver('interval', () => ({ intervals: [boxInterval(setup), ...(scene.ends ?? [])] })),
+      giver('classify', ({ field }) => {
+        const usual = (scene.classifyBy ?? asItIs)(classifyBy(optics, field));
+        const others = functions.map((transferFunction) => classifyBy(opticsOf({ ...scene, transferFunction }), field));
+        return { classify: others.length > 0 ? groupClassify([usual, ...others]) : usual };
+      }),
+      giver('shade', ({ classify, field }) => ({
+        shades: shades.map((shade) =>
+          functions.length > 0 && shade === labelShade ? groupShade(classify, field) : shade,
+        ),
+      })),
+      giver('gather', ({ field }) => ({ gather: scene.gather ?? gatherOf(scene, setup, { field, optics }) })),
+    ],
+    {
+      eyeT: setup.eyeT,
+      step: stepLength / setup.diameter,
+      maxSubsteps: scene.maxSubsteps ?? maxSubsteps,
+      minSubsteps: scene.minSubsteps,
+    },
+  );
+}
+
+const giver = (stage: StageName, parts: StageGiver['parts']): StageGiver => ({ name: 'a reference', stage, parts });
+
+/** Emission and absorption. Where steps are cut, as they are at rest, it finds what is opaque at once. */
+function gatherOf(
+  scene: ReferenceScene,
+  { diameter }: RaySetup,
+  { field, optics }: { readonly field: FieldStage; readonly optics: RayOptics },
+): GatherStage {
   const isCut = (scene.maxSubsteps ?? maxSubsteps) > 1 || scene.minSubsteps !== undefined;
-  const jumps =
-    scene.gather || !field.kinksBetween || !isCut ? [] : findOpaqueJumps(optics.transferFunction, voxelRatioOf(scene));
-  return {
-    intervals: [boxInterval(setup), ...(scene.ends ?? [])],
-    field,
-    moreFields: scene.moreFields ?? [],
-    classify: (scene.classifyBy ?? asItIs)(
-      transferFunctionClassify(optics, field, (setup.diameter * opacityFactor) / referenceLength),
-    ),
-    shades: scene.shades ?? [],
-    gather:
-      scene.gather ?? (jumps.length > 0 ? jumpGather(jumps, finestSpacing(grid) / setup.diameter) : compositeGather),
-    eyeT: setup.eyeT,
-    step: stepLength / setup.diameter,
-    maxSubsteps: scene.maxSubsteps ?? maxSubsteps,
-    minSubsteps: scene.minSubsteps,
-  };
+  // Only cartesian grids know where values kink.
+  const jumps = field.kinksBetween && isCut ? findOpaqueJumps(optics.transferFunction, voxelRatioOf(scene)) : [];
+  return jumps.length > 0 ? jumpGather(jumps, finestSpacing(scene.grid) / diameter) : compositeGather;
 }
 
 /** What a scene's rays need of its transfer function. Keep it to cast many rays. */

@@ -4,12 +4,11 @@ import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { uncut } from '../../src/optics/rays/cut-fade.ts';
 import { domainOf } from '../../src/optics/transfer/emission.ts';
 import { cartesianGradient, flatChange } from '../../src/optics/rays/gradient.ts';
-import { groupedStagesOf, groupOptics } from '../../src/optics/label-groups.ts';
 import { litShade, pointField } from '../../src/optics/rays/lit.ts';
 import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import { cartesianField } from '../../src/optics/rays/ray-field.ts';
 import type { RayStages } from '../../src/optics/rays/ray-stages.ts';
-import { renderStages } from '../../src/optics/reference.ts';
+import { stagesOf as stagesOfScene, renderStages } from '../../src/optics/reference.ts';
 import { styledShade } from '../../src/optics/rays/styled.ts';
 import type { VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
@@ -144,7 +143,7 @@ function stagesOf(view: View, { surfaces, styles: chains }: RayStyle): RayStages
     shades: [...scene.shades!, last],
     ...(gather && { gather }),
   };
-  return groupedStagesOf({ ...scene, ...more }, rays, groupOptics(labels?.functions ?? [], scene));
+  return stagesOfScene({ ...scene, ...more, functions: labels?.functions }, rays);
 }
 
 const expectationOf = remember((name: string) => {

@@ -39,7 +39,7 @@ import type { DeviceRectangle } from '../../optics/cells/bound-seen-cells.ts';
 import type { Pixels } from '../../optics/rays/between-pixels.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
-import type { RayStages } from '../../optics/rays/ray-stages.ts';
+import type { StageName, StageParts } from '../../optics/rays/compose-stages.ts';
 import type { PixelLattice, Ray, RaySetup } from '../../optics/rays/rays.ts';
 import type { OpticalFactors, TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
@@ -50,11 +50,8 @@ import type { DrawTarget } from '../device/draw-target.ts';
 import type { Upload } from '../textures/fill-texture.ts';
 import type { ProgramInputs } from '../device/inputs.ts';
 
-/** The members of `RayStages` that say how a ray is walked; no module gives them. */
-type Walk = 'eyeT' | 'step' | 'maxSubsteps' | 'minSubsteps';
-
 /** The five stages of a ray in float64. */
-export type TwinStages = Omit<RayStages, Walk>;
+export type TwinStages = StageParts;
 
 /** The scene of a ray that is cast in float64; on the GPU, this is `RayFrame`. */
 export interface TwinFrame {
@@ -78,7 +75,7 @@ export interface RayTwin {
   parts(frame: TwinFrame, before: TwinStages): Partial<TwinStages>;
 }
 
-export type StageName = 'interval' | 'field' | 'classify' | 'shade' | 'gather';
+export type { StageName } from '../../optics/rays/compose-stages.ts';
 
 /** The text that a module adds to the vertex shader, which decides which quads of pixels need rays. */
 export interface BetweenText {
@@ -120,6 +117,8 @@ export interface RayModule<S extends StageName = StageName> extends RayText {
    * depend on steps. The order of a ray is the lowest order of its modules.
    */
   readonly order: number;
+  /** Data values at which the volume becomes opaque at once, if the module finds them wherever a ray touches them. */
+  readonly found?: readonly number[];
   /** Which values can show; all values if absent. It returns the same function while the optics are the same. */
   contributes?(optics: Optics): Contribution;
   /** Its uniforms and textures; it makes the textures when they are needed. */

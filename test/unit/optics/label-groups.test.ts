@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { castRay } from '../../../src/optics/rays/cast-ray.ts';
 import { rangeEmission } from '../../../src/optics/transfer/emission-range.ts';
 import { labelledDetail, appearanceOfCells } from '../../../src/optics/cells/label-detail.ts';
-import { groupedStagesOf, groupOptics } from '../../../src/optics/label-groups.ts';
+import { stagesOf } from '../../../src/optics/reference.ts';
 import { labelStages } from '../../../src/optics/attachments/labels.ts';
 import { parseTransferFunction } from '../../../src/optics/transfer/parse-transfer-function.ts';
 import { pickRay } from '../../../src/optics/pick-ray.ts';
@@ -56,7 +56,7 @@ function stagesAlong(
     field: storedField(([x]) => value(x), { slope: 1, intercept: 0 }),
     ...labelStages(labels, false),
   } as const;
-  return groupedStagesOf(scene, setup, groupOptics(functions!, scene));
+  return stagesOf({ ...scene, functions }, setup);
 }
 
 describe('transfer functions of groups of labels', () => {
