@@ -5,6 +5,7 @@ import { live } from 'lit/directives/live.js';
 import { repeat } from 'lit/directives/repeat.js';
 import { english as companions } from '../../src/messages/english-companions.ts';
 import { english } from '../../src/messages/english-labels.ts';
+import type { LabelMessages } from '../../src/messages/label-messages.ts';
 import { Language } from '../../src/messages/language.ts';
 import { LocaleController } from '../../src/messages/locale-controller.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
@@ -65,7 +66,7 @@ export class VolumeLabelList extends ReflectingElement {
     if (!view?.optics)
       return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(messages)}</span></p>`;
     if (all.length === 0)
-      return html`<p class="hint" part="hint"><span dir="auto">${this.#labels && !this.#labels.hidden ? messages.labelsComing : messages.noLabels}</span></p>`;
+      return html`<p class="hint" part="hint"><span dir="auto">${this.#describeNone(messages)}</span></p>`;
     const found = all.filter(finder(this._search, messages.otherParts));
     return html`<div class="list" part="list" role="group" aria-label=${messages.labelList}>
       <div class="tools">
@@ -84,6 +85,12 @@ export class VolumeLabelList extends ReflectingElement {
       ${found.length > maxRows ? html`<p class="hint" part="hint"><span dir="auto">${messages.moreLabels(this.#number(found.length - maxRows))}</span></p>` : nothing}
       <p class="count" part="count" role="status"><span dir="auto">${found.length > 0 ? this.#count(all) : messages.noSuchLabel}</span></p>
     </div>`;
+  }
+
+  /** Why there is nothing to list. */
+  #describeNone({ noLabels, labelsHidden, labelsComing }: LabelMessages): string {
+    if (!this.#labels) return noLabels;
+    return this.#labels.hidden ? labelsHidden : labelsComing;
   }
 
   #renderRow({ id, name, color, hidden }: VolumeLabelInfo): unknown {

@@ -20,7 +20,7 @@ const companions: Readonly<Record<string, { suits: (view: VolumeView) => boolean
   legend: { suits: () => true, render: () => html`<volume-legend part="legend"></volume-legend>` },
   readout: { suits: () => true, render: () => html`<volume-readout part="readout"></volume-readout>` },
   'label-list': {
-    suits: (view) => view.querySelector('volume-labels') !== null,
+    suits: (view) => view.querySelector('volume-labels:not([hidden])') !== null,
     render: () => html`<volume-label-list part="label-list"></volume-label-list>`,
   },
 };

@@ -12,5 +12,6 @@ export const english: LabelMessages = {
   moreLabels: (count) => `${count} more: find them by their names.`,
   noLabels: 'This volume has no labels.',
   labelsComing: 'No labels are shown yet.',
+  labelsHidden: 'The labels are hidden.',
   noSuchLabel: 'No label has this name.',
 };

@@ -18,6 +18,8 @@ export interface LabelMessages {
   /** The volume has no labels. */
   readonly noLabels: string;
   readonly labelsComing: string;
+  /** The page hides all labels: `<volume-labels hidden>`. */
+  readonly labelsHidden: string;
   /** The search finds nothing. */
   readonly noSuchLabel: string;
 }

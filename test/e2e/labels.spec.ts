@@ -215,7 +215,7 @@ test.describe('an atlas', () => {
     await expect.poll(async () => (await pickAppearance())?.[1], 'which spans the window').toBeLessThan(0.5 * opacity);
     await withElement(page, (one) => one.setAttribute('value-window', '0 255'));
     await withLabels(page, (element) => (element.hidden = true));
-    await expect(page.locator('volume-label-list')).toContainText('This volume has no labels.');
+    await expect(page.locator('volume-label-list')).toContainText('The labels are hidden.');
     await withLabels(page, (element) => (element.hidden = false));
     await expect(page.locator('volume-label-list li')).toHaveCount(3);
     await withLabels(page, (element) => element.remove());

@@ -88,6 +88,16 @@ test('shows what suits the volume, and what the author says instead', async ({ p
   await expect(page.locator('volume-slice-view')).toHaveCount(0);
 });
 
+test('labels that the page hides have no list until they are shown', async ({ page }) => {
+  await openWorkspace(page, workspace(view(ballUrl, `<volume-labels hidden src="${ballUrl}"></volume-labels>`)), 900);
+  await expect(page.locator('volume-legend')).toBeVisible();
+  await expect(page.locator('volume-label-list')).toHaveCount(0);
+  await page.evaluate(() => document.querySelector('volume-labels')!.removeAttribute('hidden'));
+  await expect(page.locator('volume-label-list')).toBeVisible();
+  await page.evaluate(() => document.querySelector('volume-labels')!.setAttribute('hidden', ''));
+  await expect(page.locator('volume-label-list')).toHaveCount(0);
+});
+
 test('a radar has no panes', async ({ page }) => {
   await openWorkspace(page, workspace(`<volume-view src="${radar}" steps="20" alt="Rain"></volume-view>`), 900);
   await expect(page.locator('volume-slice-view')).toHaveCount(0);

@@ -218,6 +218,7 @@ export const messages: Messages = {
   moreLabels: (count) => `${count} أخرى: ابحث عنها بالاسم.`,
   noLabels: 'لا تسميات لهذا الحجم.',
   labelsComing: 'لا تُعرض أي تسميات بعد.',
+  labelsHidden: 'التسميات مخفية.',
   noSuchLabel: 'لا توجد تسمية بهذا الاسم.',
 
   measure: { distance: 'المسافة', angle: 'الزاوية', box: 'صندوق', sphere: 'كرة' },

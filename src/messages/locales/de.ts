@@ -231,6 +231,7 @@ export const messages: Messages = {
   moreLabels: (count) => `${count} weitere: über ihre Namen zu finden.`,
   noLabels: 'Dieses Volumen hat keine Beschriftungen.',
   labelsComing: 'Noch werden keine Beschriftungen gezeigt.',
+  labelsHidden: 'Die Beschriftungen sind ausgeblendet.',
   noSuchLabel: 'Keine Beschriftung heißt so.',
 
   measure: { distance: 'Abstand', angle: 'Winkel', box: 'Quader', sphere: 'Kugel' },

@@ -220,6 +220,7 @@ export const messages: Messages = {
   moreLabels: (count) => `${count} más: búsquelas por su nombre.`,
   noLabels: 'Este volumen no tiene etiquetas.',
   labelsComing: 'Aún no se muestran etiquetas.',
+  labelsHidden: 'Las etiquetas están ocultas.',
   noSuchLabel: 'Ninguna etiqueta se llama así.',
 
   measure: { distance: 'Distancia', angle: 'Ángulo', box: 'Caja', sphere: 'Esfera' },

@@ -221,6 +221,7 @@ export const messages: Messages = {
   moreLabels: (count) => `${count} de plus : cherchez-les par leur nom.`,
   noLabels: 'Ce volume n’a pas d’étiquettes.',
   labelsComing: 'Aucune étiquette n’est encore affichée.',
+  labelsHidden: 'Les étiquettes sont masquées.',
   noSuchLabel: 'Aucune étiquette ne porte ce nom.',
 
   measure: { distance: 'Distance', angle: 'Angle', box: 'Boîte', sphere: 'Sphère' },

@@ -218,6 +218,7 @@ export const messages: Messages = {
   moreLabels: (count) => `ほかに ${count} 個: 名前で探してください。`,
   noLabels: 'このボリュームにはラベルがありません。',
   labelsComing: 'まだラベルが表示されていません。',
+  labelsHidden: 'ラベルは非表示です。',
   noSuchLabel: 'その名前のラベルはありません。',
 
   measure: { distance: '距離', angle: '角度', box: '直方体', sphere: '球' },

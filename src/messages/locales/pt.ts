@@ -220,6 +220,7 @@ export const messages: Messages = {
   moreLabels: (count) => `Mais ${count}: procure pelo nome.`,
   noLabels: 'Este volume não tem rótulos.',
   labelsComing: 'Nenhum rótulo é mostrado ainda.',
+  labelsHidden: 'Os rótulos estão ocultos.',
   noSuchLabel: 'Nenhum rótulo tem esse nome.',
 
   measure: { distance: 'Distância', angle: 'Ângulo', box: 'Caixa', sphere: 'Esfera' },

@@ -217,6 +217,7 @@ export const messages: Messages = {
   moreLabels: (count) => `还有 ${count} 个：请按名称查找。`,
   noLabels: '此体数据没有标签。',
   labelsComing: '尚未显示标签。',
+  labelsHidden: '标签已隐藏。',
   noSuchLabel: '没有这个名称的标签。',
 
   measure: { distance: '距离', angle: '角度', box: '长方体', sphere: '球' },
