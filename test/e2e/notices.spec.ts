@@ -130,6 +130,21 @@ test.describe('beside the volume', () => {
     );
     await page.evaluate(() => document.querySelector('volume-layer')!.setAttribute('hidden', ''));
     await expect.poll(() => reported(page)).toHaveLength(3);
+    const labels = (act: 'hide' | 'show' | 'remove'): Promise<void> =>
+      page.evaluate((what) => {
+        const element = document.querySelector('volume-labels')!;
+        if (what === 'remove') element.remove();
+        else element.toggleAttribute('hidden', what === 'hide');
+      }, act);
+    await labels('hide');
+    await expect.poll(() => reported(page)).toEqual(['its materials are not shown']);
+    await labels('show');
+    await expect.poll(() => reported(page)).toHaveLength(3);
+    await page.evaluate(() => document.querySelector('volume-surface')!.remove());
+    await expect.poll(() => reported(page)).toHaveLength(2);
+    // Without the labels nothing is left to say: the sign goes too.
+    await labels('remove');
+    await expect(sign(page)).toHaveCount(0);
   });
 });
 
