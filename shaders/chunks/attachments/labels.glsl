@@ -56,12 +56,19 @@ float fetchLabel(vec3 index) {
 #endif
 }
 
+/// Numbers of the labels at the corners of a box between eight voxel centres, in the order of voteOfCorners; low: the lowest corner.
+void fetchLabelCorners(vec3 low, out vec4 below, out vec4 above) {
+  vec3 high = min(low + 1.0, uDimensions - 1.0);
+  below = vec4(fetchLabel(low), fetchLabel(vec3(high.x, low.yz)), fetchLabel(vec3(low.x, high.y, low.z)), fetchLabel(vec3(high.xy, low.z)));
+  above = vec4(fetchLabel(vec3(low.xy, high.z)), fetchLabel(vec3(high.x, low.y, high.z)), fetchLabel(vec3(low.x, high.yz)), fetchLabel(high));
+}
+
 /// The number of the label at a place in a cell with several labels; position: in voxels, see optics/vote.ts
 float voteAt(vec3 position) {
   vec3 low = floor(position);
-  vec3 high = min(low + 1.0, uDimensions - 1.0);
-  vec4 below = vec4(fetchLabel(low), fetchLabel(vec3(high.x, low.yz)), fetchLabel(vec3(low.x, high.y, low.z)), fetchLabel(vec3(high.xy, low.z)));
-  vec4 above = vec4(fetchLabel(vec3(low.xy, high.z)), fetchLabel(vec3(high.x, low.y, high.z)), fetchLabel(vec3(low.x, high.yz)), fetchLabel(high));
+  vec4 below;
+  vec4 above;
+  fetchLabelCorners(low, below, above);
   return voteOfCorners(below, above, position - low);
 }
 

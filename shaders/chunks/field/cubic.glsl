@@ -17,6 +17,11 @@ float topOfCubic(vec4 values, out float value) {
   return top;
 }
 
+/// The two inner Bernstein coefficients of a cubic: it stays between the smallest and the largest of these and of its values at both ends.
+vec2 innerBounds(vec4 values) {
+  return vec2(dot(values, vec4(-5.0, 18.0, -9.0, 2.0)), dot(values, vec4(2.0, -9.0, 18.0, -5.0))) / 6.0;
+}
+
 /// The place of its local minimum.
 float bottomOfCubic(vec4 values) {
   float value;

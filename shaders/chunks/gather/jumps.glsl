@@ -38,13 +38,18 @@ vec2 sampleThirds(Path path, float from, float to, out bool isWhole) {
   return vec2(toShare(thirds.x), toShare(thirds.y));
 }
 
+/// A piece that hides more than this share of the light is halved.
+float limitOf(Sample front, Sample back) {
+  return (differInStyle(front, back) ? MAX_HIDDEN_AT_LABELS : MAX_HIDDEN) / countParts();
+}
+
 bool passes(Sample front, Sample back) {
   return hasData(front) && hasData(back) && countUpTo(front.value) != countUpTo(back.value);
 }
 
 /// Whether a cubic may pass a value between its ends: the cubic never exceeds its Bernstein coefficients.
 bool mayTurn(vec4 values) {
-  vec2 inner = vec2(dot(values, vec4(-5.0, 18.0, -9.0, 2.0)), dot(values, vec4(2.0, -9.0, 18.0, -5.0))) / 6.0;
+  vec2 inner = innerBounds(values);
   float low = min(values.x, values.w);
   float high = max(values.x, values.w);
   return countUpTo(min(low, min(inner.x, inner.y))) != countUpTo(low) || countUpTo(max(high, max(inner.x, inner.y))) != countUpTo(high);
@@ -57,11 +62,12 @@ void gatherPart(Path path, float from, float to, Sample front, Sample back, inou
   bool isWhole;
   vec2 thirds = sampleThirds(path, from, to, isWhole);
   isWhole = isWhole && hasData(front) && hasData(back);
-  gathered.waits = seen.a * countParts() > MAX_HIDDEN || passes(front, back) || (isWhole && mayTurn(vec4(front.value, thirds, back.value)));
+  gathered.waits = seen.a > limitOf(front, back) || passes(front, back) || (isWhole && mayTurn(vec4(front.value, thirds, back.value)))
+    || labelTurn(path.origin + path.forward * from, path.origin + path.forward * to) > 0.0;
   if (!gathered.waits) gathered.color += seen;
 }
 
-/// Cut a part at the turning points of the cubic through it, and halve the pieces that hide much or pass a value.
+/// Cut a part at the turning points of the cubic through it and where another label may show, and halve the pieces that hide much or pass a value.
 void lookCloser(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
   if (!gathered.waits) return;
   gathered.waits = false;
@@ -72,7 +78,7 @@ void lookCloser(Path path, float from, float to, Sample front, Sample back, inou
   bool turnsOnce = isWhole && hasData(front) && hasData(back);
   turns = turnsOnce ? from + (to - from) * turns / 3.0 : vec2(from);
   float smallest = (to - from) * MIN_SHARE;
-  float limit = MAX_HIDDEN / countParts();
+  float label = from + (to - from) * labelTurn(path.origin + path.forward * from, path.origin + path.forward * to);
   float at = from;
   float span = to - from;
   for (int i = 0; i <= MAX_LOOKS; i++) {
@@ -81,11 +87,12 @@ void lookCloser(Path path, float from, float to, Sample front, Sample back, inou
     float end = isLast ? to : min(to, at + span);
     if (turns.x > at && !isLast) end = min(end, turns.x);
     if (turns.y > at && !isLast) end = min(end, turns.y);
+    if (label > at && !isLast) end = min(end, label);
     Sample next = back;
     if (end < to) next = sampleField(path.origin + path.forward * end);
     float visible = 1.0 - gathered.color.a;
     vec4 seen = visible * seeSegment(Segment(front, next, at, end - at, visible));
-    if (!isLast && end - at > smallest && (seen.a > limit || passes(front, next))) {
+    if (!isLast && end - at > smallest && (seen.a > limitOf(front, next) || passes(front, next))) {
       span = 0.5 * (end - at);
     } else {
       gathered.color += seen;

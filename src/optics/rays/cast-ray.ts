@@ -68,6 +68,11 @@ function pathOf({ field, moreFields, minSubsteps }: RayStages, ray: Ray, { entry
     kinksAlong:
       field.kinksAlong &&
       ((from, to) => field.kinksAlong!(placeAt(from), placeAt(to)).map((share) => from + share * (to - from))),
+    turnsBetween: (from, to) =>
+      moreFields
+        .map((stage) => stage.turnBetween?.(placeAt(from), placeAt(to)) ?? null)
+        .filter((share) => share !== null)
+        .map((share) => from + share * (to - from)),
   };
 }
 

@@ -30,6 +30,14 @@ export function turnOfCubic(values: CubicValues, sign: 1 | -1): number {
   return sign * b <= 0 ? c / (root - b) : (-b - root) / a;
 }
 
+/**
+ * The two inner Bernstein coefficients of a cubic. Between its ends the cubic stays between the smallest and the largest of its values at
+ * both ends and of these two.
+ */
+export function innerBounds([a, b, c, d]: CubicValues): [number, number] {
+  return [(-5 * a + 18 * b - 9 * c + 2 * d) / 6, (2 * a - 9 * b + 18 * c - 5 * d) / 6];
+}
+
 /** The value of a cubic at a place. */
 export function cubicAt(values: CubicValues, u: number): number {
   const { start, linear, square, cube } = cubicOf(values);

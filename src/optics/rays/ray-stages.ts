@@ -48,6 +48,8 @@ export interface Path {
   minSubstepsAt?(along: number): number;
   /** Where values kink between two places, see `FieldStage.kinksAlong`; absent if this is not known. */
   kinksAlong?(from: number, to: number): readonly number[];
+  /** Where other things may show between two places that lie between the same planes of voxels' centres, see `SecondFieldStage`. */
+  turnsBetween?(from: number, to: number): readonly number[];
 }
 
 /** Shortens the interval that the stages before it have left. */
@@ -69,7 +71,14 @@ export interface FieldStage {
 }
 
 /** Adds more to the sample of a place. */
-export type SecondFieldStage = (place: Vector3, known: Sample) => Sample;
+export interface SecondFieldStage {
+  (place: Vector3, known: Sample): Sample;
+  /**
+   * Where a thing may show on a way although it shows at neither end, as on a way through a corner of the thing: a share of the way; null
+   * if there is no such place. Both places lie in the unit cube, between the same planes of voxels' centres. Absent if it shows no things.
+   */
+  turnBetween?(from: Vector3, to: Vector3): number | null;
+}
 
 /** How values appear. */
 export interface ClassifyStage {

@@ -20,18 +20,37 @@ export function voteOfCorners(samples: Samples, [nx, ny, nz]: Vector3, place: Ve
     const value = samples[at + offset];
     return Number.isFinite(value) ? value : -Infinity;
   });
-  let winner = values[0];
-  if (values.some((value) => value !== winner)) {
-    const face = [(1 - up) * (1 - right), up * (1 - right), (1 - up) * right, up * right];
-    const votesFor = (candidate: number): number =>
-      values.reduce((sum, value, c) => sum + (value === candidate ? face[c & 3] * (c < 4 ? 1 - deep : deep) : 0), 0);
-    let max = -1;
-    for (const candidate of values) {
-      const votes = votesFor(candidate);
-      if (votes > max || (votes === max && candidate < winner)) [winner, max] = [candidate, votes];
-    }
-  }
+  const isUniform = values.every((value) => value === values[0]);
+  const winner = isUniform ? values[0] : electCorner(values, weighCorners([up, right, deep]));
   return winner === -Infinity ? NaN : winner;
+}
+
+/**
+ * The value with the most votes of a box's corners.
+ * @param values - of the corners, i fastest
+ * @param weights - of their votes
+ */
+export function electCorner(values: readonly number[], weights: readonly number[]): number {
+  let [winner, max] = [values[0], -1];
+  for (const candidate of values) {
+    const votes = countVotes(weights, (c) => values[c] === candidate);
+    if (votes > max || (votes === max && candidate < winner)) [winner, max] = [candidate, votes];
+  }
+  return winner;
+}
+
+/**
+ * The tri-linear weights of a box's corners, i fastest: parameters are the shares of the way from the lower to the upper corners along
+ * each axis.
+ */
+export function weighCorners([up, right, deep]: Vector3): number[] {
+  const face = [(1 - up) * (1 - right), up * (1 - right), (1 - up) * right, up * right];
+  return [...face.map((weight) => weight * (1 - deep)), ...face.map((weight) => weight * deep)];
+}
+
+/** The sum of the weights of some corners. */
+export function countVotes(weights: readonly number[], counts: (corner: number) => boolean): number {
+  return weights.reduce((sum, weight, c) => sum + (counts(c) ? weight : 0), 0);
 }
 
 /** The lower of two neighbours, the share of the way to the upper neighbour, and the upper neighbour. */

@@ -1,5 +1,6 @@
+import { differsInStyle } from '../attachments/labels.ts';
 import type { CubicValues } from '../rays/cubic.ts';
-import { turnOfCubic } from '../rays/cubic.ts';
+import { innerBounds, turnOfCubic } from '../rays/cubic.ts';
 import type { CubicPiece, GatherStage, Path, Segment } from '../rays/ray-stages.ts';
 import { composite } from '../rays/segment.ts';
 import type { Premultiplied } from '../transfer/transfer-function.ts';
@@ -9,6 +10,12 @@ import type { Premultiplied } from '../transfer/transfer-function.ts';
  * limit is smaller.
  */
 export const maxHidden = 0.25;
+
+/**
+ * The same share where one end of the part has another label than the other, with another appearance: the share of the part that each of
+ * them has is not known, so it may be wrong by half of what the part hides.
+ */
+export const maxHiddenAtLabels = maxHidden / 16;
 
 /** A part of a ray is halved at most this many times. */
 export const maxHalvings = 10;
@@ -23,7 +30,7 @@ const nothing = 1e-3;
  * Emission and absorption that finds opaque values wherever a ray touches them. Between two planes of voxels' centres, a tri-linear value
  * is a cubic of the length. Each such piece is cut into parts, as many as the wanted samples per voxel. The cubic of each part shows
  * whether it passes one of the values of `findOpaqueJumps`, even for a short length. If it does, or if the part hides much, the part is
- * cut where the cubic turns, and the rest is halved until nothing more can be distinguished.
+ * cut where the cubic turns and where another label may show, and the rest is halved until nothing more can be distinguished.
  * Twin: shaders/chunks/gather/jumps.glsl
  * @param values - ascending
  * @param voxel - length of a voxel, in bounding diameters
@@ -37,16 +44,19 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
       composite(gathered, color);
     };
     const wholeParts = countParts(voxel, step);
-    const limit = maxHidden / wholeParts;
+    const limitOf = ({ front, back }: Segment): number =>
+      (differsInStyle(front, back) ? maxHiddenAtLabels : maxHidden) / wholeParts;
     const passes = ({ front, back }: Segment): boolean =>
       front.valid && back.valid && countUpTo(front.value) !== countUpTo(back.value);
-    const addPart = (segment: Segment, { sampleAt }: Path): void => {
+    const addPart = (segment: Segment, { sampleAt, turnsBetween }: Path): void => {
       const { front, back, begin, span } = segment;
       const color = seeSegment(segment);
       const inner = [sampleAt(begin + span / 3), sampleAt(begin + (2 * span) / 3)];
       const isWhole = [front, ...inner, back].every(({ valid }) => valid);
       const cubic: CubicValues = [front.value, inner[0].value, inner[1].value, back.value];
-      if ((1 - gathered[3]) * color[3] <= limit && !passes(segment) && !(isWhole && mayTurn(cubic, countUpTo))) {
+      const labels = turnsBetween?.(begin, begin + span) ?? [];
+      const isHidden = (1 - gathered[3]) * color[3] > limitOf(segment);
+      if (!isHidden && labels.length === 0 && !passes(segment) && !(isWhole && mayTurn(cubic, countUpTo))) {
         take(segment, color);
         return;
       }
@@ -55,15 +65,15 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
             .filter((turn) => turn > 0 && turn < 3)
             .map((turn) => (turn / 3) * span)
         : [];
-      lookCloser(segment, turns, sampleAt);
+      lookCloser(segment, [...turns, ...labels.map((at) => at - begin)], sampleAt);
     };
     const lookCloser = (segment: Segment, turns: readonly number[], sampleAt: Path['sampleAt']): void => {
       const { begin, span } = segment;
       let [at, known, length] = [0, segment.front, span];
-      for (let appearance = 0; at < span; appearance++) {
+      for (let look = 0; at < span; look++) {
         const mark = turns.reduce((next, turn) => (turn > at && turn < next ? turn : next), span);
         // After the last sample, the rest is taken in one piece.
-        const end = appearance >= maxLooks ? span : Math.min(mark, at + length);
+        const end = look >= maxLooks ? span : Math.min(mark, at + length);
         const piece = {
           front: known,
           back: end === span ? segment.back : sampleAt(begin + end),
@@ -73,10 +83,10 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
         const color = seeSegment(piece);
         const visible = 1 - gathered[3];
         const isHalved =
-          appearance < maxLooks &&
+          look < maxLooks &&
           visible > nothing &&
           end - at > span / 2 ** maxHalvings &&
-          (visible * color[3] > limit || passes(piece));
+          (visible * color[3] > limitOf(piece) || passes(piece));
         if (isHalved) {
           length = (end - at) / 2;
           continue;
@@ -112,8 +122,9 @@ function countParts(voxel: number, step: number): number {
 }
 
 /** Whether a cubic may pass a value between its ends. The Bernstein coefficients bound the cubic. */
-function mayTurn([a, b, c, d]: CubicValues, countUpTo: (value: number) => number): boolean {
-  const inner = [(-5 * a + 18 * b - 9 * c + 2 * d) / 6, (2 * a - 9 * b + 18 * c - 5 * d) / 6];
+function mayTurn(values: CubicValues, countUpTo: (value: number) => number): boolean {
+  const [a, , , d] = values;
+  const inner = innerBounds(values);
   return (
     countUpTo(Math.min(a, d, ...inner)) < countUpTo(Math.min(a, d)) ||
     countUpTo(Math.max(a, d, ...inner)) > countUpTo(Math.max(a, d))

@@ -313,9 +313,9 @@ export class VolumeLayer {
     return this.#seen.find(this.#opened, optics, contributions, {
       shown: [this.#attached?.shown, this.#style],
       more: (seen) => {
-        const looks = this.modules(false, true).some(({ name }) => name === 'jumps');
+        const { found } = this.modules(false, true).find(({ stage }) => stage === 'gather')!;
         const own = this.#attached?.more(volume, seen, optics);
-        const more = looks ? { ...own, found: this.#classifiers!.jumpsOf(volume, optics) } : own;
+        const more = found ? { ...own, found } : own;
         return this.#style?.seen ? this.#style.seen(more, { volume, ...optics }) : more;
       },
     });

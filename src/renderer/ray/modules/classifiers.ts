@@ -1,15 +1,13 @@
 import { domainOf } from '../../../optics/transfer/emission.ts';
-import { findOpaqueJumps } from '../../../optics/transfer/opaque-jumps.ts';
 import { findColumns } from '../../../optics/transfer/table-columns.ts';
 import type { TransferFunction } from '../../../optics/transfer/transfer-function.ts';
-import { finestSpacing } from '../../../volume/grid.ts';
-import { isPolar } from '../../../volume/volume.ts';
 import type { VolumeData } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import { Kept } from '../../device/kept.ts';
 import type { FieldModule, Optics, RayModule } from '../ray-module.ts';
 import { createColumns } from './columns.ts';
 import { createJumps } from './jumps.ts';
+import type { Jumps } from './jumps.ts';
 import { createTransferFunction } from './transfer-function.ts';
 
 /**
@@ -20,9 +18,7 @@ export class Classifiers {
   readonly #gl: Gl;
   readonly #columns: ReturnType<typeof createColumns>;
   readonly #tables = new Kept<RayModule | null>();
-  readonly #jumps = new Kept<readonly number[]>();
-  readonly #lookers = new Kept<readonly RayModule[]>();
-  #looking: ReturnType<typeof createJumps> | null = null;
+  #jumps: Jumps | null = null;
   #shown: readonly [TransferFunction, number | null] | null = null;
 
   constructor(
@@ -47,38 +43,12 @@ export class Classifiers {
       ? [table]
       : [
           ...this.#columns.modulesFor({ volume, field, optics, domain: domainOf(transferFunction) }),
-          ...(looks ? this.#lookingForJumps(volume, optics) : []),
+          ...(looks ? (this.#jumps ??= createJumps(this.#gl, this.device)).modulesFor(volume, optics) : []),
         ];
   }
 
-  /** The module that finds where rays pass directly from clear to opaque values. */
-  #lookingForJumps(
-    volume: VolumeData,
-    { transferFunction, referenceLength, opacityFactor }: Optics,
-  ): readonly RayModule[] {
-    const values = this.jumpsOf(volume, { transferFunction, referenceLength, opacityFactor });
-    return this.#lookers.get([values], () =>
-      values.length > 0 ? [(this.#looking ??= createJumps(this.#gl, this.device)).of(values)] : [],
-    );
-  }
-
-  /** Values at which a volume becomes opaque at once, see optics/transfer/opaque-jumps.ts */
-  jumpsOf(
-    volume: VolumeData,
-    {
-      transferFunction,
-      referenceLength,
-      opacityFactor,
-    }: Pick<Optics, 'transferFunction' | 'referenceLength' | 'opacityFactor'>,
-  ): readonly number[] {
-    const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
-    return this.#jumps.get([volume, transferFunction, voxelRatio], () =>
-      isPolar(volume) || volume.isDiscrete ? [] : findOpaqueJumps(transferFunction, voxelRatio),
-    );
-  }
-
   dispose(): void {
-    this.#looking?.dispose();
+    this.#jumps?.dispose();
     this.#columns.dispose();
     this.#tables.last?.dispose?.();
   }
