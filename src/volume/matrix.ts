@@ -39,11 +39,6 @@ export function scaleAndTranslate(scale: Vector3, offset: Vector3): Matrix4 {
   return [scale[0], 0, 0, offset[0], 0, scale[1], 0, offset[1], 0, 0, scale[2], offset[2], 0, 0, 0, 1];
 }
 
-/** Determinant of the linear part. */
-export function determinant(m: Matrix4): number {
-  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
-}
-
 /**
  * Inverse of an affine matrix, by cofactors of its columns scaled to unit length, so that spacings of 1e-9 or 1e9 do
  * not under- or overflow.

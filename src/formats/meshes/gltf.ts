@@ -1,6 +1,7 @@
 // Surfaces of glTF files: loaded with the first of them.
 import { VolumeViewError } from '../../core/errors.ts';
-import { cross, determinant, dot, transformPoint } from '../../volume/matrix.ts';
+import { determinant } from '../../volume/determinant.ts';
+import { cross, dot, transformPoint } from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import { numbersReader } from './gltf-numbers.ts';
 import type { Numbers } from './gltf-numbers.ts';

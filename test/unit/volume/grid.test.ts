@@ -8,7 +8,8 @@ import {
   longestDiagonal,
   unitToWorld,
 } from '../../../src/volume/grid.ts';
-import { determinant, length, scaleAndTranslate, subtract, transformPoint } from '../../../src/volume/matrix.ts';
+import { determinant } from '../../../src/volume/determinant.ts';
+import { length, scaleAndTranslate, subtract, transformPoint } from '../../../src/volume/matrix.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
 import { obliqueAffine, randomNumbers } from '../../helpers/synthetic.ts';
 

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
+import { determinant } from '../../../src/volume/determinant.ts';
 import {
-  determinant,
   identity,
   invertAffine,
   multiply,
