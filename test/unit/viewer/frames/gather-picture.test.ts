@@ -1,22 +1,23 @@
 import { expect } from '@esm-bundle/chai';
 import { gatherPicture } from '../../../../src/viewer/frames/gather-picture.ts';
-import type { Scene } from '../../../../src/viewer/model/scene.ts';
+import type { Pass, Scene } from '../../../../src/viewer/model/scene.ts';
+import { fakeOf, fakeScene } from '../../../helpers/fake.ts';
 
 /** A scene of one pass. @param finished - when the GPU has drawn what it was told to */
 function sceneOf(webgl2: boolean, finished: () => Promise<void>): { scene: Scene; rows: number[]; pieces: number[] } {
   const rows: number[] = [];
   const pieces: number[] = [];
-  const scene = {
+  const scene = fakeScene({
     device: { maxTextureSize: 4096, webgl2 },
     startGathering: () => expect(rows, 'before the first piece').to.deep.equal([]),
-    passes: ({ width, height }: { width: number; height: number }) => [{ width, height, stride: 1 }],
-    gather: (_: number, { firstRow, rows: count }: { firstRow: number; rows: number }) => {
+    passes: ({ width, height }) => [fakeOf<Pass>('Pass', { width, height, stride: 1, over: undefined })],
+    gather: (_, { firstRow, rows: count }) => {
       pieces.push(count);
       for (let row = firstRow; row < firstRow + count; row++) rows.push(row);
     },
     finished,
-  };
-  return { scene: scene as unknown as Scene, rows, pieces };
+  });
+  return { scene, rows, pieces };
 }
 
 /** Pieces that always take too long: each has as few rows as may be. */

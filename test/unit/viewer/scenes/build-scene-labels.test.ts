@@ -6,6 +6,7 @@ import type { Scene } from '../../../../src/viewer/model/scene.ts';
 import type { ViewLabels } from '../../../../src/viewer/model/view-labels.ts';
 import { ViewSocket } from '../../../../src/viewer/model/view-socket.ts';
 import type { SocketView } from '../../../../src/viewer/model/view-socket.ts';
+import { fakeScene } from '../../../helpers/fake.ts';
 
 it('a new scene, such as one after a lost context, is told of the labels, and of what becomes of them while it is built', async () => {
   const [first, second] = ['one', 'two'].map(
@@ -16,7 +17,7 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
   const target = new PresenterTarget(socket);
   await target.show(first);
   const reported: unknown[] = [];
-  const scene = {
+  const scene = fakeScene({
     prepare: async () => {},
     setStyle: async () => {},
     setLabels: async (labels: unknown) => void reported.push(labels),
@@ -25,7 +26,7 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
       return true;
     },
     dispose: () => reported.push('disposed'),
-  } as unknown as Scene;
+  });
   const contents = { volume: {}, optics: { projection: null }, socket, givenUp: false } as unknown as SceneContents;
   let put: unknown = null;
   const build = (one: Scene): Promise<void> =>
@@ -38,7 +39,7 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
   await build(scene);
   expect(put).to.equal(scene);
   expect(reported).to.deep.equal([first.shown, second.shown]);
-  const gone = { ...scene, bringVolume: async () => (await target.show(null), true) };
+  const gone = fakeScene({ ...scene, bringVolume: async () => (await target.show(null), true) });
   await build(gone);
   expect(reported.slice(2), 'nor does it keep those that are gone by then').to.deep.equal([second.shown, null]);
   await build(gone);
@@ -47,7 +48,7 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
 
 it('labels that come after a new scene has looked for them, and before it is in place, are told to it', async () => {
   const reported: unknown[] = [];
-  const scene = { setLabels: async (labels: unknown) => void reported.push(labels) };
+  const scene = fakeScene({ setLabels: async (labels) => void reported.push(labels) });
   const viewer = { scene: null as unknown, invalidate: () => reported.push('drawn anew') };
   const socket = new ViewSocket();
   socket.view = { viewer, look: { attachmentsChanged: () => {} } } as unknown as SocketView;
