@@ -1,6 +1,6 @@
-import { writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import type { Page } from '@playwright/test';
 import { files } from './helpers/data.ts';
 import {
@@ -158,6 +158,20 @@ for (const name of ['strict', 'classic']) {
 
 const dataUrl = `data:application/octet-stream;base64,${Buffer.from(files['field.nii.gz']).toString('base64')}`;
 
+/** A NIfTI file of 8 voxels with 32-bit whole numbers, as the ids of Allen's atlases are. */
+function wholeNumbers(values: readonly number[]): Buffer {
+  const file = Buffer.alloc(352 + 4 * values.length);
+  file.writeInt32LE(348, 0);
+  for (const [i, n] of [3, 2, 2, 2, 1, 1, 1, 1].entries()) file.writeInt16LE(n, 40 + 2 * i);
+  file.writeInt16LE(8, 70); // int32
+  file.writeInt16LE(32, 72);
+  for (let i = 0; i < 4; i++) file.writeFloatLE(1, 76 + 4 * i);
+  file.writeFloatLE(352, 108);
+  file.write('n+1\0', 344, 'latin1');
+  for (const [i, value] of values.entries()) file.writeInt32LE(value, 352 + 4 * i);
+  return file;
+}
+
 test.describe('from disk', () => {
   // The browser's own words on a file that a page from disk may not read.
   test.use({ allowedLines: /^error: (Access to fetch at 'file:|Failed to load resource)/ });
@@ -181,6 +195,36 @@ test.describe('from disk', () => {
     expect(missing).toMatch(
       /^source\/cross-origin: .*field\.nii can not be read: browsers let a page opened from disk read no files/,
     );
+  });
+
+  test('32-bit whole numbers are read exactly, in a worker', async ({ page }, testInfo) => {
+    const [workers, parts]: [string[], string[]] = [[], []];
+    page.on('worker', (worker) => workers.push(worker.url()));
+    page.on('request', (request) => parts.push(request.url()));
+    const values = [0, 1, 997, 312_782_546, 312_782_547, 614_454_277, 1_000_000_007, 2_147_483_647];
+    const path = testInfo.outputPath('page.html');
+    const url = `data:application/octet-stream;base64,${wholeNumbers(values).toString('base64')}`;
+    const script = pathToFileURL(join(projectRoot, 'dist/volume-view.iife.js')).href;
+    writeFileSync(
+      path,
+      `<!doctype html><title>From disk</title><script src="${script}"></script>
+    <style>volume-view { width: 120px; height: 90px }</style><volume-view src="${url}" alt="Numbers"></volume-view>`,
+    );
+    await page.goto(pathToFileURL(path).href);
+    await settle(page);
+    const { range, left } = await withElement(page, ({ volume }) => ({
+      range: [...volume!.range],
+      left: volume!.left,
+    }));
+    expect(range).toEqual([0, 2_147_483_647]);
+    expect(left, 'nothing is rounded').toBeUndefined();
+    // The small worker for usual files does not know such numbers, the whole one does: the page's thread decodes nothing.
+    expect(workers.filter((one) => one.startsWith('blob:'))).toHaveLength(2);
+    const texts = parts.filter((one) => one.includes('/dist/')).map((one) => readFileSync(fileURLToPath(one), 'utf8'));
+    expect(texts.length).toBeGreaterThan(1);
+    expect(
+      texts.filter((text) => text.includes('The file was read by the page itself') && !text.includes('VERSION=')),
+    ).toEqual([]);
   });
 });
 

@@ -181,6 +181,39 @@ test.describe('a pane', () => {
     ).toBe(true);
   });
 
+  test("in a shadow root of the author's has its crosshair where it is clicked", async ({ page }) => {
+    await open(page, page2('<div id="host" style="padding: 7px 0 0 11px"></div>'), { script });
+    await page.evaluate((html) => {
+      const root = document.querySelector('#host')!.attachShadow({ mode: 'open' });
+      root.innerHTML = `<div style="border: 3px solid; width: 300px">${html}</div>`;
+    }, pane);
+    const inRoot = page.locator('volume-slice-view');
+    const drawn = (): Promise<readonly number[]> =>
+      inRoot.evaluate(async (element) => {
+        await customElements.whenDefined('volume-slice-view');
+        const view = element as HTMLElementTagNameMap['volume-slice-view'];
+        await view.whenRendered();
+        return [...(view.cursor ?? [])];
+      });
+    await drawn();
+    const plain = await compareAll(
+      page,
+      async (to) => {
+        const cursors: number[] = [];
+        for (const { at } of clicks) {
+          const [place] = await to('#pane', [at]);
+          await page.mouse.click(...place);
+          cursors.push(...(await drawn()));
+        }
+        return cursors;
+      },
+      0.17,
+    );
+    plain.forEach((value, i) =>
+      expect(Math.abs(value - clicks.flatMap(({ world }) => [...world])[i])).toBeLessThan(0.09),
+    );
+  });
+
   test('is dragged, windowed, moved, zoomed and pinched by its own pixels', async ({ page }) => {
     await open(page, page2(pane), { script });
     await whenDrawn(page);
