@@ -1,8 +1,8 @@
 // In the browser: small things while a camera turns, where a frame has time for a part of what a picture at rest takes. It needs no clock.
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
-import { workOfPlan, unknownErrors } from '../../src/quality/frame-plan.ts';
-import type { FramePlan } from '../../src/quality/frame-plan.ts';
-import { planFrame } from '../../src/quality/plan-frame.ts';
+import { workOfFrame, unknownErrors } from '../../src/quality/frame-quality.ts';
+import type { FrameQuality } from '../../src/quality/frame-quality.ts';
+import { chooseFrameQuality } from '../../src/quality/choose-frame-quality.ts';
 import { learnFrom } from '../../src/viewer/frames/view-quality.ts';
 import { blowUp } from '../bench/blow-up.ts';
 import { measureThing } from './compare-shown.ts';
@@ -53,7 +53,7 @@ export async function measureMotion(
     ...view,
   });
   const kept = shares.map((): (KeptThing | null)[][] => []);
-  const plans: FramePlan[][] = shares.map(() => []);
+  const plans: FrameQuality[][] = shares.map(() => []);
   for (let angle = 0; angle < angles; angle++) {
     notify(`${name}, angle ${angle + 1} of ${angles}`);
     const sight = sightOf(volume, view, angle);
@@ -78,11 +78,11 @@ export async function measureMotion(
       const plan =
         share === 1
           ? atRest
-          : planFrame(
+          : chooseFrameQuality(
               { a: 0, b: 1 },
               errors,
               { pixels: size ** 2, steps: atRest.steps },
-              { budgetMs: share * workOfPlan(atRest, size ** 2), last: plans[n].at(-1) },
+              { budgetMs: share * workOfFrame(atRest, size ** 2), last: plans[n].at(-1) },
             );
       if (share < 1) await viewer.pictures.draw(scene, performance.now(), plan, { width: size, height: size });
       const { width, height } = scene.canvas;

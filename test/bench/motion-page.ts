@@ -3,9 +3,9 @@ import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { allSubsteps, wholeSteps } from '../../src/optics/cells/substeps.ts';
-import { unknownErrors } from '../../src/quality/frame-plan.ts';
-import { planFrame } from '../../src/quality/plan-frame.ts';
-import type { ErrorModel } from '../../src/quality/frame-plan.ts';
+import { unknownErrors } from '../../src/quality/frame-quality.ts';
+import { chooseFrameQuality } from '../../src/quality/choose-frame-quality.ts';
+import type { ErrorModel } from '../../src/quality/frame-quality.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { errorAtHalf } from '../../src/viewer/frames/measure-quality.ts';
 import { ViewQuality } from '../../src/viewer/frames/view-quality.ts';
@@ -101,7 +101,7 @@ async function compareScene(bench: LitScene, size: number): Promise<MotionRow[]>
   draw([0, 1], size, autoSteps(volume.grid));
   const model = await learn(scene, volume, size);
   const full = moves.map((move) => draw(move, size, autoSteps(volume.grid)));
-  const chosen = planFrame(
+  const chosen = chooseFrameQuality(
     { a: 0, b: 1 },
     model,
     { pixels: size ** 2, steps: autoSteps(volume.grid) },

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
 import { defaultTargets } from '../../src/viewer/model/quality-targets.ts';
-import type { FramePlan } from '../../src/quality/frame-plan.ts';
+import type { FrameQuality } from '../../src/quality/frame-quality.ts';
 import { allSubsteps, wholeSteps } from '../../src/optics/cells/substeps.ts';
 import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
@@ -17,9 +17,9 @@ const size = { width: 240, height: 180 };
 const pixels = size.width * size.height;
 
 /** All pixels at full size, each with its own ray. */
-const plain = (steps: number): FramePlan => ({ scale: 1, steps, substeps: allSubsteps, sampling: allRays });
+const plain = (steps: number): FrameQuality => ({ scale: 1, steps, substeps: allSubsteps, sampling: allRays });
 /** The same as pictures in motion have them. */
-const moving = (steps: number): FramePlan => ({ ...plain(steps), substeps: wholeSteps });
+const moving = (steps: number): FrameQuality => ({ ...plain(steps), substeps: wholeSteps });
 
 async function withShells(use: (scene: VolumeScene) => void | Promise<void>, shown = transferFunction): Promise<void> {
   await withScene({}, async (scene) => {

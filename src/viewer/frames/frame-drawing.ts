@@ -1,4 +1,4 @@
-import type { FramePlan } from '../../quality/frame-plan.ts';
+import type { FrameQuality } from '../../quality/frame-quality.ts';
 import type { PictureDrawing } from './picture-drawing.ts';
 import { pictureSize } from '../model/picture-size.ts';
 import type { PictureSize } from '../model/picture-size.ts';
@@ -78,7 +78,7 @@ export class FrameDrawing {
     return this.#notify(await this.#draw(scene, performance.now(), this.planAtRest));
   }
 
-  get planAtRest(): FramePlan {
+  get planAtRest(): FrameQuality {
     return this.quality.still(this.pictures.parts.shown.grid);
   }
 
@@ -98,7 +98,7 @@ export class FrameDrawing {
     if (controller.scene) await this.#draw(controller.scene, time, plan);
   }
 
-  async #draw(scene: Scene, time: number, plan: FramePlan, counts = true): Promise<RenderStats> {
+  async #draw(scene: Scene, time: number, plan: FrameQuality, counts = true): Promise<RenderStats> {
     const full = this.sizeIn(scene);
     const { stats, gpuMs, compiled } = await this.pictures.draw(scene, time, plan, full);
     if (counts && !compiled) this.quality.took(plan, full.width * full.height, stats.frameMs, gpuMs);

@@ -1,7 +1,7 @@
 import { loadPart } from '../../core/load-part.ts';
 import { countSamples } from '../../optics/rays/count-samples.ts';
 import type { SamplingOutcome } from '../../quality/sampling-outcome.ts';
-import type { FramePlan } from '../../quality/frame-plan.ts';
+import type { FrameQuality } from '../../quality/frame-quality.ts';
 import { stepLengthOf } from '../../quality/steps.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { AuthorView } from '../camera/author-view.ts';
@@ -53,7 +53,7 @@ export class PictureDrawing {
   async draw(
     scene: Scene,
     time: number,
-    { scale, steps, substeps, sampling, edgeCurvature }: FramePlan,
+    { scale, steps, substeps, sampling, edgeCurvature }: FrameQuality,
     full: PictureSize,
   ): Promise<DrawnPicture> {
     const { shown, author, controller, loop } = this.parts;
@@ -87,7 +87,7 @@ export class PictureDrawing {
    */
   async gather(
     scene: Scene,
-    { steps, substeps, sampling, edgeCurvature }: FramePlan,
+    { steps, substeps, sampling, edgeCurvature }: FrameQuality,
     { width, height }: PictureSize,
     pieces: Pieces,
   ): Promise<RenderStats | null> {
@@ -119,7 +119,7 @@ export class PictureDrawing {
   /** Draw a picture of any size into the canvas, without waiting for the GPU. */
   drawAtRest(
     scene: Scene,
-    { steps, substeps, sampling, edgeCurvature }: FramePlan,
+    { steps, substeps, sampling, edgeCurvature }: FrameQuality,
     { width, height }: PictureSize,
   ): void {
     const { shown, author, controller } = this.parts;

@@ -1,8 +1,8 @@
 import { allSubsteps, wholeSteps } from '../../optics/cells/substeps.ts';
 import type { PictureError } from '../../quality/error-estimate.ts';
 import type { Level } from '../../quality/levels.ts';
-import { unknownErrors, workOfPlan } from '../../quality/frame-plan.ts';
-import type { ErrorModel, FramePlan } from '../../quality/frame-plan.ts';
+import { unknownErrors, workOfFrame } from '../../quality/frame-quality.ts';
+import type { ErrorModel, FrameQuality } from '../../quality/frame-quality.ts';
 import { allRays } from '../../quality/sampling-outcome.ts';
 import type { SteadyTime } from '../../quality/steady-time.ts';
 import { autoSteps, maxAutoSteps, voxelsAlong } from '../../quality/steps.ts';
@@ -23,7 +23,7 @@ function loadTools(): Promise<typeof viewQuality> {
 /** A view whose error is probed. */
 export interface Probed {
   /** The plan with which it was drawn. */
-  readonly plan: FramePlan;
+  readonly plan: FrameQuality;
   /** Pixels across and down of the picture in full. */
   readonly size: Size;
   /** Whether the view is still needed. */
@@ -46,10 +46,10 @@ const curvaturePerError = 8 * Math.sqrt(12);
 const minRows = 16;
 
 /** The first picture, when no times are known yet: small, to measure how long larger ones take. */
-export const firstFrame: FramePlan = { scale: 0.125, steps: 128, substeps: wholeSteps, sampling: allRays };
+export const firstFrame: FrameQuality = { scale: 0.125, steps: 128, substeps: wholeSteps, sampling: allRays };
 
 /** A picture that is large enough to look at; its time completes what is known of larger pictures. */
-export const standInFrame: FramePlan = { ...firstFrame, scale: 0.25 };
+export const standInFrame: FrameQuality = { ...firstFrame, scale: 0.25 };
 
 /**
  * Decides how many steps, pixels and rays a picture gets, and measures what error it then has (see docs/develop/maths.md). At rest all
@@ -68,9 +68,9 @@ export class QualityControl {
   readonly #timer = new FrameTimer();
   /** null before the code that measures errors is loaded: until then, times are those of the page's clock. */
   #steady: SteadyTime | null = null;
-  #last: FramePlan | undefined;
+  #last: FrameQuality | undefined;
   /** The plan of a picture at rest that took no longer than a picture in motion may; null where there was none. */
-  #fast: { readonly plan: FramePlan; readonly pixels: number } | null = null;
+  #fast: { readonly plan: FrameQuality; readonly pixels: number } | null = null;
   /** Whether a picture was drawn with fewer rays than pixels. */
   #hasSpared = false;
   /** Whether the code that cuts given steps is loaded. */
@@ -117,11 +117,11 @@ export class QualityControl {
   }
 
   /** The plan for a picture at rest, as far as it is known. */
-  still(grid: GridFrame): FramePlan {
+  still(grid: GridFrame): FrameQuality {
     return { ...this.#withoutEdges(grid), edgeCurvature: curvaturePerError * this.#targets.maxError };
   }
 
-  #withoutEdges(grid: GridFrame): FramePlan {
+  #withoutEdges(grid: GridFrame): FrameQuality {
     const { steps, maxError } = this.#targets;
     if (steps !== 'auto')
       return { scale: 1, steps, substeps: this.#cuts ? allSubsteps : wholeSteps, sampling: allRays };
@@ -141,7 +141,7 @@ export class QualityControl {
   }
 
   /** The plan for a picture that the next one will replace at once. */
-  moving(grid: GridFrame, pixels: number): FramePlan {
+  moving(grid: GridFrame, pixels: number): FrameQuality {
     const { steps, targetFps } = this.#targets;
     if (steps !== 'auto') return this.#withoutEdges(grid);
     // A small picture always has the plan of its picture at rest, so that it does not flicker.
@@ -149,7 +149,7 @@ export class QualityControl {
     const { model } = this.#timer;
     const full = { pixels, steps: autoSteps(grid) };
     if (!model || !this.#tools) return { ...firstFrame, steps: Math.min(full.steps, firstFrame.steps) };
-    this.#last = this.#tools.planFrame(model, this.#errors, full, {
+    this.#last = this.#tools.chooseFrameQuality(model, this.#errors, full, {
       budgetMs: (planned * 1000) / targetFps,
       last: this.#last,
     });
@@ -161,11 +161,11 @@ export class QualityControl {
    * time.
    * @returns null where the whole picture takes little more than that
    */
-  rowsOfPieces({ width, height }: Size, plan: FramePlan): number | null {
+  rowsOfPieces({ width, height }: Size, plan: FrameQuality): number | null {
     const { model } = this.#timer;
     if (!model || this.#targets.steps !== 'auto') return null;
-    if (model.a + model.b * workOfPlan(plan, width * height) <= worthPieces * this.pieceMs) return null;
-    return Math.max(minRows, Math.floor(Math.max(0, this.pieceMs - model.a) / (model.b * workOfPlan(plan, width))));
+    if (model.a + model.b * workOfFrame(plan, width * height) <= worthPieces * this.pieceMs) return null;
+    return Math.max(minRows, Math.floor(Math.max(0, this.pieceMs - model.a) / (model.b * workOfFrame(plan, width))));
   }
 
   /** The time that a frame, and a piece of a picture at rest, may take. */
@@ -177,11 +177,11 @@ export class QualityControl {
    * Learn from the time of a picture that was drawn at once, and from the GPU's part of it, where that is known.
    * @param pixels - of the full picture
    */
-  took(plan: FramePlan, pixels: number, ms: number, gpuMs: number | null = null): void {
+  took(plan: FrameQuality, pixels: number, ms: number, gpuMs: number | null = null): void {
     this.#hasSpared ||= plan.sampling !== allRays;
     const steady = (this.#steady ??= this.#tools && new this.#tools.SteadyTime())?.of(ms, gpuMs) ?? ms;
     // The time of steps that cells cut does not predict that of others.
-    if (plan.substeps === wholeSteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: steady });
+    if (plan.substeps === wholeSteps) this.#timer.add({ work: workOfFrame(plan, pixels), ms: steady });
     else this.#fast = steady <= this.pieceMs ? { plan, pixels } : null;
   }
 

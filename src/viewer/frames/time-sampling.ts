@@ -1,4 +1,4 @@
-import { stepsPerProbe, stepsPerRay } from '../../quality/frame-plan.ts';
+import { stepsPerProbe, stepsPerRay } from '../../quality/frame-quality.ts';
 import type { SamplingOutcome } from '../../quality/sampling-outcome.ts';
 import { stepLengthOf } from '../../quality/steps.ts';
 import type { DrawnView } from '../model/drawn-view.ts';

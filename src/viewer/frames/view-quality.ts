@@ -6,7 +6,7 @@ import type { ErrorEstimate, PictureError } from '../../quality/error-estimate.t
 import { boundProjected, seekMissed, stateError } from '../../quality/largest-error.ts';
 import { cutSteps, listLevels } from '../../quality/levels.ts';
 import type { Level } from '../../quality/levels.ts';
-import type { ErrorModel } from '../../quality/frame-plan.ts';
+import type { ErrorModel } from '../../quality/frame-quality.ts';
 import { autoSteps, voxelsAlong } from '../../quality/steps.ts';
 import { loadPart } from '../../core/load-part.ts';
 import { AdaptivePicture } from '../../renderer/pictures/adaptive-picture.ts';
@@ -19,7 +19,7 @@ import { timeSampling } from './time-sampling.ts';
 
 export { faint } from '../../quality/error-estimate.ts';
 export { cutSteps } from '../../quality/levels.ts';
-export { planFrame } from '../../quality/plan-frame.ts';
+export { chooseFrameQuality } from '../../quality/choose-frame-quality.ts';
 export { SteadyTime } from '../../quality/steady-time.ts';
 export { seenPixels } from './measure-quality.ts';
 

@@ -4,9 +4,9 @@ import { wholeSteps } from '../../../src/optics/cells/substeps.ts';
 import { chooseLevel } from '../../../src/quality/choose-level.ts';
 import { estimateError, keptError } from '../../../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../../../src/quality/error-estimate.ts';
-import { workOfPlan } from '../../../src/quality/frame-plan.ts';
-import { errorOfPlan, planFrame } from '../../../src/quality/plan-frame.ts';
-import type { ErrorModel, FramePlan } from '../../../src/quality/frame-plan.ts';
+import { workOfFrame } from '../../../src/quality/frame-quality.ts';
+import { errorOfFrame, chooseFrameQuality } from '../../../src/quality/choose-frame-quality.ts';
+import type { ErrorModel, FrameQuality } from '../../../src/quality/frame-quality.ts';
 import { cutSteps, listLevels } from '../../../src/quality/levels.ts';
 import { autoSteps, maxAutoSteps, stepLengthOf, voxelsAlong } from '../../../src/quality/steps.ts';
 import { allRays } from '../../../src/quality/sampling-outcome.ts';
@@ -284,10 +284,10 @@ describe('the model of time while all frames are alike', () => {
 describe('the plan of a frame', () => {
   const errors: ErrorModel = { steps: 100, error: 1, order: 2, atHalf: 6, sampling: [] };
   const full = { pixels: 500_000, steps: 100 };
-  const timeOf = (a: number, b: number, plan: FramePlan): number => a + b * workOfPlan(plan, full.pixels);
+  const timeOf = (a: number, b: number, plan: FrameQuality): number => a + b * workOfFrame(plan, full.pixels);
 
   it('is everything where there is time for it', () => {
-    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({
+    expect(chooseFrameQuality({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({
       scale: 1,
       steps: 100,
       substeps: wholeSteps,
@@ -299,14 +299,14 @@ describe('the plan of a frame', () => {
     for (const b of [4e-7, 1e-6, 4e-6, 2e-5]) {
       for (const atHalf of [0.3, 6, 40]) {
         const model = { ...errors, atHalf };
-        const plan = planFrame({ a: 2, b }, model, full, { budgetMs: 30 });
+        const plan = chooseFrameQuality({ a: 2, b }, model, full, { budgetMs: 30 });
         expect(plan.steps, 'enough for what is thin').to.be.at.least(60);
         expect(timeOf(2, b, plan)).to.be.at.most(30 + 1e-9);
         for (const scale of [1, 0.7, 0.5, 0.35, 0.25, 0.2, 0.14]) {
           for (let steps = 60; steps <= 100; steps += 4) {
             const other = { scale, steps, substeps: wholeSteps, sampling: allRays };
             if (timeOf(2, b, other) <= 30)
-              expect(errorOfPlan(model, plan)).to.be.at.most(errorOfPlan(model, other) + 1e-9);
+              expect(errorOfFrame(model, plan)).to.be.at.most(errorOfFrame(model, other) + 1e-9);
           }
         }
       }
@@ -317,18 +317,18 @@ describe('the plan of a frame', () => {
     const [sharp, banded] = [
       { ...errors, atHalf: 30 },
       { ...errors, error: 30, atHalf: 0.5 },
-    ].map((model) => planFrame({ a: 0, b: 3e-6 }, model, full, { budgetMs: 30 }));
+    ].map((model) => chooseFrameQuality({ a: 0, b: 3e-6 }, model, full, { budgetMs: 30 }));
     expect(sharp.scale).to.be.above(banded.scale);
     expect(sharp.steps).to.be.below(banded.steps);
   });
 
   it('keeps the size of the last frame where another one gains little', () => {
     const time = { a: 0, b: 3e-6 };
-    const best = planFrame(time, errors, full, { budgetMs: 30 });
-    const near = planFrame(time, errors, full, { budgetMs: 30.5, last: best });
+    const best = chooseFrameQuality(time, errors, full, { budgetMs: 30 });
+    const near = chooseFrameQuality(time, errors, full, { budgetMs: 30.5, last: best });
     expect(near.scale).to.equal(best.scale);
     expect(
-      planFrame({ a: 0, b: 1e-8 }, errors, full, {
+      chooseFrameQuality({ a: 0, b: 1e-8 }, errors, full, {
         budgetMs: 30,
         last: { scale: 0.25, steps: 12, substeps: wholeSteps, sampling: allRays },
       }).scale,
@@ -336,8 +336,8 @@ describe('the plan of a frame', () => {
   });
 
   describe('if no time is enough', () => {
-    const min = (model: ErrorModel, pixels: number, steps = 100): FramePlan =>
-      planFrame({ a: 50, b: 1 }, model, { pixels, steps }, { budgetMs: 30 });
+    const min = (model: ErrorModel, pixels: number, steps = 100): FrameQuality =>
+      chooseFrameQuality({ a: 50, b: 1 }, model, { pixels, steps }, { budgetMs: 30 });
 
     it('does as much work as 30 steps for few of the pixels are', () => {
       expect(min(errors, 256 ** 2)).to.deep.equal({ scale: 0.25, steps: 30, substeps: wholeSteps, sampling: allRays });
@@ -346,7 +346,7 @@ describe('the plan of a frame', () => {
         [800 ** 2, 128 ** 2 * 34],
         [4000 ** 2, 500 ** 2 * 34],
       ]) {
-        const work = workOfPlan(min(errors, pixels), pixels);
+        const work = workOfFrame(min(errors, pixels), pixels);
         expect(work).to.be.at.most(max * (1 + 1e-9));
         expect(work).to.be.above(0.9 * max);
       }
@@ -369,11 +369,11 @@ describe('the plan of a frame', () => {
     });
 
     it('changes nothing for a little more or less time', () => {
-      let last: FramePlan | undefined;
+      let last: FrameQuality | undefined;
       const seen = new Set<number>();
       for (const b of [0.9, 1.1, 1, 0.95, 1.05])
         seen.add(
-          (last = planFrame(
+          (last = chooseFrameQuality(
             { a: 10, b: (b * 18) / 3e5 },
             { ...errors, steps: 24, error: 1.8, order: 1.7, atHalf: 0.73 },
             { pixels: 800 ** 2, steps: 300 },

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { unknownErrors } from '../../../../src/quality/frame-plan.ts';
-import { planFrame } from '../../../../src/quality/plan-frame.ts';
+import { unknownErrors } from '../../../../src/quality/frame-quality.ts';
+import { chooseFrameQuality } from '../../../../src/quality/choose-frame-quality.ts';
 import type { SamplingOutcome } from '../../../../src/quality/sampling-outcome.ts';
 import type { DrawnView } from '../../../../src/viewer/model/drawn-view.ts';
 import type { Scene } from '../../../../src/viewer/model/scene.ts';
@@ -89,7 +89,7 @@ describe('what spared rays cost on a graphics processor', () => {
 
   it('decides whether rays are spared', () => {
     const plan = (cost?: number): number =>
-      planFrame(
+      chooseFrameQuality(
         { a: 0, b: 1e-6 },
         { ...unknownErrors, sampling: [[{ maxCurvature: 16, share: 0.4, error: 0.2, cost }]] },
         { pixels: 512 ** 2, steps: 400 },

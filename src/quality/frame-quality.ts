@@ -13,8 +13,8 @@ export interface ErrorModel {
   readonly sampling: readonly (readonly SamplingOutcome[])[];
 }
 
-/** What is drawn in one frame. */
-export interface FramePlan {
+/** How well one frame is drawn: its pixels, steps and rays. The plan of a frame (viewer/model/frame-plan.ts) is made from it. */
+export interface FrameQuality {
   /** Number of pixels along an axis, as a share of the full picture's. */
   readonly scale: number;
   readonly steps: number;
@@ -33,8 +33,8 @@ export const stepsPerProbe = 3;
 /** The cost of a ray in addition to its steps, in steps. */
 export const stepsPerRay = 4;
 
-/** The work of a plan: pixels times steps. @param pixels - of the full picture */
-export function workOfPlan({ scale, steps, sampling }: FramePlan, pixels: number): number {
+/** The work of a frame: pixels times steps. @param pixels - of the full picture */
+export function workOfFrame({ scale, steps, sampling }: FrameQuality, pixels: number): number {
   return pixels * scale ** 2 * stepsPerPixel(steps, sampling);
 }
 

@@ -1,6 +1,6 @@
 import { wholeSteps } from '../optics/cells/substeps.ts';
-import { costOf, stepsPerProbe, stepsPerRay } from './frame-plan.ts';
-import type { ErrorModel, FramePlan } from './frame-plan.ts';
+import { costOf, stepsPerProbe, stepsPerRay } from './frame-quality.ts';
+import type { ErrorModel, FrameQuality } from './frame-quality.ts';
 import { allRays } from './sampling-outcome.ts';
 import type { SamplingOutcome } from './sampling-outcome.ts';
 import type { TimeModel } from './time-model.ts';
@@ -32,7 +32,7 @@ export function errorOfSteps(model: ErrorModel, steps: number): number {
 }
 
 /** The error of steps, scale and interpolation together. */
-export function errorOfPlan(model: ErrorModel, { scale, steps, sampling }: FramePlan): number {
+export function errorOfFrame(model: ErrorModel, { scale, steps, sampling }: FrameQuality): number {
   return Math.hypot(errorOfSteps(model, steps), model.atHalf * (1 / scale - 1), sampling.error);
 }
 
@@ -65,15 +65,20 @@ export interface Full {
 export interface Budget {
   readonly budgetMs: number;
   /** The frame before. Its size is kept if that costs little. */
-  readonly last?: FramePlan;
+  readonly last?: FrameQuality;
 }
 
 /** Finds the number of steps and the size with the smallest error within a frame's time. */
-export function planFrame(time: TimeModel, error: ErrorModel, full: Full, { budgetMs, last }: Budget): FramePlan {
+export function chooseFrameQuality(
+  time: TimeModel,
+  error: ErrorModel,
+  full: Full,
+  { budgetMs, last }: Budget,
+): FrameQuality {
   const work = affordableWork(time, full, budgetMs);
   const all = scales
     .flatMap((scale) =>
-      outcomesAt(error, scale).map((sampling): FramePlan => ({
+      outcomesAt(error, scale).map((sampling): FrameQuality => ({
         scale,
         sampling,
         substeps: wholeSteps,
@@ -84,10 +89,10 @@ export function planFrame(time: TimeModel, error: ErrorModel, full: Full, { budg
       ({ scale, sampling }) =>
         scale ** 2 * sampling.share >= minRays || (sampling === allRays && scale ** 2 * full.pixels >= minPixels),
     );
-  all.sort((one, other) => errorOfPlan(error, one) - errorOfPlan(error, other));
-  const find = (min: number, scale?: number): FramePlan | undefined =>
+  all.sort((one, other) => errorOfFrame(error, one) - errorOfFrame(error, other));
+  const find = (min: number, scale?: number): FrameQuality | undefined =>
     all.find((plan) => plan.steps >= Math.min(min, full.steps) && (scale === undefined || plan.scale === scale));
   const best = find(minSteps) ?? find(fewestSteps)!; // A quarter of the pixels along each axis, or a small scale, always passes.
   const same = last && find(keptSteps, last.scale);
-  return same && errorOfPlan(error, best) > worthChanging * errorOfPlan(error, same) ? same : best;
+  return same && errorOfFrame(error, best) > worthChanging * errorOfFrame(error, same) ? same : best;
 }
