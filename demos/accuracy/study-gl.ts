@@ -184,7 +184,10 @@ export class StudyGl {
     if (layer.optics?.transferFunction !== transferFunction)
       throw new TypeError('prepare() has to be awaited before a picture is drawn');
     layer.skipping = picture.skipping ?? true;
-    layer.substeps = picture.cut ?? { ...allSubsteps, max: picture.maxSubsteps ?? maxSubsteps };
+    layer.plan = {
+      ...layer.plan,
+      substeps: picture.cut ?? { ...allSubsteps, max: picture.maxSubsteps ?? maxSubsteps },
+    };
     const shipped = layer.inputs(rays, null);
     if (method === 'printed') {
       const uniforms = { uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };

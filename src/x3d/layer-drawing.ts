@@ -8,6 +8,7 @@ import type { Pass, Size } from '../renderer/passes/pass-drawing.ts';
 import type { ShapeDepths } from '../renderer/ray/ray-module.ts';
 import { compileProgram, useProgram } from '../renderer/device/program.ts';
 import { composeRay, programKey } from '../renderer/ray/compose-ray.ts';
+import type { RayPlan } from '../renderer/ray/ray-plan.ts';
 import { rayUniforms } from '../renderer/ray/uniforms.ts';
 import type { VolumeLayer } from '../renderer/layers/volume-layer.ts';
 import { castableRays, VolumePictures } from '../renderer/pictures/volume-pictures.ts';
@@ -42,12 +43,6 @@ export class LayerDrawing {
   #last: { readonly program: WebGLProgram; readonly depths: ShapeDepths | null } | null = null;
   /** A program whose steps are cut differently from those of the last picture. */
   #other: { readonly key: string; readonly program: WebGLProgram } | null = null;
-  /** World length. */
-  stepLength = 1;
-  /** Maximum curvature at which pixels get no rays of their own, 1/255. */
-  maxCurvature = 0;
-  /** Maximum second difference of a pixel at which no edge of a surface is smoothed, 1/255. */
-  edgeCurvature = Infinity;
   /** Whether the next picture shows what was gathered. */
   showsGathered = false;
 
@@ -91,14 +86,16 @@ export class LayerDrawing {
 
   /** See `VolumeScene.startProbe`. */
   startProbe(
-    stepLength: number,
+    rays: Partial<RayPlan>,
     lattice: PixelLattice,
     picture: Size,
     alone: boolean,
   ): (() => Float32Array | null) | null {
     if (!this.#last || this.#gl.isContextLost()) return null;
     const depths = alone ? null : this.#last.depths;
-    const read = this.#aside(() => this.pictures.probe(lattice, this.#castAt(picture, stepLength, depths)));
+    const read = this.layer.with(rays, () =>
+      this.#aside(() => this.pictures.probe(lattice, this.#castAt(picture, depths))),
+    );
     return read && (() => (this.#gl.isContextLost() ? null : this.#aside(read)));
   }
 
@@ -124,12 +121,17 @@ export class LayerDrawing {
   }
 
   get isAdaptive(): boolean {
-    return this.maxCurvature > 0 && this.adaptive;
+    return this.layer.plan.maxCurvature > 0 && this.adaptive;
   }
 
   /** Smooths edges; null if there are no edges, or they are not smoothed. */
   get #smooth(): SmoothEdges | null {
-    const { layer, edgeCurvature } = this;
+    const {
+      layer,
+      layer: {
+        plan: { edgeCurvature },
+      },
+    } = this;
     const module =
       Number.isFinite(edgeCurvature) && layer.volume ? layer.modules(false).find(({ edges }) => edges) : undefined;
     return module ? { edges: module.edges!(), edgeCurvature, asPoints: this.adaptive } : null;
@@ -137,10 +139,10 @@ export class LayerDrawing {
 
   /** The cast of the last picture; null if it could not be drawn. */
   get shownCast(): Cast | null {
-    return this.#last && this.#castAt(this.#canvas, this.stepLength);
+    return this.#last && this.#castAt(this.#canvas);
   }
 
-  passes(picture: Size): Pass[] {
+  #passes(picture: Size): Pass[] {
     const passes = this.pictures.passes(picture, this.isAdaptive, this.#smooth);
     return this.endsAtShapes
       ? [
@@ -148,26 +150,32 @@ export class LayerDrawing {
           ...this.#aside(() =>
             this.surroundings
               .others()!
-              .edgePasses(this.layer, this.#castAt(picture, this.stepLength), Number.isFinite(this.edgeCurvature)),
+              .edgePasses(this.layer, this.#castAt(picture), Number.isFinite(this.layer.plan.edgeCurvature)),
           ),
         ]
       : passes;
   }
 
-  /** Prepares the pieces of a picture: the depth of shapes in all its pixels. */
-  startGathering(stepLength: number, picture: Size): void {
-    this.stepLength = stepLength;
-    if (!this.endsAtShapes) return;
+  /** Prepares the pieces of a picture, and the depth of shapes in all its pixels. @returns its passes */
+  startGathering(rays: Partial<RayPlan>, picture: Size): Pass[] {
     const { others, camera } = this.surroundings;
-    this.#last = {
-      ...this.#last!,
-      depths: this.#aside(() => others()!.drawDepthsAt(picture, camera, this.#shape!, this)),
-    };
+    return this.layer.with(rays, () => {
+      if (this.endsAtShapes)
+        this.#last = {
+          ...this.#last!,
+          depths: this.#aside(() => others()!.drawDepthsAt(picture, camera, this.#shape!, this)),
+        };
+      return this.#passes(picture);
+    });
   }
 
-  /** Draws some rows of a pass into a target that is not shown yet. @param stepLength - world length */
-  gather(stepLength: number, { pass, ...rows }: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
-    this.#aside(() => this.pictures.draw(pass, this.#castAt(picture, stepLength), rows));
+  /** Draws some rows of a pass into a target that is not shown yet. */
+  gather(
+    rays: Partial<RayPlan>,
+    { pass, ...rows }: { pass: Pass; firstRow: number; rows: number },
+    picture: Size,
+  ): void {
+    this.layer.with(rays, () => this.#aside(() => this.pictures.draw(pass, this.#castAt(picture), rows)));
   }
 
   dispose(): void {
@@ -197,14 +205,15 @@ export class LayerDrawing {
     return this.surroundings.started.canvas.canvas;
   }
 
-  #castAt(picture: Size, stepLength: number, depths = this.#last!.depths): Cast {
+  #castAt(picture: Size, depths = this.#last!.depths): Cast {
+    const { stepLength, maxCurvature } = this.layer.plan;
     return {
       program: this.#program(depths),
       depths,
       view: this.surroundings.camera.viewAt(picture),
       picture,
       stepLength,
-      maxCurvature: this.maxCurvature,
+      maxCurvature,
     };
   }
 
@@ -254,7 +263,7 @@ export class LayerDrawing {
     const ray = rayUniforms(
       raysOfLattice(rays, picture, { stride: 1, first: [0, 0], width: picture.width, height: picture.height }),
       picture,
-      this.stepLength,
+      this.layer.plan.stepLength,
     );
     const read = joinInputs(inputs, { uniforms: ray, units: [] });
     // x3dom sets only the first sampler3D.
@@ -265,7 +274,7 @@ export class LayerDrawing {
 
   #drawFromGathered(): void {
     if (!this.showsGathered) {
-      this.#aside(() => this.passes(this.#canvas).forEach((pass) => this.pictures.draw(pass, this.shownCast!)));
+      this.#aside(() => this.#passes(this.#canvas).forEach((pass) => this.pictures.draw(pass, this.shownCast!)));
     }
     const { depths } = this.#last!;
     this.#aside(() => (depths ? this.surroundings.others()!.showVolume(this) : this.pictures.show(this.#canvas)));

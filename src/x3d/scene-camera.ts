@@ -30,11 +30,12 @@ export class SceneCamera {
   }
 
   /** Size of the picture in device pixels. */
-  resize(width: number, height: number): void {
+  resize(picture: Size): void {
     const { canvas } = this.started.canvas;
+    const { width, height } = picture;
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
-    this.#shape({ width, height });
+    this.#shape(picture);
   }
 
   /** The view of the next picture. */

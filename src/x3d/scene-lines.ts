@@ -6,6 +6,12 @@ import type { X3dDocument, X3dOwned } from './x3dom-types.ts';
 /** Lines in world coordinates, each a list of points. */
 export type Lines = readonly (readonly Vector3[])[];
 
+/** Lines around the volume, and the map below them. */
+export interface Ground {
+  readonly lines: Lines;
+  readonly map?: GroundMap;
+}
+
 /** Red, green and blue, 0..1. */
 export type LineColor = readonly [red: number, green: number, blue: number];
 
@@ -28,6 +34,7 @@ interface Shown {
 /** Thin lines in the scene, as shapes among the author's: the parts of the volume in front of them cover them. */
 export class SceneLines {
   readonly #shown = new Map<object, Shown>();
+  #ground: Ground | null = null;
 
   /** @param showSurface - see `OtherShapes` */
   constructor(
@@ -35,11 +42,14 @@ export class SceneLines {
     readonly showSurface: (shown: ShownSurface | null, owner: object) => Promise<void> = async () => {},
   ) {}
 
-  /** Shows rings, and the map below them. */
-  showGround(rings: Lines, map?: GroundMap): void {
+  /** Shows the lines around the volume and the map below them. Each picture calls it, most of them with the same ones. */
+  showGround(ground: Ground | null): void {
+    if (ground === this.#ground) return;
+    this.#ground = ground;
+    const { lines = [], map } = ground ?? {};
     this.show(map?.coasts ?? [], coastOwner, coastColor);
     this.show(map?.borders ?? [], borderOwner, borderColor);
-    this.show(rings);
+    this.show(lines);
   }
 
   /** Replaces the lines of an owner; the same lines stay. */

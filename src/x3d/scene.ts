@@ -10,14 +10,15 @@ import { gpuFinished } from '../renderer/device/gpu-finished.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { Pass, Size } from '../renderer/passes/pass-drawing.ts';
 import { OtherShapesLoader } from './other-shapes-loader.ts';
-import type { GroundMap } from '../radar/ground-map.ts';
-import type { Lines, SceneLines } from './scene-lines.ts';
+import type { Ground, SceneLines } from './scene-lines.ts';
 import { SceneCamera } from './scene-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import { LayerScene } from './layer-scene.ts';
 import { isAnimating, startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
+import { plainRays } from '../renderer/ray/ray-plan.ts';
+import type { RayPlan } from '../renderer/ray/ray-plan.ts';
 import { VolumeLayer } from '../renderer/layers/volume-layer.ts';
 import type { FieldProviders, View } from '../renderer/layers/volume-layer.ts';
 import { readPicture } from '../renderer/device/read-picture.ts';
@@ -35,6 +36,15 @@ interface Place {
   readonly fieldProviders: FieldProviders;
 }
 
+/** What a picture is drawn with: `FramePlan` of the viewer is one. */
+export interface ScenePlan extends RayPlan {
+  /** Device pixels. */
+  readonly picture: Size;
+  /** null leaves the author's viewpoint, or else the last camera. */
+  readonly camera: Camera | null;
+  readonly ground: Ground | null;
+}
+
 /** A volume and the author's nodes in a running x3dom scene. It draws only when its owner calls `draw`. */
 export class VolumeScene extends LayerScene {
   readonly device: Device;
@@ -47,6 +57,8 @@ export class VolumeScene extends LayerScene {
   readonly #others: OtherShapesLoader;
   #timer: GpuTimer | null = null;
   #isDrawing = false;
+  /** The plan of the last picture, or of the next one: `apply` sets it. */
+  plan: ScenePlan;
 
   /**
    * @param host - the element whose X3D children join the scene
@@ -76,6 +88,7 @@ export class VolumeScene extends LayerScene {
     });
     this.#gl = this.#started.canvas.gl!.ctx3d;
     this.device = describe(this.#gl);
+    this.plan = { ...plainRays, picture: this.canvas, camera: null, ground: null };
     this.layers = [new VolumeLayer(this.#gl, this.device, fieldProviders)];
     // The first frames run without it.
     import('../renderer/device/gpu-timer.ts').then(
@@ -132,38 +145,29 @@ export class VolumeScene extends LayerScene {
     return isThere;
   }
 
-  /** Shows thin lines around the volume, in world coordinates. */
-  setLines(lines: Lines, map?: GroundMap): void {
-    this.#others.shapes?.lines.showGround(lines, map);
-  }
-
   /** Loads what shows lines of other parts; null if that part of the package is not there. */
   readonly loadLines = (): Promise<SceneLines | null> =>
     this.#others.load().then(() => this.#others.shapes?.lines ?? null);
-
-  /** See `Scene`. */
-  setMaxCurvature(maxCurvature: number, edgeCurvature = Infinity): void {
-    this.#drawing.maxCurvature = maxCurvature;
-    this.#drawing.edgeCurvature = edgeCurvature;
-  }
 
   /** The author's viewpoint as a camera, or null if there is none. */
   authorCamera(): AuthorCamera | null {
     return this.#others.shapes?.camera ?? null;
   }
 
-  /** Undoes what `setCamera` did to the author's viewpoint. */
+  /** Undoes what the plans of pictures did to the author's viewpoint. */
   resetAuthorCamera(): void {
     this.#others.shapes?.author.viewpoint?.resetView();
   }
 
-  /** Sets the scene's camera. */
-  setCamera(camera: Camera): void {
-    this.#camera.set(camera);
-  }
-
-  resize(width: number, height: number): void {
-    this.#camera.resize(width, height);
+  /** See `Scene`. */
+  apply(plan: ScenePlan): void {
+    const { picture, camera, ground } = plan;
+    this.#quietly(() => {
+      this.#camera.resize(picture);
+      if (camera && camera !== this.plan.camera) this.#camera.set(camera);
+      this.#others.shapes?.lines.showGround(ground);
+    });
+    this.layers[0].plan = this.plan = plan;
   }
 
   getView(): View {
@@ -178,9 +182,8 @@ export class VolumeScene extends LayerScene {
     return this.layers[0].raysOf(this.getView());
   }
 
-  /** Draws one picture. @param stepLength - world length @throws {VolumeViewError} `webgl/shader` */
-  draw(stepLength: number, time = performance.now()): void {
-    this.#drawing.stepLength = stepLength;
+  /** Draws one picture. @throws {VolumeViewError} `webgl/shader` */
+  draw(time = performance.now()): void {
     this.#timer?.begin();
     try {
       this.#drawScene(time);
@@ -198,28 +201,33 @@ export class VolumeScene extends LayerScene {
         document.needRender = true;
         canvas.tick(time);
       });
+    this.#quietly(() => (shapes ? shapes.draw(draw) : draw()));
+  }
+
+  /** Asks for no frame meanwhile: what changes is in the picture that is drawn now. */
+  #quietly(work: () => void): void {
     this.#isDrawing = true;
     try {
-      if (shapes) shapes.draw(draw);
-      else draw();
+      work();
     } finally {
       this.#isDrawing = false;
     }
   }
 
   /**
-   * Draws the volume of the last picture at a lattice of its rays, with another step length (world), in floats.
+   * Draws the volume of the last picture at a lattice of its rays, in floats.
+   * @param rays - what differs from the plan of that picture
    * @param alone - whether rays ignore shapes
    * @returns a function that reads the result, before another is drawn: RGBA, premultiplied, 0..1, bottom row first; it
    * waits for the GPU unless that has `finished`. null if the device can't do it
    */
   startProbe(
-    stepLength: number,
+    rays: Partial<RayPlan>,
     lattice: PixelLattice,
     picture: Size,
     alone = false,
   ): (() => Float32Array | null) | null {
-    return this.#drawing.startProbe(stepLength, lattice, picture, alone);
+    return this.#drawing.startProbe(rays, lattice, picture, alone);
   }
 
   /** The lights of a lit volume; null for a light at the eye. */
@@ -238,18 +246,13 @@ export class VolumeScene extends LayerScene {
   }
 
   /** See `Scene`. */
-  startGathering(stepLength: number, picture: Size): void {
-    this.#drawing.startGathering(stepLength, picture);
-  }
-
-  /** The lattices of pixels from which a picture of a size is gathered, one after the other. */
-  passes(picture: Size): Pass[] {
-    return this.#drawing.passes(picture);
+  startGathering(rays: Partial<RayPlan>, picture: Size): Pass[] {
+    return this.#drawing.startGathering(rays, picture);
   }
 
   /** Draws some rows of a pass, from the bottom, into a target that is not shown yet, with the view of the last picture. */
-  gather(stepLength: number, part: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
-    this.#drawing.gather(stepLength, part, picture);
+  gather(rays: Partial<RayPlan>, part: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
+    this.#drawing.gather(rays, part, picture);
   }
 
   /** Whether some rays of the next picture may be skipped. */

@@ -13,6 +13,7 @@ import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import type { Volume } from '../../src/volume/volume.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import type { RestScene } from '../helpers/at-rest.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { labelMap, plainAppearance } from '../helpers/labels.ts';
@@ -345,7 +346,13 @@ const kinds: Record<string, Record<string, () => MadeScene>> = {
         volume,
         'bright',
         { far: 110 },
-        { set: (gpu) => gpu.setSlices([], [{ create: createClip, items: [keep(volume.grid, [0.3, 1, 0.2], 0.3)] }]) },
+        {
+          set: (gpu) =>
+            changePlan(gpu, {
+              slices: [],
+              cuts: [{ create: createClip, items: [keep(volume.grid, [0.3, 1, 0.2], 0.3)] }],
+            }),
+        },
       );
     },
     'a corner cut out of noise': () => {
@@ -356,7 +363,10 @@ const kinds: Record<string, Record<string, () => MadeScene>> = {
         { far: 110 },
         {
           set: (gpu) =>
-            gpu.setSlices([], [{ create: createCutout, items: [cutBox(volume.grid, [-1.3, 0.4, 0], [40, 40, 40])] }]),
+            changePlan(gpu, {
+              slices: [],
+              cuts: [{ create: createCutout, items: [cutBox(volume.grid, [-1.3, 0.4, 0], [40, 40, 40])] }],
+            }),
         },
       );
     },
@@ -366,7 +376,13 @@ const kinds: Record<string, Record<string, () => MadeScene>> = {
         volume,
         'bright',
         { far: 110 },
-        { set: (gpu) => gpu.setSlices([], [{ create: createClip, items: [keep(volume.grid, [0, 0, 1], 19.99)] }]) },
+        {
+          set: (gpu) =>
+            changePlan(gpu, {
+              slices: [],
+              cuts: [{ create: createClip, items: [keep(volume.grid, [0, 0, 1], 19.99)] }],
+            }),
+        },
       );
     },
     'a thin slab': () => {
@@ -376,7 +392,10 @@ const kinds: Record<string, Record<string, () => MadeScene>> = {
         volume,
         'bright',
         { far: 110 },
-        { size: { width: 400, height: 400 }, set: (gpu) => gpu.setSlices([], [{ create: createClip, items }]) },
+        {
+          size: { width: 400, height: 400 },
+          set: (gpu) => changePlan(gpu, { slices: [], cuts: [{ create: createClip, items }] }),
+        },
       );
     },
     'a part of noise': () => {
@@ -385,7 +404,7 @@ const kinds: Record<string, Record<string, () => MadeScene>> = {
         volume,
         'fog',
         { far: 110 },
-        { set: (gpu) => gpu.setRegion(cutRegion(volume.grid, [-3.3, -5.1, -2.2, 4.4, 1.7, 6.1])) },
+        { set: (gpu) => changePlan(gpu, { region: cutRegion(volume.grid, [-3.3, -5.1, -2.2, 4.4, 1.7, 6.1]) }) },
       );
     },
     'a part far smaller than the picture': () => {
@@ -396,7 +415,7 @@ const kinds: Record<string, Record<string, () => MadeScene>> = {
         { far: 110 },
         {
           size: { width: 400, height: 400 },
-          set: (gpu) => gpu.setRegion(cutRegion(volume.grid, [15.3, 15.1, 15.2, 16.4, 16.7, 16.1])),
+          set: (gpu) => changePlan(gpu, { region: cutRegion(volume.grid, [15.3, 15.1, 15.2, 16.4, 16.7, 16.1]) }),
         },
       );
     },

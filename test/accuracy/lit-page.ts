@@ -9,6 +9,7 @@ import { measureError } from '../../src/viewer/frames/measure-quality.ts';
 import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
 import { defaultTargets } from '../../src/viewer/model/quality-targets.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { settle } from '../helpers/at-rest.ts';
 import type { CoveredError } from '../helpers/covered-error.ts';
 import { measureTrueError } from './compare-shown.ts';
@@ -43,7 +44,7 @@ export async function measureLit(quick: boolean, notify: (what: string) => void)
   const host = document.createElement('div');
   document.body.append(host);
   const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
-  scene.resize(size.width, size.height);
+  changePlan(scene, { picture: size });
   for await (const one of eachLitScene(quick)) {
     notify(`scene ${results.length + 1}: ${one.kind}: ${one.name}`);
     results.push(await measureScene(scene, one));
@@ -56,11 +57,11 @@ export async function measureLit(quick: boolean, notify: (what: string) => void)
 async function measureScene(scene: VolumeScene, one: LitErrorScene): Promise<LitResult> {
   const { kind, name, volume, steps } = one;
   await show(scene, one);
-  scene.setSubsteps(allSubsteps);
-  scene.draw(stepLengthOf(volume.grid, steps));
+  changePlan(scene, { substeps: allSubsteps });
+  drawAt(scene, stepLengthOf(volume.grid, steps));
   const stated = measureError(scene, volume.grid, { steps, substeps: maxSubsteps }, size);
   const finest = Math.max(full.coarse * steps, full.aVoxel * autoSteps(volume.grid));
-  scene.setSubsteps(allSubsteps);
+  changePlan(scene, { substeps: allSubsteps });
   const lattice = { stride: 1, first: [0, 0], ...size } as const;
   const [coarse, half, limit] =
     probe(
@@ -92,7 +93,7 @@ async function show(
   await scene.setStyle(style);
   await scene.setOptics(optics);
   await scene.setOverlay(overlay ?? null);
-  scene.setCamera(camera);
+  changePlan(scene, { camera });
 }
 
 /** What a screen shows of it. */

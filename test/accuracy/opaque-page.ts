@@ -4,6 +4,7 @@ import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import { drawAtRest, measureAtRest } from '../helpers/at-rest.ts';
 import { compareCovered } from '../helpers/covered-error.ts';
 import type { CoveredError } from '../helpers/covered-error.ts';
@@ -98,7 +99,7 @@ function measureFinest(
   }: { readonly volume: Parameters<VolumeScene['setVolume']>[0]; readonly size: { width: number; height: number } },
   exact: Float32Array,
 ): number {
-  gpu.setSubsteps(allSubsteps);
+  changePlan(gpu, { substeps: allSubsteps });
   const steps = Math.min(affordable, 8 * autoSteps(grid));
   const [finest] = probe(gpu, [stepLengthOf(grid, steps)], { stride: 1, first: [0, 0], ...size }, size)!;
   return compareCovered(

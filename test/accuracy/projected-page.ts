@@ -8,6 +8,7 @@ import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
 import { defaultTargets } from '../../src/viewer/model/quality-targets.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import { settle } from '../helpers/at-rest.ts';
 import type { RestScene } from '../helpers/at-rest.ts';
 import { measureTrueError } from './compare-shown.ts';
@@ -42,12 +43,12 @@ export async function compareProjected(
 ): Promise<Pick<HardResult, 'stats' | 'error' | 'level'>> {
   const { volume, style, transferFunction, camera, size } = scene;
   const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1, ...scene.optics };
-  gpu.resize(size.width, size.height);
+  changePlan(gpu, { picture: size });
   await gpu.prepare(volume, optics);
   gpu.setVolume(volume);
   await gpu.setStyle(style);
   await gpu.setOptics(optics);
-  gpu.setCamera(camera);
+  changePlan(gpu, { camera });
   const control = new QualityControl();
   control.set(defaultTargets);
   const { steps, substeps } = await settle(control, gpu, { volume, size });

@@ -11,6 +11,7 @@ import { gatherPicture } from '../../src/viewer/frames/gather-picture.ts';
 import { learnFrom } from '../../src/viewer/frames/view-quality.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { median } from './table.mjs';
 import '../helpers/provide-substeps.ts';
 
@@ -65,17 +66,21 @@ export async function compareChoices(size: number, turns: number, steps: number)
     await scene.prepare(volume, optics);
     scene.setVolume(volume);
     await scene.setOptics(optics);
-    scene.resize(size, size);
+    changePlan(scene, { picture: { width: size, height: size } });
     const fieldOfView = Math.PI / 4;
-    scene.setCamera(
-      orbitCamera({ theta: 0.6, phi: 1.1, radius: framingDistance(radius, fieldOfView, 1) }, center, fieldOfView),
-    );
+    changePlan(scene, {
+      camera: orbitCamera(
+        { theta: 0.6, phi: 1.1, radius: framingDistance(radius, fieldOfView, 1) },
+        center,
+        fieldOfView,
+      ),
+    });
     const one = steps || autoSteps(volume.grid);
     const stepLength = stepLengthOf(volume.grid, one);
     const [layer] = scene.layers;
 
     const plain = async (): Promise<void> => {
-      scene.draw(stepLength);
+      drawAt(scene, stepLength);
       await scene.finished();
     };
     const others: Record<string, () => Promise<unknown>> = {
@@ -85,19 +90,24 @@ export async function compareChoices(size: number, turns: number, steps: number)
         layer.skipping = true;
       },
       'all substeps': async () => {
-        scene.setSubsteps(allSubsteps);
+        changePlan(scene, { substeps: allSubsteps });
         await plain();
-        scene.setSubsteps(cut);
+        changePlan(scene, { substeps: cut });
       },
       'adaptive rays': async () => {
-        scene.setMaxCurvature(maxCurvature);
+        changePlan(scene, { maxCurvature, edgeCurvature: Infinity });
         await plain();
-        scene.setMaxCurvature(0);
+        changePlan(scene, { maxCurvature: 0, edgeCurvature: Infinity });
       },
-      'in pieces': () => gatherPicture(scene, { stepLength, width: size, height: size, ...pieces }, () => true),
+      'in pieces': () =>
+        gatherPicture(
+          scene,
+          { plan: { ...scene.plan, stepLength, picture: { width: size, height: size } }, ...pieces },
+          () => true,
+        ),
     };
     const cut = cutSteps({ steps: one, substeps: 8 }, autoSteps(volume.grid), 1);
-    scene.setSubsteps(cut);
+    changePlan(scene, { substeps: cut });
     const time = async (draw: () => Promise<unknown>): Promise<number> => {
       const began = performance.now();
       await draw();
@@ -113,7 +123,7 @@ export async function compareChoices(size: number, turns: number, steps: number)
         ratios[what].push((await time(draw)) / ms);
       }
     }
-    scene.setMaxCurvature(0);
+    changePlan(scene, { maxCurvature: 0, edgeCurvature: Infinity });
     await plain();
     const { sampling = [] } = await learnFrom(
       { scene, grid: volume.grid, size: { width: size, height: size }, goesOn: () => true },

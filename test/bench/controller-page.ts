@@ -12,6 +12,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import '../../src/index.ts';
 import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { blowUp } from './blow-up.ts';
 import { dragCamera } from './drag-camera.ts';
 import { median } from './table.mjs';
@@ -200,9 +201,9 @@ function drawAgain(
   volume: Volume,
   { width, height, steps, maxCurvature, orbit: place, target }: Frame,
 ): Uint8ClampedArray {
-  scene.resize(width, height);
-  scene.setCamera(orbitCamera(place, target, new CameraRig().camera.fieldOfView));
-  scene.setMaxCurvature(maxCurvature);
-  scene.draw(stepLengthOf(volume.grid, steps));
+  changePlan(scene, { picture: { width, height } });
+  changePlan(scene, { camera: orbitCamera(place, target, new CameraRig().camera.fieldOfView) });
+  changePlan(scene, { maxCurvature, edgeCurvature: Infinity });
+  drawAt(scene, stepLengthOf(volume.grid, steps));
   return readPixels(scene);
 }

@@ -4,6 +4,7 @@ import type { IsoSurface } from '../../src/optics/rays/ray-style.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { loadScan } from './lit-scenes.ts';
 import { median } from './table.mjs';
 import { openTurnScene, processorSeconds } from './turns.ts';
@@ -64,11 +65,11 @@ async function compareScene(
   const { scene, dispose } = await openTurnScene({ volume, transferFunction, referenceLength: 0.01, size });
   await scene.setStyle(appearance ? { surfaces } : { surfaces, clear: true });
   const steps = autoSteps(volume.grid);
-  scene.setSubsteps(cutSteps({ steps, substeps: 1 }, steps, 1));
+  changePlan(scene, { substeps: cutSteps({ steps, substeps: 1 }, steps, 1) });
   const time = async (max: number): Promise<{ work: number; clock: number }> => {
     const [before, start] = [await processorSeconds(), performance.now()];
-    scene.setMaxCurvature(0, max);
-    scene.draw(stepLengthOf(volume.grid, steps));
+    changePlan(scene, { maxCurvature: 0, edgeCurvature: max });
+    drawAt(scene, stepLengthOf(volume.grid, steps));
     scene.readPicture();
     await scene.finished();
     return { work: 1000 * ((await processorSeconds()) - before), clock: performance.now() - start };

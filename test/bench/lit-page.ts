@@ -1,6 +1,7 @@
 // In the browser: frames with light, surfaces, a second field or labels against the plain ones beside them.
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
+import { drawAt } from '../helpers/change-plan.ts';
 import { listVariants, litScenes, loadScan } from './lit-scenes.ts';
 import type { LitScene, LitVariant } from './lit-scenes.ts';
 import { median } from './table.mjs';
@@ -59,7 +60,7 @@ async function compareScene(bench: LitScene, { size, steps, turns, variants }: L
     if (overlay) await scene.setOverlay(overlay);
     if (labels) await scene.setLabels(labels);
     const draw = async (): Promise<void> => {
-      scene.draw(stepLength);
+      drawAt(scene, stepLength);
       scene.readPicture();
       await scene.finished();
     };

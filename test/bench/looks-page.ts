@@ -12,6 +12,7 @@ import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { edgeCurvature } from './edges-page.ts';
 import { alignVolume, describeScene } from './peer-scene.ts';
 import type { PeerCamera, PeerLight } from './peer-scene.ts';
@@ -189,8 +190,8 @@ async function drawOurs(seen: Seen, size: number): Promise<Cell[]> {
   await scene.prepare(volume, optics);
   scene.setVolume(volume);
   await scene.setOptics(optics);
-  scene.resize(size, size);
-  scene.setCamera(camera);
+  changePlan(scene, { picture: { width: size, height: size } });
+  changePlan(scene, { camera });
   const { surface } = subject;
   const styles: readonly [string, RayStyle | null][] = [
     ['ours', null],
@@ -203,9 +204,9 @@ async function drawOurs(seen: Seen, size: number): Promise<Cell[]> {
     await scene.finished();
     // As at rest: edges of surfaces have more rays.
     const steps = autoSteps(volume.grid);
-    scene.setSubsteps(cutSteps({ steps, substeps: 1 }, steps, 1));
-    scene.setMaxCurvature(0, edgeCurvature);
-    scene.draw(stepLengthOf(volume.grid, steps));
+    changePlan(scene, { substeps: cutSteps({ steps, substeps: 1 }, steps, 1) });
+    changePlan(scene, { maxCurvature: 0, edgeCurvature });
+    drawAt(scene, stepLengthOf(volume.grid, steps));
     cells.push({ name, picture: await createImageBitmap(scene.canvas) });
   }
   scene.dispose();
@@ -225,7 +226,7 @@ async function drawPeer(
     ...(light && { light }),
   });
   peer.setSize(size);
-  peer.draw(stepLengthOf(seen.volume.grid, 2 * autoSteps(seen.volume.grid)));
+  drawAt(peer, stepLengthOf(seen.volume.grid, 2 * autoSteps(seen.volume.grid)));
   const picture = await createImageBitmap(peer.gl.canvas);
   peer.dispose();
   host.remove();

@@ -12,6 +12,7 @@ import { ViewQuality } from '../../src/viewer/frames/view-quality.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { compareCovered } from '../helpers/covered-error.ts';
 import { blowUp } from './blow-up.ts';
 import { litScenes, loadScan } from './lit-scenes.ts';
@@ -86,16 +87,16 @@ async function compareScene(bench: LitScene, size: number): Promise<MotionRow[]>
     steps: number,
     substeps = allSubsteps,
   ): Uint8Array => {
-    scene.setSubsteps(substeps);
-    scene.resize(pixels, pixels);
-    scene.setCamera(
-      orbitCamera(
+    changePlan(scene, { substeps });
+    changePlan(scene, { picture: { width: pixels, height: pixels } });
+    changePlan(scene, {
+      camera: orbitCamera(
         { theta: 0.5 + (degrees * Math.PI) / 180, phi: 1.2, radius: zoom * framingDistance(radius, 0.6, 1) },
         center,
         0.6,
       ),
-    );
-    scene.draw(stepLengthOf(volume.grid, steps));
+    });
+    drawAt(scene, stepLengthOf(volume.grid, steps));
     return scene.readPicture().data;
   };
   draw([0, 1], size, autoSteps(volume.grid));

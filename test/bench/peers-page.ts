@@ -13,6 +13,7 @@ import { maxSubsteps } from '../../src/optics/rays/segment.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { eachVolume } from './bench-scenes.ts';
 import { compareCovered } from '../helpers/covered-error.ts';
 import { litStages } from '../helpers/lit.ts';
@@ -184,13 +185,13 @@ async function startOurs(
   return {
     gl: scene.canvas.getContext('webgl2')!,
     setSize(pixels) {
-      scene.resize(pixels, pixels);
-      scene.setCamera(camera);
+      changePlan(scene, { picture: { width: pixels, height: pixels } });
+      changePlan(scene, { camera });
     },
-    draw: (stepLength) => scene.draw(stepLength),
+    draw: (stepLength) => drawAt(scene, stepLength),
     dispose: () => scene.dispose(),
     levels: listLevels(autoSteps(volume.grid)),
-    cut: (level) => scene.setSubsteps(cutSteps(level, autoSteps(volume.grid), 1)),
+    cut: (level) => changePlan(scene, { substeps: cutSteps(level, autoSteps(volume.grid), 1) }),
   };
 }
 

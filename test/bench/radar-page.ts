@@ -11,6 +11,7 @@ import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { PolarVolume, Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { median } from './table.mjs';
 import { probe as probeRays } from '../helpers/probe.ts';
 import '../helpers/provide-substeps.ts';
@@ -94,13 +95,13 @@ export async function compareResamplings(
   const host = document.createElement('div');
   document.body.append(host);
   const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
-  scene.resize(size, size);
+  changePlan(scene, { picture: { width: size, height: size } });
   const show = async (shown: Volume): Promise<void> => {
     await scene.prepare(shown);
     scene.setVolume(shown);
     await scene.setOptics({ transferFunction, referenceLength: 4000, opacityFactor: 1, lightFactor: 1 });
-    scene.setCamera(camera);
-    scene.draw(stepLengths.shown);
+    changePlan(scene, { camera });
+    drawAt(scene, stepLengths.shown);
     await scene.finished();
   };
   const probe = (stepLength: number): Float32Array =>
@@ -127,7 +128,7 @@ export async function compareResamplings(
     const times: number[] = [];
     for (let i = 0; i < repeats + 1; i++) {
       const began = performance.now();
-      scene.draw(stepLengths.shown);
+      drawAt(scene, stepLengths.shown);
       await scene.finished();
       if (i > 0) times.push(performance.now() - began);
     }

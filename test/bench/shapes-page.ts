@@ -21,6 +21,7 @@ import { isPolar } from '../../src/volume/volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import type { Lines } from '../../src/x3d/scene-lines.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { listAtlases } from './atlases.ts';
 import { median } from './table.mjs';
 import { processorSeconds } from './turns.ts';
@@ -183,17 +184,19 @@ async function compareScene(
       const scene = await VolumeScene.create(host, container, () => {}, fieldProviders);
       const optics = { transferFunction, referenceLength: referenceLength * radius, opacityFactor: 1, lightFactor: 1 };
       await scene.prepare(volume, optics);
-      scene.resize(size, size);
+      changePlan(scene, { picture: { width: size, height: size } });
       scene.setVolume(volume);
       await scene.setOptics(optics);
-      scene.setLines(lines);
-      scene.setSlices(slices, cuts);
+      changePlan(scene, { ground: { lines } });
+      changePlan(scene, { slices, cuts });
       if (labels) await scene.setLabels(labels);
-      scene.setCamera(orbitCamera({ theta: 0.5, phi: 1.1, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
+      changePlan(scene, {
+        camera: orbitCamera({ theta: 0.5, phi: 1.1, radius: framingDistance(radius, 0.5, 1) }, center, 0.5),
+      });
       const draw = async (curvature: number): Promise<number> => {
-        scene.setMaxCurvature(curvature);
+        changePlan(scene, { maxCurvature: curvature, edgeCurvature: Infinity });
         const began = performance.now();
-        scene.draw(stepLengthOf(volume.grid, steps));
+        drawAt(scene, stepLengthOf(volume.grid, steps));
         await scene.finished();
         return performance.now() - began;
       };

@@ -5,6 +5,7 @@ import type { TransferFunction } from '../../src/optics/transfer/transfer-functi
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import '../helpers/provide-substeps.ts';
 
 /** Processor time of the process that draws; other programs on the machine do not count. Given by turns.mjs. */
@@ -36,7 +37,9 @@ export async function openTurnScene({
   await scene.prepare(volume, optics);
   scene.setVolume(volume);
   await scene.setOptics(optics);
-  scene.resize(size, size);
-  scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.2, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
+  changePlan(scene, { picture: { width: size, height: size } });
+  changePlan(scene, {
+    camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: framingDistance(radius, 0.5, 1) }, center, 0.5),
+  });
   return { scene, dispose: () => (scene.dispose(), host.remove()) };
 }

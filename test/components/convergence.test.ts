@@ -3,6 +3,7 @@ import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { describeOrder, fitOrder, measureOrders, minOrder } from '../accuracy/orders.ts';
 import type { DrawPicture } from '../accuracy/orders.ts';
 import { casesOf } from '../helpers/cases.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { withScene } from '../helpers/picture.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { probe } from '../helpers/probe.ts';
@@ -13,12 +14,12 @@ const fewSteps = 0.2;
 /** Pictures in floats: errors far below 1/255 are to be seen. */
 function drawOn(scene: VolumeScene): DrawPicture {
   return ({ volume, transferFunction, referenceLength, camera, stepLength, maxSubsteps, width, height }) => {
-    scene.resize(width, height);
+    changePlan(scene, { picture: { width, height } });
     scene.setVolume(volume);
     void scene.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
-    scene.setCamera(camera);
-    scene.setSubsteps({ ...allSubsteps, max: maxSubsteps });
-    scene.draw(fewSteps); // Only a view that was drawn can be probed.
+    changePlan(scene, { camera });
+    changePlan(scene, { substeps: { ...allSubsteps, max: maxSubsteps } });
+    drawAt(scene, fewSteps); // Only a view that was drawn can be probed.
     const [upsideDown] = probe(scene, [stepLength], { stride: 1, first: [0, 0], width, height }, { width, height })!;
     const pixels = new Float32Array(upsideDown.length);
     for (let row = 0; row < height; row++) {

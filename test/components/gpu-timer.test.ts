@@ -2,6 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Gl } from '../../src/renderer/device/device.ts';
 import { GpuTimer } from '../../src/renderer/device/gpu-timer.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { fakeTimerQueries } from '../helpers/fake-timer-queries.ts';
 import type { FakeTimes } from '../helpers/fake-timer-queries.ts';
 import { plainOptics, withScene } from '../helpers/picture.ts';
@@ -122,9 +123,9 @@ for (const version of [1, 2] as const) {
         scene.setVolume(volume);
         void scene.setOptics(plainOptics);
         const measure = async (pixels: number, steps: number) => {
-          scene.resize(pixels, pixels);
+          changePlan(scene, { picture: { width: pixels, height: pixels } });
           const began = performance.now();
-          scene.draw(longestDiagonal(volume.grid) / steps);
+          drawAt(scene, longestDiagonal(volume.grid) / steps);
           await scene.finished();
           return { clock: performance.now() - began, gpu: await scene.gpuMs() };
         };

@@ -9,6 +9,7 @@ import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { scatter, withVoxels } from '../accuracy/hard-volumes.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import { measureAtRest } from '../helpers/at-rest.ts';
 import type { RestResult, RestScene } from '../helpers/at-rest.ts';
 import { keep } from '../helpers/clips.ts';
@@ -28,7 +29,7 @@ function look({ grid }: Volume, far: number, at: Vector3 = [0.5, 0.5, 0.5]): Cam
 describe('the error that is stated where hardly anything is seen', () => {
   const shared = shareScene({});
   const measure = (scene: Omit<RestScene, 'style'>): Promise<RestResult> => {
-    shared().setSlices([], []);
+    changePlan(shared(), { slices: [], cuts: [] });
     return measureAtRest(shared(), { ...scene, style: null });
   };
 
@@ -69,7 +70,8 @@ describe('the error that is stated where hardly anything is seen', () => {
       transferFunction: bright,
       camera: look(volume, 110),
       size: { width: 60, height: 60 },
-      set: (gpu) => gpu.setSlices([], [{ create: createClip, items: [keep(volume.grid, [0, 0, 1], 19.99)] }]),
+      set: (gpu) =>
+        changePlan(gpu, { slices: [], cuts: [{ create: createClip, items: [keep(volume.grid, [0, 0, 1], 19.99)] }] }),
     });
     expect(error.covered, 'all is cut away').to.equal(0);
     expect(stated.rms).to.be.above(10);

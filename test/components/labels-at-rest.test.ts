@@ -16,6 +16,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
 import { findPixel } from '../accuracy/full-rays.ts';
 import { casesOf } from '../helpers/cases.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import { settle } from '../helpers/at-rest.ts';
 import { blocks, labelMap, mixedGroups, mixedAppearances, plainAppearance } from '../helpers/labels.ts';
 import { shareScene } from '../helpers/picture.ts';
@@ -149,16 +150,16 @@ describe('labels in the picture at rest', () => {
         center,
         0.3,
       );
-      scene().resize(size, size);
+      changePlan(scene(), { picture: { width: size, height: size } });
       scene().setVolume(volume);
       await scene().setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
       await scene().setLabels(labels);
-      scene().setCamera(camera);
+      changePlan(scene(), { camera });
       const control = new QualityControl();
       const { steps, substeps } = await settle(control, scene(), { volume, size: picture });
       const shown = scene().readPicture().data;
       const cast = (stepsPerVoxel: number, substeps: Substeps = allSubsteps): Float32Array => {
-        scene().setSubsteps(substeps);
+        changePlan(scene(), { substeps });
         return probe(
           scene(),
           [stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))],

@@ -4,6 +4,7 @@ import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { predictSampling } from '../../src/quality/adaptive-sampling.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { labelMap } from '../helpers/labels.ts';
 import { comparePictures, plainOptics, shareScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
@@ -37,23 +38,23 @@ const white = [
 describe('labels in motion', () => {
   const scene = shareScene({});
   const draw = (steps: number, curvature: number): Uint8ClampedArray => {
-    scene().setMaxCurvature(curvature);
-    scene().draw(stepLengthOf(volume.grid, steps));
+    changePlan(scene(), { maxCurvature: curvature, edgeCurvature: Infinity });
+    drawAt(scene(), stepLengthOf(volume.grid, steps));
     return readPixels(scene());
   };
 
   before(async () => {
-    scene().resize(width, height);
+    changePlan(scene(), { picture: { width, height } });
     scene().setVolume(volume);
     await scene().setOptics({ ...plainOptics, transferFunction: white });
     await scene().setLabels({ map, styles });
-    scene().setCamera(
-      orbitCamera(
+    changePlan(scene(), {
+      camera: orbitCamera(
         { theta: 0.7, phi: 1.1, radius: 1.1 * longestDiagonal(volume.grid) },
         boundingSphere(volume.grid).center,
         0.6,
       ),
-    );
+    });
   });
 
   it('are off by what was foretold of pixels between rays', () => {

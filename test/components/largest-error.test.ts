@@ -15,6 +15,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { measureTrueError } from '../accuracy/compare-shown.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
 import { casesOf } from '../helpers/cases.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import { settle } from '../helpers/at-rest.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
@@ -85,15 +86,15 @@ describe('the largest error that a picture at rest states', () => {
       this.timeout(240_000);
       const gpu = shared();
       const { volume, style, transferFunction, camera, size, saysMean } = make();
-      gpu.resize(size.width, size.height);
+      changePlan(gpu, { picture: size });
       gpu.setVolume(volume);
       await gpu.setStyle(style);
       await gpu.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
-      gpu.setCamera(camera);
+      changePlan(gpu, { camera });
       const control = new QualityControl();
       await settle(control, gpu, { volume, size });
       const shown = gpu.readPicture().data;
-      gpu.setSubsteps(allSubsteps);
+      changePlan(gpu, { substeps: allSubsteps });
       const full = probe(
         gpu,
         [stepLengthOf(volume.grid, 10 * autoSteps(volume.grid))],

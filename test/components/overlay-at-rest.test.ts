@@ -13,6 +13,7 @@ import type { Vector3 } from '../../src/volume/matrix.ts';
 import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
 import { findPixel } from '../accuracy/full-rays.ts';
 import { casesOf } from '../helpers/cases.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import { settle } from '../helpers/at-rest.ts';
 import { askew, overlayOf, signed, waves } from '../helpers/overlays.ts';
 import { shareScene } from '../helpers/picture.ts';
@@ -90,7 +91,7 @@ describe('a second field in the picture at rest', () => {
       this.timeout(60_000);
       const { center } = boundingSphere(volume.grid);
       const camera = orbitCamera({ theta: 0.7, phi: 1.1, radius: size / 1.3 / (2 * Math.tan(0.15)) }, center, 0.3);
-      scene().resize(size, size);
+      changePlan(scene(), { picture: { width: size, height: size } });
       scene().setVolume(volume);
       await scene().setOptics({
         transferFunction: parseTransferFunction(colors, [0, 1]),
@@ -99,12 +100,12 @@ describe('a second field in the picture at rest', () => {
         lightFactor: 1,
       });
       await scene().setOverlay(overlay);
-      scene().setCamera(camera);
+      changePlan(scene(), { camera });
       const control = new QualityControl();
       await settle(control, scene(), { volume, size: picture });
       const shown = scene().readPicture().data;
       const cast = (stepsPerVoxel: number): Float32Array => {
-        scene().setSubsteps(allSubsteps);
+        changePlan(scene(), { substeps: allSubsteps });
         return probe(
           scene(),
           [stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))],

@@ -7,6 +7,7 @@ import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { withScene } from '../helpers/picture.ts';
 
 /** Shells through a smooth transfer function: a scene with an error to choose by. */
@@ -23,10 +24,10 @@ const moving = (steps: number): FrameQuality => ({ ...plain(steps), substeps: wh
 
 async function withShells(use: (scene: VolumeScene) => void | Promise<void>, shown = transferFunction): Promise<void> {
   await withScene({}, async (scene) => {
-    scene.resize(size.width, size.height);
+    changePlan(scene, { picture: size });
     scene.setVolume(volume);
     void scene.setOptics({ transferFunction: shown, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
-    scene.setCamera(camera);
+    changePlan(scene, { camera });
     await use(scene);
   });
 }
@@ -35,8 +36,8 @@ async function withShells(use: (scene: VolumeScene) => void | Promise<void>, sho
 async function settle(control: QualityControl, scene: VolumeScene): Promise<number> {
   for (let frame = 1; frame <= 3; frame++) {
     const plan = control.still(volume.grid);
-    scene.setSubsteps(plan.substeps);
-    scene.draw(stepLengthOf(volume.grid, plan.steps));
+    changePlan(scene, { substeps: plan.substeps });
+    drawAt(scene, stepLengthOf(volume.grid, plan.steps));
     if (!(await control.probe(scene, volume.grid, { plan, size, goesOn: () => true }))) return frame;
   }
   throw new Error('the control is never content');
@@ -110,7 +111,7 @@ describe('the control of quality', () => {
       const control = new QualityControl();
       control.set({ ...defaultTargets, steps: 25 });
       await control.prepare();
-      scene.draw(stepLengthOf(volume.grid, 25));
+      drawAt(scene, stepLengthOf(volume.grid, 25));
       expect(
         await control.probe(scene, volume.grid, { plan: control.still(volume.grid), size, goesOn: () => goesOn }),
       ).to.equal(false);
@@ -165,7 +166,7 @@ describe('the control of quality', () => {
       for (const zooms of [[1], [0.7, 1.3, 1], [0.5, 1]]) {
         const control = new QualityControl();
         for (const zoom of zooms) {
-          scene.setCamera({ ...camera, fieldOfView: camera.fieldOfView * zoom });
+          changePlan(scene, { camera: { ...camera, fieldOfView: camera.fieldOfView * zoom } });
           control.forget();
           await settle(control, scene);
         }
@@ -195,9 +196,9 @@ describe('the control of quality', () => {
       const control = new QualityControl();
       const lengths: number[] = [];
       const native = scene.startProbe.bind(scene);
-      scene.startProbe = (stepLength, ...rest) => (lengths.push(stepLength), native(stepLength, ...rest));
+      scene.startProbe = (rays, ...rest) => (lengths.push(rays.stepLength!), native(rays, ...rest));
       const max = stepLengthOf(volume.grid, autoSteps(volume.grid));
-      scene.draw(stepLengthOf(volume.grid, 7));
+      drawAt(scene, stepLengthOf(volume.grid, 7));
       expect(
         await control.probe(scene, volume.grid, { plan: plain(7), size, goesOn: () => true }),
         'drawn again',
@@ -215,7 +216,7 @@ describe('the control of quality', () => {
       let left = Infinity;
       // At its drawing, or when it is read.
       scene.startProbe = (...given) => (left-- > 0 ? native(...given) : left % 2 ? null : () => null);
-      scene.draw(stepLengthOf(volume.grid, autoSteps(volume.grid)));
+      drawAt(scene, stepLengthOf(volume.grid, autoSteps(volume.grid)));
       for (const maxError of [60, 0.1]) {
         for (let pictures = 0; pictures < 9; pictures++) {
           left = pictures;

@@ -13,6 +13,7 @@ import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
 import { findPixel } from '../accuracy/full-rays.ts';
 import { casesIn, takesAll } from '../helpers/cases.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { settle } from '../helpers/at-rest.ts';
 import type { CoveredError } from '../helpers/covered-error.ts';
 import { shareScene } from '../helpers/picture.ts';
@@ -60,16 +61,16 @@ function radarOf(around: number, shown: typeof specks): PolarVolume {
 }
 
 async function show(scene: VolumeScene, volume: PolarVolume, camera: Camera): Promise<void> {
-  scene.resize(size, size);
+  changePlan(scene, { picture: { width: size, height: size } });
   await scene.prepare(volume, optics);
   scene.setVolume(volume);
   await scene.setOptics(optics);
-  scene.setCamera(camera);
+  changePlan(scene, { camera });
 }
 
 /** Rays of eight steps a voxel, each with up to eight substeps, of a picture that has been drawn. */
 function castFull(scene: VolumeScene, { grid }: PolarVolume): Float32Array {
-  scene.setSubsteps(allSubsteps);
+  changePlan(scene, { substeps: allSubsteps });
   return probe(scene, [stepLengthOf(grid, 8 * autoSteps(grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
 }
 
@@ -91,7 +92,7 @@ async function look(
   const shown = scene.readPicture().data;
   const full = castFull(scene, volume);
   await show(scene, bareVolume, camera);
-  scene.draw(stepLengthOf(volume.grid, 10));
+  drawAt(scene, stepLengthOf(volume.grid, 10));
   const bare = castFull(scene, bareVolume);
   const kept = new Map<number, number>();
   specks.forEach(({ sweep, azimuth, gate }, i) => {

@@ -52,11 +52,15 @@ async function draw(scene: VolumeScene): Promise<ReturnType<typeof readPixels>> 
   await scene.prepare(volume, optics);
   scene.setVolume(volume);
   await scene.setOptics(optics);
-  scene.setLines(cuts.rings!.lines);
-  scene.resize(60, 44);
-  scene.setCamera(camera);
-  scene.setSubsteps(wholeSteps);
-  scene.draw(stepLength);
+  scene.apply({
+    ...scene.plan,
+    picture: { width: 60, height: 44 },
+    camera,
+    ground: cuts.rings,
+    substeps: wholeSteps,
+    stepLength,
+  });
+  scene.draw();
   return readPixels(scene);
 }
 

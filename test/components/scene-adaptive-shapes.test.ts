@@ -9,6 +9,7 @@ import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
 import { shapesAmong } from '../helpers/shapes-among.ts';
@@ -57,16 +58,16 @@ async function withShapes(
   use: (drawn: Drawn) => void,
 ): Promise<void> {
   await withScene(options, async (scene) => {
-    scene.resize(size.width, size.height);
+    changePlan(scene, { picture: size });
     await scene.prepare(volume);
     scene.setVolume(volume);
     await scene.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
-    scene.setCamera(camera);
+    changePlan(scene, { camera });
     use({
       scene,
       draw: (maxCurvature) => {
-        scene.setMaxCurvature(maxCurvature);
-        scene.draw(stepLengthOf(volume.grid, 60));
+        changePlan(scene, { maxCurvature, edgeCurvature: Infinity });
+        drawAt(scene, stepLengthOf(volume.grid, 60));
         return readPixels(scene);
       },
     });

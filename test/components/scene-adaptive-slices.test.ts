@@ -13,6 +13,7 @@ import { boundingSphere } from '../../src/volume/grid.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { comparePictures, shareScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
 import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
@@ -49,7 +50,7 @@ async function show(
   volume: Volume,
   { slices = [], cuts = [], camera }: { slices?: readonly Slice[]; cuts?: readonly RayCut[]; camera: Camera },
 ): Promise<(maxCurvature: number) => Uint8ClampedArray> {
-  scene.resize(size.width, size.height);
+  changePlan(scene, { picture: size });
   await scene.prepare(volume);
   scene.setVolume(volume);
   await scene.setOptics({
@@ -66,11 +67,11 @@ async function show(
     opacityFactor: 1,
     lightFactor: 1,
   });
-  scene.setSlices(slices, cuts);
-  scene.setCamera(camera);
+  changePlan(scene, { slices, cuts });
+  changePlan(scene, { camera });
   return (maxCurvature) => {
-    scene.setMaxCurvature(maxCurvature);
-    scene.draw(stepLengthOf(volume.grid, 60));
+    changePlan(scene, { maxCurvature, edgeCurvature: Infinity });
+    drawAt(scene, stepLengthOf(volume.grid, 60));
     return readPixels(scene);
   };
 }

@@ -3,6 +3,7 @@ import { predictSampling } from '../../src/quality/adaptive-sampling.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
 
@@ -15,17 +16,17 @@ const maxCurvature = 12;
 
 async function withShells(webgl1: boolean, use: (scene: VolumeScene) => void): Promise<void> {
   await withScene({ webgl1 }, (scene) => {
-    scene.resize(size.width, size.height);
+    changePlan(scene, { picture: size });
     scene.setVolume(volume);
     void scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
-    scene.setCamera(camera);
+    changePlan(scene, { camera });
     use(scene);
   });
 }
 
 function draw(scene: VolumeScene, maxCurvature: number): Uint8ClampedArray {
-  scene.setMaxCurvature(maxCurvature);
-  scene.draw(stepLengthOf(volume.grid, 60));
+  changePlan(scene, { maxCurvature, edgeCurvature: Infinity });
+  drawAt(scene, stepLengthOf(volume.grid, 60));
   return readPixels(scene);
 }
 
@@ -51,15 +52,11 @@ describe('a picture with adaptive ray sampling', () => {
   it('is the same in pieces', () =>
     withShells(false, (scene) => {
       const atOnce = draw(scene, maxCurvature);
-      const passes = scene.passes(size);
+      const passes = scene.startGathering({}, size);
       expect(passes.map(({ stride }) => stride)).to.deep.equal([4, 2, 1]);
       for (const pass of passes) {
         for (let firstRow = 0; firstRow < pass.height; firstRow += 30) {
-          scene.gather(
-            stepLengthOf(volume.grid, 60),
-            { pass, firstRow, rows: Math.min(30, pass.height - firstRow) },
-            size,
-          );
+          scene.gather({}, { pass, firstRow, rows: Math.min(30, pass.height - firstRow) }, size);
         }
       }
       scene.drawGathered();

@@ -5,6 +5,7 @@ import type { Ray } from '../../src/optics/rays/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import {
   comparePictures,
   drawPicture,
@@ -101,7 +102,7 @@ describe('shapes of the author', () => {
       const alone = drawPicture(scene, view);
       const draw = async (): Promise<Uint8ClampedArray> => {
         await settle(scene);
-        scene.draw(view.stepLength);
+        drawAt(scene, view.stepLength);
         return readPixels(scene);
       };
       host.innerHTML = box([1, -2, 1], 7);
@@ -131,7 +132,7 @@ describe('shapes of the author', () => {
     withScene({}, async (scene, host) => {
       const draw = async (): Promise<Uint8ClampedArray> => {
         await settle(scene);
-        scene.draw(view.stepLength);
+        drawAt(scene, view.stepLength);
         return readPixels(scene);
       };
       const alone = drawPicture(scene, view);
@@ -176,11 +177,11 @@ describe('shapes of the author', () => {
         '<directionallight direction="0 0 -1" color="1 0 0" intensity="1"></directionallight>',
       );
       await settle(scene);
-      scene.draw(view.stepLength);
+      drawAt(scene, view.stepLength);
       expect(comparePictures(readPixels(scene), before).worst).to.be.above(20);
       host.querySelector('directionallight')!.remove();
       await settle(scene);
-      scene.draw(view.stepLength);
+      drawAt(scene, view.stepLength);
       expect(comparePictures(readPixels(scene), before).worst).to.be.at.most(1);
     });
   });
@@ -194,7 +195,7 @@ describe('viewpoints of the author', () => {
       const own = drawPicture(scene, view);
       host.innerHTML = standard;
       await settle(scene);
-      scene.draw(view.stepLength);
+      drawAt(scene, view.stepLength);
       // From +z with y up, which is how X3D looks by default.
       const camera = { eye: [0, 0, 70], target: [0, 0, 0], up: [0, 1, 0], fieldOfView: 0.5 } as const;
       expect(comparePictures(readPixels(scene), drawReference({ ...view, camera })).worst).to.be.at.most(2);
@@ -217,7 +218,7 @@ describe('viewpoints of the author', () => {
     return withScene({ children: parallel }, (scene) => {
       scene.setVolume(view.volume);
       void scene.setOptics(plainOptics);
-      scene.draw(view.stepLength);
+      drawAt(scene, view.stepLength);
       const identityAt50 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -50, 0, 0, 0, 1];
       const rays = setUpRays(view.volume.grid, identityAt50, [
         1 / 16,
@@ -255,7 +256,7 @@ describe("an author's elements", () => {
       const container = document.createElement('div');
       document.body.append(host, container);
       const scene = await VolumeScene.create(host, container, () => {});
-      scene.resize(width, height);
+      changePlan(scene, { picture: { width, height } });
       pictures.push(drawPicture(scene, view));
       scene.dispose();
       expect([...host.querySelectorAll('*')], 'the same elements').to.have.ordered.members(elements);

@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { comparePictures, drawPicture, height, plainOptics, shells, width, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
@@ -68,8 +69,8 @@ describe('the canvas', () => {
   it('takes a new size, with the aspect of the picture right in the first frame', () =>
     withScene({}, (scene) => {
       drawPicture(scene, view);
-      scene.resize(60, 60);
-      scene.draw(view.stepLength);
+      changePlan(scene, { picture: { width: 60, height: 60 } });
+      drawAt(scene, view.stepLength);
       const projection = scene.getView().projection;
       expect(projection[0]).to.be.closeTo(projection[5], 1e-12);
       const pixels = readPixels(scene);
@@ -81,19 +82,19 @@ describe('the canvas', () => {
   it('draws the same picture again, and another one when what it shows changes', () =>
     withScene({}, (scene) => {
       const first = drawPicture(scene, view);
-      scene.draw(view.stepLength);
+      drawAt(scene, view.stepLength);
       expect(comparePictures(readPixels(scene), first).worst).to.equal(0);
       void scene.setOptics({
         ...plainOptics,
         transferFunction: shells.map((stop) => ({ ...stop, color: [0, 1, 0] as const })),
       });
-      scene.draw(view.stepLength);
+      drawAt(scene, view.stepLength);
       const green = readPixels(scene);
       expect(comparePictures(green, first).worst).to.be.above(20);
       expect(Math.max(...green.filter((_, i) => i % 4 === 0)), 'red').to.equal(0);
       // Another volume, of another type and size, in the same scene.
       scene.setVolume(syntheticVolume({ dimensions: [9, 12, 7], kind: 'uint16', field: () => 0.5 }));
-      scene.draw(view.stepLength);
+      drawAt(scene, view.stepLength);
       const other = readPixels(scene);
       expect(comparePictures(other, green).worst).to.be.above(20);
       expect(comparePictures(drawPicture(scene, view), first).worst, 'and back').to.equal(0);
@@ -104,7 +105,7 @@ describe('the canvas', () => {
     document.body.append(container);
     const scene = await VolumeScene.create(container, container, () => {});
     await scene.setOptics(plainOptics);
-    scene.resize(width, height);
+    changePlan(scene, { picture: { width, height } });
     drawPicture(scene, view);
     const gl = contextOf(scene);
     expect(gl.isContextLost()).to.equal(false);
@@ -120,10 +121,10 @@ describe('the canvas', () => {
     const scenes = await Promise.all(hosts.map((host) => VolumeScene.create(host, host, () => {})));
     try {
       await Promise.all(scenes.map((scene) => scene.setOptics(plainOptics)));
-      for (const scene of scenes) scene.resize(width, height);
+      for (const scene of scenes) changePlan(scene, { picture: { width, height } });
       for (const scene of scenes) drawPicture(scene, view);
       for (const scene of scenes) {
-        scene.draw(view.stepLength);
+        drawAt(scene, view.stepLength);
         expect(comparePictures(readPixels(scene), expected).worst).to.equal(0);
       }
     } finally {

@@ -3,6 +3,7 @@ import { castRay } from '../../src/optics/rays/cast-ray.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { casesIn, casesOf, takesAll } from '../helpers/cases.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import { drawLots, listClassified } from '../helpers/classified.ts';
 import type { Classified } from '../helpers/classified.ts';
 import { listOff } from '../helpers/edges.ts';
@@ -72,7 +73,8 @@ interface Found {
 
 function measure(scene: VolumeScene, { name }: Classified, expectation: Expectation): Found {
   const { view, expected } = expectation;
-  scene.resize(...view.size!);
+  const [width, height] = view.size!;
+  changePlan(scene, { picture: { width, height } });
   const [skipping, plain] = [true, false].map((skips) => {
     scene.layers[0].skipping = skips;
     return drawPicture(scene, view);

@@ -10,6 +10,7 @@ import { add, dot, scale } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { AuthorCopies } from '../../src/x3d/author-copies.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import {
   comparePictures,
   height,
@@ -44,18 +45,18 @@ async function compare(
 ): Promise<{ worst: number; green: number }> {
   await new Promise((resolve) => setTimeout(resolve, 0));
   await scene.othersReady();
-  scene.resize(width, height);
+  changePlan(scene, { picture: { width, height } });
   scene.setVolume(view.volume);
-  scene.setCamera(view.camera);
+  changePlan(scene, { camera: view.camera });
   const { cuts, error } = readClips(host, view.volume);
   expect(error).to.equal(null);
-  scene.setSlices([], cuts);
+  changePlan(scene, { slices: [], cuts });
   const items = cuts.flatMap((cut) => cut.items) as readonly (HalfSpace | Cutout)[];
   const stages = [
     clipInterval(items.filter((item) => item.kind === 'half-space')),
     ...items.filter((item) => item.kind === 'cutout').map(cutoutInterval),
   ];
-  scene.draw(view.stepLength);
+  drawAt(scene, view.stepLength);
   const picture = readPixels(scene);
   const surfaceT = (ray: Ray): number => {
     const t = meetBox(view.volume, ray, place);

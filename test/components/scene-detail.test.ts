@@ -5,9 +5,11 @@ import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-
 import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import { allSubsteps } from '../../src/optics/cells/substeps.ts';
+import type { Substeps } from '../../src/optics/cells/substeps.ts';
 import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
@@ -31,13 +33,13 @@ describe('cells that are sampled as finely as they need', () => {
         const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
         const oneAVoxel = autoSteps(volume.grid);
         const stepLength = stepLengthOf(volume.grid, oneAVoxel);
-        scene.resize(width, height);
+        changePlan(scene, { picture: { width, height } });
         scene.setVolume(volume);
         await scene.setOptics(optics);
-        scene.setCamera(camera);
-        const draw = (substeps: Parameters<typeof scene.setSubsteps>[0]): Uint8ClampedArray => {
-          scene.setSubsteps(substeps);
-          scene.draw(stepLength);
+        changePlan(scene, { camera });
+        const draw = (substeps: Substeps): Uint8ClampedArray => {
+          changePlan(scene, { substeps });
+          drawAt(scene, stepLength);
           return readPixels(scene);
         };
         const coarse = draw({ ...allSubsteps, max: 1 });

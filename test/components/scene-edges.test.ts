@@ -6,6 +6,7 @@ import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import {
   comparePictures,
   drawPicture,
@@ -92,7 +93,7 @@ const raysOfPixels = remember(({ view: make, style }: Case): readonly Float64Arr
 });
 
 const draw = (scene: VolumeScene, view: View, edgeCurvature: number): Uint8ClampedArray => {
-  scene.setMaxCurvature(0, edgeCurvature);
+  changePlan(scene, { maxCurvature: 0, edgeCurvature });
   return drawPicture(scene, view);
 };
 
@@ -133,9 +134,9 @@ for (const webgl1 of [false, true]) {
 
           expect(comparePictures(draw(scene, view, max), got).worst, 'once more').to.equal(0);
           const size = { width, height };
-          for (const pass of scene.passes(size)) {
+          for (const pass of scene.startGathering({}, size)) {
             for (let firstRow = 0; firstRow < pass.height; firstRow += 7)
-              scene.gather(view.stepLength, { pass, firstRow, rows: Math.min(7, pass.height - firstRow) }, size);
+              scene.gather({}, { pass, firstRow, rows: Math.min(7, pass.height - firstRow) }, size);
           }
           scene.drawGathered();
           const { data } = scene.readPicture();
@@ -155,7 +156,7 @@ for (const webgl1 of [false, true]) {
           await scene.setStyle(style);
           const plain = draw(scene, view, Infinity);
           expect(comparePictures(draw(scene, view, 1), plain).worst).to.equal(0);
-          expect(scene.passes({ width, height })).to.have.length(1);
+          expect(scene.startGathering({}, { width, height })).to.have.length(1);
         }
       }));
   });

@@ -13,6 +13,7 @@ import { measureError } from '../../src/viewer/frames/measure-quality.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { compareCovered } from '../helpers/covered-error.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { comparePictures, shareScene } from '../helpers/picture.ts';
@@ -52,13 +53,13 @@ describe('a volume that is cut', function () {
 
   const show = (name: string, transferFunction = shells.transferFunction): VolumeScene => {
     const scene = shared();
-    scene.resize(size.width, size.height);
+    changePlan(scene, { picture: size });
     scene.setVolume(volume);
     void scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
-    scene.setSlices([], cuts[name]);
-    scene.setCamera(orbitCamera({ theta: 0.7, phi: 1, radius: 1.6 * reach }, [0, 0, 0], 0.6));
-    scene.setSubsteps(allSubsteps);
-    scene.setMaxCurvature(0);
+    changePlan(scene, { slices: [], cuts: cuts[name] });
+    changePlan(scene, { camera: orbitCamera({ theta: 0.7, phi: 1, radius: 1.6 * reach }, [0, 0, 0], 0.6) });
+    changePlan(scene, { substeps: allSubsteps });
+    changePlan(scene, { maxCurvature: 0, edgeCurvature: Infinity });
     return scene;
   };
 
@@ -69,7 +70,7 @@ describe('a volume that is cut', function () {
   ] as const) {
     it(`states an error within a factor of two of the true one: ${name}`, () => {
       const scene = show(name);
-      scene.draw(stepLengthOf(grid, steps));
+      drawAt(scene, stepLengthOf(grid, steps));
       const stated = measureError(scene, grid, { steps, substeps: maxSubsteps })!;
       const [shown, limit] = probe(
         scene,
@@ -88,8 +89,8 @@ describe('a volume that is cut', function () {
     it(`is off by no more than was foretold where rays are spared: ${name}`, () => {
       const scene = show(name, dense);
       const draw = (maxCurvature: number): Uint8ClampedArray => {
-        scene.setMaxCurvature(maxCurvature);
-        scene.draw(stepLengthOf(grid, 100));
+        changePlan(scene, { maxCurvature, edgeCurvature: Infinity });
+        drawAt(scene, stepLengthOf(grid, 100));
         return readPixels(scene);
       };
       const all = draw(0);

@@ -4,6 +4,7 @@ import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { measureError } from '../../src/viewer/frames/measure-quality.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { compareCovered } from '../helpers/covered-error.ts';
 import { withScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
@@ -22,12 +23,12 @@ describe('the error that a picture with shapes states', () => {
     it(`is within a factor of two of the true one: ${kind}`, async function () {
       this.timeout(120_000);
       await withScene({ children }, (scene) => {
-        scene.resize(width, height);
+        changePlan(scene, { picture: { width, height } });
         scene.setVolume(volume);
         void scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
-        scene.setCamera(camera);
-        scene.setSubsteps(allSubsteps);
-        scene.draw(stepLengthOf(volume.grid, steps));
+        changePlan(scene, { camera });
+        changePlan(scene, { substeps: allSubsteps });
+        drawAt(scene, stepLengthOf(volume.grid, steps));
         expect(readPixels(scene).some((x) => x > 0)).to.equal(true);
         const stated = measureError(scene, volume.grid, { steps, substeps: maxSubsteps })!;
         // Of the volume's own rays, which end at the shapes, at the picture's steps and at 16 times as many.

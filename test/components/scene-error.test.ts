@@ -8,6 +8,7 @@ import { maxSubsteps } from '../../src/optics/rays/segment.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
 import type { ErrorScene } from '../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { withScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
 
@@ -52,7 +53,7 @@ describe('the error that a picture states', () => {
     const ratios: number[] = [];
     await withScene({}, (gpu) => {
       for (const scene of scenes) {
-        gpu.resize(width, height);
+        changePlan(gpu, { picture: { width, height } });
         gpu.setVolume(scene.volume);
         void gpu.setOptics({
           transferFunction: scene.transferFunction,
@@ -60,9 +61,9 @@ describe('the error that a picture states', () => {
           opacityFactor: 1,
           lightFactor: 1,
         });
-        gpu.setCamera(scene.camera);
-        gpu.setSubsteps(allSubsteps);
-        gpu.draw(stepLengthOf(scene.volume.grid, scene.steps));
+        changePlan(gpu, { camera: scene.camera });
+        changePlan(gpu, { substeps: allSubsteps });
+        drawAt(gpu, stepLengthOf(scene.volume.grid, scene.steps));
         const pixels = readPixels(gpu);
         const estimate = measureError(gpu, scene.volume.grid, { steps: scene.steps, substeps: maxSubsteps }, size);
         expect(estimate, scene.name).to.not.equal(null);

@@ -3,6 +3,7 @@ import { describe as describeDevice } from '../../src/renderer/probes/probe-devi
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { casesIn } from '../helpers/cases.ts';
 import { extremes, storedExtremes } from '../helpers/extremes.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import type { Extreme } from '../helpers/extremes.ts';
 import {
   bothWalks,
@@ -49,7 +50,8 @@ for (const version of [2, 1] as const) {
     for (const [i, one] of casesIn(version, [...extremes.entries()], ([, { name }]) => storedExtremes.has(name))) {
       it(one.name, () => {
         expect(scene().device.webgl2).to.equal(version === 2);
-        scene().resize(...(one.view.size ?? pictureSize));
+        const [width, height] = one.view.size ?? pictureSize;
+        changePlan(scene(), { picture: { width, height } });
         for (const { view, expected } of walksIn(version, i, expectationOf(one))) {
           const got = drawPicture(scene(), view);
           const floats = redrawInFloats(scene(), view);

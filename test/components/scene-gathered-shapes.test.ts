@@ -3,6 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { drawInPieces } from '../helpers/draw-in-pieces.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
@@ -37,31 +38,31 @@ describe('a picture in pieces, with shapes in it', () => {
       it(`is the one that is drawn at once: ${name}, WebGL ${webgl1 ? 1 : 2}`, () =>
         withScene({ webgl1, children }, (scene) => {
           scene.setVolume(volume);
-          scene.setMaxCurvature(0, 30); // As at rest.
+          changePlan(scene, { maxCurvature: 0, edgeCurvature: 30 }); // As at rest.
           void scene.setOptics({ transferFunction: veil, referenceLength: 4, opacityFactor: 1, lightFactor: 1 });
           for (const theta of [0.3, 2]) {
-            scene.setCamera(orbitCamera({ theta, phi: 1.1, radius: 1.5 * diagonal }, [0, 0, 0], 0.8));
-            scene.resize(size.width, size.height);
-            scene.draw(diagonal / 50);
+            changePlan(scene, { camera: orbitCamera({ theta, phi: 1.1, radius: 1.5 * diagonal }, [0, 0, 0], 0.8) });
+            changePlan(scene, { picture: size });
+            drawAt(scene, diagonal / 50);
             const atOnce = readPixels(scene);
             // Of another shape, too, as rounding makes it.
-            scene.resize(20, 14);
-            scene.draw(diagonal / 10);
+            changePlan(scene, { picture: { width: 20, height: 14 } });
+            drawAt(scene, diagonal / 10);
             const quick = readPixels(scene);
             expect(scene.gatherable).to.equal(true);
             expect(scene.endsAtShapes, 'rays end at them').to.equal(true);
             drawInPieces(scene, diagonal / 50, size);
             expect(readPixels(scene), 'nothing of it is seen yet').to.deep.equal(quick);
-            scene.resize(size.width, size.height);
+            changePlan(scene, { picture: size, stepLength: diagonal / 50 });
             scene.drawGathered();
             const inPieces = readPixels(scene);
             expect(comparePictures(inPieces, atOnce).worst, `from ${theta}`).to.equal(0);
-            scene.draw(diagonal / 50);
+            drawAt(scene, diagonal / 50);
             expect(comparePictures(readPixels(scene), atOnce).worst, 'the next one, at once').to.equal(0);
             // What was begun and given up leaves nothing behind.
-            scene.resize(20, 14);
-            scene.startGathering(diagonal / 50, size);
-            scene.draw(diagonal / 10);
+            changePlan(scene, { picture: { width: 20, height: 14 } });
+            scene.startGathering({ stepLength: diagonal / 50 }, size);
+            drawAt(scene, diagonal / 10);
             expect(readPixels(scene), 'a smaller one after it').to.deep.equal(quick);
           }
         }));

@@ -13,6 +13,7 @@ import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { ShownLabels } from '../../src/volume/labels.ts';
 import { casesIn } from '../helpers/cases.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { blocks, mixedAppearances } from '../helpers/labels.ts';
 import { litStages } from '../helpers/lit.ts';
@@ -224,11 +225,11 @@ describe('specks of one voxel that stand above a value', () => {
         field: (x) => (random() < 0.002 ? 1 : 0.1 + 0.1 * x),
       });
       const { center, radius } = boundingSphere(volume.grid);
-      scene.resize(120, 90);
+      changePlan(scene, { picture: { width: 120, height: 90 } });
       await scene.setStyle({ clear: true, plain: true, surfaces: [{ value: 0.75, color: [1, 1, 1], opacity: 1 }] });
       const one = autoSteps(volume.grid);
       const area = (steps: number, substeps: Substeps): number => {
-        scene.setSubsteps(substeps);
+        changePlan(scene, { substeps });
         const picture = drawPicture(scene, {
           volume,
           camera: orbitCamera({ theta: 0.7, phi: 1.1, radius: 3 * radius }, center, 0.6),

@@ -12,6 +12,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeViewError } from '../../src/core/errors.ts';
 import { LabelLayer } from '../../src/renderer/layers/label-layer.ts';
 import { casesIn, takesAll } from '../helpers/cases.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import { compareWithTwin } from '../helpers/compare-with-twin.ts';
 import { blocks, labelMap, mixedGroups, mixedAppearances, plainAppearance } from '../helpers/labels.ts';
 import { comparePictures, drawPicture, plainOptics, shareScene, shells } from '../helpers/picture.ts';
@@ -288,13 +289,13 @@ describe('what is hidden', () => {
       map: labelMap([48, 16, 16], (i) => Number(i >= 23), 2),
       styles: [plainAppearance, { ...plainAppearance, opacityFactor: 0 }],
     });
-    scene().setSubsteps({ ...allSubsteps, max: 1 });
+    changePlan(scene(), { substeps: { ...allSubsteps, max: 1 } });
     scene().layers[0].skipping = false;
     const without = drawPicture(scene(), { ...shown, optics });
     scene().layers[0].skipping = true;
     expect(Math.max(...without)).to.be.above(20);
     expect(comparePictures(drawPicture(scene(), { ...shown, optics }), without).worst).to.equal(0);
-    scene().setSubsteps(allSubsteps);
+    changePlan(scene(), { substeps: allSubsteps });
   });
 
   it('has cells that count as unseen', async () => {

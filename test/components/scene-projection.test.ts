@@ -12,6 +12,7 @@ import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import { fitOrder } from '../accuracy/orders.ts';
 import { casesIn, takesAll } from '../helpers/cases.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import {
   bothWalks,
   comparePictures,
@@ -323,10 +324,10 @@ for (const version of [2, 1] as const) {
         withScene({ webgl1: version === 1 }, async (scene) => {
           const view = cartesian({ dimensions: [40, 36, 32] });
           await scene.setStyle({ projection: 'max' });
-          scene.resize(181, 137);
+          changePlan(scene, { picture: { width: 181, height: 137 } });
           const all = drawPicture(scene, view);
           expect(scene.adaptive).to.equal(true);
-          scene.setMaxCurvature(6);
+          changePlan(scene, { maxCurvature: 6, edgeCurvature: Infinity });
           const { rmse, worst } = comparePictures(drawPicture(scene, view), all);
           console.log(`WebGL ${version} adaptive: worst ${worst} rmse ${rmse.toFixed(2)}`);
           expect(rmse).to.be.within(0.01, 1);

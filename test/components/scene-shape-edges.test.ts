@@ -5,6 +5,7 @@ import { rayThrough } from '../../src/optics/rays/rays.ts';
 import type { Ray } from '../../src/optics/rays/rays.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import {
   drawPicture,
   drawReference,
@@ -70,7 +71,7 @@ describe('edges of shapes in fog', function () {
   ] as const) {
     it(`show on each of their sides the fog before what is there, WebGL ${webgl1 ? 1 : 2}, ${atRest ? 'at rest' : 'in motion'}`, () =>
       withScene({ webgl1, children }, (scene) => {
-        scene.setMaxCurvature(0, atRest ? 30 : Infinity);
+        changePlan(scene, { maxCurvature: 0, edgeCurvature: atRest ? 30 : Infinity });
         const got = drawPicture(scene, view);
         const { picture, coverage } = expected;
         let [sum, count, worst] = [0, 0, 0];

@@ -5,6 +5,7 @@ import type { Patch } from '../../src/optics/transfer/patches.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
@@ -41,7 +42,7 @@ describe('skipping empty space', () => {
     const volume = syntheticVolume({ dimensions: [48, 44, 52], field: specks(0.0001) });
     const diagonal = longestDiagonal(volume.grid);
     await withScene({}, async (scene) => {
-      scene.resize(48, 36);
+      changePlan(scene, { picture: { width: 48, height: 36 } });
       scene.setVolume(volume);
       await scene.setStyle({ patches });
       void scene.setOptics({
@@ -56,13 +57,13 @@ describe('skipping empty space', () => {
         [3, 0.2, 1.6],
         [1.2, 2.4, 0.1],
       ]) {
-        scene.setCamera(orbitCamera({ theta, phi, radius: distance * diagonal }, [0, 0, 0], 0.8));
+        changePlan(scene, { camera: orbitCamera({ theta, phi, radius: distance * diagonal }, [0, 0, 0], 0.8) });
         for (const steps of [60, 200]) {
           scene.layers[0].skipping = true;
-          scene.draw(diagonal / steps);
+          drawAt(scene, diagonal / steps);
           const skipped = readPixels(scene);
           scene.layers[0].skipping = false;
-          scene.draw(diagonal / steps);
+          drawAt(scene, diagonal / steps);
           expect(comparePictures(skipped, readPixels(scene)).worst, `theta ${theta}, ${steps} steps`).to.be.at.most(1);
           brightest = Math.max(brightest, ...skipped);
         }
@@ -80,7 +81,7 @@ describe('skipping empty space', () => {
         const volume = make();
         const diagonal = longestDiagonal(volume.grid);
         await withScene({ webgl1 }, (scene) => {
-          scene.resize(48, 36);
+          changePlan(scene, { picture: { width: 48, height: 36 } });
           scene.setVolume(volume);
           void scene.setOptics({ transferFunction: peak, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
           let brightest = 0;
@@ -91,13 +92,13 @@ describe('skipping empty space', () => {
             [1.2, 2.4, 0.1],
             [5, 1.5, 1e-4],
           ]) {
-            scene.setCamera(orbitCamera({ theta, phi, radius: distance * diagonal }, [0, 0, 0], 0.8));
+            changePlan(scene, { camera: orbitCamera({ theta, phi, radius: distance * diagonal }, [0, 0, 0], 0.8) });
             for (const steps of [5, 60, 240]) {
               scene.layers[0].skipping = true;
-              scene.draw(diagonal / steps);
+              drawAt(scene, diagonal / steps);
               const skipped = readPixels(scene);
               scene.layers[0].skipping = false;
-              scene.draw(diagonal / steps);
+              drawAt(scene, diagonal / steps);
               const { worst } = comparePictures(skipped, readPixels(scene));
               expect(worst, `theta ${theta}, ${steps} steps`).to.be.at.most(1);
               brightest = Math.max(brightest, ...skipped);

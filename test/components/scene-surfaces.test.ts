@@ -3,6 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { ShownSurface } from '../../src/renderer/layers/shown-surfaces.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { surfaceOf } from '../helpers/meshes.ts';
 import { height, plainOptics, width, withScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
@@ -49,10 +50,10 @@ async function show(scene: VolumeScene, shown: readonly ShownSurface[]): Promise
 
 async function draw(scene: VolumeScene): Promise<Uint8Array> {
   await scene.setOptics(plainOptics);
-  scene.resize(width, height);
+  changePlan(scene, { picture: { width, height } });
   scene.setVolume(volume);
-  scene.setCamera(camera);
-  scene.draw(0.6);
+  changePlan(scene, { camera });
+  drawAt(scene, 0.6);
   return Uint8Array.from(readPixels(scene));
 }
 

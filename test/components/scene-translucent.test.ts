@@ -7,6 +7,7 @@ import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import { rayThrough } from '../../src/optics/rays/rays.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import { drawPicture, height, meetBox, raysOf, referenceOf, width, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { surfaceStages } from '../helpers/surfaces.ts';
@@ -92,7 +93,7 @@ for (const webgl1 of [false, true]) {
       await withScene({ webgl1, children: sheet }, async (scene) => {
         await scene.setStyle({ clear: true, plain: true, surfaces: [{ value: 0.5, color: [1, 0.5, 0], opacity: 1 }] });
         for (const maxCurvature of [0, 4]) {
-          scene.setMaxCurvature(maxCurvature);
+          changePlan(scene, { maxCurvature, edgeCurvature: Infinity });
           const got = drawPicture(scene, plane);
           const row = Array.from({ length: width }, (_, x) =>
             Array.from(got.subarray(4 * (18 * width + x), 4 * (18 * width + x) + 4)),

@@ -9,6 +9,7 @@ import type { Upload } from '../../src/renderer/textures/fill-texture.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { maxBytesAFrame, uploadGradually } from '../../src/renderer/textures/upload-gradually.ts';
 import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { comparePictures, plainOptics, withScene } from '../helpers/picture.ts';
 import { remember } from '../helpers/remember.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
@@ -43,8 +44,8 @@ const large = remember((kind: keyof typeof makeOf) => makeOf[kind]());
 function draw(scene: VolumeScene, volume: Volume): Uint8ClampedArray {
   const diagonal = longestDiagonal(volume.grid);
   void scene.setOptics({ ...plainOptics, referenceLength: diagonal / 50 });
-  scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.6 * diagonal }, [0, 0, 0], 0.6));
-  scene.draw(diagonal / 60);
+  changePlan(scene, { camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.6 * diagonal }, [0, 0, 0], 0.6) });
+  drawAt(scene, diagonal / 60);
   return readPixels(scene);
 }
 

@@ -8,6 +8,7 @@ import { stagesOf } from '../../src/optics/reference.ts';
 import type { Ray } from '../../src/optics/rays/rays.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import {
   drawPicture,
   height,
@@ -78,7 +79,7 @@ describe('lines where shapes cut surfaces', function () {
       withScene({ webgl1, children }, async (scene) => {
         await scene.setStyle(style);
         const [once, atRest] = [Infinity, 1].map((edgeCurvature) => {
-          scene.setMaxCurvature(0, edgeCurvature);
+          changePlan(scene, { maxCurvature: 0, edgeCurvature });
           const picture = drawPicture(scene, view);
           return (pixel: number): number => picture[4 * pixel];
         });

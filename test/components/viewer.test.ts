@@ -3,6 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { asVolumeViewError, VolumeViewError } from '../../src/core/errors.ts';
 import { Visibility } from '../../src/viewer/scenes/visibility.ts';
 import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
+import type { FramePlan } from '../../src/viewer/model/frame-plan.ts';
 import type { RenderStats } from '../../src/viewer/model/render-stats.ts';
 import type { Scene, SceneFactory } from '../../src/viewer/model/scene.ts';
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
@@ -63,15 +64,10 @@ class FakeScene {
     this.projections.push(style?.projection ?? null);
   }
   async setLabels(): Promise<void> {}
-  setRegion(): void {}
-  setSlices(): void {}
-  setLines(): void {}
   loadLines(): Promise<null> {
     return Promise.resolve(null);
   }
   async othersReady(): Promise<void> {}
-  setMaxCurvature(): void {}
-  setSubsteps(): void {}
 
   detail(): null {
     return null;
@@ -81,14 +77,13 @@ class FakeScene {
     return null;
   }
 
-  setCamera(): void {}
   resetAuthorCamera(): void {}
 
   authorCamera(): null {
     return null;
   }
 
-  resize(width: number, height: number): void {
+  apply({ picture: { width, height } }: FramePlan): void {
     [this.canvas.width, this.canvas.height] = [width, height];
   }
 

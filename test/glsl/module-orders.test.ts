@@ -219,12 +219,12 @@ async function listModules(): Promise<Map<string, RayModule>> {
   const found = new Map<string, RayModule>();
   try {
     layer.surfacesModule = sceneDepth.createSceneDepth(test.gl);
-    layer.slices = [level];
-    layer.cuts = [
+    const cuts = [
       { create: clip.createClip, items: [] },
       { create: cutout.createCutout, items: [hole] },
       { create: planes.createPlanes, items: [plane] },
     ];
+    layer.plan = { ...layer.plan, slices: [level], cuts };
     await layer.setAttached((attached) => attached.setLabels(things));
     await layer.setAttached((attached) => attached.setOverlay(over));
     for (const volume of [head, named, storm]) {

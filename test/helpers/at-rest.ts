@@ -13,6 +13,7 @@ import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
 import { defaultTargets } from '../../src/viewer/model/quality-targets.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from './change-plan.ts';
 import type { CoveredError } from './covered-error.ts';
 import { probe } from './probe.ts';
 
@@ -58,7 +59,7 @@ const maxFrames = 3;
 export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves = false): Promise<RestResult> {
   const drawn = await drawAtRest(gpu, scene);
   const { volume, size } = scene;
-  gpu.setSubsteps(allSubsteps);
+  changePlan(gpu, { substeps: allSubsteps });
   const one = autoSteps(volume.grid);
   const lengthOf = (share: number): number => stepLengthOf(volume.grid, Math.min(maxSteps, share * one));
   const best = probe(
@@ -84,7 +85,7 @@ export async function drawAtRest(gpu: VolumeScene, scene: RestScene): Promise<Om
     maxError = defaultTargets.maxError,
     steps: fixed = 'auto',
   } = scene;
-  gpu.resize(size.width, size.height);
+  changePlan(gpu, { picture: size });
   await gpu.setOverlay(null);
   const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1, ...others };
   await gpu.prepare(volume, optics);
@@ -93,7 +94,7 @@ export async function drawAtRest(gpu: VolumeScene, scene: RestScene): Promise<Om
   await gpu.setOptics(optics);
   if (overlay) await gpu.setOverlay(overlay);
   await set?.(gpu);
-  gpu.setCamera(camera);
+  changePlan(gpu, { camera });
   const control = new QualityControl();
   control.set({ ...defaultTargets, maxError, steps: fixed });
   const level = await settle(control, gpu, { volume, size });
@@ -114,8 +115,8 @@ export async function settle(
 ): Promise<Level> {
   for (let frame = 1; frame <= maxFrames; frame++) {
     const plan = control.still(grid);
-    gpu.setSubsteps(plan.substeps);
-    gpu.draw(stepLengthOf(grid, plan.steps));
+    changePlan(gpu, { substeps: plan.substeps });
+    drawAt(gpu, stepLengthOf(grid, plan.steps));
     if (!(await control.probe(gpu, grid, { plan, size, goesOn: () => true })))
       return { steps: plan.steps, substeps: plan.substeps.max };
   }

@@ -7,10 +7,9 @@ export function drawInPieces(
   size: { readonly width: number; readonly height: number },
   rows = 10,
 ): void {
-  scene.startGathering(stepLength, size);
-  for (const pass of scene.passes(size)) {
+  for (const pass of scene.startGathering({ stepLength }, size)) {
     for (let firstRow = 0; firstRow < pass.height; firstRow += rows) {
-      scene.gather(stepLength, { pass, firstRow, rows: Math.min(rows, pass.height - firstRow) }, size);
+      scene.gather({ stepLength }, { pass, firstRow, rows: Math.min(rows, pass.height - firstRow) }, size);
     }
   }
 }

@@ -116,7 +116,7 @@ async function createScene(host: Element, container: Element, options: SceneOpti
     await Promise.all([askTwoByteFilter(scene.device), loadCartesianChunks()]); // Load now, because tests set volumes without `prepare`.
     await scene.setOptics({ ...plainOptics, transferFunction: jump });
     await scene.setOptics(plainOptics);
-    scene.resize(width, height);
+    scene.apply({ ...scene.plan, picture: { width, height } });
     return scene;
   } finally {
     if (options.webgl1) Reflect.deleteProperty(navigator, 'platform');
@@ -174,13 +174,11 @@ export function walksIn<T>(version: 1 | 2, scene: number, both: readonly T[]): r
 /** Draw a view with the GPU. */
 export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
   const { volume, camera, stepLength, optics = plainOptics, slices = [], region = null, maxSubsteps } = view;
-  if (maxSubsteps) scene.setSubsteps({ ...allSubsteps, max: maxSubsteps });
   scene.setVolume(volume);
   void scene.setOptics(optics); // It resolves at once: `createScene` has loaded all parts that optics may need.
-  scene.setSlices(slices, cutsOf(view));
-  scene.setRegion(region);
-  scene.setCamera(camera);
-  scene.draw(stepLength);
+  const substeps = maxSubsteps ? { ...allSubsteps, max: maxSubsteps } : scene.plan.substeps;
+  scene.apply({ ...scene.plan, camera, stepLength, substeps, slices, cuts: cutsOf(view), region });
+  scene.draw();
   return readPixels(scene);
 }
 
@@ -228,8 +226,7 @@ export function stagesOfView(view: View, surfaceT?: (ray: Ray) => number): RaySt
   const { volume, optics = plainOptics, slices = [], stepLength, maxSubsteps: max = maxSubsteps } = view;
   quiet.set(volume);
   void quiet.setOptics(optics); // It resolves at once: all parts that optics may need are loaded.
-  quiet.slices = slices;
-  quiet.cuts = cutsOf(view);
+  quiet.plan = { ...quiet.plan, slices, cuts: cutsOf(view) };
   quiet.setModules(attachedModules(view));
   const frame = { volume, optics, rays: raysOf(view), placesOnly: false, ...(surfaceT && { shapeT: surfaceT }) };
   return composeTwins(quiet.twins(surfaceT !== undefined, max > 1)!, frame, { stepLength, maxSubsteps: max });

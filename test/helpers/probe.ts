@@ -12,6 +12,6 @@ export function probe(
   lattice: PixelLattice,
   picture: Size,
 ): Float32Array[] | null {
-  const pictures = stepLengths.map((stepLength) => scene.startProbe(stepLength, lattice, picture)?.() ?? null);
+  const pictures = stepLengths.map((stepLength) => scene.startProbe({ stepLength }, lattice, picture)?.() ?? null);
   return pictures.includes(null) ? null : (pictures as Float32Array[]);
 }

@@ -5,6 +5,7 @@ import { stepLengthOf } from '../../src/quality/steps.ts';
 import { measureError } from '../../src/viewer/frames/measure-quality.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import type { ErrorScene } from '../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from './change-plan.ts';
 import { compareCovered } from './covered-error.ts';
 import { comparePictures } from './picture.ts';
 import { readPixels } from './read-pixels.ts';
@@ -34,11 +35,11 @@ function show(
   steps: number,
   size: TrueError['size'],
 ): void {
-  gpu.resize(size.width, size.height);
+  changePlan(gpu, { picture: size });
   gpu.setVolume(volume);
   void gpu.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
-  gpu.setCamera(camera);
-  gpu.draw(stepLengthOf(volume.grid, steps));
+  changePlan(gpu, { camera });
+  drawAt(gpu, stepLengthOf(volume.grid, steps));
 }
 
 /**
@@ -55,7 +56,7 @@ export function compareStated(
     volume: { grid },
     steps,
   } = scene;
-  gpu.setSubsteps(allSubsteps);
+  changePlan(gpu, { substeps: allSubsteps });
   show(gpu, scene, steps, small);
   const stated = measureError(gpu, grid, { steps, substeps: maxSubsteps }, size)!;
   const [shown, limit] = probe(
@@ -77,8 +78,8 @@ export function compareSpared(gpu: VolumeScene, scene: ErrorScene, size: TrueErr
   show(gpu, scene, 60, size);
   const all = readPixels(gpu);
   expect(gpu.adaptive).to.equal(true);
-  gpu.setMaxCurvature(6);
-  gpu.draw(stepLengthOf(scene.volume.grid, 60));
+  changePlan(gpu, { maxCurvature: 6, edgeCurvature: Infinity });
+  drawAt(gpu, stepLengthOf(scene.volume.grid, 60));
   const { rmse } = comparePictures(readPixels(gpu), all);
   console.log(`adaptive: rmse ${rmse.toFixed(2)}`);
   return rmse;

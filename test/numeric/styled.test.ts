@@ -441,7 +441,7 @@ async function pickedStages(
   const layer = createQuietLayer();
   await layer.prepare(ball, optics);
   layer.set(ball);
-  layer.cuts = cuts;
+  layer.plan = { ...layer.plan, cuts };
   await Promise.all([layer.setOptics(optics), layer.setStyle(style)]);
   const twins = layer.twins(false, true)!;
   const frame = { volume: ball, optics, rays: setup, placesOnly: true };

@@ -7,6 +7,7 @@ import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../helpers/change-plan.ts';
 import { radarVolume } from '../helpers/synthetic-radar.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import { drawInPieces } from '../helpers/draw-in-pieces.ts';
@@ -124,7 +125,7 @@ async function applyTo(scene: VolumeScene, shown: Shown): Promise<number> {
   const volume = buildVolume(shown.volume);
   const diagonal = longestDiagonal(volume.grid);
   await scene.prepare(volume);
-  scene.resize(shown.width, shown.height);
+  changePlan(scene, { picture: { width: shown.width, height: shown.height } });
   scene.setVolume(volume);
   await scene.setOptics({
     transferFunction: shown.stops,
@@ -132,31 +133,36 @@ async function applyTo(scene: VolumeScene, shown: Shown): Promise<number> {
     opacityFactor: shown.opacityFactor ?? 1,
     lightFactor: shown.lightFactor ?? 1,
   });
-  scene.setSlices((shown.cuts ?? []).map(toSlice));
-  scene.setRegion(shown.region ? cutRegion(volume.grid, shown.region) : null);
-  scene.setCamera(
-    orbitCamera({ ...shown.orbit, radius: shown.orbit.radius * diagonal }, boundingSphere(volume.grid).center, 0.6),
-  );
+  changePlan(scene, { slices: (shown.cuts ?? []).map(toSlice), cuts: [] });
+  changePlan(scene, { region: shown.region ? cutRegion(volume.grid, shown.region) : null });
+  changePlan(scene, {
+    camera: orbitCamera(
+      { ...shown.orbit, radius: shown.orbit.radius * diagonal },
+      boundingSphere(volume.grid).center,
+      0.6,
+    ),
+  });
   return diagonal / shown.steps;
 }
 
 function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: number): Drawing {
   const draw = (): Uint8ClampedArray => {
-    scene.draw(stepLength, 0);
+    drawAt(scene, stepLength, 0);
     return readPixels(scene);
   };
   return {
     draw,
     drawAdaptive(curvature) {
-      scene.setMaxCurvature(curvature);
+      changePlan(scene, { maxCurvature: curvature, edgeCurvature: Infinity });
       if (!scene.adaptive) throw new Error('the scene got no adaptive rays; expected that this device has them');
       return draw();
     },
     drawInPieces(rows, curvature) {
-      scene.setMaxCurvature(curvature);
-      scene.draw(stepLength * 4, 0);
+      changePlan(scene, { maxCurvature: curvature, edgeCurvature: Infinity });
+      drawAt(scene, stepLength * 4, 0);
       if (!scene.gatherable) throw new Error('the scene is drawn at once alone; expected one that is drawn in pieces');
       drawInPieces(scene, stepLength, { width, height }, rows);
+      changePlan(scene, { stepLength });
       scene.drawGathered(0);
       return readPixels(scene);
     },
@@ -178,7 +184,7 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
       return draw();
     },
     drawCoarsely(substeps) {
-      scene.setSubsteps({ ...allSubsteps, max: substeps });
+      changePlan(scene, { substeps: { ...allSubsteps, max: substeps } });
       return draw();
     },
   };

@@ -6,10 +6,9 @@ import { isUsual } from '../../optics/transfer/usual-columns.ts';
 import type { SceneLights } from '../../optics/transfer/lights.ts';
 import { setUpRays } from '../../optics/rays/rays.ts';
 import type { RaySetup } from '../../optics/rays/rays.ts';
-import { allSubsteps, isCut } from '../../optics/cells/substeps.ts';
+import { isCut } from '../../optics/cells/substeps.ts';
 import type { Substeps } from '../../optics/cells/substeps.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
-import type { GridFrame } from '../../volume/grid.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { VolumeData } from '../../volume/volume.ts';
 import type { AttachedLayers } from './attached-layers.ts';
@@ -39,6 +38,8 @@ import type {
   Surfaces,
   SurfacesModule,
 } from '../ray/ray-module.ts';
+import { plainRays } from '../ray/ray-plan.ts';
+import type { RayPlan } from '../ray/ray-plan.ts';
 import type { RayTwins } from '../ray/ray-twin.ts';
 import type { StyleModules } from '../ray/styles/styles.ts';
 import { SeenInLayer } from './seen-in-layer.ts';
@@ -66,21 +67,15 @@ export class VolumeLayer {
   #opticsCalls = 0;
   #given: readonly RayModule[] = [];
   readonly #seen = new SeenInLayer();
-  /** Surfaces in the volume that end rays; empty for grids that have no slices. */
-  slices: readonly unknown[] = [];
-  /** Other cuts of rays: half-spaces and boxes, for example. */
-  cuts: readonly RayCut[] = [];
+  /** How the rays of the next picture are cast, and what cuts them. */
+  plan: RayPlan = plainRays;
   readonly #cutting = new Map<RayCut['create'], SliceModule>();
   /** The module that ends rays at the scene's shapes; present as soon as the scene has some. */
   surfacesModule: SurfacesModule | null = null;
-  /** The only part of the volume that is shown, see volume/region.ts; null for the whole volume. */
-  region: GridFrame | null = null;
   /** The lights on a lit volume; null for a light at the eye. */
   lights: () => SceneLights | null = () => null;
   /** Whether rays skip empty space without sampling it. */
   skipping = true;
-  /** How steps are cut. */
-  substeps: Substeps = allSubsteps;
 
   constructor(
     readonly gl: Gl,
@@ -205,10 +200,10 @@ export class VolumeLayer {
    * @param surfaces - whether shapes end rays
    * @param looks - whether rays search for values at which the volume suddenly becomes opaque: they do where steps are cut, as at rest
    */
-  modules(surfaces: boolean, looks = isCut(this.substeps)): readonly RayModule[] {
+  modules(surfaces: boolean, looks = isCut(this.plan.substeps)): readonly RayModule[] {
     const ends = [
       ...(surfaces ? [this.surfacesModule!] : []),
-      ...this.cuts.map((cut) => this.#moduleOf(cut)),
+      ...this.plan.cuts.map((cut) => this.#moduleOf(cut)),
       ...this.#slicesOf(this.#volume!),
     ];
     const own = [
@@ -235,7 +230,7 @@ export class VolumeLayer {
       members,
       twin,
     }));
-    return { volume: this.#volume, optics: this.#optics, modules };
+    return { volume: this.#volume, optics: this.#optics, region: this.plan.region, modules };
   }
 
   async #loadClassifiers(): Promise<void> {
@@ -256,11 +251,12 @@ export class VolumeLayer {
   }
 
   #slicesOf(volume: VolumeData): SliceModule[] {
-    if (this.slices.length === 0) return [];
+    const { slices } = this.plan;
+    if (slices.length === 0) return [];
     const { createSlices } = this.#providerOf(volume);
     if (!createSlices) return [];
     this.#slices ??= createSlices(this.gl);
-    this.#slices.slices = this.slices;
+    this.#slices.slices = slices;
     return [this.#slices];
   }
 
@@ -279,12 +275,12 @@ export class VolumeLayer {
       quadPoints &&
       modules.every(({ sparesRays }) => sparesRays) &&
       listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2);
-    return { webgl2, adaptive, substeps: this.substeps.max > 1 && !modules.some(({ walk }) => walk), modules };
+    return { webgl2, adaptive, substeps: this.plan.substeps.max > 1 && !modules.some(({ walk }) => walk), modules };
   }
 
-  /** The minimum sampling of each macrocell; null if only the samples at a step's ends decide how it is cut. */
-  detail(): Uint8Array | null {
-    return this.#seen.detail(this.substeps, () => this.whatIsSeen());
+  /** The minimum sampling of each macrocell; null if only the samples at a step's ends decide how it is cut. @param substeps - how steps are cut */
+  detail(substeps = this.plan.substeps): Uint8Array | null {
+    return this.#seen.detail(substeps, () => this.whatIsSeen());
   }
 
   /** Whether substeps can change the result of a ray. */
@@ -297,10 +293,22 @@ export class VolumeLayer {
     return this.#volume !== null && this.modules(false, true).some(({ walk }) => walk);
   }
 
-  /** How rays project values, with steps cut as they are now; null where rays show emission and absorption. */
-  get projection(): ProjectedRays | null {
+  /** How rays project values; null where rays show emission and absorption. @param substeps - how steps are cut */
+  projection(substeps: Substeps): ProjectedRays | null {
     if (this.cutsSteps) return null;
-    return { isExact: this.modules(false).some(({ walk }) => walk), hasValuesBetween: !this.#volume?.isDiscrete };
+    const isExact = this.with({ substeps }, () => this.modules(false).some(({ walk }) => walk));
+    return { isExact, hasValuesBetween: !this.#volume?.isDiscrete };
+  }
+
+  /** Do something with rays that differ from the plan, which then holds again. */
+  with<T>(rays: Partial<RayPlan>, work: () => T): T {
+    const { plan } = this;
+    this.plan = { ...plan, ...rays };
+    try {
+      return work();
+    } finally {
+      this.plan = plan;
+    }
   }
 
   /** Which macrocells show something, and what they show; null without a volume or optics. */
@@ -338,7 +346,7 @@ export class VolumeLayer {
 
   /** The rays of a view; null without a volume, or if the grid is singular. */
   raysOf({ view, projection }: View): RaySetup | null {
-    return this.#volume && setUpRays(this.#volume.grid, view, projection, this.region);
+    return this.#volume && setUpRays(this.#volume.grid, view, projection, this.plan.region);
   }
 
   /**
@@ -348,6 +356,7 @@ export class VolumeLayer {
   inputs(rays: RaySetup, surfaces: Surfaces | null): ProgramInputs {
     const modules = this.modules(surfaces !== null);
     const optics = this.#optics!;
+    const { substeps } = this.plan;
     const detail = this.detail() ?? this.#seen.lastDetail; // To use a detail that is already known does no harm.
     const frame: RayFrame = {
       volume: this.#opened,
@@ -358,9 +367,9 @@ export class VolumeLayer {
       surfaces,
       fades: this.cutsSteps,
       skipping: this.skipping,
-      maxSubsteps: this.substeps.max,
+      maxSubsteps: substeps.max,
       detail,
-      voxelsPerStep: this.substeps.voxelsPerStep,
+      voxelsPerStep: substeps.voxelsPerStep,
       contributions: this.#contributions(modules),
     };
     return joinInputs({ uniforms: valueUniforms(frame), units: [] }, ...modules.map((module) => module.inputs(frame)));

@@ -1,5 +1,6 @@
 // Rays in float64, which the modules' twins compose. The first ray that is cast on the processor loads the code of the twins.
 import { loadPart } from '../../core/load-part.ts';
+import type { GridFrame } from '../../volume/grid.ts';
 import type { VolumeData } from '../../volume/volume.ts';
 import type { Optics, RayModule, RayTwin, TwinFrame, TwinStages } from './ray-module.ts';
 
@@ -7,6 +8,8 @@ import type { Optics, RayModule, RayTwin, TwinFrame, TwinStages } from './ray-mo
 export interface RayTwins {
   readonly volume: VolumeData;
   readonly optics: Optics;
+  /** The only part of the volume that is shown; null for the whole volume. */
+  readonly region: GridFrame | null;
   readonly modules: readonly Pick<RayModule, 'name' | 'stage' | 'members' | 'twin'>[];
 }
 

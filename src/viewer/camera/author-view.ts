@@ -1,3 +1,4 @@
+import type { Camera } from '../../optics/rays/camera.ts';
 import type { CameraRig } from './camera-rig.ts';
 import type { Scene } from '../model/scene.ts';
 
@@ -47,11 +48,14 @@ export class AuthorView {
     else this.follow(scene, true);
   }
 
-  /** Set the scene's camera to that of the rig, unless the author's viewpoint is still where the author put it. */
-  aim(scene: Scene, aspect: number): void {
+  /** The camera of a picture: that of the rig; null while the author's viewpoint is still where the author put it. */
+  cameraFor(aspect: number): Camera | null {
     this.rig.setAspect(aspect);
-    if (this.#drives && !this.rig.touched && !this.rig.moving && !this.rig.spun) return;
-    scene.setCamera(this.rig.camera);
-    if (this.#drives) this.#last = JSON.stringify(scene.authorCamera()!.camera);
+    return this.#drives && !this.rig.touched && !this.rig.moving && !this.rig.spun ? null : this.rig.camera;
+  }
+
+  /** A scene uses a plan with this camera. */
+  applied(scene: Scene, camera: Camera | null): void {
+    if (camera && this.#drives) this.#last = JSON.stringify(scene.authorCamera()!.camera);
   }
 }

@@ -4,7 +4,6 @@ import type { GridFrame } from '../../volume/grid.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { noCuts } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
-import type { Scene } from '../model/scene.ts';
 import type { ViewLabels } from '../model/view-labels.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
 import type { ViewSocket } from '../model/view-socket.ts';
@@ -49,18 +48,5 @@ export class ShownVolume {
   /** The visible part: cameras frame it, and steps are counted along its diagonal. To be read only where there is a volume. */
   get grid(): GridFrame {
     return this.cuts.region ?? this.volume!.grid;
-  }
-
-  /** Apply the rest to a new scene, which already has the volume, the projection and what the optics need. */
-  applyTo(scene: Scene): void {
-    void scene.setOptics(this.optics!); // At once: what the optics need is loaded.
-    this.cut(scene);
-  }
-
-  cut(scene: Scene): void {
-    const { region, slices, cuts, rings } = this.cuts;
-    scene.setRegion(region);
-    scene.setSlices(slices, cuts);
-    scene.setLines(rings?.lines ?? [], rings?.map);
   }
 }

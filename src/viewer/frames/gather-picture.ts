@@ -1,3 +1,5 @@
+import type { RayPlan } from '../../renderer/ray/ray-plan.ts';
+import type { PictureSize } from '../model/picture-size.ts';
 import type { Pass, Scene } from '../model/scene.ts';
 
 /** The pieces of a picture. */
@@ -10,11 +12,7 @@ export interface Pieces {
 
 /** A picture to be gathered. */
 export interface Gathering extends Pieces {
-  /** World length. */
-  readonly stepLength: number;
-  /** Device pixels. */
-  readonly width: number;
-  readonly height: number;
+  readonly plan: RayPlan & { readonly picture: PictureSize };
 }
 
 /**
@@ -62,7 +60,12 @@ export async function gatherPicture(
   goesOn: () => boolean,
   reported: (share: number) => void = () => {},
 ): Promise<number | null> {
-  const { stepLength, width, height, rows, pieceMs } = picture;
+  const {
+    plan,
+    plan: { picture: size },
+    rows,
+    pieceMs,
+  } = picture;
   const began = performance.now();
   let freeSince = began;
   /** Time that the GPU took for the last piece, ms. */
@@ -76,8 +79,7 @@ export async function gatherPicture(
   let next = rows / atOnce;
   const max = maxRows * Math.max(minRows, rows);
   let before: Promise<number> | null = null;
-  scene.startGathering(stepLength, { width, height });
-  const passes = scene.passes({ width, height });
+  const passes = scene.startGathering(plan, size);
   // A pass that is drawn over another one has few rays.
   const pixels = passes.reduce((sum, pass) => sum + countPixels(pass, pass.height), 0);
   let done = 0;
@@ -91,7 +93,7 @@ export async function gatherPicture(
         Math.max(minRows, wholeRows * Math.round(next / wholeRows)) * pass.stride,
         pass.height - firstRow,
       );
-      scene.gather(stepLength, { pass, firstRow, rows: count }, { width, height });
+      scene.gather(plan, { pass, firstRow, rows: count }, size);
       firstRow += count;
       done += countPixels(pass, count);
       const last = timeLast();

@@ -96,8 +96,7 @@ function* findCells(scene: Scene, cut: Substeps, warmUp: () => void): Waiting<vo
   if (!seen || (known?.seen === seen && known.mayLose === mayLose)) return;
   warmUp();
   const codes = yield* seekDetail(seen, mayLose);
-  scene.setSubsteps({ ...cut, findDetail: () => codes });
-  scene.detail();
+  scene.detail({ ...cut, findDetail: () => codes });
   detailed.set(scene, { seen, mayLose });
 }
 
@@ -174,7 +173,7 @@ export class ErrorProbe {
     const { pictures } = this.#plan(level);
     const [[steps, cut]] = pictures;
     yield* findCells(this.scene, cut, () =>
-      this.scene.startProbe(stepLengthOf(this.grid, steps), onePixel, this.view.size),
+      this.scene.startProbe({ stepLength: stepLengthOf(this.grid, steps) }, onePixel, this.view.size),
     );
     if (!this.#isSearched) {
       const first = yield* this.#probe(steps, cut);
@@ -266,8 +265,11 @@ export class ErrorProbe {
   *#drawAt(lattices: readonly PixelLattice[], steps: number, substeps: Substeps): Waiting<Float32Array | null> {
     const parts: Float32Array[] = [];
     for (const lattice of lattices) {
-      this.scene.setSubsteps(substeps);
-      const read = this.scene.startProbe(stepLengthOf(this.grid, steps), lattice, this.view.size);
+      const read = this.scene.startProbe(
+        { stepLength: stepLengthOf(this.grid, steps), substeps },
+        lattice,
+        this.view.size,
+      );
       if (!read) return null;
       yield;
       const part = read();

@@ -1,12 +1,12 @@
 import { loadPart } from '../../core/load-part.ts';
 import { countSamples } from '../../optics/rays/count-samples.ts';
-import type { SamplingOutcome } from '../../quality/sampling-outcome.ts';
 import type { FrameQuality } from '../../quality/frame-quality.ts';
-import { stepLengthOf } from '../../quality/steps.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { AuthorView } from '../camera/author-view.ts';
 import type { FrameLoop } from '../scenes/frame-loop.ts';
 import type { Pieces } from './gather-picture.ts';
+import { planFrame } from '../model/frame-plan.ts';
+import type { FramePlan } from '../model/frame-plan.ts';
 import type { PictureSize } from '../model/picture-size.ts';
 import type { RenderStats } from '../model/render-stats.ts';
 import type { Scene } from '../model/scene.ts';
@@ -48,35 +48,22 @@ export class PictureDrawing {
 
   /**
    * Draw a picture at once, and wait for the GPU.
-   * @param full - pixels of the picture at the plan's scale of 1
+   * @param full - pixels of the picture at a scale of 1
    */
-  async draw(
-    scene: Scene,
-    time: number,
-    { scale, steps, substeps, sampling, edgeCurvature }: FrameQuality,
-    full: PictureSize,
-  ): Promise<DrawnPicture> {
-    const { shown, author, controller, loop } = this.parts;
+  async draw(scene: Scene, time: number, quality: FrameQuality, full: PictureSize): Promise<DrawnPicture> {
+    const { shown, controller, loop } = this.parts;
     const { volume } = shown;
     loop.takeChanges();
-    const [width, height] = [full.width, full.height].map((pixels) => Math.max(1, Math.round(pixels * scale)));
-    scene.resize(width, height);
-    author.aim(scene, full.width / full.height);
-    const stepLength = stepLengthOf(shown.grid, steps);
+    const plan = this.#plan(quality, full);
+    this.#apply(scene, plan);
     const began = performance.now();
     const compiled = controller.isNew;
-    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
-    scene.setSubsteps(substeps);
-    scene.draw(stepLength, time);
+    scene.draw(time);
     controller.hasDrawn();
     await this.#finish(scene, volume);
     const frameMs = performance.now() - began;
     const gpuMs = await scene.gpuMs();
-    return {
-      stats: this.#describe({ frameMs, steps, substeps: substeps.max, stepLength, width, height, ...raysOf(sampling) }),
-      gpuMs,
-      compiled,
-    };
+    return { stats: this.#describe(quality, plan, frameMs), gpuMs, compiled };
   }
 
   /**
@@ -85,50 +72,39 @@ export class PictureDrawing {
    * @returns null where something changed meanwhile
    * @throws {VolumeViewError} `format/unsupported` where that part of the package could not be loaded
    */
-  async gather(
-    scene: Scene,
-    { steps, substeps, sampling, edgeCurvature }: FrameQuality,
-    { width, height }: PictureSize,
-    pieces: Pieces,
-  ): Promise<RenderStats | null> {
-    const { shown, author, controller, loop } = this.parts;
+  async gather(scene: Scene, quality: FrameQuality, size: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
+    const { shown, controller, loop } = this.parts;
     const { gatherPicture } = await loadPart(import('./gather-picture.ts'), 'draws pictures piece by piece');
     if (controller.scene !== scene) return null;
-    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
-    scene.setSubsteps(substeps);
     const { volume } = shown;
-    const stepLength = stepLengthOf(shown.grid, steps);
     loop.takeChanges();
+    const plan = this.#plan(quality, size);
     const goesOn = (): boolean =>
       !loop.dirty && !loop.host.moving && !loop.host.animating && controller.scene === scene;
-    const frameMs = await gatherPicture(
-      scene,
-      { stepLength, width, height, ...pieces },
-      goesOn,
-      (share) => (this.gathered = share),
-    );
+    const frameMs = await gatherPicture(scene, { plan, ...pieces }, goesOn, (share) => (this.gathered = share));
     this.gathered = null;
     if (frameMs === null) return null;
-    scene.resize(width, height);
-    author.aim(scene, width / height);
+    this.#apply(scene, plan);
     scene.drawGathered();
     await this.#finish(scene, volume);
-    return this.#describe({ frameMs, steps, substeps: substeps.max, stepLength, width, height, ...raysOf(sampling) });
+    return this.#describe(quality, plan, frameMs);
   }
 
   /** Draw a picture of any size into the canvas, without waiting for the GPU. */
-  drawAtRest(
-    scene: Scene,
-    { steps, substeps, sampling, edgeCurvature }: FrameQuality,
-    { width, height }: PictureSize,
-  ): void {
-    const { shown, author, controller } = this.parts;
-    scene.resize(width, height);
-    author.aim(scene, width / height);
-    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
-    scene.setSubsteps(substeps);
-    scene.draw(stepLengthOf(shown.grid, steps));
-    controller.hasDrawn();
+  drawAtRest(scene: Scene, quality: FrameQuality, size: PictureSize): void {
+    this.#apply(scene, this.#plan(quality, size));
+    scene.draw();
+    this.parts.controller.hasDrawn();
+  }
+
+  #plan(quality: FrameQuality, size: PictureSize): FramePlan {
+    const { shown, author } = this.parts;
+    return planFrame({ shown, quality, size, camera: author.cameraFor(size.width / size.height) });
+  }
+
+  #apply(scene: Scene, plan: FramePlan): void {
+    scene.apply(plan);
+    this.parts.author.applied(scene, plan.camera);
   }
 
   async #finish(scene: Scene, volume: Volume | null): Promise<void> {
@@ -137,13 +113,25 @@ export class PictureDrawing {
     this.#drawn = volume;
   }
 
-  #describe(frame: Omit<RenderStats, 'samples' | 'converged' | 'error' | 'keepsMaxError'>): RenderStats {
+  #describe(
+    { steps, substeps, sampling: { share, maxCurvature } }: FrameQuality,
+    { stepLength, picture }: FramePlan,
+    frameMs: number,
+  ): RenderStats {
     const rays = this.parts.controller.scene?.getRays();
-    const samples = rays ? countSamples(rays, frame.stepLength, frame.width * frame.height * frame.rays) : 0;
-    return { ...frame, samples, converged: false, error: null, keepsMaxError: null };
+    const samples = rays ? countSamples(rays, stepLength, picture.width * picture.height * share) : 0;
+    return {
+      frameMs,
+      steps,
+      substeps: substeps.max,
+      stepLength,
+      ...picture,
+      rays: share,
+      maxCurvature,
+      samples,
+      converged: false,
+      error: null,
+      keepsMaxError: null,
+    };
   }
-}
-
-function raysOf({ share, maxCurvature }: SamplingOutcome): Pick<RenderStats, 'rays' | 'maxCurvature'> {
-  return { rays: share, maxCurvature };
 }

@@ -48,16 +48,12 @@ export async function timeSampling(view: DrawnView, outcomes: readonly SamplingO
     [0, all],
     [outcome.maxCurvature, spared],
   ] as const;
-  try {
-    // The first turn compiles the programs.
-    for (let turn = 0; turn <= turns && (all[1] ?? 0) <= slow; turn++) {
-      for (const [maxCurvature, times] of kinds) {
-        if (!view.goesOn()) return 1;
-        times.push(await draw(view, maxCurvature));
-      }
+  // The first turn compiles the programs.
+  for (let turn = 0; turn <= turns && (all[1] ?? 0) <= slow; turn++) {
+    for (const [maxCurvature, times] of kinds) {
+      if (!view.goesOn()) return 1;
+      times.push(await draw(view, maxCurvature));
     }
-  } finally {
-    scene.setMaxCurvature(0);
   }
   const foretold = (outcome.share * (steps + stepsPerRay) + stepsPerProbe) / (steps + stepsPerRay);
   const [allMs, sparedMs] = [all, spared].map((times) => Math.min(...times.slice(1)));
@@ -73,10 +69,10 @@ async function draw({ scene, grid, size }: DrawnView, maxCurvature: number): Pro
     width: Math.max(1, Math.round(scale * size.width)),
     height: Math.max(1, Math.round(scale * size.height)),
   };
-  scene.setMaxCurvature(maxCurvature);
+  const rays = { stepLength: stepLengthOf(grid, steps), maxCurvature, edgeCurvature: Infinity };
   const began = performance.now();
-  for (const pass of scene.passes(picture))
-    scene.gather(stepLengthOf(grid, steps), { pass, firstRow: 0, rows: pass.height }, picture);
+  for (const pass of scene.startGathering(rays, picture))
+    scene.gather(rays, { pass, firstRow: 0, rows: pass.height }, picture);
   await scene.finished();
   return performance.now() - began;
 }

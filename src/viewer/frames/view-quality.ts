@@ -138,8 +138,9 @@ export class ViewQuality {
     const samplesAVoxel = level.steps / voxelsAlong(grid);
     // Matter behind the eye, or outside the picture, can't be missed.
     const seen = this.#probe.rectangle && scene.whatIsSeen();
-    const codes = isAuto ? scene.detail() : null;
-    const { projection } = scene;
+    const cut = cutSteps(level, voxelsAlong(grid), maxError);
+    const codes = isAuto ? scene.detail(cut) : null;
+    const projection = seen && scene.projection(cut);
     const bound = !seen
       ? 0
       : projection
@@ -162,14 +163,9 @@ export class ViewQuality {
    * longer needed.
    */
   async learnSteps(level: Level, goesOn: () => boolean): Promise<Partial<ErrorModel>> {
-    const {
-      view: { scene, grid },
-      asked,
-    } = this;
-    const max = autoSteps(grid);
+    const max = autoSteps(this.view.grid);
     const steps = [Math.min(inMotion[0], Math.ceil(max / 4)), Math.min(inMotion[1], max)] as const;
     const isPrepared = await this.#probe.prepareDistances(steps, level, goesOn);
-    scene.setSubsteps(cutSteps(level, voxelsAlong(grid), asked.maxError)); // As in the picture on the screen.
     if (!isPrepared) return {};
     const [error, next] = steps.map((n) => this.#probe.distance(n, level));
     if (error === null || next === null) return {};

@@ -1,4 +1,3 @@
-import type { GroundMap } from '../../radar/ground-map.ts';
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import type { RayStyle } from '../../optics/rays/ray-style.ts';
 import type { Pixels } from '../../optics/rays/between-pixels.ts';
@@ -8,19 +7,20 @@ import type { SceneLights } from '../../optics/transfer/lights.ts';
 import type { ViewpointFrame } from '../../optics/rays/viewpoint-frame.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import type { ProjectedRays } from '../../optics/rays/ray-style.ts';
-import type { Slice } from '../../radar/slices.ts';
-import type { Optics, RayCut } from '../../renderer/ray/ray-module.ts';
+import type { Optics } from '../../renderer/ray/ray-module.ts';
+import type { RayPlan } from '../../renderer/ray/ray-plan.ts';
 import type { AmongShapes } from '../../quality/adaptive-sampling.ts';
 import type { RayTwins } from '../../renderer/ray/ray-twin.ts';
 import type { Device } from '../../renderer/device/device.ts';
 import type { Pass, Size } from '../../renderer/passes/pass-drawing.ts';
 import type { Substeps, View } from '../../renderer/layers/volume-layer.ts';
 import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
-import type { GridFrame } from '../../volume/grid.ts';
 import type { ShownLabels } from '../../volume/labels.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
+import type { FramePlan, Lines } from './frame-plan.ts';
 
+export type { Lines } from './frame-plan.ts';
 export type { Optics } from '../../renderer/ray/ray-module.ts';
 export type { Pass, Size } from '../../renderer/passes/pass-drawing.ts';
 export type { Substeps, View } from '../../renderer/layers/volume-layer.ts';
@@ -33,9 +33,6 @@ export interface AuthorCamera {
   /** How to turn the viewpoint around what is shown. */
   readonly around: (subject: { center: Vector3; radius: number }) => ViewpointFrame;
 }
-
-/** Lines in world coordinates, each from point to point. */
-export type Lines = readonly (readonly Vector3[])[];
 
 /** Shows lines and surfaces of several owners in a scene. */
 export interface SceneLines {
@@ -81,12 +78,6 @@ export interface Scene {
   setLabels(labels: ShownLabels | null): Promise<void>;
   /** Show a second field over its volume; null removes it, where there was one. @returns and @throws as `setLabels` */
   setOverlay(overlay: ShownOverlay | null): Promise<void>;
-  /** Show only one part of the volume; null for all of it. */
-  setRegion(region: GridFrame | null): void;
-  /** Set the slices of a radar scan, and what else cuts rays. */
-  setSlices(slices: readonly Slice[], cuts: readonly RayCut[]): void;
-  /** Set the rings, and the map below them. */
-  setLines(lines: Lines, map?: GroundMap): void;
   /** Load the code that shows lines of other owners. @returns null where it could not be loaded; the scene then works without it */
   loadLines(): Promise<SceneLines | null>;
   /** Resolves when the author's shapes that were added meanwhile are in the scene. */
@@ -96,11 +87,13 @@ export interface Scene {
   readonly animating: boolean;
   /** null where the author has no viewpoint. */
   authorCamera(): AuthorCamera | null;
-  /** Undo the change of the author's viewpoint by `setCamera`. */
+  /** Undo what plans did to the author's viewpoint. */
   resetAuthorCamera(): void;
-  setCamera(camera: Camera): void;
-  /** Device pixels. */
-  resize(width: number, height: number): void;
+  /**
+   * Use a plan: the next picture has all of it, and nothing of the plan before. What must be loaded or uploaded first is no part of a plan:
+   * the volume, its optics and style, labels and other fields. They may be set in any order, before and after.
+   */
+  apply(plan: FramePlan): void;
   /** The view that the next picture will have. */
   getView(): View;
   /** The same for a picture of another size. */
@@ -109,45 +102,43 @@ export interface Scene {
   getRays(): RaySetup | null;
 
   /**
-   * The largest curvature at which pixels are interpolated instead of getting rays, 1/255; 0 where all get rays. Then pixels with more
-   * curvature than `edgeCurvature`, 1/255, get several where there are surfaces of values.
-   */
-  setMaxCurvature(maxCurvature: number, edgeCurvature?: number): void;
-  /** Set how steps are cut, in all pictures and probes from now on. */
-  setSubsteps(substeps: Substeps): void;
-  /**
    * The rays of the next picture as they are cast, in float64, without the shapes at which some rays end; null without a volume.
    * The result stays usable when the scene is gone.
-   * @param looks - whether rays look for opaque matter at once; where absent, as in pictures with the present substeps
+   * @param looks - whether rays look for opaque matter at once; where absent, as in pictures with the present plan
    */
   twins(looks?: boolean): RayTwins | null;
-  /** How finely each macrocell must be sampled at least, see optics/cells/cell-detail.ts; null where cells do not change the sampling. */
-  detail(): Uint8Array | null;
+  /**
+   * How finely each macrocell must be sampled at least, see optics/cells/cell-detail.ts; null where cells do not change the sampling.
+   * @param substeps - how steps are cut; where absent, as in the plan
+   */
+  detail(substeps?: Substeps): Uint8Array | null;
   /** The lights on a lit volume; null for one light at the eye. */
   lights(): SceneLights | null;
   /** Whether substeps change the results of rays at all. */
   readonly cutsSteps: boolean;
   /** Whether the rays of a picture at rest go from one plane of voxels to the next: then the values at the ends of a step never cut it. */
   readonly walksVoxels: boolean;
-  /** How rays show single values, if they do; null where they show emission and absorption. */
-  readonly projection: ProjectedRays | null;
+  /** How rays show single values, if they do; null where they show emission and absorption. @param substeps - how steps are cut */
+  projection(substeps: Substeps): ProjectedRays | null;
   /** In which macrocells of the present volume something is visible, and what; null where there is no volume. */
   whatIsSeen(): SeenVolume | null;
   /** Whether the next picture may be drawn with fewer rays than pixels. */
   readonly adaptive: boolean;
-  /** Draw one picture. @param stepLength - world length @throws {VolumeViewError} `webgl/shader` */
-  draw(stepLength: number, time?: number): void;
+  /** Draw one picture by the plan. @throws {VolumeViewError} `webgl/shader` */
+  draw(time?: number): void;
   /** Whether the next picture can be drawn piece by piece. */
   readonly gatherable: boolean;
   /** Whether rays of the last picture end at shapes. */
   readonly endsAtShapes: boolean;
-  /** Begin a picture that is drawn piece by piece, at the view of the last one. */
-  startGathering(stepLength: number, picture: Size): void;
-  /** The passes of a gathered picture, one lattice of pixels after the other. */
-  passes(picture: Size): readonly Pass[];
+  /**
+   * Begin a picture that is drawn piece by piece, at the view of the last one.
+   * @param rays - what differs from the plan of the last picture
+   * @returns its passes, one lattice of pixels after the other
+   */
+  startGathering(rays: Partial<RayPlan>, picture: Size): readonly Pass[];
   /** Draw some rows of a pass into a buffer that is not on the screen yet. */
-  gather(stepLength: number, part: { pass: Pass; firstRow: number; rows: number }, picture: Size): void;
-  /** Show the picture that has been gathered. */
+  gather(rays: Partial<RayPlan>, part: { pass: Pass; firstRow: number; rows: number }, picture: Size): void;
+  /** Show the picture that has been gathered; its plan must be in use. */
   drawGathered(time?: number): void;
   /** Resolves when the GPU has drawn everything that was sent to it. */
   finished(): Promise<void>;
@@ -155,13 +146,14 @@ export interface Scene {
   gpuMs(): Promise<number | null>;
 
   /**
-   * Draw some rays of the last picture with another step length.
+   * Draw some rays of the last picture.
+   * @param rays - what differs from the plan of that picture
    * @param alone - no ray ends at a shape
    * @returns a function that reads these rays: call it before others are drawn; it returns null where the context was lost.
    * null instead of the function where the device can't do it
    */
   startProbe(
-    stepLength: number,
+    rays: Partial<RayPlan>,
     lattice: PixelLattice,
     picture: Size,
     alone?: boolean,

@@ -35,15 +35,14 @@ export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null>
     const stepLength = stepLengthOf(shown.grid, steps);
     const rectangle = seenPixels(scene, size);
     if (!rectangle) return null;
-    scene.setSubsteps(substeps);
     const lattice = placeChecks(rectangle, Math.random);
     // Read at once: others draw into the same buffer.
-    const drawn = scene.startProbe(stepLength, lattice, size, true)?.();
+    const drawn = scene.startProbe({ stepLength, substeps }, lattice, size, true)?.();
     if (!drawn) return null;
     const stages = rays.stages({
       stepLength,
       maxSubsteps: substepsOf(scene, substeps),
-      minSubsteps: minOf(scene, substeps.voxelsPerStep),
+      minSubsteps: minOf(scene, substeps),
     });
     const compare = (ray: number): RayDifference => {
       const pixel = [
@@ -91,10 +90,10 @@ function substepsOf({ cutsSteps }: Scene, substeps: Substeps): number {
 }
 
 /** The minimum substeps that cells require; cells require none where an author gives steps, and in projections. */
-function minOf(scene: Scene, voxelsPerStep: number): RayStages['minSubsteps'] {
-  const codes = scene.cutsSteps ? scene.detail() : null;
+function minOf(scene: Scene, substeps: Substeps): RayStages['minSubsteps'] {
+  const codes = scene.cutsSteps ? scene.detail(substeps) : null;
   const seen = scene.whatIsSeen();
-  return codes && seen ? minSubsteps(seen.volume, codes, voxelsPerStep) : undefined;
+  return codes && seen ? minSubsteps(seen.volume, codes, substeps.voxelsPerStep) : undefined;
 }
 
 function* compareAll(

@@ -7,6 +7,7 @@ import { brighten } from '../../optics/transfer/brighten.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { composeTwins, loadTwins } from '../../renderer/ray/compose-twins.ts';
 import type { TwinWalk } from '../../renderer/ray/compose-twins.ts';
+import type { RayTwins } from '../../renderer/ray/ray-twin.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { isOn } from './pick-label.ts';
 import type { Viewer } from '../view/viewer.ts';
@@ -46,7 +47,7 @@ export async function raysOfView(
   const twins = controller.twins(looks);
   // The coarse volume that is shown until a larger one is loaded has other voxels.
   if (!volume || !optics || !drawn || volume.coarse || twins?.volume !== volume) return null;
-  const setup = setUpView(viewer, volume);
+  const setup = setUpView(viewer, twins);
   if (!setup) return null;
   const frame = { volume, optics: twins.optics, rays: setup, placesOnly };
   await loadTwins(twins, frame);
@@ -64,8 +65,7 @@ export async function raysOfView(
 }
 
 /** The rays of the picture: those of the scene, or, where the scene is gone, those of its last camera. */
-function setUpView({ shown, scene, rig, place: { host } }: Viewer, { grid }: Volume): RaySetup | null {
-  const { region } = shown.cuts;
+function setUpView({ scene, rig, place: { host } }: Viewer, { volume: { grid }, region }: RayTwins): RaySetup | null {
   const view = scene?.getView();
   if (view) return setUpRays(grid, view.view, view.projection, region);
   const { camera } = rig;

@@ -1,9 +1,9 @@
 import { wholeSteps } from '../../optics/cells/substeps.ts';
-import { stepLengthOf } from '../../quality/steps.ts';
+import { allRays } from '../../quality/sampling-outcome.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { Cuts } from '../cuts/cuts.ts';
+import { planFrame } from '../model/frame-plan.ts';
 import type { Scene } from '../model/scene.ts';
-import { ShownVolume } from '../cuts/shown-volume.ts';
 import type { Viewer } from './viewer.ts';
 import { styleOf } from '../model/volume-info.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
@@ -27,11 +27,12 @@ async function draw(scene: Scene, { volume, optics, cuts }: Foretold): Promise<v
   await scene.prepare(volume, optics);
   await scene.setStyle(styleOf(optics));
   if (!(await scene.bringVolume(volume, () => false))) return;
-  const shown = new ShownVolume();
-  Object.assign(shown, { volume, optics, cuts }).applyTo(scene);
-  scene.resize(1, 1); // From any direction: an author's viewpoint stays as it is.
-  scene.setSubsteps(wholeSteps);
-  scene.draw(stepLengthOf(volume.grid, 1));
-  scene.resize(1, 2); // A canvas that changes its size is cleared.
+  await scene.setOptics(optics);
+  const quality = { scale: 1, steps: 1, substeps: wholeSteps, sampling: allRays };
+  // From any direction: an author's viewpoint stays as it is.
+  const plan = planFrame({ shown: { grid: volume.grid, cuts }, quality, size: { width: 1, height: 1 }, camera: null });
+  scene.apply(plan);
+  scene.draw();
+  scene.apply({ ...plan, picture: { width: 1, height: 2 } }); // A canvas that changes its size is cleared.
   await scene.finished();
 }

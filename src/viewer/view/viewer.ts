@@ -176,7 +176,6 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   setCuts(cuts: Cuts, optics = this.optics): void {
     const { volume } = this.shown;
     this.shown.cuts = cuts;
-    if (this.controller.scene) this.shown.cut(this.controller.scene);
     if (!this.#labels && cuts.rings) {
       this.#labels = cuts.rings.labelsAfter(this.place.container, (what) => this.listener.labelRing(what));
       void this.socket.join(this.#labels, true); // Other texts make room for themselves among these.
@@ -339,7 +338,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   }
 
   applyTo(scene: Scene): void {
-    this.shown.applyTo(scene);
+    void scene.setOptics(this.shown.optics!); // At once: what the optics need is loaded.
   }
 
   entered(scene: Scene): void {

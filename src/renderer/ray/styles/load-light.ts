@@ -15,9 +15,9 @@ export async function loadLight(
     const taps = isPolar(volume) ? polarTaps : cartesianTapsOf;
     if (volume.isDiscrete || !taps) return null;
     const lights = layer.lights() ?? headlightAlone;
-    const cuts = cutsOf(layer.cuts);
+    const cuts = cutsOf(layer.plan.cuts);
     return {
-      options: { taps, lights: lights.lights.length > 0, cuts: layer.region !== null || hasCuts(cuts) },
+      options: { taps, lights: lights.lights.length > 0, cuts: layer.plan.region !== null || hasCuts(cuts) },
       surroundings: { lights, cuts },
     };
   };

@@ -1,12 +1,12 @@
 import type { SeenVolume } from '../../../optics/cells/cell-detail.ts';
 import type { Contribution } from '../../../optics/cells/empty-space-distance.ts';
 import type { SceneLights } from '../../../optics/transfer/lights.ts';
-import type { Substeps } from '../../../optics/cells/substeps.ts';
 import type { StyledAppearance } from '../../../optics/cells/style-detail.ts';
 import type { VolumeData } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import type { FieldTaps } from '../modules/lit.ts';
-import type { Optics, RayCut, RayModule } from '../ray-module.ts';
+import type { Optics, RayModule } from '../ray-module.ts';
+import type { RayPlan } from '../ray-plan.ts';
 
 /** See `SeenVolume`. */
 type MoreSeen = Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' | 'found' | 'style'>;
@@ -30,8 +30,6 @@ export interface StyledLayer {
   readonly device: Device;
   readonly providers: { readonly polarTaps?: () => Promise<FieldTaps> };
   readonly volume: VolumeData | null;
-  readonly substeps: Substeps;
-  readonly cuts: readonly RayCut[];
-  readonly region: unknown;
+  readonly plan: Pick<RayPlan, 'substeps' | 'cuts' | 'region'>;
   readonly lights: () => SceneLights | null;
 }

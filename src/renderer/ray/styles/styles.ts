@@ -35,7 +35,7 @@ async function createProjected(
 }
 
 /** A radar's gates are not voxels, and pictures in motion have to take few steps: both project by steps. */
-function projectsExactly({ volume, substeps }: StyledLayer): boolean {
+function projectsExactly({ volume, plan: { substeps } }: StyledLayer): boolean {
   return volume !== null && !isPolar(volume) && isCut(substeps);
 }
 

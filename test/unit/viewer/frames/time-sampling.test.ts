@@ -2,6 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { unknownErrors } from '../../../../src/quality/frame-quality.ts';
 import { chooseFrameQuality } from '../../../../src/quality/choose-frame-quality.ts';
 import type { SamplingOutcome } from '../../../../src/quality/sampling-outcome.ts';
+import type { RayPlan } from '../../../../src/renderer/ray/ray-plan.ts';
 import type { DrawnView } from '../../../../src/viewer/model/drawn-view.ts';
 import type { Scene } from '../../../../src/viewer/model/scene.ts';
 import { timeSampling } from '../../../../src/viewer/frames/time-sampling.ts';
@@ -22,8 +23,10 @@ function viewOf(
   performance.now = () => now;
   const scene = {
     gatherable: true,
-    setMaxCurvature: (next: number) => (maxCurvature = next),
-    passes: () => [{ height: 10 }],
+    startGathering: (rays: Partial<RayPlan>) => {
+      maxCurvature = rays.maxCurvature!;
+      return [{ height: 10 }];
+    },
     gather: () => {
       now += (maxCurvature > 0 ? times.spared : times.all) + (drawn.includes(maxCurvature) ? 0 : 1000);
       drawn.push(maxCurvature);
