@@ -1,4 +1,5 @@
 import { findDetail } from '../optics/cells/cell-detail.ts';
+import { allSubsteps } from '../optics/cells/substeps.ts';
 import { maxSubsteps } from '../optics/transfer/substep-limits.ts';
 import type { Substeps } from '../optics/cells/substeps.ts';
 import { maxAutoSteps } from './steps.ts';
@@ -54,4 +55,23 @@ const lostPerError = 10;
  */
 export function cutSteps({ steps, substeps }: Level, oneAVoxel: number, maxError: number): Substeps {
   return { max: substeps, voxelsPerStep: oneAVoxel / steps, mayLose: (lostPerError * maxError) / 255, findDetail };
+}
+
+/** How the steps of a picture at rest are cut, and those of the finer pictures that it is compared with. */
+export interface LevelCuts {
+  readonly own: (level: Level) => Substeps;
+  readonly reference: (level: Level) => Substeps;
+}
+
+/** The error by which the steps of a reference are cut, where the author requires none. */
+const usualError = 1;
+
+/**
+ * The one place where `max-error` says how steps are cut.
+ * @param oneAVoxel - as for `cutSteps`
+ * @param maxError - 1/255; null where the author gives the steps: then only the values at their ends cut them
+ */
+export function cutsOfLevels(oneAVoxel: number, maxError: number | null): LevelCuts {
+  const reference = (level: Level): Substeps => cutSteps(level, oneAVoxel, maxError ?? usualError);
+  return { own: maxError === null ? ({ substeps }) => ({ ...allSubsteps, max: substeps }) : reference, reference };
 }

@@ -3,13 +3,13 @@ import { seekDetail } from '../../optics/cells/cell-detail.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import { boundSeenCells } from '../../optics/cells/bound-seen-cells.ts';
 import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
-import { allSubsteps, wholeSteps } from '../../optics/cells/substeps.ts';
+import { wholeSteps } from '../../optics/cells/substeps.ts';
 import { largestOpacity } from '../../optics/transfer/transfer-function.ts';
 import type { Substeps } from '../../optics/cells/substeps.ts';
 import { estimateError } from '../../quality/error-estimate.ts';
 import type { ErrorEstimate } from '../../quality/error-estimate.ts';
-import { cutSteps } from '../../quality/levels.ts';
-import type { Level } from '../../quality/levels.ts';
+import { cutsOfLevels } from '../../quality/levels.ts';
+import type { Level, LevelCuts } from '../../quality/levels.ts';
 import { isWorthSearch, moreProbes, placeAround, placeProbes } from '../../quality/place-probes.ts';
 import type { PixelLattice } from '../../optics/rays/rays.ts';
 import type { PixelRectangle } from '../../quality/place-probes.ts';
@@ -55,9 +55,6 @@ function isOpaque(scene: Scene): boolean {
         1)
   );
 }
-
-/** The error by which the steps of a reference are cut, where the author requires none. */
-const usualError = 1;
 
 /** Number of pixels, in floats, that are drawn and read together to find those that show something. */
 const searchedAtOnce = 2 ** 18;
@@ -110,8 +107,7 @@ export interface ProbedView {
   readonly grid: GridFrame;
   /** Pixels across and down of the picture in full. */
   readonly size: Size;
-  /** The error by which the steps of levels are cut, see `cutSteps`; null where only the values at the ends of steps cut them. */
-  readonly maxError: number | null;
+  readonly cuts: LevelCuts;
 }
 
 /** Probes rays of the last view to measure the error of a level; it probes each level once. */
@@ -207,19 +203,15 @@ export class ErrorProbe {
 
   /** A level's own picture, and those with half and a quarter of its step length: the number of steps, and how they are cut. */
   #plan(level: Level): { isEven: boolean; pictures: (readonly [steps: number, cut: Substeps])[] } {
-    const { grid, maxError } = this.view;
+    const { grid, cuts } = this.view;
     const one = autoSteps(grid);
     const isEven = level.steps >= one;
     const finer = isEven ? level : { steps: one, substeps: maxSubsteps };
-    const cut =
-      isEven && maxError === null
-        ? { ...allSubsteps, max: level.substeps }
-        : cutSteps(finer, voxelsAlong(grid), maxError ?? usualError);
-    const own = maxError === null ? { ...allSubsteps, max: level.substeps } : cut;
+    const cut = isEven ? cuts.own(finer) : cuts.reference(finer);
     return {
       isEven,
       pictures: [
-        [level.steps, own],
+        [level.steps, cuts.own(level)],
         [finer.steps * 2, cut],
         [finer.steps * 4, cut],
       ],
@@ -238,7 +230,7 @@ export class ErrorProbe {
   }
 
   *#pair(steps: number, level: Level): Waiting<readonly (Float32Array | null)[]> {
-    const cut = cutSteps(level, voxelsAlong(this.view.grid), this.view.maxError ?? usualError);
+    const cut = this.view.cuts.reference(level);
     return [yield* this.#probe(steps, wholeSteps), yield* this.#probe(level.steps * 4, cut)];
   }
 
@@ -287,7 +279,7 @@ export function measureError(
   level: Level,
   size: Size = scene.canvas,
 ): ErrorEstimate | null {
-  return new ErrorProbe(scene, { grid, size, maxError: null }).estimate(level);
+  return new ErrorProbe(scene, { grid, size, cuts: cutsOfLevels(voxelsAlong(grid), null) }).estimate(level);
 }
 
 /**

@@ -128,7 +128,7 @@ export class QualityControl {
     const oneAVoxel = autoSteps(grid);
     const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
     // Cells influence the sampling as soon as the code that chooses steps is loaded: before that, no picture at rest is drawn.
-    const substeps = this.#tools?.cutSteps(level, voxelsAlong(grid), maxError) ?? {
+    const substeps = this.#tools?.cutsOfLevels(voxelsAlong(grid), maxError).own(level) ?? {
       ...allSubsteps,
       max: level.substeps,
     };
@@ -212,11 +212,14 @@ export class QualityControl {
    * @returns whether it should be drawn again, with other steps or more pixels
    */
   async probe(scene: Scene, grid: GridFrame, { plan, size, goesOn }: Probed): Promise<boolean> {
-    const { ViewQuality, learnFrom } = (this.#tools ??= await loadTools());
+    const { cutsOfLevels, ViewQuality, learnFrom } = (this.#tools ??= await loadTools());
     if (!goesOn()) return false;
     const { steps, maxError } = this.#targets;
     const isAuto = steps === 'auto';
-    const view = new ViewQuality({ scene, grid, size, goesOn }, { maxError, isAuto });
+    const view = new ViewQuality(
+      { scene, grid, size, goesOn },
+      { maxError, isAuto, cuts: cutsOfLevels(voxelsAlong(grid), isAuto ? maxError : null) },
+    );
     if (this.undecided) {
       const found = await view.choose();
       if (!found) return false;

@@ -4,8 +4,8 @@ import { forecastSampling } from '../../quality/adaptive-sampling.ts';
 import { chooseLevel } from '../../quality/choose-level.ts';
 import type { ErrorEstimate, PictureError } from '../../quality/error-estimate.ts';
 import { boundProjected, seekMissed, stateError } from '../../quality/largest-error.ts';
-import { cutSteps, listLevels } from '../../quality/levels.ts';
-import type { Level } from '../../quality/levels.ts';
+import { listLevels } from '../../quality/levels.ts';
+import type { Level, LevelCuts } from '../../quality/levels.ts';
 import type { ErrorModel } from '../../quality/frame-quality.ts';
 import { autoSteps, voxelsAlong } from '../../quality/steps.ts';
 import { loadPart } from '../../core/load-part.ts';
@@ -18,7 +18,7 @@ import { aside, errorAtHalf, ErrorProbe } from './measure-quality.ts';
 import { timeSampling } from './time-sampling.ts';
 
 export { faint } from '../../quality/error-estimate.ts';
-export { cutSteps } from '../../quality/levels.ts';
+export { cutsOfLevels } from '../../quality/levels.ts';
 export { chooseFrameQuality } from '../../quality/choose-frame-quality.ts';
 export { SteadyTime } from '../../quality/steady-time.ts';
 export { seenPixels } from './measure-quality.ts';
@@ -40,6 +40,7 @@ export interface AskedQuality {
   readonly maxError: number;
   /** Whether the viewer chooses the steps. */
   readonly isAuto: boolean;
+  readonly cuts: LevelCuts;
 }
 
 /** What was measured of a view. */
@@ -84,7 +85,7 @@ export class ViewQuality {
     readonly asked: AskedQuality,
   ) {
     const { scene, grid, size } = view;
-    this.#probe = new ErrorProbe(scene, { grid, size, maxError: asked.isAuto ? asked.maxError : null });
+    this.#probe = new ErrorProbe(scene, { grid, size, cuts: asked.cuts });
   }
 
   /**
@@ -132,13 +133,13 @@ export class ViewQuality {
   async #state(level: Level): Promise<QualityFinding | null> {
     const {
       view: { scene, grid },
-      asked: { isAuto, maxError },
+      asked: { isAuto, maxError, cuts },
     } = this;
     const estimate = this.#probe.estimate(level);
     const samplesAVoxel = level.steps / voxelsAlong(grid);
     // Matter behind the eye, or outside the picture, can't be missed.
     const seen = this.#probe.rectangle && scene.whatIsSeen();
-    const cut = cutSteps(level, voxelsAlong(grid), maxError);
+    const cut = cuts.own(level);
     const codes = isAuto ? scene.detail(cut) : null;
     const projection = seen && scene.projection(cut);
     const bound = !seen

@@ -1,13 +1,13 @@
 import { expect } from '@esm-bundle/chai';
 import { maxSubsteps } from '../../../src/optics/rays/segment.ts';
-import { wholeSteps } from '../../../src/optics/cells/substeps.ts';
+import { allSubsteps, wholeSteps } from '../../../src/optics/cells/substeps.ts';
 import { chooseLevel } from '../../../src/quality/choose-level.ts';
 import { estimateError, keptError } from '../../../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../../../src/quality/error-estimate.ts';
 import { workOfFrame } from '../../../src/quality/frame-quality.ts';
 import { errorOfFrame, chooseFrameQuality } from '../../../src/quality/choose-frame-quality.ts';
 import type { ErrorModel, FrameQuality } from '../../../src/quality/frame-quality.ts';
-import { cutSteps, listLevels } from '../../../src/quality/levels.ts';
+import { cutsOfLevels, cutSteps, listLevels } from '../../../src/quality/levels.ts';
 import { autoSteps, maxAutoSteps, stepLengthOf, voxelsAlong } from '../../../src/quality/steps.ts';
 import { allRays } from '../../../src/quality/sampling-outcome.ts';
 import { FrameTimer, fitTimes } from '../../../src/quality/time-model.ts';
@@ -239,6 +239,17 @@ describe('steps', () => {
     expect(one).to.equal(maxAutoSteps);
     expect(max / one).to.be.within(2.7, 2.8);
     expect(cutSteps({ steps: one, substeps: 1 }, max, 1).voxelsPerStep).to.equal(max / one);
+  });
+
+  it('are cut by `max-error` alike in a picture and in those it is compared with; steps of an author by the values at their ends', () => {
+    const level = { steps: 200, substeps: 2 };
+    const auto = cutsOfLevels(100, 4);
+    expect(auto.own(level)).to.deep.equal(cutSteps(level, 100, 4));
+    expect(auto.reference(level)).to.deep.equal(auto.own(level));
+    expect(cutsOfLevels(100, 0.5).own(level).mayLose).to.be.below(auto.own(level).mayLose);
+    const given = cutsOfLevels(100, null);
+    expect(given.own(level)).to.deep.equal({ ...allSubsteps, max: 2 });
+    expect(given.reference(level)).to.deep.equal(cutSteps(level, 100, 1));
   });
 });
 
