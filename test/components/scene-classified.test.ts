@@ -101,6 +101,13 @@ const lots = casesOf(
   (_, i) => i < 24,
 );
 
+/** The same scene where all stops are so many digits of float32 away: no plateau has the value of a jump then. */
+function moveStops({ name, view, exact }: Classified, digits: number): Classified {
+  const by = digits * digit * Math.max(...exact.range.map(Math.abs));
+  const transferFunction = view.optics!.transferFunction.map((stop) => ({ ...stop, value: stop.value + by }));
+  return { name, exact, view: { ...view, optics: { ...view.optics!, transferFunction } } };
+}
+
 for (const version of [2, 1] as const) {
   describe(`values look as the transfer function says in WebGL ${version}`, () => {
     const scene = shareScene({ webgl1: version === 1 });
@@ -128,6 +135,12 @@ for (const version of [2, 1] as const) {
       );
       expect(found.flatMap(({ wrong }) => wrong)).to.deep.equal([]);
       expect(hanging).to.be.at.most(maxHanging);
+    });
+
+    it('and no digit decides where stops are 64 digits away from the values of plateaus', () => {
+      const found = lots.slice(0, 24).map((one) => measure(scene(), one, expectationOf(moveStops(one, 64)).at(-1)!));
+      expect(found.flatMap(({ wrong }) => wrong)).to.deep.equal([]);
+      expect(found.reduce((sum, one) => sum + one.hanging, 0)).to.equal(0);
     });
   });
 }
