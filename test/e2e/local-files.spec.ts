@@ -133,7 +133,8 @@ test.describe('view.files', () => {
     await page.evaluate(async (base64) => {
       const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
       document.querySelector('volume-view')!.files = [new File([bytes], 'field.nii')];
-      await import('/dist/volume-view.js' as never);
+      const script: string = '/dist/volume-view.js';
+      await import(script);
     }, Buffer.from(field).toString('base64'));
     expectSamePicture(await takePicture(page), drawReference());
   });
