@@ -23,7 +23,7 @@ export function groupClassify(all: readonly ClassifyStage[]): ClassifyStage {
 /**
  * If the two ends of a piece of a ray are in different groups, each half is classified by itself. The values of each half end in the middle
  * between both ends.
- * Twin: shaders/chunks/attachments/label-looks.glsl
+ * Twin: shaders/chunks/attachments/label-appearances.glsl
  */
 export function groupShade(classify: ClassifyStage, field: FieldStage): ShadeStage {
   return (segment, seen, ray) => {

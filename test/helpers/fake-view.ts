@@ -59,7 +59,8 @@ export function fakeView(html: string): FakeView {
     volume: { grid, samples: new Uint8Array(4), slope: 1, intercept: 0, format: 'png mosaic', range: [0, 200] },
     viewer: { scene, invalidate: () => {} },
     track: (one: Promise<unknown>) => work.push(one),
-    reportFiles: () => {},
+    fileNotices: new Map(),
+    user: { changed: () => {} },
   } as unknown as SocketView;
   const read = async (): Promise<VolumeOptics> => {
     const appearance = await withVolumeNodes({ user: { host } }, plainAppearance, { grid });

@@ -241,7 +241,7 @@ function attachedModules({ labels, overlay, projection, intensityThreshold, modu
     functions && moduleOf('labelFunctions', 'classify', groupsTwin(functions)),
     labels && !projection && (functions ? groupAppearances : labelAppearances),
     layer && moduleOf('overlay', 'field', layer.field),
-    layer && moduleOf('overlayLook', 'shade', layer.look),
+    layer && moduleOf('overlayAppearance', 'shade', layer.look),
     projection && moduleOf(projection, 'gather', projectionTwin({ kind: projection, threshold: intensityThreshold })),
   ];
   return [...own.filter((one): one is RayModule => Boolean(one)), ...modules];

@@ -86,7 +86,8 @@ describe('beside a volume', () => {
       viewer: viewer as typeof viewer | null,
       volume: { grid: cartesianGrid([9, 9, 9], identity) } as unknown,
       track: (one: Promise<unknown>) => work.push(one),
-      reportFiles: () => {},
+      fileNotices: new Map(),
+      user: { changed: () => {} },
     };
     socket.view = presenter as unknown as SocketView;
     const target = new SurfaceTarget(socket, document.createElement('i'));

@@ -31,7 +31,8 @@ function createView() {
     viewer,
     volume,
     track: (one: Promise<unknown>) => work.push(one),
-    reportFiles: () => {},
+    fileNotices: new Map(),
+    user: { changed: () => {} },
   } as unknown as SocketView;
   const target = new SurfaceTarget(socket, document.createElement('i'));
   return {

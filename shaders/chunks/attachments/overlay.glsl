@@ -53,7 +53,7 @@ vec4 overlayMean(float from, float to) {
 
 /// Either two media in one place: their extinctions add, and so does their light. Or the volume's extinction with the layer's colour.
 /// If one end has no data of the layer, the half next to it has no layer. Twin: optics/overlay.ts, overlayShade
-vec4 overlayLookShade(Segment segment, vec4 seen) {
+vec4 overlayAppearanceShade(Segment segment, vec4 seen) {
   float from = segment.front.overlay;
   float to = segment.back.overlay;
   bool hasFrom = from >= MIN_OVERLAY;

@@ -29,7 +29,7 @@ bool runsOn(Sample a, Sample b) {
 vec4 seeSurface(vec4 color, Sample hit, float visible) {
   vec4 seen = vec4(color.rgb * color.a, color.a);
 #ifdef LABELS_HIDE
-  seen = labelLooksShade(Segment(hit, hit, 0.0, 0.0, visible), seen);
+  seen = labelAppearancesShade(Segment(hit, hit, 0.0, 0.0, visible), seen);
 #endif
 #if SURFACES_LIT
   if (visible * seen.a > MIN_LIT) {

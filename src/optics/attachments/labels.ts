@@ -85,7 +85,7 @@ function crossZero(values: CubicValues): number {
  * Labels colour what is visible and multiply its extinction. If the two ends of a piece of a ray have different label styles, the
  * front half gets the style of the front end and the back half that of the back end. Next to a place without data, the other end's style
  * counts for both.
- * Twin: shaders/chunks/attachments/label-looks.glsl
+ * Twin: shaders/chunks/attachments/label-appearances.glsl
  */
 export const labelShade: ShadeStage = ({ front, back }, seen) => {
   const [first, last] = labelledEnds(front, back).map(({ style }) => style);

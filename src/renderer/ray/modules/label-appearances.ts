@@ -1,11 +1,11 @@
 import depths from '../../../../shaders/chunks/depth/depths.glsl?raw';
-import looks from '../../../../shaders/chunks/attachments/label-looks.glsl?raw';
+import looks from '../../../../shaders/chunks/attachments/label-appearances.glsl?raw';
 import type { RayModule } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
 
 /** Labels colour a segment, and multiply its extinction. The label module provides the inputs. */
 export const labelAppearances: RayModule<'shade'> = {
-  name: 'labelLooks',
+  name: 'labelAppearances',
   stage: 'shade',
   defines: {},
   chunks: [depths, looks],

@@ -73,7 +73,7 @@ export interface OverlayLookOptions {
 
 export function overlayAppearanceText({ color, tableFilter, folds }: OverlayLookOptions): RayText {
   return {
-    name: 'overlayLook',
+    name: 'overlayAppearance',
     stage: 'shade',
     defines: {
       OVERLAY_COLOR: Number(color),
