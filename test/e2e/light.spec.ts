@@ -24,19 +24,15 @@ const plainScans = [
     title: 'an MRI that is lit by default',
     attributes: '',
     parts: [
-      ...[
-        'lit',
-        'styles',
-        'load-light',
-        'style-detail',
-        'cut-fade',
-        'gradient',
-        'styled',
-        'keep-last',
-        'part-of-twins',
-      ],
-      // 2.5 kB of a radar's light: it is loaded together with all light, before it is known what the volume is.
-      ...['polar-taps', 'polar-gradient', 'polar-geometry', 'radar-twins'],
+      'lit',
+      'styles',
+      'load-light',
+      'style-detail',
+      'cut-fade',
+      'gradient',
+      'styled',
+      'keep-last',
+      'part-of-twins',
     ],
   },
 ];

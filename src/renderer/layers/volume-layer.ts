@@ -60,6 +60,8 @@ export class VolumeLayer {
   #discrete: FieldProvider | null = null;
   #slices: SliceModule | null = null;
   #style: StyleModules | null = null;
+  /** The grid of the last volume for which code was loaded: it is set, or will be. */
+  #prepared: Pick<VolumeData, 'grid'> | null = null;
   #styleCalls = 0;
   #attached: AttachedLayers | null = null;
   #classifiers: Classifiers | null = null;
@@ -123,9 +125,17 @@ export class VolumeLayer {
         import('../ray/styles/styles.ts').then(({ createStyle }) => createStyle(style, this)),
         'draws projections and light',
       ));
+    if (made) await this.#prepareStyle(made);
     if (call !== this.#styleCalls) return made?.dispose();
     this.#style?.dispose();
     this.#style = made;
+  }
+
+  async #prepareStyle(style: StyleModules): Promise<void> {
+    const prepared = this.#prepared;
+    if (!prepared) return;
+    await style.prepare?.(prepared);
+    if (prepared !== this.#prepared) await this.#prepareStyle(style); // Another volume was prepared meanwhile.
   }
 
   /**
@@ -148,6 +158,8 @@ export class VolumeLayer {
    * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing
    */
   async prepare(volume: VolumeData, optics?: Optics): Promise<void> {
+    this.#prepared = { grid: volume.grid };
+    await this.#style?.prepare?.(volume);
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     if (!isPolar(volume)) await prepareCartesian(volume, this.device);

@@ -3,7 +3,8 @@ import type { Contribution } from '../../../optics/cells/empty-space-distance.ts
 import type { RayStyle } from '../../../optics/rays/ray-style.ts';
 import { contributionOfSurfaces, depthOfSurfaces, surfaceFlat } from '../../../optics/surfaces/surfaces.ts';
 import { isPolar } from '../../../volume/volume.ts';
-import { loadLight } from './load-light.ts';
+import { lightLayer } from './load-light.ts';
+import type { LayerLight } from './load-light.ts';
 import { pointsModule } from '../modules/lit.ts';
 import { createSurfaces } from '../modules/surfaces.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
@@ -13,7 +14,8 @@ export async function createIsoSurfaces(
   { surfaces = [], plain, clear, surfaceStyles }: RayStyle,
   layer: StyledLayer,
 ): Promise<StyleModules> {
-  const lightOf = plain ? () => null : await loadLight(layer);
+  const layerLight = plain ? null : lightLayer(layer);
+  const lightOf = (): ReturnType<LayerLight> => layerLight?.() ?? null;
   const made = createSurfaces(layer.gl, layer.device);
   const styling = surfaceStyles && (await import('../modules/styled.ts'));
   const styles = styling && new styling.StyledRays(layer.gl, [{ weight: 1, styles: surfaceStyles }], surfaceFlat);
@@ -29,6 +31,7 @@ export async function createIsoSurfaces(
   };
   return {
     projects: false,
+    prepare: layerLight?.prepare,
     modules: (others) => {
       if (!has()) return [];
       const light = styling && !styling.hasRoom(others, layer.device) ? null : lightOf();

@@ -1,16 +1,25 @@
 import { headlightAlone } from '../../../optics/transfer/lights.ts';
 import { isPolar } from '../../../volume/volume.ts';
+import type { VolumeData } from '../../../volume/volume.ts';
 import { cartesianTapsOf } from '../modules/lit.ts';
 import type { FieldTaps, LitOptions, LitSurroundings } from '../modules/lit.ts';
 import { cutsOf, hasCuts } from '../modules/lit-cuts.ts';
 import type { StyledLayer } from './style-modules.ts';
 
-/** Load the code for light. The returned function gives the current light of a layer's volume; null if the volume can't be lit. */
-export async function loadLight(
-  layer: StyledLayer,
-): Promise<() => { readonly options: LitOptions; readonly surroundings: LitSurroundings } | null> {
-  const polarTaps: FieldTaps | null = (await layer.providers.polarTaps?.()) ?? null;
-  return () => {
+/** The light of a layer's volume. */
+export interface LayerLight {
+  /** The current light; null if the volume can't be lit. */
+  (): { readonly options: LitOptions; readonly surroundings: LitSurroundings } | null;
+  /** Load what lights such a volume, before it is set. */
+  readonly prepare: (volume: Pick<VolumeData, 'grid'>) => Promise<void>;
+}
+
+export function lightLayer(layer: StyledLayer): LayerLight {
+  let polarTaps: FieldTaps | null = null;
+  const prepare = async (volume: Pick<VolumeData, 'grid'>): Promise<void> => {
+    if (isPolar(volume)) polarTaps ??= (await layer.providers.polarTaps?.()) ?? null;
+  };
+  const light = (): ReturnType<LayerLight> => {
     const volume = layer.volume!;
     const taps = isPolar(volume) ? polarTaps : cartesianTapsOf;
     if (volume.isDiscrete || !taps) return null;
@@ -21,4 +30,5 @@ export async function loadLight(
       surroundings: { lights, cuts },
     };
   };
+  return Object.assign(light, { prepare });
 }

@@ -4,19 +4,20 @@ import { contributionOfGradients } from '../../../optics/cells/patch-cells.ts';
 import { depthOfPatches } from '../../../optics/transfer/patches.ts';
 import type { Patch } from '../../../optics/transfer/patches.ts';
 import { Kept } from '../../device/kept.ts';
-import { loadLight } from './load-light.ts';
+import { lightLayer } from './load-light.ts';
 import { pointsModule } from '../modules/lit.ts';
 import { createPatches } from '../modules/patches.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 
 /** Volumes of labels have no gradients. If labels have their own transfer functions, only values count for all of them. */
 export async function createPatched(patches: readonly Patch[], layer: StyledLayer): Promise<StyleModules> {
-  const lightOf = await loadLight(layer);
+  const lightOf = lightLayer(layer);
   const made = createPatches(layer.gl, patches);
   const depth = depthOfPatches(patches);
   const byGradient = new Kept<Contribution>();
   return {
     projects: false,
+    prepare: lightOf.prepare,
     modules: (others) => {
       const light = lightOf();
       return light && !others.some(({ name }) => name === 'labelFunctions')

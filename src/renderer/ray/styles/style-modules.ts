@@ -15,6 +15,8 @@ type MoreSeen = Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' 
 export interface StyleModules {
   /** Whether rays project values, independent of the length over which the values occur. */
   readonly projects: boolean;
+  /** Load what a volume needs in this style, before it is set. */
+  readonly prepare?: (volume: Pick<VolumeData, 'grid'>) => Promise<void>;
   /** The style's modules for a ray of the layer's volume. @param others - the other modules of the ray */
   modules(others: readonly RayModule[]): readonly RayModule[];
   /** Which values show where, given the contributions of the other modules. */

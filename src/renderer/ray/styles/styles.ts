@@ -45,6 +45,9 @@ function join(parts: readonly StyleModules[]): StyleModules {
   const last = parts.filter((part) => part.contributions).at(-1);
   return {
     projects: false,
+    prepare: async (volume) => {
+      await Promise.all(parts.map(async (part) => part.prepare?.(volume)));
+    },
     modules: (others) => [...new Set(parts.flatMap((part) => part.modules(others)))],
     contributions: last?.contributions,
     seen: (more, appearance) => parts.reduce((known, part) => part.seen?.(known, appearance) ?? known, more),
@@ -54,14 +57,15 @@ function join(parts: readonly StyleModules[]): StyleModules {
 
 /** Light. Volumes of labels have no gradients, so they have no surfaces that could face a light. */
 async function createLight(layer: StyledLayer): Promise<StyleModules> {
-  const [{ createLit, pointsModule }, { loadLight }, { rangeLight }] = await Promise.all([
+  const [{ createLit, pointsModule }, { lightLayer }, { rangeLight }] = await Promise.all([
     import('../modules/lit.ts'),
     import('./load-light.ts'),
     import('../../../optics/cells/style-detail.ts'),
   ]);
-  const lightOf = await loadLight(layer);
+  const lightOf = lightLayer(layer);
   return {
     projects: false,
+    prepare: lightOf.prepare,
     modules: () => {
       const light = lightOf();
       return light ? [pointsModule, createLit(light.options, light.surroundings)] : [];
@@ -76,17 +80,18 @@ async function createStyled(
   { lit }: RayStyle,
   layer: StyledLayer,
 ): Promise<StyleModules> {
-  const [{ pointsModule }, { loadLight }, { rangeStyles }, { hasRoom, StyledRays, withLight }] = await Promise.all([
+  const [{ pointsModule }, { lightLayer }, { rangeStyles }, { hasRoom, StyledRays, withLight }] = await Promise.all([
     import('../modules/lit.ts'),
     import('./load-light.ts'),
     import('../../../optics/cells/style-detail.ts'),
     import('../modules/styled.ts'),
   ]);
-  const lightOf = await loadLight(layer);
+  const lightOf = lightLayer(layer);
   const all = lit ? withLight(chains) : chains;
   const rays = new StyledRays(layer.gl, all);
   return {
     projects: false,
+    prepare: lightOf.prepare,
     modules: (others) => {
       const light = lightOf();
       return light && hasRoom(others, layer.device)
