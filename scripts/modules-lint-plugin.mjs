@@ -288,7 +288,7 @@ const noLiteralWords = {
       if (word)
         context.report({
           node,
-          message: `a template says "${word.trim()}"; words that a person reads are terms of src/messages`,
+          message: `a template says "${word.trim()}"; words that a person reads are messages of src/messages`,
         });
     },
   }),

@@ -105,7 +105,7 @@ export function renderHelp({ help, helpLines }: ControlMessages): unknown {
   </div>`;
 }
 
-/** @param told - a sentence, and a text where the browser did not allow copying */
+/** @param message - a sentence, and a text where the browser did not allow copying */
 export function renderCopied({ sentence, text }: { readonly sentence: string; readonly text: string }): unknown {
   return html`<div class="panel" part="controls-panel" role="status">
     <p>${sentence}</p>${text === '' ? nothing : html`<textarea readonly aria-label=${sentence} .value=${text} @focus=${selectAll}></textarea>`}

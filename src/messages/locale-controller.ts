@@ -17,7 +17,7 @@ const shipped = new Map<string, Partial<Messages> | null>();
 /**
  * Add a language for the elements of this page; they use it where the nearest `lang` attribute names it.
  * @param code - BCP 47, like `de` or `pt-BR`
- * @param terms - missing messages stay English; a second call for the same language replaces the first
+ * @param messages - missing messages stay English; a second call for the same language replaces the first
  */
 export function registerTranslation(code: string, messages: Partial<Messages>): void {
   // The direction of writing comes from the page, through CSS; but the registry needs a value.

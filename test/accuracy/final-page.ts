@@ -92,7 +92,7 @@ const names = [
 
 /**
  * Largest differences of bytes from the first picture of each view.
- * @param count - of scenes @param tell - what is being done
+ * @param count - of scenes @param notify - what is being done
  */
 export async function compareFinals(
   count: number,

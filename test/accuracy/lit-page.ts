@@ -38,7 +38,7 @@ const size = { width: 96, height: 72 };
 /** Steps of full rays, as multiples of those that nobody chose and of one a voxel. */
 const full = { coarse: 10, aVoxel: 24 };
 
-/** @param quick - whether some of each kind are enough @param tell - what is being done */
+/** @param quick - whether some of each kind are enough @param notify - what is being done */
 export async function measureLit(quick: boolean, notify: (what: string) => void): Promise<LitResult[]> {
   const results: LitResult[] = [];
   const host = document.createElement('div');

@@ -32,7 +32,7 @@ export interface OpaqueResult {
 /** No picture that could be kept with so many steps may stop before. */
 const affordable = 2048;
 
-/** @param called - a volume, see `opaqueVolumes` @param tell - what is being done @returns null where there is no such file */
+/** @param called - a volume, see `opaqueVolumes` @param notify - what is being done @returns null where there is no such file */
 export async function measureOpaque(called: string, notify: (what: string) => void): Promise<OpaqueResult[] | null> {
   const scenes = await listOpaqueScenes(called);
   if (!scenes) return null;

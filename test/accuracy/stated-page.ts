@@ -21,7 +21,7 @@ export interface StatedResult {
   readonly uncertain: number;
 }
 
-/** @param count - of scenes @param tell - what is being done */
+/** @param count - of scenes @param notify - what is being done */
 export async function measureStated(count: number, notify: (what: string) => void): Promise<StatedResult[]> {
   const gl = new StudyGl();
   const results: StatedResult[] = [];

@@ -74,7 +74,7 @@ const idleMs = 2000;
 /** Frames whose error is measured. */
 const judged = 3;
 
-/** @param tell - what is being done */
+/** @param notify - what is being done */
 export async function measureController(
   scene: ControllerScene,
   notify: (what: string) => void,

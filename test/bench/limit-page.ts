@@ -20,7 +20,7 @@ export interface LimitRow {
   readonly reached: ReadonlyMap<number, (FoundSteps & { ms: number }) | null>;
 }
 
-/** @param tell - what is being done */
+/** @param notify - what is being done */
 export async function measureLimits(options: QualityOptions, notify: (what: string) => void): Promise<LimitRow[]> {
   const gl = new StudyGl();
   const rows: LimitRow[] = [];

@@ -134,7 +134,7 @@ interface Cell {
   readonly picture: ImageBitmap;
 }
 
-/** @param tell - what is being done */
+/** @param notify - what is being done */
 export async function drawLooks(
   { size, scenes, modules }: LooksOptions,
   notify: (what: string) => void,

@@ -53,7 +53,7 @@ const affordable = 128 ** 2 * (100 + 4);
 
 const shares = [0.16, 0.14, 0.125, 0.11, 0.1, 0.08] as const;
 
-/** @param tell - what is being done */
+/** @param notify - what is being done */
 export async function compareMotion(
   { size, scenes }: MotionOptions,
   notify: (what: string) => void,

@@ -66,7 +66,7 @@ const dragged = 0.1;
 /** The view in full has so many times the steps of any picture that is held against it: errors are right to a sixteenth. */
 const finer = 4;
 
-/** @param tell - what is being done */
+/** @param notify - what is being done */
 export async function measurePairs(options: PairsOptions, notify: (what: string) => void): Promise<ScenePairs> {
   const element = document.createElement('volume-view');
   for (const [name, value] of Object.entries(options.attributes)) element.setAttribute(name, value);

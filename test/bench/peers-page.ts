@@ -88,7 +88,7 @@ const referenceSide = 12;
 /** Of a picture that takes longer, one is drawn, ms. */
 const slow = 1000;
 
-/** @param tell - what is being done */
+/** @param notify - what is being done */
 export async function comparePeers(options: PeersOptions, notify: (what: string) => void): Promise<PeersRow[]> {
   const rows: PeersRow[] = [];
   for await (const { name, volume: loaded, functions } of eachVolume(options.scenes, new AbortController().signal)) {

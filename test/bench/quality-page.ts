@@ -57,7 +57,7 @@ export interface QualityOptions {
 /** What all pictures of a scene have in common. */
 export type ScenePicture = Pick<StudyPicture, 'volume' | 'rays' | 'referenceLength' | 'transferFunction'>;
 
-/** All scenes, each with all its transfer functions. @param tell - what is being done */
+/** All scenes, each with all its transfer functions. @param notify - what is being done */
 export async function* eachScene(
   gl: StudyGl,
   ids: readonly string[],
@@ -159,7 +159,7 @@ export function timeInTurns(
   return new Map([...times].map(([name, list]) => [name, median(list)]));
 }
 
-/** Time to an error, for all scenes. @param tell - what is being done */
+/** Time to an error, for all scenes. @param notify - what is being done */
 export async function measureQuality(options: QualityOptions, notify: (what: string) => void): Promise<QualityRow[]> {
   const gl = new StudyGl();
   const rows: QualityRow[] = [];

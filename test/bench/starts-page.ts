@@ -17,7 +17,7 @@ export interface SentScene {
   readonly stepLength: number;
 }
 
-/** The MRI of the demos in a look. @param look - as an attribute has it */
+/** The MRI of the demos in a look. @param appearance - as an attribute has it */
 export async function sendScene(url: string, appearance: string): Promise<SentScene> {
   const volume = alignVolume(await loadScan(url));
   const { samples, table, ...scene } = describeScene(

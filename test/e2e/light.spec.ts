@@ -26,7 +26,7 @@ const plainScans = [
     parts: [
       'lit',
       'styles',
-      'load-light',
+      'layer-light',
       'style-detail',
       'cut-fade',
       'gradient',

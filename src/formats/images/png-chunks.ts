@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../../core/errors.ts';
+import { crc32 } from '../codecs/crc32.ts';
 
 /** What a PNG's first chunk says. */
 export interface PngHeader {
@@ -68,7 +69,7 @@ export function readPngParts(bytes: Uint8Array<ArrayBuffer>, header: PngHeader):
     const body = bytes.subarray(at + 8, at + 8 + length);
     // A capital letter marks a critical chunk, which every reader must know; others are not even checked.
     const isCritical = (bytes[at + 4] & 0x20) === 0;
-    if (isCritical && checksum(bytes.subarray(at + 4, at + 8 + length)) !== view.getUint32(at + 8 + length)) {
+    if (isCritical && crc32(bytes.subarray(at + 4, at + 8 + length)) !== view.getUint32(at + 8 + length)) {
       throw corruptPng(`got a wrong checksum in its part ${type}`);
     }
     if (type === 'IEND') return { header, palette, packed };
@@ -92,17 +93,4 @@ export function corruptPng(what: string, options?: { cause: unknown }): VolumeVi
 /** The type of the chunk that begins there. Only letters, as it may end up in a message. */
 function typeAt(bytes: Uint8Array, at: number): string {
   return String.fromCharCode(...bytes.subarray(at + 4, at + 8)).replace(/[^A-Za-z]/g, '?');
-}
-
-let checksums: Uint32Array | null = null;
-
-/** CRC-32. Source: the PNG specification, annex D. */
-function checksum(bytes: Uint8Array): number {
-  checksums ??= Uint32Array.from({ length: 256 }, (_, n) => {
-    for (let bit = 0; bit < 8; bit++) n = n & 1 ? 0xedb88320 ^ (n >>> 1) : n >>> 1;
-    return n;
-  });
-  let sum = -1;
-  for (let i = 0; i < bytes.length; i++) sum = checksums[(sum ^ bytes[i]) & 0xff] ^ (sum >>> 8);
-  return (sum ^ -1) >>> 0;
 }

@@ -46,8 +46,8 @@ interface Said {
 const nothingSaid = (): Said => ({ chains: [{ weight: 1, styles: [] }], projection: null, threshold: 0 });
 
 /** The controllers of segments, and of second volumes, for each view that has or had one. */
-const segmentKeepers = new WeakMap<Element, SegmentController>();
-const blendKeepers = new WeakMap<Element, BlendController>();
+const segmentControllers = new WeakMap<Element, SegmentController>();
+const blendControllers = new WeakMap<Element, BlendController>();
 
 /** The last reading of nodes for each view: parts and textures of an earlier reading may come later. */
 const readings = new WeakMap<Element, object>();
@@ -75,10 +75,10 @@ export async function withVolumeNodes(
   const segmented = findNode(host, 'segmentedvolumedata');
   const segments = segmented ? readSegmented(host, segmented) : null;
   if (segments) await showSegments(host, segments, isLast);
-  else segmentKeepers.get(host)?.hide();
+  else segmentControllers.get(host)?.hide();
   if (!isLast()) return styled;
   if (second) await showSecond(host, { ...second, opacityFactor: readOpacityFactor(host, isOfAtlas(host)) }, isLast);
-  else blendKeepers.get(host)?.hide();
+  else blendControllers.get(host)?.hide();
   return styled;
 }
 
@@ -89,11 +89,11 @@ function isOfAtlas(host: Element): boolean {
 
 /** The second volume is a layer, which has its own controller. */
 async function showSecond(host: Element, second: SecondVolume, isLast: () => boolean): Promise<void> {
-  if (!blendKeepers.has(host)) {
+  if (!blendControllers.has(host)) {
     const { BlendController } = await loadPart(import('./blend-controller.ts'), 'blends two volumes');
-    if (!blendKeepers.has(host)) blendKeepers.set(host, new BlendController(socketOf(host)));
+    if (!blendControllers.has(host)) blendControllers.set(host, new BlendController(socketOf(host)));
   }
-  if (isLast()) await blendKeepers.get(host)!.show(second);
+  if (isLast()) await blendControllers.get(host)!.show(second);
 }
 
 function findNode(host: Element, name: string): Element | undefined {
@@ -102,11 +102,11 @@ function findNode(host: Element, name: string): Element | undefined {
 
 /** Segments are labels of the volume, which have their own controller. */
 async function showSegments(host: Element, segments: Segments, isLast: () => boolean): Promise<void> {
-  if (!segmentKeepers.has(host)) {
+  if (!segmentControllers.has(host)) {
     const { SegmentController } = await loadPart(import('./segment-controller.ts'), 'shows segments');
-    if (!segmentKeepers.has(host)) segmentKeepers.set(host, new SegmentController(socketOf(host)));
+    if (!segmentControllers.has(host)) segmentControllers.set(host, new SegmentController(socketOf(host)));
   }
-  if (isLast()) await segmentKeepers.get(host)!.show(segments, isLast);
+  if (isLast()) await segmentControllers.get(host)!.show(segments, isLast);
 }
 
 function readSegmented(host: Element, node: Element): Segments {

@@ -17,7 +17,7 @@ const lastingBytes = 2 ** 21;
 export class FrameDrawing {
   /**
    * @param host - the element, whose size the picture has
-   * @param told - called with the facts about each frame
+   * @param notify - called with the facts about each frame
    */
   constructor(
     readonly host: Element,

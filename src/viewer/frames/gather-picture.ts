@@ -51,7 +51,7 @@ function countPixels({ over, width }: Pass, rows: number): number {
  * Draw the volume's next picture piece by piece, off screen. However long it takes, the page can work, and a change is handled
  * within the time of one piece.
  * @param goesOn - whether the picture is still needed
- * @param told - called after each piece with the share of the picture that is drawn, 0..1
+ * @param reported - called after each piece with the share of the picture that is drawn, 0..1
  * @returns ms that all pieces took; null where the picture was given up
  */
 export async function gatherPicture(

@@ -22,7 +22,7 @@ export class Playback {
   /** `autoplay` would start it, but a person has asked their system for less motion. */
   #isHeld = false;
 
-  /** @param told - called when playing starts or ends */
+  /** @param notify - called when playing starts or ends */
   constructor(readonly notify: (event: 'play' | 'pause') => void) {}
 
   get paused(): boolean {

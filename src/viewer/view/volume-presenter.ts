@@ -176,7 +176,7 @@ export class VolumePresenter implements AppearanceHost, SocketView {
     }
   }
 
-  /** There are volume nodes of X3D. @param load - loads the code that reads them, @param readLook - reads the appearance again */
+  /** There are volume nodes of X3D. @param load - loads the code that reads them, @param readAppearance - reads the appearance again */
   followNodes(load: () => Promise<VolumeNodeReader>, readAppearance: () => void): void {
     const { look: appearance } = this;
     // The loaded code then follows them itself.

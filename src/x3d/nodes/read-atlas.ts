@@ -35,7 +35,7 @@ const hasVolumeNode = (node: Node): boolean =>
 
 /**
  * Follows X3D's volume nodes among an element's children, and their content, as long as the element lives.
- * @param readLook - reads the styles again
+ * @param readAppearance - reads the styles again
  */
 export async function follow(
   { user: { host }, look: appearance }: Presented,

@@ -3,8 +3,8 @@ import type { Contribution } from '../../../optics/cells/empty-space-distance.ts
 import type { RayStyle } from '../../../optics/rays/ray-style.ts';
 import { contributionOfSurfaces, depthOfSurfaces, surfaceFlat } from '../../../optics/surfaces/surfaces.ts';
 import { isPolar } from '../../../volume/volume.ts';
-import { lightLayer } from './load-light.ts';
-import type { LayerLight } from './load-light.ts';
+import { lightLayer } from './layer-light.ts';
+import type { LayerLight } from './layer-light.ts';
 import { pointsModule } from '../modules/lit.ts';
 import { createSurfaces } from '../modules/surfaces.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';

@@ -4,7 +4,7 @@ import { contributionOfGradients } from '../../../optics/cells/patch-cells.ts';
 import { depthOfPatches } from '../../../optics/transfer/patches.ts';
 import type { Patch } from '../../../optics/transfer/patches.ts';
 import { Kept } from '../../device/kept.ts';
-import { lightLayer } from './load-light.ts';
+import { lightLayer } from './layer-light.ts';
 import { pointsModule } from '../modules/lit.ts';
 import { createPatches } from '../modules/patches.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';

@@ -59,7 +59,7 @@ function join(parts: readonly StyleModules[]): StyleModules {
 async function createLight(layer: StyledLayer): Promise<StyleModules> {
   const [{ createLit, pointsModule }, { lightLayer }, { rangeLight }] = await Promise.all([
     import('../modules/lit.ts'),
-    import('./load-light.ts'),
+    import('./layer-light.ts'),
     import('../../../optics/cells/style-detail.ts'),
   ]);
   const lightOf = lightLayer(layer);
@@ -82,7 +82,7 @@ async function createStyled(
 ): Promise<StyleModules> {
   const [{ pointsModule }, { lightLayer }, { rangeStyles }, { hasRoom, StyledRays, withLight }] = await Promise.all([
     import('../modules/lit.ts'),
-    import('./load-light.ts'),
+    import('./layer-light.ts'),
     import('../../../optics/cells/style-detail.ts'),
     import('../modules/styled.ts'),
   ]);
