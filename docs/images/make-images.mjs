@@ -100,7 +100,7 @@ const pictures = [
       },
     ],
   },
-  card('one-tag', [{ attributes: { ...mri, look: 'textbook', 'camera-orbit': '30deg 75deg 78%' } }]),
+  card('one-tag', [{ attributes: { ...mri, 'camera-orbit': '30deg 75deg 78%' } }]),
   card(
     'mosaic',
     [
