@@ -23,6 +23,7 @@ const programs = [
   'edges',
   'choices',
   'motion',
+  'gpu',
 ];
 
 /** What measures nothing runs only where it is named. */
