@@ -76,7 +76,8 @@ async function measureInPage({ attributes, size, seconds: turning, checkTimeout:
   await turn(1); // The controller learns what frames of this scene take.
   const turned = await turn(turning);
   const middle = (/** @type {number[]} */ values) => {
-    const sorted = values.toSorted((a, b) => a - b);
+    const sorted = [...values];
+    sorted.sort((a, b) => a - b);
     return sorted[sorted.length >> 1] ?? NaN;
   };
   return {
@@ -162,7 +163,8 @@ function formatRow({
   turnedSteps,
 }) {
   const total = intervals.reduce((sum, one) => sum + one, 0);
-  const sorted = intervals.toSorted((a, b) => a - b);
+  const sorted = [...intervals];
+  sorted.sort((a, b) => a - b);
   return {
     'self-check': check ? `${check.agrees ? 'right' : 'WRONG'}: ${check.off} of ${check.rays} off` : 'not checked',
     first: first.toFixed(0),
