@@ -28,29 +28,34 @@ export interface ViewRays {
 }
 
 /**
+ * The rays of the picture on the page. If a new volume has replaced the one in the picture, we wait for its first picture: until then the
+ * scene has the new volume, but the region, cuts and slices of the old one, such as a sweep that the new one does not have.
  * @param placesOnly - whether only places and opacities matter: light does not change them
  * @param looks - whether rays look for opaque matter at once, as in pictures at rest
- * @returns null before there is a picture, and while a coarser volume is shown in place of one that is loading
+ * @returns null before there is a picture, where no picture will come, and while a coarser volume is shown in place of one that is loading
  * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
  */
 export async function raysOfView(
   viewer: Viewer,
   { placesOnly, looks = true }: { readonly placesOnly: boolean; readonly looks?: boolean },
 ): Promise<ViewRays | null> {
+  const isDrawn = (): boolean => viewer.drawn === viewer.volume;
+  if (!viewer.drawn) return null;
+  if (!isDrawn()) await viewer.place.visibility.ask(() => viewer.loop.settled(isDrawn));
   const {
     volume,
     optics,
-    drawn,
     controller,
     shown: { labels },
   } = viewer;
   const twins = controller.twins(looks);
   // The coarse volume that is shown until a larger one is loaded has other voxels.
-  if (!volume || !optics || !drawn || volume.coarse || twins?.volume !== volume) return null;
+  if (!isDrawn() || !volume || !optics || volume.coarse || twins?.volume !== volume) return null;
   const setup = setUpView(viewer, twins);
   if (!setup) return null;
   const frame = { volume, optics: twins.optics, rays: setup, placesOnly };
   await loadTwins(twins, frame);
+  if (viewer.volume !== volume) return raysOfView(viewer, { placesOnly, looks }); // Another volume has come meanwhile.
   const functions =
     !optics.projection && labels?.shown && isOn(labels.shown, volume) ? (labels.shown.functions ?? []) : [];
   return {

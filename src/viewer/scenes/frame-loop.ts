@@ -95,9 +95,17 @@ export class FrameLoop {
     }
   }
 
-  /** Resolves when the picture is final: nothing moves, and nothing has changed since; at once where no picture will come. */
-  async settled(): Promise<void> {
-    while (!this.#ended && this.host.wantsPicture && (this.#dirty || this.#drawing || this.host.moving)) {
+  /**
+   * Resolves when the picture is final: nothing moves, and nothing has changed since; at once where no picture will come.
+   * @param isEnough - whether an earlier picture already does
+   */
+  async settled(isEnough = () => false): Promise<void> {
+    while (
+      !this.#ended &&
+      this.host.wantsPicture &&
+      (this.#dirty || this.#drawing || this.host.moving) &&
+      !isEnough()
+    ) {
       this.#goOn(); // Without marking a change, which would restart the picture in progress.
       await this.change();
     }
