@@ -115,6 +115,7 @@ export const FOLDERS = {
     'picking',
     'attachments',
     'tools',
+    'notes',
     'session',
   ],
 };

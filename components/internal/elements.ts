@@ -10,6 +10,7 @@ export const elements: Readonly<Record<string, () => Promise<unknown>>> = {
   'volume-layer': () => import('../volume-layer/define.ts'),
   'volume-legend': () => import('../volume-legend/define.ts'),
   'volume-measure': () => import('../volume-measure/define.ts'),
+  'volume-note': () => import('../volume-note/define.ts'),
   'volume-readout': () => import('../volume-readout/define.ts'),
   'volume-slice': () => import('../volume-slice/define.ts'),
   'volume-slice-view': () => import('../volume-slice-view/define.ts'),

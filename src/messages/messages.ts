@@ -4,6 +4,7 @@ import type { ClipMessages } from './clip-messages.ts';
 import type { HandleMessages } from './handle-messages.ts';
 import type { LabelMessages } from './label-messages.ts';
 import type { MeasureMessages } from './measure-messages.ts';
+import type { NoteMessages } from './note-messages.ts';
 import type { NoticeMessages } from './notice-messages.ts';
 import type { PlaneMessages } from './plane-messages.ts';
 import type { ReadoutMessages } from './readout-messages.ts';
@@ -39,6 +40,7 @@ export type Messages = ViewMessages &
   ClipMessages &
   LabelMessages &
   MeasureMessages &
+  NoteMessages &
   NoticeMessages &
   PlaneMessages &
   BlankMessages;

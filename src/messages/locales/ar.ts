@@ -208,6 +208,12 @@ export const messages: Messages = {
     ['الصندوق، z الأدنى', 'الصندوق، z الأعلى'],
   ],
 
+  notes: 'ملاحظات',
+  note: (number) => `ملاحظة ${number}`,
+  noteBehind: 'خلف أجزاء أخرى',
+  noteOutside: 'خارج الصورة',
+  noteShow: (name) => `العرض في الصورة: ${name}`,
+
   labelList: 'التسميات',
   findLabel: 'البحث عن تسمية',
   allLabels: 'عرض الكل',

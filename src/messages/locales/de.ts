@@ -221,6 +221,12 @@ export const messages: Messages = {
     ['Quader, untere z', 'Quader, obere z'],
   ],
 
+  notes: 'Notizen',
+  note: (number) => `Notiz ${number}`,
+  noteBehind: 'Hinter anderen Teilen',
+  noteOutside: 'Außerhalb des Bildes',
+  noteShow: (name) => `Im Bild zeigen: ${name}`,
+
   labelList: 'Beschriftungen',
   findLabel: 'Beschriftung suchen',
   allLabels: 'Alle zeigen',

@@ -210,6 +210,12 @@ export const messages: Messages = {
     ['Caja, z inferior', 'Caja, z superior'],
   ],
 
+  notes: 'Notas',
+  note: (number) => `Nota ${number}`,
+  noteBehind: 'Detrás de otras partes',
+  noteOutside: 'Fuera de la imagen',
+  noteShow: (name) => `Mostrar en la imagen: ${name}`,
+
   labelList: 'Etiquetas',
   findLabel: 'Buscar una etiqueta',
   allLabels: 'Mostrar todas',

@@ -211,6 +211,12 @@ export const messages: Messages = {
     ['Boîte, z inférieur', 'Boîte, z supérieur'],
   ],
 
+  notes: 'Notes',
+  note: (number) => `Note ${number}`,
+  noteBehind: 'Derrière d’autres parties',
+  noteOutside: 'En dehors de l’image',
+  noteShow: (name) => `Montrer dans l’image : ${name}`,
+
   labelList: 'Étiquettes',
   findLabel: 'Chercher une étiquette',
   allLabels: 'Tout afficher',

@@ -208,6 +208,12 @@ export const messages: Messages = {
     ['ボックス、z の下側', 'ボックス、z の上側'],
   ],
 
+  notes: '注記',
+  note: (number) => `注記 ${number}`,
+  noteBehind: 'ほかの部分の後ろ',
+  noteOutside: '画像の外',
+  noteShow: (name) => `画像で示す: ${name}`,
+
   labelList: 'ラベル',
   findLabel: 'ラベルを探す',
   allLabels: 'すべて表示',

@@ -210,6 +210,12 @@ export const messages: Messages = {
     ['Caixa, z inferior', 'Caixa, z superior'],
   ],
 
+  notes: 'Notas',
+  note: (number) => `Nota ${number}`,
+  noteBehind: 'Atrás de outras partes',
+  noteOutside: 'Fora da imagem',
+  noteShow: (name) => `Mostrar na imagem: ${name}`,
+
   labelList: 'Rótulos',
   findLabel: 'Procurar um rótulo',
   allLabels: 'Mostrar todos',

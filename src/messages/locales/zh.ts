@@ -207,6 +207,12 @@ export const messages: Messages = {
     ['盒，z 下侧', '盒，z 上侧'],
   ],
 
+  notes: '注释',
+  note: (number) => `注释 ${number}`,
+  noteBehind: '在其他部分后面',
+  noteOutside: '在图像之外',
+  noteShow: (name) => `在图像中显示：${name}`,
+
   labelList: '标签',
   findLabel: '查找标签',
   allLabels: '全部显示',

@@ -2,6 +2,7 @@ import { viewMatrix } from '../../optics/rays/camera.ts';
 import type { Camera } from '../../optics/rays/camera.ts';
 import { transformPoint } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
+import type { View } from '../model/scene.ts';
 
 /**
  * Where a camera shows a place of the world.
@@ -17,4 +18,11 @@ export function projectPlace(
   if (!(z < 0)) return null;
   const reach = height / 2 / Math.tan(camera.fieldOfView / 2) / -z;
   return [width / 2 + reach * x, height / 2 - reach * y];
+}
+
+/** Device coordinates of a place, -1..1 inside the picture, and its distance in front of the eye. */
+export function projectInView({ view, projection: p }: View, at: Vector3): { x: number; y: number; depth: number } {
+  const eye = transformPoint(view, at);
+  const [x, y, w] = [0, 4, 12].map((row) => p[row] * eye[0] + p[row + 1] * eye[1] + p[row + 2] * eye[2] + p[row + 3]);
+  return { x: x / w, y: y / w, depth: -eye[2] };
 }

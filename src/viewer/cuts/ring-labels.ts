@@ -1,5 +1,5 @@
 import type { Vector3 } from '../../volume/matrix.ts';
-import { transformPoint } from '../../volume/matrix.ts';
+import { projectInView } from '../camera/project-place.ts';
 import type { View } from '../model/scene.ts';
 import type { ViewPart } from '../model/view-socket.ts';
 import type { RingLabel } from '../../radar/range-rings.ts';
@@ -82,7 +82,7 @@ export class RingLabels implements ViewPart {
 
   /** Move the labels to where a view shows their places. */
   place(view: View): void {
-    const seen = this.#labels.map(({ at }) => project(view, at));
+    const seen = this.#labels.map(({ at }) => projectInView(view, at));
     const farthest = Math.max(0, ...seen.map(({ depth }) => depth));
     seen.forEach(({ x, y, depth }, i) => {
       const span = this.#spans[i];
@@ -119,11 +119,4 @@ export class RingLabels implements ViewPart {
 function pushInside(middle: number, length: number, side: number): number {
   const min = length / 2 + margin;
   return Math.min(Math.max(middle, min), Math.max(side - min, min)) - middle;
-}
-
-/** Device coordinates of a place, -1..1 inside the picture, and its distance in front of the eye. */
-function project({ view, projection: p }: View, at: Vector3): { x: number; y: number; depth: number } {
-  const eye = transformPoint(view, at);
-  const [x, y, w] = [0, 4, 12].map((row) => p[row] * eye[0] + p[row + 1] * eye[1] + p[row + 2] * eye[2] + p[row + 3]);
-  return { x: x / w, y: y / w, depth: -eye[2] };
 }

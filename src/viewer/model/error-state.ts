@@ -18,6 +18,7 @@ const aspects = {
   labels: 'labels',
   surfaces: 'surfaces',
   overlay: 'the layer',
+  notes: 'notes',
   scene: 'the picture',
   check: 'self-check',
 } as const;

@@ -1,0 +1,306 @@
+// The notes over the picture of one view: pins at their places, texts at the sides, and lines from one to the other.
+import type { Vector3 } from '../../volume/matrix.ts';
+import { projectInView } from '../camera/project-place.ts';
+import type { Pixel } from '../camera/drag-place.ts';
+import type { View } from '../model/scene.ts';
+import { socketOf } from '../model/view-socket.ts';
+import type { ViewPart } from '../model/view-socket.ts';
+import { prefersLessMotion } from '../scenes/page-watcher.ts';
+import type { Viewer } from '../view/viewer.ts';
+import { arrangeNotes, columnsOf, margin, placeNotes } from './layout-notes.ts';
+import type { NoteOrder, NoteRoom, PlacedNote } from './layout-notes.ts';
+import { NoteMark } from './note-mark.ts';
+import type { NoteOwner } from './note-mark.ts';
+import { noteStyles } from './note-styles.ts';
+import { seePlaces, sightOf } from './see-places.ts';
+
+/** Maximum number of notes of a view. */
+export const maxNotes = 1000;
+
+/** Height of a text: larger where fingers touch it. CSS pixels. */
+const [line, coarseLine] = [24, 28];
+
+/** The camera rests when it has not moved for this time, ms. */
+const restMs = 120;
+
+/** How long texts take to their places when the camera has come to rest, ms. */
+const glideMs = 180;
+
+/** Over one view's picture. It exists while the view has notes. */
+export class NoteLayer implements ViewPart {
+  readonly key = 'notes';
+  readonly #element: HTMLElement;
+  readonly #pins: HTMLElement;
+  readonly #drawing: SVGElement;
+  readonly #sheet: CSSStyleSheet;
+  readonly #aspect: CSSStyleSheet;
+  readonly #abort = new AbortController();
+  readonly #owners = new Set<NoteOwner>();
+  #marks: readonly NoteMark[] = [];
+  #order: NoteOrder | null = null;
+  #tops = new Map<number, number>();
+  #anchors: readonly (Pixel | null)[] = [];
+  /** Where texts are shown, and where they were when they began to glide. */
+  #room: NoteRoom = { width: 0, height: 0, line };
+  #view: View | null = null;
+  #isBuilding = false;
+  #timer = 0;
+  #frame = 0;
+  /** Identifies the last work on sights; earlier work is given up. */
+  #seeing: object | null = null;
+
+  private constructor(
+    readonly view: HTMLElement,
+    picture: Element,
+  ) {
+    const { ownerDocument: document, shadowRoot: root } = view;
+    this.#element = document.createElement('div');
+    this.#element.className = 'notes';
+    this.#element.setAttribute('role', 'group');
+    this.#pins = document.createElement('div');
+    this.#pins.className = 'pins';
+    this.#pins.ariaHidden = 'true';
+    this.#drawing = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    this.#pins.append(this.#drawing);
+    this.#element.append(this.#pins);
+    ([...picture.parentNode!.querySelectorAll('.handles')].at(-1) ?? picture).after(this.#element);
+    const { CSSStyleSheet: Sheet } = document.defaultView as typeof globalThis & Window;
+    [this.#sheet, this.#aspect] = [new Sheet(), new Sheet()];
+    this.#sheet.replaceSync(noteStyles);
+    root!.adoptedStyleSheets = [...root!.adoptedStyleSheets, this.#sheet, this.#aspect];
+    const { signal } = this.#abort;
+    document.addEventListener('pointerdown', (event) => this.#closeOutside(event), { signal, capture: true });
+    view.addEventListener('keydown', (event) => this.#onKey(event), { signal });
+    void socketOf(view).join(this);
+  }
+
+  /** The layer of a view. @param picture - the part of the view that holds its picture */
+  static of(view: HTMLElement, picture: Element): NoteLayer {
+    const there = socketOf(view).parts.find((part) => part instanceof NoteLayer);
+    return there ?? new NoteLayer(view, picture);
+  }
+
+  /** @returns whether there is room: a view has at most `maxNotes` */
+  add(owner: NoteOwner): boolean {
+    if (!this.#owners.has(owner) && this.#owners.size >= maxNotes) return false;
+    this.#owners.add(owner);
+    this.changed();
+    return true;
+  }
+
+  remove(owner: NoteOwner): void {
+    if (!this.#owners.delete(owner)) return;
+    if (this.#owners.size === 0) this.#dispose();
+    else this.changed();
+  }
+
+  /** Something about a note has changed. */
+  changed(): void {
+    if (this.#isBuilding || this.#abort.signal.aborted) return;
+    this.#isBuilding = true;
+    queueMicrotask(() => {
+      this.#isBuilding = false;
+      if (!this.#abort.signal.aborted) this.#build();
+    });
+  }
+
+  /** Draw attention to a note, or no longer. */
+  highlight(owner: NoteOwner, isActive: boolean): void {
+    this.#marks.find((mark) => mark.owner === owner)?.setActive(isActive);
+  }
+
+  #dispose(): void {
+    this.#abort.abort();
+    clearTimeout(this.#timer);
+    cancelAnimationFrame(this.#frame);
+    this.#seeing = null;
+    void socketOf(this.view).leave(this);
+    this.#element.remove();
+    for (const mark of this.#marks) mark.remove();
+    const root = this.view.shadowRoot!;
+    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((one) => one !== this.#sheet && one !== this.#aspect);
+  }
+
+  /** Bring the marks in line with the notes, in the order of the page. */
+  #build(): void {
+    const owners = [...this.#owners].sort((a, b) =>
+      a.element.compareDocumentPosition(b.element) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1,
+    );
+    const known = new Map(this.#marks.map((mark) => [mark.owner, mark]));
+    this.#marks = owners.map((owner) => known.get(owner) ?? new NoteMark(owner, this.view.ownerDocument));
+    for (const [owner, mark] of known) if (!this.#owners.has(owner)) mark.remove();
+    let after: Element = this.#pins;
+    this.#marks.forEach((mark, i) => {
+      mark.write(i + 1);
+      if (after.nextElementSibling !== mark.text) after.after(mark.text, mark.panel);
+      after = mark.panel;
+      if (mark.line.parentNode !== this.#drawing) this.#drawing.append(mark.line);
+      if (mark.pin.parentNode !== this.#pins) this.#pins.append(mark.pin);
+    });
+    const [name] = owners.map(({ messages }) => messages.notes);
+    this.#element.ariaLabel = name;
+    this.#order = null;
+    this.#tops.clear();
+    if (this.#view) this.place(this.#view);
+  }
+
+  place(view: View): void {
+    this.#view = view;
+    cancelAnimationFrame(this.#frame);
+    if (this.#marks.length === 0) return;
+    const { clientWidth: width, clientHeight: height } = this.view;
+    if (width === 0 || height === 0) return;
+    if (width !== this.#room.width || height !== this.#room.height) this.#resize(width, height);
+    const anchors = this.#marks.map(({ owner: { at } }) => at && this.#project(view, at));
+    const notes = this.#notes(anchors);
+    if (!this.#order) this.#arrange(anchors);
+    this.#tops = placeNotes(this.#order!, notes, this.#room, { tops: this.#tops, anchors: this.#anchors });
+    this.#anchors = anchors;
+    this.#show(this.#lefts(), this.#tops);
+    clearTimeout(this.#timer);
+    this.#seeing = null;
+    this.#timer = window.setTimeout(() => void this.#rest(), restMs);
+  }
+
+  #resize(width: number, height: number): void {
+    const isCoarse = matchMedia('(any-pointer: coarse)').matches;
+    this.#room = { width, height, line: isCoarse ? coarseLine : line };
+    const { maxWidth } = columnsOf(this.#room);
+    this.#element.style.setProperty('--_line-height', `${this.#room.line}px`);
+    this.#element.style.setProperty('--_max-width', `${Math.max(this.#room.line, maxWidth).toFixed(1)}px`);
+    this.#aspect.replaceSync(`:host { --_noted-aspect: ${width} / ${height}; }`);
+    this.#order = null;
+    this.#tops.clear();
+  }
+
+  /** The pixel of a place, possibly outside of the picture; null behind the eye. */
+  #project(view: View, at: Vector3): Pixel | null {
+    const { x, y, depth } = projectInView(view, at);
+    const isParallel = view.projection[14] === 0;
+    const { width, height } = this.#room;
+    const pixel: Pixel = [(width * (x + 1)) / 2, (height * (1 - y)) / 2];
+    return (isParallel || depth > 0) && pixel.every(Number.isFinite) ? pixel : null;
+  }
+
+  #isInside(anchor: Pixel | null): anchor is Pixel {
+    const { width, height } = this.#room;
+    return anchor !== null && anchor[0] >= 0 && anchor[1] >= 0 && anchor[0] <= width && anchor[1] <= height;
+  }
+
+  #notes(anchors: readonly (Pixel | null)[]): PlacedNote[] {
+    return this.#marks.map(({ width }, i) => ({ anchor: anchors[i], width }));
+  }
+
+  /** Choose the order of the texts that are shown. */
+  #arrange(anchors: readonly (Pixel | null)[]): void {
+    for (const mark of this.#marks) mark.measure();
+    const shown = anchors.map((anchor, i) => (this.#isInside(anchor) && !this.#marks[i].isAway ? anchor : null));
+    this.#order = arrangeNotes(this.#notes(shown), this.#room, this.#order);
+    this.#element.classList.toggle('short', this.#order.isShort);
+    if (this.#order.isShort) for (const mark of this.#marks) mark.measure();
+  }
+
+  #lefts(): Map<number, number> {
+    const lefts = new Map<number, number>();
+    for (const { notes, left, width, isRight } of this.#order!.columns)
+      for (const i of notes) lefts.set(i, isRight ? left + width - this.#widthOf(i) : left);
+    return lefts;
+  }
+
+  #widthOf(i: number): number {
+    return this.#order!.isShort ? this.#room.line : this.#marks[i].width;
+  }
+
+  #show(lefts: ReadonlyMap<number, number>, tops: ReadonlyMap<number, number>): void {
+    const { width, height, line: own } = this.#room;
+    this.#marks.forEach((mark, i) => {
+      const anchor = this.#anchors[i];
+      const size = this.#widthOf(i);
+      const isInside = this.#isInside(anchor);
+      const [left, top] = [lefts.get(i), tops.get(i)];
+      const isPlaced = left !== undefined && top !== undefined;
+      // A text without a place in a column stands at its pin where keys reach it.
+      const clamp = (at: number, length: number, side: number): number => Math.max(0, Math.min(side - length, at));
+      const [x, y] = isPlaced
+        ? [left, top]
+        : anchor
+          ? [clamp(anchor[0] + margin, size, width), clamp(anchor[1] - own / 2, own, height)]
+          : [0, 0];
+      mark.show({
+        anchor: isInside ? anchor : null,
+        isPlaced: isPlaced && isInside,
+        left: x,
+        top: y,
+        size,
+        room: this.#room,
+      });
+    });
+  }
+
+  /** The camera rests: look how well the places are seen, and put the texts in order. */
+  async #rest(): Promise<void> {
+    const viewer = socketOf(this.view).view?.viewer as Viewer | null | undefined;
+    const places = this.#marks.flatMap((mark) => (mark.owner.at ? [{ mark, at: mark.owner.at }] : []));
+    const work = (this.#seeing = {});
+    const isWanted = (): boolean => this.#seeing === work;
+    if (viewer && places.length > 0) {
+      try {
+        const seen = await seePlaces(
+          viewer,
+          places.map(({ at }) => at),
+          isWanted,
+        );
+        if (!isWanted()) return;
+        if (seen) places.forEach(({ mark }, i) => mark.setSight(seen[i], sightOf(seen[i])));
+      } catch (error) {
+        console.warn(error); // A part of the package could not be loaded: the notes stay as they are.
+        if (!isWanted()) return;
+      }
+    }
+    const [lefts, tops] = [this.#lefts(), this.#tops];
+    this.#arrange(this.#anchors);
+    this.#tops = placeNotes(this.#order!, this.#notes(this.#anchors), this.#room);
+    this.#glide({ lefts, tops }, { lefts: this.#lefts(), tops: this.#tops });
+  }
+
+  #glide(
+    from: { readonly lefts: ReadonlyMap<number, number>; readonly tops: ReadonlyMap<number, number> },
+    to: typeof from,
+  ): void {
+    cancelAnimationFrame(this.#frame);
+    const moves = [...to.tops].some(
+      ([i, top]) =>
+        from.tops.has(i) && (Math.abs(from.tops.get(i)! - top) > 0.5 || from.lefts.get(i) !== to.lefts.get(i)),
+    );
+    if (!moves || prefersLessMotion()) return this.#show(to.lefts, to.tops);
+    const began = performance.now();
+    const mix = (name: 'lefts' | 'tops', share: number): Map<number, number> =>
+      new Map([...to[name]].map(([i, end]) => [i, end - (1 - share) * (end - (from[name].get(i) ?? end))]));
+    const step = (): void => {
+      const share = Math.min(1, (performance.now() - began) / glideMs);
+      const eased = 1 - (1 - share) ** 2;
+      this.#show(mix('lefts', eased), mix('tops', eased));
+      if (share < 1) this.#frame = requestAnimationFrame(step);
+    };
+    step();
+  }
+
+  #closeOutside(event: Event): void {
+    const path = event.composedPath();
+    for (const mark of this.#marks) {
+      const own: unknown[] = [mark.text, mark.panel, mark.pin, mark.owner.element];
+      if (mark.owner.isOpen && !path.some((part) => own.includes(part))) mark.owner.toggle(false);
+    }
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    const open = this.#marks.filter(({ owner }) => owner.isOpen);
+    if (event.key !== 'Escape' || event.defaultPrevented || open.length === 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    for (const mark of open) {
+      if (mark.hasFocusInside) mark.text.focus({ preventScroll: true });
+      mark.owner.toggle(false);
+    }
+  }
+}
