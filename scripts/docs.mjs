@@ -234,6 +234,7 @@ const guides = {
   'volume-layer': [['Layers', 'guide/layers.md']],
   'volume-legend': [['Companions', 'guide/companions.md#volume-legend']],
   'volume-measure': [['Measuring', 'guide/measuring.md']],
+  'volume-note': [['Notes', 'guide/notes.md']],
   'volume-readout': [['Pointing', 'guide/pointing.md']],
   'volume-slice': [['Slices', 'guide/slices.md']],
   'volume-slice-view': [['Slices', 'guide/slices.md']],

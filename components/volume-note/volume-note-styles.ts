@@ -9,6 +9,14 @@ export const styles = css`
     display: none;
   }
 
+  ::slotted(:first-child) {
+    margin-block-start: 0;
+  }
+
+  ::slotted(:last-child) {
+    margin-block-end: 0;
+  }
+
   /* In the page, outside of a view. */
   :host(:state(linked)),
   :host([data-state-linked]) {

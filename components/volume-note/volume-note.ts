@@ -89,8 +89,8 @@ export class VolumeNote extends ReflectingElement {
   #hide: NoteHide = 'hidden';
   #transmittance: number | null = null;
   #number = 0;
-  /** The message of the last error, which is reported once. */
-  #problem: string | null = null;
+  /** What is wrong with it, if anything. */
+  #problem: VolumeViewError | null = null;
   readonly #owner: NoteOwner = ownerOf(this, {
     at: () => this.#at,
     hide: () => this.#hide,
@@ -148,8 +148,7 @@ export class VolumeNote extends ReflectingElement {
     this.#at = null;
     try {
       this.#hide = readNoteHide(this.readText('hide'));
-      const place = readNotePlace((name) => this.readText(name));
-      this.#at = this.#locate(place);
+      this.#at = this.#locate(readNotePlace((name) => this.readText(name)));
       this.#report(null);
     } catch (thrown) {
       this.#report(asVolumeViewError(thrown, '<volume-note>'));
@@ -166,13 +165,11 @@ export class VolumeNote extends ReflectingElement {
     });
   }
 
-  /** Tell the page about an error once, until there is another one. */
+  /** Send an error to the page, unless it is the last one. */
   #report(error: VolumeViewError | null): void {
-    const errors = this.#link.view && socketOf(this.#link.view).view?.errors;
-    if (error?.message === this.#problem || (!error && this.#problem === null)) return;
-    this.#problem = error?.message ?? null;
-    if (!error) return errors?.clear('notes');
-    errors?.report('notes', error);
+    if (error?.message === this.#problem?.message) return;
+    this.#problem = error;
+    if (!error) return;
     const { code, message, cause } = error;
     emit(this, 'error', { code, message, cause });
   }
@@ -186,17 +183,12 @@ export class VolumeNote extends ReflectingElement {
     if (!view || !picture || this.hidden) return this.#leave();
     this.#layer ??= NoteLayer.of(view, picture);
     if (this.#layer.add(this.#owner)) this.#layer.changed();
-    else
-      this.#report(
-        new VolumeViewError(
-          'attribute/invalid',
-          `<volume-view> got more than ${maxNotes} notes; expected at most ${maxNotes}. The others are not shown.`,
-        ),
-      );
+    else this.#report(tooMany());
+    this.#layer.blame(this.#owner, this.#problem);
   }
 
   #leave(): void {
-    this.#layer?.remove(this.#owner);
+    this.#layer?.drop(this.#owner);
     this.#layer = null;
     this.#number = 0;
     this.#transmittance = null;
@@ -225,6 +217,13 @@ export class VolumeNote extends ReflectingElement {
 
   readonly #onPoint = ({ type }: Event): void =>
     this.#layer?.highlight(this.#owner, this.open || type === 'focus' || type === 'pointerenter');
+}
+
+function tooMany(): VolumeViewError {
+  return new VolumeViewError(
+    'attribute/invalid',
+    `<volume-view> got more than ${maxNotes} notes; expected at most ${maxNotes}. The others are not shown.`,
+  );
 }
 
 /** What the layer of the view may know and do of a note. */

@@ -402,6 +402,30 @@ async function photographMeasure(page) {
 }
 
 /**
+ * The card of the page with notes: the middle of a brain with names.
+ * @param {import('@playwright/test').Page} page
+ */
+async function photographNotes(page) {
+  await page.setViewportSize({ width: 640, height: 480 });
+  const notes = [
+    ['0.5 -6 25', 'Corpus callosum'],
+    ['1.5 -17 8', 'Thalamus'],
+    ['0.5 -27 -34', 'Pons'],
+    ['1 -63 -24', 'Cerebellum'],
+    ['2 -84 6', 'Visual cortex'],
+  ].map(([position, label]) => `<volume-note position="${position}" label="${label}"></volume-note>`);
+  await page.setContent(`<!doctype html><title>Notes</title><script type="module" src="/src/index.ts"></script>
+    <style>body { margin: 0; background: #0f1217 } volume-view { width: 640px; height: 480px } ::part(note) { font-size: 16px }</style>
+    <volume-view src="${mri.src}" region="0 -120 -80 90 90 100" transfer-function="20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%" camera-orbit="82deg 84deg 92%">${notes.join('')}</volume-view>`);
+  await page.evaluate(() =>
+    Promise.all(['volume-view', 'volume-note'].map((name) => customElements.whenDefined(name))).then(() => undefined),
+  );
+  await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
+  await page.waitForTimeout(1500);
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
  * In a page: a PNG as WebP.
  * @param {{ png: string, quality: number }} picture - in base64
  */
@@ -440,6 +464,7 @@ const photographs = new Map([
   [card('companions', []), photographCompanions],
   [card('pointing', []), photographPointing],
   [card('measure', []), photographMeasure],
+  [card('notes', []), photographNotes],
   ...guidePictures.map(photographFor),
 ]);
 pictures.push(...photographs.keys());

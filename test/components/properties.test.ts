@@ -151,6 +151,17 @@ const companionRows: Record<string, Row[]> = {
       '1 2 3, 4 5 6',
     ],
   ],
+  'volume-note': [
+    ['htmlFor', 'for', 'a', 'a'],
+    ['position', 'position', [1, -2, 3.5], '1 -2 3.5'],
+    ['of', 'of', 23, '23'],
+    ['latitude', 'latitude', 48.25, '48.25'],
+    ['longitude', 'longitude', -11.5, '-11.5'],
+    ['height', 'height', 2000, '2000'],
+    ['label', 'label', 'LAD', 'LAD'],
+    ['hide', 'hide', 'never', 'never'],
+    ['open', 'open', true, ''],
+  ],
   'volume-timeline': [
     ['htmlFor', 'for', 'a', 'a'],
     ['timeZone', 'time-zone', 'Europe/Brussels', 'Europe/Brussels'],

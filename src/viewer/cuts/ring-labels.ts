@@ -1,4 +1,3 @@
-import type { Vector3 } from '../../volume/matrix.ts';
 import { projectInView } from '../camera/project-place.ts';
 import type { View } from '../model/scene.ts';
 import type { ViewPart } from '../model/view-socket.ts';

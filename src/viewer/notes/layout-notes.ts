@@ -16,6 +16,8 @@ export interface NoteRoom {
   readonly height: number;
   /** Height of a text, and width and height of a number. */
   readonly line: number;
+  /** Height at the bottom that texts leave free, for controls; 0 where it is absent. */
+  readonly bottom?: number;
 }
 
 /** One column of texts: the numbers of its notes, from top to bottom. */
@@ -50,14 +52,14 @@ const orderSlack = 6;
 export const maxStep = 2;
 
 /** How many texts stand in one column. */
-function countRows({ height, line }: NoteRoom): number {
-  return Math.max(0, Math.floor((height - 2 * margin + gap) / (line + gap)));
+function countRows({ height, line, bottom = 0 }: NoteRoom): number {
+  return Math.max(0, Math.floor((height - bottom - 2 * margin + gap) / (line + gap)));
 }
 
 /** Widest text for which two columns have room, and left edge of the left column. */
 export function columnsOf({ width, height }: NoteRoom): { readonly maxWidth: number; readonly left: number } {
   const span = Math.min(width, maxSpan * height);
-  return { maxWidth: Math.max(0, span * 0.4 - margin), left: (width - span) / 2 + margin };
+  return { maxWidth: Math.max(0, span * 0.46 - margin), left: (width - span) / 2 + margin };
 }
 
 /**
@@ -155,7 +157,7 @@ export function placeNotes(
  * Tops that keep their order and distance, stay in the picture, and are nearest to the wanted ones in the sense of least squares.
  * Source: pool adjacent violators, Ayer et al. 1955; bounds may be applied afterwards, Barlow et al. 1972
  */
-function spread(wanted: readonly number[], { height, line }: NoteRoom): number[] {
+function spread(wanted: readonly number[], { height, line, bottom = 0 }: NoteRoom): number[] {
   const apart = line + gap;
   const blocks: { sum: number; count: number }[] = [];
   wanted.forEach((top, i) => {
@@ -166,7 +168,7 @@ function spread(wanted: readonly number[], { height, line }: NoteRoom): number[]
     }
     blocks.push(block);
   });
-  const max = Math.max(margin, height - margin - line - (wanted.length - 1) * apart);
+  const max = Math.max(margin, height - bottom - margin - line - (wanted.length - 1) * apart);
   return blocks
     .flatMap(({ sum, count }) => Array.from({ length: count }, () => Math.min(max, Math.max(margin, sum / count))))
     .map((top, i) => top + i * apart);

@@ -1,4 +1,5 @@
 // The notes over the picture of one view: pins at their places, texts at the sides, and lines from one to the other.
+import type { VolumeViewError } from '../../core/errors.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { projectInView } from '../camera/project-place.ts';
 import type { Pixel } from '../camera/drag-place.ts';
@@ -20,6 +21,9 @@ export const maxNotes = 1000;
 /** Height of a text: larger where fingers touch it. CSS pixels. */
 const [line, coarseLine] = [24, 28];
 
+/** Height of the bar of controls, with its distance from the edge. */
+const barHeight = 48;
+
 /** The camera rests when it has not moved for this time, ms. */
 const restMs = 120;
 
@@ -36,6 +40,9 @@ export class NoteLayer implements ViewPart {
   readonly #aspect: CSSStyleSheet;
   readonly #abort = new AbortController();
   readonly #owners = new Set<NoteOwner>();
+  /** What is wrong with notes. The view shows the first one. */
+  readonly #problems = new Map<NoteOwner, VolumeViewError>();
+  #reported: VolumeViewError | null = null;
   #marks: readonly NoteMark[] = [];
   #order: NoteOrder | null = null;
   #tops = new Map<number, number>();
@@ -88,10 +95,23 @@ export class NoteLayer implements ViewPart {
     return true;
   }
 
-  remove(owner: NoteOwner): void {
-    if (!this.#owners.delete(owner)) return;
+  drop(owner: NoteOwner): void {
+    this.blame(owner, null);
+    this.#owners.delete(owner);
     if (this.#owners.size === 0) this.#dispose();
     else this.changed();
+  }
+
+  /** Show in the view what is wrong with a note; null for nothing. */
+  blame(owner: NoteOwner, problem: VolumeViewError | null): void {
+    if (problem) this.#problems.set(owner, problem);
+    else this.#problems.delete(owner);
+    const [first = null] = this.#problems.values();
+    if (first === this.#reported) return;
+    this.#reported = first;
+    const errors = socketOf(this.view).view?.errors;
+    if (first) errors?.report('notes', first);
+    else errors?.clear('notes');
   }
 
   /** Something about a note has changed. */
@@ -194,6 +214,8 @@ export class NoteLayer implements ViewPart {
   /** Choose the order of the texts that are shown. */
   #arrange(anchors: readonly (Pixel | null)[]): void {
     for (const mark of this.#marks) mark.measure();
+    const bottom = this.view.shadowRoot!.querySelector('.controls') ? barHeight : 0;
+    this.#room = { ...this.#room, bottom };
     const shown = anchors.map((anchor, i) => (this.#isInside(anchor) && !this.#marks[i].isAway ? anchor : null));
     this.#order = arrangeNotes(this.#notes(shown), this.#room, this.#order);
     this.#element.classList.toggle('short', this.#order.isShort);

@@ -1,0 +1,290 @@
+// <volume-note>
+import type { Locator, Page } from '@playwright/test';
+import { findFaults } from './helpers/axe.ts';
+import { attributesOf } from './helpers/reference.ts';
+import { expect, fieldUrl, open, settle, takePicture, keptTest as test, withElement } from './helpers/harness.ts';
+
+const size = 'style="width: 480px; height: 360px"';
+
+/** A view with these notes between its tags. */
+const view = (notes: string, changes: Record<string, string> = {}, more = ''): string =>
+  `<volume-view src="${fieldUrl}" ${attributesOf(changes)} ${size} ${more} alt="A field">${notes}</volume-view>`;
+
+const three = `<volume-note id="one" position="-8 4 3" label="First"><p>Text of the <a href="#x">first</a></p></volume-note>
+  <volume-note id="two" position="9 2 -4" label="Second"><p>Text of the second</p></volume-note>
+  <volume-note id="three" position="0 -6 8"><p>Text of the third</p></volume-note>`;
+
+const note = (page: Page, name: string): Locator => page.getByRole('button', { name, exact: true });
+
+/** Resolves when the camera has rested, and the notes know how well they are seen. */
+async function rest(page: Page): Promise<void> {
+  await settle(page);
+  await expect
+    .poll(() =>
+      page.evaluate(() => [...document.querySelectorAll('volume-note')].every((one) => one.transmittance !== null)),
+    )
+    .toBe(true);
+}
+
+/** The middle of the n-th pin, in pixels of the view. */
+const middleOfPin = (page: Page, n = 0): Promise<[number, number]> =>
+  page.evaluate((n) => {
+    const host = document.querySelector('volume-view')!;
+    const [pin, box] = [host.shadowRoot!.querySelectorAll('.pin')[n], host].map((one) => one.getBoundingClientRect());
+    return [pin.x + pin.width / 2 - box.x, pin.y + pin.height / 2 - box.y];
+  }, n);
+
+test.describe('notes', () => {
+  test('are buttons in the order of the page, and open with a click, a tap elsewhere, Enter and Escape', async ({
+    page,
+  }) => {
+    await open(page, `${view(three)}<p id="elsewhere">Elsewhere</p>`);
+    await rest(page);
+    await expect(page.getByRole('group', { name: 'Notes' })).toMatchAriaSnapshot(`
+      - group "Notes":
+        - button "First"
+        - button "Second"
+        - button "Note 3"
+    `);
+    await page.evaluate(() => {
+      const seen: unknown[] = ((window as unknown as { toggles: unknown[] }).toggles = []);
+      document.addEventListener('note-toggle', (event) =>
+        seen.push([(event.target as Element).id, (event as CustomEvent).detail]),
+      );
+    });
+    await note(page, 'First').click();
+    await expect(page.getByText('Text of the first')).toBeVisible();
+    await expect(note(page, 'First')).toHaveAttribute('aria-expanded', 'true');
+    await expect(page.locator('#one')).toHaveAttribute('open', '');
+    await page.locator('#elsewhere').click();
+    await expect(page.getByText('Text of the first')).toBeHidden();
+    await note(page, 'Second').focus();
+    await page.keyboard.press('Enter');
+    await expect(page.getByText('Text of the second')).toBeVisible();
+    await expect(page.getByRole('group', { name: 'Second' })).toMatchAriaSnapshot(`
+      - group "Second":
+        - paragraph: Text of the second
+    `);
+    await page.keyboard.press('Escape');
+    await expect(page.getByText('Text of the second')).toBeHidden();
+    await expect(note(page, 'Second')).toBeFocused();
+    expect(await page.evaluate(() => (window as unknown as { toggles: unknown[] }).toggles)).toEqual([
+      ['one', true],
+      ['one', false],
+      ['two', true],
+      ['two', false],
+    ]);
+  });
+
+  test('have no faults that axe finds, closed and open', async ({ page }) => {
+    await open(page, `<main><h1>A volume</h1>${view(three)}</main>`);
+    await rest(page);
+    expect(await findFaults(page)).toEqual([]);
+    await note(page, 'First').click();
+    expect(await findFaults(page)).toEqual([]);
+  });
+
+  test('let Tab go from a note into its open text, and Escape back', async ({ page }) => {
+    await open(page, view(three));
+    await rest(page);
+    await note(page, 'First').focus();
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Tab');
+    await expect(page.getByRole('link', { name: 'first' })).toBeFocused();
+    await page.keyboard.press('Escape');
+    await expect(note(page, 'First')).toBeFocused();
+  });
+
+  test('follow the camera: the pin is where a pick of the picture finds the place, within a pixel', async ({
+    page,
+  }) => {
+    await open(
+      page,
+      view('<volume-note label="There"><p>x</p></volume-note>', { 'transfer-function': '0.3 #fff 0, 0.3 #fff 90%' }),
+    );
+    await settle(page);
+    for (const [x, y] of [
+      [240, 180],
+      [200, 150],
+      [262, 199],
+    ]) {
+      const world = await withElement(page, async (element, at) => (await element.pick(at[0], at[1]))?.world ?? null, {
+        argument: [x, y],
+      });
+      expect(world).not.toBeNull();
+      await page.evaluate(
+        (at) => (document.querySelector('volume-note')!.position = at as [number, number, number]),
+        world,
+      );
+      await expect
+        .poll(async () => Math.hypot((await middleOfPin(page))[0] - x, (await middleOfPin(page))[1] - y))
+        .toBeLessThan(1);
+    }
+  });
+
+  test('say when other parts hide them: they step back, and keys still reach them', async ({ page }) => {
+    const solid = { 'transfer-function': '0 #fff 0.99, 1 #fff 0.99' };
+    await open(page, view('<volume-note position="0 0 0" label="Inside"><p>x</p></volume-note>', solid));
+    await rest(page);
+    const inside = note(page, 'Inside');
+    await expect(inside).toHaveAccessibleDescription('Behind other parts');
+    await expect(inside).toHaveCSS('opacity', '0');
+    await page.evaluate(() => document.querySelector('volume-view')!.focus());
+    await page.keyboard.press('Tab');
+    await expect(inside).toBeFocused();
+    await expect(inside).toHaveCSS('opacity', '1');
+    await page.evaluate(() => document.querySelector('volume-note')!.setAttribute('hide', 'never'));
+    await page.locator('volume-note').evaluate(() => (document.activeElement as HTMLElement).blur());
+    await expect(inside).toHaveCSS('opacity', '0.6');
+    // Clear again: nothing is in front of it.
+    await page.evaluate(() =>
+      document.querySelector('volume-view')!.setAttribute('transfer-function', '0 #fff 0, 1 #fff 0.1%'),
+    );
+    await expect(inside).toHaveAccessibleDescription('');
+  });
+
+  test('measure what the picture shows: the opacity where the volume is cut behind the place', async ({ page }) => {
+    // Seen along y from the front; the region ends at the height of the note.
+    const attributes = { 'camera-orbit': '0deg 90deg 90', 'transfer-function': '0 #fff 1%, 1 #fff 4%', steps: 'auto' };
+    await open(page, view('<volume-note position="1 -2 1" label="There"><p>x</p></volume-note>', attributes));
+    await rest(page);
+    const transmittance = await page.evaluate(() => document.querySelector('volume-note')!.transmittance!);
+    expect(transmittance).toBeGreaterThan(0.2);
+    expect(transmittance).toBeLessThan(0.9);
+    const [x, y] = await middleOfPin(page);
+    await page.evaluate(() =>
+      document.querySelector('volume-view')!.setAttribute('region', '-500 -2 -500 500 500 500'),
+    );
+    await settle(page);
+    const { data, width } = await takePicture(page, { width: 480, height: 360 });
+    const alpha = data[4 * (Math.floor(y) * width + Math.floor(x)) + 3] / 255;
+    expect(Math.abs(1 - alpha - transmittance)).toBeLessThan(0.006);
+  });
+
+  test('show errors of their attributes in words, once, and none when mended', async ({ page }) => {
+    await open(page, view('<volume-note position="1 2" label="Wrong"></volume-note>'));
+    await settle(page);
+    await expect(page.locator('volume-view [part=error]')).toContainText(
+      'position of <volume-note> got "1 2"; expected 3 numbers',
+    );
+    await page.evaluate(() => document.querySelector('volume-note')!.setAttribute('position', '1 2 3'));
+    await expect(page.locator('volume-view [part=error]')).toHaveCount(0);
+    await page.evaluate(() => document.querySelector('volume-note')!.setAttribute('hide', 'always'));
+    await expect(page.locator('volume-view [part=error]')).toContainText('hide of <volume-note> got "always"');
+    await page.evaluate(() => document.querySelector('volume-note')!.remove());
+    await expect(page.locator('volume-view [part=error]')).toHaveCount(0);
+    await page.evaluate(
+      () => (document.querySelector('volume-view')!.innerHTML = '<volume-note of="3" label="Label"></volume-note>'),
+    );
+    await expect(page.locator('volume-view [part=error]')).toContainText('add <volume-labels> to the <volume-view>');
+  });
+
+  test('never read HTML from attributes', async ({ page }) => {
+    const hostile = '&lt;img src=x onerror=&quot;window.hacked=1&quot;&gt;';
+    await open(page, view(`<volume-note position="0 0 0" hide="never" label="${hostile}"><p>x</p></volume-note>`));
+    await rest(page);
+    await expect(page.getByRole('button', { name: '<img src=x' })).toBeVisible();
+    expect(
+      await page.evaluate(
+        () => document.querySelector('volume-view')!.shadowRoot!.querySelectorAll('.notes img').length,
+      ),
+    ).toBe(0);
+  });
+
+  test('leave nothing when they go, and come back', async ({ page }) => {
+    await open(page, view(three));
+    await rest(page);
+    await note(page, 'First').click();
+    const left = await page.evaluate(async () => {
+      const host = document.querySelector('volume-view')!;
+      const notes = [...host.querySelectorAll('volume-note')];
+      const slotted = notes.every((one) => one.slot.startsWith('volume-note-'));
+      for (const one of notes) one.remove();
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      const there = host.shadowRoot!.querySelectorAll('.notes, .note, .pin').length;
+      const result = { slotted, there, slots: notes.map((one) => one.getAttribute('slot')) };
+      host.append(...notes);
+      return result;
+    });
+    expect(left).toEqual({ slotted: true, there: 0, slots: [null, null, null] });
+    await expect(note(page, 'Second')).toBeVisible();
+    await expect(page.getByText('Text of the first')).toBeVisible();
+  });
+
+  test('outlive a lost context', async ({ page }) => {
+    await open(page, view(three));
+    await rest(page);
+    await page.evaluate(() => {
+      const canvas = document.querySelector('volume-view')!.shadowRoot!.querySelector('canvas')!;
+      const gl = (canvas.getContext('webgl2') ?? canvas.getContext('webgl')) as WebGLRenderingContext;
+      const lose = gl.getExtension('WEBGL_lose_context')!;
+      lose.loseContext();
+      setTimeout(() => lose.restoreContext(), 200);
+    });
+    await page.waitForTimeout(600);
+    await settle(page);
+    await note(page, 'Second').click();
+    await expect(page.getByText('Text of the second')).toBeVisible();
+    await page.evaluate(() => document.querySelector('volume-view')!.setAttribute('camera-orbit', '80deg 65deg 90'));
+    await rest(page);
+    await expect(page.locator('volume-view .pin')).toHaveCount(3);
+  });
+
+  test('in the text of a page, and their places, show each other', async ({ page }) => {
+    await open(
+      page,
+      `${view('', {}, 'id="seen"')}<volume-note for="seen" hide="never" position="0 0 0" label="Middle"><p>A text of the page</p></volume-note>`,
+    );
+    await rest(page);
+    const number = page.getByRole('button', { name: 'Show in the picture: Middle' });
+    await expect(page.getByText('A text of the page')).toBeVisible();
+    await expect(number).toHaveText('1');
+    await number.focus();
+    await expect(page.locator('volume-view .pin')).toHaveClass(/active/);
+    await page.locator('volume-view').evaluate((element: HTMLElement) => element.focus());
+    await expect(page.locator('volume-view .pin')).not.toHaveClass(/active/);
+    const background = (): Promise<string> =>
+      page.locator('volume-note').evaluate((one) => getComputedStyle(one).backgroundColor);
+    expect(await background()).toBe('rgba(0, 0, 0, 0)');
+    await note(page, 'Middle').focus();
+    await expect.poll(background).not.toBe('rgba(0, 0, 0, 0)');
+  });
+
+  test('are numbers and texts below the picture on paper', async ({ page }) => {
+    await open(page, `${view(three)}<p id="after">After</p>`);
+    await rest(page);
+    await page.emulateMedia({ media: 'print' });
+    await expect(page.getByText('Text of the second')).toBeVisible();
+    const boxes = await page.evaluate(() => {
+      const host = document.querySelector('volume-view')!;
+      const rect = (one: Element): { top: number; bottom: number } => one.getBoundingClientRect();
+      return {
+        picture: rect(host.shadowRoot!.querySelector('.picture')!).bottom,
+        first: rect(document.querySelector('#one p')!).top,
+        third: rect(document.querySelector('#three p')!).top,
+        after: rect(document.querySelector('#after')!).top,
+      };
+    });
+    expect(boxes.first).toBeGreaterThan(boxes.picture);
+    expect(boxes.third).toBeGreaterThan(boxes.first);
+    expect(boxes.after).toBeGreaterThan(boxes.third);
+    await page.emulateMedia({ media: null });
+  });
+
+  test('are at most 1,000', async ({ page }) => {
+    await open(page, view(''));
+    await settle(page);
+    await page.evaluate(() => {
+      const host = document.querySelector('volume-view')!;
+      const all = Array.from({ length: 1001 }, (_, i) => {
+        const one = document.createElement('volume-note');
+        one.setAttribute('position', `${i % 20} ${i % 17} ${i % 13}`);
+        return one;
+      });
+      host.append(...all);
+    });
+    await expect(page.locator('volume-view [part=error]')).toContainText('got more than 1000 notes');
+    await expect.poll(() => page.locator('volume-view .pin').count()).toBe(1000);
+  });
+});
