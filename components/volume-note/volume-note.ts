@@ -113,6 +113,8 @@ export class VolumeNote extends ReflectingElement {
       attributeFilter: ['hidden', 'style', 'class'],
       childList: true,
     });
+    for (const type of ['pointerenter', 'pointerleave', 'focusin', 'focusout'] as const)
+      this.addEventListener(type, () => this.#point(type === 'pointerenter' || type === 'focusin'));
   }
 
   /**
@@ -207,16 +209,19 @@ export class VolumeNote extends ReflectingElement {
     const name = this.label?.trim() || this.#locale.messages.note(String(this.#number));
     const button =
       this.#link.view && !this.#around && this.#number > 0
-        ? html`<button type="button" part="number" aria-pressed=${String(this.open)} aria-label=${this.#locale.messages.noteShow(name)}
-            @click=${this.#onPress} @focus=${this.#onPoint} @blur=${this.#onPoint} @pointerenter=${this.#onPoint} @pointerleave=${this.#onPoint}>${this.#number}</button>`
+        ? html`<button type="button" part="number" aria-pressed=${String(this.open)} aria-label=${this.#locale.messages.noteShow(name)} @click=${this.#onPress}>${this.#number}</button>`
         : nothing;
     return html`${button}<slot></slot>`;
   }
 
   readonly #onPress = (): void => this.#toggle(!this.open);
 
-  readonly #onPoint = ({ type }: Event): void =>
-    this.#layer?.highlight(this.#owner, this.open || type === 'focus' || type === 'pointerenter');
+  /** In the text of a page: the place in the picture shows which text a person points at. */
+  #point(isPointed: boolean): void {
+    if (this.#around) return;
+    this.#states.set('active', isPointed || this.open);
+    this.#layer?.highlight(this.#owner, isPointed || this.open);
+  }
 }
 
 function tooMany(): VolumeViewError {
