@@ -2,7 +2,17 @@
 import type { Locator, Page } from '@playwright/test';
 import { findFaults } from './helpers/axe.ts';
 import { attributesOf } from './helpers/reference.ts';
-import { expect, fieldUrl, open, settle, takePicture, keptTest as test, withElement } from './helpers/harness.ts';
+import {
+  expect,
+  fieldUrl,
+  forgetEvents,
+  open,
+  settle,
+  takePicture,
+  keptTest as test,
+  waitForEvent,
+  withElement,
+} from './helpers/harness.ts';
 
 const size = 'style="width: 480px; height: 360px"';
 
@@ -101,7 +111,9 @@ test.describe('notes', () => {
   }) => {
     await open(
       page,
-      view('<volume-note label="There"><p>x</p></volume-note>', { 'transfer-function': '0.3 #fff 0, 0.3 #fff 90%' }),
+      view('<volume-note position="0 0 0" label="There"><p>x</p></volume-note>', {
+        'transfer-function': '0.3 #fff 0, 0.3 #fff 90%',
+      }),
     );
     await settle(page);
     for (const [x, y] of [
@@ -164,7 +176,6 @@ test.describe('notes', () => {
 
   test('show errors of their attributes in words, once, and none when mended', async ({ page }) => {
     await open(page, view('<volume-note position="1 2" label="Wrong"></volume-note>'));
-    await settle(page);
     await expect(page.locator('volume-view [part=error]')).toContainText(
       'position of <volume-note> got "1 2"; expected 3 numbers',
     );
@@ -215,14 +226,13 @@ test.describe('notes', () => {
   test('outlive a lost context', async ({ page }) => {
     await open(page, view(three));
     await rest(page);
+    await forgetEvents(page);
     await page.evaluate(() => {
       const canvas = document.querySelector('volume-view')!.shadowRoot!.querySelector('canvas')!;
       const gl = (canvas.getContext('webgl2') ?? canvas.getContext('webgl')) as WebGLRenderingContext;
-      const lose = gl.getExtension('WEBGL_lose_context')!;
-      lose.loseContext();
-      setTimeout(() => lose.restoreContext(), 200);
+      gl.getExtension('WEBGL_lose_context')!.loseContext();
     });
-    await page.waitForTimeout(600);
+    await waitForEvent(page, 'render');
     await settle(page);
     await note(page, 'Second').click();
     await expect(page.getByText('Text of the second')).toBeVisible();
@@ -240,6 +250,10 @@ test.describe('notes', () => {
     const number = page.getByRole('button', { name: 'Show in the picture: Middle' });
     await expect(page.getByText('A text of the page')).toBeVisible();
     await expect(number).toHaveText('1');
+    await page.getByText('A text of the page').hover();
+    await expect(page.locator('volume-view .pin')).toHaveClass(/active/);
+    await page.mouse.move(400, 5);
+    await expect(page.locator('volume-view .pin')).not.toHaveClass(/active/);
     await number.focus();
     await expect(page.locator('volume-view .pin')).toHaveClass(/active/);
     await page.locator('volume-view').evaluate((element: HTMLElement) => element.focus());
