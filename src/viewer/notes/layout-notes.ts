@@ -100,7 +100,8 @@ function divide(
     const side = was.get(i);
     return notes[i].anchor![0] - width / 2 + (side === undefined ? 0 : (side ? 1 : -1) * sideSlack * width);
   };
-  const sorted = [...shown].sort((a, b) => fromMiddle(a) - fromMiddle(b) || a - b);
+  const sorted = [...shown];
+  sorted.sort((a, b) => fromMiddle(a) - fromMiddle(b) || a - b);
   const left = sorted.filter((i) => fromMiddle(i) < 0).length;
   const count = Math.max(sorted.length - max, Math.min(max, left));
   return [sorted.slice(0, count), sorted.slice(count)];
@@ -110,7 +111,8 @@ function divide(
 function order(side: readonly number[], notes: readonly PlacedNote[], before: NoteOrder | null): number[] {
   const rank = new Map(before?.columns.flatMap(({ notes: members }) => members.map((i, at) => [i, at])));
   const height = (i: number): number => notes[i].anchor![1];
-  const known = side.filter((i) => rank.has(i)).sort((a, b) => rank.get(a)! - rank.get(b)! || height(a) - height(b));
+  const known = side.filter((i) => rank.has(i));
+  known.sort((a, b) => rank.get(a)! - rank.get(b)! || height(a) - height(b));
   const sorted: number[] = [];
   for (const i of [...known, ...side.filter((one) => !rank.has(one))]) {
     const slack = rank.has(i) ? orderSlack : 0;

@@ -143,9 +143,8 @@ export class NoteLayer implements ViewPart {
 
   /** Bring the marks in line with the notes, in the order of the page. */
   #build(): void {
-    const owners = [...this.#owners].sort((a, b) =>
-      a.element.compareDocumentPosition(b.element) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1,
-    );
+    const owners = [...this.#owners];
+    owners.sort((a, b) => (a.element.compareDocumentPosition(b.element) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1));
     const known = new Map(this.#marks.map((mark) => [mark.owner, mark]));
     this.#marks = owners.map((owner) => known.get(owner) ?? new NoteMark(owner, this.view.ownerDocument));
     for (const [owner, mark] of known) if (!this.#owners.has(owner)) mark.remove();
