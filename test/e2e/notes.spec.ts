@@ -106,6 +106,27 @@ test.describe('notes', () => {
     await expect(note(page, 'First')).toBeFocused();
   });
 
+  test('stay open while the picture is turned', async ({ page }) => {
+    await open(page, view(three));
+    await rest(page);
+    await note(page, 'First').click();
+    await page.mouse.move(240, 300);
+    await page.mouse.down();
+    await page.mouse.move(300, 310, { steps: 4 });
+    await page.mouse.up();
+    await expect(page.getByText('Text of the first')).toBeVisible();
+    await page.mouse.click(240, 340);
+    await expect(page.getByText('Text of the first')).toBeHidden();
+  });
+
+  test('may stand in paragraphs, as editors of pages write them', async ({ page }) => {
+    await open(page, view(`<p><span>${three.replaceAll(/<\/?p>/g, '')}</span></p>`));
+    await rest(page);
+    await note(page, 'Second').click();
+    await expect(page.getByRole('group', { name: 'Second' })).toContainText('Text of the second');
+    await expect(page.getByRole('group', { name: 'Second' })).toBeVisible();
+  });
+
   test('follow the camera: the pin is where a pick of the picture finds the place, within a pixel', async ({
     page,
   }) => {

@@ -24,6 +24,9 @@ const [line, coarseLine] = [24, 28];
 /** Height of the bar of controls, with its distance from the edge. */
 const barHeight = 48;
 
+/** A press that moves farther is a drag, CSS pixels. */
+const slop = 6;
+
 /** The camera rests when it has not moved for this time, ms. */
 const restMs = 120;
 
@@ -47,10 +50,11 @@ export class NoteLayer implements ViewPart {
   #order: NoteOrder | null = null;
   #tops = new Map<number, number>();
   #anchors: readonly (Pixel | null)[] = [];
-  /** Where texts are shown, and where they were when they began to glide. */
   #room: NoteRoom = { width: 0, height: 0, line };
   #view: View | null = null;
   #isBuilding = false;
+  /** Where the pointer was pressed last. */
+  #press: Pixel = [0, 0];
   #timer = 0;
   #frame = 0;
   /** Identifies the last work on sights; earlier work is given up. */
@@ -76,7 +80,11 @@ export class NoteLayer implements ViewPart {
     this.#sheet.replaceSync(noteStyles);
     root!.adoptedStyleSheets = [...root!.adoptedStyleSheets, this.#sheet, this.#aspect];
     const { signal } = this.#abort;
-    document.addEventListener('pointerdown', (event) => this.#closeOutside(event), { signal, capture: true });
+    document.addEventListener('pointerdown', ({ clientX, clientY }) => (this.#press = [clientX, clientY]), {
+      signal,
+      capture: true,
+    });
+    document.addEventListener('click', (event) => this.#closeOutside(event), { signal, capture: true });
     view.addEventListener('keydown', (event) => this.#onKey(event), { signal });
     void socketOf(view).join(this);
   }
@@ -131,9 +139,8 @@ export class NoteLayer implements ViewPart {
 
   #dispose(): void {
     this.#abort.abort();
-    clearTimeout(this.#timer);
+    this.#stopRest();
     cancelAnimationFrame(this.#frame);
-    this.#seeing = null;
     void socketOf(this.view).leave(this);
     this.#element.remove();
     for (const mark of this.#marks) mark.remove();
@@ -145,7 +152,8 @@ export class NoteLayer implements ViewPart {
   #build(): void {
     const owners = [...this.#owners];
     owners.sort((a, b) => (a.element.compareDocumentPosition(b.element) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1));
-    const known = new Map(this.#marks.map((mark) => [mark.owner, mark]));
+    const before = this.#marks;
+    const known = new Map(before.map((mark) => [mark.owner, mark]));
     this.#marks = owners.map((owner) => known.get(owner) ?? new NoteMark(owner, this.view.ownerDocument));
     for (const [owner, mark] of known) if (!this.#owners.has(owner)) mark.remove();
     let after: Element = this.#pins;
@@ -158,8 +166,11 @@ export class NoteLayer implements ViewPart {
     });
     const [name] = owners.map(({ messages }) => messages.notes);
     this.#element.ariaLabel = name;
-    this.#order = null;
-    this.#tops.clear();
+    if (owners.some((owner, i) => owner !== before[i]?.owner) || owners.length !== before.length) {
+      this.#order = null;
+      this.#tops.clear();
+      this.#stopRest();
+    }
     if (this.#view) this.place(this.#view);
   }
 
@@ -176,9 +187,14 @@ export class NoteLayer implements ViewPart {
     this.#tops = placeNotes(this.#order!, notes, this.#room, { tops: this.#tops, anchors: this.#anchors });
     this.#anchors = anchors;
     this.#show(this.#lefts(), this.#tops);
+    this.#stopRest();
+    this.#timer = window.setTimeout(() => void this.#rest(), restMs);
+  }
+
+  /** Give up the work that begins when the camera rests. */
+  #stopRest(): void {
     clearTimeout(this.#timer);
     this.#seeing = null;
-    this.#timer = window.setTimeout(() => void this.#rest(), restMs);
   }
 
   #resize(width: number, height: number): void {
@@ -306,8 +322,12 @@ export class NoteLayer implements ViewPart {
     step();
   }
 
-  #closeOutside(event: Event): void {
+  /** A click or a tap closes what is open elsewhere; a drag, which turns the picture, does not. */
+  #closeOutside(event: MouseEvent): void {
     const path = event.composedPath();
+    const isKey = event.detail === 0;
+    const moved = Math.hypot(event.clientX - this.#press[0], event.clientY - this.#press[1]);
+    if (!isKey && moved > slop) return;
     for (const mark of this.#marks) {
       const own: unknown[] = [mark.text, mark.panel, mark.pin, mark.owner.element];
       if (mark.owner.isOpen && !path.some((part) => own.includes(part))) mark.owner.toggle(false);

@@ -90,6 +90,11 @@ export class NoteMark {
     this.panel.id = this.#slot;
     this.panel.setAttribute('part', 'note-text');
     this.panel.setAttribute('role', 'group');
+    this.text.setAttribute('aria-controls', this.panel.id);
+    // Until the first picture it is not known where they are.
+    for (const one of [this.pin, this.line]) one.classList.add('out');
+    this.text.classList.add('away');
+    this.panel.hidden = true;
     this.#number = document.createElement('span');
     this.#number.className = 'number';
     this.#label = document.createElement('bdi');
