@@ -19,13 +19,14 @@ import {
   rmSync,
   writeFileSync,
 } from 'node:fs';
-import { join, posix } from 'node:path';
-import { build } from 'vite';
+import { join } from 'node:path';
+import { build, defaultClientConditions, normalizePath } from 'vite';
 import { buildPrepare } from '../packages/prepare/build.mjs';
-import { adaptForBundlers, adaptModules, WORKER_MARK, withoutRareParts, X3DOM_MARK } from './adapt-modules.mjs';
 import { AT_ONCE, atOnce } from './at-once.mjs';
+import { exportText, provideBuilt, stripTexts } from './build-plugins.mjs';
 import { writeClassic } from './classic/build-classic.mjs';
 import { projectRoot } from './shared-data.mjs';
+import { listImports } from './list-imports.mjs';
 import { escapeToAscii } from './strip-sources.mjs';
 import { writeTagData } from './write-tag-data.mjs';
 
@@ -43,38 +44,58 @@ const companions = folders.filter(
   (name) =>
     !['internal', 'volume-view'].includes(name) && existsSync(join(projectRoot, 'components', name, 'define.ts')),
 );
-const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/${name}/define.ts`));
+/** A file of the project, as the bundler names it. @param {string} path */
+const pathOf = (path) => normalizePath(join(projectRoot, path));
+const pathOfDefinition = (/** @type {string} */ name) => pathOf(`components/${name}/define.ts`);
+const definitions = ['volume-view', ...companions].map(pathOfDefinition);
 const worker = join(projectRoot, 'src/worker/decode-worker.ts');
 
-// In the modules for bundlers, these files are in dist itself. Where a bundler leaves the expression unchanged, it then names a file next
-// to the bundle, and not one some folders above.
-const attachedParts = ['create-worker', 'x3dom-url', 'x3dom-beside-page'];
-const withoutUrl = join(projectRoot, 'src/x3d/x3dom-beside-page.ts'); // For Parcel.
+/**
+ * In the modules for bundlers, these files are in dist itself: they name a file next to them. Where a bundler leaves the expression
+ * unchanged, it then names a file next to the bundle, and not one some folders above.
+ */
+const besideBundle = {
+  'create-worker': pathOf('src/worker/create-worker-dist.ts'),
+  'x3dom-url': pathOf('src/x3d/x3dom-url-dist.ts'),
+  'x3dom-beside-page': pathOf('src/x3d/x3dom-beside-page.ts'), // For Parcel.
+};
+
+/** The packages that stay imports in the modules for bundlers. */
+const packages = Object.keys(JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8')).dependencies);
+
+/**
+ * Conditions of the field `imports` in package.json. `dist`: the files of dist that are modules. `for-bundlers`: of them, those that the
+ * package's users bundle. `classic`: the classic script. `usual-files`: the worker without rare parts.
+ * @typedef {'dist' | 'for-bundlers' | 'classic' | 'usual-files'} Condition
+ */
 
 /** A chunk that defines an element is called after it. @param {{ facadeModuleId: string | null, name: string }} chunk */
 function nameChunk({ facadeModuleId, name }) {
-  const element = /components[\\/]([\w-]+)[\\/]define\.ts$/.exec(facadeModuleId ?? '')?.[1];
+  const element = ['volume-view', ...companions].find((one) => pathOfDefinition(one) === facadeModuleId);
   return `chunks/${element ?? name}-[hash].js`;
 }
 
 /**
  * One run of vite's library mode.
  * @param {object} options
- * @param {string | string[]} options.entry
+ * @param {string | string[] | Record<string, string>} options.entry
  * @param {'es' | 'iife' | 'cjs'} options.format
  * @param {import('vite').Rolldown.OutputOptions} [options.output]
  * @param {import('vite').BuildOptions} [options.extra]
- * @param {{ usual: string, all: string }} [options.workerTexts]
- * @param {import('vite').Plugin[]} [options.plugins]
+ * @param {Condition[]} [options.conditions]
+ * @param {Record<string, string>} [options.built] - modules that the build made before, by name
  */
-async function bundle({ entry, format, output, extra, workerTexts, plugins = [] }) {
+async function bundle({ entry, format, output, extra, conditions = ['dist'], built = {} }) {
   /** @type {import('vite').InlineConfig} */
   const config = {
     configFile: false,
     root: projectRoot,
     publicDir: false,
     logLevel: 'warn',
-    plugins: [...plugins, adaptModules({ workerTexts })],
+    resolve: { conditions: [...conditions, ...defaultClientConditions] },
+    // Vite would replace an expression with the real name by an address of the source.
+    define: { OWN_URL: 'import.meta.url' },
+    plugins: [provideBuilt(built), stripTexts],
     build: {
       outDir: dist,
       emptyOutDir: false,
@@ -94,38 +115,34 @@ async function bundle({ entry, format, output, extra, workerTexts, plugins = [] 
  * A file with all its imports, as one text.
  * @param {string} entry
  * @param {'es' | 'iife'} format - iife is a classic script
- * @param {import('vite').Plugin[]} [plugins]
+ * @param {Condition[]} [conditions]
  */
-async function buildText(entry, format, plugins) {
-  const result = await bundle({ entry, format, plugins, extra: { write: false } });
+async function buildText(entry, format, conditions) {
+  const result = await bundle({ entry, format, conditions, extra: { write: false } });
   const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);
   return output[0].code;
 }
 
-/** @param {string} workerSource - the worker's text as one classic script */
-async function buildUnbundled(workerSource) {
-  // Bare imports stay, except for the compiler's own helper for decorators, which users of the package do not have.
-  const isBare = (/** @type {string} */ id) =>
-    !/^([./\0]|@oxc-project\/runtime)/.test(id) && !id.startsWith(projectRoot);
+/** @param {string} workerText - the worker with all readers, as one classic script */
+async function buildUnbundled(workerText) {
   await bundle({
-    entry: [main, ...definitions, withoutUrl],
+    entry: [main, ...definitions, besideBundle['x3dom-beside-page']],
     format: 'es',
-    plugins: [
-      adaptForBundlers({
-        worker: workerSource,
-        x3dom: readX3dom(),
-        cssColor: await buildText(join(projectRoot, 'src/optics/transfer/css-color.ts'), 'es'),
-      }),
-    ],
+    conditions: ['dist', 'for-bundlers'],
+    built: {
+      'built:worker': exportText(workerText),
+      'built:x3dom': exportText(readX3dom()),
+      'built:culori': await buildText(join(projectRoot, 'src/optics/transfer/culori.ts'), 'es'),
+    },
     extra: {
       minify: false,
       rolldownOptions: {
-        external: isBare,
+        external: (id) => packages.some((name) => id === name || id.startsWith(`${name}/`)),
         output: {
           preserveModules: true,
           preserveModulesRoot: projectRoot,
-          entryFileNames: ({ name }) =>
-            attachedParts.includes(posix.basename(name)) ? `${posix.basename(name)}.js` : 'esm/[name].js',
+          entryFileNames: ({ facadeModuleId }) =>
+            `${Object.entries(besideBundle).find(([, path]) => path === facadeModuleId)?.[0] ?? 'esm/[name]'}.js`,
         },
       },
     },
@@ -138,24 +155,6 @@ function listFiles(folder, pattern) {
   return entries
     .filter((entry) => entry.isFile() && pattern.test(entry.name))
     .map((entry) => join(entry.parentPath, entry.name));
-}
-
-/** Replace the marks by the real addresses. */
-function replaceMarks() {
-  let workers = 0;
-  for (const file of listFiles(dist, /\.js$/)) {
-    const code = readFileSync(file, 'utf8');
-    if (!code.includes(WORKER_MARK) && !code.includes(X3DOM_MARK)) continue;
-    if (code.includes(WORKER_MARK)) workers += 1;
-    if (join(file, '..') !== dist)
-      throw new Error(`${file} starts a worker or x3dom; expected only files in dist itself to do so`);
-    const done = code
-      .replaceAll(WORKER_MARK, `new URL('./decode-worker.js', import.meta.url)`)
-      .replaceAll(X3DOM_MARK, `new URL('./x3dom.js', import.meta.url)`);
-    writeFileSync(file, done);
-  }
-  if (workers < 2)
-    throw new Error(`the decode worker is started by ${workers} files in dist; expected 2 (esm and volume-view.js)`);
 }
 
 /** Run a program of a development dependency. @param {string} script - below node_modules @param {string[]} args */
@@ -181,8 +180,11 @@ function buildTypes() {
   runTool('typescript/bin/tsc', ['-p', 'tsconfig.build.json', '--outDir', join(dist, 'types')]);
   // tsc keeps `./x.ts` in declarations; users without allowImportingTsExtensions need `./x.js`.
   for (const file of listFiles(join(dist, 'types'), /\.d\.ts$/)) {
-    const text = readFileSync(file, 'utf8');
-    writeFileSync(file, text.replace(/((?:from|import)\s*\(?\s*['"]\.{1,2}\/[^'"]*)\.ts(['"])/g, '$1.js$2'));
+    let text = readFileSync(file, 'utf8');
+    for (const { value, end } of listImports(file, text).reverse())
+      if (value.startsWith('.') && value.endsWith('.ts'))
+        text = `${text.slice(0, end - '.ts"'.length)}.js${text.slice(end - 1)}`;
+    writeFileSync(file, text);
   }
 }
 
@@ -240,22 +242,25 @@ function replaceServed() {
 process.on('exit', () => rmSync(dist, { recursive: true, force: true }));
 rmSync(dist, { recursive: true, force: true });
 mkdirSync(dist, { recursive: true });
-const workerSource = await buildText(worker, 'iife');
-await buildUnbundled(workerSource);
+const workerText = await buildText(worker, 'iife');
+await buildUnbundled(workerText);
 await bundle({
   entry: main,
   format: 'es',
   output: { entryFileNames: 'volume-view.js', chunkFileNames: nameChunk, ...AT_ONCE },
 });
 for (const name of companions) {
-  const entry = join(projectRoot, `components/${name}/define.ts`);
-  await bundle({ entry, format: 'es', output: { entryFileNames: `${name}.js`, chunkFileNames: nameChunk } });
+  await bundle({
+    entry: pathOfDefinition(name),
+    format: 'es',
+    output: { entryFileNames: `${name}.js`, chunkFileNames: nameChunk },
+  });
 }
-// The modules that every reader of a grid needs are one file, too.
-const gridSamples = {
-  name: 'grid-samples',
-  test: /src.(formats.base.(number-types|count-sample-bytes|list-left|piece-reader|place-volume|respace|store-samples)|volume.detail-offset)\.ts$/,
-};
+// Most readers of grids need these modules and what they import: they are one file, too.
+const ofGrids = ['count-sample-bytes', 'list-left', 'piece-reader', 'place-volume', 'store-samples'].map((name) =>
+  pathOf(`src/formats/base/${name}.ts`),
+);
+const gridSamples = { name: 'grid-samples', test: (/** @type {string} */ id) => ofGrids.includes(id) };
 await bundle({
   entry: worker,
   format: 'es',
@@ -265,18 +270,21 @@ await bundle({
     codeSplitting: { groups: [atOnce, gridSamples] },
   },
 });
-replaceMarks();
-const classic = await bundle({
-  entry: main,
-  format: 'cjs',
-  output: { entryFileNames: 'entry.js', chunkFileNames: '[name]-[hash].js', ...AT_ONCE },
-  extra: { write: false },
-  workerTexts: { usual: await buildText(worker, 'iife', [withoutRareParts]), all: workerSource },
+await writeClassic(dist, async (output) => {
+  const result = await bundle({
+    entry: join(projectRoot, 'src/classic.ts'),
+    format: 'cjs',
+    conditions: ['classic'],
+    built: {
+      'built:worker': exportText(workerText),
+      'built:usual-worker': exportText(await buildText(worker, 'iife', ['usual-files'])),
+    },
+    output: { ...output, ...AT_ONCE },
+    extra: { write: false },
+  });
+  const [{ output: files }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);
+  return files.filter((one) => one.type === 'chunk');
 });
-writeClassic(
-  /** @type {import('vite').Rolldown.RolldownOutput[]} */ (classic)[0].output.filter((one) => one.type === 'chunk'),
-  dist,
-);
 buildTypes();
 buildManifest();
 writeTagData(dist);

@@ -1,38 +1,17 @@
 // Finds files that import each other in a cycle. Imports and exports of types count, and so does `import('…')`, in code and in types.
 // oxlint's import/no-cycle finds only static imports.
 import { readFileSync } from 'node:fs';
-import { dirname, resolve } from 'node:path';
-import { parseSync } from 'vite';
-
-const IMPORTS = new Set([
-  'ImportDeclaration',
-  'ExportNamedDeclaration',
-  'ExportAllDeclaration',
-  'ImportExpression',
-  'TSImportType',
-]);
-
-/**
- * The specifiers of all imports in a node of a syntax tree and its children.
- * @param {any} node
- * @returns {string[]}
- */
-function listSpecifiers(node) {
-  if (node === null || typeof node !== 'object') return [];
-  const own = IMPORTS.has(node.type) && typeof node.source?.value === 'string' ? [node.source.value] : [];
-  return [...own, ...Object.values(node).flatMap(listSpecifiers)];
-}
+import { resolve } from 'node:path';
+import { listImports } from './list-imports.mjs';
+import { resolveOwn } from './own-imports.mjs';
 
 /**
  * The files of a list that a file imports.
  * @param {string} file - absolute
  * @param {ReadonlySet<string>} files - absolute
  */
-function listImports(file, files) {
-  const { program, errors } = parseSync(file, readFileSync(file, 'utf8'));
-  if (errors.length > 0) throw new Error(`${file} cannot be read: ${errors[0].message}`);
-  const relative = listSpecifiers(program).filter((specifier) => specifier.startsWith('.'));
-  const found = relative.map((specifier) => resolve(dirname(file), specifier.replace(/\?.*$/, '')));
+function listTargets(file, files) {
+  const found = listImports(file, readFileSync(file, 'utf8')).map(({ value }) => resolveOwn(value, file) ?? '');
   return found.filter((path) => files.has(path));
 }
 
@@ -43,7 +22,7 @@ function listImports(file, files) {
  */
 export function findCycles(paths) {
   const files = new Set(paths.map((path) => resolve(path)));
-  const graph = new Map([...files].map((file) => [file, listImports(file, files)]));
+  const graph = new Map([...files].map((file) => [file, listTargets(file, files)]));
   const reported = new Set();
   const cycles = [];
   for (const file of graph.keys()) {

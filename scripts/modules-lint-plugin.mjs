@@ -1,6 +1,7 @@
 // The rule of the architecture as a lint rule: which module may import which. Dynamic imports and import types count too;
 // `no-restricted-imports` does not check these.
-import { dirname, relative, resolve, sep } from 'node:path';
+import { relative, sep } from 'node:path';
+import { resolveOwn } from './own-imports.mjs';
 import { projectRoot } from './shared-data.mjs';
 
 /**
@@ -17,7 +18,7 @@ export const MAY_IMPORT = {
   quality: ['core', 'volume', 'optics'],
   formats: ['core', 'volume', 'optics', 'radar'],
   sources: ['core', 'formats'],
-  worker: ['core', 'volume', 'optics', 'radar', 'formats', 'sources'],
+  worker: ['core', 'page', 'volume', 'optics', 'radar', 'formats', 'sources'],
   prepare: ['core', 'volume', 'optics', 'radar', 'formats'],
   packages: ['core', 'prepare'],
   renderer: ['core', 'volume', 'optics', 'quality', 'shaders'],
@@ -59,6 +60,7 @@ export const MAY_IMPORT = {
     'messages',
   ],
   index: ['core', 'optics', 'quality', 'viewer', 'messages', 'components'],
+  classic: ['page', 'index'],
   demos: [
     'core',
     'volume',
@@ -177,8 +179,9 @@ const oneWay = {
     const check = (source, isType = false) => {
       if (typeof source?.value !== 'string') return;
       const name = source.value;
-      if (name.startsWith('.')) {
-        const target = findPlace(resolve(dirname(file), name.replace(/\?.*$/, '')));
+      const path = resolveOwn(name, file);
+      if (path) {
+        const target = findPlace(path);
         if (
           target.name !== own &&
           !allowed.includes(target.name) &&

@@ -1,5 +1,5 @@
 // The code of an iframe that shows a view in another page. It is loaded when a person asks for the code.
-import { findX3domUrl } from '../../src/x3d/x3dom-url.ts';
+import { findX3domUrl } from '#x3dom-url';
 import type { ControlledView } from '../internal/controlled-view.ts';
 import { findCompanion } from '../internal/find-companion.ts';
 

@@ -2,79 +2,74 @@
 import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { minifySync } from 'vite';
 import { projectRoot } from '../shared-data.mjs';
-
-/** The public exports of the entry, without those that only its parts use. */
-const PUBLIC = /^(?!injectScript$|scriptUrl$).{3,}$/;
-
-/** The code that the bundler writes for `import('…')`, for imports and for exports. */
-const IMPORTED = /Promise\.resolve\(\)\.then\(\(\)=>require\(([`"'])\.\/([\w.-]+\.js)\1\)\)/g;
-const NEEDED = /\brequire\(([`"'])\.\/([\w.-]+\.js)\1\)/g;
-const EXPORTED = /(?<![\w$.{])exports(?=\.[\w$]+=|,)/g;
+import { escapeToAscii } from '../strip-sources.mjs';
 
 /**
- * @param {readonly import('vite').Rolldown.OutputChunk[]} found - CommonJS, all in one folder
  * @param {string} dist - the folder for the files
+ * @param {(output: import('vite').Rolldown.OutputOptions) => Promise<readonly import('vite').Rolldown.OutputChunk[]>} bundle - builds
+ * src/classic.ts as CommonJS, with these options
  */
-export function writeClassic(found, dist) {
+export async function writeClassic(dist, bundle) {
+  /** The number of each part, by its modules. The bundler asks for a name more than once. @type {Map<string, number>} */
+  const numbers = new Map();
+  const numberOf = (/** @type {readonly string[]} */ moduleIds) => {
+    const key = moduleIds.join();
+    return numbers.get(key) ?? numbers.set(key, numbers.size + 1).size;
+  };
+  const chunks = await bundle({
+    entryFileNames: '0',
+    chunkFileNames: ({ moduleIds }) => `${numberOf(moduleIds)}`,
+  });
   mkdirSync(join(dist, 'classic'), { recursive: true });
-  const others = found.filter(({ isEntry }) => !isEntry);
-  const [entry] = found.filter(({ isEntry }) => isEntry);
-  const chunks = [entry, ...others];
   const version = createHash('sha256')
     .update(chunks.map(({ code }) => code).join())
     .digest('hex')
     .slice(0, 8);
-  const numbers = new Map(chunks.map(({ fileName }, i) => [fileName, i]));
-  /** @param {import('vite').Rolldown.OutputChunk} chunk */
-  const writePart = (chunk) =>
-    `(globalThis.volumeViewParts??={})["${numbers.get(chunk.fileName)}-${version}"]=${writeFactory(chunk, numbers)};\n`;
-  for (const chunk of others)
-    writeFileSync(join(dist, `classic/${numbers.get(chunk.fileName)}-${version}.js`), writePart(chunk));
-  const loader = readFileSync(join(projectRoot, 'scripts/classic/loader.js'), 'utf8').replace(
-    /^\s*\/\/.*\n|^\s*\/\*\*.*\*\/\n|^\s+/gm,
-    '',
-  );
+  for (const chunk of chunks.filter(({ isEntry }) => !isEntry)) {
+    const key = `${chunk.fileName}-${version}`;
+    const text = `(globalThis.volumeViewParts??={})["${key}"]=${writeFactory(chunk)};`;
+    writeFileSync(join(dist, `classic/${key}.js`), minify(text));
+  }
+  const loader = readFileSync(join(projectRoot, 'scripts/classic/loader.js'), 'utf8');
+  const [entry] = chunks.filter(({ isEntry }) => isEntry);
   const text = `var VolumeView=function(){"use strict";
-const VERSION="${version}",PART_NEEDS=${JSON.stringify(listNeeds(chunks, numbers)).replace(/"(\d+)"/g, '$1')};
-${loader}modules[0]={};
-(${writeFactory(entry, numbers)})(need,load,modules[0]);
-const all=need(0),shown={};
-for(const name of ${JSON.stringify(entry.exports.filter((name) => PUBLIC.test(name)))})Object.defineProperty(shown,name,{enumerable:true,get:()=>all[name]});
-return shown}();
+const VERSION="${version}",PART_NEEDS=${JSON.stringify(listNeeds(chunks, entry.fileName))};
+${loader}
+run(0,${writeFactory(entry)});
+return modules[0].VolumeView}();
 `;
-  writeFileSync(join(dist, 'volume-view.iife.js'), text);
+  writeFileSync(join(dist, 'volume-view.iife.js'), minify(text));
 }
 
-/**
- * @param {import('vite').Rolldown.OutputChunk} chunk
- * @param {ReadonlyMap<string, number>} numbers - of all chunks, by name
- */
-function writeFactory({ code, fileName }, numbers) {
-  const asked = code
-    .replace(IMPORTED, (_, _quote, name) => `load(${numbers.get(name)})`)
-    .replace(NEEDED, (_, _quote, name) => `need(${numbers.get(name)})`)
-    .replace(EXPORTED, 'own');
-  const left = /.{40}(?<![\w$.{])(?:(?:require|import)\(|exports\b|need\(undefined|load\(undefined).{40}/.exec(asked);
-  if (left) throw new Error(`${fileName} imports or exports in a way that is not known here: ${left[0]}`);
-  return `function(need,load,own){"use strict";${asked.trim()}\n}`;
+/** @param {string} text */
+function minify(text) {
+  const { code, errors } = minifySync('classic.js', text, { mangle: { toplevel: false } });
+  if (errors.length > 0) throw new Error(`the classic script cannot be read: ${errors[0].message}`);
+  return `${escapeToAscii(code)}\n`;
+}
+
+/** A part as a function, with what CommonJS defines in a file. @param {import('vite').Rolldown.OutputChunk} chunk */
+function writeFactory({ code }) {
+  return `function(require,exports){"use strict";${code}\n}`;
 }
 
 /**
  * The parts that each part needs at once when it is requested, directly or not, in addition to itself and the entry.
- * @param {readonly import('vite').Rolldown.OutputChunk[]} chunks - the entry first
- * @param {ReadonlyMap<string, number>} numbers
+ * @param {readonly import('vite').Rolldown.OutputChunk[]} chunks
+ * @param {string} entry - its name
  */
-function listNeeds(chunks, numbers) {
+function listNeeds(chunks, entry) {
   const byName = new Map(chunks.map((chunk) => [chunk.fileName, chunk]));
-  /** @type {Record<number, number[]>} */
+  /** @type {Record<string, number[]>} */
   const needs = {};
   for (const target of new Set(chunks.flatMap(({ dynamicImports }) => dynamicImports))) {
     const all = new Set([target]);
     for (const name of all)
-      for (const imported of byName.get(name)?.imports ?? []) if (imported !== chunks[0].fileName) all.add(imported);
+      for (const imported of byName.get(name)?.imports ?? []) if (imported !== entry) all.add(imported);
     all.delete(target);
-    if (all.size > 0) needs[numbers.get(target) ?? NaN] = [...all].map((name) => numbers.get(name) ?? NaN);
+    if (all.size > 0) needs[target] = [...all].map(Number);
   }
   return needs;
 }

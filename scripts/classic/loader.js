@@ -1,6 +1,6 @@
 // The beginning of the classic script. The code that a page needs at once is in this script, as part 0. All other parts are scripts of
-// their own in the folder next to it, and run on demand. A part is a function, which its script puts into this list; parts of other
-// versions are in the list, too.
+// their own in the folder next to it, and run on demand. A part is a CommonJS module in a function, which its script puts into this list;
+// parts of other versions are in the list, too.
 const parts = (globalThis.volumeViewParts ??= {});
 const modules = {};
 const coming = {};
@@ -9,32 +9,34 @@ function keyOf(part) {
   return part + '-' + VERSION;
 }
 
-/** Return a part that has been loaded, and run it with its imports if it has not run yet. */
-function need(part) {
-  if (!modules[part]) parts[keyOf(part)](need, load, (modules[part] = {}));
+function run(part, factory) {
+  factory(require, (modules[part] = {}));
+}
+
+/**
+ * What a part's code calls with './NUMBER'. It returns the part, and runs it if it has not run yet; or a promise of it, where its script
+ * or those that it needs have not been loaded. Only import('./NUMBER') can ask for such a part, and that returns a promise anyway.
+ */
+function require(name) {
+  const part = name.slice(2);
+  if (!modules[part]) {
+    const missing = [part].concat(PART_NEEDS[part] || []).filter((one) => !parts[keyOf(one)]);
+    if (missing.length > 0) return Promise.all(missing.map(bring)).then(() => require(name));
+    run(part, parts[keyOf(part)]);
+  }
   return modules[part];
 }
 
-/** Return a part that may not have been loaded yet. If loading fails, the next request tries again. */
-function load(part) {
-  return Promise.all([part].concat(PART_NEEDS[part] || []).map(bring)).then(function () {
-    return need(part);
-  });
-}
-
+/** Load the script of a part. If loading fails, the next request tries again. */
 function bring(part) {
-  if (parts[keyOf(part)]) return null;
   // The entry may still be running, where the page already contains elements.
   return (coming[part] ??= Promise.resolve()
-    .then(function () {
-      const entry = need(0);
-      return entry.injectScript(new URL('classic/' + keyOf(part) + '.js', entry.scriptUrl).href);
-    })
-    .then(function () {
+    .then(() => modules[0].injectScript(new URL('classic/' + keyOf(part) + '.js', modules[0].scriptUrl).href))
+    .then(() => {
       // Many servers answer with a page where a file is missing.
       if (!parts[keyOf(part)]) throw new Error('part ' + keyOf(part) + ' is another file');
     })
-    .finally(function () {
+    .finally(() => {
       delete coming[part];
     }));
 }

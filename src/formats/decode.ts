@@ -76,9 +76,9 @@ async function decodeData(
 ): Promise<DecodedVolume> {
   const { files, formats = allFormats } = context;
   const format = await sniffFile(input, formats);
-  if (files) (await loadReader(() => import('./images/check-stack.ts'))).checkStack(format, input, files);
+  if (files) (await loadReader(() => import('#rare/formats/images/check-stack.ts'))).checkStack(format, input, files);
   if ('loadImage' in format) {
-    const { readImage, readImageStack } = await loadReader(() => import('./decode-image.ts'));
+    const { readImage, readImageStack } = await loadReader(() => import('#rare/formats/decode-image.ts'));
     if (!files) return readImage(format, input.bytes, settings, context);
     return readImageStack({ first: input, format, files, formats }, settings, context);
   }

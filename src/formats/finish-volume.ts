@@ -42,7 +42,7 @@ export async function finishVolume(
       clean,
       'a CT, an MRI or another volume of voxels, and not a radar scan',
     );
-  const { outlinePolar, predictPolar } = await loadReader(() => import('./radar/finish-polar.ts'));
+  const { outlinePolar, predictPolar } = await loadReader(() => import('#rare/formats/radar/finish-polar.ts'));
   const outline = outlinePolar(decoded);
   await checkRange(outline);
   const preview = onCoarse && predictPolar(outline);
@@ -93,7 +93,7 @@ async function finishCartesian(
         ? [
             ...(decoded.left ?? []),
             ...(decoded.rounded
-              ? [(await loadReader(() => import('./base/whole-numbers.ts'))).reportRounded(decoded.rounded)]
+              ? [(await loadReader(() => import('#rare/formats/base/whole-numbers.ts'))).reportRounded(decoded.rounded)]
               : []),
             ...(hidden ? [hidden] : []),
           ]
@@ -102,7 +102,7 @@ async function finishCartesian(
   };
   await checkRange(outline);
   if (appearance.isDiscrete && (isReduced || decoded.indexed || !appearance.transferFunction)) {
-    const { finishLabels } = await loadReader(() => import('./finish-labels.ts'));
+    const { finishLabels } = await loadReader(() => import('#rare/formats/finish-labels.ts'));
     return finishLabels({ decoded, outline, fit: (whole) => fitBlock(whole, limits) });
   }
   if (onCoarse && !outline.isDiscrete && samples.byteLength > minForCoarse)
@@ -116,7 +116,7 @@ async function finishCartesian(
   };
 }
 
-const loadCleaning = () => loadReader(() => import('./base/clean-volume.ts'));
+const loadCleaning = () => loadReader(() => import('#rare/formats/base/clean-volume.ts'));
 
 /** Few volumes have to be made smaller: what does that is loaded with the first of them. */
 async function fitBlock(block: Block, limits: DeviceLimits): Promise<Block> {

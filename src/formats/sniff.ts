@@ -12,7 +12,7 @@ export async function sniffFile(input: DecodeInput, formats: readonly Format[]):
   const start = await lookAt(input.bytes);
   const found = findByBytes(start, formats);
   if (found) return found;
-  const { chooseByName } = await loadReader(() => import('./choose-by-name.ts'));
+  const { chooseByName } = await loadReader(() => import('#rare/formats/choose-by-name.ts'));
   return chooseByName(input, start, formats);
 }
 

@@ -66,7 +66,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   };
   const fetchFile = (url: string) => fetchOne(url, report('fetch'));
   const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
-    const { fetchInOrder } = await loadReader(() => import('../sources/fetch-files.ts'));
+    const { fetchInOrder } = await loadReader(() => import('#rare/sources/fetch-files.ts'));
     yield* fetchInOrder(urls, fetchOne, report('fetch'));
   };
   const start = async (): Promise<DecodeInput> => {
@@ -74,7 +74,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     // A file from another server chooses what else is fetched: that must not use the reader's cookies and logins.
     if (first?.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
     if (!first || (isZip(first.bytes) && !files?.[1])) {
-      const { openFiles } = await loadReader(() => import('../sources/open-files.ts'));
+      const { openFiles } = await loadReader(() => import('#rare/sources/open-files.ts'));
       opened = await openFiles(first ?? request.local!, { isStack: files !== undefined, signal });
       ({ files } = opened);
       first = await fetchFile(opened.first);

@@ -29,7 +29,7 @@ report({ type: 'ready' });
 async function runOrder({ request, pageOrigin }: WorkerOrder): Promise<void> {
   try {
     if ('surface' in request) {
-      const { decodeSurface, listSurfaceBuffers } = await loadReader(() => import('./decode-surface.ts'));
+      const { decodeSurface, listSurfaceBuffers } = await loadReader(() => import('#rare/worker/decode-surface.ts'));
       const surface = await decodeSurface(request, { pageOrigin, onProgress: throttle() });
       return report({ type: 'done', volume: surface }, listSurfaceBuffers(surface));
     }

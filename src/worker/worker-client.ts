@@ -1,6 +1,6 @@
 import { trust } from '../core/trust.ts';
-import { createWorker } from './create-worker.ts';
-import { isTextSurer, listWorkerTexts } from './worker-source.ts';
+import { createWorker } from '#create-worker';
+import { isTextSurer, listWorkerTexts } from '#worker-texts';
 
 /**
  * Ways to start the decode worker, the best first. Each returns a worker that may still fail before its first message,

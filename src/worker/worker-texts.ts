@@ -1,6 +1,6 @@
 /**
- * The worker's text, in the builds that contain it (scripts/build.mjs writes it here). The first one that can read the
- * file is used.
+ * The worker's text, in the builds that contain it: worker-texts-classic.ts and worker-texts-for-bundlers.ts. The first one that can read
+ * the file is used.
  * @param _url - of the file
  */
 export const listWorkerTexts = (_url: string): readonly (() => Promise<string>)[] => [];

@@ -1,8 +1,8 @@
 import { VolumeViewError } from '../core/errors.ts';
 import { trust } from '../core/trust.ts';
 import type { X3dom } from './x3dom-types.ts';
-import { injectOwnText } from './x3dom-source.ts';
-import { findX3domUrl } from './x3dom-url.ts';
+import { injectOwnText } from '#x3dom-text';
+import { findX3domUrl } from '#x3dom-url';
 
 let loading: Promise<X3dom> | null = null;
 

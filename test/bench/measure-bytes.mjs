@@ -1,8 +1,9 @@
 import { readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { AT_ONCE } from '../../scripts/at-once.mjs';
+import { listImports } from '../../scripts/list-imports.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 
 /**
@@ -92,10 +93,9 @@ function readWorker(isUsed) {
   const folder = join(projectRoot, 'dist/chunks');
   const names = new Set(['../decode-worker.js']);
   for (const name of names) {
-    for (const [, lazy, chunk] of readFileSync(join(folder, name), 'utf8').matchAll(
-      /(import\()?["'`](?:\.\/chunks\/|\.\/)(worker-[^"'`]+\.js)["'`]/g,
-    )) {
-      if (!lazy || isUsed(chunk)) names.add(chunk);
+    for (const { value, isLazy } of listImports(name, readFileSync(join(folder, name), 'utf8'))) {
+      const chunk = basename(value);
+      if (chunk !== 'decode-worker.js' && (!isLazy || isUsed(chunk))) names.add(chunk);
     }
   }
   return [...names].map((name) => readFileSync(join(folder, name), 'utf8'));

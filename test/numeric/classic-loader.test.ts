@@ -1,20 +1,16 @@
 // What begins the classic script, with parts and a server of the test's own.
 import { expect } from '@esm-bundle/chai';
 
-type Factory = (
-  need: (part: number) => Record<string, unknown>,
-  load: (part: number) => Promise<unknown>,
-  own: Record<string, unknown>,
-) => void;
+type Part = Record<string, unknown>;
+type Factory = (require: (name: string) => Part, exports: Part) => void;
 interface Loader {
-  load(part: number): Promise<Record<string, unknown>>;
-  need(part: number): Record<string, unknown>;
-  modules: Record<number, Record<string, unknown>>;
+  require(name: string): Part | Promise<Part>;
+  modules: Record<number, Part>;
 }
 
 const text = await (await fetch('/scripts/classic/loader.js')).text();
 const asModule = new Blob(
-  [`export const createLoader = (VERSION, PART_NEEDS) => {${text}\nreturn { need, load, modules };}`],
+  [`export const createLoader = (VERSION, PART_NEEDS) => {${text}\nreturn { require, modules };}`],
   { type: 'text/javascript' },
 );
 const { createLoader } = (await import(URL.createObjectURL(asModule))) as {
@@ -44,6 +40,9 @@ function withServer(
   return { loader, asked, define: (part, factory) => void (parts[`${part}-${version}`] = factory) };
 }
 
+/** What a bundler writes for import('./NUMBER'). */
+const load = async (loader: Loader, part: number): Promise<Part> => loader.require(`./${part}`);
+
 const codeOf = (loading: Promise<unknown>): Promise<string> =>
   loading.then(
     () => 'loaded',
@@ -54,31 +53,41 @@ describe('parts of the classic script', () => {
   it('come once, with what they need, from beside the script', async () => {
     const { loader, asked, define } = withServer(
       {
-        '1.js': () => define(1, (need, _, own) => (own.sum = (need(2).two as number) + 1)),
-        '2.js': () => define(2, (_need, _load, own) => (own.two = 2)),
+        '1.js': () => define(1, (require, exports) => (exports.sum = (require('./2').two as number) + 1)),
+        '2.js': () => define(2, (_, exports) => (exports.two = 2)),
       },
       { 1: [2] },
     );
-    const [first, second] = await Promise.all([loader.load(1), loader.load(1)]);
-    expect([first.sum, second, await loader.load(1)]).to.deep.equal([3, first, first]);
+    const [first, second] = await Promise.all([load(loader, 1), load(loader, 1)]);
+    expect([first.sum, second, loader.require('./1')]).to.deep.equal([3, first, first]);
     expect(asked).to.have.members(['https://example.test/dist/classic/1.js', 'https://example.test/dist/classic/2.js']);
   });
 
   it('are asked for again where they were missing', async () => {
     const scripts: Parameters<typeof withServer>[0] = {};
     const { loader, define } = withServer(scripts);
-    expect(await codeOf(loader.load(1))).to.match(/classic\/1-test\d+\.js could not be loaded/);
-    scripts['1.js'] = () => define(1, (_need, _load, own) => (own.one = 1));
-    expect((await loader.load(1)).one).to.equal(1);
+    expect(await codeOf(load(loader, 1))).to.match(/classic\/1-test\d+\.js could not be loaded/);
+    scripts['1.js'] = () => define(1, (_, exports) => (exports.one = 1));
+    expect((await load(loader, 1)).one).to.equal(1);
   });
 
   it('are asked for again where the server answered with another file', async () => {
     const scripts: Parameters<typeof withServer>[0] = { '1.js': () => {} };
     const { loader, asked, define } = withServer(scripts);
     for (let times = 0; times < 2; times++)
-      expect(await codeOf(loader.load(1))).to.match(/^part 1-test\d+ is another file$/);
-    scripts['1.js'] = () => define(1, (_need, _load, own) => (own.one = 1));
-    expect((await loader.load(1)).one).to.equal(1);
+      expect(await codeOf(load(loader, 1))).to.match(/^part 1-test\d+ is another file$/);
+    scripts['1.js'] = () => define(1, (_, exports) => (exports.one = 1));
+    expect((await load(loader, 1)).one).to.equal(1);
     expect(asked).to.have.lengthOf(3);
+  });
+
+  it('wait for what they need where their own script came first', async () => {
+    const { loader, asked, define } = withServer(
+      { '2.js': () => define(2, (_, exports) => (exports.two = 2)) },
+      { 1: [2] },
+    );
+    define(1, (require, exports) => (exports.sum = (require('./2').two as number) + 1));
+    expect((await load(loader, 1)).sum).to.equal(3);
+    expect(asked).to.deep.equal(['https://example.test/dist/classic/2.js']);
   });
 });

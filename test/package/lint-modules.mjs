@@ -25,6 +25,12 @@ const refused = [
   ['src/quality/a.ts', `export const load = () => import('../formats/b.ts');`, /quality may not import from formats/],
   ['src/renderer/a.ts', `export type X = import('../x3d/b.ts').X;`, /renderer may not import from x3d/],
   ['src/renderer/a.ts', `const x = await import('../radar/gpu/b.ts');`, /renderer may not import from radar\/gpu/],
+  ['src/formats/a.ts', `const x = await import('#rare/worker/b.ts');`, /formats may not import from worker/],
+  [
+    'src/formats/base/a.ts',
+    `const x = await import('#rare/formats/b.ts');`,
+    /formats\/base may not import from formats\/\./,
+  ],
   ['src/radar/a.ts', `export * from './gpu/b.ts';`, /radar may not import from radar\/gpu/],
   ['src/x3d/a.ts', `export * from '../viewer/b.ts';`, /x3d may not import from viewer/],
   ['src/x3d/nodes/a.ts', `export * from '../../viewer/cuts/b.ts';`, /x3d\/nodes may not import from viewer/],

@@ -240,9 +240,9 @@ await check(
     // Beside the file that names them, hence beside the bundle where a bundler leaves the address as it is.
     assert.match(
       read('dist/create-worker.js'),
-      /new Worker\(new URL\('\.\/decode-worker\.js', import\.meta\.url\), \{ type: "module" \}\)/,
+      /new Worker\(new URL\("\.\/decode-worker\.js", import\.meta\.url\), \{ type: "module" \}\)/,
     );
-    assert.match(read('dist/x3dom-url.js'), /new URL\('\.\/x3dom\.js', import\.meta\.url\)/);
+    assert.match(read('dist/x3dom-url.js'), /new URL\("\.\/x3dom\.js", import\.meta\.url\)/);
     const others = files.filter(
       ({ path }) =>
         path.startsWith('dist/esm/') &&
@@ -269,7 +269,7 @@ await check('a bundler takes the worker and x3dom along', async () => {
 
 await check('x3dom is in no module and in no script but its own', () => {
   // The text is loaded where a bundler has left the file behind.
-  const own = ['dist/x3dom.js', 'dist/esm/src/x3d/x3dom-as-text.js'];
+  const own = ['dist/x3dom.js', 'dist/esm/src/built/x3dom.js'];
   const holding = files.filter(
     (file) => file.path.endsWith('.js') && !own.includes(file.path) && read(file.path).includes('x3dom.X3DCanvas='),
   );
@@ -375,10 +375,7 @@ await check(
     });
     runInContext(part ?? '', world);
     /** @type {{ text: string }} */
-    const { text } = runInContext(
-      'const own = {}; Object.values(volumeViewParts)[0](() => own, () => own, own); own',
-      world,
-    );
+    const { text } = runInContext('const own = {}; Object.values(volumeViewParts)[0](() => own, own); own', world);
     const reported = new Promise((resolve) => {
       world.postMessage = (/** @type {{ type: string }} */ message) =>
         ['ready', 'progress'].includes(message.type) || resolve(message);

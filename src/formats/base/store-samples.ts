@@ -35,7 +35,7 @@ interface Rescale {
  */
 export async function wholeNumbersOf({ bytesPerNumber, read }: NumberType): Promise<typeof ChooseWhole | undefined> {
   const mayRound = bytesPerNumber === 8 || (bytesPerNumber === 4 && read.kind === 'integers');
-  return mayRound ? (await loadReader(() => import('./whole-numbers.ts'))).chooseWhole : undefined;
+  return mayRound ? (await loadReader(() => import('#rare/formats/base/whole-numbers.ts'))).chooseWhole : undefined;
 }
 
 /** The largest whole number below which a float32 holds every whole number. */

@@ -42,7 +42,7 @@ export async function* unpack(
     // A reader that stops early leaves the stream open; one that failed has nothing left to cancel.
     await reader.cancel().catch(() => undefined);
   }
-  const { unpackSeries } = await loadReader(() => import('./unpack-series.ts'));
+  const { unpackSeries } = await loadReader(() => import('#rare/formats/codecs/unpack-series.ts'));
   for (const piece of unpackSeries(bytes, form, what)) {
     const isNew = piece.length > given;
     if (isNew) yield given ? piece.slice(given) : piece;

@@ -11,7 +11,7 @@ export const png: ImageFormat = {
   beginning,
   matches: ({ bytes }) => startsWith(bytes, '\x89PNG\r\n\x1a\n'),
   loadImage: async () => {
-    const { readPng } = await import('./png.ts');
+    const { readPng } = await import('#rare/formats/images/png.ts');
     return (bytes, { channels, budget }) => readPng(bytes, channels, budget);
   },
 };
@@ -23,7 +23,7 @@ export const jpeg: ImageFormat = {
   beginning,
   matches: ({ bytes }) => startsWith(bytes, '\xff\xd8\xff'),
   loadImage: async () => {
-    const { readImagePixels } = await import('./image-pixels.ts');
+    const { readImagePixels } = await import('#rare/formats/images/image-pixels.ts');
     return (bytes, settings) => readImagePixels(bytes, 'image/jpeg', settings);
   },
 };
@@ -35,7 +35,7 @@ export const webp: ImageFormat = {
   beginning,
   matches: ({ bytes }) => startsWith(bytes, 'RIFF') && startsWith(bytes.subarray(8), 'WEBP'),
   loadImage: async () => {
-    const { readImagePixels } = await import('./image-pixels.ts');
+    const { readImagePixels } = await import('#rare/formats/images/image-pixels.ts');
     return (bytes, settings) => readImagePixels(bytes, 'image/webp', settings);
   },
 };

@@ -6,5 +6,5 @@ export const manifest: VolumeFormat = {
   endings: ['json'],
   beginning: null,
   matches: ({ text }) => text.startsWith('{'),
-  load: async () => (await import('./read-manifest.ts')).readManifestVolume,
+  load: async () => (await import('#rare/formats/manifest/read-manifest.ts')).readManifestVolume,
 };

@@ -9,5 +9,5 @@ export const metaImage: VolumeFormat = {
   matches: ({ text }) =>
     /^(?:[A-Za-z]\w*[ \t]*[=:][^\r\n]*\r?\n)*(?:ObjectType[ \t]*[=:][ \t]*Image|NDims[ \t]*[=:][ \t]*\d)/.test(text),
   takesFiles: true,
-  load: async () => (await import('./read-metaimage.ts')).readMetaImage,
+  load: async () => (await import('#rare/formats/metaimage/read-metaimage.ts')).readMetaImage,
 };

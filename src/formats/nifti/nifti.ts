@@ -130,7 +130,7 @@ function readDimensions(header: NiftiHeader): { dimensions: Vector3; volumes: nu
 async function readType({ datatype }: NiftiHeader): Promise<NumberType> {
   const type = niftiTypes.get(datatype);
   if (type) return type;
-  const { readRareType } = await loadReader(() => import('./nifti-rare-types.ts'));
+  const { readRareType } = await loadReader(() => import('#rare/formats/nifti/nifti-rare-types.ts'));
   return readRareType(datatype);
 }
 

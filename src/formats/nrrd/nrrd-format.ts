@@ -8,5 +8,5 @@ export const nrrd: VolumeFormat = {
   beginning: 'the mark NRRD',
   matches: ({ bytes }) => startsWith(bytes, 'NRRD00'),
   takesFiles: true,
-  load: async () => (await import('./read-nrrd.ts')).readNrrd,
+  load: async () => (await import('#rare/formats/nrrd/read-nrrd.ts')).readNrrd,
 };

@@ -8,7 +8,7 @@ const words = 'a radar scan (ODIM_H5, CfRadial, NEXRAD Level II)';
 const load =
   (kind: RadarKind): VolumeFormat['load'] =>
   async () =>
-    (await import('./read-radar.ts')).radarReader(kind);
+    (await import('#rare/formats/radar/read-radar.ts')).radarReader(kind);
 
 /** ODIM_H5, and CfRadial in NetCDF-4. */
 export const hdf5: VolumeFormat = {

@@ -16,7 +16,7 @@ import {
   modeXyz65,
   parse,
   useMode,
-} from 'culori/fn';
+} from '#culori';
 import type { Color } from './transfer-function.ts';
 
 // Only the colour spaces of CSS Color 4; culori's others stay out of the bundle.
