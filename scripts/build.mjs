@@ -180,11 +180,13 @@ function buildTypes() {
   runTool('typescript/bin/tsc', ['-p', 'tsconfig.build.json', '--outDir', join(dist, 'types')]);
   // tsc keeps `./x.ts` in declarations; users without allowImportingTsExtensions need `./x.js`.
   for (const file of listFiles(join(dist, 'types'), /\.d\.ts$/)) {
-    let text = readFileSync(file, 'utf8');
-    for (const { value, end } of listImports(file, text).reverse())
-      if (value.startsWith('.') && value.endsWith('.ts'))
-        text = `${text.slice(0, end - '.ts"'.length)}.js${text.slice(end - 1)}`;
-    writeFileSync(file, text);
+    const text = readFileSync(file, 'utf8');
+    const ends = listImports(file, text)
+      .filter(({ value }) => value.startsWith('.') && value.endsWith('.ts'))
+      .map(({ end }) => end - '.ts"'.length);
+    ends.sort((a, b) => a - b);
+    const between = [0, ...ends.map((end) => end + '.ts'.length)].map((start, i) => text.slice(start, ends[i]));
+    writeFileSync(file, between.join('.js'));
   }
 }
 
