@@ -7,7 +7,7 @@ class TestState extends HTMLElement {
 customElements.define('test-state', TestState);
 
 describe('custom states', () => {
-  it('are seen by CSS, one beside the other, without an attribute', () => {
+  it('are seen by CSS, several at once, without an attribute', () => {
     const element = new TestState();
     element.states.set('loading', true);
     element.states.set('error', true);

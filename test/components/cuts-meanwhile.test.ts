@@ -40,7 +40,7 @@ it('a cutout that is set while the first volume is uploaded is cut out', async (
   expect(shown.cuts.cuts.flatMap(({ items }) => items)).to.have.length(1);
 });
 
-it('a region that is not there is told of the volume, and not of its stand-in as well', async () => {
+it('a region that is not there is reported for the volume, and not for its stand-in as well', async () => {
   const reported: string[] = [];
   const errors = new ErrorState({ file: '', changed: () => {}, failed: (aspect) => reported.push(aspect) });
   const settings = readSettings(

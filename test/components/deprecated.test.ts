@@ -38,7 +38,7 @@ describe('an old attribute', () => {
   it('is in this test', () => expect(oldAttributes).to.have.members(Object.keys(cases)));
 
   for (const [old, { text, property, value, present, text2 }] of Object.entries(cases)) {
-    it(`${old} is read, and told once; ${present} wins`, async () => {
+    it(`${old} is read, and reported once; ${present} wins`, async () => {
       let views: OldView[] = [];
       const lines = listen(() => {
         views = [create(`${old}="${text}"`), create(`${old}="${text}"`)];

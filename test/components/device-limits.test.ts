@@ -37,7 +37,7 @@ describe('what a volume may not exceed', () => {
     expect(deviceLimits(handheld)).to.include({ maxVoxelsPerAxis: 4096, maxAtlasSize: 4096 });
   });
 
-  it('is a share of the memory, as far as a browser tells', () => {
+  it('is a share of the memory, as far as a browser says', () => {
     for (const [memory, bytes] of [
       [undefined, gibibyte],
       [32, gibibyte],

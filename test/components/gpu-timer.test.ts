@@ -36,7 +36,7 @@ for (const version of [1, 2] as const) {
     });
 
     for (const turns of [0, 1, 3]) {
-      it(`is told once, where its result is there after ${turns} turns of the loop`, async () => {
+      it(`is reported once, where its result is there after ${turns} turns of the loop`, async () => {
         const { timer, alive } = start({ turns, nanoseconds: 7_250_000 });
         timer.begin();
         timer.end();

@@ -126,7 +126,7 @@ describe('handles over a picture', () => {
     view.remove();
   });
 
-  it('tell who does not see them what they are, and where they are once they are still', async () => {
+  it('say to a screen reader what they are, and where they are once they are still', async () => {
     const { view, buttons } = setStage([[0, 0, 0]]);
     expect(buttons()[0].getAttribute('aria-label')).to.equal('Point 1, 0.00 0.00 0.00');
     buttons()[0].focus();

@@ -57,7 +57,7 @@ describe('labels in motion', () => {
     });
   });
 
-  it('are off by what was foretold of pixels between rays', () => {
+  it('are off by what was predicted for pixels between rays', () => {
     const all = draw(40, 0);
     const foretold = predictSampling(scene().readPicture()).find((one) => one.maxCurvature === maxCurvature)!;
     const adaptive = draw(40, maxCurvature);

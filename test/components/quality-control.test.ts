@@ -118,7 +118,7 @@ describe('the control of quality', () => {
       expect([goesOn, control.error]).to.deep.equal([false, null]);
     }));
 
-  it('while moving keeps the target time by fewer steps and pixels, but for given steps', async () => {
+  it('while moving keeps the target time by fewer steps and pixels, except with given steps', async () => {
     const control = new QualityControl();
     expect(control.untimed).to.equal(true);
     // What plans frames comes with the first picture, or with given steps.

@@ -34,7 +34,7 @@ function openView() {
 }
 
 describe('what a readout keeps', () => {
-  it('is read anew from another scan, also where the answer takes longer than a frame', async () => {
+  it('is read again from another scan, also where the answer takes longer than a frame', async () => {
     const { view, answers, reported, keep, close } = openView();
     await keep(1);
     assert.equal(reported.at(-1), 1);

@@ -64,7 +64,7 @@ async function draw(scene: VolumeScene): Promise<ReturnType<typeof readPixels>> 
   return readPixels(scene);
 }
 
-describe("the rehearsal of a radar's picture", () => {
+describe("precompiling a radar's picture", () => {
   it('compiles all that casts rays, leaves nothing on the canvas, and the picture as it is', async () => {
     let alone: ReturnType<typeof readPixels>;
     await withScene({}, async (scene) => void (alone = await draw(scene)));

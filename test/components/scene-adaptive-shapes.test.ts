@@ -98,7 +98,7 @@ for (const { name, shown, webgl1, kinds } of cases) {
 
     for (const kind of kinds) {
       const children = shapesAmong(shown.volume.grid)[kind];
-      it(`are off by no more than was foretold: ${kind}`, () =>
+      it(`are off by no more than was predicted: ${kind}`, () =>
         withShapes(shown, { webgl1, children }, ({ scene, draw }) => {
           const all = draw(0);
           expect(scene.adaptive).to.equal(true);

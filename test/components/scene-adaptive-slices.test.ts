@@ -96,7 +96,7 @@ for (const webgl1 of [false, true]) {
     ];
 
     for (const { name, volume, ...cutting } of cases) {
-      it(`are off by no more than was foretold: ${name}`, async () => {
+      it(`are off by no more than was predicted: ${name}`, async () => {
         const draw = await show(scene(), volume, { ...cutting, camera: seen(volume, 1.1) });
         const all = draw(0);
         expect(scene().adaptive).to.equal(true);
@@ -135,7 +135,7 @@ describe('a slice that is seen from its side', function () {
     expect(comparePictures(adaptive, all, (pixel) => !isOnPlane(pixel)).worst).to.equal(0);
   });
 
-  it('is drawn with all rays where it is a cone, whose edge is not told', async () => {
+  it('is drawn with all rays where it is a cone, whose edge is not known', async () => {
     await show(scene(), storm, { slices: [{ kind: 'cone', sweep: 0 }], camera: seen(storm, 1.1) });
     expect(scene().adaptive).to.equal(false);
   });

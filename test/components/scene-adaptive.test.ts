@@ -32,7 +32,7 @@ function draw(scene: VolumeScene, maxCurvature: number): Uint8ClampedArray {
 
 describe('a picture with adaptive ray sampling', () => {
   for (const webgl1 of [false, true]) {
-    it(`is off by what was foretold, in WebGL ${webgl1 ? 1 : 2}`, () =>
+    it(`is off by what was predicted, in WebGL ${webgl1 ? 1 : 2}`, () =>
       withShells(webgl1, (scene) => {
         const all = draw(scene, 0);
         const foretold = predictSampling(scene.readPicture()).find((one) => one.maxCurvature === maxCurvature)!;

@@ -117,7 +117,7 @@ describe('ClipPlanes of the author', () => {
       },
     ));
 
-  it('cut what is beside them, in the coordinates there, and not the volume, within a Transform', () =>
+  it('cut what is next to them, in the coordinates there, and not the volume, within a Transform', () =>
     withScene({ children: moved(`<clipplane plane="0 0 -1 0.5"></clipplane>${box}`) }, async (scene, host) => {
       const cut = await compare(scene, host, ([, , z]) => z - place.center[2] <= 0.5);
       expect(cut.worst).to.be.at.most(2);

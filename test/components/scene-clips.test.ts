@@ -125,7 +125,7 @@ for (const webgl1 of [false, true]) {
       });
     }
 
-    it('a slice in it is not seen, one beside it is', () => {
+    it('a slice in it is not seen, one next to it is', () => {
       const plane = { kind: 'plane', slab: null, normal: [0.2, -0.1, 1], offset: 0.55, window: [0, 1] } as const;
       const opaque = (data: ArrayLike<number>): number =>
         Array.from(data).filter((x, i) => i % 4 === 3 && x > 254).length;

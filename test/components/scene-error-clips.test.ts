@@ -86,7 +86,7 @@ describe('a volume that is cut', function () {
       expect(stated.rms / known).to.be.within(0.5, 2);
     });
 
-    it(`is off by no more than was foretold where rays are spared: ${name}`, () => {
+    it(`is off by no more than was predicted where rays are spared: ${name}`, () => {
       const scene = show(name, dense);
       const draw = (maxCurvature: number): Uint8ClampedArray => {
         changePlan(scene, { maxCurvature, edgeCurvature: Infinity });

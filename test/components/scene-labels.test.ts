@@ -74,7 +74,7 @@ for (const version of [2, 1] as const) {
     }
 
     if (takesAll || version === 2)
-      it("beside places without data: the picture is the twin's", async () => {
+      it("next to places without data: the picture is the twin's", async () => {
         const labels = mixedAppearances(blocks(dimensions, 9));
         await scene().setLabels(labels);
         compareWithTwin(scene(), { ...viewFromAbove(holed()), labels }, `WebGL ${version} no data`);

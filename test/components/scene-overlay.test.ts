@@ -83,7 +83,7 @@ for (const version of [2, 1] as const) {
   describe(`a radar's second moment in WebGL ${version}`, () => {
     const scene = shareScene({ webgl1: version === 1 });
 
-    it('colours the first one as its twin says, across folds and beside gates that have none', async () => {
+    it('colours the first one as its twin says, across folds and next to gates that have none', async () => {
       const sweeps = [2, 8, 16, 26, 40].map((elevation) => ({ elevation, azimuths: evenAzimuths(40), gates: 24 }));
       const over = radarVolume({
         beamWidth: 4,

@@ -221,7 +221,7 @@ describe('tags of planes', () => {
     expect(planesOf(slice('type="axial"'), null, { ...volume, isDiscrete: true }).planes[0].window).to.equal(null);
   });
 
-  it('that can not be read are left out, and the first error is told', () => {
+  it('that can not be read are left out, and the first error is reported', () => {
     for (const [attributes, said] of [
       ['type="diagonal"', 'axial or coronal'],
       ['type="oblique" normal="0 0 0"', 'may not be 0 0 0'],

@@ -69,7 +69,7 @@ describe('edges of shapes in fog', function () {
     [false, false, 7],
     [true, false, 7],
   ] as const) {
-    it(`show on each of their sides the fog before what is there, WebGL ${webgl1 ? 1 : 2}, ${atRest ? 'at rest' : 'in motion'}`, () =>
+    it(`show on each of their sides the fog in front of the volume or the shape, WebGL ${webgl1 ? 1 : 2}, ${atRest ? 'at rest' : 'in motion'}`, () =>
       withScene({ webgl1, children }, (scene) => {
         changePlan(scene, { maxCurvature: 0, edgeCurvature: atRest ? 30 : Infinity });
         const got = drawPicture(scene, view);

@@ -104,7 +104,7 @@ describe('the pace of an upload', () => {
 });
 
 describe('an upload that waits for the GPU', () => {
-  it('goes on in another frame, when all that the GPU was told is done', () =>
+  it('goes on in another frame, when the GPU has done all that was sent to it', () =>
     withScene({}, async (scene) => {
       const gl = contextOf(scene);
       const order: string[] = [];

@@ -95,7 +95,7 @@ for (const version of [2, 1] as const) {
       });
     }
 
-    it('is made anew for another scan under the same second moment', async () => {
+    it('is made again for another scan under the same second moment', async () => {
       await show(reflectivity('uint8'));
       const shown = await show(reflectivity('uint8', 2));
       compareWithTwin(scene(), shown, `WebGL ${version} another scan`);

@@ -227,7 +227,7 @@ describe('the viewer', () => {
       expect(scenes.made).to.have.lengthOf(1);
     }));
 
-  it('tells what drawing throws as it is, once, and draws again after a change', () =>
+  it('reports what drawing throws as it is, once, and draws again after a change', () =>
     withViewer(async ({ viewer, scenes, failures, stats }) => {
       const mistake = new TypeError('x is undefined');
       scenes.failure = mistake;
@@ -242,7 +242,7 @@ describe('the viewer', () => {
       expect([failures.length, stats.at(-1)!.converged]).to.deep.equal([1, true]);
     }));
 
-  it('tells scenes the projection: a new one before its first picture, a present one where it changes', () =>
+  it('gives scenes the projection: a new one before its first picture, a present one where it changes', () =>
     withViewer(async ({ viewer, scenes }) => {
       await viewer.show(volume, { ...optics, projection: 'max' }, () => noCuts);
       await viewer.settled();
@@ -288,7 +288,7 @@ describe('the viewer', () => {
       expect(scenes.made.every(({ isDisposed }) => isDisposed)).to.equal(true);
     }));
 
-  it('builds the scene anew where its context is lost, with what was shown', () =>
+  it('builds the scene again where its context is lost, with what was shown', () =>
     withViewer(async ({ viewer, scenes, failures }) => {
       await viewer.show(volume, optics, () => noCuts);
       await viewer.settled();

@@ -24,7 +24,7 @@ const inPage = (element: string): string => `<main><h1>A volume</h1>${element}</
 const status = (page: Page): Promise<string> =>
   withElement(page, (element) => element.shadowRoot!.querySelector('[role=status]')!.textContent.trim());
 
-test('axe finds nothing while it loads, and the status is told', async ({ page }) => {
+test('axe finds nothing while it loads, and the status is reported', async ({ page }) => {
   const server = await serveSlowly(files['field.nii'], 0.45);
   await open(page, inPage(`<volume-view src="${server.url}" alt="A field"></volume-view>`));
   await expect.poll(() => status(page)).toBe('Loading 40%');
@@ -56,7 +56,7 @@ for (const attributes of ['', 'alt=""', 'interaction="none" alt="A field"', 'int
 test.describe('in error', () => {
   test.use({ allowedLines: networkLines });
 
-  test('axe finds nothing, and the error is told once', async ({ page }) => {
+  test('axe finds nothing, and the error is reported once', async ({ page }) => {
     await open(page, inPage('<volume-view src="nowhere.nii" alt="A field"></volume-view>'));
     await waitForEvent(page, 'error');
     await expect(page.getByRole('alert')).toContainText('404');

@@ -111,7 +111,7 @@ for (const [name, html] of Object.entries(right))
     expect(await note(page)).toBe('');
   });
 
-test('it tells the page, follows its language, is not printed, and goes as soon as something shows', async ({
+test('it notifies the page, follows its language, is not printed, and goes as soon as something shows', async ({
   page,
 }) => {
   await open(page, view(above), size);

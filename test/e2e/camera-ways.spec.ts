@@ -28,7 +28,7 @@ const degrees = (page: Page): Promise<{ theta: number; phi: number; radius: numb
   });
 
 test.describe('ways', () => {
-  test('an attribute sends the camera on a way that passes between, and tells nobody that a person moved it; pictures wait for its end', async ({
+  test('an attribute sends the camera on a way that passes between, and does not report that a person moved it; pictures wait for its end', async ({
     page,
   }) => {
     await open(page, view('interpolation-decay="300"'), large);
@@ -193,7 +193,7 @@ test.describe('turning by itself', () => {
     await expect.poll(() => isTurning(page)).toBe(true);
   });
 
-  test('a speed that is none is told', async ({ page }) => {
+  test('a speed that is none is reported', async ({ page }) => {
     await open(page, view('auto-rotate rotation-per-second="fast"'), large);
     await expect(page.locator('volume-view').getByRole('alert')).toContainText(
       'rotation-per-second got "fast"; expected an angle such as 10deg',

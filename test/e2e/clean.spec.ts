@@ -44,7 +44,7 @@ async function lookAcross(page: Page): Promise<{ shown: number[]; picked: number
   return { shown, picked };
 }
 
-test('clean hides a plate beside a ball, for eyes and picks', async ({ page }) => {
+test('clean hides a plate next to a ball, for eyes and picks', async ({ page }) => {
   await open(page, view);
   await settle(page);
   const whole = await lookAcross(page);
@@ -65,7 +65,7 @@ test('clean hides a plate beside a ball, for eyes and picks', async ({ page }) =
   expect((await lookAcross(page)).shown).toEqual(whole.shown);
 });
 
-test('a value that is none is told in the element, and without it the picture is as it was', async ({ page }) => {
+test('a value that is none is reported in the element, and without it the picture is as it was', async ({ page }) => {
   await open(page, view);
   await settle(page);
   const before = await takePicture(page);

@@ -386,7 +386,7 @@ test('all of them are reached and used by keys alone', async ({ page }) => {
   expect(download.suggestedFilename()).toBe('field.nii.png');
 });
 
-test.describe('beside an error', () => {
+test.describe('next to an error', () => {
   test.use({ allowedLines: networkLines });
 
   test('they are not covered by it, and work on the picture that stays', async ({ page }) => {

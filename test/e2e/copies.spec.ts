@@ -33,7 +33,7 @@ for (const [what, script] of Object.entries({
 test.describe('another version', () => {
   test.use({ allowedLines: warning });
 
-  test('is told once', async ({ page, lines }) => {
+  test('is reported once', async ({ page, lines }) => {
     await page.route('**/volume-view.iife.js', (route) =>
       route.fulfill({
         contentType: 'text/javascript',

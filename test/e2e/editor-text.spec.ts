@@ -26,7 +26,7 @@ test.describe('what the page says', () => {
     expect(await withElement(page, (element) => element.transferFunction)).toBeNull();
   });
 
-  test('changed by the page, it is where the editor begins anew', async ({ page }) => {
+  test('changed by the page, it is where the editor begins again', async ({ page }) => {
     await openEditor(page);
     await drag(page, handle(page, 2), { x: 30, y: 0 });
     await withElement(page, (element) => {

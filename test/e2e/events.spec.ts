@@ -21,7 +21,7 @@ const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></
 
 const isRising = (numbers: number[]): boolean => numbers.every((n, i) => i === 0 || n >= numbers[i - 1]);
 
-test('load tells what the volume is', async ({ page }) => {
+test('load says what the volume is', async ({ page }) => {
   await open(page, `<volume-view src="/test/e2e/pages/data/field.json"></volume-view>`);
   const { detail } = await waitForEvent(page, 'load');
   expect(detail).toMatchObject({
@@ -94,7 +94,7 @@ test('events come in order and do not bubble', async ({ page }) => {
   expect(await page.evaluate(() => window.__bubbled)).toEqual([]);
 });
 
-test('render tells the frame that was drawn', async ({ page }) => {
+test('render describes the frame that was drawn', async ({ page }) => {
   await open(page, plain);
   await settle(page);
   const stats = await withElement(page, (element) => element.renderStats!);

@@ -33,7 +33,7 @@ test.describe('a bare tag', () => {
   }
 });
 
-test('the camera stays where it is when colours change, and is framed anew for another place', async ({ page }) => {
+test('the camera stays where it is when colours change, and is framed again for another place', async ({ page }) => {
   await open(page, `<volume-view src="${ballUrl}"></volume-view>`);
   await settle(page);
   const before = await shareOf(page);

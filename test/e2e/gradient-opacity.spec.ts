@@ -75,7 +75,7 @@ function drawBall(stops: readonly GradientStop[]): Picture {
 const row = ({ data }: Picture): readonly number[] =>
   Array.from({ length: width / 2 }, (_, x) => data[((height >> 1) * width + width / 2 + x) * 4 + 3] / 255);
 
-test('the even inside becomes clear, and its wall stays; what cannot be read is told, and leaves the picture', async ({
+test('the even inside becomes clear, and its wall stays; what cannot be read is reported, and leaves the picture', async ({
   page,
 }) => {
   await serveFiles(page, folder, { 'ball.nii': Buffer.from(niftiBytes(ball)) });

@@ -189,7 +189,7 @@ test.describe('the context menu', () => {
     expectNear((await readCamera(page)).target, targetAfter([20, 0]));
   });
 
-  test("with Shift, and beside the picture, it is the browser's", async ({ page }) => {
+  test("with Shift, and outside the picture, it is the browser's", async ({ page }) => {
     const menus = await openWithMenus(page);
     await page.keyboard.down('Shift');
     await page.mouse.click(61, 46, { button: 'right' });
@@ -258,7 +258,7 @@ test.describe('fingers', () => {
 });
 
 test.describe('a script', () => {
-  test('is told where the camera is, and can say so again', async ({ page }) => {
+  test('gets the place of the camera, and can set it again', async ({ page }) => {
     await open(page, `<volume-view src="${fieldUrl}" steps="40" alt="A field"></volume-view>`);
     const { orbit, target, eye, up, fieldOfView: angle } = await readCamera(page);
     const camera = orbitCamera(orbit, target, angle);

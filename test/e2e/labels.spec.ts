@@ -150,7 +150,7 @@ test.describe('an atlas', () => {
       .toBeGreaterThan(-10);
   });
 
-  test('obeys keys, the search, scripts and children, and loads nothing twice', async ({ page }) => {
+  test('follows keys, the search, scripts and children, and loads nothing twice', async ({ page }) => {
     const asked = await serve(page);
     await open(page, `${view(labels())}<volume-label-list for="v"></volume-label-list></main>`);
     await settle(page);
@@ -252,7 +252,7 @@ test.describe('a volume that is labels', () => {
 test.describe('a pane that stands alone', () => {
   test.use({ allowedLines: twice });
 
-  test("has labels beside its file, or is labels itself, and tells what it can't show", async ({ page }) => {
+  test("has labels in addition to its file, or is labels itself, and reports what it can't show", async ({ page }) => {
     await serve(page);
     const pane = (id: string, src: string, inside: string): string =>
       `<volume-slice-view id="${id}" src="${src}" type="coronal" style="width: 160px">${inside}</volume-slice-view>`;
@@ -286,7 +286,7 @@ test.describe("what can't be shown", () => {
     allowedLines: new RegExp(`${twice.source}|^warning: <volume-labels> (got no volume around it|is the second one)`),
   });
 
-  test('is told, and the last good labels stay; elements without a volume of their own say so', async ({
+  test('is reported, and the last good labels stay; elements without a volume of their own say so', async ({
     page,
     lines,
   }) => {

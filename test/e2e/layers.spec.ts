@@ -145,7 +145,7 @@ test('a map of both signs is seen in 3D, in a pane, under the pointer and in a l
   await expect(page.locator('volume-legend [part=title]'), 'it is in another view now').toHaveCount(0);
 });
 
-test('where a file has no such moment its picture comes to rest, and that is told', async ({ page }) => {
+test('where a file has no such moment its picture comes to rest, and that is reported', async ({ page }) => {
   const renders = (): Promise<number> =>
     page.locator('volume-view').evaluate((view: VolumeView & { renders?: number }) => view.renders ?? 0);
   for (const [src, reported] of [
@@ -173,7 +173,7 @@ test('where a file has no such moment its picture comes to rest, and that is tol
   }
 });
 
-test('a radar is coloured by another moment of its file; one that is not there is told with the list of those that are', async ({
+test('a radar is coloured by another moment of its file; one that is not there is reported with the list of those that are', async ({
   page,
 }) => {
   const asked = await serve(page);

@@ -26,7 +26,7 @@ async function listen(page: Page): Promise<() => Promise<string[]>> {
   return () => page.evaluate(() => (globalThis as Heard).heard);
 }
 
-test('nothing is told while scans play, and again what a person asks for', async ({ page }) => {
+test('nothing is announced while scans play, and again what a person asks for', async ({ page }) => {
   const server = await serve(page);
   server.held.add(1);
   await open(page, `<volume-view ${several(4)} play-speed="5"></volume-view><volume-timeline></volume-timeline>`);
@@ -50,7 +50,7 @@ test('nothing is told while scans play, and again what a person asks for', async
     .toBeGreaterThan(0);
 });
 
-test("nothing is told while another one's editor changes the picture", async ({ page }) => {
+test("nothing is announced while another one's editor changes the picture", async ({ page }) => {
   // So dense that something shows: a blank picture says so.
   await open(
     page,

@@ -49,7 +49,7 @@ test('there is none where all of the file is shown, and its part is not loaded',
   expect(asked.filter((url) => url.includes('view-notices'))).toEqual([]);
 });
 
-test('it tells when it is pointed at, has the focus of the keys, or is pressed; Escape closes it', async ({ page }) => {
+test('it opens when it is pointed at, has the focus of the keys, or is pressed; Escape closes it', async ({ page }) => {
   await open(page, view(series, 'controls'), { script });
   await settle(page);
   await expect(sign(page)).toBeVisible();
@@ -99,11 +99,11 @@ test('it is no part of the picture, lies within it, and an author can hide it', 
   await expect(sign(page)).toBeHidden();
 });
 
-test.describe('beside the volume', () => {
+test.describe('next to the volume', () => {
   // Who makes the page reads it in the console, too.
   test.use({ allowedLines: /^warning: <volume-(labels|surface)>: (not all of|its materials|of the BIDS table)/ });
 
-  test('it tells of labels, layers and surfaces by their files, as long as they are there', async ({ page }) => {
+  test('it names labels, layers and surfaces by their files, as long as they are there', async ({ page }) => {
     const obj = `data:text/plain,${encodeURIComponent('v 0 0 0\nv 9 0 0\nv 0 9 0\nusemtl red\nf 1 2 3\n')}`;
     await page.route('**/labels.tsv', (route) =>
       route.fulfill({ contentType: 'text/tab-separated-values', body: 'index\tname\nx\tA\n1\tA\n' }),

@@ -114,7 +114,7 @@ test.describe('out of sight and back', () => {
     expect(compare(await takePicture(page), given).worst).toBe(0);
   });
 
-  test('steps that were chosen are not chosen anew', async ({ page }) => {
+  test('steps that were chosen are not chosen again', async ({ page }) => {
     await countContexts(page);
     await open(
       page,

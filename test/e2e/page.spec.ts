@@ -242,7 +242,7 @@ test('the classic script in a sandboxed frame', async ({ page }) => {
 test.describe('a file that a sandboxed frame may not read', () => {
   test.use({ allowedLines: networkLines });
 
-  test('is told in words that say what to do', async ({ page }) => {
+  test('is reported in words that say what to do', async ({ page }) => {
     await open(
       page,
       '<iframe sandbox="allow-scripts" width="400" height="320" title="A field" src="sandbox-refused.html"></iframe>',
@@ -291,7 +291,7 @@ test('data from a blob: URL', async ({ page }) => {
   expectSamePicture(await takePicture(page), drawReference());
 });
 
-test("a page's own X3D scene goes on beside it", async ({ page }) => {
+test("a page's own X3D scene goes on next to it", async ({ page }) => {
   const scene =
     '<x3d width="80px" height="60px"><scene><shape><appearance><material diffusecolor="0 1 0"></material></appearance><box></box></shape></scene></x3d>';
   const head = '<script src="/dist/x3dom.js"></script><link rel="stylesheet" href="/node_modules/x3dom/x3dom.css">';
@@ -308,7 +308,7 @@ test("a page's own X3D scene goes on beside it", async ({ page }) => {
   expect(compare(await takeScreenshot(page, 'body > x3d'), alone).worst).toBe(0);
 });
 
-test.describe("beside a page's own x3dom", () => {
+test.describe("together with a page's own x3dom", () => {
   // x3dom puts hands for a headset into the first scene that it finds.
   test.use({ allowedLines: /<inline> was left out of the picture/ });
 

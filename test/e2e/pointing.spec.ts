@@ -96,7 +96,7 @@ test.describe('pick()', () => {
     expect(await depth('surface')).toBeLessThan(await depth('max'));
   });
 
-  test('is null outside, beside the volume and at no place, and never an error', async () => {
+  test('is null outside, next to the volume and at no place, and never an error', async () => {
     const page = sharedPage();
     for (const [x, y] of [
       [-1, 45],

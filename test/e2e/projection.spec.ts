@@ -42,7 +42,7 @@ test('the last of several in a row holds, with the colours that came with it', a
   expect(compare(inRow, drawReference()).worst).toBeGreaterThan(20);
 });
 
-test('what cannot be read is told, and leaves the picture', async ({ page }) => {
+test('what cannot be read is reported, and leaves the picture', async ({ page }) => {
   await open(page, plain);
   await settle(page);
   await page.locator('volume-view').evaluate((element) => element.setAttribute('projection', 'mip'));

@@ -131,7 +131,7 @@ test('has a crosshair that keys move, which fires volume-pick and leaves the cam
   expect(await orbit()).not.toEqual(before);
 });
 
-test('is told once, when it is still', async ({ page }) => {
+test('is reported once, when it is still', async ({ page }) => {
   await openReadout(page);
   await page.evaluate(() => {
     const heard: string[] = ((window as unknown as { heard: string[] }).heard = []);

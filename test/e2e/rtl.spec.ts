@@ -56,7 +56,7 @@ async function readTicks(ticks: Locator): Promise<{ value: number; x: number; y:
 }
 
 for (const dir of directions) {
-  test(`${dir}: beside a number of the legend is its colour, and all numbers are within its length`, async ({
+  test(`${dir}: next to a number of the legend is its colour, and all numbers are within its length`, async ({
     page,
   }) => {
     await openEditor(page, inDirection(dir, view + legends + editor));

@@ -14,7 +14,7 @@ import {
 } from './helpers/scans.ts';
 
 test.describe('play', () => {
-  test('goes round and round, and holds where it is told to', async ({ page }) => {
+  test('goes round and round, and stops where it is asked to', async ({ page }) => {
     await serve(page);
     await open(page, `<volume-view ${several(3)} autoplay play-speed="10"></volume-view>`);
     await expect.poll(async () => (await reported(page)).length).toBeGreaterThan(6);
@@ -129,7 +129,7 @@ test.describe('play', () => {
   test.describe('with errors', () => {
     test.use({ allowedLines: networkLines });
 
-    test('passes over a scan that fails; the last good picture stays, and the error is told', async ({ page }) => {
+    test('passes over a scan that fails; the last good picture stays, and the error is reported', async ({ page }) => {
       await serve(page, { missing: [1] });
       await open(page, `<volume-view ${several(3)} style="width: 400px; height: 300px"></volume-view>`);
       await settle(page);

@@ -129,7 +129,7 @@ test.describe('a list of URLs', () => {
     expect(await withElement(page, (element) => element.optics!.window)).toEqual([0, 0.5]);
   });
 
-  test('begins anew with another source, and goes on where the element is put elsewhere', async ({ page }) => {
+  test('begins again with another source, and goes on where the element is put elsewhere', async ({ page }) => {
     await serve(page);
     await open(page, `<volume-view ${several(3)} time="2"></volume-view><div></div>`);
     await expectMiddle(page, 2);

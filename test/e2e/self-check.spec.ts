@@ -82,7 +82,7 @@ const watched = `<volume-view src="${fieldUrl}" self-check ${shown}></volume-vie
   view.addEventListener('error', ({ detail }) => (view.code = detail.code));
 }</script>`;
 
-newPageTest('a GPU that draws wrong is told of, and the picture stays', async ({ page }) => {
+newPageTest('a GPU that draws wrong is reported, and the picture stays', async ({ page }) => {
   await page.addInitScript(breakGpu);
   await open(page, watched);
   await expect.poll(async () => (await reported(page)).code, { timeout: 30_000 }).toBe('webgl/inaccurate');

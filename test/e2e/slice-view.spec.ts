@@ -195,7 +195,7 @@ test.describe('a pane that stands alone', () => {
     expect(await cursorOf(page)).not.toEqual(before);
   });
 
-  newPageTest('has its picture when whenRendered() says so, however late its size is told', async ({ page }) => {
+  newPageTest('has its picture when whenRendered() says so, however late its size is known', async ({ page }) => {
     // What an observer tells comes a second late: the picture does not wait for it.
     await page.addInitScript(() => {
       const Original = window.ResizeObserver;
@@ -231,7 +231,7 @@ test.describe('a pane that stands alone', () => {
     expect(painted[1]).toBe(painted[0]);
   });
 
-  test('moves by keys, tells it, and swaps the buttons', async ({ page }) => {
+  test('moves by keys, says so, and swaps the buttons', async ({ page }) => {
     await open(page, alone('drag="window"'), { head, script });
     const before = (await cursorOf(page))!;
     await page.locator('#a [part=picture]').focus();

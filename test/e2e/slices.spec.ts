@@ -279,7 +279,7 @@ test.describe("planes through a volume that is no radar's", () => {
     expect(await opacity(page)).toBeLessThan(0.5);
   });
 
-  test('that can not be read are told, and the others stay', async ({ page }) => {
+  test('that can not be read are reported, and the others stay', async ({ page }) => {
     await open(page, view.replace('></', `>${plane('type="oblique" normal="0 0 0"')}${plane('type="coronal"')}</`));
     expect(await lastError(page)).toMatchObject({
       code: 'attribute/invalid',

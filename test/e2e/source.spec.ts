@@ -63,7 +63,7 @@ test.describe('another src', () => {
     server.close();
   });
 
-  test('so does taking the element out, and back in it loads anew', async ({ page }) => {
+  test('so does taking the element out, and back in it loads again', async ({ page }) => {
     const server = await serveSlowly(files['field.nii'], 0.5);
     await open(page, `<volume-view src="${server.url}" ${attributesOf()}></volume-view>`);
     await page.waitForFunction(() => window.__seen.some(({ detail }) => (detail as { loaded: number }).loaded > 0));

@@ -61,7 +61,7 @@ test.describe('from disk', () => {
 test.describe('from a plain static server', () => {
   test.use({ viewport });
 
-  test('the zip shows its sample, and its page for frames any volume beside it', async ({ page }, testInfo) => {
+  test('the zip shows its sample, and its page for frames any volume next to it', async ({ page }, testInfo) => {
     const folder = testInfo.outputPath('served');
     unpackInto(folder);
     const asked: string[] = [];

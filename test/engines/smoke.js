@@ -150,7 +150,7 @@ function point(type, [x, y], options = {}) {
   );
 }
 
-await check('a click picks what is there, and a readout says so', async () => {
+await check('a click picks the place under it, and a readout says so', async () => {
   const readout = document.createElement('volume-readout');
   element.after(readout);
   for (let i = 0; i < 200 && !readout.shadowRoot?.querySelector('[part=row]'); i++)
@@ -328,7 +328,7 @@ await check('a manifest and its mosaic', async () => {
   await expectPicture(element);
 });
 
-await check('a typing error is told, and the picture stays', async () => {
+await check('a typing error is reported, and the picture stays', async () => {
   const told = nextEvent(element, 'error');
   element.transferFunction = '0 black 0, 1 whit 5%';
   const { code } = await told;

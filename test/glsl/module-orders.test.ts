@@ -295,7 +295,7 @@ describe('the order of convergence that a module states', () => {
     expect([...modules.keys()]).to.have.members(Object.keys(looks));
   });
 
-  it('is that of a ray which each of them has a part of in float64, but for one whose part another one has', () => {
+  it('is that of a ray which each of them has a part of in float64, except one whose part another one has', () => {
     expect([...modules.values()].filter(({ twin }) => twin === null).map(({ name }) => name)).to.have.members([
       'columns',
     ]);

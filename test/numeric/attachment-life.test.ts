@@ -21,7 +21,7 @@ import { ballPly } from '../helpers/meshes.ts';
 const wrong = (message: string): VolumeViewError => new VolumeViewError('format/corrupt', message);
 const turn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-describe('beside a volume', () => {
+describe('next to a volume', () => {
   it('the error of a surface that still has one is shown when another one is well again', () => {
     const errors = new ErrorState({ file: '', changed: () => {}, failed: () => {} });
     const socket = socketOf(document.createElement('div'));
@@ -73,7 +73,7 @@ describe('beside a volume', () => {
     around.remove();
   });
 
-  it('a surface that waits for a scene is told of once, whatever changes meanwhile, and holds up nothing where none comes', async () => {
+  it('a surface that waits for a scene is reported once, whatever changes meanwhile, and holds up nothing where none comes', async () => {
     const host = document.createElement('div');
     const socket = socketOf(host);
     const viewer = { volume: {}, scene: null as Scene | null, invalidate: () => {}, reframe: () => {} };
@@ -166,7 +166,7 @@ describe('beside a volume', () => {
     expect(errors.first).to.equal(null);
   });
 
-  it('a pane is drawn anew when the error of its labels is gone', () => {
+  it('a pane is drawn again when the error of its labels is gone', () => {
     let drawn = 0;
     const target = new PaneTarget({ volume: () => null, file: () => '', changed: () => drawn++, take: () => {} });
     target.cleared();
@@ -176,7 +176,7 @@ describe('beside a volume', () => {
     expect([drawn, target.error]).to.deep.equal([2, null]);
   });
 
-  it('a material or a texture that is taken out of a shape is in nothing any more, and told as it is', () => {
+  it('a material or a texture that is taken out of a shape is in nothing any more, and described as it is', () => {
     for (const name of ['material', 'imagetexture']) {
       const alone = document.createElement(name);
       expect(withoutFrame(alone)).to.deep.equal([alone]);
@@ -228,7 +228,7 @@ describe('beside a volume', () => {
     }
   });
 
-  it('tells once of voxels that are a file, where there is no src, and not where they are gone', async () => {
+  it('reports once voxels that are a file, where there is no src, and not where they are gone', async () => {
     const host = document.createElement('div');
     const reported: string[] = [];
     const errors = {

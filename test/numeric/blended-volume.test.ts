@@ -90,7 +90,7 @@ describe('a second volume in BlendedVolumeStyle', () => {
     expect(view.shown.overlay === null).to.equal(true);
   });
 
-  it("and images of segments are not told to say a spacing, as their place is the volume's", () => {
+  it("and images of segments are not asked for a spacing, as their place is the volume's", () => {
     expect(readVoxelTexture(viewOf(voxels).firstElementChild!).spacing).to.deep.equal([1, 1, 1]);
   });
 

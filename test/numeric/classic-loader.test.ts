@@ -50,7 +50,7 @@ const codeOf = (loading: Promise<unknown>): Promise<string> =>
   );
 
 describe('parts of the classic script', () => {
-  it('come once, with what they need, from beside the script', async () => {
+  it('come once, with what they need, from the folder of the script', async () => {
     const { loader, asked, define } = withServer(
       {
         '1.js': () => define(1, (require, exports) => (exports.sum = (require('./2').two as number) + 1)),

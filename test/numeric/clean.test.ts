@@ -170,7 +170,7 @@ describe('a volume that is cleaned', () => {
     expect(less.left).to.deep.equal(['clean hides one part that touches nothing larger: 24 voxels above 0.5']);
   });
 
-  it('is told where the value does not follow from the volume, and where there are no measured values', async () => {
+  it('is reported where the value does not follow from the volume, and where there are no measured values', async () => {
     const refused = async (promise: Promise<unknown>, words: RegExp): Promise<void> => {
       const error = await expectError(promise);
       expect(error).to.be.instanceOf(VolumeViewError);

@@ -157,7 +157,7 @@ describe('a scene for a volume that is on its way', () => {
     }
   });
 
-  it('that can not be made is told when the volume is there, and then once', async () => {
+  it('that can not be made is reported when the volume is there, and then once', async () => {
     const { controller, reported, user } = keep(2);
     controller.expect(true);
     await settle();

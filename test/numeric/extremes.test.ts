@@ -186,7 +186,7 @@ describe('what comes before the picture at the extremes', () => {
     return { reported: Array.from(samples, (sample) => sample * scale + offset), scale };
   };
 
-  it('doubles that are all the same are told to their last digit', () => {
+  it('doubles that are all the same are kept to their last digit', () => {
     for (const value of [1e17, 1e300, -1e300, 0.1, 1.7e308, 1e-320])
       expect(distinguishDoubles([value, NaN, value, value]).reported, String(value)).to.deep.equal([
         value,
@@ -196,7 +196,7 @@ describe('what comes before the picture at the extremes', () => {
       ]);
   });
 
-  it('doubles that are all the same are in units that float32 tells the window around them in', () => {
+  it('doubles that are all the same are in units in which float32 can hold the window around them', () => {
     for (const value of [1e17, 1e40, -1e300, 1.7e308])
       expect(2 ** -20 * (Math.abs(value) / distinguishDoubles([value, value]).scale), String(value)).to.be.within(
         1e-10,
@@ -204,7 +204,7 @@ describe('what comes before the picture at the extremes', () => {
       );
   });
 
-  it('doubles far from 0 keep what tells them apart, to the last digit that they have; what doubles do not tell is one value', () => {
+  it('doubles far from 0 keep their differences, to the last digit that they have; what doubles do not distinguish is one value', () => {
     for (const [far, unit] of [
       [1e17, 16],
       [-1e17, 16],
@@ -219,7 +219,7 @@ describe('what comes before the picture at the extremes', () => {
     );
   });
 
-  it('says in words where values are too far apart, and takes those that differ by less than numbers tell for one', async () => {
+  it('says in words where values are too far apart, and takes those that differ by less than numbers can for one', async () => {
     const grid = cartesianGrid([4, 4, 4], axialIndexToWorld([4, 4, 4], [1, 1, 1]));
     const load = (type: number, values: Float64Array | BigInt64Array): Promise<unknown> => {
       const {

@@ -173,7 +173,7 @@ describe('the camera rig and what is seen', () => {
     expect(given.orbit.radius).to.be.above(1.5 * free.orbit.radius);
   });
 
-  it('keeps its view where other colours or another scan come in the same place, and frames anew in another shape', () => {
+  it('keeps its view where other colours or another scan come in the same place, and frames again in another shape', () => {
     const rig = new CameraRig();
     rig.setSubject(subject);
     const before = rig.camera;

@@ -263,7 +263,7 @@ describe('the first look', () => {
     expect((100 - low) / (high - low)).to.be.within(0.4, 0.7);
   });
 
-  it('tells the author of a mosaic without a spacing what to write, once', () => {
+  it('says to the author of a mosaic without a spacing what to write, once', () => {
     const image = { width: 8, height: 8, data: new Uint8Array(64) };
     const mosaic = { columns: 2, rows: 2 };
     const { warn } = console;

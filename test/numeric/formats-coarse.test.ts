@@ -88,7 +88,7 @@ describe('the coarse volume of a large one', () => {
     expect(volume.hasNoData).to.equal(whole.hasNoData);
   });
 
-  it('comes with all that the large one is, but for what takes memory', () => {
+  it('comes with all of the large one except what takes memory', () => {
     const { samples: _samples, macrocells: _macrocells, ...rest } = whole;
     expect(of).to.deep.equal(rest);
   });
@@ -141,7 +141,7 @@ describe('a large volume out of the worker', () => {
 });
 
 describe('a radar out of the worker', () => {
-  it('is told of as soon as its file is known for one, then all of it but for its macrocells, in memory of its own, and then the volume', async () => {
+  it('is reported as soon as its file is known for one, then all of it except its macrocells, in memory of its own, and then the volume', async () => {
     const reported: (CoarseVolume | null)[] = [];
     const phases: string[] = [];
     const { signal } = new AbortController();

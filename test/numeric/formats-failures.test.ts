@@ -74,7 +74,7 @@ describe('a mistake after decoding', () => {
   const load = () =>
     expectError(loadVolume(request, { signal: new AbortController().signal, onProgress: () => undefined }));
 
-  it('in the worker is told as one, and the file is named', async () => {
+  it('in the worker is reported as one, and the file is named', async () => {
     const { code, message, cause } = await load();
     expect(code).to.equal('internal');
     expect(message).to.contain('the file v1-le-i2.nii,').and.to.contain('TypeError');

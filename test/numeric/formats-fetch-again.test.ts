@@ -180,7 +180,7 @@ describe('a file that broke off', () => {
       },
     ));
 
-  it('at another origin is asked for anew, without headers that need its permission', () =>
+  it('at another origin is asked for again, without headers that need its permission', () =>
     withServer([half, whole], async (asked) => {
       await fetchOne('https://other.test/a.nii');
       expect(asked[1].headers).to.deep.equal({});

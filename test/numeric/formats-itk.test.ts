@@ -64,7 +64,7 @@ describe('NRRD and MetaImage: values, spacing, directions and origin against Sim
     }
   });
 
-  it('keep 64-bit numbers apart that doubles can not tell apart', async () => {
+  it('keep 64-bit numbers apart that doubles do not distinguish', async () => {
     for (const path of ['nrrd/i8-big.nrrd', 'metaimage/u8-little.mha']) {
       const { samples } = await decodeBytes(await fetchFixture(path), path);
       expect(Array.from(samples), path).to.deep.equal(Array.from({ length: 24 }, (_, i) => 7 * (23 - i)));

@@ -197,7 +197,7 @@ describe('loadVolume of a stack', () => {
     expect(volume.grid.dimensions).to.deep.equal([12, 8, 3]);
   });
 
-  it('finds the data beside a header', async () => {
+  it('finds the data next to a header', async () => {
     const volume = await loadVolume(
       { url: '/test/fixtures/nrrd/detached-list.nhdr', limits: roomyLimits },
       { signal, onProgress: ignore },
@@ -234,7 +234,7 @@ describe('files that are fetched in order', () => {
     expect(max).to.equal(6);
   });
 
-  it('tell the bytes of all that have come, and of one alone its total', async () => {
+  it('report the bytes of all that have come, and of one alone its total', async () => {
     const fetchOne = async (url: string, onProgress: (loaded: number, total: number) => void) => {
       for (const loaded of [0, 4, 10]) onProgress(loaded, 10);
       return { bytes: new Uint8Array(10), url, contentType: '' };

@@ -66,7 +66,7 @@ describe('gradients', () => {
     }
   });
 
-  it('are one-sided beside no data, and none where a value folds or nothing is known', () => {
+  it('are one-sided next to no data, and none where a value folds or nothing is known', () => {
     const known = { value: 5, valid: true };
     const tap = (value: number) => ({ value, valid: !Number.isNaN(value) });
     const taps = [

@@ -66,7 +66,7 @@ describe('edits of boxes and Gaussians', () => {
       expect(withNumber(bell, which, number)).to.equal(bell);
   });
 
-  it('are written with as many digits as tell a narrow one from none', () => {
+  it('are written with enough digits to distinguish a narrow one from none', () => {
     const narrow: Patch[] = [
       { ...box, values: [101325.2, 101325.4], gradients: [5000.001, 5000.002] },
       { ...bell, value: 2000000.25, widths: [0.125, 8] },
@@ -176,7 +176,7 @@ describe('a session of edits by value and gradient', () => {
     }
   });
 
-  it('keeps the stops that wait beside it, and so the chart stays', () => {
+  it('keeps the stops that wait next to it, and so the chart stays', () => {
     const { view, session, editor } = open(null);
     const before = session.look!.stops;
     editor.add('box');
@@ -187,7 +187,7 @@ describe('a session of edits by value and gradient', () => {
     expect(session.look!.stops).to.deep.equal(before);
   });
 
-  it('takes in what the page says anew', () => {
+  it('takes over what the page says again', () => {
     const { view, session, editor } = open(writePatches([box]));
     view.appearance = { ...view.appearance, transferFunction2d: writePatches([bell]) };
     session.follow(view);

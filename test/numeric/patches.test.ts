@@ -262,7 +262,7 @@ describe('patches of value and gradient', () => {
     });
   }
 
-  it('stand in for the transfer function, but not in projections; beside surfaces there is fog then', async () => {
+  it('stand in for the transfer function, but not in projections; with surfaces there is fog then', async () => {
     const volume = syntheticVolume({ dimensions: [8, 8, 8], kind: 'float32' });
     const appearance = {
       ...plainAppearance,

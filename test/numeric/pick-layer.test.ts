@@ -60,7 +60,7 @@ describe('a pick where a layer shows, and the volume has no data', () => {
     ['as it is', undefined],
     ['in a style', [{ weight: 1, styles: [{ kind: 'silhouette', retained: 0.5, boundary: 1, sharpness: 2 }] }]],
   ] as const) {
-    it(`tells the layer's value, and that there is none of the volume: ${name}`, async () => {
+    it(`has the layer's value, and says that there is none of the volume: ${name}`, async () => {
       const both = [await pickAt(40, { styles }), await pickAt(60, { styles })];
       const [there, attached] = both[0]?.voxel ? both : [both[1], both[0]];
       expect(there!.value).to.be.closeTo(0.2, 1e-6);
@@ -71,7 +71,7 @@ describe('a pick where a layer shows, and the volume has no data', () => {
     });
   }
 
-  it('tells nothing where the layer only colours', async () => {
+  it('has no value where the layer only colours', async () => {
     const both = [await pickAt(40, { blend: 'color' }), await pickAt(60, { blend: 'color' })];
     expect(both.filter((one) => one === null)).to.have.length(1);
   });

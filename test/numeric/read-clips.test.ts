@@ -96,7 +96,7 @@ describe('what cuts a volume', () => {
     ).to.deep.equal(whole);
   });
 
-  it('is a box that is cut out, whichever corners are given; one beside the volume, or flat, removes nothing', () => {
+  it('is a box that is cut out, whichever corners are given; one outside the volume, or flat, removes nothing', () => {
     for (const cutout of ['-5 -2 -2 2 3 3', '2,3,3,-5,-2,-2'])
       expect(cutLine('', alongX, { attributes: { cutout } })).to.deep.equal({ ...whole, gap: [0.25, 0.6] });
     expect(cutLine('', alongX, { attributes: { cutout: '-1e300 -1e300 -1e300 2 1e300 1e300' } })).to.deep.equal({
@@ -129,7 +129,7 @@ describe('what cuts a volume', () => {
     });
   });
 
-  it('of a radar is in metres before heights are stretched, but for ClipPlanes, which are in the scene as shapes are', () => {
+  it('of a radar is in metres before heights are stretched, except ClipPlanes, which are in the scene as shapes are', () => {
     const radar = radarVolume(polarScenes['five sweeps'], { verticalExaggeration: 4 });
     const up: readonly [Vector3, Vector3] = [
       [100, 100, 0],
@@ -201,7 +201,7 @@ describe('what cuts a volume', () => {
     expect(boxes.gap).to.deep.equal([0.25, 0.6]);
   });
 
-  it('is left out where it can not be read, and the first error is told', () => {
+  it('is left out where it can not be read, and the first error is reported', () => {
     for (const text of ['0 0 0 1', 'a b c d', '1 0 0', '1 0 0 NaN', '1e400 0 0 1', '1e-300 0 0 1', '']) {
       const { message, ...left } = cutLine(plane(text) + plane('1 0 0 5'), alongX);
       expect(message, text).to.contain('plane of a ClipPlane');
@@ -255,7 +255,7 @@ describe('a plane or a box that is dragged', () => {
     expect(modelOf({ type: 'box', keep: 'outside' }).shape(room)).to.deep.include({ box: [0, 0, 0, 10, 9, 8] });
   });
 
-  it('that lies beside the volume is taken hold of at the end that is next to it, and brought back from there', () => {
+  it('that lies outside the volume is taken hold of at the end that is next to it, and brought back from there', () => {
     const model = modelOf({ at: '1e6', normal: '0 3 4' });
     expect(model.shape(room), 'it stays where it is').to.deep.include({ at: 1e6 });
     const [{ at, along }] = model.grips(room);

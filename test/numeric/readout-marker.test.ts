@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { Marker } from '../../components/volume-readout/volume-readout-marker.ts';
 
-it('a label is named beside the cross, inside the picture wherever the cross is, and without a name there is none', () => {
+it('a label is named next to the cross, inside the picture wherever the cross is, and without a name there is none', () => {
   const picture = document.body.appendChild(document.createElement('div'));
   picture.style.cssText = 'position: relative; width: 280px; height: 200px';
   const marker = new Marker(picture);

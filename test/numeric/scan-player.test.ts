@@ -96,7 +96,7 @@ describe('the player of scans', () => {
     element.end();
   });
 
-  it('plays in order, round and round, until it is told not to', async () => {
+  it('plays in order, round and round, until it is paused', async () => {
     const element = new FakeElement().open(3);
     await element.show(0);
     element.player.play({ on: true, speed: 200 });
@@ -181,7 +181,7 @@ describe('playback', () => {
       ({ name }: DOMException) => name,
     );
 
-  it('is paused at first, begins once, and tells each change once', () => {
+  it('is paused at first, begins once, and reports each change once', () => {
     const { playback, events } = start();
     expect(playback.paused).to.equal(true);
     playback.pause();
@@ -192,7 +192,7 @@ describe('playback', () => {
     expect([playback.paused, events]).to.deep.equal([true, ['play', 'pause']]);
   });
 
-  it('tells a player of scans what it should do, also one that comes later, and its speed', async () => {
+  it('sets what a player of scans should do, also one that comes later, and its speed', async () => {
     const { playback, settings, player } = start();
     const playing = nameOf(playback.play());
     playback.setSpeed(7);

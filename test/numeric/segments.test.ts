@@ -83,7 +83,7 @@ describe("X3D's segments", () => {
     expect(await last()).to.equal(200);
   });
 
-  it('have one style, that of the first that is drawn, and others are told', async () => {
+  it('have one style, that of the first that is drawn, and others are reported', async () => {
     const html = `<SegmentedVolumeData segmentEnabled="false">${identifiers([0, 1, 2, 2])}${edge}${cartoon}${cartoon}</SegmentedVolumeData>`;
     expect(
       readVolumeNodes(viewOf(html), plainAppearance).styles!.flatMap(({ styles }) => styles.map(({ kind }) => kind)),
@@ -101,7 +101,7 @@ describe("X3D's segments", () => {
     expect(other.shown.labels, 'and drawn').to.not.equal(null);
   });
 
-  it('without a style beside some with one are told where they are drawn', () => {
+  it('without a style next to some with one are reported where they are drawn', () => {
     const all = [
       { node: 'a', key: '', texture: null },
       { node: 'b', key: 'b', texture: null },

@@ -373,7 +373,7 @@ describe('a table of styles', () => {
     ).to.be.below(Infinity);
   });
 
-  it('forgets what stands before a style that sets the colour anew, and keeps the order around light', () => {
+  it('forgets what stands before a style that sets the colour again, and keeps the order around light', () => {
     expect(row([edge, { kind: 'tone', cool: [0, 0, 0], warm: [1, 1, 1] }], 1, 0)).to.deep.equal([0, 0, 0, 1]);
     const styles: VolumeStyle[] = [{ kind: 'shaded', material: null }, edge];
     expect(row(styles, 1, 0)).to.deep.equal([0, 0, 0, 1]);
@@ -449,7 +449,7 @@ async function pickedStages(
   return composeTwins(twins, frame, { stepLength, maxSubsteps });
 }
 
-describe('a pick in a volume that wears styles', () => {
+describe('a pick in a volume that has styles', () => {
   it('casts the rays of the picture: cuts, region and all', async () => {
     const styles: VolumeStyle[] = [
       { kind: 'boundary', retained: 0.3, boundary: 2, power: 1 },

@@ -189,7 +189,7 @@ describe('a surface that is cut with its volume', () => {
       await Promise.all(view.work);
     }));
 
-  it('that takes long is cut anew when a drag pauses, or has gone on for ten times as long', () =>
+  it('that takes long is cut again when a drag pauses, or has gone on for ten times as long', () =>
     withClock(async (clock) => {
       const view = createView();
       const ball = await surfaceOf(ballPly([0, 0, 0], 5));

@@ -151,7 +151,7 @@ describe('surfaces along a ray', () => {
     }
   });
 
-  it('are refined where values bend, and end nowhere beside missing data', () => {
+  it('are refined where values bend, and end nowhere next to missing data', () => {
     const bent = known((x) => x ** 3 + 0.1 * Math.sin(9 * x));
     let begin = NaN;
     const gather = surfaceGather({ ...alone, surfaces: [white(0.3)] });

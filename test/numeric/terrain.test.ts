@@ -36,7 +36,7 @@ const hills = (north: number, east: number): number =>
   900 + 600 * Math.sin(9 * north) * Math.cos(7 * east) + 80 * Math.sin(60 * (north + 0.3 * east));
 
 describe('terrain', () => {
-  it('lies where pyproj has it on the sphere, and WGS 84 is 0.3 % farther at the most', async () => {
+  it('lies where pyproj has it on the sphere, and WGS 84 is 0.3 % farther at most', async () => {
     const { radar: site, places } = JSON.parse(new TextDecoder().decode(await fetchFixture('mesh-fixtures.json'))) as {
       radar: EarthPoint;
       places: Record<string, EarthPoint & Record<'sphere' | 'ellipsoid', [number, number]>>;

@@ -88,7 +88,7 @@ describe('what is said of labels', () => {
     expect(entries[2].color.map((c) => Math.round(255 * c))).to.deep.equal([255, 136, 0]);
   });
 
-  it("of a child that can't be read is left out and told", () => {
+  it("of a child that can't be read is left out and reported", () => {
     const wrong: [string, RegExp][] = [
       ['value="1.5"', /value of a volume-label got "1.5"; expected a whole number/],
       ['name="x"', /value of a volume-label got ""/],
@@ -173,7 +173,7 @@ it('a volume that is labels itself has a stop for each: its colour, none of the 
   expect(at(9)[3]).to.equal(0.22);
 });
 
-it('what is hidden can be a ghost: grey, of which little is left, beside a volume and in one that is labels', () => {
+it('what is hidden can be a ghost: grey, of which little is left, over a volume and in one that is labels', () => {
   const chosen = new Map([
     [0, true],
     [2, true],

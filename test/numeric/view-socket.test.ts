@@ -139,7 +139,7 @@ describe('a part of a view', () => {
     expect(did).to.deep.equal(['here in a scene', 'here in a scene', 'out of a scene', 'there in a scene']);
   });
 
-  it('is placed after each picture, in the order in which parts came but for the first; what one throws stops neither the others nor the frame', async () => {
+  it('is placed after each picture, in the order in which parts came, except the first; what one throws stops neither the others nor the frame', async () => {
     const socket = new ViewSocket();
     const did: string[] = [];
     const view = {} as View;

@@ -30,7 +30,7 @@ while (build.exitCode === null && build.signalCode === null) {
 await check('the package is built', () => assert.equal(build.exitCode, 0));
 if (build.exitCode !== 0 && isFirst) rmSync(dist, { recursive: true });
 
-await check('dist is whole while it is built again, and the build leaves nothing beside it', () => {
+await check('dist is whole while it is built again, and the build leaves nothing next to it', () => {
   assert.ok(looks > 50, `${looks} looks`);
   assert.ok(gaps <= 1, `${gaps} of ${looks} looks found files missing`); // One may fall between the two renames.
   for (const file of files) assert.notEqual(readFileSync(file, 'utf8'), standIn, `${file} is new`);

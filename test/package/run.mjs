@@ -235,7 +235,7 @@ await check('the version of the elements is that of the package', async () => {
 });
 
 await check(
-  "consumers' bundlers can see the worker and x3dom, and those that do not look for them beside the bundle",
+  "consumers' bundlers can see the worker and x3dom, and those that do not look for them next to the bundle",
   () => {
     // Beside the file that names them, hence beside the bundle where a bundler leaves the address as it is.
     assert.match(

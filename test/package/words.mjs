@@ -1,5 +1,5 @@
-// One word for one idea (GLOSSARY.md): comments, sentences that a person reads, and pages have none of the private words that a newcomer would
-// have to learn.
+// One word for one idea (GLOSSARY.md): comments, sentences that a person reads, titles of tests, and pages have none of the private words that a
+// newcomer would have to learn.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -59,6 +59,18 @@ function listSentences(text) {
   });
 }
 
+/** Calls whose first argument is the title of a test. */
+const titled =
+  /(?<![\w.])(?:it|test|describe|check|\w+Test)(?:\.\w+)*\(\s*(?:'((?:[^'\\]|\\.)*)'|"((?:[^"\\]|\\.)*)"|`((?:[^`\\]|\\.)*)`)/g;
+
+/** Titles of tests in a text, each with the number of its line. @param {string} text */
+function listTitles(text) {
+  return [...text.matchAll(titled)].map(({ index, 0: call, 1: single, 2: double, 3: template }) => ({
+    line: text.slice(0, index + call.length).split('\n').length,
+    title: (single ?? double ?? template).replace(/\$\{[^}]*\}/g, ''),
+  }));
+}
+
 /** The prose of a page, line by line: without code, addresses and comments. @param {string} text */
 function listProse(text) {
   const blank = (/** @type {string} */ block) => block.replace(/[^\n]/g, '');
@@ -100,6 +112,13 @@ await check('a sentence in a string, and one in a page, is found', () => {
   assert.deepEqual(page, ['a.md:2: "beside"; write: next to, in addition to, together with']);
 });
 
+await check('a title of a test is found, on any line', () => {
+  const text =
+    "it('reads', () => {});\ntest.describe(\n  `${name}: is told`, () => wear('told'));\nawait check(\"it's anew\", act);\n";
+  const found = listTitles(text).flatMap(({ line, title }) => findWords('a.ts', line, title));
+  assert.deepEqual(found, ['a.ts:3: "told"; write: say, report, notify, show', 'a.ts:4: "anew"; write: again']);
+});
+
 await check('comments have no private words', () => {
   const found = files.flatMap((file) =>
     listComments(readFileSync(join(projectRoot, file), 'utf8')).flatMap(({ line, comment }) =>
@@ -118,6 +137,19 @@ await check('sentences that a person reads have none', () => {
     ),
   );
   assert.deepEqual(found, []);
+});
+
+await check('titles of tests have none', () => {
+  const tests = listCode(/\.(?:ts|js|mjs)$/).filter((path) => path.startsWith('test/'));
+  let count = 0;
+  const found = tests.flatMap((file) => {
+    const titles = listTitles(readFileSync(join(projectRoot, file), 'utf8'));
+    count += titles.length;
+    return titles.flatMap(({ line, title }) => findWords(file, line, title));
+  });
+  assert.ok(count > 1000);
+  assert.deepEqual(found, []);
+  return `${count} titles`;
 });
 
 await check('pages have none', () => {

@@ -18,7 +18,7 @@ describe('the numbers along a scale', () => {
     expect(textsOf([0, 65535])).to.equal('0 10000 20000 30000 40000 50000 60000');
   });
 
-  it('have as many digits as tell them apart', () => {
+  it('have as many digits as they need to differ', () => {
     expect(textsOf([1e6, 1e6 + 10], 6)).to.equal('1000000 1000005 1000010');
     expect(textsOf([273.15, 273.16], 6)).to.equal('273.15 273.155 273.16');
   });
@@ -57,14 +57,14 @@ describe('the numbers along a scale', () => {
     }
   });
 
-  it('are round to the last digit beside large offsets, and in the widest range that there is', () => {
+  it('are round to the last digit with large offsets, and in the widest range that there is', () => {
     expect(listTicks([-1e17, -1e17 + 1600], 4)).to.deep.equal([-1e17, -1e17 + 500, -1e17 + 1000, -1e17 + 1500]);
     expect(listTicks([-1.7e308, 1.7e308], 4)).to.deep.equal([-1e308, 0, 1e308]);
   });
 });
 
 describe('a range in words', () => {
-  it('tells its ends apart', () => {
+  it('writes its ends differently', () => {
     expect(language.range(-1e17 - 9.5e10, -1e17, '')).to.equal('−1.000001E17 to −1E17');
     expect(language.range(12345678, 12345690, 'm')).to.equal('12345680 to 12345690 m');
     expect(language.range(0, 65535, 'm'), 'no more digits than it takes').to.equal('0 to 65540 m');

@@ -64,7 +64,7 @@ describe('edits of a transfer function', () => {
     expect(addStop(stops, 55, 0).index).to.equal(3);
   });
 
-  it('add a stop beside another on the curve, which stays as it is', () => {
+  it('add a stop next to another on the curve, which stays as it is', () => {
     for (const [index, value, at] of [
       [0, 5, 1],
       [1, 20, 2],

@@ -271,7 +271,7 @@ describe('data files that a header names', () => {
     ['..\\data\\100%.raw', 'https://example.org/scans/data/100%25.raw'],
     ['../../../../scan.raw', 'https://example.org/scan.raw'],
   ]) {
-    it(`are names beside it, not URLs, and stay on its server: ${name}`, async () => {
+    it(`are names in its folder, not URLs, and stay on its server: ${name}`, async () => {
       const { asked } = await follow({ ElementDataFile: name }, 'https://example.org/scans/head/scan.mhd?key=1');
       expect(asked).to.deep.equal([url]);
     });

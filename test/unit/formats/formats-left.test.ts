@@ -138,7 +138,7 @@ describe('what of images and surfaces is not shown', () => {
     expect(await png(3, [0, 1, 0, 1], [['PLTE', Uint8Array.of(0, 0, 0, 0, 0, 255)]])).to.deep.equal([colours]);
   });
 
-  it('are materials, pictures, lines and points beside the triangles', async () => {
+  it('are materials, pictures, lines and points in addition to the triangles', async () => {
     const triangle = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
     expect((await surfaceOf(triangle, { name: 'x.obj' })).notes).to.deep.equal([]);
     expect(

@@ -94,7 +94,7 @@ const atlas: [number, number][] = [
   [614454277, 1920],
 ];
 
-describe('ids of an atlas that float32 does not tell apart', () => {
+describe('ids of an atlas that float32 does not distinguish', () => {
   for (const name of ['annotation.nrrd', 'annotation.nii.gz']) {
     it(`${name}: they are those of the file, each with a colour, and it is recognised`, async () => {
       const volume = await decodeBytes(await fetchFixture(`labels/${name}`), name);
@@ -115,7 +115,7 @@ describe('ids of an atlas that float32 does not tell apart', () => {
     });
   }
 
-  it('are told by picks, panes and measures, and coloured in panes', async () => {
+  it('are reported by picks, panes and measures, and coloured in panes', async () => {
     const volume = await decodeBytes(await fetchFixture('labels/annotation.nrrd'), 'annotation.nrrd');
     const grid = volume.grid as CartesianGrid;
     const sliced = new SlicedVolume(volume, grid);
@@ -157,7 +157,7 @@ describe('ids of an atlas that float32 does not tell apart', () => {
       ids[Math.floor(((at % 12) / 12) * ids.length)];
   const length = 960;
 
-  it('of 64 bits and doubles too, up to the last one that a double tells; beyond it they are refused as labels, and told where they are shown', async () => {
+  it('of 64 bits and doubles too, up to the last one that a double holds; beyond it they are refused as labels, and reported where they are shown', async () => {
     const ids = [0, 5, 2 ** 53 - 2, 2 ** 53 - 1];
     for (const numbers of [
       BigInt64Array.from({ length }, (_, at) => BigInt(bands(ids)(_, at))),
@@ -243,7 +243,7 @@ describe('whole numbers that become float32', () => {
     expect(Array.from(shifted.samples, (sample) => sample * shifted.scale + shifted.offset)).to.deep.equal([...far]);
   });
 
-  it('what is rounded all the same is kept beside, up to 65,536 different ones; of more, how many and by how much', async () => {
+  it('what is rounded all the same is kept in a list, up to 65,536 different ones; of more, how many and by how much', async () => {
     const padded = Int32Array.from({ length: 4096 }, (_, i) => (i < 100 ? -2147483641 : (i % 90) - 20));
     const volume = await finish(padded, [16, 16, 16]);
     expect(volume.isDiscrete).to.equal(undefined);

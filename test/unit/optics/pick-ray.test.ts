@@ -292,7 +292,7 @@ describe('a pick of surfaces', () => {
   /** Depth at which there is a value. */
   const depthOf = (value: number): number => 50 * value ** (1 / 3);
 
-  it('is where the surface is, to rounding, and tells its value', () => {
+  it('is where the surface is, to rounding, and has its value', () => {
     for (const at of ['jump', 'surface', 'max'] as const) {
       const { surface, depth } = found([white(0.5, 1), white(2, 1)], at)!;
       expect(surface, at).to.equal(0.5);

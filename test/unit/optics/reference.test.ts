@@ -115,7 +115,7 @@ describe('the reference', () => {
     }
   });
 
-  it('does not depend on the size of voxels, but for what interpolation loses: a quarter when they are halved', () => {
+  it('does not depend on the size of voxels, except for what interpolation loses: a quarter when they are halved', () => {
     // Flat at both ends, so that the outer half voxels, which hold it constant, are of second order too.
     const field = (_x: number, _y: number, z: number): number => 0.5 - 0.5 * Math.cos(2 * Math.PI * z);
     const cast = (n: number) => {

@@ -4,7 +4,7 @@ import type { RayVariant } from '../../../src/quality/compare-rays.ts';
 import { randomNumbers } from '../../helpers/synthetic.ts';
 
 describe('rays that are checked', () => {
-  it('lie within what can be seen, a few hundred at the most, wherever they begin', () => {
+  it('lie within what can be seen, at most a few hundred, wherever they begin', () => {
     for (const rectangle of [
       { left: 3, bottom: 5, width: 512, height: 300 },
       { left: 0, bottom: 0, width: 1, height: 1 },
@@ -67,7 +67,7 @@ describe('how a ray of the GPU compares', () => {
     expect(isEdge).to.equal(false);
   });
 
-  it('hangs by a thread only where it is off and a ray a thousandth of a pixel beside shows something else', () => {
+  it('hangs by a thread only where it is off and a ray a thousandth of a pixel away shows something else', () => {
     const edge = ({ shift: [x] }: RayVariant): number[] => (x > 0 ? [0, 0, 0, 0] : own);
     expect(compareRay([0, 0, 0, 0], edge).isEdge).to.equal(true);
     expect(compareRay([0, 0, 0, 0], ({ digits }) => (digits === 3 ? [0, 0, 0, 0] : own)).isEdge, 'by a digit').to.equal(
@@ -82,7 +82,7 @@ describe('how a ray of the GPU compares', () => {
     expect(compareRay([NaN, 0, 0, 0], edge)).to.deep.equal({ apart: Infinity, isEdge: false });
   });
 
-  it('counts, and one ray in twenty is forgiven', () => {
+  it('counts, and one ray in twenty may be off', () => {
     const good = { apart: 0.3, isEdge: false };
     const bad = { apart: 40, isEdge: false };
     const edge = { apart: 90, isEdge: true };

@@ -26,7 +26,7 @@ describe('the pixels that are probed', () => {
     }
   });
 
-  it('are more where few of them meet the volume, as many as tell something and no more than there is time for', () => {
+  it('are more where few of them meet the volume, as many as add information and no more than there is time for', () => {
     expect(moreProbes(900, 1024)).to.equal(1);
     expect(moreProbes(64, 1024)).to.equal(4);
     expect(moreProbes(0, 1024)).to.equal(64);

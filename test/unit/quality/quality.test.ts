@@ -262,7 +262,7 @@ describe('the model of time', () => {
     expect(fitted.b).to.be.closeTo(3e-6, 1e-15);
   });
 
-  it('takes all time to grow with the work where frames tell nothing else, and never a negative one', () => {
+  it('takes all time to grow with the work where frames show nothing else, and never a negative one', () => {
     expect(fitTimes([])).to.equal(null);
     expect(fitTimes([frame(1e6, 20), frame(1e6, 20)])).to.deep.equal({ a: 0, b: 2e-5 });
     const odd = fitTimes([frame(1e6, 30), frame(2e6, 20)])!;

@@ -7,7 +7,7 @@ describe('what a frame takes as a rule', () => {
     expect([40, 12, 90].map((ms) => time.of(ms, null))).to.deep.equal([40, 12, 90]);
   });
 
-  it("is the GPU's time and the usual wait: a frame that a busy page held up tells what others do", () => {
+  it("is the GPU's time and the usual wait: a frame that a busy page held up takes the time of the others", () => {
     const time = new SteadyTime();
     for (const gpu of [10, 20, 30, 10]) expect(time.of(gpu + 4, gpu)).to.equal(gpu + 4);
     expect(time.of(120, 20), 'held up by 96 ms').to.equal(24);

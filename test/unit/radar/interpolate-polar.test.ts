@@ -269,7 +269,7 @@ describe('interpolation on a polar grid', () => {
     expect(at(volume, 12345, 222, 2.6)).to.be.closeTo(222 + 12.845, 1e-4);
   });
 
-  it('ends half a radial beyond the edges of a sector and beside missing radials', () => {
+  it('ends half a radial beyond the edges of a sector and next to missing radials', () => {
     const sector = radarVolume({ sweeps: [floats({ elevation: 1, azimuths: [359.5, 0, 0.5], stored: () => 7 })] });
     expect(at(sector, 5500, 359.26, 1)).to.equal(7);
     expect(at(sector, 5500, 359.24, 1)).to.deep.equal(NaN);

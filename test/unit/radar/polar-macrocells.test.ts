@@ -61,7 +61,7 @@ describe("macrocells of a radar's box", () => {
     expect(at([east(1000), 0.5, up(9000)])).to.equal(false);
   });
 
-  it('tell storms from empty air: cells away from the only gates with data are empty', () => {
+  it('distinguish storms from empty air: cells away from the only gates with data are empty', () => {
     const stored = (azimuth: number, gate: number): number =>
       Math.abs(azimuth - 90) < 10 && gate > 30 && gate < 40 ? 200 : 0;
     const volume = radarVolume({ sweeps: [1, 2, 4, 8].map((elevation) => ({ elevation, gates: 60, stored })) });

@@ -106,7 +106,7 @@ describe('a damaged ZIP archive', () => {
     size: length,
   });
 
-  it('is told from a sound one', async () => {
+  it('is distinguished from a sound one', async () => {
     expect((await (await openBytes(zipBytes([plain]))).read(`${base}a`)).bytes).to.deep.equal(plain.packed);
   });
 

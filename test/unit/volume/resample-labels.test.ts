@@ -338,7 +338,7 @@ describe('labels on another grid', () => {
 });
 
 describe('what is no label', () => {
-  it('is told with the value that shows it', () => {
+  it('is reported with the value that shows it', () => {
     expect(() => labelsIn(volume(straight([2, 1, 1]), Float32Array.of(1, 2.5)), 'scan.nii')).to.throw(
       VolumeViewError,
       /scan.nii has no labels: it got the value 2.5/,

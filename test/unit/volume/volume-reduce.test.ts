@@ -25,7 +25,7 @@ describe('reduction to what a device holds', () => {
     expect(chooseReduction(block([100, 90, 80]), roomy)).to.deep.equal([1, 1, 1]);
   });
 
-  it('obeys each limit', () => {
+  it('follows each limit', () => {
     expect(chooseReduction(block([300, 20, 20]), { ...roomy, maxVoxelsPerAxis: 128 })).to.deep.equal([3, 1, 1]);
     const bytes = block([64, 64, 64]);
     const factors = chooseReduction(bytes, { ...roomy, maxBytes: 40000 });

@@ -80,7 +80,7 @@ describe('tables of labels', () => {
     ]);
   });
 
-  it('tell bad rows with their line, and keep the others; of doubled ids the first holds', () => {
+  it('report bad rows with their line, and keep the others; of doubled ids the first holds', () => {
     const table = read(
       'index\tname\tcolor\n1\tone\t#ff0000\n1.5\thalf\t#00ff00\n2\ttwo\torange-ish\n1\tagain\t#0000ff\nx\ty\tz\n',
     );
@@ -100,7 +100,7 @@ describe('tables of labels', () => {
     expect(broken.problems.map((problem) => problem.slice(0, 6))).to.deep.equal(['line 2', 'line 3']);
   });
 
-  it('are told apart from other files, and refused in words', () => {
+  it('are distinguished from other files, and refused in words', () => {
     const refusals: [string | Uint8Array, string, RegExp][] = [
       ['<!doctype html>', 'format/unknown', /BIDS .* FreeSurfer .* ITK-SNAP .* NiiVue/],
       ['', 'format/unknown', /no kind that is known/],

@@ -282,7 +282,7 @@ describe('the place of a surface', () => {
     high: add(middle, [radius, radius, radius]),
   });
 
-  it('is told where it is not the volume’s', () => {
+  it('is reported where it is not the volume’s', () => {
     expect(noteOnPlace(ball([110, 10, 10], 5), grid)).to.equal(null);
     expect(noteOnPlace(ball([110, 10, 10], 150), grid)).to.equal(null);
     expect(noteOnPlace(ball([99, -1, -1], 0.5), grid)).to.equal(null);

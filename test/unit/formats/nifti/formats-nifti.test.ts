@@ -53,7 +53,7 @@ describe('NIfTI samples as stored', () => {
     for (const name of ['v1-be-u2', 'v1-le-i2']) expect((await load(name)).samples).to.be.instanceOf(Uint16Array);
   });
 
-  it('keep 64-bit numbers apart that doubles can not tell apart', async () => {
+  it('keep 64-bit numbers apart that doubles do not distinguish', async () => {
     const volume = await load('v1-be-i8');
     expect(volume.samples).to.be.instanceOf(Uint16Array);
     expect(Array.from(volume.samples)).to.deep.equal(Array.from({ length: 60 }, (_, i) => 413 - 7 * i));

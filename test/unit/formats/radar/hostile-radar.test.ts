@@ -289,7 +289,7 @@ describe('the table of a radar on the GPU', () => {
 });
 
 describe('a sweep that is left out for another one', () => {
-  it('is told to the page', () => {
+  it('is reported to the page', () => {
     const volume = radarVolume({ sweeps: [{ elevation: 0.3, gates: 30 }, { elevation: 0.4 }] });
     expect(volume.grid.sweeps).to.have.length(1);
     expect(describeVolume(volume).left).to.deep.equal(['sweep 2 at 0.4° is left out for sweep 1 at 0.3°']);

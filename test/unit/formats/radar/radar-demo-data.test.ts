@@ -100,7 +100,7 @@ describe("the demos' radar scans", () => {
     expect(Math.min(...couplet)).to.be.lessThan(-12);
   });
 
-  it('have velocities that are unfolded: the same but for whole turns', async () => {
+  it('have velocities that are unfolded: the same except for whole turns', async () => {
     const { moments, sweeps } = await load('storm-radar-1500-unfolded');
     expect(moments).to.deep.equal([{ name: 'VRADDH', unit: 'm/s', kind: 'velocity' }]);
     const unfolded = sweeps.flatMap((sweep) => [...gateValues(sweep.read('VRADDH')!)]);

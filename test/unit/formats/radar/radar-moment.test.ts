@@ -12,7 +12,7 @@ const decodeManifest = (manifest: object, settings: DecodeSettings = {}): Promis
 const tiles = { image: 'mosaic/gray-3x2.png', mosaic: '3x2', elevations: [1, 2, 3, 4, 5, 6], range: [250, 500] };
 
 describe('the moment of a radar', () => {
-  it('of a mosaic whose manifest names it is that one, and another is told with it', async () => {
+  it('of a mosaic whose manifest names it is that one, and another is reported with it', async () => {
     const manifest = { ...tiles, moment: 'DBZH' };
     for (const settings of [{}, { moment: 'DBZH' }])
       expect((await decodeManifest(manifest, settings)).radar).to.deep.include({ moment: 'DBZH', moments: ['DBZH'] });

@@ -205,7 +205,7 @@ describe('NEXRAD Level II files with more than one volume', () => {
     expect(buildPolarVolume(radar, {}).radar!.left).to.deep.equal(radar.left);
   });
 
-  it('are told by their radials, where there is no second header, and by it where they are not packed', async () => {
+  it('are found by their radials where there is no second header, and by that header where they are not packed', async () => {
     const volume = (cuts: number): BuiltRadial[] =>
       Array.from({ length: cuts * 36 }, (_, i) => ({
         azimuth: 10 * (i % 36),

@@ -181,7 +181,7 @@ describe('a radar file as a volume', () => {
     expect(radar!.details).to.deep.equal(['sweep 1 at 0.5° is left out for sweep 2 at 0.5°']);
   });
 
-  it('keeps sweeps of a narrow beam apart that a wide one would not tell apart', () => {
+  it('keeps sweeps of a narrow beam apart that a wide one would merge', () => {
     const sweeps = [{ elevation: 0.5 }, { elevation: 0.6 }];
     expect(radarVolume({ sweeps, beamWidth: 0.3 }).grid.sweeps).to.have.length(2);
     expect(radarVolume({ sweeps, beamWidth: 1 }).grid.sweeps).to.have.length(1);

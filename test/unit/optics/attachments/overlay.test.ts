@@ -101,7 +101,7 @@ describe("a layer's place", () => {
     grid: { ...layer.grid, indexToWorld: layer.grid.indexToWorld.map(change) },
   });
 
-  it('is the one that its file says; nowhere in common, in another unit or not known is told', () => {
+  it('is the one that its file says; nowhere in common, in another unit or not known is reported', () => {
     expect(
       refused(
         moved(signed(), (x) => x),

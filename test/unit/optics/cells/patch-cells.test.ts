@@ -69,7 +69,7 @@ describe('the gradients that macrocells may have', () => {
     });
   }
 
-  it('tell where a patch may show: not in what is flat, nor at other values', () => {
+  it('say where a patch may show: not in what is flat, nor at other values', () => {
     const volume = syntheticVolume({ dimensions: [40, 8, 8], field: (x) => (x > 0.9 ? 1 : 0.4) });
     const box: Patch = { kind: 'box', values: [0.3, 0.5], gradients: [0.1, 0.4], color: [1, 1, 1], opacity: 0.5 };
     const shows = contributionOfGradients([box], volume);

@@ -106,7 +106,7 @@ describe('the cells in which something can be seen', () => {
       expect(boundSeenCells(alone.volume, alone.cells, appearance([0, -90, 0], 1)), 'the volume behind').to.equal(null);
     });
 
-    it('leave out those beside the picture, also where it is between them', () => {
+    it('leave out those outside the picture, also where it is between them', () => {
       const { volume, cells } = cubes([2, 60, 40], [76, 60, 40]);
       expect(boundSeenCells(volume, cells, appearance([0, 0, 0], 1)), 'on both sides').to.equal(null);
       const far = boundSeenCells(volume, cells, appearance([0, 200, 0], 1))!;
@@ -114,7 +114,7 @@ describe('the cells in which something can be seen', () => {
       expect(far[2]).to.be.within(0.5, 0.7);
     });
 
-    it('reach to the edge of the picture where the eye is beside them', () => {
+    it('reach to the edge of the picture where the eye is next to them', () => {
       const { volume, cells } = cubes([40, 36, 40], [40, 40, 40]);
       expect(boundSeenCells(volume, cells, appearance([0, 0, 0], 1))).to.deep.equal([-1, -1, 1, 1]);
       expect(boundSeenCells(volume, cells, appearance([20, 0, 0], 1)), 'from their side').to.deep.equal(null);

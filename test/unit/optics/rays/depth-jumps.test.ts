@@ -44,12 +44,12 @@ const nothing = (): number => Infinity;
 const plane = (x: number, y: number): number => 1 / (0.5 + 0.01 * x - 0.007 * y) - 2;
 
 describe('rays that end at shapes', () => {
-  it('are foretold where there is no shape, or none before the volume ends', () => {
+  it('are predicted where there is no shape, or none before the volume ends', () => {
     expect(findJump(endsOf(perspective, nothing))).to.equal(jumps.none);
     expect(findJump(endsOf(perspective, () => 0.6))).to.equal(jumps.none);
   });
 
-  it('are foretold all over a plane, in a perspective as in a parallel projection, and in front of the volume', () => {
+  it('are predicted all over a plane, in a perspective as in a parallel projection, and in front of the volume', () => {
     expect(findJump(endsOf(perspective, plane))).to.equal(jumps.none);
     expect(findJump(endsOf(parallel, (x, y) => 0.1 + 0.03 * x - 0.02 * y))).to.equal(jumps.none);
     expect(findJump(endsOf(perspective, (x) => -0.6 - 0.1 * x))).to.equal(jumps.none);
@@ -73,7 +73,7 @@ describe('rays that end at shapes', () => {
     }
   });
 
-  it('are not beside the edge of a shape, on either side', () => {
+  it('are not next to the edge of a shape, on either side', () => {
     expect(findJump(endsOf(perspective, (x) => (x < 1 ? 0 : Infinity)))).to.equal(jumps.farther);
     expect(findJump(endsOf(perspective, (x) => (x > 0 ? 0 : Infinity)))).to.equal(jumps.nearer);
     // Between the known pixels and beyond the quad: the shape may be interpolated into it.

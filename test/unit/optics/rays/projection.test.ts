@@ -183,7 +183,7 @@ describe('projection', () => {
     ]);
   });
 
-  it('knows nothing where there are no data, and goes by what is beside', () => {
+  it('knows nothing where there are no data, and follows from what is next to them', () => {
     const nothing = syntheticVolume({ dimensions: [8, 8, 8], kind: 'float32', field: () => NaN });
     const half = syntheticVolume({ dimensions: [8, 8, 8], kind: 'float32', field: (x) => (x < 0.5 ? NaN : 0.75) });
     for (const kind of projectionKinds) {

@@ -173,7 +173,7 @@ describe('the crossing of the unit cube', () => {
     }
   });
 
-  it('misses beside, before and between', () => {
+  it('misses at the sides, before and between', () => {
     for (const [point, direction] of [
       [
         [2, 0, 0],
@@ -197,7 +197,7 @@ describe('the crossing of the unit cube', () => {
     }
   });
 
-  it('of a line that grazes an edge is a point, and beside it short', () => {
+  it('of a line that grazes an edge is a point, and next to it short', () => {
     const [entry, exit] = intersectUnitCube([-1, 1, 0.5], [1, 1, 0]);
     expect(exit - entry).to.be.at.most(0);
     const [shortEntry, shortExit] = intersectUnitCube([-1, -1e-6, 0.5], [1, 1, 0]);

@@ -56,7 +56,7 @@ function cellsByTheWord(
 }
 
 describe('the roughness of cells', () => {
-  it('tells of a voxel at a corner in each of the eight cells that its tent reaches', () => {
+  it('reports a voxel at a corner in each of the eight cells that its tent reaches', () => {
     const dimensions: Vector3 = [24, 24, 24];
     for (const at of [
       [7, 7, 7],
@@ -79,7 +79,7 @@ describe('the roughness of cells', () => {
     }
   });
 
-  it('is 0 where values are in straight lines, and where there is nothing beside a constant', () => {
+  it('is 0 where values are in straight lines, and where there is nothing but a constant', () => {
     const dimensions: Vector3 = [20, 17, 18];
     const { samples } = syntheticVolume({ dimensions, kind: 'float32', field: () => 0 });
     for (let n = 0; n < samples.length; n++)

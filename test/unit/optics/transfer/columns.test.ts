@@ -101,7 +101,7 @@ describe('columns of a transfer function', () => {
 });
 
 describe('where stops lie among the numbers of a GPU', () => {
-  it('samples that are at a stop are on its right, those beside it are not, for any slope and intercept', () => {
+  it('samples that are at a stop are on its right, those next to it are not, for any slope and intercept', () => {
     const random = randomNumbers(73);
     for (const whole of [true, false]) {
       for (let i = 0; i < 2000; i++) {

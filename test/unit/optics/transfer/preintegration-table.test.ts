@@ -104,7 +104,7 @@ describe('the table of means over spans', () => {
     }
   });
 
-  it('begins with spans of no width, which are single values: at a jump the later stop holds, but for one at the high end', () => {
+  it('begins with spans of no width, which are single values: at a jump the later stop holds, except one at the high end', () => {
     for (const transferFunction of [smooth, peaks]) {
       const { texels, columns, low, high } = buildPreintegrationTable(transferFunction, { columns: 1024, rows: 16 });
       expect(columns).to.equal(1024);

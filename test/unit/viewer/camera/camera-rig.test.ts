@@ -58,7 +58,7 @@ describe('the camera rig', () => {
     expect(Math.sign(body[1])).to.equal(-Math.sign(weather[1]));
   });
 
-  it('frames what stood in for a volume anew when that is there; not where a person has turned it', () => {
+  it('frames what stood in for a volume again when that is there; not where a person has turned it', () => {
     const framed = (radius: number): Pick<Parameters<CameraRig['setSubject']>[0], 'findFraming'> => ({
       findFraming: () => () => ({ target: subject.center, radius }),
     });
@@ -77,7 +77,7 @@ describe('the camera rig', () => {
     expectNear(turned.camera.eye, eye);
   });
 
-  it('obeys attributes: angles, a radius in world units or in parts of the framing, a target', () => {
+  it('follows attributes: angles, a radius in world units or in parts of the framing, a target', () => {
     const orbit = { theta: 20 * degrees, phi: 50 * degrees };
     expect(place({ ...orbit, radius: { world: 77 } }).orbit).to.deep.equal({ ...orbit, radius: 77 });
     const [one, half] = [1, 0.5].map((fraction) => place({ radius: { fraction } }).orbit.radius);
@@ -327,7 +327,7 @@ describe('the camera rig', () => {
     }
   });
 
-  it('comes to rest whatever it is told, and looks from somewhere', () => {
+  it('comes to rest whatever it is given, and looks from somewhere', () => {
     const rig = place();
     for (const [theta, phi] of [
       [NaN, 0],
@@ -349,7 +349,7 @@ describe('the camera rig', () => {
     expect([...rig.camera.eye, ...rig.camera.up].every(Number.isFinite)).to.equal(true);
   });
 
-  it('tells that attributes are no place to look from, and stays where it was', () => {
+  it('says that attributes are no place to look from, and stays where it was', () => {
     const rig = place();
     const { eye } = rig.camera;
     for (const attributes of [

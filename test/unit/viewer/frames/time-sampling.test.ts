@@ -63,7 +63,7 @@ describe('what spared rays cost on a graphics processor', () => {
     expect(drawn.length).to.equal(length);
   });
 
-  it('is taken for what it was where the view is no longer wanted, or nothing can be told', async () => {
+  it('is taken for what it was where the view is no longer wanted, or nothing is known', async () => {
     let left = 3;
     const { view } = viewOf({ all: 10, spared: 80 }, () => left-- > 0);
     expect(await timeSampling(view, outcomes)).to.equal(1);
@@ -82,7 +82,7 @@ describe('what spared rays cost on a graphics processor', () => {
     expect(drawn.length).to.equal(4);
   });
 
-  it('is not told by a clock that is coarser than what pictures take', async () => {
+  it('is not measured by a clock that is coarser than what pictures take', async () => {
     for (const times of [
       { all: 4, spared: 8 },
       { all: 0, spared: 0 },

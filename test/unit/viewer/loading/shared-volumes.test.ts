@@ -68,7 +68,7 @@ describe('volumes that several elements show', () => {
     expect(loads.length).to.equal(2);
   });
 
-  it('are loaded anew for an element that asks again, and where no element shows them any more', async () => {
+  it('are loaded again for an element that asks again, and where no element shows them any more', async () => {
     const { shared, loads } = start();
     const [one, other] = [{ name: 'one' }, { name: 'other' }];
     const volumes = [some(), some(), some()];

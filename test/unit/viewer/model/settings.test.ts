@@ -332,7 +332,7 @@ describe('settings', () => {
     expect([null, 'lazy', ' Eager'].map((loading) => read({ loading }).eager)).to.deep.equal([false, false, true]);
   });
 
-  it('tell that a limit from above is below one from below', () => {
+  it('say that a limit from above is below one from below', () => {
     const pairs: readonly (readonly [min: string, max: string, isWrong: boolean])[] = [
       ['auto auto 50%', 'auto auto 200%', false],
       ['auto auto 300', 'auto auto 200%', false],
@@ -390,7 +390,7 @@ describe('the board of errors', () => {
     throw new VolumeViewError('attribute/invalid', 'steps got "x"');
   };
 
-  it('shows the first of several, tells each, and is clear when all are mended', () => {
+  it('shows the first of several, reports each, and is clear when all are mended', () => {
     const { errorState, reported, shown } = openErrorState();
     errorState.attempt('steps', wrong);
     errorState.report('source', new VolumeViewError('source/not-found', 'no'));

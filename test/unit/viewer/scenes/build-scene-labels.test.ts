@@ -8,7 +8,7 @@ import { ViewSocket } from '../../../../src/viewer/model/view-socket.ts';
 import type { SocketView } from '../../../../src/viewer/model/view-socket.ts';
 import { fakeScene } from '../../../helpers/fake.ts';
 
-it('a new scene, such as one after a lost context, is told of the labels, and of what becomes of them while it is built', async () => {
+it('a new scene, such as one after a lost context, gets the labels, and what becomes of them while it is built', async () => {
   const [first, second] = ['one', 'two'].map(
     (name) => ({ shown: { map: name }, nameOf: () => null }) as unknown as ViewLabels,
   );
@@ -46,7 +46,7 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
   expect(reported.slice(4), 'and where there are none nothing of them is loaded').to.deep.equal([]);
 });
 
-it('labels that come after a new scene has looked for them, and before it is in place, are told to it', async () => {
+it('labels that come after a new scene has looked for them, and before it is in place, reach it', async () => {
   const reported: unknown[] = [];
   const scene = fakeScene({ setLabels: async (labels) => void reported.push(labels) });
   const viewer = { scene: null as unknown, invalidate: () => reported.push('drawn anew') };

@@ -126,7 +126,7 @@ describe('the frame loop', () => {
     expect(isSettled).to.equal(true);
   });
 
-  it('tells the time between frames, but not that of a rest', async () => {
+  it('gives the time between frames, but not that of a rest', async () => {
     const { host, clock, loop } = start({ way: 3 });
     loop.request();
     for (const time of [1000, 1020, 1500]) await clock.frame(time);
@@ -151,7 +151,7 @@ describe('the frame loop', () => {
     expect(host.drawnAt).to.have.lengthOf(2);
   });
 
-  it('tells what failed once, and tries again only after a change', async () => {
+  it('reports what failed once, and tries again only after a change', async () => {
     const failure = new Error('no');
     const { host, clock, loop } = start({ failure });
     loop.request();
@@ -194,7 +194,7 @@ describe('the frame loop', () => {
     expect(settled).to.deep.equal(['drawn', 'ended']);
   });
 
-  it('begins no picture anew for who waits for it', async () => {
+  it('does not start a picture again for a caller that waits for it', async () => {
     const { host, clock, loop } = start({ isSlow: true });
     loop.request();
     await clock.frame(1000);
