@@ -11,7 +11,8 @@ export async function run({ quick }) {
     .map((name) => `test/${name.replaceAll('\\', '/')}`)
     .filter(
       (name) =>
-        name.endsWith('.test.ts') && /\/helpers\/cases\.ts'/.test(readFileSync(join(projectRoot, name), 'utf8')),
+        name.endsWith('.test.ts') &&
+        /\/helpers\/cases\.ts'|\bwalksOf\b/.test(readFileSync(join(projectRoot, name), 'utf8')),
     );
   const inNode = files.filter((name) => name.startsWith('test/unit/'));
   const inBrowser = files.filter((name) => !inNode.includes(name));

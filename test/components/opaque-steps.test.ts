@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { listOpaqueScenes } from '../accuracy/opaque-scenes.ts';
 import { measureTrueError } from '../accuracy/compare-shown.ts';
 import { ExactCells } from '../accuracy/exact-cells.ts';
-import { casesOf } from '../helpers/cases.ts';
+import { casesOf, takesAll } from '../helpers/cases.ts';
 import { drawAtRest } from '../helpers/at-rest.ts';
 import { shareScene } from '../helpers/picture.ts';
 import '../helpers/provide-substeps.ts';
@@ -34,7 +34,9 @@ for (const version of [2, 1] as const) {
     const shared = shareScene({ webgl1: version === 1 });
     for (const [called, number] of version === 2
       ? casesOf(scenes, (_, i) => [3, 7].includes(i))
-      : casesOf(scenes.slice(2, 5), (_, i) => i === 0)) {
+      : takesAll
+        ? scenes.slice(2, 5)
+        : []) {
       it(`is shown wherever a ray touches it, and its error is as it is said: ${called}, ${number}`, async function () {
         this.timeout(300_000);
         const { name, scene } = (await listOpaqueScenes(called))![number];

@@ -6,7 +6,6 @@ import { extremes, storedExtremes } from '../helpers/extremes.ts';
 import { changePlan } from '../helpers/change-plan.ts';
 import type { Extreme } from '../helpers/extremes.ts';
 import {
-  bothWalks,
   comparePictures,
   drawPicture,
   drawReference,
@@ -14,6 +13,7 @@ import {
   shareScene,
   walksIn,
   width,
+  walksOf,
 } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { remember } from '../helpers/remember.ts';
@@ -41,7 +41,7 @@ function referenceOf({ same }: Extreme, view: View): Float64Array {
 }
 
 const expectationOf = remember((one: Extreme) =>
-  bothWalks(one.view).map((view) => ({ view, expected: referenceOf(one, view) })),
+  walksOf(one.view, extremes.indexOf(one)).map((view) => ({ view, expected: referenceOf(one, view) })),
 );
 
 for (const version of [2, 1] as const) {

@@ -39,6 +39,7 @@ import { projectionTwin } from '../../src/renderer/ray/modules/projection.ts';
 import { usualTwins } from '../../src/renderer/ray/ray-twin.ts';
 import type { Optics, RayCut, RayModule, RayTwin, StageName } from '../../src/renderer/ray/ray-module.ts';
 import { fieldProviders } from '../../components/internal/field-providers.ts';
+import { takesAll } from './cases.ts';
 import { keyOf } from './key-of.ts';
 import { createQuietLayer } from './quiet-layer.ts';
 import { readPixels } from './read-pixels.ts';
@@ -164,11 +165,20 @@ export function bothWalks(view: View): View[] {
 }
 
 /**
- * Chooses the walks of a scene that a version of WebGL draws: WebGL 2 both, WebGL 1 one of them, in turns.
- * @param both - one item for each walk, in the order of `bothWalks`
+ * The walks that a test of many views draws: one for each view, in turns. `npm run accuracy -- claims` draws both in WebGL 2.
+ * @param index - of the view among those of the test
  */
-export function walksIn<T>(version: 1 | 2, scene: number, both: readonly T[]): readonly T[] {
-  return version === 2 ? both : [both[scene % both.length]];
+export function walksOf(view: View, index: number): readonly View[] {
+  const both = bothWalks(view);
+  return takesAll ? both : [both[index % both.length]];
+}
+
+/**
+ * Chooses the walks of a view that a version of WebGL draws, of those that `walksOf` gave: WebGL 1 never draws both.
+ * @param index - of the view among those of the test
+ */
+export function walksIn<T>(version: 1 | 2, index: number, walks: readonly T[]): readonly T[] {
+  return version === 2 ? walks : [walks[index % walks.length]];
 }
 
 /** Draw a view with the GPU. */
