@@ -4,11 +4,13 @@ import { ReadoutPointer } from '../../components/volume-readout/volume-readout-p
 import type { VolumeView } from '../../components/volume-view/volume-view.ts';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
+import { fakeOf } from '../helpers/fake.ts';
 
 const camera = orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 10 }, [0, 0, 0], 1);
 
 /** What is at the place that all of these tests look at. */
-const found = (value: number): VolumePick => ({ world: [0, 0, 0], value }) as unknown as VolumePick;
+const found = (value: number): VolumePick =>
+  fakeOf<VolumePick>('VolumePick', { world: [0, 0, 0], value, labelName: undefined });
 
 const nextFrame = (): Promise<number> => new Promise((resolve) => requestAnimationFrame(resolve));
 

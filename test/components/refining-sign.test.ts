@@ -3,6 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { followRefining } from '../../src/viewer/view/refining.ts';
 import type { RefinedView } from '../../src/viewer/view/refining-sign.ts';
 import type { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
+import { fakeOf } from '../helpers/fake.ts';
 
 const wait = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
 
@@ -36,7 +37,7 @@ function makeView(): {
   const viewer = {
     wantsPicture: true,
     get volume() {
-      return { coarse: state.coarse };
+      return { coarse: state.coarse || undefined };
     },
     get canDraw() {
       return state.canDraw;
@@ -62,7 +63,11 @@ function makeView(): {
     renderStats: { get: () => ({ converged: state.converged }) },
     paused: { get: () => state.paused },
   });
-  return { view: element as unknown as RefinedView, presenter: { viewer } as unknown as VolumePresenter, state };
+  return {
+    view: element as unknown as RefinedView,
+    presenter: fakeOf<VolumePresenter>('VolumePresenter', { viewer }),
+    state,
+  };
 }
 
 const signOf = ({ shadowRoot }: RefinedView): HTMLElement | null => shadowRoot!.querySelector('.refining');

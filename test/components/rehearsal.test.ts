@@ -14,6 +14,7 @@ import { comparePictures, withScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
 import { polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 import { viewFromAbove } from '../helpers/views.ts';
+import { fakeOf } from '../helpers/fake.ts';
 
 const echoes: TransferFunction = [
   { value: -20, color: [0, 0.4, 1], opacity: 0 },
@@ -71,8 +72,10 @@ describe("precompiling a radar's picture", () => {
     await withScene({}, async (scene) => {
       const before = watchPrograms();
       const acts: Promise<void>[] = [];
-      const controller = { precompile: (act: (one: Scene) => Promise<void>) => void acts.push(act(scene)) };
-      precompile({ controller } as unknown as Viewer, { volume: predictPolar(volume)!.volume, optics, cuts });
+      const controller = fakeOf<Viewer['controller']>('SceneController', {
+        precompile: (act: (one: Scene) => Promise<void>) => void acts.push(act(scene)),
+      });
+      precompile(fakeOf<Viewer>('Viewer', { controller }), { volume: predictPolar(volume)!.volume, optics, cuts });
       await Promise.all(acts);
       expect(acts.length).to.equal(1);
       before.stop();

@@ -5,8 +5,8 @@ import type { ViewLabels } from '../../src/viewer/model/view-labels.ts';
 import type { ViewOverlay } from '../../src/viewer/model/view-overlay.ts';
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
-import type { SocketView } from '../../src/viewer/model/view-socket.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
+import { fakeScene, fakeSocketView, fakeSocketViewer } from './fake.ts';
 
 export const plainAppearance: VolumeOptics = {
   transferFunction: [],
@@ -48,20 +48,20 @@ export function fakeView(html: string): FakeView {
   const work: Promise<unknown>[] = [];
   const errors = new ErrorState({ file: 'ct.png', changed: () => {}, failed: () => {} });
   const grid = cartesianGrid([2, 1, 2], axialIndexToWorld([2, 1, 2], [1, 1, 1]));
-  const scene = { setLabels: async () => {}, setOverlay: async () => {} };
+  const scene = fakeScene({ setLabels: async () => {}, setOverlay: async () => {} });
   const socket = socketOf(host);
-  socket.view = {
+  socket.view = fakeSocketView({
     host,
     awake: true,
     settings: { src: 'ct.png' },
     errors,
     look: { current: plainAppearance, replacement: null, attachmentsChanged: () => {} },
     volume: { grid, samples: new Uint8Array(4), slope: 1, intercept: 0, format: 'png mosaic', range: [0, 200] },
-    viewer: { scene, invalidate: () => {} },
+    viewer: fakeSocketViewer({ scene, invalidate: () => {} }),
     track: (one: Promise<unknown>) => work.push(one),
     fileNotices: new Map(),
     user: { changed: () => {} },
-  } as unknown as SocketView;
+  });
   const read = async (): Promise<VolumeOptics> => {
     const appearance = await withVolumeNodes({ user: { host } }, plainAppearance, { grid });
     while (work.length > 0) await work.shift();

@@ -13,9 +13,12 @@ import { cartesianGrid } from '../../src/volume/grid.ts';
 import { identity } from '../../src/volume/matrix.ts';
 import { SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';
 import { socketOf, standIn } from '../../src/viewer/model/view-socket.ts';
-import type { SocketView } from '../../src/viewer/model/view-socket.ts';
-import type { Scene } from '../../src/viewer/model/scene.ts';
+import type { SocketViewer } from '../../src/viewer/model/view-socket.ts';
+import type { Scene, SceneLines } from '../../src/viewer/model/scene.ts';
+import type { Volume } from '../../src/volume/volume.ts';
 import { withoutFrame } from '../../src/x3d/author-children.ts';
+import { fakeOf, fakeScene, fakeSocketView, fakeSocketViewer } from '../helpers/fake.ts';
+import type { Some } from '../helpers/fake.ts';
 import { ballPly } from '../helpers/meshes.ts';
 
 const wrong = (message: string): VolumeViewError => new VolumeViewError('format/corrupt', message);
@@ -25,12 +28,12 @@ describe('next to a volume', () => {
   it('the error of a surface that still has one is shown when another one is well again', () => {
     const errors = new ErrorState({ file: '', changed: () => {}, failed: () => {} });
     const socket = socketOf(document.createElement('div'));
-    socket.view = {
+    socket.view = fakeSocketView({
       errors,
       look: { attachmentsChanged: () => {} },
       viewer: null,
       volume: null,
-    } as unknown as SocketView;
+    });
     const [first, second] = [0, 1].map(() => new SurfaceTarget(socket, document.createElement('i')));
     first.failed(wrong('one'));
     second.failed(wrong('two'));
@@ -76,20 +79,21 @@ describe('next to a volume', () => {
   it('a surface that waits for a scene is reported once, whatever changes meanwhile, and holds up nothing where none comes', async () => {
     const host = document.createElement('div');
     const socket = socketOf(host);
-    const viewer = { volume: {}, scene: null as Scene | null, invalidate: () => {}, reframe: () => {} };
+    const given = { volume: {}, scene: null as Scene | null, invalidate: () => {}, reframe: () => {} };
+    const viewer = fakeSocketViewer(given);
     const work: Promise<unknown>[] = [];
     const presenter = {
       host,
       look: { attachmentsChanged: () => {} },
       awake: true,
       errors: new ErrorState({ file: '', changed: () => {}, failed: () => {} }),
-      viewer: viewer as typeof viewer | null,
-      volume: { grid: cartesianGrid([9, 9, 9], identity) } as unknown,
+      viewer: viewer as SocketViewer | null,
+      volume: { grid: cartesianGrid([9, 9, 9], identity) } as Some<Volume> | null,
       track: (one: Promise<unknown>) => work.push(one),
       fileNotices: new Map(),
       user: { changed: () => {} },
     };
-    socket.view = presenter as unknown as SocketView;
+    socket.view = fakeSocketView(presenter);
     const target = new SurfaceTarget(socket, document.createElement('i'));
     const shown = (): readonly number[] | undefined => socket.last('surface')?.color;
     const url = `data:text/plain,${encodeURIComponent(ballPly([0, 0, 0], 5, 4))}`;
@@ -117,16 +121,18 @@ describe('next to a volume', () => {
     await turn();
     expect(reported, 'before there is a scene').to.deep.equal([]);
     let brought = 0;
-    const scene = { loadLines: async () => ({ showSurface: async () => brought++ }) } as unknown as Scene;
+    const scene = fakeScene({
+      loadLines: async () => fakeOf<SceneLines>('SceneLines', { showSurface: async () => void brought++ }),
+    });
     await socket.applyTo(scene);
-    viewer.scene = scene;
+    given.scene = scene;
     host.dispatchEvent(new Event('render'));
     await until(() => reported.length > 0);
     surfaces.refresh();
     await Promise.all(work);
     expect([reported, brought > 0, shown()]).to.deep.equal([['came'], true, [1, 0, 0]]);
 
-    viewer.scene = null;
+    given.scene = null;
     red = 0.5;
     surfaces.refresh();
     await until(() => shown()![0] === 0.5);
@@ -149,13 +155,13 @@ describe('next to a volume', () => {
       colorMoment: null as string | null,
       scan: null,
     }) as ColoredView & { colorMoment: string | null };
-    socketOf(view).view = {
+    socketOf(view).view = fakeSocketView({
       errors,
       look: { attachmentsChanged: () => {} },
       viewer: null,
       volume: null,
       track: () => {},
-    } as unknown as SocketView;
+    });
     errors.report('overlay', wrong('a layer'));
     await colorsOf(view).refresh();
     expect(errors.first?.message).to.equal('a layer');

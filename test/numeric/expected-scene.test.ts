@@ -4,7 +4,11 @@ import type { ContextHolder } from '../../src/viewer/scenes/context-pool.ts';
 import type { Scene } from '../../src/viewer/model/scene.ts';
 import { ViewSocket } from '../../src/viewer/model/view-socket.ts';
 import { SceneController } from '../../src/viewer/scenes/scene-controller.ts';
-import type { ScenePlace, SceneUser } from '../../src/viewer/scenes/scene-controller.ts';
+import type { SceneUser } from '../../src/viewer/scenes/scene-controller.ts';
+import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { fakeOf, fakePlace, fakeScene } from '../helpers/fake.ts';
+import type { Some } from '../helpers/fake.ts';
 
 const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
@@ -20,17 +24,17 @@ function keep(refusals = 0): {
     if (refusals-- > 0) throw new Error('no context');
     reported.push('made');
     const canvas = document.createElement('canvas');
-    return {
+    return fakeScene({
       canvas,
       prepare: async () => {},
       setStyle: async () => {},
       bringVolume: async () => (reported.push('filled'), true),
       dispose: notify('gone'),
-    } as unknown as Scene;
+    });
   };
   const user = {
-    volume: null as unknown,
-    optics: null as unknown,
+    volume: null as Some<Volume> | null,
+    optics: null as Some<VolumeOptics> | null,
     ready: false,
     givenUp: false,
     socket: new ViewSocket(),
@@ -41,14 +45,8 @@ function keep(refusals = 0): {
     invalidate: () => {},
     sceneChanged: () => {},
   };
-  const visibility = { inSight: true, asked: false, mayBeNear: true, inHand: false };
-  const place = {
-    host: document.createElement('div'),
-    container: document.createElement('div'),
-    visibility,
-    scenes: { create },
-  } as unknown as ScenePlace;
-  return { controller: new SceneController(place, user as unknown as SceneUser), reported, user };
+  const controller = new SceneController(fakePlace(create), fakeOf<SceneUser>('SceneUser', user));
+  return { controller, reported, user };
 }
 
 describe('a scene for a volume that is on its way', () => {

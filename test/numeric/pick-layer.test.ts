@@ -12,6 +12,7 @@ import { overlayOf } from '../helpers/overlays.ts';
 import { plainOptics } from '../helpers/picture.ts';
 import { createQuietLayer } from '../helpers/quiet-layer.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
+import { fakeOf } from '../helpers/fake.ts';
 
 /** Data in its left half alone, of which little shows. */
 const volume = {
@@ -43,16 +44,22 @@ async function pickAt(
     view: viewMatrix(orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 30 }, [0, 0, 0], 0.6)),
     projection: projectionMatrix(0.6, 1, 1, 2),
   };
-  const viewer = {
+  const viewer = fakeOf<Viewer>('Viewer', {
     volume,
     optics,
-    drawn: true,
-    place: { host: { clientWidth: 100, clientHeight: 100 } },
+    drawn: volume,
+    rig: undefined,
+    place: {
+      host: fakeOf<Pick<HTMLElement, 'clientWidth' | 'clientHeight'>>('host', {
+        clientWidth: 100,
+        clientHeight: 100,
+      }) as HTMLElement,
+    },
     shown: { grid: volume.grid, cuts: { region: null, slices: [], cuts: [] }, labels: null, overlay },
     scene: { getView: () => view },
     controller: { twins: (looks: boolean) => quiet.twins(false, looks) },
-  };
-  return pick(viewer as unknown as Viewer, [across, 50]);
+  });
+  return pick(viewer, [across, 50]);
 }
 
 describe('a pick where a layer shows, and the volume has no data', () => {

@@ -4,9 +4,10 @@ import { ErrorState } from '../../src/viewer/model/error-state.ts';
 import { SurfaceController } from '../../src/viewer/attachments/surface-controller.ts';
 import { SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
-import type { SocketView } from '../../src/viewer/model/view-socket.ts';
 import type { Surface } from '../../src/volume/surface.ts';
 import type { WorldCut } from '../../src/volume/world-cut.ts';
+import type { GridFrame } from '../../src/volume/grid.ts';
+import { fakeOf, fakeScene, fakeSocketView, fakeSocketViewer } from '../helpers/fake.ts';
 import { ballPly, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -18,11 +19,17 @@ function createView() {
   const host = document.createElement('div');
   const socket = socketOf(host);
   const volume = syntheticVolume({ dimensions: [20, 20, 20] });
-  const shown = { cuts: { region: null as unknown, away: nothing } };
+  const shown = { cuts: { region: null as GridFrame | null, away: nothing } };
   const settings = { region: { value: null as readonly number[] | null } };
   const work: Promise<unknown>[] = [];
-  const viewer = { volume, shown, scene: { loadLines: async () => null }, invalidate: () => {}, reframe: () => {} };
-  socket.view = {
+  const viewer = fakeSocketViewer({
+    volume,
+    shown,
+    scene: fakeScene({ loadLines: async () => null }),
+    invalidate: () => {},
+    reframe: () => {},
+  });
+  socket.view = fakeSocketView({
     host,
     look: { attachmentsChanged: () => {} },
     awake: true,
@@ -33,7 +40,7 @@ function createView() {
     track: (one: Promise<unknown>) => work.push(one),
     fileNotices: new Map(),
     user: { changed: () => {} },
-  } as unknown as SocketView;
+  });
   const target = new SurfaceTarget(socket, document.createElement('i'));
   return {
     socket,
@@ -129,7 +136,7 @@ describe('a surface that is cut with its volume', () => {
     expect(socket.version, 'nothing has changed').to.equal(before);
     await view.cut(above(6));
     expect(socket.last('surface')).to.equal(null);
-    [shown.cuts.region, settings.region.value] = [{}, [-9, -9, 3, 9, 9, 9]];
+    [shown.cuts.region, settings.region.value] = [fakeOf<GridFrame>('GridFrame', {}), [-9, -9, 3, 9, 9, 9]];
     await view.cut({
       ...nothing,
       removed: [

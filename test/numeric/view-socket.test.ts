@@ -6,11 +6,11 @@ import type { Scene, View } from '../../src/viewer/model/scene.ts';
 import { socketOf, standIn, ViewSocket } from '../../src/viewer/model/view-socket.ts';
 import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
-import type { ScenePlace } from '../../src/viewer/scenes/scene-controller.ts';
 import type { ShownSurface } from '../../src/renderer/layers/shown-surfaces.ts';
 import { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
 import type { PresenterHost } from '../../src/viewer/view/volume-presenter.ts';
 import { Viewer } from '../../src/viewer/view/viewer.ts';
+import { fakeOf, fakePlace } from '../helpers/fake.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const optics: VolumeOptics = {
@@ -35,34 +35,25 @@ function makeView() {
   const did: string[] = [];
   const scenes: Scene[] = [];
   const create = async (): Promise<Scene> => {
-    const scene = {
+    const scene = fakeOf<Scene & { name: string }>('Scene', {
       name: `scene ${scenes.length + 1}`,
       canvas: document.createElement('canvas'),
       prepare: async () => {},
       setStyle: async () => {},
       setOptics: async () => {},
-      setRegion: () => {},
-      setSlices: () => {},
-      setLines: () => {},
       bringVolume: async () => did.push('volume') > 0,
       authorCamera: () => null,
-      getView: () => ({}),
+      getView: () => fakeOf<View>('View', {}),
       twins: () => null,
       dispose: () => {},
-    } as unknown as Scene;
+    });
     scenes.push(scene);
     return scene;
   };
-  const visibility = { inSight: true, asked: false, mayBeNear: true, inHand: false };
-  const place = {
-    host,
-    container: document.createElement('div'),
-    visibility,
-    scenes: { create },
-  } as unknown as ScenePlace;
+  const place = fakePlace(create, host);
   const errors = new ErrorState({ file: '', changed: () => {}, failed: (_, error) => did.push(error.message) });
   const presenter = new VolumePresenter(
-    { host, settings: {}, awake: true, emit: () => {}, track: () => {} } as unknown as PresenterHost,
+    fakeOf<PresenterHost>('PresenterHost', { host, settings: {}, awake: true, emit: () => {}, track: () => {} }),
     errors,
   );
   const viewer = (presenter.viewer = new Viewer(place, {
@@ -75,7 +66,7 @@ function makeView() {
   return { host, did, scenes, viewer };
 }
 
-const nameOf = (scene: Scene): string => (scene as unknown as { readonly name: string }).name;
+const nameOf = (scene: Scene): string => (scene as Scene & { readonly name: string }).name;
 
 class Toy implements ViewPart {
   readonly key = 'toy';
@@ -127,7 +118,7 @@ describe('a part of a view', () => {
     const [toy, other] = [new Toy(did), new Toy(did)];
     void socket.join(toy);
     void socket.join(other);
-    const scene = { name: 'a scene' } as unknown as Scene;
+    const scene = fakeOf<Scene & { name: string }>('Scene', { name: 'a scene' });
     const before = socket.version;
     await socket.applyTo(scene);
     toy.at = 'there';

@@ -1,13 +1,13 @@
 import { rotate } from '../../src/viewer/camera/camera-moves.ts';
 import { expect } from '@esm-bundle/chai';
 import { noCuts } from '../../src/viewer/cuts/cuts.ts';
-import type { ScenePlace } from '../../src/viewer/scenes/scene-controller.ts';
 import type { AuthorCamera, Scene } from '../../src/viewer/model/scene.ts';
 import { SourceLoader } from '../../src/viewer/session/source-loader.ts';
 import type { LoaderHost, LoaderParts } from '../../src/viewer/session/source-loader.ts';
 import { Viewer } from '../../src/viewer/view/viewer.ts';
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import type { Volume } from '../../src/volume/volume.ts';
+import { fakeOf, fakePlace, fakeScene } from '../helpers/fake.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const optics: VolumeOptics = {
@@ -36,27 +36,18 @@ async function turns(count: number): Promise<void> {
 function view(author: AuthorCamera | null = null): { viewer: Viewer; volumes: Volume[] } {
   const volumes: Volume[] = [];
   const create = async (): Promise<Scene> =>
-    ({
+    fakeScene({
       canvas: document.createElement('canvas'),
       prepare: () => turns(2),
+      animating: false,
       setStyle: async () => {},
       setOptics: async () => {},
-      setRegion: () => {},
-      setSlices: () => {},
-      setLines: () => {},
       bringVolume: async (one: Volume, givenUp: () => boolean) => !givenUp() && volumes.push(one) > 0,
       authorCamera: () => author,
       dispose: () => {},
-    }) as unknown as Scene;
-  const visibility = { inSight: true, asked: false, mayBeNear: true, inHand: false };
-  const place = {
-    host: document.createElement('div'),
-    container: document.createElement('div'),
-    visibility,
-    scenes: { create },
-  } as unknown as ScenePlace;
+    });
   return {
-    viewer: new Viewer(place, {
+    viewer: new Viewer(fakePlace(create), {
       rendered: () => {},
       cameraMoved: () => {},
       labelRing: () => '',
@@ -107,21 +98,22 @@ it('a person who turns a stand-in around the viewpoint of the author keeps what 
 
 it('nothing stays of a stand-in whose source is taken away', () => {
   const reported: string[] = [];
-  const host = {
+  const host = fakeOf<LoaderHost>('LoaderHost', {
     settings: { src: null },
     inPage: true,
     sourceGone: () => reported.push('gone'),
-  } as unknown as LoaderHost;
-  const presenter = {
+  });
+  const presenter = fakeOf<LoaderParts['presenter']>('VolumePresenter', {
     volume: null,
     viewer: { volume: coarse },
     forgetModel: () => {},
     empty: () => reported.push('emptied'),
-  };
-  new SourceLoader(host, {
+  });
+  const parts = fakeOf<LoaderParts>('LoaderParts', {
     presenter,
     errors: { clear: () => {} },
     playback: { forget: () => {} },
-  } as unknown as LoaderParts).load();
+  });
+  new SourceLoader(host, parts).load();
   expect(reported).to.deep.equal(['emptied', 'gone']);
 });

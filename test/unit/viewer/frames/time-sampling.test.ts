@@ -4,9 +4,10 @@ import { chooseFrameQuality } from '../../../../src/quality/choose-frame-quality
 import type { SamplingOutcome } from '../../../../src/quality/sampling-outcome.ts';
 import type { RayPlan } from '../../../../src/renderer/ray/ray-plan.ts';
 import type { DrawnView } from '../../../../src/viewer/model/drawn-view.ts';
-import type { Scene } from '../../../../src/viewer/model/scene.ts';
 import { timeSampling } from '../../../../src/viewer/frames/time-sampling.ts';
 import { cartesianGrid } from '../../../../src/volume/grid.ts';
+import type { Pass } from '../../../../src/viewer/model/scene.ts';
+import { fakeOf, fakeScene } from '../../../helpers/fake.ts';
 
 const outcomes: readonly SamplingOutcome[] = [
   { maxCurvature: 4, share: 0.8, error: 0.1 },
@@ -21,18 +22,19 @@ function viewOf(
   const drawn: number[] = [];
   let [now, maxCurvature] = [0, 0];
   performance.now = () => now;
-  const scene = {
+  const scene = fakeScene({
     gatherable: true,
+    endsAtShapes: false,
     startGathering: (rays: Partial<RayPlan>) => {
       maxCurvature = rays.maxCurvature!;
-      return [{ height: 10 }];
+      return [fakeOf<Pass>('Pass', { height: 10 })];
     },
     gather: () => {
       now += (maxCurvature > 0 ? times.spared : times.all) + (drawn.includes(maxCurvature) ? 0 : 1000);
       drawn.push(maxCurvature);
     },
     finished: async () => {},
-  } as unknown as Scene;
+  });
   return {
     view: {
       scene,

@@ -10,13 +10,17 @@ import { chooseScan } from '../../../../src/formats/base/choose-scan.ts';
 import { decodeBytes, expectError, fetchFixture } from '../../../helpers/decode.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';
 import type { Volume } from '../../../../src/volume/volume.ts';
+import { fakeOf } from '../../../helpers/fake.ts';
 
 const at = (minute: number): string => `2018-12-20T06:${String(minute).padStart(2, '0')}:00Z`;
 const ms = (minute: number): number => Date.parse(at(minute));
 
 /** A volume of so many bytes; nothing else of it matters here. */
 const volumeOf = (byteLength: number, time?: string): Volume =>
-  ({ samples: { byteLength }, radar: time === undefined ? undefined : { time } }) as unknown as Volume;
+  fakeOf<Volume>('Volume', {
+    samples: { byteLength } as Volume['samples'],
+    radar: time === undefined ? undefined : { time },
+  });
 
 describe('chooseScan', () => {
   const times = [at(0), at(10), null, at(20)];

@@ -5,15 +5,19 @@ import { PresenterTarget } from '../../../../src/viewer/attachments/label-target
 import type { Scene } from '../../../../src/viewer/model/scene.ts';
 import type { ViewLabels } from '../../../../src/viewer/model/view-labels.ts';
 import { ViewSocket } from '../../../../src/viewer/model/view-socket.ts';
-import type { SocketView } from '../../../../src/viewer/model/view-socket.ts';
-import { fakeScene } from '../../../helpers/fake.ts';
+import { fakeOf, fakeScene, fakeSocketView, fakeSocketViewer } from '../../../helpers/fake.ts';
+
+/** Labels that are told from others by their ids. */
+const labelsOf = (name: string): ViewLabels =>
+  fakeOf<ViewLabels>('ViewLabels', {
+    shown: { map: { ids: Array.from(name, (letter) => letter.charCodeAt(0)) } },
+    nameOf: () => null,
+  });
 
 it('a new scene, such as one after a lost context, gets the labels, and what becomes of them while it is built', async () => {
-  const [first, second] = ['one', 'two'].map(
-    (name) => ({ shown: { map: name }, nameOf: () => null }) as unknown as ViewLabels,
-  );
+  const [first, second] = ['one', 'two'].map(labelsOf);
   const socket = new ViewSocket();
-  socket.view = { viewer: null, look: { attachmentsChanged: () => {} } } as unknown as SocketView;
+  socket.view = fakeSocketView({ viewer: null, look: { attachmentsChanged: () => {} } });
   const target = new PresenterTarget(socket);
   await target.show(first);
   const reported: unknown[] = [];
@@ -27,7 +31,12 @@ it('a new scene, such as one after a lost context, gets the labels, and what bec
     },
     dispose: () => reported.push('disposed'),
   });
-  const contents = { volume: {}, optics: { projection: null }, socket, givenUp: false } as unknown as SceneContents;
+  const contents = fakeOf<SceneContents>('SceneContents', {
+    volume: {},
+    optics: { projection: null },
+    socket,
+    givenUp: false,
+  });
   let put: unknown = null;
   const build = (one: Scene): Promise<void> =>
     buildScene(
@@ -49,13 +58,13 @@ it('a new scene, such as one after a lost context, gets the labels, and what bec
 it('labels that come after a new scene has looked for them, and before it is in place, reach it', async () => {
   const reported: unknown[] = [];
   const scene = fakeScene({ setLabels: async (labels) => void reported.push(labels) });
-  const viewer = { scene: null as unknown, invalidate: () => reported.push('drawn anew') };
+  const given = { scene: null as Scene | null, invalidate: () => reported.push('drawn anew') };
   const socket = new ViewSocket();
-  socket.view = { viewer, look: { attachmentsChanged: () => {} } } as unknown as SocketView;
-  const labels = { shown: { map: 'one' }, nameOf: () => null } as unknown as ViewLabels;
+  socket.view = fakeSocketView({ viewer: fakeSocketViewer(given), look: { attachmentsChanged: () => {} } });
+  const labels = labelsOf('one');
   const applied = new PresenterTarget(socket).show(labels);
   await Promise.resolve();
-  viewer.scene = scene;
+  given.scene = scene;
   await applied;
   expect(reported).to.deep.equal([labels.shown, 'drawn anew']);
 });
