@@ -179,7 +179,8 @@ export class NoteLayer implements ViewPart {
     cancelAnimationFrame(this.#frame);
     if (this.#marks.length === 0) return;
     const { clientWidth: width, clientHeight: height } = this.view;
-    if (width === 0 || height === 0) return;
+    // On paper the element is higher, as the texts follow the picture; pins keep their places in it.
+    if (width === 0 || height === 0 || matchMedia('print').matches) return;
     if (width !== this.#room.width || height !== this.#room.height) this.#resize(width, height);
     const anchors = this.#marks.map(({ owner: { at } }) => at && this.#project(view, at));
     const notes = this.#notes(anchors);

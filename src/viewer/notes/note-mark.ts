@@ -137,6 +137,8 @@ export class NoteMark {
     this.panel.ariaLabel = name;
     this.text.ariaExpanded = hasText && around ? String(isOpen) : null;
     this.text.ariaPressed = around ? null : String(isOpen);
+    // A note in the text of the page has its text there.
+    this.text.classList.toggle('linked', !around);
     this.panel.hidden = !(isOpen && hasText && around);
     this.panel.tabIndex = this.panel.hidden ? -1 : 0;
     if (this.panel.hidden) this.panel.removeAttribute('tabindex');

@@ -178,17 +178,20 @@ export const noteStyles = `
     overflow: visible !important;
   }
   :host::before {
-    aspect-ratio: var(--_noted-aspect);
+    aspect-ratio: var(--_noted-aspect, 4 / 3);
   }
   .picture, .pins {
     inset-block-end: auto;
     block-size: auto;
-    aspect-ratio: var(--_noted-aspect);
+    aspect-ratio: var(--_noted-aspect, 4 / 3);
   }
   .notes {
     position: static;
     overflow: visible;
+    padding-block-start: 4px;
+    background: #fff;
   }
+  .notes .note.linked { display: none; }
   .pins path { display: none; }
   .pins .pin, .pins .pin.away {
     display: block;
