@@ -209,7 +209,7 @@ export class VolumeNote extends ReflectingElement {
     const name = this.label?.trim() || this.#locale.messages.note(String(this.#number));
     const button =
       this.#link.view && !this.#around && this.#number > 0
-        ? html`<button type="button" part="number" aria-pressed=${String(this.open)} aria-label=${this.#locale.messages.noteShow(name)} @click=${this.#onPress}>${this.#number}</button>`
+        ? html`<button type="button" part="number" aria-pressed=${String(this.open)} aria-label=${`${this.#number} ${this.#locale.messages.noteShow(name)}`} @click=${this.#onPress}>${this.#number}</button>`
         : nothing;
     return html`${button}<slot></slot>`;
   }

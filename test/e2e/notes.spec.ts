@@ -268,7 +268,7 @@ test.describe('notes', () => {
       `${view('', {}, 'id="seen"')}<volume-note for="seen" hide="never" position="0 0 0" label="Middle"><p>A text of the page</p></volume-note>`,
     );
     await rest(page);
-    const number = page.getByRole('button', { name: 'Show in the picture: Middle' });
+    const number = page.getByRole('button', { name: '1 Show in the picture: Middle' });
     await expect(page.getByText('A text of the page')).toBeVisible();
     await expect(number).toHaveText('1');
     await page.getByText('A text of the page').hover();
@@ -321,5 +321,22 @@ test.describe('notes', () => {
     });
     await expect(page.locator('volume-view [part=error]')).toContainText('got more than 1000 notes');
     await expect.poll(() => page.locator('volume-view .pin').count()).toBe(1000);
+  });
+
+  test('are numbers where there is no room for all names; a screen reader gets number and name', async ({ page }) => {
+    const many = Array.from(
+      { length: 40 },
+      (_, i) =>
+        `<volume-note hide="never" position="${(i % 7) - 3} ${(i % 5) - 2} ${(i % 9) - 4}" label="Place ${i}"></volume-note>`,
+    );
+    await open(page, view(many.join('')));
+    await rest(page);
+    await expect(page.locator('volume-view .notes')).toHaveClass(/short/);
+    const seventh = page.getByRole('button', { name: '7 Place 6', exact: true });
+    expect((await seventh.boundingBox())!.width).toBeLessThan(30);
+    await seventh.focus();
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Shift+Tab');
+    expect((await seventh.boundingBox())!.width).toBeGreaterThan(50);
   });
 });

@@ -133,7 +133,8 @@ export class NoteMark {
     this.#label.textContent = label;
     this.text.replaceChildren(this.#number, ...(label ? [this.#label] : []));
     const name = label || messages.note(String(number));
-    this.text.ariaLabel = name;
+    // Else the name is what the text shows.
+    this.text.ariaLabel = label ? null : name;
     this.panel.ariaLabel = name;
     this.text.ariaExpanded = hasText && around ? String(isOpen) : null;
     this.text.ariaPressed = around ? null : String(isOpen);

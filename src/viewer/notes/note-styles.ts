@@ -98,7 +98,9 @@ export const noteStyles = `
   padding: 0 2px;
 }
 .notes.short .note:not(:hover, :focus-visible, [aria-expanded='true']) .number + bdi {
-  display: none;
+  position: absolute;
+  inline-size: 1px;
+  clip-path: inset(50%);
 }
 .notes.short .note:is(:hover, :focus-visible, [aria-expanded='true']) {
   padding-inline: 9px;
@@ -221,7 +223,12 @@ export const noteStyles = `
     transform: none !important;
     white-space: normal;
   }
-  .notes .note .number, .notes.short .note .number + bdi { display: block; }
+  .notes .note .number { display: block; }
+  .notes.short .note .number + bdi {
+    position: static !important;
+    inline-size: auto !important;
+    clip-path: none !important;
+  }
   .note-text, .note-text[hidden] {
     display: block;
     position: static;
