@@ -19,7 +19,6 @@ import type {
 } from '../formats/base/load-request.ts';
 
 export interface RequestEnvironment {
-  /** Only on the main thread: a worker is terminated from outside. */
   readonly signal?: AbortSignal;
   readonly pageOrigin: string;
   /** The limits of the load; if undefined, those of a worker. */

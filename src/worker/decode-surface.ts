@@ -16,7 +16,6 @@ import { makeTerrain } from '../formats/terrain/make-terrain.ts';
 import { joinTiles } from '../formats/terrain/terrain-raster.ts';
 
 interface Environment {
-  /** Only on the page's thread: a worker is terminated from outside. */
   readonly signal?: AbortSignal;
   readonly pageOrigin: string;
   readonly onProgress: LoadProgressListener;

@@ -2,6 +2,7 @@ import { VolumeViewError } from '../core/errors.ts';
 import { loadPart } from '../core/load-part.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { CoarseListener, LoadProgressListener, LoadRequest, ScansListener } from '../formats/base/load-request.ts';
+import { keepSpare, takeSpare } from './spare-worker.ts';
 import { listWorkerStarts } from './worker-client.ts';
 import { watchLoad } from './watch-load.ts';
 import type { WorkerLimits, WorkerOrder, WorkerReport } from './worker-messages.ts';
@@ -27,8 +28,8 @@ export interface LoadOptions {
 const notHere = Symbol('not in a worker');
 
 /**
- * Loads a volume: fetched, decoded and fitted to the device in a worker of its own, or on this thread if the page
- * allows no worker.
+ * Loads a volume: fetched, decoded and fitted to the device in a worker, or on this thread if the page allows no
+ * worker.
  * @throws {VolumeViewError} `source/…`, `format/…`, `mosaic/layout`, `manifest/invalid`, `internal`; the signal's
  * reason
  */
@@ -53,9 +54,12 @@ export async function workOff<T>(
   const { url } = task.order.request;
   const { end, ...watched } = watchLoad(url, options.signal, options.onProgress);
   try {
-    for (const start of listWorkerStarts(url)) {
-      const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy that forbids workers.
-      const result = worker ? await loadInWorker(worker, task, { ...options, ...watched }) : notHere;
+    for (const { source, start } of listWorkerStarts(url)) {
+      const spare = takeSpare(source);
+      const worker = spare ?? (await start().catch(() => null)); // SecurityError: an opaque origin, or a policy that forbids workers.
+      const result = worker
+        ? await loadInWorker({ worker, source, isReady: !!spare }, task, { ...options, ...watched })
+        : notHere;
       if (result !== notHere) return result as T;
     }
     return await here({ ...options, ...watched });
@@ -80,25 +84,44 @@ interface WorkerTask {
   readonly limits?: LoadRequest['limits'];
 }
 
+/** A worker that a load has. */
+interface BusyWorker {
+  readonly worker: Worker;
+  /** What it was started from. */
+  readonly source: unknown;
+  /** Whether its script has run. */
+  isReady: boolean;
+}
+
 function loadInWorker(
-  worker: Worker,
+  busy: BusyWorker,
   { order, limits }: WorkerTask,
   { signal, onProgress, onScans, onCoarse }: LoadOptions,
 ): Promise<unknown> {
+  const { worker, source } = busy;
   return new Promise((resolve, reject) => {
-    let isReady = false;
-    const end = (settle: () => void): void => {
-      worker.terminate();
+    let isOver = false;
+    const end = (settle: () => void, leave: () => void): void => {
+      isOver = true;
       signal.removeEventListener('abort', stop);
+      leave();
       settle();
     };
-    const stop = (): void => end(() => reject(signal.reason as Error));
+    const answer = (settle: () => void): void => end(settle, () => keepSpare(worker, source, true));
+    const giveUp = (reason: unknown): void =>
+      end(
+        () => reject(reason),
+        () => keepSpare(worker, source, false),
+      );
+    // Of a worker that lacks memory, or a part that could not be loaded, the next load would not get more.
+    const dismiss = (settle: () => void): void => end(settle, () => worker.terminate());
+    const stop = (): void => giveUp(signal.reason);
     if (signal.aborted) return stop();
     signal.addEventListener('abort', stop);
     worker.onmessage = ({ data }: MessageEvent<WorkerReport>) => {
       switch (data.type) {
         case 'ready':
-          isReady = true;
+          busy.isReady = true;
           return;
         case 'progress':
           onProgress(data.progress);
@@ -110,29 +133,29 @@ function loadInWorker(
           onCoarse?.(data.coarse);
           return;
         case 'done':
-          return end(() => resolve(data.volume));
+          return answer(() => resolve(data.volume));
         case 'failed':
-          return end(() =>
+          return answer(() =>
             reject(new VolumeViewError(data.code, data.message, data.cause ? { cause: data.cause } : {})),
           );
         case 'needs-main-thread':
-          return end(() => resolve(notHere));
+          return dismiss(() => resolve(notHere));
       }
     };
     worker.onerror = (event) => {
       event.preventDefault();
       // An error before the first message means that the script could not be loaded; after it, only lack of memory ends
       // a worker like this.
-      end(() => (isReady ? reject(outOfMemory(event.message)) : resolve(notHere)));
+      dismiss(() => (busy.isReady ? reject(outOfMemory(event.message)) : resolve(notHere)));
     };
     // Sent at once: the page may be busy when the worker is ready.
     worker.postMessage(order);
     if (limits)
       Promise.resolve(limits).then(
-        (known) => worker.postMessage({ limits: known } satisfies WorkerLimits),
-        (error) => end(() => reject(error)),
+        (known) => isOver || worker.postMessage({ limits: known } satisfies WorkerLimits),
+        (error) => isOver || giveUp(error),
       );
-    worker.onmessageerror = () => end(() => reject(outOfMemory('a message could not be read')));
+    worker.onmessageerror = () => dismiss(() => reject(outOfMemory('a message could not be read')));
   });
 }
 

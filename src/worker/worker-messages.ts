@@ -5,7 +5,7 @@ import type { ScanTimes } from '../formats/base/choose-scan.ts';
 import type { CoarseVolume, DeviceLimits, LoadProgress, LoadRequest } from '../formats/base/load-request.ts';
 import type { SurfaceRequest } from './surface-request.ts';
 
-/** The first message to the worker. */
+/** The first message of a load to the worker, which must have no other order. */
 export interface WorkerOrder {
   readonly request: Omit<LoadRequest, 'limits'> | SurfaceRequest;
   readonly pageOrigin: string;
@@ -16,7 +16,15 @@ export interface WorkerLimits {
   readonly limits: DeviceLimits;
 }
 
-/** Messages from the worker: 'ready' first, then progress, scans and a coarse volume, then one of the others. */
+/** The load was given up: the worker stops what it does for it. */
+export interface WorkerStop {
+  readonly stop: true;
+}
+
+/**
+ * Messages from the worker: 'ready' once, then for each order progress, scans and a coarse volume, and one of the others
+ * last. To a stop it answers 'stopped' when it has no order any longer.
+ */
 export type WorkerReport =
   | { readonly type: 'ready' }
   | { readonly type: 'progress'; readonly progress: LoadProgress }
@@ -24,4 +32,5 @@ export type WorkerReport =
   | { readonly type: 'coarse'; readonly coarse: CoarseVolume | null }
   | { readonly type: 'done'; readonly volume: Volume | Surface }
   | { readonly type: 'failed'; readonly code: ErrorCode; readonly message: string; readonly cause: string }
-  | { readonly type: 'needs-main-thread' };
+  | { readonly type: 'needs-main-thread' }
+  | { readonly type: 'stopped' };

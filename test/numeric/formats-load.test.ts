@@ -3,9 +3,11 @@ import { loadVolume } from '../../src/worker/load.ts';
 import type { LoadProgress, LoadRequest } from '../../src/worker/load.ts';
 import { loadSurface } from '../../src/worker/load-surface.ts';
 import type { SurfaceRequest } from '../../src/worker/surface-request.ts';
+import { endSpare } from '../../src/worker/spare-worker.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { expectError, fetchFixture, roomyLimits } from '../helpers/decode.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';
+import { loads } from '../../src/viewer/loading/load-queue.ts';
 import { hgtBytes } from '../helpers/terrain.ts';
 
 const fixture = (path: string): string => `/test/fixtures/${path}`;
@@ -18,11 +20,12 @@ function load(
   return loadVolume({ limits: roomyLimits, ...request }, { signal, onProgress });
 }
 
-/** Run with another `Worker` constructor, and count how many are started and terminated. */
+/** Run with another `Worker` constructor, and count how many are started and terminated. No worker of other tests is used. */
 async function withWorkers<T>(
   adapt: (native: typeof Worker) => unknown,
   run: (count: { started: number; terminated: number }) => Promise<T>,
 ): Promise<T> {
+  endSpare();
   const native = globalThis.Worker;
   const count = { started: 0, terminated: 0 };
   const base = adapt(native) as typeof Worker;
@@ -39,6 +42,7 @@ async function withWorkers<T>(
   try {
     return await run(count);
   } finally {
+    endSpare();
     globalThis.Worker = native;
   }
 }
@@ -48,17 +52,18 @@ const refused = (): unknown =>
   function refuse() {
     throw new DOMException('no workers', 'SecurityError');
   };
+const pause = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
 const unchanged = (native: typeof Worker): unknown => native;
 
 describe('loadVolume', () => {
-  it('loads in a worker of its own, which ends with it', () =>
+  it('loads in a worker, which is kept for the next load', () =>
     withWorkers(unchanged, async (count) => {
       const seen: LoadProgress[] = [];
       const volume = await load({ url: fixture('nifti/v1-le-gz.nii.gz') }, (p) => seen.push(p));
       expect(volume.grid.dimensions).to.deep.equal([3, 4, 5]);
       expect(volume.histogram.counts.reduce((sum, n) => sum + n, 0)).to.equal(60);
       expect(volume.range).to.deep.equal([0, 59]);
-      expect(count).to.deep.equal({ started: 1, terminated: 1 });
+      expect(count).to.deep.equal({ started: 1, terminated: 0 });
       expect(new Set(seen.map((p) => p.phase))).to.deep.equal(new Set(['fetch', 'decode']));
       const fetched = seen.filter((p) => p.phase === 'fetch').pop()!;
       expect(fetched.loaded).to.equal((await fetchFixture('nifti/v1-le-gz.nii.gz')).length);
@@ -95,8 +100,42 @@ describe('loadVolume', () => {
   });
 });
 
+describe('one load after another', () => {
+  it('has the same worker, also after one that failed, and has its own result', () =>
+    withWorkers(unchanged, async (count) => {
+      const first = await load({ url: fixture('nifti/v1-le-gz.nii.gz') });
+      expect((await expectError(load({ url: fixture('missing.nii') }))).code).to.equal('source/not-found');
+      const text = URL.createObjectURL(new Blob(['just text'], { type: 'text/plain' }));
+      expect((await expectError(load({ url: text }))).code).to.equal('format/unknown');
+      const second = await load({ url: fixture('mosaic/gray-3x2.png'), mosaic: { columns: 3, rows: 2 } });
+      expect([first.grid.dimensions, second.grid.dimensions]).to.deep.equal([
+        [3, 4, 5],
+        [4, 4, 6],
+      ]);
+      expect(first.samples.length).to.equal(60);
+      expect(count).to.deep.equal({ started: 1, terminated: 0 });
+    }));
+
+  it('twenty at once, as those of a page, have as many workers as places in the queue', () =>
+    withWorkers(unchanged, async (count) => {
+      const { signal } = new AbortController();
+      const volumes = await Promise.all(
+        Array.from({ length: 20 }, () =>
+          loads.run(
+            () => true,
+            signal,
+            () => load({ url: fixture('nifti/v1-le-gz.nii.gz') }),
+          ),
+        ),
+      );
+      expect(volumes.map(({ samples }) => samples.length)).to.deep.equal(volumes.map(() => 60));
+      expect(count.started).to.equal(loads.max);
+      expect(count.terminated).to.equal(loads.max - 1);
+    }));
+});
+
 describe('loadVolume that is stopped', () => {
-  it('is rejected at once with the reason, and the worker ends', () =>
+  it('is rejected at once with the reason, and its worker takes the next one', () =>
     withWorkers(unchanged, async (count) => {
       const controller = new AbortController();
       const loading = load({ url: fixture('nifti/v1-le-gz.nii.gz') }, () => undefined, controller.signal);
@@ -106,8 +145,61 @@ describe('loadVolume that is stopped', () => {
         (reason: unknown) => reason,
       );
       expect(error).to.be.instanceOf(DOMException).with.property('name', 'AbortError');
-      expect(count).to.deep.equal({ started: 1, terminated: 1 });
+      await pause(400); // It has half a second to answer.
+      expect((await load({ url: fixture('nifti/v1-le-gz.nii.gz') })).range).to.deep.equal([0, 59]);
+      expect(count).to.deep.equal({ started: 1, terminated: 0 });
     }));
+
+  it('does not delay the next one, which has another worker', () =>
+    withWorkers(unchanged, async (count) => {
+      const controller = new AbortController();
+      const limits = new Promise<never>(() => {}); // It can't end by itself.
+      const seen = new Promise<void>((resolve) => {
+        load({ url: fixture('nifti/v1-le-gz.nii.gz'), limits }, () => resolve(), controller.signal).catch(() => {});
+      });
+      await seen;
+      controller.abort();
+      expect((await load({ url: fixture('nifti/v1-le-gz.nii.gz') })).range).to.deep.equal([0, 59]);
+      expect(count.started).to.equal(2);
+    }));
+
+  it('leaves its limits to nobody, where they become known later', () =>
+    withWorkers(unchanged, async (count) => {
+      const controller = new AbortController();
+      let resolveLimits = (_: LoadRequest['limits']): void => {};
+      const limits = new Promise<never>((resolve) => (resolveLimits = resolve as never));
+      const loading = load({ url: fixture('nifti/v1-le-i2.nii'), limits }, () => controller.abort(), controller.signal);
+      expect(await loading.catch((reason: unknown) => reason)).to.have.property('name', 'AbortError');
+      await pause(400);
+      const next = load({ url: fixture('nifti/v1-le-i2.nii'), limits: pause(50).then(() => roomyLimits) });
+      resolveLimits({ ...roomyLimits, maxVoxelsPerAxis: 3 });
+      expect((await next).grid.dimensions).to.deep.equal([3, 4, 5]);
+      expect(count.started).to.equal(1);
+    }));
+
+  it('ends a worker that does not hear', async () => {
+    let isFirst = true;
+    const hanging = (native: typeof Worker): unknown =>
+      class extends native {
+        constructor(...args: ConstructorParameters<typeof Worker>) {
+          const text = new Blob(['postMessage({ type: "ready" }); onmessage = () => { for (;;); };']);
+          super(...(isFirst ? [URL.createObjectURL(text)] : args));
+          isFirst = false;
+        }
+      };
+    await withWorkers(hanging, async (count) => {
+      const controller = new AbortController();
+      const loading = load({ url: fixture('nifti/v1-le-i2.nii') }, () => undefined, controller.signal);
+      await pause(100);
+      controller.abort();
+      expect(await loading.catch((reason: unknown) => reason)).to.have.property('name', 'AbortError');
+      expect(count).to.deep.equal({ started: 1, terminated: 0 });
+      await pause(700);
+      expect(count).to.deep.equal({ started: 1, terminated: 1 });
+      expect((await load({ url: fixture('nifti/v1-le-i2.nii') })).grid.dimensions).to.deep.equal([3, 4, 5]);
+      expect(count).to.deep.equal({ started: 2, terminated: 1 });
+    });
+  });
 
   it('starts nothing where it was stopped before', () =>
     withWorkers(unchanged, async (count) => {
@@ -200,9 +292,9 @@ describe('loadSurface', () => {
   ] as const) {
     for (const [where, adapt, expected] of [
       [
-        'in a worker of its own, which ends with it: the page reads nothing',
+        'in a worker, which is kept for the next load: the page reads nothing',
         unchanged,
-        { workers: { started: 1, terminated: 1 }, fetches: 0 },
+        { workers: { started: 1, terminated: 0 }, fetches: 0 },
       ],
       [
         'on the main thread where a page allows no worker',

@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import type { LoadProgress } from '../../src/formats/base/load-request.ts';
 import { loadVolume } from '../../src/worker/load.ts';
+import { endSpare } from '../../src/worker/spare-worker.ts';
 import { startFromText } from '../../src/worker/worker-client.ts';
 import type { WorkerReport } from '../../src/worker/worker-messages.ts';
 import { VolumeViewError } from '../../src/core/errors.ts';
@@ -10,13 +11,16 @@ import { roomyLimits } from '../helpers/decode.ts';
 class SilentWorker {
   static last: SilentWorker;
   onmessage: ((event: { data: WorkerReport }) => void) | null = null;
+  readonly heard: unknown[] = [];
   ended = false;
 
   constructor() {
     SilentWorker.last = this;
   }
 
-  postMessage(): void {}
+  postMessage(message: unknown): void {
+    this.heard.push(message);
+  }
 
   terminate(): void {
     this.ended = true;
@@ -38,6 +42,7 @@ interface Watched {
 
 /** Load with a silent worker and a clock that goes when it is told to. */
 async function withSilence(run: (watched: Watched) => Promise<void>): Promise<void> {
+  endSpare();
   const native = {
     Worker: globalThis.Worker,
     setInterval: globalThis.setInterval,
@@ -78,6 +83,13 @@ const progress = (loaded: number, total: number, phase: LoadProgress['phase'] = 
   progress: { loaded, total, phase },
 });
 
+/** A worker that does not answer is ended half a second after its load. */
+async function expectEnd(worker: SilentWorker): Promise<void> {
+  expect(worker.heard.at(-1)).to.deep.equal({ stop: true });
+  await new Promise((resolve) => setTimeout(resolve, 700));
+  expect(worker.ended).to.equal(true);
+}
+
 function expectStall(error: unknown, words: RegExp): void {
   expect(error).to.be.instanceOf(VolumeViewError).with.property('code', 'source/stalled');
   expect((error as VolumeViewError).message).to.match(words);
@@ -89,7 +101,7 @@ describe('a load of which nothing is heard', () => {
       worker.say({ type: 'ready' }, progress(1000, 5000));
       expect(await pass(29)).to.equal(undefined);
       expectStall(await pass(1), /scan\.nii came no further for 30 seconds, after 1000 bytes/);
-      expect(worker.ended).to.equal(true);
+      await expectEnd(worker);
       expect(clocks()).to.equal(0);
     }));
 
@@ -125,14 +137,14 @@ describe('a load of which nothing is heard', () => {
         'what works holds its place',
       ).to.equal(false);
       expectStall(await pass(1), /for 110 seconds, after 50000000 bytes/);
-      expect(worker.ended).to.equal(true);
+      await expectEnd(worker);
     }));
 
   it('ends at once where it is given up', () =>
     withSilence(async ({ worker, pass, controller, clocks }) => {
       controller.abort(new Error('not wanted'));
       expect(await pass(0)).to.have.property('message', 'not wanted');
-      expect(worker.ended).to.equal(true);
+      await expectEnd(worker);
       expect(clocks()).to.equal(0);
     }));
 });
