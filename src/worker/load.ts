@@ -101,21 +101,14 @@ function loadInWorker(
   const { worker, source } = busy;
   return new Promise((resolve, reject) => {
     let isOver = false;
-    const end = (settle: () => void, leave: () => void): void => {
+    /** @param isFree - as keepSpare says */
+    const end = (settle: () => void, isFree?: boolean): void => {
       isOver = true;
       signal.removeEventListener('abort', stop);
-      leave();
+      keepSpare(worker, source, isFree);
       settle();
     };
-    const answer = (settle: () => void): void => end(settle, () => keepSpare(worker, source, true));
-    const giveUp = (reason: unknown): void =>
-      end(
-        () => reject(reason),
-        () => keepSpare(worker, source, false),
-      );
-    // Of a worker that lacks memory, or a part that could not be loaded, the next load would not get more.
-    const dismiss = (settle: () => void): void => end(settle, () => worker.terminate());
-    const stop = (): void => giveUp(signal.reason);
+    const stop = (): void => end(() => reject(signal.reason as Error), false);
     if (signal.aborted) return stop();
     signal.addEventListener('abort', stop);
     worker.onmessage = ({ data }: MessageEvent<WorkerReport>) => {
@@ -133,29 +126,30 @@ function loadInWorker(
           onCoarse?.(data.coarse);
           return;
         case 'done':
-          return answer(() => resolve(data.volume));
+          return end(() => resolve(data.volume), true);
         case 'failed':
-          return answer(() =>
-            reject(new VolumeViewError(data.code, data.message, data.cause ? { cause: data.cause } : {})),
+          return end(
+            () => reject(new VolumeViewError(data.code, data.message, data.cause ? { cause: data.cause } : {})),
+            true,
           );
         case 'needs-main-thread':
-          return dismiss(() => resolve(notHere));
+          return end(() => resolve(notHere));
       }
     };
     worker.onerror = (event) => {
       event.preventDefault();
       // An error before the first message means that the script could not be loaded; after it, only lack of memory ends
       // a worker like this.
-      dismiss(() => (busy.isReady ? reject(outOfMemory(event.message)) : resolve(notHere)));
+      end(() => (busy.isReady ? reject(outOfMemory(event.message)) : resolve(notHere)));
     };
     // Sent at once: the page may be busy when the worker is ready.
     worker.postMessage(order);
     if (limits)
       Promise.resolve(limits).then(
         (known) => isOver || worker.postMessage({ limits: known } satisfies WorkerLimits),
-        (error) => isOver || giveUp(error),
+        (error) => isOver || end(() => reject(error), false),
       );
-    worker.onmessageerror = () => dismiss(() => reject(outOfMemory('a message could not be read')));
+    worker.onmessageerror = () => end(() => reject(outOfMemory('a message could not be read')));
   });
 }
 

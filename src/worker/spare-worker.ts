@@ -18,20 +18,20 @@ export function takeSpare(source: unknown): Worker | undefined {
 /**
  * Keeps a worker for the next load, and ends it if none comes. Only the last one is kept.
  * @param source - what it was started from
- * @param isFree - whether it has no order. Otherwise it receives the message to stop, and is ended if it does not answer soon
+ * @param isFree - whether it has no order. If false, it receives the message to stop, and is ended if it does not answer
+ * soon. If undefined, it is ended now: of one that lacks memory, or a part that could not be loaded, the next load would
+ * not get more
  */
-export function keepSpare(worker: Worker, source: unknown, isFree: boolean): void {
+export function keepSpare(worker: Worker, source: unknown, isFree?: boolean): void {
+  if (isFree === undefined) return worker.terminate();
   endSpare();
   spare = { worker, source, isFree };
   timer = setTimeout(endSpare, isFree ? idleMs : stopMs);
+  worker.onerror = endSpare;
   worker.onmessage = ({ data }: MessageEvent<WorkerReport>) => {
     if (data.type !== 'stopped') return;
     forget();
     keepSpare(worker, source, true);
-  };
-  worker.onerror = (event) => {
-    event.preventDefault();
-    endSpare();
   };
   if (!isFree) worker.postMessage({ stop: true } satisfies WorkerStop);
 }

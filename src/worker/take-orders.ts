@@ -22,25 +22,21 @@ type Report = (message: WorkerReport, transfer?: Transferable[]) => void;
 
 /** Takes the orders that come to a worker. */
 export function takeOrders(worker: WorkerScope): void {
-  let order = new AbortController();
-  let work = Promise.resolve();
+  let order: AbortController | undefined;
+  let work: Promise<void> | undefined;
   let resolveLimits: (limits: DeviceLimits) => void;
   worker.onmessage = async ({ data }) => {
     if ('limits' in data) resolveLimits(data.limits);
     else if ('request' in data) {
       const mine = (order = new AbortController());
       const { signal } = mine;
-      const limits = new Promise<DeviceLimits>((resolve, reject) => {
-        resolveLimits = resolve;
-        signal.addEventListener('abort', reject);
-      });
-      limits.catch(() => {}); // Perhaps nothing waits for them.
+      const limits = new Promise<DeviceLimits>((resolve) => (resolveLimits = resolve));
       // What an order leaves running is not heard any more: the next one may have begun.
       const report: Report = (message, transfer = []) => signal.aborted || worker.postMessage(message, transfer);
       work = runOrder(data, limits, signal, report).finally(() => mine.abort());
     } else {
-      order.abort();
-      await work;
+      order?.abort();
+      await work; // If it waits for its limits, the page ends this worker.
       worker.postMessage({ type: 'stopped' }, []);
     }
   };

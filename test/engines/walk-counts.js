@@ -2,12 +2,14 @@
 (() => {
   const contexts = new Set();
   const workers = new Set();
+  /** Those that have an order. */
+  const busy = new Set();
   const urls = new Set();
   const listeners = new Map();
   const counts = {
-    /** The next workers hear nothing: a load that stalls. */
+    /** The workers of the next loads hear nothing: loads that stall. */
     deaf: 0,
-    workers,
+    busy,
     read: () => ({
       contexts: [...contexts].filter((context) => context.deref()?.isContextLost() === false).length,
       workers: workers.size,
@@ -29,16 +31,24 @@
 
   const OwnWorker = window.Worker;
   window.Worker = class extends OwnWorker {
-    #deaf = counts.deaf > 0 && counts.deaf-- > 0;
+    #deaf = false;
     constructor(...args) {
       super(...args);
       workers.add(this);
+      this.addEventListener('message', ({ data }) => {
+        if (['done', 'failed', 'needs-main-thread', 'stopped'].includes(data.type)) busy.delete(this);
+      });
     }
     postMessage(...args) {
+      if (args[0].request) {
+        busy.add(this);
+        this.#deaf ||= counts.deaf > 0 && counts.deaf-- > 0;
+      }
       if (!this.#deaf) super.postMessage(...args);
     }
     terminate() {
       workers.delete(this);
+      busy.delete(this);
       super.terminate();
     }
   };

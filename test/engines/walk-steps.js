@@ -55,7 +55,7 @@ export const steps = {
     counts.deaf = 1;
     element.src = `${good}?stalled=${count}`;
   },
-  'a worker is killed': ({ counts, pick }) => pick([...counts.workers])?.terminate(),
+  'a worker is killed': ({ counts, pick }) => pick([...counts.busy])?.terminate(),
   'a valid attribute': (walk) => setOne(valid, walk),
   'an attribute that is wrong': (walk) => setOne(invalid, walk),
   'an attribute is gone': ({ element, pick }) => element.removeAttribute(pick(Object.keys(plain))),

@@ -6,7 +6,7 @@ import { FakeTimers } from '../../helpers/fake-timers.ts';
 /** A worker that keeps what it hears, and says what the test wants. */
 class MuteWorker {
   onmessage: ((event: { data: WorkerReport }) => void) | null = null;
-  onerror: ((event: { preventDefault: () => void }) => void) | null = null;
+  onerror: ((event: ErrorEvent) => void) | null = null;
   readonly heard: unknown[] = [];
   ended = 0;
 
@@ -66,13 +66,22 @@ describe('a worker that no load has', () => {
       expect(takeSpare('a')).to.equal(workers[19]);
     }));
 
-  it('ends where it fails by itself, without a word on the console', () =>
+  it('ends where it fails by itself', () =>
     new FakeTimers().run((timers) => {
       const worker = make();
-      let isQuiet = false;
       keepSpare(worker, 'a', true);
-      worker.onerror!({ preventDefault: () => (isQuiet = true) } as unknown as ErrorEvent);
-      expect([worker.ended, timers.count, isQuiet]).to.deep.equal([1, 0, true]);
+      worker.onerror!({} as unknown as ErrorEvent);
+      expect([worker.ended, timers.count]).to.deep.equal([1, 0]);
+      expect(takeSpare('a')).to.equal(undefined);
+    }));
+
+  it('is not one that failed: that is ended, and the other one stays', () =>
+    new FakeTimers().run(() => {
+      const [worker, failed] = [make(), make()];
+      keepSpare(worker, 'a', true);
+      keepSpare(failed, 'a');
+      expect([worker.ended, failed.ended]).to.deep.equal([0, 1]);
+      expect(takeSpare('a')).to.equal(worker);
     }));
 });
 

@@ -123,18 +123,6 @@ describe('the worker', () => {
       expect(signals.map(({ aborted }) => aborted)).to.deep.equal([true]);
     }));
 
-  it('stops an order that waits for its limits', () =>
-    withFixtures(async () => {
-      say(orderOf(nifti));
-      await settle();
-      say({ stop: true });
-      await waitFor('stopped');
-      reports = [];
-      say(orderOf(nifti), limits);
-      await waitFor('done');
-      expect(reports.filter(({ type }) => type === 'failed')).to.have.length(0);
-    }));
-
   it('answers a stop that comes after the end', () =>
     withFixtures(async () => {
       say(orderOf(nifti), limits);
