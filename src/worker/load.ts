@@ -2,7 +2,8 @@ import { VolumeViewError } from '../core/errors.ts';
 import { loadPart } from '../core/load-part.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { CoarseListener, LoadProgressListener, LoadRequest, ScansListener } from '../formats/base/load-request.ts';
-import { keepSpare, takeSpare } from './spare-worker.ts';
+import { keepWorker } from './spare-worker.ts';
+import type { LiveWorker } from './spare-worker.ts';
 import { listWorkerStarts } from './worker-client.ts';
 import { watchLoad } from './watch-load.ts';
 import type { WorkerLimits, WorkerOrder, WorkerReport } from './worker-messages.ts';
@@ -23,6 +24,9 @@ export interface LoadOptions {
   /** Receives a small stand-in for a large volume, before the volume itself is ready. */
   readonly onCoarse?: CoarseListener;
 }
+
+/** A worker that read more bytes is not kept: engines return its memory late, unless it ends. */
+const maxKeptBytes = 2 ** 22;
 
 /** Resolves a worker's task that has to run on the main thread. */
 const notHere = Symbol('not in a worker');
@@ -54,12 +58,9 @@ export async function workOff<T>(
   const { url } = task.order.request;
   const { end, ...watched } = watchLoad(url, options.signal, options.onProgress);
   try {
-    for (const { source, start } of listWorkerStarts(url)) {
-      const spare = takeSpare(source);
-      const worker = spare ?? (await start().catch(() => null)); // SecurityError: an opaque origin, or a policy that forbids workers.
-      const result = worker
-        ? await loadInWorker({ worker, source, isReady: !!spare }, task, { ...options, ...watched })
-        : notHere;
+    for (const start of listWorkerStarts(url)) {
+      const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy that forbids workers.
+      const result = worker ? await loadInWorker(worker, task, { ...options, ...watched }) : notHere;
       if (result !== notHere) return result as T;
     }
     return await here({ ...options, ...watched });
@@ -84,28 +85,20 @@ interface WorkerTask {
   readonly limits?: LoadRequest['limits'];
 }
 
-/** A worker that a load has. */
-interface BusyWorker {
-  readonly worker: Worker;
-  /** What it was started from. */
-  readonly source: unknown;
-  /** Whether its script has run. */
-  isReady: boolean;
-}
-
 function loadInWorker(
-  busy: BusyWorker,
+  worker: LiveWorker,
   { order, limits }: WorkerTask,
   { signal, onProgress, onScans, onCoarse }: LoadOptions,
 ): Promise<unknown> {
-  const { worker, source } = busy;
   return new Promise((resolve, reject) => {
+    let size = 0;
     let isOver = false;
-    /** @param isFree - as keepSpare says */
-    const end = (settle: () => void, isFree?: boolean): void => {
+    /** @param isReady - as keepWorker says; undefined for a worker that the next load must not have */
+    const end = (settle: () => void, isReady?: boolean): void => {
+      if (isOver) return;
       isOver = true;
-      signal.removeEventListener('abort', stop);
-      keepSpare(worker, source, isFree);
+      if (isReady === undefined || size > maxKeptBytes) worker.terminate();
+      else keepWorker(worker, isReady);
       settle();
     };
     const stop = (): void => end(() => reject(signal.reason as Error), false);
@@ -114,47 +107,44 @@ function loadInWorker(
     worker.onmessage = ({ data }: MessageEvent<WorkerReport>) => {
       switch (data.type) {
         case 'ready':
-          busy.isReady = true;
+          worker.isReady = true;
           return;
         case 'progress':
-          onProgress(data.progress);
-          return;
+          size = Math.max(size, data.progress.loaded);
+          return onProgress(data.progress);
         case 'scans':
-          onScans?.(data.times);
-          return;
+          return onScans?.(data.times);
         case 'coarse':
-          onCoarse?.(data.coarse);
-          return;
+          return onCoarse?.(data.coarse);
         case 'done':
           return end(() => resolve(data.volume), true);
         case 'failed':
-          return end(
-            () => reject(new VolumeViewError(data.code, data.message, data.cause ? { cause: data.cause } : {})),
-            true,
-          );
+          return end(() => reject(new VolumeViewError(data.code, data.message, data)), true);
         case 'needs-main-thread':
           return end(() => resolve(notHere));
       }
     };
-    worker.onerror = (event) => {
+    worker.onmessageerror = worker.onerror = (event: Event & { readonly message?: string }) => {
       event.preventDefault();
       // An error before the first message means that the script could not be loaded; after it, only lack of memory ends
-      // a worker like this.
-      end(() => (busy.isReady ? reject(outOfMemory(event.message)) : resolve(notHere)));
+      // a worker like this, or keeps a message from being read.
+      const cause = event.message;
+      end(() =>
+        worker.isReady
+          ? reject(
+              new VolumeViewError('format/too-large', 'the decoder ran out of memory; use a smaller file', { cause }),
+            )
+          : resolve(notHere),
+      );
     };
     // Sent at once: the page may be busy when the worker is ready.
     worker.postMessage(order);
     if (limits)
       Promise.resolve(limits).then(
         (known) => isOver || worker.postMessage({ limits: known } satisfies WorkerLimits),
-        (error) => isOver || end(() => reject(error), false),
+        (error) => end(() => reject(error), false),
       );
-    worker.onmessageerror = () => end(() => reject(outOfMemory('a message could not be read')));
   });
-}
-
-function outOfMemory(cause: string): VolumeViewError {
-  return new VolumeViewError('format/too-large', 'the decoder ran out of memory; use a smaller file', { cause });
 }
 
 async function loadHere(request: LoadRequest, { signal, ...listeners }: LoadOptions): Promise<Volume> {

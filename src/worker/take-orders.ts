@@ -6,7 +6,7 @@ import { decodeRequest } from './decode-request.ts';
 import { loadReader } from '../formats/base/load-reader.ts';
 import type { DeviceLimits, LoadProgress } from '../formats/base/load-request.ts';
 import { NeedsMainThread } from '../formats/base/needs-main-thread.ts';
-import type { WorkerLimits, WorkerOrder, WorkerReport, WorkerStop } from './worker-messages.ts';
+import type { WorkerAnswer, WorkerLimits, WorkerOrder, WorkerReport, WorkerStop } from './worker-messages.ts';
 
 /** Minimum milliseconds between two progress messages. */
 const reportEveryMs = 40;
@@ -14,7 +14,7 @@ const reportEveryMs = 40;
 /** The part of a worker's global scope that is used here. The compiler is set up for pages and does not know it. */
 export interface WorkerScope {
   onmessage: ((event: MessageEvent<WorkerOrder | WorkerLimits | WorkerStop>) => void) | null;
-  postMessage(message: WorkerReport, transfer: Transferable[]): void;
+  postMessage(message: WorkerAnswer, transfer?: Transferable[]): void;
 }
 
 /** Sends a report of an order. */
@@ -22,25 +22,25 @@ type Report = (message: WorkerReport, transfer?: Transferable[]) => void;
 
 /** Takes the orders that come to a worker. */
 export function takeOrders(worker: WorkerScope): void {
-  let order: AbortController | undefined;
-  let work: Promise<void> | undefined;
+  let order = new AbortController();
+  let work = Promise.resolve();
   let resolveLimits: (limits: DeviceLimits) => void;
-  worker.onmessage = async ({ data }) => {
+  worker.onmessage = ({ data }) => {
     if ('limits' in data) resolveLimits(data.limits);
     else if ('request' in data) {
       const mine = (order = new AbortController());
       const { signal } = mine;
       const limits = new Promise<DeviceLimits>((resolve) => (resolveLimits = resolve));
       // What an order leaves running is not heard any more: the next one may have begun.
-      const report: Report = (message, transfer = []) => signal.aborted || worker.postMessage(message, transfer);
+      const report: Report = (message, transfer) => signal.aborted || worker.postMessage(message, transfer);
       work = runOrder(data, limits, signal, report).finally(() => mine.abort());
     } else {
-      order?.abort();
-      await work; // If it waits for its limits, the page ends this worker.
-      worker.postMessage({ type: 'stopped' }, []);
+      order.abort();
+      // If it waits for its limits, the page ends this worker.
+      void work.then(() => worker.postMessage({ type: 'stopped' }));
     }
   };
-  worker.postMessage({ type: 'ready' }, []);
+  worker.postMessage({ type: 'ready' });
 }
 
 async function runOrder(
@@ -61,7 +61,7 @@ async function runOrder(
       {
         ...environment,
         onScans: (times) => report({ type: 'scans', times }),
-        onCoarse: (coarse) => report({ type: 'coarse', coarse }, coarse ? listBuffers(coarse.volume) : []),
+        onCoarse: (coarse) => report({ type: 'coarse', coarse }, coarse ? listBuffers(coarse.volume) : undefined),
       },
     );
     report({ type: 'done', volume }, [...listBuffers(volume), volume.histogram.counts.buffer as ArrayBuffer]);
@@ -77,7 +77,7 @@ function listBuffers({ samples, macrocells }: Volume): ArrayBuffer[] {
 
 function describeFailure(error: unknown, url: string): WorkerReport {
   const { code, message, cause } = asVolumeViewError(error, `the file ${url.slice(0, 200)}`);
-  return { type: 'failed', code, message, cause: cause instanceof Error ? String(cause) : '' };
+  return { type: 'failed', code, message, cause: cause instanceof Error ? String(cause) : undefined };
 }
 
 /**

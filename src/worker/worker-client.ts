@@ -1,37 +1,27 @@
 import { trust } from '../core/trust.ts';
 import { createWorker } from '#create-worker';
 import { isTextSurer, listWorkerTexts } from '#worker-texts';
-
-/** A way to start the decode worker. */
-export interface WorkerStart {
-  /** What is started, the same value each time. */
-  readonly source: unknown;
-  start(): Promise<Worker>;
-}
+import { takeWorker } from './spare-worker.ts';
+import type { LiveWorker } from './spare-worker.ts';
 
 /**
- * Ways to start the decode worker, the best first. Each returns a worker that may still fail before its first message,
+ * Ways to have a decode worker, the best first: the free one, or a new one. Each returns a worker that may still fail before its first message,
  * because a Content-Security-Policy, an opaque origin or a missing file show only then. In a browser without workers
  * all of them fail.
  * @param dataUrl - URL of the file that the worker will read
  */
-export function listWorkerStarts(dataUrl: string): readonly WorkerStart[] {
+export function listWorkerStarts(dataUrl: string): readonly (() => Promise<LiveWorker>)[] {
   const [url, options] = findWorker();
   const href = url?.href;
   const isOwn = url?.origin === origin;
-  const starts: WorkerStart[] = isOwn
-    ? [{ source: href, start: async () => new Worker(trust(href!, 'createScriptURL'), options) }]
-    : [];
+  const starts = isOwn ? [() => takeWorker(href, () => new Worker(trust(href!, 'createScriptURL'), options))] : [];
   // Two builds carry the worker's text: the classic script, which may be a page's only file, or have no file that a
   // worker may load; and the modules for bundlers, some of which leave the worker's file out.
-  const texts = listWorkerTexts(dataUrl).map((load) => ({
-    source: load,
-    start: async () => startFromText(await load()),
-  }));
+  const texts = listWorkerTexts(dataUrl).map((load) => () => takeWorker(load, async () => startFromText(await load())));
   if (texts.length > 0) starts[isTextSurer(href) ? 'unshift' : 'push'](...texts);
   // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
   else if (url && !isOwn)
-    starts.push({ source: href, start: async () => startFromText(`import ${JSON.stringify(href)};`, options) });
+    starts.push(() => takeWorker(href, () => startFromText(`import ${JSON.stringify(href)};`, options)));
   return starts;
 }
 

@@ -23,7 +23,7 @@ export interface WorkerStop {
 
 /**
  * Messages from the worker: 'ready' once, then for each order progress, scans and a coarse volume, and one of the others
- * last. To a stop it answers 'stopped' when it has no order any longer.
+ * last.
  */
 export type WorkerReport =
   | { readonly type: 'ready' }
@@ -31,6 +31,8 @@ export type WorkerReport =
   | { readonly type: 'scans'; readonly times: ScanTimes }
   | { readonly type: 'coarse'; readonly coarse: CoarseVolume | null }
   | { readonly type: 'done'; readonly volume: Volume | Surface }
-  | { readonly type: 'failed'; readonly code: ErrorCode; readonly message: string; readonly cause: string }
-  | { readonly type: 'needs-main-thread' }
-  | { readonly type: 'stopped' };
+  | { readonly type: 'failed'; readonly code: ErrorCode; readonly message: string; readonly cause?: string }
+  | { readonly type: 'needs-main-thread' };
+
+/** To a stop the worker answers 'stopped', when it has no order any longer. */
+export type WorkerAnswer = WorkerReport | { readonly type: 'stopped' };

@@ -134,6 +134,17 @@ describe('one load after another', () => {
     }));
 });
 
+describe('a worker that read a large file', () => {
+  it('is not kept: its memory would come back late', () =>
+    withWorkers(unchanged, async (count) => {
+      const file = new Blob([await fetchFixture('nifti/v1-le-i2.nii'), new Uint8Array(5 * 2 ** 20)]);
+      const url = URL.createObjectURL(file);
+      expect((await load({ url })).samples.length).to.equal(60);
+      URL.revokeObjectURL(url);
+      expect(count).to.deep.equal({ started: 1, terminated: 1 });
+    }));
+});
+
 describe('loadVolume that is stopped', () => {
   it('is rejected at once with the reason, and its worker takes the next one', () =>
     withWorkers(unchanged, async (count) => {
@@ -166,7 +177,7 @@ describe('loadVolume that is stopped', () => {
   it('leaves its limits to nobody, where they become known later', () =>
     withWorkers(unchanged, async (count) => {
       const controller = new AbortController();
-      let resolveLimits = (_: LoadRequest['limits']): void => {};
+      let resolveLimits: (limits: LoadRequest['limits']) => void = () => undefined;
       const limits = new Promise<never>((resolve) => (resolveLimits = resolve as never));
       const loading = load({ url: fixture('nifti/v1-le-i2.nii'), limits }, () => controller.abort(), controller.signal);
       expect(await loading.catch((reason: unknown) => reason)).to.have.property('name', 'AbortError');
@@ -181,9 +192,9 @@ describe('loadVolume that is stopped', () => {
     let isFirst = true;
     const hanging = (native: typeof Worker): unknown =>
       class extends native {
-        constructor(...args: ConstructorParameters<typeof Worker>) {
+        constructor(url: string | URL, options?: WorkerOptions) {
           const text = new Blob(['postMessage({ type: "ready" }); onmessage = () => { for (;;); };']);
-          super(...(isFirst ? [URL.createObjectURL(text)] : args));
+          super(isFirst ? URL.createObjectURL(text) : url, isFirst ? {} : options);
           isFirst = false;
         }
       };

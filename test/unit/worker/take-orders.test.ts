@@ -6,13 +6,13 @@ import type { LoadRequest } from '../../../src/formats/base/load-request.ts';
 import type { Volume } from '../../../src/volume/volume.ts';
 import { takeOrders } from '../../../src/worker/take-orders.ts';
 import type { WorkerScope } from '../../../src/worker/take-orders.ts';
-import type { WorkerLimits, WorkerOrder, WorkerReport, WorkerStop } from '../../../src/worker/worker-messages.ts';
+import type { WorkerAnswer, WorkerLimits, WorkerOrder, WorkerStop } from '../../../src/worker/worker-messages.ts';
 import { fetchFixture, roomyLimits } from '../../helpers/decode.ts';
 import { pageOrigin } from '../../helpers/fake-fetch.ts';
 
 type Message = WorkerOrder | WorkerLimits | WorkerStop;
 
-let reports: WorkerReport[] = [];
+let reports: WorkerAnswer[] = [];
 let heard = (): void => undefined;
 const scope: WorkerScope = {
   onmessage: null,
@@ -33,11 +33,11 @@ const orderOf = (path: string, more: Partial<LoadRequest> = {}): WorkerOrder => 
 const limits: WorkerLimits = { limits: roomyLimits };
 
 /** Waits for a report of this type. */
-function waitFor<T extends WorkerReport['type']>(type: T): Promise<Extract<WorkerReport, { type: T }>> {
+function waitFor<T extends WorkerAnswer['type']>(type: T): Promise<Extract<WorkerAnswer, { type: T }>> {
   return new Promise((resolve) => {
     heard = () => {
       const found = reports.find((report) => report.type === type);
-      if (found) resolve(found as Extract<WorkerReport, { type: T }>);
+      if (found) resolve(found as Extract<WorkerAnswer, { type: T }>);
     };
     heard();
   });
@@ -100,7 +100,9 @@ describe('the worker', () => {
     withFixtures(async () => {
       for (const path of ['missing.nii', 'mosaic/gray-3x2.png']) {
         say(orderOf(path), limits);
-        expect(await waitFor('failed')).to.have.property('message').that.is.not.empty;
+        expect(await waitFor('failed'))
+          .to.have.property('message')
+          .that.has.length.above(20);
         reports = [];
       }
       say(orderOf(nifti), limits);
