@@ -7,6 +7,8 @@ import { allFormats } from '../formats/registry.ts';
 import { lookAt, findByBytes } from '../formats/sniff.ts';
 import { pathOf } from './byte-store.ts';
 import type { ByteStore } from './byte-store.ts';
+import { divideFiles } from './divide-files.ts';
+import type { FileKind, SniffedFile } from './divide-files.ts';
 
 /** Bytes of each file by which its format is recognized. */
 const startBytes = 2 ** 16;
@@ -41,37 +43,38 @@ export async function findVolume(
   if (urls.length === 0) throw new VolumeViewError('format/unknown', `${what} holds no files; expected one volume`);
   const [first] = urls;
   if (urls.length === 1) return { first, ...(isStack && { files: urls }) };
-  const volumes: string[] = [];
-  const packed: string[] = [];
-  const images: string[] = [];
-  const manifests: string[] = [];
+  const files: SniffedFile[] = [];
   let other: { readonly url: string; readonly name: string; readonly advice: string } | null = null;
   for (const url of urls) {
     signal?.throwIfAborted();
     const { bytes } = await store.read(url, { range: { start: 0, end: startBytes }, signal });
     const start = await lookAt(bytes);
-    const format: Format | null = findByBytes(start, allFormats);
-    const foreign = format ? null : findForeign(start);
+    const kind = await sniffKind(store, url, start);
+    files.push({ url, kind });
+    const foreign = kind === 'other' ? findForeign(start) : null;
     if (foreign) other ??= { url, ...foreign };
-    if (format === manifest) {
-      if (await isManifest(store, url)) manifests.push(url);
-    } else if (format && 'loadImage' in format) images.push(url);
-    else if (format) ((await isCertain(format, start)) ? volumes : packed).push(url);
   }
-  const found = [manifests, volumes, packed, images].find((list) => list.length > 0) ?? [];
-  if (found.length === 1) return { first: found[0] };
-  if (found === images && isStack) return findStack(images, what);
-  if (found.length > 1) throw refuseSeveral(what, found, found === images);
-  if (other) {
-    throw new VolumeViewError(
-      'format/unsupported',
-      `${what} holds ${urls.length} files and no volume: ${pathOf(other.url)} is ${other.name}, which volume-view does not read; convert it ${other.advice}`,
-    );
+  const division = divideFiles(files, isStack);
+  switch (division.is) {
+    case 'volume':
+      return { first: division.first };
+    case 'stack':
+      checkFileCount(what, division.files.length);
+      return { first: division.files[0], files: division.files };
+    case 'several':
+      throw refuseSeveral(what, division.urls, division.of);
+    case 'nothing':
+      throw refuseAll(what, urls, other);
   }
-  throw new VolumeViewError(
-    'format/unknown',
-    `${what} holds ${urls.length} files, ${listPaths(urls)}, and none of a known type; expected one volume`,
-  );
+}
+
+/** @param start - of the file */
+async function sniffKind(store: ByteStore, url: string, start: FileStart): Promise<FileKind> {
+  const format: Format | null = findByBytes(start, allFormats);
+  if (!format) return 'other';
+  if (format === manifest) return (await isManifest(store, url)) ? 'manifest' : 'other';
+  if ('loadImage' in format) return 'image';
+  return (await isCertain(format, start)) ? 'volume' : 'packed';
 }
 
 /** What systems add to archives and folders by themselves. */
@@ -101,22 +104,32 @@ async function isManifest(store: ByteStore, url: string): Promise<boolean> {
   }
 }
 
-/** Slices in the order of their names, in which numbers count as numbers. */
-function findStack(images: readonly string[], what: string): FoundVolume {
-  checkFileCount(what, images.length);
-  const { compare } = new Intl.Collator('en', { numeric: true });
-  const files = [...images];
-  files.sort((a, b) => compare(pathOf(a), pathOf(b)));
-  return { first: files[0], files };
-}
-
-function refuseSeveral(what: string, found: readonly string[], isImages: boolean): VolumeViewError {
-  const advice = isImages
-    ? 'Write the attribute stack if each of them is one slice'
-    : 'Choose one of them; src takes several URLs for scans in time';
+function refuseSeveral(what: string, urls: readonly string[], of: 'volumes' | 'images'): VolumeViewError {
+  const advice =
+    of === 'images'
+      ? 'Write the attribute stack if each of them is one slice'
+      : 'Choose one of them; src takes several URLs for scans in time';
   return new VolumeViewError(
     'format/unsupported',
-    `${what} holds ${found.length} ${isImages ? 'images' : 'volumes'}, ${listPaths(found)}; expected one volume. ${advice}`,
+    `${what} holds ${urls.length} ${of}, ${listPaths(urls)}; expected one volume. ${advice}`,
+  );
+}
+
+/** @param other - a file of a known format that is not read */
+function refuseAll(
+  what: string,
+  urls: readonly string[],
+  other: { readonly url: string; readonly name: string; readonly advice: string } | null,
+): VolumeViewError {
+  if (other) {
+    return new VolumeViewError(
+      'format/unsupported',
+      `${what} holds ${urls.length} files and no volume: ${pathOf(other.url)} is ${other.name}, which volume-view does not read; convert it ${other.advice}`,
+    );
+  }
+  return new VolumeViewError(
+    'format/unknown',
+    `${what} holds ${urls.length} files, ${listPaths(urls)}, and none of a known type; expected one volume`,
   );
 }
 
