@@ -13,7 +13,7 @@ export interface StudyScene {
   readonly url: string;
   /** The smooth transfer function. */
   readonly preset: 'mri' | 'ct-bone';
-  readonly mosaic?: Pick<LoadRequest, 'mosaic' | 'slices' | 'spacing'>;
+  readonly mosaic?: LoadRequest['settings'];
 }
 
 export const studyScenes: readonly StudyScene[] = [
@@ -67,5 +67,5 @@ export async function loadScene(scene: StudyScene, signal: AbortSignal): Promise
   const there = await fetch(scene.url, { method: 'HEAD', signal });
   if (!there.ok) return null;
   const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 1 << 30 };
-  return loadVolume({ url: scene.url, ...scene.mosaic, limits }, { signal, onProgress: () => {} });
+  return loadVolume({ url: scene.url, settings: scene.mosaic, limits }, { signal, onProgress: () => {} });
 }

@@ -49,6 +49,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   let named: RequestCredentials | undefined;
   let opened: OpenedFiles | undefined;
   let { files } = request;
+  const settings = { ...request.settings, scan: request.scan };
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
     signal?.throwIfAborted(); // Long work on the main thread passes here often.
     onProgress({ loaded, total, phase });
@@ -83,7 +84,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   };
   try {
     // Only the decoder holds the file, so that its memory can be freed during the next steps.
-    const decoded = await decodeFile(await start(), request, {
+    const decoded = await decodeFile(await start(), settings, {
       fetchFile,
       fetchFiles,
       files,
@@ -94,7 +95,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     });
     await breathe?.();
     signal?.throwIfAborted();
-    return await finishVolume(decoded, await request.limits, onCoarse, request.clean);
+    return await finishVolume(decoded, await request.limits, onCoarse, settings.clean);
   } catch (cause) {
     throw await explain(cause, url);
   }

@@ -81,7 +81,7 @@ const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 31 }
 
 export function loadScan(url: string): Promise<Volume> {
   return loadVolume(
-    { url, verticalExaggeration: 5, limits },
+    { url, settings: { verticalExaggeration: 5 }, limits },
     { signal: new AbortController().signal, onProgress: () => {} },
   );
 }

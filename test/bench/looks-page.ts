@@ -62,7 +62,7 @@ const subjects: readonly Subject[] = [
   {
     id: 'aorta',
     url: `${data}aorta_mosaic/aorta4096.png`,
-    more: { mosaic: { columns: 10, rows: 10 }, slices: 96, spacing: [0.8, 0.8, -3] },
+    more: { settings: { mosaic: { columns: 10, rows: 10 }, slices: 96, spacing: [0.8, 0.8, -3] } },
     look: '80 #4a080e 0, 110 #b03020 4%, 150 #f0b090 9%, 255 #fff4e0 20%',
     surface: { value: 120, color: [0.85, 0.4, 0.3] },
     side: [20, 80],

@@ -85,7 +85,7 @@ export async function compareResamplings(
   repeats: number,
 ): Promise<Resampling[]> {
   const volume = await loadVolume(
-    { url, verticalExaggeration: 5, limits },
+    { url, settings: { verticalExaggeration: 5 }, limits },
     { signal: new AbortController().signal, onProgress: () => {} },
   );
   const transferFunction = await resolveTransferFunction('radar-dbz', [0, 1]);

@@ -170,7 +170,7 @@ async function compareScene(
 ): Promise<ShapesRow[]> {
   const { size, steps, maxCurvature, turns } = options;
   const volume = await loadVolume(
-    { url, verticalExaggeration: 5, limits },
+    { url, settings: { verticalExaggeration: 5 }, limits },
     { signal: new AbortController().signal, onProgress: () => {} },
   );
   const transferFunction = await resolveTransferFunction(preset, volume.range);

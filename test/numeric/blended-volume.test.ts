@@ -91,7 +91,7 @@ describe('a second volume in BlendedVolumeStyle', () => {
   });
 
   it("and images of segments are not asked for a spacing, as their place is the volume's", () => {
-    expect(readVoxelTexture(viewOf(voxels).firstElementChild!).spacing).to.deep.equal([1, 1, 1]);
+    expect(readVoxelTexture(viewOf(voxels).firstElementChild!).settings?.spacing).to.deep.equal([1, 1, 1]);
   });
 
   it("leaves a page's own layer in its place", async () => {

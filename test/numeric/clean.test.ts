@@ -145,7 +145,7 @@ describe('a volume that is cleaned', () => {
     });
     const url = URL.createObjectURL(new Blob([niftiBytes(volume)]));
     const loaded = await loadVolume(
-      { url, clean: 0.5, limits: roomyLimits },
+      { url, settings: { clean: 0.5 }, limits: roomyLimits },
       { signal: new AbortController().signal, onProgress: () => undefined },
     );
     expect(loaded.left).to.equal(undefined); // 64 of 384 voxels: a part as large as a sixth stays.
@@ -162,7 +162,7 @@ describe('a volume that is cleaned', () => {
             ),
           ]),
         ),
-        clean: 0.5,
+        settings: { clean: 0.5 },
         limits: roomyLimits,
       },
       { signal: new AbortController().signal, onProgress: () => undefined },

@@ -74,15 +74,15 @@ describe('loadVolume', () => {
     const bytes = await fetchFixture('mosaic/gray-3x2.png');
     const mosaic = { columns: 3, rows: 2 };
     const blob = URL.createObjectURL(new Blob([bytes]));
-    expect((await load({ url: blob, mosaic })).grid.dimensions).to.deep.equal([4, 4, 6]);
+    expect((await load({ url: blob, settings: { mosaic } })).grid.dimensions).to.deep.equal([4, 4, 6]);
     URL.revokeObjectURL(blob);
     const data = `data:image/png;base64,${btoa(String.fromCharCode(...bytes))}`;
-    expect((await load({ url: data, mosaic })).grid.dimensions).to.deep.equal([4, 4, 6]);
+    expect((await load({ url: data, settings: { mosaic } })).grid.dimensions).to.deep.equal([4, 4, 6]);
   });
 
   for (const name of ['flat-3x2.jpg', 'flat-3x2.webp']) {
     it(`decodes ${name} in the worker`, async () => {
-      const volume = await load({ url: fixture(`mosaic/${name}`), mosaic: { columns: 3, rows: 2 } });
+      const volume = await load({ url: fixture(`mosaic/${name}`), settings: { mosaic: { columns: 3, rows: 2 } } });
       expect(volume.grid.dimensions).to.deep.equal([32, 32, 6]);
     });
   }
@@ -107,7 +107,7 @@ describe('one load after another', () => {
       expect((await expectError(load({ url: fixture('missing.nii') }))).code).to.equal('source/not-found');
       const text = URL.createObjectURL(new Blob(['just text'], { type: 'text/plain' }));
       expect((await expectError(load({ url: text }))).code).to.equal('format/unknown');
-      const second = await load({ url: fixture('mosaic/gray-3x2.png'), mosaic: { columns: 3, rows: 2 } });
+      const second = await load({ url: fixture('mosaic/gray-3x2.png'), settings: { mosaic: { columns: 3, rows: 2 } } });
       expect([first.grid.dimensions, second.grid.dimensions]).to.deep.equal([
         [3, 4, 5],
         [4, 4, 6],
@@ -255,7 +255,7 @@ describe('loadVolume without workers', () => {
         for (const path of ['nifti/v1-le-gz.nii.gz', 'mosaic/flat-3x2.jpg', 'mosaic/gray-3x2.json']) {
           const volume = await load({
             url: fixture(path),
-            mosaic: path.endsWith('jpg') ? { columns: 3, rows: 2 } : undefined,
+            settings: path.endsWith('jpg') ? { mosaic: { columns: 3, rows: 2 } } : undefined,
           });
           expect(volume.range[1]).to.be.greaterThan(0);
         }
@@ -359,7 +359,7 @@ describe('loadVolume of what is not there', () => {
 describe('the time that real files take', () => {
   for (const [path, request] of [
     ['medical/mni152_nilearn/mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz', {}],
-    ['medical/aorta_mosaic/aorta4096.png', { mosaic: { columns: 10, rows: 10 }, slices: 96 }],
+    ['medical/aorta_mosaic/aorta4096.png', { settings: { mosaic: { columns: 10, rows: 10 }, slices: 96 } }],
   ] as const) {
     it(path, async function () {
       await fetchSharedData(this, path);

@@ -1,11 +1,12 @@
 import type { CartesianGrid } from '../../volume/grid.ts';
 import type { Macrocells } from '../../volume/macrocells.ts';
-import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import type { Matrix4 } from '../../volume/matrix.ts';
 import type { PolarGrid } from '../../volume/polar-grid.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ChannelUse } from './channels.ts';
 import type { ScanTarget } from './choose-scan.ts';
-import type { MosaicValues, RadarSettings } from './radar-settings.ts';
+import type { MosaicValues } from './radar-settings.ts';
+import type { SourceSettings } from './source-settings.ts';
 
 /** What a format's reader returns: a volume, except for what is computed from its samples. */
 export type DecodedVolume = DecodedCartesianVolume | DecodedPolarVolume;
@@ -27,17 +28,13 @@ export type DecodedCartesianVolume = Decoded & {
 export type DecodedPolarVolume = Decoded & { readonly grid: PolarGrid; readonly makeMacrocells: () => Macrocells };
 
 /** What attributes or a manifest say about a file's data. */
-export interface DecodeSettings extends RadarSettings {
-  readonly mosaic?: { readonly columns: number; readonly rows: number };
-  readonly slices?: number;
+export interface DecodeSettings extends SourceSettings {
   /** Which scan of a manifest to load; the first if undefined. */
   readonly scan?: ScanTarget;
   /** How an image's channels make one number; gray if undefined. */
   readonly channels?: ChannelUse;
   /** What the pixels of a radar's mosaic stand for, from a manifest. */
   readonly values?: MosaicValues;
-  /** World units per voxel of the file; of a mosaic, per pixel of its image along i and j. */
-  readonly spacing?: Vector3;
   /** Row-major; overrides spacing and the file's own. */
   readonly indexToWorld?: Matrix4;
 }

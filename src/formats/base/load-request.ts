@@ -1,9 +1,7 @@
-import type { Cleaning } from './clean-volume.ts';
-import type { Vector3 } from '../../volume/matrix.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ScanTimes, ScanTarget } from './choose-scan.ts';
-import type { RadarSettings } from './radar-settings.ts';
+import type { SourceSettings } from './source-settings.ts';
 
 export type { DeviceLimits };
 
@@ -15,8 +13,8 @@ export interface LocalFiles {
   readonly files: readonly unknown[];
 }
 
-/** What to load: a `src`, and what the element's other attributes say about it. They override the file and a manifest. */
-export interface LoadRequest extends RadarSettings {
+/** What to load: a `src`, and what the element's other attributes say about it. */
+export interface LoadRequest {
   /** http(s), data: or blob:; a relative URL is resolved against the page's base URL. */
   readonly url: string;
   /**
@@ -26,13 +24,8 @@ export interface LoadRequest extends RadarSettings {
   readonly files?: readonly string[];
   /** Files of the reader's disk, of one volume; then `url` is their base. */
   readonly local?: LocalFiles;
-  readonly mosaic?: { readonly columns: number; readonly rows: number };
-  /** Number of tiles of a mosaic that are in use; all if undefined. */
-  readonly slices?: number;
-  /** World units per voxel of the file, per pixel (i, j) and slice (k) of a mosaic. */
-  readonly spacing?: Vector3;
-  /** Hide parts that touch nothing, see clean-volume.ts; all is shown where undefined. */
-  readonly clean?: Cleaning;
+  /** How to read it. */
+  readonly settings?: SourceSettings;
   /** Of a manifest with scans: which one; the first where undefined. */
   readonly scan?: ScanTarget;
   /**

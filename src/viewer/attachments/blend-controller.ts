@@ -88,10 +88,10 @@ export class BlendController extends AttachmentController<BlendTarget, Attachmen
     const { volume: over } = target;
     if (!over) return; // The target reports the volume when it is there.
     const volume =
-      voxels.mosaic && !isPolar(over) && !isPolar(loaded)
+      voxels.settings?.mosaic && !isPolar(over) && !isPolar(loaded)
         ? stretchOver(loaded, over)
         : placeOverlay(loaded, over, voxels.url);
-    const window = voxels.mosaic ? ([0, white] as const) : (volume.window ?? volume.range);
+    const window = voxels.settings?.mosaic ? ([0, white] as const) : (volume.window ?? volume.range);
     const transferFunction = await resolveTransferFunction(colors, window);
     signal.throwIfAborted();
     await target.show(

@@ -133,10 +133,9 @@ class ColorMoment {
         ? { url: urls[index] }
         : { url: urls[0], ...(several ? { scan: { index } } : {}) };
     const request = {
-      ...(settings.source && readSource(settings.source)),
       ...which,
       local: settings.local,
-      moment,
+      settings: { ...(settings.source && readSource(settings.source)), moment },
       limits: deviceLimits(probeDevice()),
     };
     return loadAttachment(request, signal); // Nobody reports when the view is gone, so the volume is not kept.

@@ -108,7 +108,7 @@ export class SegmentController {
 }
 
 /** Identifies a texture, and how it is read. */
-function nameOf({ url, mosaic, slices, max }: Identifiers): string {
+function nameOf({ url, settings: { mosaic, slices } = {}, max }: Identifiers): string {
   return [url, mosaic && `${mosaic.columns}x${mosaic.rows}`, slices, max]
     .filter((part) => part !== undefined && part !== null)
     .join(' ');

@@ -1,12 +1,9 @@
-import type { LoadRequest } from '../../formats/base/load-request.ts';
+import type { SourceSettings } from '../../formats/base/source-settings.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { parseMosaicSize } from '../../volume/mosaic-size.ts';
 import { longest } from '../../volume/grid-limits.ts';
 import type { GivenSource } from '../model/given-source.ts';
 import { invalid, isNumber, parseLength, parseNumbers, parseWord, split } from '../model/parse-attributes.ts';
-
-/** How to read a file. What is undefined follows from the file. */
-export type SourceSettings = Omit<LoadRequest, 'url' | 'files' | 'scan' | 'limits' | 'maxBytes'>;
 
 /** Metres and degrees above this can't belong to a radar. */
 const farthest = 1e9;

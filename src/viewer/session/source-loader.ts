@@ -283,7 +283,7 @@ export class SourceLoader {
     limits.catch(() => {}); // The load that waits for it reports the error, if there is such a load.
     return sharedVolumes.get(
       this,
-      { ...request, local, ...reader?.readSource(source!), limits, maxBytes: this.#maxBytes },
+      { ...request, local, settings: reader?.readSource(source!), limits, maxBytes: this.#maxBytes },
       options,
     );
   }

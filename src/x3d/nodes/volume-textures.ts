@@ -4,7 +4,7 @@ import { parseMosaicSize } from '../../volume/mosaic-size.ts';
 import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
 
 /** The file, and the layout of its slices. */
-export type VoxelTexture = Pick<LoadRequest, 'url' | 'mosaic' | 'slices' | 'spacing'>;
+export type VoxelTexture = Pick<LoadRequest, 'url' | 'settings'>;
 
 /** A second volume, in the same place as the first one. */
 export interface SecondVolume {
@@ -32,9 +32,11 @@ export function readVoxelTexture(texture: Element): VoxelTexture {
   // It has the volume's place, so an image without spacing needs no warning.
   return {
     url,
-    mosaic,
-    spacing: [1, 1, 1],
-    ...(fields.text('numberOfSlices') !== '' && { slices: fields.whole('numberOfSlices', 1, [1, 1e6]) }),
+    settings: {
+      mosaic,
+      spacing: [1, 1, 1],
+      ...(fields.text('numberOfSlices') !== '' && { slices: fields.whole('numberOfSlices', 1, [1, 1e6]) }),
+    },
   };
 }
 

@@ -63,7 +63,7 @@ describe('volumes that several elements show', () => {
   it('are others where anything that is asked for differs', async () => {
     const { shared, loads } = start();
     void shared.get({ name: 'first' }, request, quietly());
-    void shared.get({ name: 'second' }, { ...request, spacing: [1, 1, 2] }, quietly());
+    void shared.get({ name: 'second' }, { ...request, settings: { spacing: [1, 1, 2] } }, quietly());
     await turn();
     expect(loads.length).to.equal(2);
   });

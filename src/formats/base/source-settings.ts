@@ -1,0 +1,18 @@
+import type { Vector3 } from '../../volume/matrix.ts';
+import type { Cleaning } from './clean-volume.ts';
+import type { RadarSettings } from './radar-settings.ts';
+
+/** How an image is cut into slices, or into a radar's sweeps. */
+export interface MosaicSettings {
+  readonly mosaic?: { readonly columns: number; readonly rows: number };
+  /** Number of tiles of a mosaic that are in use; all if undefined. */
+  readonly slices?: number;
+}
+
+/** What attributes say about how to read a file. They override the file and a manifest; what is undefined follows from these. */
+export interface SourceSettings extends MosaicSettings, RadarSettings {
+  /** World units per voxel of the file, per pixel (i, j) and slice (k) of a mosaic. */
+  readonly spacing?: Vector3;
+  /** Hide parts that touch nothing, see clean-volume.ts; all is shown where undefined. */
+  readonly clean?: Cleaning;
+}
