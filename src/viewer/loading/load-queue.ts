@@ -47,12 +47,11 @@ export class LoadQueue {
         reject(signal.reason as Error);
       };
       const start = (): void => {
-        signal.removeEventListener('abort', giveUp);
         this.#running++;
         resolve();
       };
       const waiting: Waiting = { inSight, start };
-      signal.addEventListener('abort', giveUp, { once: true });
+      signal.addEventListener('abort', giveUp); // Later than start() it changes nothing.
       this.#waiting.push(waiting);
     });
   }
