@@ -7,7 +7,7 @@ import { NeedsMainThread } from '../formats/base/needs-main-thread.ts';
 import type { SurfaceRequest } from './surface-request.ts';
 
 /**
- * Loads a surface: in a worker of its own, or on this thread if the page allows none. @throws {VolumeViewError}; the
+ * Loads a surface: in a worker, or on this thread if the page allows none. @throws {VolumeViewError}; the
  * signal's reason
  */
 export async function loadSurface(request: SurfaceRequest, options: LoadOptions): Promise<Surface> {
