@@ -125,6 +125,17 @@ describe('the worker', () => {
       expect(signals.map(({ aborted }) => aborted)).to.deep.equal([true]);
     }));
 
+  it('ends what an order that failed left running', () =>
+    withFixtures(async ({ signals }) => {
+      const files = ['mosaic/gray-3x2.png', 'missing.png', 'slow/mosaic/gray-3x2.png'].map(
+        (path) => `${pageOrigin}/${path}`,
+      );
+      say(orderOf('mosaic/gray-3x2.png', { files }), limits);
+      expect(await waitFor('failed')).to.have.property('code', 'source/not-found');
+      await settle();
+      expect(signals.map(({ aborted }) => aborted)).to.deep.equal([true, true, true]);
+    }));
+
   it('answers a stop that comes after the end', () =>
     withFixtures(async () => {
       say(orderOf(nifti), limits);
