@@ -127,11 +127,9 @@ describe('the worker', () => {
 
   it('ends what an order that failed left running', () =>
     withFixtures(async ({ signals }) => {
-      const files = ['mosaic/gray-3x2.png', 'missing.png', 'slow/mosaic/gray-3x2.png'].map(
-        (path) => `${pageOrigin}/${path}`,
-      );
+      const files = ['mosaic/gray-3x2.png', nifti, 'slow/mosaic/gray-3x2.png'].map((path) => `${pageOrigin}/${path}`);
       say(orderOf('mosaic/gray-3x2.png', { files }), limits);
-      expect(await waitFor('failed')).to.have.property('code', 'source/not-found');
+      expect(await waitFor('failed')).to.have.property('code', 'format/unsupported');
       await settle();
       expect(signals.map(({ aborted }) => aborted)).to.deep.equal([true, true, true]);
     }));
