@@ -38,5 +38,7 @@ export function divideFiles(files: readonly SniffedFile[], isStack: boolean): Di
 /** In the order of their names, in which numbers count as numbers. */
 function sortByName(urls: readonly string[]): string[] {
   const { compare } = new Intl.Collator('en', { numeric: true });
-  return [...urls].sort((a, b) => compare(pathOf(a), pathOf(b)));
+  const sorted = [...urls];
+  sorted.sort((a, b) => compare(pathOf(a), pathOf(b)));
+  return sorted;
 }
