@@ -15,6 +15,9 @@ import type { VolumeLabelInfo, VolumeLabels } from '../volume-labels/volume-labe
 import { companionGap, withViewWidth } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 
+/** Maximum number of folded names that are kept: an atlas has at most 65,536 labels. */
+const maxFolded = 2 ** 17;
+
 /** Maximum number of rows: with more labels, people use the search. */
 const maxRows = 2000;
 
@@ -136,10 +139,21 @@ function finder(search: string, otherParts: string): (label: VolumeLabelInfo) =>
   const words = fold(search)
     .split(/[\s_-]+/)
     .filter(Boolean);
+  if (words.length === 0) return () => true;
   return ({ id, name }) => {
-    const text = fold(name || otherParts);
+    const text = foldName(name || otherParts);
     return words.every((word) => text.includes(word) || String(id) === word);
   };
+}
+
+/** Names that have been folded: each key in the search field compares the same ones again. */
+const folded = new Map<string, string>();
+
+function foldName(name: string): string {
+  const text = folded.get(name) ?? fold(name);
+  if (folded.size > maxFolded) folded.clear();
+  folded.set(name, text);
+  return text;
 }
 
 function fold(text: string): string {

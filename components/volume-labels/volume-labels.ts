@@ -7,6 +7,7 @@ import { LabelController } from '../../src/viewer/attachments/label-controller.t
 import { isOwnPane, noTarget, PresenterTarget } from '../../src/viewer/attachments/label-target.ts';
 import type { LabelTarget } from '../../src/viewer/model/label-target.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
+import type { LabelEntry } from '../../src/viewer/model/view-labels.ts';
 import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
 import { AttachmentElement } from '../internal/attachment-element.ts';
 import { property } from '../internal/reflecting-element.ts';
@@ -84,13 +85,7 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
    * loaded.
    */
   get labels(): readonly VolumeLabelInfo[] {
-    return this.controller.entries.map(({ id, name, color, opacity, hidden }) => ({
-      id,
-      name,
-      color: writeColor(color),
-      opacity,
-      hidden,
-    }));
+    return this.controller.entries.map(infoOf);
   }
 
   /** The ids of the labels that are not shown. Setting it shows all others. */
@@ -166,6 +161,16 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
       this.controller.refresh();
     else if (records.some(({ type, target }) => type === 'childList' || target !== this)) this.controller.restyle();
   }
+}
+
+/** The infos of entries. An entry stays the same object as long as nothing of it changes, and so does its info. */
+const infos = new WeakMap<LabelEntry, VolumeLabelInfo>();
+
+function infoOf(entry: LabelEntry): VolumeLabelInfo {
+  const { id, name, color, opacity, hidden } = entry;
+  const info = infos.get(entry) ?? { id, name, color: writeColor(color), opacity, hidden };
+  infos.set(entry, info);
+  return info;
 }
 
 declare global {

@@ -16,7 +16,7 @@ import { ownLabelsAppearance } from '../appearance/own-labels-appearance.ts';
 import type { LabelTarget } from './label-target.ts';
 import { LastWork } from '../model/last-work.ts';
 import { placeLabels, refuseRadar } from './place-labels.ts';
-import { describeLabels, styleLabels } from '../model/view-labels.ts';
+import { describeLabels, hideChosen, styleLabels } from '../model/view-labels.ts';
 import type { LabelEntry } from '../model/view-labels.ts';
 
 /** What the controller of labels needs of its element. */
@@ -56,6 +56,8 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
   #applied: Applied | null = null;
   #entries: readonly LabelEntry[] = [];
   #nameOf: (id: number) => string | null = () => null;
+  /** The error in what the author says about labels. */
+  #saidError: VolumeViewError | null = null;
   readonly #functions = new LabelFunctions();
   /** The window for which transfer functions of labels were read. */
   #window = '';
@@ -104,10 +106,11 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     this.host.changed();
   }
 
-  /** The settings of labels, or the choices of a person, have changed. */
-  restyle(): void {
+  /** The settings of labels, or the choices of a person, have changed. @param isChoice - whether nothing but the choices has changed */
+  restyle(isChoice = false): void {
     const target = this.host.target();
-    if (this.#applied && target) target.track(this.#apply(this.#applied).catch((error: unknown) => this.fail(error)));
+    if (this.#applied && target)
+      target.track(this.#apply(this.#applied, isChoice).catch((error: unknown) => this.fail(error)));
   }
 
   /** The volume's appearance has changed: presets of labels span its window. */
@@ -126,7 +129,7 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     const all = new Set(hidden);
     for (const { id } of this.#entries) this.#chosen.set(id, false);
     for (const id of all) this.#chosen.set(id, true);
-    this.restyle();
+    this.restyle(true);
   }
 
   /** Use the author's setting for a label again. */
@@ -170,24 +173,26 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     await this.#apply({ map, table: withNamed(names, from.named), isOwn: !file, volume });
   }
 
-  async #apply(applied: Applied | null): Promise<void> {
-    const target = this.host.target();
-    this.#applied = applied;
-    const call = ++this.#applies;
+  /** Describe the labels. */
+  #describe(applied: Applied | null, choices: { ghosts: boolean; chosen: ReadonlyMap<number, boolean> }): void {
     const { overrides, error } = this.host.said(applied?.map.ids ?? []);
     const transferFunction = this.host.wanted().transferFunction?.trim() || null;
     this.#entries = applied
-      ? describeLabels(applied.map.ids, {
-          table: applied.table,
-          overrides,
-          chosen: this.#chosen,
-          transferFunction,
-          ghosts: this.#ghosts && target?.showsGhosts === true,
-        })
+      ? describeLabels(applied.map.ids, { table: applied.table, overrides, transferFunction, ...choices })
       : [];
-    this.#showsGhosts = target?.showsGhosts === true;
     const names = new Map(this.#entries.map(({ id, name }) => [id, name]));
     this.#nameOf = (id) => names.get(id) || null;
+    this.#saidError = error;
+  }
+
+  async #apply(applied: Applied | null, isChoice = false): Promise<void> {
+    const target = this.host.target();
+    this.#applied = applied;
+    const call = ++this.#applies;
+    this.#showsGhosts = target?.showsGhosts === true;
+    const choices = { chosen: this.#chosen, ghosts: this.#ghosts && this.#showsGhosts };
+    if (isChoice) this.#entries = hideChosen(this.#entries, choices);
+    else this.#describe(applied, choices);
     target?.replaceTransferFunction(applied?.isOwn ? ownLabelsAppearance(this.#entries) : null);
     this.host.changed();
     const reading = target?.window && applied ? this.#functions.read(this.#entries, target.window) : null;
@@ -203,7 +208,7 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
           }
         : null;
     await target?.show(applied && { shown, nameOf: this.#nameOf });
-    const wrong = error ?? groups?.error ?? (groups && applied?.isOwn ? ownHaveNone() : null);
+    const wrong = this.#saidError ?? groups?.error ?? (groups && applied?.isOwn ? ownHaveNone() : null);
     if (wrong) this.fail(wrong);
     else if (applied && !this.#isLacking) target?.cleared();
   }

@@ -79,6 +79,23 @@ export function describeLabels(
   });
 }
 
+/**
+ * The same labels, hidden or shown as a person or a script has chosen. Entries that stay as they are remain the same objects: an atlas may
+ * have 65,536, and a choice changes few.
+ */
+export function hideChosen(
+  entries: readonly LabelEntry[],
+  { chosen, ghosts = false }: Pick<LabelSources, 'chosen' | 'ghosts'>,
+): LabelEntry[] {
+  return entries.map((entry) => {
+    const { id, isGhost: _before, ...rest } = entry;
+    const hidden = chosen.get(id) ?? entry.hidden;
+    const isGhost = ghosts && hidden;
+    if (hidden === entry.hidden && isGhost === (entry.isGhost ?? false)) return entry;
+    return { id, ...rest, hidden, ...(isGhost && { isGhost }) };
+  });
+}
+
 /** @param groups - numbers of the transfer functions that single labels have; such labels take the colours of these functions */
 export function styleLabels(entries: readonly LabelEntry[], groups?: ReadonlyMap<string, number>): LabelStyle[] {
   return entries.map(({ color, opacity, hidden, isGhost, transferFunction }) => {
