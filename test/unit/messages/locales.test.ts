@@ -8,6 +8,7 @@ import { english as handles } from '../../../src/messages/english-handles.ts';
 import { english as labels } from '../../../src/messages/english-labels.ts';
 import { english as measure } from '../../../src/messages/english-measure.ts';
 import { english as notices } from '../../../src/messages/english-notices.ts';
+import { english as notes } from '../../../src/messages/english-notes.ts';
 import { english as plane } from '../../../src/messages/english-plane.ts';
 import { english as readout } from '../../../src/messages/english-readout.ts';
 import { english as slices } from '../../../src/messages/english-slices.ts';
@@ -22,6 +23,7 @@ const english: Record<string, unknown> = {
   ...handles,
   ...labels,
   ...measure,
+  ...notes,
   ...notices,
   ...plane,
   ...readout,
