@@ -1,4 +1,4 @@
-// Unit tests in a real browser: `npx wtr --files test/numeric/x.test.ts` runs one file; `--watch` serves the files as they are.
+// Unit tests in a real browser: `npx wtr --files test/browser/x3d/x.test.ts` runs one file; `--watch` serves the files as they are.
 import { createReadStream, existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -44,7 +44,12 @@ async function serveFixtures(context, next) {
   context.body = createReadStream(file);
 }
 
-const folders = ['test/numeric', 'test/glsl', 'test/components'];
+const folder = 'test/browser';
+
+const stray = readdirSync(join(projectRoot, 'test'), { recursive: true, encoding: 'utf8' }).filter(
+  (name) => name.endsWith('.test.ts') && !/^(unit|browser)[\\/]/.test(name),
+);
+if (stray.length > 0) throw new Error(`no runner runs ${stray.join(', ')}: put them into test/unit or test/browser`);
 
 /** The test files of this run, if it names them one by one; else all. */
 function listTests() {
@@ -52,7 +57,9 @@ function listTests() {
     .slice(2)
     .filter((word) => word.endsWith('.test.ts') && existsSync(join(projectRoot, word)));
   const all = () =>
-    folders.flatMap((folder) => readdirSync(join(projectRoot, folder)).map((name) => `${folder}/${name}`));
+    readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' }).map(
+      (name) => `${folder}/${name.replaceAll('\\', '/')}`,
+    );
   return named.length > 0 ? named : all().filter((name) => name.endsWith('.test.ts'));
 }
 
@@ -62,7 +69,7 @@ const setup = '<script type="module" src="/test/helpers/provide-substeps.ts"></s
 const flags = process.env.VOLUME_VIEW_ALL_CASES ? '<script>globalThis.__allCases = true</script>' : '';
 
 export default {
-  files: folders.map((folder) => `${folder}/**/*.test.ts`),
+  files: `${folder}/**/*.test.ts`,
   nodeResolve: { exportConditions: ['production'] }, // Lit's development build talks on the console.
   concurrency: 2, // While one file starts, or works a reference out, another has software GL.
   browserStartTimeout: 120_000,

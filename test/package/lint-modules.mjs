@@ -98,7 +98,7 @@ const refused = [
   ],
   ['src/x3d/nodes/a.ts', `export interface A {\n  readonly _atlas?: string;\n}`, /_atlas is private/],
   ['components/volume-clip/a.ts', `export interface A {\n  _inPane(): void;\n}`, /_inPane is private/],
-  ['test/numeric/a.test.ts', `it.${FOCUS}('a', () => {});`, /focused or skipped/],
+  ['test/browser/a.test.ts', `it.${FOCUS}('a', () => {});`, /focused or skipped/],
 ];
 /** @type {[path: string, text: string][]} */
 const accepted = [

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { drawPlot } from '../bench/plot.mjs';
+import { drawPlot } from '../../bench/plot.mjs';
 
 const kinds = [
   { shape: 'square', name: 'fixed', labels: 'above' },

@@ -1,8 +1,8 @@
 // In a page that is written from right to left, scales still rise to the right, and stay where their colours are.
 import { expect } from '@esm-bundle/chai';
-import '../../components/volume-legend/define.ts';
-import '../../components/volume-transfer-function/define.ts';
-import type { VolumeLegend } from '../../components/volume-legend/volume-legend.ts';
+import '../../../components/volume-legend/define.ts';
+import '../../../components/volume-transfer-function/define.ts';
+import type { VolumeLegend } from '../../../components/volume-legend/volume-legend.ts';
 
 /** As much of a <volume-view> as its companions look at. */
 class FakeView extends HTMLElement {

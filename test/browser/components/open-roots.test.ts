@@ -1,8 +1,8 @@
 // Companions inside shadow roots: their code is fetched, and they find the volume, wherever the two are.
 import { expect } from '@esm-bundle/chai';
-import '../../components/volume-view/define.ts';
-import type { VolumeLegend } from '../../components/volume-legend/volume-legend.ts';
-import { english } from '../../src/messages/english-companions.ts';
+import '../../../components/volume-view/define.ts';
+import type { VolumeLegend } from '../../../components/volume-legend/volume-legend.ts';
+import { english } from '../../../src/messages/english-companions.ts';
 
 /** Put HTML into an element's new shadow root. */
 function attach(host: Element, html: string, mode: ShadowRootMode = 'open'): ShadowRoot {

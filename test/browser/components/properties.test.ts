@@ -1,8 +1,8 @@
 // Properties and attributes of the elements: each says what the other says, at once.
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewAttributes } from '../../components/volume-view/volume-view-attributes.ts';
-import { elements } from '../../components/internal/elements.ts';
-import type { ReflectingElement } from '../../components/internal/reflecting-element.ts';
+import { VolumeViewAttributes } from '../../../components/volume-view/volume-view-attributes.ts';
+import { elements } from '../../../components/internal/elements.ts';
+import type { ReflectingElement } from '../../../components/internal/reflecting-element.ts';
 
 /** The attributes of <volume-view>, with nothing that acts on them. */
 class TestView extends VolumeViewAttributes {

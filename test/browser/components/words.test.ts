@@ -1,13 +1,13 @@
 // A second language, registered by the page: the elements speak it where `lang` names it.
 import { expect } from '@esm-bundle/chai';
-import '../../components/volume-legend/define.ts';
-import '../../components/volume-slice-view/define.ts';
-import '../../components/volume-timeline/define.ts';
-import '../../components/volume-transfer-function/define.ts';
-import type { VolumeLegend } from '../../components/volume-legend/volume-legend.ts';
-import type { VolumeTimeline } from '../../components/volume-timeline/volume-timeline.ts';
-import { english } from '../../src/messages/english-companions.ts';
-import { registerTranslation } from '../../src/messages/locale-controller.ts';
+import '../../../components/volume-legend/define.ts';
+import '../../../components/volume-slice-view/define.ts';
+import '../../../components/volume-timeline/define.ts';
+import '../../../components/volume-transfer-function/define.ts';
+import type { VolumeLegend } from '../../../components/volume-legend/volume-legend.ts';
+import type { VolumeTimeline } from '../../../components/volume-timeline/volume-timeline.ts';
+import { english } from '../../../src/messages/english-companions.ts';
+import { registerTranslation } from '../../../src/messages/locale-controller.ts';
 
 registerTranslation('nl', {
   noView: (id) => (id === null ? 'Hier is geen <volume-view>.' : `Hier is geen <volume-view id="${id}">.`),

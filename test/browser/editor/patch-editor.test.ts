@@ -1,19 +1,19 @@
 // The editor of boxes and Gaussians: its edits, its history, and the histogram that it shows.
 import { expect } from '@esm-bundle/chai';
-import { boxBetween, moveGrip, newPatch, placeOfGrip, withNumber } from '../../src/editor/patch-edits.ts';
-import type { PlaneRange } from '../../src/editor/patch-edits.ts';
-import { chooseSteepest, countJointly } from '../../src/editor/joint-histogram.ts';
-import type { PlaneSamples } from '../../src/editor/joint-histogram.ts';
-import { PatchEditor } from '../../src/editor/patch-editor.ts';
-import { EditSession } from '../../src/editor/transfer-function-session.ts';
-import type { Appearance, EditedView } from '../../src/editor/transfer-function-session.ts';
-import { parsePatches } from '../../src/optics/transfer/parse-patches.ts';
-import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
-import type { Patch } from '../../src/optics/transfer/patches.ts';
-import { writePatches } from '../../src/optics/transfer/write-patches.ts';
-import { collectSamples, samplePlane } from '../../src/viewer/tools/sample-plane.ts';
-import { cloudVolume } from '../helpers/polar-cloud.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { boxBetween, moveGrip, newPatch, placeOfGrip, withNumber } from '../../../src/editor/patch-edits.ts';
+import type { PlaneRange } from '../../../src/editor/patch-edits.ts';
+import { chooseSteepest, countJointly } from '../../../src/editor/joint-histogram.ts';
+import type { PlaneSamples } from '../../../src/editor/joint-histogram.ts';
+import { PatchEditor } from '../../../src/editor/patch-editor.ts';
+import { EditSession } from '../../../src/editor/transfer-function-session.ts';
+import type { Appearance, EditedView } from '../../../src/editor/transfer-function-session.ts';
+import { parsePatches } from '../../../src/optics/transfer/parse-patches.ts';
+import { parseTransferFunction } from '../../../src/optics/transfer/parse-transfer-function.ts';
+import type { Patch } from '../../../src/optics/transfer/patches.ts';
+import { writePatches } from '../../../src/optics/transfer/write-patches.ts';
+import { collectSamples, samplePlane } from '../../../src/viewer/tools/sample-plane.ts';
+import { cloudVolume } from '../../helpers/polar-cloud.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 const box: Patch = { kind: 'box', values: [40, 120], gradients: [5, 30], color: [1, 0.4, 0], opacity: 0.6 };
 const bell: Patch = { kind: 'gaussian', value: 200, gradient: 20, widths: [15, 8], color: [0, 0, 1], opacity: 0.25 };

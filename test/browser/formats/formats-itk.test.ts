@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { loadVolume } from '../../src/worker/load.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { decodeBytes, fetchFixture, roomyLimits } from '../helpers/decode.ts';
-import { compareValues, readExpected } from '../helpers/expected-file.ts';
-import type { ExpectedFile } from '../helpers/expected-file.ts';
-import { fetchSharedData } from '../helpers/shared-data.ts';
+import { loadVolume } from '../../../src/worker/load.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import { decodeBytes, fetchFixture, roomyLimits } from '../../helpers/decode.ts';
+import { compareValues, readExpected } from '../../helpers/expected-file.ts';
+import type { ExpectedFile } from '../../helpers/expected-file.ts';
+import { fetchSharedData } from '../../helpers/shared-data.ts';
 
 /** What SimpleITK (or pynrrd, where ITK refuses a file) says of a file; made by test/fixtures/make-itk-fixtures.py. Places are LPS. */
 interface Expected extends ExpectedFile {

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { middleInElement, placeInElement, shareInQuad } from '../../src/page/pointer-place.ts';
+import { middleInElement, placeInElement, shareInQuad } from '../../../src/page/pointer-place.ts';
 
 /** Where a matrix of CSS shows places, in perspective too. */
 const show = (css: string, places: readonly (readonly [number, number])[]): [number, number][] =>

@@ -1,8 +1,8 @@
 // HTML reads `<Viewpoint/>` as an opening tag: what follows it stands in it, and is found where it was meant to be.
 import { expect } from '@esm-bundle/chai';
-import { authorChildren } from '../../src/x3d/author-children.ts';
-import { AuthorCopies } from '../../src/x3d/author-copies.ts';
-import { meantChildren, meantParent } from '../../src/page/unclosed.ts';
+import { authorChildren } from '../../../src/x3d/author-children.ts';
+import { AuthorCopies } from '../../../src/x3d/author-copies.ts';
+import { meantChildren, meantParent } from '../../../src/page/unclosed.ts';
 
 function hostOf(html: string): HTMLElement {
   const host = document.createElement('div');

@@ -40,7 +40,7 @@ function withServer(
   return { loader, asked, define: (part, factory) => void (parts[`${part}-${version}`] = factory) };
 }
 
-/** What a bundler writes for import('./NUMBER'). */
+/** What a bundler writes for import('../../numeric/NUMBER'). */
 const load = async (loader: Loader, part: number): Promise<Part> => loader.require(`./${part}`);
 
 const codeOf = (loading: Promise<unknown>): Promise<string> =>

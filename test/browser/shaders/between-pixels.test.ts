@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import chunk from '../../shaders/chunks/depth/between-pixels.glsl?raw';
-import { emptyQuad, interpolateQuad } from '../../src/optics/rays/between-pixels.ts';
-import { bytesAttachment, DrawTarget } from '../../src/renderer/device/draw-target.ts';
-import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import chunk from '../../../shaders/chunks/depth/between-pixels.glsl?raw';
+import { emptyQuad, interpolateQuad } from '../../../src/optics/rays/between-pixels.ts';
+import { bytesAttachment, DrawTarget } from '../../../src/renderer/device/draw-target.ts';
+import { createGl, releaseGl, runChunk } from '../../helpers/gl.ts';
+import { randomNumbers } from '../../helpers/synthetic.ts';
 
 /** A result has four numbers. */
 const parts = `

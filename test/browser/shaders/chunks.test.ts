@@ -1,15 +1,15 @@
 import { expect } from '@esm-bundle/chai';
-import box from '../../shaders/chunks/walk/box.glsl?raw';
-import decode from '../../shaders/chunks/field/decode.glsl?raw';
-import interval from '../../shaders/chunks/walk/interval.glsl?raw';
-import ray from '../../shaders/chunks/walk/ray.glsl?raw';
-import sceneDepth from '../../shaders/chunks/depth/scene-depth.glsl?raw';
-import { projectionMatrix } from '../../src/optics/rays/camera.ts';
-import { intersectUnitCube } from '../../src/optics/rays/rays.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { createGl, pointTexture, releaseGl, runChunk } from '../helpers/gl.ts';
-import type { TestGl } from '../helpers/gl.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import box from '../../../shaders/chunks/walk/box.glsl?raw';
+import decode from '../../../shaders/chunks/field/decode.glsl?raw';
+import interval from '../../../shaders/chunks/walk/interval.glsl?raw';
+import ray from '../../../shaders/chunks/walk/ray.glsl?raw';
+import sceneDepth from '../../../shaders/chunks/depth/scene-depth.glsl?raw';
+import { projectionMatrix } from '../../../src/optics/rays/camera.ts';
+import { intersectUnitCube } from '../../../src/optics/rays/rays.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { createGl, pointTexture, releaseGl, runChunk } from '../../helpers/gl.ts';
+import type { TestGl } from '../../helpers/gl.ts';
+import { randomNumbers } from '../../helpers/synthetic.ts';
 
 for (const version of [1, 2] as const) {
   describe(`chunks in WebGL ${version}`, () => {

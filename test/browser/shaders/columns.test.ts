@@ -1,20 +1,20 @@
 import { expect } from '@esm-bundle/chai';
-import columnMeans from '../../shaders/chunks/classify/column-means.glsl?raw';
-import values from '../../shaders/chunks/field/values.glsl?raw';
-import { cutColumns, meanOverColumns } from '../../src/optics/transfer/columns.ts';
-import { domainOf } from '../../src/optics/transfer/emission.ts';
-import { attenuate } from '../../src/optics/rays/segment.ts';
-import { mapShares } from '../../src/optics/transfer/share-map.ts';
-import { placeThreshold } from '../../src/optics/transfer/threshold.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { sampleStruct } from '../../src/renderer/ray/generate-chains.ts';
-import { createColumns } from '../../src/renderer/ray/modules/columns.ts';
-import type { FieldModule, RayFrame } from '../../src/renderer/ray/ray-module.ts';
-import { valueUniforms } from '../../src/renderer/ray/uniforms.ts';
-import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
-import type { TestGl } from '../helpers/gl.ts';
-import { plainOptics } from '../helpers/picture.ts';
-import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+import columnMeans from '../../../shaders/chunks/classify/column-means.glsl?raw';
+import values from '../../../shaders/chunks/field/values.glsl?raw';
+import { cutColumns, meanOverColumns } from '../../../src/optics/transfer/columns.ts';
+import { domainOf } from '../../../src/optics/transfer/emission.ts';
+import { attenuate } from '../../../src/optics/rays/segment.ts';
+import { mapShares } from '../../../src/optics/transfer/share-map.ts';
+import { placeThreshold } from '../../../src/optics/transfer/threshold.ts';
+import type { TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
+import { sampleStruct } from '../../../src/renderer/ray/generate-chains.ts';
+import { createColumns } from '../../../src/renderer/ray/modules/columns.ts';
+import type { FieldModule, RayFrame } from '../../../src/renderer/ray/ray-module.ts';
+import { valueUniforms } from '../../../src/renderer/ray/uniforms.ts';
+import { createGl, releaseGl, runChunk } from '../../helpers/gl.ts';
+import type { TestGl } from '../../helpers/gl.ts';
+import { plainOptics } from '../../helpers/picture.ts';
+import { randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';
 
 const functions: Record<string, TransferFunction> = {
   'found by bins': [

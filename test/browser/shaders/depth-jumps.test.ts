@@ -1,12 +1,12 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
-import { findJump, findThin, jumps, rayEnd } from '../../src/optics/rays/depth-jumps.ts';
-import type { EndsAround, RayEnd } from '../../src/optics/rays/depth-jumps.ts';
-import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
-import { jumpChunks, jumpDefines } from '../../src/renderer/passes/depth-jumps.ts';
-import { rayUniforms } from '../../src/renderer/ray/uniforms.ts';
-import { createGl, pointTexture, releaseGl, runChunk } from '../helpers/gl.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../../src/optics/rays/camera.ts';
+import { findJump, findThin, jumps, rayEnd } from '../../../src/optics/rays/depth-jumps.ts';
+import type { EndsAround, RayEnd } from '../../../src/optics/rays/depth-jumps.ts';
+import { crossVolume, rayThrough, setUpRays } from '../../../src/optics/rays/rays.ts';
+import { jumpChunks, jumpDefines } from '../../../src/renderer/passes/depth-jumps.ts';
+import { rayUniforms } from '../../../src/renderer/ray/uniforms.ts';
+import { createGl, pointTexture, releaseGl, runChunk } from '../../helpers/gl.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 const [width, height] = [22, 18];
 const quads = Array.from({ length: (width / 2 - 1) * (height / 2 - 1) }, (_, i) => [

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import sceneDepth from '../../shaders/chunks/depth/scene-depth.glsl?raw';
-import { depthSlope } from '../../src/optics/rays/depth-slope.ts';
-import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import sceneDepth from '../../../shaders/chunks/depth/scene-depth.glsl?raw';
+import { depthSlope } from '../../../src/optics/rays/depth-slope.ts';
+import { createGl, releaseGl, runChunk } from '../../helpers/gl.ts';
+import { randomNumbers } from '../../helpers/synthetic.ts';
 
 describe('the slope of a depth buffer', () => {
   it('is that of a plane, of the side without an edge, and nothing at a line', () => {

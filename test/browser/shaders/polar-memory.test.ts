@@ -1,13 +1,13 @@
 import { expect } from '@esm-bundle/chai';
-import type { Volume } from '../../src/volume/volume.ts';
-import { finishUpload } from '../../src/renderer/textures/fill-texture.ts';
-import { uploadPolarVolume } from '../../src/radar/gpu/polar-field-module.ts';
-import { uploadCells } from '../../src/renderer/textures/cell-texture.ts';
-import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
-import { decodeBytes } from '../helpers/decode.ts';
-import { createGl, releaseGl } from '../helpers/gl.ts';
-import { fetchSharedData } from '../helpers/shared-data.ts';
-import { radarVolume, unequalSweeps } from '../helpers/synthetic-radar.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import { finishUpload } from '../../../src/renderer/textures/fill-texture.ts';
+import { uploadPolarVolume } from '../../../src/radar/gpu/polar-field-module.ts';
+import { uploadCells } from '../../../src/renderer/textures/cell-texture.ts';
+import { countGpuBytes } from '../../bench/count-gpu-bytes.mjs';
+import { decodeBytes } from '../../helpers/decode.ts';
+import { createGl, releaseGl } from '../../helpers/gl.ts';
+import { fetchSharedData } from '../../helpers/shared-data.ts';
+import { radarVolume, unequalSweeps } from '../../helpers/synthetic-radar.ts';
 
 const scans = [
   'cfradial_klbb_converted/KLBB20160601_150025_cfradial1.nc',

@@ -1,18 +1,18 @@
 import { expect } from '@esm-bundle/chai';
-import { polarSampler } from '../../src/radar/interpolate-polar.ts';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { fieldChunks } from '../../src/renderer/ray/compose-ray.ts';
-import { beamToLocal, localToBeam } from '../../src/radar/polar-geometry.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import type { PolarVolume, Volume } from '../../src/volume/volume.ts';
-import { finishUpload } from '../../src/renderer/textures/fill-texture.ts';
-import { polarText, uploadPolarVolume } from '../../src/radar/gpu/polar-field-module.ts';
-import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
-import type { TestGl } from '../helpers/gl.ts';
-import { sampleOnGpu } from '../helpers/sample-field.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
-import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
-import type { RadarOptions } from '../helpers/synthetic-radar.ts';
+import { polarSampler } from '../../../src/radar/interpolate-polar.ts';
+import { VolumeViewError } from '../../../src/core/errors.ts';
+import { fieldChunks } from '../../../src/renderer/ray/compose-ray.ts';
+import { beamToLocal, localToBeam } from '../../../src/radar/polar-geometry.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import type { PolarVolume, Volume } from '../../../src/volume/volume.ts';
+import { finishUpload } from '../../../src/renderer/textures/fill-texture.ts';
+import { polarText, uploadPolarVolume } from '../../../src/radar/gpu/polar-field-module.ts';
+import { createGl, releaseGl, runChunk } from '../../helpers/gl.ts';
+import type { TestGl } from '../../helpers/gl.ts';
+import { sampleOnGpu } from '../../helpers/sample-field.ts';
+import { randomNumbers } from '../../helpers/synthetic.ts';
+import { evenAzimuths, polarScenes, radarVolume } from '../../helpers/synthetic-radar.ts';
+import type { RadarOptions } from '../../helpers/synthetic-radar.ts';
 
 const plain = polarText({ twoBytes: false, radialElevations: false, folds: false, crowds: false });
 

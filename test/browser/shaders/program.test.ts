@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { compileProgram, useProgram } from '../../src/renderer/device/program.ts';
-import type { Uniforms } from '../../src/renderer/device/inputs.ts';
-import { createGl, pointTexture, releaseGl } from '../helpers/gl.ts';
+import { compileProgram, useProgram } from '../../../src/renderer/device/program.ts';
+import type { Uniforms } from '../../../src/renderer/device/inputs.ts';
+import { createGl, pointTexture, releaseGl } from '../../helpers/gl.ts';
 
 const fragment = `
 precision highp float;

@@ -1,19 +1,19 @@
 import { expect } from '@esm-bundle/chai';
-import { polarTapsOf } from '../../src/radar/gpu/polar-taps.ts';
-import { composePictureShader } from '../../src/renderer/device/compose-picture.ts';
-import type { ShaderTexts } from '../../src/renderer/device/compose-stage.ts';
-import { compileProgram } from '../../src/renderer/device/program.ts';
-import { composeRay, listSamplers, maxSamplers, programKey } from '../../src/renderer/ray/compose-ray.ts';
-import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
-import { composeStudyShader } from '../../src/renderer/study.ts';
-import { loadX3dom } from '../../src/x3d/load-x3dom.ts';
-import { coverPairs, listPairs, listRows } from '../helpers/covering-array.ts';
-import type { Row } from '../helpers/covering-array.ts';
-import { createGl, releaseGl } from '../helpers/gl.ts';
-import type { TestGl } from '../helpers/gl.ts';
-import { listDemoRays, listLevels, listRays, nameLevel, plainRay, programOf } from '../helpers/ray-modules.ts';
-import type { Level } from '../helpers/ray-modules.ts';
-import { remember } from '../helpers/remember.ts';
+import { polarTapsOf } from '../../../src/radar/gpu/polar-taps.ts';
+import { composePictureShader } from '../../../src/renderer/device/compose-picture.ts';
+import type { ShaderTexts } from '../../../src/renderer/device/compose-stage.ts';
+import { compileProgram } from '../../../src/renderer/device/program.ts';
+import { composeRay, listSamplers, maxSamplers, programKey } from '../../../src/renderer/ray/compose-ray.ts';
+import type { RayProgram } from '../../../src/renderer/ray/compose-ray.ts';
+import { composeStudyShader } from '../../../src/renderer/study.ts';
+import { loadX3dom } from '../../../src/x3d/load-x3dom.ts';
+import { coverPairs, listPairs, listRows } from '../../helpers/covering-array.ts';
+import type { Row } from '../../helpers/covering-array.ts';
+import { createGl, releaseGl } from '../../helpers/gl.ts';
+import type { TestGl } from '../../helpers/gl.ts';
+import { listDemoRays, listLevels, listRays, nameLevel, plainRay, programOf } from '../../helpers/ray-modules.ts';
+import type { Level } from '../../helpers/ray-modules.ts';
+import { remember } from '../../helpers/remember.ts';
 
 /** What x3dom puts into a ComposedShader's texts before it compiles them. */
 interface Injector {

@@ -1,17 +1,17 @@
 import { expect } from '@esm-bundle/chai';
-import { interpolate } from '../../src/optics/rays/interpolate.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { finishUpload } from '../../src/renderer/textures/fill-texture.ts';
+import { interpolate } from '../../../src/optics/rays/interpolate.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import { finishUpload } from '../../../src/renderer/textures/fill-texture.ts';
 import {
   cartesianProvider,
   cartesianText,
   loadCartesianChunks,
-} from '../../src/renderer/ray/modules/cartesian-field.ts';
-import { createGl, releaseGl } from '../helpers/gl.ts';
-import type { TestGl } from '../helpers/gl.ts';
-import { sampleOnGpu } from '../helpers/sample-field.ts';
-import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+} from '../../../src/renderer/ray/modules/cartesian-field.ts';
+import { createGl, releaseGl } from '../../helpers/gl.ts';
+import type { TestGl } from '../../helpers/gl.ts';
+import { sampleOnGpu } from '../../helpers/sample-field.ts';
+import { randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';
 
 const dimensions: Vector3 = [7, 5, 11];
 

@@ -1,26 +1,26 @@
 import { expect } from '@esm-bundle/chai';
-import spanTable from '../../shaders/chunks/classify/span-table.glsl?raw';
-import countSubstepsChunk from '../../shaders/chunks/classify/count-substeps.glsl?raw';
-import transferFunction from '../../shaders/chunks/classify/transfer-function.glsl?raw';
-import { buildSubstepTable } from '../../src/optics/transfer/substep-table.ts';
-import type { SubstepTable } from '../../src/optics/transfer/substep-table.ts';
-import { attenuate, countSubsteps, maxSubsteps } from '../../src/optics/rays/segment.ts';
+import spanTable from '../../../shaders/chunks/classify/span-table.glsl?raw';
+import countSubstepsChunk from '../../../shaders/chunks/classify/count-substeps.glsl?raw';
+import transferFunction from '../../../shaders/chunks/classify/transfer-function.glsl?raw';
+import { buildSubstepTable } from '../../../src/optics/transfer/substep-table.ts';
+import type { SubstepTable } from '../../../src/optics/transfer/substep-table.ts';
+import { attenuate, countSubsteps, maxSubsteps } from '../../../src/optics/rays/segment.ts';
 import {
   buildPreintegrationTable,
   integrateForTable,
   tableMeans,
-} from '../../src/optics/transfer/preintegration-table.ts';
-import type { PreintegrationTable } from '../../src/optics/transfer/preintegration-table.ts';
-import type { Premultiplied, TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { sampleStruct } from '../../src/renderer/ray/generate-chains.ts';
-import { transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
-import { cuttingSteps, uploadSubstepTable } from '../../src/renderer/ray/substep-part.ts';
-import { uploadTable } from '../../src/renderer/textures/table-textures.ts';
-import type { Uniforms } from '../../src/renderer/device/inputs.ts';
-import { smooth } from '../helpers/emission.ts';
-import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
-import type { TestGl } from '../helpers/gl.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+} from '../../../src/optics/transfer/preintegration-table.ts';
+import type { PreintegrationTable } from '../../../src/optics/transfer/preintegration-table.ts';
+import type { Premultiplied, TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
+import { sampleStruct } from '../../../src/renderer/ray/generate-chains.ts';
+import { transferFunctionText } from '../../../src/renderer/ray/modules/transfer-function.ts';
+import { cuttingSteps, uploadSubstepTable } from '../../../src/renderer/ray/substep-part.ts';
+import { uploadTable } from '../../../src/renderer/textures/table-textures.ts';
+import type { Uniforms } from '../../../src/renderer/device/inputs.ts';
+import { smooth } from '../../helpers/emission.ts';
+import { createGl, releaseGl, runChunk } from '../../helpers/gl.ts';
+import type { TestGl } from '../../helpers/gl.ts';
+import { randomNumbers } from '../../helpers/synthetic.ts';
 
 /** As in `smooth`, shares of the domain are data values. */
 const jumps: TransferFunction = [

@@ -1,10 +1,10 @@
 // Normals are looked for only where something shows: the shaders of lit and styled volumes, over a field that counts what is read of it.
 import { expect } from '@esm-bundle/chai';
-import segmentChunk from '../../shaders/chunks/walk/segment.glsl?raw';
-import { sampleStruct } from '../../src/renderer/ray/generate-chains.ts';
-import { cartesianTapsOf, litText, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
-import { styledText } from '../../src/renderer/ray/modules/styled.ts';
-import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
+import segmentChunk from '../../../shaders/chunks/walk/segment.glsl?raw';
+import { sampleStruct } from '../../../src/renderer/ray/generate-chains.ts';
+import { cartesianTapsOf, litText, pointsModule } from '../../../src/renderer/ray/modules/lit.ts';
+import { styledText } from '../../../src/renderer/ray/modules/styled.ts';
+import { createGl, releaseGl, runChunk } from '../../helpers/gl.ts';
 
 /** What a shading module reads of others; a field that counts its taps. */
 const counted = `

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import vote from '../../shaders/chunks/field/vote.glsl?raw';
-import { voteOfCorners } from '../../src/optics/rays/vote.ts';
-import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import vote from '../../../shaders/chunks/field/vote.glsl?raw';
+import { voteOfCorners } from '../../../src/optics/rays/vote.ts';
+import { createGl, releaseGl, runChunk } from '../../helpers/gl.ts';
+import { randomNumbers } from '../../helpers/synthetic.ts';
 
 /** Eight corners as the digits of a number to the base of 4. */
 const voteOf = `

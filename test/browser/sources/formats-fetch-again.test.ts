@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { expectError } from '../helpers/decode.ts';
-import { fetchOne, pageOrigin, withServer } from '../helpers/fake-fetch.ts';
-import type { Answer } from '../helpers/fake-fetch.ts';
+import { expectError } from '../../helpers/decode.ts';
+import { fetchOne, pageOrigin, withServer } from '../../helpers/fake-fetch.ts';
+import type { Answer } from '../../helpers/fake-fetch.ts';
 
 const whole: Answer = {
   pieces: [

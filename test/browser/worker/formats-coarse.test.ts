@@ -1,13 +1,13 @@
 import { expect } from '@esm-bundle/chai';
-import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
-import { finishVolume, minForCoarse, minForMeans, maxCoarse } from '../../src/formats/finish-volume.ts';
-import { loadVolume } from '../../src/worker/load.ts';
-import type { CoarseVolume } from '../../src/worker/load.ts';
-import { cartesianGrid, corners } from '../../src/volume/grid.ts';
-import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
-import type { Samples, Volume } from '../../src/volume/volume.ts';
-import { niftiBytes } from '../helpers/nifti-bytes.ts';
-import { roomyLimits } from '../helpers/decode.ts';
+import { windowFromHistogram } from '../../../src/optics/transfer/window.ts';
+import { finishVolume, minForCoarse, minForMeans, maxCoarse } from '../../../src/formats/finish-volume.ts';
+import { loadVolume } from '../../../src/worker/load.ts';
+import type { CoarseVolume } from '../../../src/worker/load.ts';
+import { cartesianGrid, corners } from '../../../src/volume/grid.ts';
+import type { Matrix4, Vector3 } from '../../../src/volume/matrix.ts';
+import type { Samples, Volume } from '../../../src/volume/volume.ts';
+import { niftiBytes } from '../../helpers/nifti-bytes.ts';
+import { roomyLimits } from '../../helpers/decode.ts';
 
 const oblique: Matrix4 = [-1.5, 0.2, 0.1, 30, 0.3, 2, -0.4, -20, 0.05, 0.25, 3.5, 10, 0, 0, 0, 1];
 

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import { VolumeViewError } from '../../../src/core/errors.ts';
+import { decodeBytes, expectError, fetchFixture } from '../../helpers/decode.ts';
+import { randomNumbers } from '../../helpers/synthetic.ts';
 
 const mosaic = { columns: 3, rows: 2 };
 const tooLong = 5000;

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { loadVolume } from '../../src/worker/load.ts';
-import { invertAffine, multiply, transformPoint } from '../../src/volume/matrix.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { roomyLimits } from '../helpers/decode.ts';
+import { loadVolume } from '../../../src/worker/load.ts';
+import { invertAffine, multiply, transformPoint } from '../../../src/volume/matrix.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import { roomyLimits } from '../../helpers/decode.ts';
 
 const load = (name: string): Promise<Volume> =>
   loadVolume(

@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import { decodeFile } from '../../src/formats/decode.ts';
-import type { FormatReader, VolumeFormat } from '../../src/formats/base/format.ts';
-import { loadVolume } from '../../src/worker/load.ts';
-import type { LoadRequest } from '../../src/worker/load.ts';
-import { expectError, fixtureContext, urlOf } from '../helpers/decode.ts';
+import { decodeFile } from '../../../src/formats/decode.ts';
+import type { FormatReader, VolumeFormat } from '../../../src/formats/base/format.ts';
+import { loadVolume } from '../../../src/worker/load.ts';
+import type { LoadRequest } from '../../../src/worker/load.ts';
+import { expectError, fixtureContext, urlOf } from '../../helpers/decode.ts';
 
 /** Decode a file of ten bytes with a reader that fails. */
 function decodeWith(fail: (bytes: Uint8Array<ArrayBuffer>) => unknown) {

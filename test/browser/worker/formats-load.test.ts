@@ -1,14 +1,14 @@
 import { expect } from '@esm-bundle/chai';
-import { loadVolume } from '../../src/worker/load.ts';
-import type { LoadProgress, LoadRequest } from '../../src/worker/load.ts';
-import { loadSurface } from '../../src/worker/load-surface.ts';
-import type { SurfaceRequest } from '../../src/worker/surface-request.ts';
-import { endSpare } from '../../src/worker/spare-worker.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { expectError, fetchFixture, roomyLimits } from '../helpers/decode.ts';
-import { fetchSharedData } from '../helpers/shared-data.ts';
-import { loads } from '../../src/viewer/loading/load-queue.ts';
-import { hgtBytes } from '../helpers/terrain.ts';
+import { loadVolume } from '../../../src/worker/load.ts';
+import type { LoadProgress, LoadRequest } from '../../../src/worker/load.ts';
+import { loadSurface } from '../../../src/worker/load-surface.ts';
+import type { SurfaceRequest } from '../../../src/worker/surface-request.ts';
+import { endSpare } from '../../../src/worker/spare-worker.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import { expectError, fetchFixture, roomyLimits } from '../../helpers/decode.ts';
+import { fetchSharedData } from '../../helpers/shared-data.ts';
+import { loads } from '../../../src/viewer/loading/load-queue.ts';
+import { hgtBytes } from '../../helpers/terrain.ts';
 
 const fixture = (path: string): string => `/test/fixtures/${path}`;
 

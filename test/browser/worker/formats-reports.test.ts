@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { loadVolume } from '../../src/worker/load.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { roomyLimits, valuesOf } from '../helpers/decode.ts';
-import { fetchSharedData } from '../helpers/shared-data.ts';
+import { VolumeViewError } from '../../../src/core/errors.ts';
+import { loadVolume } from '../../../src/worker/load.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import { roomyLimits, valuesOf } from '../../helpers/decode.ts';
+import { fetchSharedData } from '../../helpers/shared-data.ts';
 
 // Files with which other viewers failed, and what nibabel 5 and SimpleITK 2 say of them (gen.py and expected.json beside them). They are no part of the project:
 // where they are absent, the tests say so.

@@ -1,12 +1,12 @@
-import { isPolar } from '../../src/volume/volume.ts';
+import { isPolar } from '../../../src/volume/volume.ts';
 import { expect } from '@esm-bundle/chai';
 import { encode } from 'fast-png';
-import { decodeFile } from '../../src/formats/decode.ts';
-import { fetchInOrder } from '../../src/sources/fetch-files.ts';
-import { finishVolume } from '../../src/formats/finish-volume.ts';
-import { loadVolume } from '../../src/worker/load.ts';
-import type { DecodeSettings } from '../../src/formats/base/decoded-volume.ts';
-import type { Volume } from '../../src/volume/volume.ts';
+import { decodeFile } from '../../../src/formats/decode.ts';
+import { fetchInOrder } from '../../../src/sources/fetch-files.ts';
+import { finishVolume } from '../../../src/formats/finish-volume.ts';
+import { loadVolume } from '../../../src/worker/load.ts';
+import type { DecodeSettings } from '../../../src/formats/base/decoded-volume.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
 import {
   decodeBytes,
   decodeStack,
@@ -16,7 +16,7 @@ import {
   roomyLimits,
   urlOf,
   valuesOf,
-} from '../helpers/decode.ts';
+} from '../../helpers/decode.ts';
 
 const signal = new AbortController().signal;
 const ignore = (): void => undefined;

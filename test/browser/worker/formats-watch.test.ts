@@ -1,11 +1,11 @@
 import { expect } from '@esm-bundle/chai';
-import type { LoadProgress } from '../../src/formats/base/load-request.ts';
-import { loadVolume } from '../../src/worker/load.ts';
-import { endSpare } from '../../src/worker/spare-worker.ts';
-import { startFromText } from '../../src/worker/worker-client.ts';
-import type { WorkerReport } from '../../src/worker/worker-messages.ts';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { roomyLimits } from '../helpers/decode.ts';
+import type { LoadProgress } from '../../../src/formats/base/load-request.ts';
+import { loadVolume } from '../../../src/worker/load.ts';
+import { endSpare } from '../../../src/worker/spare-worker.ts';
+import { startFromText } from '../../../src/worker/worker-client.ts';
+import type { WorkerReport } from '../../../src/worker/worker-messages.ts';
+import { VolumeViewError } from '../../../src/core/errors.ts';
+import { roomyLimits } from '../../helpers/decode.ts';
 
 /** A worker that says what it is told to, and nothing else. */
 class SilentWorker {

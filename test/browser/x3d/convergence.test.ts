@@ -1,12 +1,12 @@
 import { expect } from '@esm-bundle/chai';
-import { allSubsteps } from '../../src/optics/cells/substeps.ts';
-import { describeOrder, fitOrder, measureOrders, minOrder } from '../accuracy/orders.ts';
-import type { DrawPicture } from '../accuracy/orders.ts';
-import { casesOf } from '../helpers/cases.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { withScene } from '../helpers/picture.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { probe } from '../helpers/probe.ts';
+import { allSubsteps } from '../../../src/optics/cells/substeps.ts';
+import { describeOrder, fitOrder, measureOrders, minOrder } from '../../accuracy/orders.ts';
+import type { DrawPicture } from '../../accuracy/orders.ts';
+import { casesOf } from '../../helpers/cases.ts';
+import { changePlan, drawAt } from '../../helpers/change-plan.ts';
+import { withScene } from '../../helpers/picture.ts';
+import type { VolumeScene } from '../../../src/x3d/scene.ts';
+import { probe } from '../../helpers/probe.ts';
 
 /** World length of steps that cost little: a fifth of the cube's edge. */
 const fewSteps = 0.2;

@@ -1,19 +1,19 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { Camera } from '../../src/optics/rays/camera.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { forecastSampling } from '../../src/quality/adaptive-sampling.ts';
-import { atOnce } from '../../src/core/waiting.ts';
-import { stepLengthOf } from '../../src/quality/steps.ts';
-import { boundingSphere } from '../../src/volume/grid.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { errorScenes } from '../accuracy/error-scenes.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { comparePictures, withScene } from '../helpers/picture.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
-import { shapesAmong } from '../helpers/shapes-among.ts';
-import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import type { Camera } from '../../../src/optics/rays/camera.ts';
+import type { TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
+import { forecastSampling } from '../../../src/quality/adaptive-sampling.ts';
+import { atOnce } from '../../../src/core/waiting.ts';
+import { stepLengthOf } from '../../../src/quality/steps.ts';
+import { boundingSphere } from '../../../src/volume/grid.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import type { VolumeScene } from '../../../src/x3d/scene.ts';
+import { errorScenes } from '../../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from '../../helpers/change-plan.ts';
+import { comparePictures, withScene } from '../../helpers/picture.ts';
+import { readPixels } from '../../helpers/read-pixels.ts';
+import { shapesAmong } from '../../helpers/shapes-among.ts';
+import { evenAzimuths, radarVolume } from '../../helpers/synthetic-radar.ts';
 
 /** Odd both ways: lattices end beyond the last pixel. */
 const size = { width: 151, height: 113 };

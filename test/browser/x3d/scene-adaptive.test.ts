@@ -1,11 +1,11 @@
 import { expect } from '@esm-bundle/chai';
-import { predictSampling } from '../../src/quality/adaptive-sampling.ts';
-import { stepLengthOf } from '../../src/quality/steps.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { errorScenes } from '../accuracy/error-scenes.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { comparePictures, withScene } from '../helpers/picture.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
+import { predictSampling } from '../../../src/quality/adaptive-sampling.ts';
+import { stepLengthOf } from '../../../src/quality/steps.ts';
+import type { VolumeScene } from '../../../src/x3d/scene.ts';
+import { errorScenes } from '../../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from '../../helpers/change-plan.ts';
+import { comparePictures, withScene } from '../../helpers/picture.ts';
+import { readPixels } from '../../helpers/read-pixels.ts';
 
 const { volume, transferFunction, camera } = errorScenes().find(({ name }) => name.startsWith('shells, smooth'))!;
 

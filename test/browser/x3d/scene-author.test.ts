@@ -1,11 +1,11 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { setUpRays } from '../../src/optics/rays/rays.ts';
-import type { Ray } from '../../src/optics/rays/rays.ts';
-import { renderReference } from '../../src/optics/reference.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { VolumeScene } from '../../src/x3d/scene.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { setUpRays } from '../../../src/optics/rays/rays.ts';
+import type { Ray } from '../../../src/optics/rays/rays.ts';
+import { renderReference } from '../../../src/optics/reference.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { VolumeScene } from '../../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../../helpers/change-plan.ts';
 import {
   comparePictures,
   drawPicture,
@@ -16,10 +16,10 @@ import {
   raysOf,
   width,
   withScene,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
+import { readPixels } from '../../helpers/read-pixels.ts';
 
 const view: View = {
   volume: syntheticVolume({ dimensions: [24, 20, 16], kind: 'uint16' }),

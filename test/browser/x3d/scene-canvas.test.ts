@@ -1,11 +1,11 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { VolumeScene } from '../../src/x3d/scene.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { comparePictures, drawPicture, height, plainOptics, shells, width, withScene } from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { VolumeScene } from '../../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../../helpers/change-plan.ts';
+import { comparePictures, drawPicture, height, plainOptics, shells, width, withScene } from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
+import { readPixels } from '../../helpers/read-pixels.ts';
 
 const view: View = {
   volume: syntheticVolume({ dimensions: [16, 16, 16] }),

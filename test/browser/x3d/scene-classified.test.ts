@@ -1,12 +1,12 @@
 import { expect } from '@esm-bundle/chai';
-import { castRay } from '../../src/optics/rays/cast-ray.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { casesIn, casesOf, takesAll } from '../helpers/cases.ts';
-import { changePlan } from '../helpers/change-plan.ts';
-import { drawLots, listClassified } from '../helpers/classified.ts';
-import type { Classified } from '../helpers/classified.ts';
-import { listOff } from '../helpers/edges.ts';
+import { castRay } from '../../../src/optics/rays/cast-ray.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import type { VolumeScene } from '../../../src/x3d/scene.ts';
+import { casesIn, casesOf, takesAll } from '../../helpers/cases.ts';
+import { changePlan } from '../../helpers/change-plan.ts';
+import { drawLots, listClassified } from '../../helpers/classified.ts';
+import type { Classified } from '../../helpers/classified.ts';
+import { listOff } from '../../helpers/edges.ts';
 import {
   bothWalks,
   comparePictures,
@@ -16,10 +16,10 @@ import {
   shareScene,
   stagesOfView,
   walksIn,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { rayOfPixel } from '../helpers/pixel-rays.ts';
-import { remember } from '../helpers/remember.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { rayOfPixel } from '../../helpers/pixel-rays.ts';
+import { remember } from '../../helpers/remember.ts';
 
 interface Expectation {
   readonly view: View;

@@ -1,16 +1,16 @@
 // An author's ClipPlanes cut shapes, which x3dom draws, and the volume, at the same place.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { clipInterval, cutoutInterval } from '../../src/optics/rays/clip-intervals.ts';
-import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
-import type { Ray } from '../../src/optics/rays/rays.ts';
-import { renderReference } from '../../src/optics/reference.ts';
-import { readClips } from '../../src/viewer/cuts/read-clips.ts';
-import { add, dot, scale } from '../../src/volume/matrix.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { AuthorCopies } from '../../src/x3d/author-copies.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { clipInterval, cutoutInterval } from '../../../src/optics/rays/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../../../src/optics/rays/clip-intervals.ts';
+import type { Ray } from '../../../src/optics/rays/rays.ts';
+import { renderReference } from '../../../src/optics/reference.ts';
+import { readClips } from '../../../src/viewer/cuts/read-clips.ts';
+import { add, dot, scale } from '../../../src/volume/matrix.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { AuthorCopies } from '../../../src/x3d/author-copies.ts';
+import type { VolumeScene } from '../../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../../helpers/change-plan.ts';
 import {
   comparePictures,
   height,
@@ -20,10 +20,10 @@ import {
   referenceOf,
   width,
   withScene,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { readPixels } from '../../helpers/read-pixels.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 const view: View = {
   volume: syntheticVolume({ dimensions: [24, 20, 16], kind: 'uint16' }),

@@ -1,24 +1,24 @@
 // What is cut away, on the GPU: against the float64 twin.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { Orbit } from '../../src/optics/rays/camera.ts';
-import type { PlaneSlice } from '../../src/optics/attachments/plane-slices.ts';
-import type { ProjectionKind } from '../../src/optics/rays/ray-style.ts';
-import { rayThrough } from '../../src/optics/rays/rays.ts';
-import { stagesOf } from '../../src/optics/reference.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { stretchOf } from '../../src/radar/polar-geometry.ts';
-import type { Slice } from '../../src/radar/slices.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { dot } from '../../src/volume/matrix.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { planeInCube } from '../../src/viewer/cuts/plane-in-cube.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { casesIn, takesAll } from '../helpers/cases.ts';
-import { cutBox, keep } from '../helpers/clips.ts';
-import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
-import { isEdge, listOff } from '../helpers/edges.ts';
-import { blocks, mixedAppearances } from '../helpers/labels.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import type { Orbit } from '../../../src/optics/rays/camera.ts';
+import type { PlaneSlice } from '../../../src/optics/attachments/plane-slices.ts';
+import type { ProjectionKind } from '../../../src/optics/rays/ray-style.ts';
+import { rayThrough } from '../../../src/optics/rays/rays.ts';
+import { stagesOf } from '../../../src/optics/reference.ts';
+import type { TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
+import { stretchOf } from '../../../src/radar/polar-geometry.ts';
+import type { Slice } from '../../../src/radar/slices.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import { dot } from '../../../src/volume/matrix.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { planeInCube } from '../../../src/viewer/cuts/plane-in-cube.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import { casesIn, takesAll } from '../../helpers/cases.ts';
+import { cutBox, keep } from '../../helpers/clips.ts';
+import { cloudCamera, cloudColors, cloudVolume } from '../../helpers/polar-cloud.ts';
+import { isEdge, listOff } from '../../helpers/edges.ts';
+import { blocks, mixedAppearances } from '../../helpers/labels.ts';
 import {
   bothWalks,
   comparePictures,
@@ -31,9 +31,9 @@ import {
   shareScene,
   width,
   walksOf,
-} from '../helpers/picture.ts';
-import type { Clips, View } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+} from '../../helpers/picture.ts';
+import type { Clips, View } from '../../helpers/picture.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 const turned: readonly number[] = [0.9, 0.5, 0, -9, -0.5, 0.9, 0, -2, 0, 0, 1.4, -8, 0, 0, 0, 1];
 const volume = syntheticVolume({ dimensions: [16, 14, 12], indexToWorld: turned });

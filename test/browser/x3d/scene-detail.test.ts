@@ -1,18 +1,18 @@
 import { expect } from '@esm-bundle/chai';
-import { minSubsteps } from '../../src/optics/cells/min-substeps.ts';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
-import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
-import { setUpRays } from '../../src/optics/rays/rays.ts';
-import { renderReference } from '../../src/optics/reference.ts';
-import { allSubsteps } from '../../src/optics/cells/substeps.ts';
-import type { Substeps } from '../../src/optics/cells/substeps.ts';
-import { cutSteps } from '../../src/quality/levels.ts';
-import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { boundingSphere } from '../../src/volume/grid.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { comparePictures, withScene } from '../helpers/picture.ts';
-import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
+import { minSubsteps } from '../../../src/optics/cells/min-substeps.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../../src/optics/rays/camera.ts';
+import { parseTransferFunction } from '../../../src/optics/transfer/parse-transfer-function.ts';
+import { setUpRays } from '../../../src/optics/rays/rays.ts';
+import { renderReference } from '../../../src/optics/reference.ts';
+import { allSubsteps } from '../../../src/optics/cells/substeps.ts';
+import type { Substeps } from '../../../src/optics/cells/substeps.ts';
+import { cutSteps } from '../../../src/quality/levels.ts';
+import { autoSteps, stepLengthOf } from '../../../src/quality/steps.ts';
+import { boundingSphere } from '../../../src/volume/grid.ts';
+import { changePlan, drawAt } from '../../helpers/change-plan.ts';
+import { comparePictures, withScene } from '../../helpers/picture.ts';
+import { randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';
+import { readPixels } from '../../helpers/read-pixels.ts';
 
 const [width, height] = [60, 45];
 

@@ -1,13 +1,13 @@
 // Edges of surfaces in pictures at rest: the mean of five rays, as float64 has it, the same at once and in pieces; all else stays.
 import { expect } from '@esm-bundle/chai';
-import { edgeOffsets, findEdges, meanAtEdges } from '../../src/optics/rays/edge-rays.ts';
-import { raysOfLattice } from '../../src/optics/rays/rays.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import { renderReference } from '../../src/optics/reference.ts';
-import { longestDiagonal } from '../../src/volume/grid.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { changePlan } from '../helpers/change-plan.ts';
+import { edgeOffsets, findEdges, meanAtEdges } from '../../../src/optics/rays/edge-rays.ts';
+import { raysOfLattice } from '../../../src/optics/rays/rays.ts';
+import type { RayStyle } from '../../../src/optics/rays/ray-style.ts';
+import { renderReference } from '../../../src/optics/reference.ts';
+import { longestDiagonal } from '../../../src/volume/grid.ts';
+import type { VolumeScene } from '../../../src/x3d/scene.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { changePlan } from '../../helpers/change-plan.ts';
 import {
   comparePictures,
   drawPicture,
@@ -17,13 +17,13 @@ import {
   referenceOf,
   width,
   withScene,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
-import { remember } from '../helpers/remember.ts';
-import { surfaceStages } from '../helpers/surfaces.ts';
-import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
-import { viewFromAbove } from '../helpers/views.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { cloudCamera, cloudColors, cloudVolume } from '../../helpers/polar-cloud.ts';
+import { remember } from '../../helpers/remember.ts';
+import { surfaceStages } from '../../helpers/surfaces.ts';
+import { smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
+import { viewFromAbove } from '../../helpers/views.ts';
 
 /** At `max-error` 1. */
 const max = 8 * Math.sqrt(12);

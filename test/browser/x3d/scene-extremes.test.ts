@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { describe as describeDevice } from '../../src/renderer/probes/probe-device.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { extremes, storedExtremes } from '../helpers/extremes.ts';
-import { changePlan } from '../helpers/change-plan.ts';
-import type { Extreme } from '../helpers/extremes.ts';
+import { describe as describeDevice } from '../../../src/renderer/probes/probe-device.ts';
+import type { VolumeScene } from '../../../src/x3d/scene.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { extremes, storedExtremes } from '../../helpers/extremes.ts';
+import { changePlan } from '../../helpers/change-plan.ts';
+import type { Extreme } from '../../helpers/extremes.ts';
 import {
   comparePictures,
   drawPicture,
@@ -14,10 +14,10 @@ import {
   walksIn,
   width,
   walksOf,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { remember } from '../helpers/remember.ts';
-import { probe } from '../helpers/probe.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { remember } from '../../helpers/remember.ts';
+import { probe } from '../../helpers/probe.ts';
 
 const pictureSize = [width, height] as const;
 

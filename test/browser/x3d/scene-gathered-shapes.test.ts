@@ -1,14 +1,14 @@
 // Pictures in pieces where the author's shapes stand in the volume: each piece ends its rays where the whole picture does.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { longestDiagonal } from '../../src/volume/grid.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { drawInPieces } from '../helpers/draw-in-pieces.ts';
-import { comparePictures, withScene } from '../helpers/picture.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
-import { shapesAmong } from '../helpers/shapes-among.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import type { TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
+import { longestDiagonal } from '../../../src/volume/grid.ts';
+import { changePlan, drawAt } from '../../helpers/change-plan.ts';
+import { drawInPieces } from '../../helpers/draw-in-pieces.ts';
+import { comparePictures, withScene } from '../../helpers/picture.ts';
+import { readPixels } from '../../helpers/read-pixels.ts';
+import { shapesAmong } from '../../helpers/shapes-among.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 const veil: TransferFunction = [
   { value: 0.2, color: [0.2, 0.4, 1], opacity: 0 },

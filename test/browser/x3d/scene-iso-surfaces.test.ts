@@ -1,22 +1,22 @@
 // Pictures of surfaces of the GPU against the twin in float64.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { uncut } from '../../src/optics/rays/cut-fade.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import type { SceneLights } from '../../src/optics/transfer/lights.ts';
-import { labelField } from '../../src/optics/attachments/labels.ts';
-import { renderReference } from '../../src/optics/reference.ts';
-import { allSubsteps } from '../../src/optics/cells/substeps.ts';
-import type { Substeps } from '../../src/optics/cells/substeps.ts';
-import { cutSteps } from '../../src/quality/levels.ts';
-import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import type { ShownLabels } from '../../src/volume/labels.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { changePlan } from '../helpers/change-plan.ts';
-import { cutBox, keep } from '../helpers/clips.ts';
-import { blocks, mixedAppearances } from '../helpers/labels.ts';
-import { litStages } from '../helpers/lit.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { uncut } from '../../../src/optics/rays/cut-fade.ts';
+import type { RayStyle } from '../../../src/optics/rays/ray-style.ts';
+import type { SceneLights } from '../../../src/optics/transfer/lights.ts';
+import { labelField } from '../../../src/optics/attachments/labels.ts';
+import { renderReference } from '../../../src/optics/reference.ts';
+import { allSubsteps } from '../../../src/optics/cells/substeps.ts';
+import type { Substeps } from '../../../src/optics/cells/substeps.ts';
+import { cutSteps } from '../../../src/quality/levels.ts';
+import { autoSteps, stepLengthOf } from '../../../src/quality/steps.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import type { ShownLabels } from '../../../src/volume/labels.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { changePlan } from '../../helpers/change-plan.ts';
+import { cutBox, keep } from '../../helpers/clips.ts';
+import { blocks, mixedAppearances } from '../../helpers/labels.ts';
+import { litStages } from '../../helpers/lit.ts';
 import {
   comparePictures,
   drawPicture,
@@ -28,14 +28,14 @@ import {
   width,
   withScene,
   walksOf,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
-import { remember } from '../helpers/remember.ts';
-import { surfaceStages } from '../helpers/surfaces.ts';
-import { randomNumbers, smoothField, syntheticVolume } from '../helpers/synthetic.ts';
-import type { SyntheticOptions } from '../helpers/synthetic.ts';
-import { viewFromAbove } from '../helpers/views.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { cloudCamera, cloudColors, cloudVolume } from '../../helpers/polar-cloud.ts';
+import { remember } from '../../helpers/remember.ts';
+import { surfaceStages } from '../../helpers/surfaces.ts';
+import { randomNumbers, smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
+import type { SyntheticOptions } from '../../helpers/synthetic.ts';
+import { viewFromAbove } from '../../helpers/views.ts';
 
 interface Case {
   readonly name: string;

@@ -1,15 +1,15 @@
 // Lit pictures of the GPU against the twin in float64.
 import { expect } from '@esm-bundle/chai';
-import { uncut } from '../../src/optics/rays/cut-fade.ts';
-import type { CutFaces } from '../../src/optics/rays/cut-fade.ts';
-import type { SceneLight, SceneLights } from '../../src/optics/transfer/lights.ts';
-import { renderReference } from '../../src/optics/reference.ts';
-import { longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
-import { invertAffine, multiply } from '../../src/volume/matrix.ts';
-import { cutRegion } from '../../src/volume/region.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { cutBox, keep } from '../helpers/clips.ts';
-import { litStages } from '../helpers/lit.ts';
+import { uncut } from '../../../src/optics/rays/cut-fade.ts';
+import type { CutFaces } from '../../../src/optics/rays/cut-fade.ts';
+import type { SceneLight, SceneLights } from '../../../src/optics/transfer/lights.ts';
+import { renderReference } from '../../../src/optics/reference.ts';
+import { longestDiagonal, unitToWorld } from '../../../src/volume/grid.ts';
+import { invertAffine, multiply } from '../../../src/volume/matrix.ts';
+import { cutRegion } from '../../../src/volume/region.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { cutBox, keep } from '../../helpers/clips.ts';
+import { litStages } from '../../helpers/lit.ts';
 import {
   bothWalks,
   comparePictures,
@@ -22,13 +22,13 @@ import {
   width,
   withScene,
   walksOf,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
-import { remember } from '../helpers/remember.ts';
-import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
-import type { SyntheticOptions } from '../helpers/synthetic.ts';
-import { viewFromAbove } from '../helpers/views.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { cloudCamera, cloudColors, cloudVolume } from '../../helpers/polar-cloud.ts';
+import { remember } from '../../helpers/remember.ts';
+import { smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
+import type { SyntheticOptions } from '../../helpers/synthetic.ts';
+import { viewFromAbove } from '../../helpers/views.ts';
 
 interface Case {
   readonly name: string;

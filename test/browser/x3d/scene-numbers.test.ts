@@ -1,13 +1,13 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { extinction } from '../../src/optics/transfer/opacity.ts';
-import { intersectUnitCube, rayThrough } from '../../src/optics/rays/rays.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { longestDiagonal } from '../../src/volume/grid.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { comparePictures, drawPicture, height, plainOptics, raysOf, width, withScene } from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { extinction } from '../../../src/optics/transfer/opacity.ts';
+import { intersectUnitCube, rayThrough } from '../../../src/optics/rays/rays.ts';
+import type { TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
+import { longestDiagonal } from '../../../src/volume/grid.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { comparePictures, drawPicture, height, plainOptics, raysOf, width, withScene } from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 const gray: TransferFunction = [
   { value: 0, color: [1, 1, 1], opacity: 0 },

@@ -1,19 +1,19 @@
 // A second field: the GPU's picture against the twin's, and that skipping changes no byte.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { ShownOverlay } from '../../src/optics/attachments/overlay.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { buildMacrocells } from '../../src/volume/macrocells.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { compareWithTwin } from '../helpers/compare-with-twin.ts';
-import { askew, overlayOf, signed, waves } from '../helpers/overlays.ts';
-import { comparePictures, drawPicture, plainOptics, shareScene } from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
-import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
-import { viewFromAbove } from '../helpers/views.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import type { ShownOverlay } from '../../../src/optics/attachments/overlay.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import { buildMacrocells } from '../../../src/volume/macrocells.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { compareWithTwin } from '../../helpers/compare-with-twin.ts';
+import { askew, overlayOf, signed, waves } from '../../helpers/overlays.ts';
+import { comparePictures, drawPicture, plainOptics, shareScene } from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { evenAzimuths, radarVolume } from '../../helpers/synthetic-radar.ts';
+import { randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';
+import { viewFromAbove } from '../../helpers/views.ts';
 
 const dimensions: Vector3 = [24, 20, 16];
 const volume = syntheticVolume({ dimensions, kind: 'uint16' });

@@ -1,21 +1,21 @@
 // Transfer functions of value and gradient on the GPU against the twin in float64, alone and with light, styles and surfaces; which patches there are is in uniforms.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { outlinePatches } from '../../src/optics/transfer/patches.ts';
-import type { Patch } from '../../src/optics/transfer/patches.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import { renderReference } from '../../src/optics/reference.ts';
-import type { ReferenceScene } from '../../src/optics/reference.ts';
-import { programKey } from '../../src/renderer/ray/compose-ray.ts';
-import { polarTapsOf } from '../../src/radar/gpu/polar-taps.ts';
-import { headlightAlone } from '../../src/optics/transfer/lights.ts';
-import { cartesianTapsOf, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
-import { createPatches } from '../../src/renderer/ray/modules/patches.ts';
-import { casesIn, takesAll } from '../helpers/cases.ts';
-import { quietGl } from '../helpers/quiet-layer.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { buildMacrocells } from '../../src/volume/macrocells.ts';
-import { litStages } from '../helpers/lit.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { outlinePatches } from '../../../src/optics/transfer/patches.ts';
+import type { Patch } from '../../../src/optics/transfer/patches.ts';
+import type { RayStyle } from '../../../src/optics/rays/ray-style.ts';
+import { renderReference } from '../../../src/optics/reference.ts';
+import type { ReferenceScene } from '../../../src/optics/reference.ts';
+import { programKey } from '../../../src/renderer/ray/compose-ray.ts';
+import { polarTapsOf } from '../../../src/radar/gpu/polar-taps.ts';
+import { headlightAlone } from '../../../src/optics/transfer/lights.ts';
+import { cartesianTapsOf, pointsModule } from '../../../src/renderer/ray/modules/lit.ts';
+import { createPatches } from '../../../src/renderer/ray/modules/patches.ts';
+import { casesIn, takesAll } from '../../helpers/cases.ts';
+import { quietGl } from '../../helpers/quiet-layer.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import { buildMacrocells } from '../../../src/volume/macrocells.ts';
+import { litStages } from '../../helpers/lit.ts';
 import {
   comparePictures,
   drawPicture,
@@ -26,12 +26,12 @@ import {
   shareScene,
   width,
   walksOf,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { cloudCamera, cloudVolume } from '../helpers/polar-cloud.ts';
-import { remember } from '../helpers/remember.ts';
-import { surfaceStages } from '../helpers/surfaces.ts';
-import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { cloudCamera, cloudVolume } from '../../helpers/polar-cloud.ts';
+import { remember } from '../../helpers/remember.ts';
+import { surfaceStages } from '../../helpers/surfaces.ts';
+import { smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
 
 const box: Patch = { kind: 'box', values: [0.35, 0.6], gradients: [0.02, 0.06], color: [1, 0.5, 0.1], opacity: 0.12 };
 const bell: Patch = {

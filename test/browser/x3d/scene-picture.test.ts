@@ -1,16 +1,16 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { Camera, Orbit } from '../../src/optics/rays/camera.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import type { Optics } from '../../src/renderer/ray/ray-module.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { drawAsExpected, expectWalks } from '../helpers/compare-with-twin.ts';
-import { bothWalks, comparePictures, drawPicture, plainOptics, shareScene, withScene } from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { remember } from '../helpers/remember.ts';
-import { obliqueAffine, randomNumbers, smoothField, syntheticVolume } from '../helpers/synthetic.ts';
-import type { SyntheticOptions } from '../helpers/synthetic.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import type { Camera, Orbit } from '../../../src/optics/rays/camera.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import type { Optics } from '../../../src/renderer/ray/ray-module.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { drawAsExpected, expectWalks } from '../../helpers/compare-with-twin.ts';
+import { bothWalks, comparePictures, drawPicture, plainOptics, shareScene, withScene } from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { remember } from '../../helpers/remember.ts';
+import { obliqueAffine, randomNumbers, smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
+import type { SyntheticOptions } from '../../helpers/synthetic.ts';
 
 interface Case {
   readonly name: string;

@@ -1,18 +1,18 @@
 // One call gives a scene its plan: a picture depends on the plan alone, not on the plans, probes and pieces before it.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { allSubsteps, wholeSteps } from '../../src/optics/cells/substeps.ts';
-import { createClip } from '../../src/renderer/ray/modules/clip.ts';
-import { plainRays } from '../../src/renderer/ray/ray-plan.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { cutRegion } from '../../src/volume/region.ts';
-import type { ScenePlan, VolumeScene } from '../../src/x3d/scene.ts';
-import { keep } from '../helpers/clips.ts';
-import { drawInPieces } from '../helpers/draw-in-pieces.ts';
-import { comparePictures, withScene } from '../helpers/picture.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
-import '../helpers/provide-substeps.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { allSubsteps, wholeSteps } from '../../../src/optics/cells/substeps.ts';
+import { createClip } from '../../../src/renderer/ray/modules/clip.ts';
+import { plainRays } from '../../../src/renderer/ray/ray-plan.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import { cutRegion } from '../../../src/volume/region.ts';
+import type { ScenePlan, VolumeScene } from '../../../src/x3d/scene.ts';
+import { keep } from '../../helpers/clips.ts';
+import { drawInPieces } from '../../helpers/draw-in-pieces.ts';
+import { comparePictures, withScene } from '../../helpers/picture.ts';
+import { readPixels } from '../../helpers/read-pixels.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
+import '../../helpers/provide-substeps.ts';
 
 const volume = syntheticVolume({ dimensions: [24, 20, 16] });
 const diagonal = longestDiagonal(volume.grid);

@@ -1,23 +1,23 @@
 // Planes through cartesian volumes: the GPU against the float64 twin.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { Orbit } from '../../src/optics/rays/camera.ts';
-import { sampleSlab } from '../../src/optics/attachments/plane-slices.ts';
-import type { PlaneSlice } from '../../src/optics/attachments/plane-slices.ts';
-import { cartesianField } from '../../src/optics/rays/ray-field.ts';
-import { fillRows } from '../../src/panes/fill-slice.ts';
-import { SlicedVolume } from '../../src/panes/slice-field.ts';
-import { planeOf } from '../../src/panes/slice-plane.ts';
-import { readPlanes } from '../../src/viewer/cuts/read-planes.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { dot, invertAffine, transformPoint } from '../../src/volume/matrix.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { unitToWorld } from '../../src/volume/grid.ts';
-import type { CartesianGrid } from '../../src/volume/grid.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { cloudVolume } from '../helpers/polar-cloud.ts';
-import { bothWalks, comparePictures, drawPicture, drawReference, shareScene } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import type { Orbit } from '../../../src/optics/rays/camera.ts';
+import { sampleSlab } from '../../../src/optics/attachments/plane-slices.ts';
+import type { PlaneSlice } from '../../../src/optics/attachments/plane-slices.ts';
+import { cartesianField } from '../../../src/optics/rays/ray-field.ts';
+import { fillRows } from '../../../src/panes/fill-slice.ts';
+import { SlicedVolume } from '../../../src/panes/slice-field.ts';
+import { planeOf } from '../../../src/panes/slice-plane.ts';
+import { readPlanes } from '../../../src/viewer/cuts/read-planes.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import { dot, invertAffine, transformPoint } from '../../../src/volume/matrix.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { unitToWorld } from '../../../src/volume/grid.ts';
+import type { CartesianGrid } from '../../../src/volume/grid.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { cloudVolume } from '../../helpers/polar-cloud.ts';
+import { bothWalks, comparePictures, drawPicture, drawReference, shareScene } from '../../helpers/picture.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 const volume = syntheticVolume({ dimensions: [14, 18, 11], spacing: [1, 0.8, 1.4] });
 

@@ -1,15 +1,15 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { Orbit } from '../../src/optics/rays/camera.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
-import type { RadarOptions, SweepOptions } from '../helpers/synthetic-radar.ts';
-import { drawAsExpected, expectWalks } from '../helpers/compare-with-twin.ts';
-import { comparePictures, drawPicture, drawReference, shareScene, withScene } from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { remember } from '../helpers/remember.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import type { Orbit } from '../../../src/optics/rays/camera.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { evenAzimuths, polarScenes, radarVolume } from '../../helpers/synthetic-radar.ts';
+import type { RadarOptions, SweepOptions } from '../../helpers/synthetic-radar.ts';
+import { drawAsExpected, expectWalks } from '../../helpers/compare-with-twin.ts';
+import { comparePictures, drawPicture, drawReference, shareScene, withScene } from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { remember } from '../../helpers/remember.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 /** A storm north-east of the radar and a band of rain across the north, smooth over gates; stored 1 to 255. */
 function storm(elevation: number): SweepOptions['stored'] {
@@ -102,7 +102,7 @@ function viewOf({
 
 const expectationOf = remember((one: Case) => expectWalks(viewOf(one)));
 
-/** How gates are stored and found; test/glsl/polar.test.ts compares the samples of all scenes in both versions. */
+/** How gates are stored and found; test/browser/shaders/polar.test.ts compares the samples of all scenes in both versions. */
 const fromTextures = new Set([
   'five sweeps',
   '16 bit',

@@ -1,18 +1,18 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { Ray } from '../../src/optics/rays/rays.ts';
-import { projectionKinds } from '../../src/optics/rays/ray-style.ts';
-import type { ProjectionKind } from '../../src/optics/rays/ray-style.ts';
-import type { Slice } from '../../src/radar/slices.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { cutRegion } from '../../src/volume/region.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { stagesOf } from '../../src/optics/reference.ts';
-import { fitOrder } from '../accuracy/orders.ts';
-import { casesIn, takesAll } from '../helpers/cases.ts';
-import { changePlan } from '../helpers/change-plan.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import type { Ray } from '../../../src/optics/rays/rays.ts';
+import { projectionKinds } from '../../../src/optics/rays/ray-style.ts';
+import type { ProjectionKind } from '../../../src/optics/rays/ray-style.ts';
+import type { Slice } from '../../../src/radar/slices.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { cutRegion } from '../../../src/volume/region.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import type { VolumeScene } from '../../../src/x3d/scene.ts';
+import { stagesOf } from '../../../src/optics/reference.ts';
+import { fitOrder } from '../../accuracy/orders.ts';
+import { casesIn, takesAll } from '../../helpers/cases.ts';
+import { changePlan } from '../../helpers/change-plan.ts';
 import {
   bothWalks,
   comparePictures,
@@ -28,15 +28,15 @@ import {
   width,
   withScene,
   walksOf,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { isEdge, listOff, rayAt } from '../helpers/edges.ts';
-import { remember } from '../helpers/remember.ts';
-import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
-import type { SyntheticOptions } from '../helpers/synthetic.ts';
-import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
-import type { RadarOptions, SweepOptions } from '../helpers/synthetic-radar.ts';
-import { probe } from '../helpers/probe.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { isEdge, listOff, rayAt } from '../../helpers/edges.ts';
+import { remember } from '../../helpers/remember.ts';
+import { smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
+import type { SyntheticOptions } from '../../helpers/synthetic.ts';
+import { evenAzimuths, radarVolume } from '../../helpers/synthetic-radar.ts';
+import type { RadarOptions, SweepOptions } from '../../helpers/synthetic-radar.ts';
+import { probe } from '../../helpers/probe.ts';
 
 /** Colour tells the value; the lowest is clear. */
 const ramp: NonNullable<View['optics']>['transferFunction'] = [

@@ -1,11 +1,11 @@
 // Edges of opaque shapes in fog: the canvas has several samples a pixel, and each gets the fog before what it shows.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { rayThrough } from '../../src/optics/rays/rays.ts';
-import type { Ray } from '../../src/optics/rays/rays.ts';
-import { longestDiagonal } from '../../src/volume/grid.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { changePlan } from '../helpers/change-plan.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { rayThrough } from '../../../src/optics/rays/rays.ts';
+import type { Ray } from '../../../src/optics/rays/rays.ts';
+import { longestDiagonal } from '../../../src/volume/grid.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { changePlan } from '../../helpers/change-plan.ts';
 import {
   drawPicture,
   drawReference,
@@ -15,9 +15,9 @@ import {
   raysOf,
   width,
   withScene,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 /** In the middle of the fog, seen over a corner: its edges run across pixels. */
 const box: { readonly center: Vector3; readonly size: number } = { center: [1, 2, 0], size: 10 };

@@ -1,15 +1,15 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { outlinePatches } from '../../src/optics/transfer/patches.ts';
-import type { Patch } from '../../src/optics/transfer/patches.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { longestDiagonal } from '../../src/volume/grid.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { comparePictures, withScene } from '../helpers/picture.ts';
-import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { outlinePatches } from '../../../src/optics/transfer/patches.ts';
+import type { Patch } from '../../../src/optics/transfer/patches.ts';
+import type { TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
+import { longestDiagonal } from '../../../src/volume/grid.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { changePlan, drawAt } from '../../helpers/change-plan.ts';
+import { comparePictures, withScene } from '../../helpers/picture.ts';
+import { randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';
+import { readPixels } from '../../helpers/read-pixels.ts';
 
 const peak: TransferFunction = [
   { value: 0.3, color: [1, 0.3, 0.1], opacity: 0 },

@@ -1,16 +1,16 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { Orbit } from '../../src/optics/rays/camera.ts';
-import { rayThrough } from '../../src/optics/rays/rays.ts';
-import { sliceMeeter } from '../../src/radar/slices.ts';
-import type { Slice } from '../../src/radar/slices.ts';
-import { stretchOf } from '../../src/radar/polar-geometry.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { cutRegion } from '../../src/volume/region.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
-import { asPolar, evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
-import type { RadarOptions, SweepOptions } from '../helpers/synthetic-radar.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import type { Orbit } from '../../../src/optics/rays/camera.ts';
+import { rayThrough } from '../../../src/optics/rays/rays.ts';
+import { sliceMeeter } from '../../../src/radar/slices.ts';
+import type { Slice } from '../../../src/radar/slices.ts';
+import { stretchOf } from '../../../src/radar/polar-geometry.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import { cutRegion } from '../../../src/volume/region.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
+import { asPolar, evenAzimuths, polarScenes, radarVolume } from '../../helpers/synthetic-radar.ts';
+import type { RadarOptions, SweepOptions } from '../../helpers/synthetic-radar.ts';
 import {
   bothWalks,
   comparePictures,
@@ -22,9 +22,9 @@ import {
   width,
   withScene,
   walksOf,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { remember } from '../helpers/remember.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { remember } from '../../helpers/remember.ts';
 
 /** Smooth over gates, with a dry south-west. */
 const rolling: SweepOptions['stored'] = (azimuth, gate) =>

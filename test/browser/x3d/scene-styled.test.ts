@@ -1,16 +1,16 @@
 // X3D's rendering styles on the GPU against the twin in float64: two programs a context, as which styles there are is in a table.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { SceneLights } from '../../src/optics/transfer/lights.ts';
-import { renderReference } from '../../src/optics/reference.ts';
-import { withLight } from '../../src/optics/transfer/volume-styles.ts';
-import type { StyleChain, VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
-import { programKey } from '../../src/renderer/ray/compose-ray.ts';
-import { hasRoom } from '../../src/renderer/ray/modules/styled.ts';
-import type { RayText } from '../../src/renderer/ray/ray-module.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { styledStages } from '../helpers/lit.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import type { SceneLights } from '../../../src/optics/transfer/lights.ts';
+import { renderReference } from '../../../src/optics/reference.ts';
+import { withLight } from '../../../src/optics/transfer/volume-styles.ts';
+import type { StyleChain, VolumeStyle } from '../../../src/optics/transfer/volume-styles.ts';
+import { programKey } from '../../../src/renderer/ray/compose-ray.ts';
+import { hasRoom } from '../../../src/renderer/ray/modules/styled.ts';
+import type { RayText } from '../../../src/renderer/ray/ray-module.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { styledStages } from '../../helpers/lit.ts';
 import {
   bothWalks,
   comparePictures,
@@ -21,11 +21,11 @@ import {
   referenceOf,
   shareScene,
   width,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
-import { remember } from '../helpers/remember.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { cloudCamera, cloudColors, cloudVolume } from '../../helpers/polar-cloud.ts';
+import { remember } from '../../helpers/remember.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 const boundary: VolumeStyle = { kind: 'boundary', retained: 0.2, boundary: 0.9, power: 2 };
 const silhouette: VolumeStyle = { kind: 'silhouette', retained: 0.3, boundary: 1.2, sharpness: 2 };

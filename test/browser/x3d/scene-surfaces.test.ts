@@ -1,13 +1,13 @@
 // Surfaces in a scene: rays end at them as at an author's shape of the same form, both of their sides are lit, and they go again.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { ShownSurface } from '../../src/renderer/layers/shown-surfaces.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { surfaceOf } from '../helpers/meshes.ts';
-import { height, plainOptics, width, withScene } from '../helpers/picture.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import type { ShownSurface } from '../../../src/renderer/layers/shown-surfaces.ts';
+import type { VolumeScene } from '../../../src/x3d/scene.ts';
+import { changePlan, drawAt } from '../../helpers/change-plan.ts';
+import { surfaceOf } from '../../helpers/meshes.ts';
+import { height, plainOptics, width, withScene } from '../../helpers/picture.ts';
+import { readPixels } from '../../helpers/read-pixels.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 const volume = syntheticVolume({ dimensions: [24, 20, 16], kind: 'uint16' });
 const camera = orbitCamera({ theta: 0.6, phi: 1.2, radius: 70 }, [0, 0, 0], 0.6);

@@ -1,26 +1,26 @@
 // Surfaces of values, styles, light, labels and a layer in one picture: the GPU against the twin in float64, and that skipping changes no byte.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { uncut } from '../../src/optics/rays/cut-fade.ts';
-import { domainOf } from '../../src/optics/transfer/emission.ts';
-import { cartesianGradient, flatChange } from '../../src/optics/rays/gradient.ts';
-import { litShade, pointField } from '../../src/optics/rays/lit.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import { cartesianField } from '../../src/optics/rays/ray-field.ts';
-import type { RayStages } from '../../src/optics/rays/ray-stages.ts';
-import { stagesOf as stagesOfScene, renderStages } from '../../src/optics/reference.ts';
-import { styledShade } from '../../src/optics/rays/styled.ts';
-import type { VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { buildMacrocells } from '../../src/volume/macrocells.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { cutRegion } from '../../src/volume/region.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { cutBox, keep } from '../helpers/clips.ts';
-import { isEdge, listOff } from '../helpers/edges.ts';
-import { blocks, mixedGroups, mixedAppearances } from '../helpers/labels.ts';
-import { askew, overlayOf, waves } from '../helpers/overlays.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { uncut } from '../../../src/optics/rays/cut-fade.ts';
+import { domainOf } from '../../../src/optics/transfer/emission.ts';
+import { cartesianGradient, flatChange } from '../../../src/optics/rays/gradient.ts';
+import { litShade, pointField } from '../../../src/optics/rays/lit.ts';
+import type { RayStyle } from '../../../src/optics/rays/ray-style.ts';
+import { cartesianField } from '../../../src/optics/rays/ray-field.ts';
+import type { RayStages } from '../../../src/optics/rays/ray-stages.ts';
+import { stagesOf as stagesOfScene, renderStages } from '../../../src/optics/reference.ts';
+import { styledShade } from '../../../src/optics/rays/styled.ts';
+import type { VolumeStyle } from '../../../src/optics/transfer/volume-styles.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import { buildMacrocells } from '../../../src/volume/macrocells.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { cutRegion } from '../../../src/volume/region.ts';
+import type { Volume } from '../../../src/volume/volume.ts';
+import type { VolumeScene } from '../../../src/x3d/scene.ts';
+import { cutBox, keep } from '../../helpers/clips.ts';
+import { isEdge, listOff } from '../../helpers/edges.ts';
+import { blocks, mixedGroups, mixedAppearances } from '../../helpers/labels.ts';
+import { askew, overlayOf, waves } from '../../helpers/overlays.ts';
 import {
   comparePictures,
   drawPicture,
@@ -31,11 +31,11 @@ import {
   shareScene,
   width,
   walksOf,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { remember } from '../helpers/remember.ts';
-import { surfaceStages } from '../helpers/surfaces.ts';
-import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { remember } from '../../helpers/remember.ts';
+import { surfaceStages } from '../../helpers/surfaces.ts';
+import { smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
 
 const dimensions: Vector3 = [24, 20, 16];
 const three: RayStyle = {

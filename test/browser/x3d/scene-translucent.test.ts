@@ -1,17 +1,17 @@
 // Translucent shapes of the author amid a volume: each is mixed in at its place, against the twin in float64.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { renderReference } from '../../src/optics/reference.ts';
-import type { ReferenceScene } from '../../src/optics/reference.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import { rayThrough } from '../../src/optics/rays/rays.ts';
-import { longestDiagonal } from '../../src/volume/grid.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { changePlan } from '../helpers/change-plan.ts';
-import { drawPicture, height, meetBox, raysOf, referenceOf, width, withScene } from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { surfaceStages } from '../helpers/surfaces.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { renderReference } from '../../../src/optics/reference.ts';
+import type { ReferenceScene } from '../../../src/optics/reference.ts';
+import type { RayStyle } from '../../../src/optics/rays/ray-style.ts';
+import { rayThrough } from '../../../src/optics/rays/rays.ts';
+import { longestDiagonal } from '../../../src/volume/grid.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { changePlan } from '../../helpers/change-plan.ts';
+import { drawPicture, height, meetBox, raysOf, referenceOf, width, withScene } from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { surfaceStages } from '../../helpers/surfaces.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 const material = (color: string, transparency: number): string =>
   `<appearance><material diffuseColor="0 0 0" specularColor="0 0 0" emissiveColor="${color}" transparency="${transparency}"></material></appearance>`;

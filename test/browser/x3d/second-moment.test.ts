@@ -1,15 +1,15 @@
 // Two moments of a radar in one texture, whose holes differ: the GPU's picture against the twin's, which reads them one by one.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import type { PolarVolume } from '../../src/volume/volume.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { compareWithTwin } from '../helpers/compare-with-twin.ts';
-import { overlayOf } from '../helpers/overlays.ts';
-import { comparePictures, drawPicture, plainOptics, shareScene } from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import type { SampleKind } from '../helpers/synthetic.ts';
-import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import type { PolarVolume } from '../../../src/volume/volume.ts';
+import { casesIn } from '../../helpers/cases.ts';
+import { compareWithTwin } from '../../helpers/compare-with-twin.ts';
+import { overlayOf } from '../../helpers/overlays.ts';
+import { comparePictures, drawPicture, plainOptics, shareScene } from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import type { SampleKind } from '../../helpers/synthetic.ts';
+import { evenAzimuths, radarVolume } from '../../helpers/synthetic-radar.ts';
 
 const sweeps = [2, 8, 16, 26, 40].map((elevation) => ({ elevation, azimuths: evenAzimuths(40), gates: 24 }));
 

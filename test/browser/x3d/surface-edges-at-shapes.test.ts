@@ -1,14 +1,14 @@
 // Lines where opaque shapes cut surfaces: at rest each of a pixel's five rays ends where the shape stands for it.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { castRay } from '../../src/optics/rays/cast-ray.ts';
-import { edgeOffsets } from '../../src/optics/rays/edge-rays.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import { stagesOf } from '../../src/optics/reference.ts';
-import type { Ray } from '../../src/optics/rays/rays.ts';
-import { longestDiagonal } from '../../src/volume/grid.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { changePlan } from '../helpers/change-plan.ts';
+import { orbitCamera } from '../../../src/optics/rays/camera.ts';
+import { castRay } from '../../../src/optics/rays/cast-ray.ts';
+import { edgeOffsets } from '../../../src/optics/rays/edge-rays.ts';
+import type { RayStyle } from '../../../src/optics/rays/ray-style.ts';
+import { stagesOf } from '../../../src/optics/reference.ts';
+import type { Ray } from '../../../src/optics/rays/rays.ts';
+import { longestDiagonal } from '../../../src/volume/grid.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { changePlan } from '../../helpers/change-plan.ts';
 import {
   drawPicture,
   height,
@@ -18,11 +18,11 @@ import {
   referenceOf,
   width,
   withScene,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { rayAt } from '../helpers/edges.ts';
-import { surfaceStages } from '../helpers/surfaces.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+} from '../../helpers/picture.ts';
+import type { View } from '../../helpers/picture.ts';
+import { rayAt } from '../../helpers/edges.ts';
+import { surfaceStages } from '../../helpers/surfaces.ts';
+import { syntheticVolume } from '../../helpers/synthetic.ts';
 
 /** Over a corner: its faces cut the ball along lines of all slopes. */
 const box: { readonly center: Vector3; readonly size: number } = { center: [3, 2, 1], size: 12 };

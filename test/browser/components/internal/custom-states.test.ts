@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { CustomStates } from '../../components/internal/custom-states.ts';
+import { CustomStates } from '../../../../components/internal/custom-states.ts';
 
 class TestState extends HTMLElement {
   readonly states = new CustomStates<'loading' | 'error'>(this);

@@ -1,7 +1,7 @@
 // Old names of attributes go on working, with one line on the console each.
 import { expect } from '@esm-bundle/chai';
-import { oldAttributes } from '../../components/internal/deprecated.ts';
-import { VolumeViewAttributes } from '../../components/volume-view/volume-view-attributes.ts';
+import { oldAttributes } from '../../../../components/internal/deprecated.ts';
+import { VolumeViewAttributes } from '../../../../components/volume-view/volume-view-attributes.ts';
 
 class OldView extends VolumeViewAttributes {}
 customElements.define('old-view', OldView);

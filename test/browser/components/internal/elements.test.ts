@@ -1,6 +1,6 @@
 // The one table of elements: each line loads what defines that element, and every tag of the package has a line.
 import { expect } from '@esm-bundle/chai';
-import { elements } from '../../components/internal/elements.ts';
+import { elements } from '../../../../components/internal/elements.ts';
 
 describe('the table of elements', () => {
   for (const [name, load] of Object.entries(elements)) {

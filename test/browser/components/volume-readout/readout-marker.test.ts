@@ -1,6 +1,6 @@
 // The cross of a readout, and the name beside it.
 import { expect } from '@esm-bundle/chai';
-import { Marker } from '../../components/volume-readout/volume-readout-marker.ts';
+import { Marker } from '../../../../components/volume-readout/volume-readout-marker.ts';
 
 it('a label is named next to the cross, inside the picture wherever the cross is, and without a name there is none', () => {
   const picture = document.body.appendChild(document.createElement('div'));

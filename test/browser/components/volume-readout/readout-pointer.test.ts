@@ -1,10 +1,10 @@
 // What a readout keeps while answers are on their way. End to end: test/e2e/readout.spec.ts.
 import { assert } from '@esm-bundle/chai';
-import { ReadoutPointer } from '../../components/volume-readout/volume-readout-pointer.ts';
-import type { VolumeView } from '../../components/volume-view/volume-view.ts';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
-import { fakeOf } from '../helpers/fake.ts';
+import { ReadoutPointer } from '../../../../components/volume-readout/volume-readout-pointer.ts';
+import type { VolumeView } from '../../../../components/volume-view/volume-view.ts';
+import { orbitCamera } from '../../../../src/optics/rays/camera.ts';
+import type { VolumePick } from '../../../../src/viewer/model/volume-pick.ts';
+import { fakeOf } from '../../../helpers/fake.ts';
 
 const camera = orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 10 }, [0, 0, 0], 1);
 

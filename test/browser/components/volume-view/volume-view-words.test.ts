@@ -1,11 +1,11 @@
 // <volume-view> itself: its states for CSS, and its words in the language of the page.
 import { expect } from '@esm-bundle/chai';
 import { render } from 'lit';
-import { renderError } from '../../components/volume-view/volume-view-parts.ts';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { VolumeView } from '../../components/volume-view/define.ts';
-import { english } from '../../src/messages/english-view.ts';
-import { registerTranslation } from '../../src/messages/locale-controller.ts';
+import { renderError } from '../../../../components/volume-view/volume-view-parts.ts';
+import { VolumeViewError } from '../../../../src/core/errors.ts';
+import { VolumeView } from '../../../../components/volume-view/define.ts';
+import { english } from '../../../../src/messages/english-view.ts';
+import { registerTranslation } from '../../../../src/messages/locale-controller.ts';
 
 registerTranslation('nl', {
   cameraKeys: 'Pijltjes draaien het.',

@@ -1,15 +1,15 @@
 import { expect } from '@esm-bundle/chai';
 import { deflateSync, gzipSync, zlibSync } from 'fflate';
-import { Budget } from '../../src/formats/base/budget.ts';
-import { bunzip2 } from '../../src/formats/codecs/bunzip2.ts';
-import { gunzip } from '../../src/formats/codecs/gunzip.ts';
-import { undoFilters } from '../../src/formats/hdf5/filters.ts';
-import { DeflateError, Inflater } from '../../src/formats/codecs/inflate.ts';
-import { unpackAll } from '../../src/formats/meshes/read-mesh.ts';
-import { unpackSeries } from '../../src/formats/codecs/unpack-series.ts';
-import { unzlib } from '../../src/formats/codecs/unzlib.ts';
-import { decodeBytes, expectError, fetchFixture, valuesOf } from '../helpers/decode.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import { Budget } from '../../../../src/formats/base/budget.ts';
+import { bunzip2 } from '../../../../src/formats/codecs/bunzip2.ts';
+import { gunzip } from '../../../../src/formats/codecs/gunzip.ts';
+import { undoFilters } from '../../../../src/formats/hdf5/filters.ts';
+import { DeflateError, Inflater } from '../../../../src/formats/codecs/inflate.ts';
+import { unpackAll } from '../../../../src/formats/meshes/read-mesh.ts';
+import { unpackSeries } from '../../../../src/formats/codecs/unpack-series.ts';
+import { unzlib } from '../../../../src/formats/codecs/unzlib.ts';
+import { decodeBytes, expectError, fetchFixture, valuesOf } from '../../../helpers/decode.ts';
+import { randomNumbers } from '../../../helpers/synthetic.ts';
 
 function join(...parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   const all = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));

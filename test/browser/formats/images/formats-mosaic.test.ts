@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
 import { encode } from 'fast-png';
-import { transformPoint } from '../../src/volume/matrix.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';
-import { fetchSharedData } from '../helpers/shared-data.ts';
+import { transformPoint } from '../../../../src/volume/matrix.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { decodeBytes, expectError, fetchFixture } from '../../../helpers/decode.ts';
+import { fetchSharedData } from '../../../helpers/shared-data.ts';
 
 const settings = { mosaic: { columns: 3, rows: 2 } };
 const load = async (name: string): Promise<Volume> => decodeBytes(await fetchFixture(`mosaic/${name}`), name, settings);

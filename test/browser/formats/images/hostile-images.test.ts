@@ -2,18 +2,18 @@
 import { expect } from '@esm-bundle/chai';
 import { zlibSync } from 'fflate';
 import { decode } from 'fast-png';
-import type { VolumeViewError } from '../../src/core/errors.ts';
-import { Budget } from '../../src/formats/base/budget.ts';
-import { readImagePixels } from '../../src/formats/images/image-pixels.ts';
-import { readImageSize } from '../../src/formats/images/image-size.ts';
-import { joinSlices } from '../../src/formats/images/join-slices.ts';
-import type { Slice } from '../../src/formats/images/join-slices.ts';
-import { readPng } from '../../src/formats/images/png.ts';
-import { watchAllocations } from '../helpers/allocations.ts';
-import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';
-import { grayPng, pngBytes, pngHeader } from '../helpers/png-bytes.ts';
-import type { PngChunk } from '../helpers/png-bytes.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import type { VolumeViewError } from '../../../../src/core/errors.ts';
+import { Budget } from '../../../../src/formats/base/budget.ts';
+import { readImagePixels } from '../../../../src/formats/images/image-pixels.ts';
+import { readImageSize } from '../../../../src/formats/images/image-size.ts';
+import { joinSlices } from '../../../../src/formats/images/join-slices.ts';
+import type { Slice } from '../../../../src/formats/images/join-slices.ts';
+import { readPng } from '../../../../src/formats/images/png.ts';
+import { watchAllocations } from '../../../helpers/allocations.ts';
+import { decodeBytes, expectError, fetchFixture } from '../../../helpers/decode.ts';
+import { grayPng, pngBytes, pngHeader } from '../../../helpers/png-bytes.ts';
+import type { PngChunk } from '../../../helpers/png-bytes.ts';
+import { randomNumbers } from '../../../helpers/synthetic.ts';
 
 const mosaic = { columns: 1, rows: 1 };
 const refuse = async (bytes: Uint8Array<ArrayBuffer>): Promise<VolumeViewError> =>

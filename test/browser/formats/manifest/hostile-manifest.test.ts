@@ -2,15 +2,15 @@
 import { expect } from '@esm-bundle/chai';
 import { Validator } from '@cfworker/json-schema';
 import type { Schema } from '@cfworker/json-schema';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { readManifest } from '../../src/formats/manifest/manifest.ts';
-import { ScanSequence } from '../../src/viewer/loading/scan-sequence.ts';
-import { resolveAppearance } from '../../src/viewer/appearance/resolve-appearance.ts';
-import { plainAppearance } from '../../src/viewer/model/settings.ts';
-import { VolumeTimeline } from '../../components/volume-timeline/volume-timeline.ts';
-import { decodeBytes, expectError, fetchFile } from '../helpers/decode.ts';
-import { errorOf } from '../helpers/error-of.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { VolumeViewError } from '../../../../src/core/errors.ts';
+import { readManifest } from '../../../../src/formats/manifest/manifest.ts';
+import { ScanSequence } from '../../../../src/viewer/loading/scan-sequence.ts';
+import { resolveAppearance } from '../../../../src/viewer/appearance/resolve-appearance.ts';
+import { plainAppearance } from '../../../../src/viewer/model/settings.ts';
+import { VolumeTimeline } from '../../../../components/volume-timeline/volume-timeline.ts';
+import { decodeBytes, expectError, fetchFile } from '../../../helpers/decode.ts';
+import { errorOf } from '../../../helpers/error-of.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const encode = (text: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text);
 

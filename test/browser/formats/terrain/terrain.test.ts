@@ -1,19 +1,19 @@
 // The ground under a radar: tiles of heights, where they lie, and how they are thinned.
 import { expect } from '@esm-bundle/chai';
-import { readSurface, readTerrain } from '../../src/viewer/attachments/surface-attributes.ts';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { cornerOf, readHgt } from '../../src/formats/terrain/hgt.ts';
-import type { HgtTile } from '../../src/formats/terrain/hgt.ts';
-import { makeTerrain } from '../../src/formats/terrain/make-terrain.ts';
-import type { TerrainRadar } from '../../src/formats/terrain/make-terrain.ts';
-import { joinTiles } from '../../src/formats/terrain/terrain-raster.ts';
-import { placeFromEarth } from '../../src/radar/place-from-earth.ts';
-import { placeOnEarth } from '../../src/radar/place-on-earth.ts';
-import type { EarthPoint } from '../../src/radar/place-on-earth.ts';
-import type { Surface } from '../../src/volume/surface.ts';
-import { fetchFixture } from '../helpers/decode.ts';
-import { trianglesOf } from '../helpers/meshes.ts';
-import { hgtBytes } from '../helpers/terrain.ts';
+import { readSurface, readTerrain } from '../../../../src/viewer/attachments/surface-attributes.ts';
+import { VolumeViewError } from '../../../../src/core/errors.ts';
+import { cornerOf, readHgt } from '../../../../src/formats/terrain/hgt.ts';
+import type { HgtTile } from '../../../../src/formats/terrain/hgt.ts';
+import { makeTerrain } from '../../../../src/formats/terrain/make-terrain.ts';
+import type { TerrainRadar } from '../../../../src/formats/terrain/make-terrain.ts';
+import { joinTiles } from '../../../../src/formats/terrain/terrain-raster.ts';
+import { placeFromEarth } from '../../../../src/radar/place-from-earth.ts';
+import { placeOnEarth } from '../../../../src/radar/place-on-earth.ts';
+import type { EarthPoint } from '../../../../src/radar/place-on-earth.ts';
+import type { Surface } from '../../../../src/volume/surface.ts';
+import { fetchFixture } from '../../../helpers/decode.ts';
+import { trianglesOf } from '../../../helpers/meshes.ts';
+import { hgtBytes } from '../../../helpers/terrain.ts';
 
 const radar: TerrainRadar = { site: { latitude: 46.4, longitude: 7.5 }, height: 800, reach: 25_000, exaggeration: 2 };
 const tile = (height: Parameters<typeof hgtBytes>[0], name = 'N46E007.hgt'): Promise<HgtTile> =>

@@ -1,16 +1,16 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
-import { meetsOutline, outlinesOf } from '../../src/optics/attachments/plane-outlines.ts';
-import type { HalfSpace, Outline, Plane } from '../../src/optics/attachments/plane-outlines.ts';
-import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
-import type { RaySetup } from '../../src/optics/rays/rays.ts';
-import { planeOfSlice } from '../../src/radar/slices.ts';
-import { outlinesText, outlineUniforms } from '../../src/renderer/ray/outline-uniforms.ts';
-import { add, cross, dot, scale, subtract } from '../../src/volume/matrix.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import { cutRegion } from '../../src/volume/region.ts';
-import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import { meetsOutline, outlinesOf } from '../../../../src/optics/attachments/plane-outlines.ts';
+import type { HalfSpace, Outline, Plane } from '../../../../src/optics/attachments/plane-outlines.ts';
+import { crossVolume, rayThrough, setUpRays } from '../../../../src/optics/rays/rays.ts';
+import type { RaySetup } from '../../../../src/optics/rays/rays.ts';
+import { planeOfSlice } from '../../../../src/radar/slices.ts';
+import { outlinesText, outlineUniforms } from '../../../../src/renderer/ray/outline-uniforms.ts';
+import { add, cross, dot, scale, subtract } from '../../../../src/volume/matrix.ts';
+import type { Vector3 } from '../../../../src/volume/matrix.ts';
+import { cutRegion } from '../../../../src/volume/region.ts';
+import { createGl, releaseGl, runChunk } from '../../../helpers/gl.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const { grid } = syntheticVolume({ dimensions: [14, 18, 11], spacing: [1, 0.8, 1.4] });
 const planes: readonly (Plane & { readonly within?: readonly HalfSpace[] })[] = [

@@ -1,21 +1,21 @@
 // Which pixels of a picture get more rays, where these go, and what they make of a sphere's silhouette.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, viewMatrix } from '../../src/optics/rays/camera.ts';
-import { castRay } from '../../src/optics/rays/cast-ray.ts';
-import { edgeOffsets, findEdges, meanAtEdges } from '../../src/optics/rays/edge-rays.ts';
-import { lightAt, pointField, towardsEye } from '../../src/optics/rays/lit.ts';
-import { storedField } from '../../src/optics/rays/ray-field.ts';
-import { raysOfLattice, setUpRays } from '../../src/optics/rays/rays.ts';
-import type { Ray, RaySetup } from '../../src/optics/rays/rays.ts';
-import { stagesOf } from '../../src/optics/reference.ts';
-import { surfaceGather } from '../../src/optics/surfaces/surfaces.ts';
-import { unitToWorld } from '../../src/volume/grid.ts';
-import { transformDirection } from '../../src/volume/matrix.ts';
-import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
-import { plainOptics } from '../helpers/picture.ts';
-import { castPixels, rayOfPixel } from '../helpers/pixel-rays.ts';
-import { remember } from '../helpers/remember.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import { castRay } from '../../../../src/optics/rays/cast-ray.ts';
+import { edgeOffsets, findEdges, meanAtEdges } from '../../../../src/optics/rays/edge-rays.ts';
+import { lightAt, pointField, towardsEye } from '../../../../src/optics/rays/lit.ts';
+import { storedField } from '../../../../src/optics/rays/ray-field.ts';
+import { raysOfLattice, setUpRays } from '../../../../src/optics/rays/rays.ts';
+import type { Ray, RaySetup } from '../../../../src/optics/rays/rays.ts';
+import { stagesOf } from '../../../../src/optics/reference.ts';
+import { surfaceGather } from '../../../../src/optics/surfaces/surfaces.ts';
+import { unitToWorld } from '../../../../src/volume/grid.ts';
+import { transformDirection } from '../../../../src/volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../../../src/volume/matrix.ts';
+import { plainOptics } from '../../../helpers/picture.ts';
+import { castPixels, rayOfPixel } from '../../../helpers/pixel-rays.ts';
+import { remember } from '../../../helpers/remember.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const pictureOf = (
   width: number,

@@ -1,25 +1,31 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, viewMatrix } from '../../src/optics/rays/camera.ts';
-import { castRay } from '../../src/optics/rays/cast-ray.ts';
-import { fadeAtCuts, uncut } from '../../src/optics/rays/cut-fade.ts';
-import { cartesianGradient, differ, flatChange, weighChange } from '../../src/optics/rays/gradient.ts';
-import { fogFlat, fogMaterial, headlightAlone, plainMaterial, shadeSurface } from '../../src/optics/transfer/lights.ts';
-import type { LitMaterial, SceneLight } from '../../src/optics/transfer/lights.ts';
-import { litShade, pointField } from '../../src/optics/rays/lit.ts';
-import { cartesianField, storedField } from '../../src/optics/rays/ray-field.ts';
-import { setUpRays } from '../../src/optics/rays/rays.ts';
-import { stagesOf } from '../../src/optics/reference.ts';
-import type { ReferenceScene } from '../../src/optics/reference.ts';
-import { beamTaps, beamToLocalGradient, polarGradient } from '../../src/radar/polar-gradient.ts';
-import { beamToLocal, standardEarthRadius, stretchOf } from '../../src/radar/polar-geometry.ts';
-import { unitToWorld } from '../../src/volume/grid.ts';
-import { dot, identity, normalize, transformPoint } from '../../src/volume/matrix.ts';
-import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
-import { cutRegion } from '../../src/volume/region.ts';
-import { plainOptics } from '../helpers/picture.ts';
-import { castPixels } from '../helpers/pixel-rays.ts';
-import { obliqueAffine, randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
-import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
+import { orbitCamera, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import { castRay } from '../../../../src/optics/rays/cast-ray.ts';
+import { fadeAtCuts, uncut } from '../../../../src/optics/rays/cut-fade.ts';
+import { cartesianGradient, differ, flatChange, weighChange } from '../../../../src/optics/rays/gradient.ts';
+import {
+  fogFlat,
+  fogMaterial,
+  headlightAlone,
+  plainMaterial,
+  shadeSurface,
+} from '../../../../src/optics/transfer/lights.ts';
+import type { LitMaterial, SceneLight } from '../../../../src/optics/transfer/lights.ts';
+import { litShade, pointField } from '../../../../src/optics/rays/lit.ts';
+import { cartesianField, storedField } from '../../../../src/optics/rays/ray-field.ts';
+import { setUpRays } from '../../../../src/optics/rays/rays.ts';
+import { stagesOf } from '../../../../src/optics/reference.ts';
+import type { ReferenceScene } from '../../../../src/optics/reference.ts';
+import { beamTaps, beamToLocalGradient, polarGradient } from '../../../../src/radar/polar-gradient.ts';
+import { beamToLocal, standardEarthRadius, stretchOf } from '../../../../src/radar/polar-geometry.ts';
+import { unitToWorld } from '../../../../src/volume/grid.ts';
+import { dot, identity, normalize, transformPoint } from '../../../../src/volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../../../src/volume/matrix.ts';
+import { cutRegion } from '../../../../src/volume/region.ts';
+import { plainOptics } from '../../../helpers/picture.ts';
+import { castPixels } from '../../../helpers/pixel-rays.ts';
+import { obliqueAffine, randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
+import { evenAzimuths, radarVolume } from '../../../helpers/synthetic-radar.ts';
 
 /** A parallel projection of a square, so wide in world units. */
 const parallel = (wide: number): Matrix4 => [2 / wide, 0, 0, 0, 0, 2 / wide, 0, 0, 0, 0, -0.001, 0, 0, 0, 0, 1];

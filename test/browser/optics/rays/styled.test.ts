@@ -1,21 +1,21 @@
 // X3D's rendering styles against their formulas.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, viewMatrix } from '../../src/optics/rays/camera.ts';
-import { castRay } from '../../src/optics/rays/cast-ray.ts';
-import { cartesianGradient, flatChange, flatShare, weighChange } from '../../src/optics/rays/gradient.ts';
-import { clipInterval } from '../../src/optics/rays/clip-intervals.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import type { SceneLights } from '../../src/optics/transfer/lights.ts';
-import { maxSubsteps } from '../../src/optics/transfer/substep-limits.ts';
-import { litShade, pointField } from '../../src/optics/rays/lit.ts';
-import { cartesianField, storedField } from '../../src/optics/rays/ray-field.ts';
-import type { RayStages, ShadeStage } from '../../src/optics/rays/ray-stages.ts';
-import { setUpRays } from '../../src/optics/rays/rays.ts';
-import type { RaySetup } from '../../src/optics/rays/rays.ts';
-import { stagesOf } from '../../src/optics/reference.ts';
-import type { ReferenceScene } from '../../src/optics/reference.ts';
-import { composite } from '../../src/optics/rays/segment.ts';
-import { perGradientReach, styledShade } from '../../src/optics/rays/styled.ts';
+import { orbitCamera, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import { castRay } from '../../../../src/optics/rays/cast-ray.ts';
+import { cartesianGradient, flatChange, flatShare, weighChange } from '../../../../src/optics/rays/gradient.ts';
+import { clipInterval } from '../../../../src/optics/rays/clip-intervals.ts';
+import type { RayStyle } from '../../../../src/optics/rays/ray-style.ts';
+import type { SceneLights } from '../../../../src/optics/transfer/lights.ts';
+import { maxSubsteps } from '../../../../src/optics/transfer/substep-limits.ts';
+import { litShade, pointField } from '../../../../src/optics/rays/lit.ts';
+import { cartesianField, storedField } from '../../../../src/optics/rays/ray-field.ts';
+import type { RayStages, ShadeStage } from '../../../../src/optics/rays/ray-stages.ts';
+import { setUpRays } from '../../../../src/optics/rays/rays.ts';
+import type { RaySetup } from '../../../../src/optics/rays/rays.ts';
+import { stagesOf } from '../../../../src/optics/reference.ts';
+import type { ReferenceScene } from '../../../../src/optics/reference.ts';
+import { composite } from '../../../../src/optics/rays/segment.ts';
+import { perGradientReach, styledShade } from '../../../../src/optics/rays/styled.ts';
 import {
   buildStyleTable,
   fromHsv,
@@ -24,20 +24,20 @@ import {
   styleColumns,
   toHsv,
   withLight,
-} from '../../src/optics/transfer/volume-styles.ts';
-import type { StyleChain, VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
-import type { Premultiplied } from '../../src/optics/transfer/transfer-function.ts';
-import { composeTwins, loadTwins } from '../../src/renderer/ray/compose-twins.ts';
-import { createClip } from '../../src/renderer/ray/modules/clip.ts';
-import type { Optics, RayCut } from '../../src/renderer/ray/ray-module.ts';
-import { dot, normalize } from '../../src/volume/matrix.ts';
-import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
-import { cutRegion } from '../../src/volume/region.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { plainOptics } from '../helpers/picture.ts';
-import { castPixels } from '../helpers/pixel-rays.ts';
-import { createQuietLayer } from '../helpers/quiet-layer.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+} from '../../../../src/optics/transfer/volume-styles.ts';
+import type { StyleChain, VolumeStyle } from '../../../../src/optics/transfer/volume-styles.ts';
+import type { Premultiplied } from '../../../../src/optics/transfer/transfer-function.ts';
+import { composeTwins, loadTwins } from '../../../../src/renderer/ray/compose-twins.ts';
+import { createClip } from '../../../../src/renderer/ray/modules/clip.ts';
+import type { Optics, RayCut } from '../../../../src/renderer/ray/ray-module.ts';
+import { dot, normalize } from '../../../../src/volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../../../src/volume/matrix.ts';
+import { cutRegion } from '../../../../src/volume/region.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { plainOptics } from '../../../helpers/picture.ts';
+import { castPixels } from '../../../helpers/pixel-rays.ts';
+import { createQuietLayer } from '../../../helpers/quiet-layer.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const parallel = (wide: number): Matrix4 => [2 / wide, 0, 0, 0, 0, 2 / wide, 0, 0, 0, 0, -0.001, 0, 0, 0, 0, 1];
 

@@ -1,21 +1,21 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, viewMatrix } from '../../src/optics/rays/camera.ts';
-import { castRay } from '../../src/optics/rays/cast-ray.ts';
-import { cartesianGradient } from '../../src/optics/rays/gradient.ts';
-import { lightAt, pointField, towardsEye } from '../../src/optics/rays/lit.ts';
-import { cartesianField, storedField } from '../../src/optics/rays/ray-field.ts';
-import type { IsoSurface } from '../../src/optics/rays/ray-style.ts';
-import type { FieldStage, GatherStage, Segment } from '../../src/optics/rays/ray-stages.ts';
-import { setUpRays } from '../../src/optics/rays/rays.ts';
-import type { RaySetup } from '../../src/optics/rays/rays.ts';
-import { stagesOf } from '../../src/optics/reference.ts';
-import type { ReferenceScene } from '../../src/optics/reference.ts';
-import { surfaceGather } from '../../src/optics/surfaces/surfaces.ts';
-import type { SurfaceScene } from '../../src/optics/surfaces/surfaces.ts';
-import type { Matrix4 } from '../../src/volume/matrix.ts';
-import { plainOptics } from '../helpers/picture.ts';
-import { castPixels, rayOfPixel } from '../helpers/pixel-rays.ts';
-import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import { castRay } from '../../../../src/optics/rays/cast-ray.ts';
+import { cartesianGradient } from '../../../../src/optics/rays/gradient.ts';
+import { lightAt, pointField, towardsEye } from '../../../../src/optics/rays/lit.ts';
+import { cartesianField, storedField } from '../../../../src/optics/rays/ray-field.ts';
+import type { IsoSurface } from '../../../../src/optics/rays/ray-style.ts';
+import type { FieldStage, GatherStage, Segment } from '../../../../src/optics/rays/ray-stages.ts';
+import { setUpRays } from '../../../../src/optics/rays/rays.ts';
+import type { RaySetup } from '../../../../src/optics/rays/rays.ts';
+import { stagesOf } from '../../../../src/optics/reference.ts';
+import type { ReferenceScene } from '../../../../src/optics/reference.ts';
+import { surfaceGather } from '../../../../src/optics/surfaces/surfaces.ts';
+import type { SurfaceScene } from '../../../../src/optics/surfaces/surfaces.ts';
+import type { Matrix4 } from '../../../../src/volume/matrix.ts';
+import { plainOptics } from '../../../helpers/picture.ts';
+import { castPixels, rayOfPixel } from '../../../helpers/pixel-rays.ts';
+import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
 
 /** A parallel projection of a square, so wide in world units. */
 const parallel = (wide: number): Matrix4 => [2 / wide, 0, 0, 0, 0, 2 / wide, 0, 0, 0, 0, -0.001, 0, 0, 0, 0, 1];

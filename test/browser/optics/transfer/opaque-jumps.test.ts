@@ -1,18 +1,18 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
-import { buildDefaultPreset } from '../../src/optics/transfer/default-preset.ts';
-import { findOpaqueJumps } from '../../src/optics/transfer/opaque-jumps.ts';
-import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
-import { compositeGather } from '../../src/optics/rays/ray-gather.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
-import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
-import type { ReferenceScene } from '../../src/optics/reference.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { ExactCells } from '../accuracy/exact-cells.ts';
-import { smoothNoise } from '../accuracy/voxel-block.ts';
-import { byIndex, noise } from '../accuracy/hard-volumes.ts';
-import { plainOptics } from '../helpers/picture.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import { buildDefaultPreset } from '../../../../src/optics/transfer/default-preset.ts';
+import { findOpaqueJumps } from '../../../../src/optics/transfer/opaque-jumps.ts';
+import { parseTransferFunction } from '../../../../src/optics/transfer/parse-transfer-function.ts';
+import { compositeGather } from '../../../../src/optics/rays/ray-gather.ts';
+import { rayThrough, setUpRays } from '../../../../src/optics/rays/rays.ts';
+import { castSceneRay, opticsOf } from '../../../../src/optics/reference.ts';
+import type { ReferenceScene } from '../../../../src/optics/reference.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { ExactCells } from '../../../accuracy/exact-cells.ts';
+import { smoothNoise } from '../../../accuracy/voxel-block.ts';
+import { byIndex, noise } from '../../../accuracy/hard-volumes.ts';
+import { plainOptics } from '../../../helpers/picture.ts';
+import { randomNumbers } from '../../../helpers/synthetic.ts';
 
 const parse = (text: string): ReturnType<typeof parseTransferFunction> => parseTransferFunction(text, [0, 1]);
 

@@ -1,10 +1,10 @@
 // Transfer functions of value and gradient against quadrature, and against what a linear field comes to.
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { orbitCamera, viewMatrix } from '../../src/optics/rays/camera.ts';
-import { castRay } from '../../src/optics/rays/cast-ray.ts';
-import { contributionOf } from '../../src/optics/cells/empty-space-distance.ts';
-import { parsePatches } from '../../src/optics/transfer/parse-patches.ts';
+import { VolumeViewError } from '../../../../src/core/errors.ts';
+import { orbitCamera, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import { castRay } from '../../../../src/optics/rays/cast-ray.ts';
+import { contributionOf } from '../../../../src/optics/cells/empty-space-distance.ts';
+import { parsePatches } from '../../../../src/optics/transfer/parse-patches.ts';
 import {
   erf,
   gaussianReach,
@@ -12,22 +12,22 @@ import {
   meanOverWay,
   outlinePatches,
   spanOfPatch,
-} from '../../src/optics/transfer/patches.ts';
-import type { Patch, ValueAndGradient } from '../../src/optics/transfer/patches.ts';
-import { storedField } from '../../src/optics/rays/ray-field.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
-import { pointField } from '../../src/optics/rays/lit.ts';
-import { patchClassify } from '../../src/optics/rays/patch-classify.ts';
-import type { ClassifyStage } from '../../src/optics/rays/ray-stages.ts';
-import { stagesOf } from '../../src/optics/reference.ts';
-import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
-import { isUsual } from '../../src/optics/transfer/usual-columns.ts';
-import { cartesianSlopes } from '../../src/optics/shading-twins.ts';
-import { resolveAppearance } from '../../src/viewer/appearance/resolve-appearance.ts';
-import { plainAppearance } from '../../src/viewer/model/settings.ts';
-import { styleOf } from '../../src/viewer/model/volume-info.ts';
-import { plainOptics } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+} from '../../../../src/optics/transfer/patches.ts';
+import type { Patch, ValueAndGradient } from '../../../../src/optics/transfer/patches.ts';
+import { storedField } from '../../../../src/optics/rays/ray-field.ts';
+import { rayThrough, setUpRays } from '../../../../src/optics/rays/rays.ts';
+import { pointField } from '../../../../src/optics/rays/lit.ts';
+import { patchClassify } from '../../../../src/optics/rays/patch-classify.ts';
+import type { ClassifyStage } from '../../../../src/optics/rays/ray-stages.ts';
+import { stagesOf } from '../../../../src/optics/reference.ts';
+import { evaluate } from '../../../../src/optics/transfer/transfer-function.ts';
+import { isUsual } from '../../../../src/optics/transfer/usual-columns.ts';
+import { cartesianSlopes } from '../../../../src/optics/shading-twins.ts';
+import { resolveAppearance } from '../../../../src/viewer/appearance/resolve-appearance.ts';
+import { plainAppearance } from '../../../../src/viewer/model/settings.ts';
+import { styleOf } from '../../../../src/viewer/model/volume-info.ts';
+import { plainOptics } from '../../../helpers/picture.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const box: Patch = { kind: 'box', values: [40, 120], gradients: [5, 30], color: [1, 0.5, 0], opacity: 0.6 };
 const bell: Patch = { kind: 'gaussian', value: 100, gradient: 20, widths: [15, 4], color: [0, 0.5, 1], opacity: 0.3 };

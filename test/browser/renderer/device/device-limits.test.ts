@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { chooseReduction } from '../../src/volume/reduce.ts';
-import { deviceLimits } from '../../src/renderer/device/device.ts';
-import type { Device } from '../../src/renderer/device/device.ts';
+import { chooseReduction } from '../../../../src/volume/reduce.ts';
+import { deviceLimits } from '../../../../src/renderer/device/device.ts';
+import type { Device } from '../../../../src/renderer/device/device.ts';
 
 const desktop: Device = {
   webgl2: true,

@@ -1,12 +1,12 @@
 import { expect } from '@esm-bundle/chai';
-import { longestDiagonal } from '../../src/volume/grid.ts';
-import type { Gl } from '../../src/renderer/device/device.ts';
-import { GpuTimer } from '../../src/renderer/device/gpu-timer.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { fakeTimerQueries } from '../helpers/fake-timer-queries.ts';
-import type { FakeTimes } from '../helpers/fake-timer-queries.ts';
-import { plainOptics, withScene } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { longestDiagonal } from '../../../../src/volume/grid.ts';
+import type { Gl } from '../../../../src/renderer/device/device.ts';
+import { GpuTimer } from '../../../../src/renderer/device/gpu-timer.ts';
+import { changePlan, drawAt } from '../../../helpers/change-plan.ts';
+import { fakeTimerQueries } from '../../../helpers/fake-timer-queries.ts';
+import type { FakeTimes } from '../../../helpers/fake-timer-queries.ts';
+import { plainOptics, withScene } from '../../../helpers/picture.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const extensionNames = { 1: 'EXT_disjoint_timer_query', 2: 'EXT_disjoint_timer_query_webgl2' } as const;
 

@@ -1,26 +1,26 @@
 import { expect } from '@esm-bundle/chai';
-import { castRay } from '../../src/optics/rays/cast-ray.ts';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
-import type { RayStages, ShadeStage } from '../../src/optics/rays/ray-stages.ts';
-import { shapeInterval } from '../../src/optics/rays/ray-intervals.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
-import type { Ray, RaySetup } from '../../src/optics/rays/rays.ts';
-import { castSceneRay } from '../../src/optics/reference.ts';
-import { maxSubsteps } from '../../src/optics/transfer/substep-limits.ts';
-import { polarField } from '../../src/radar/polar-field.ts';
-import { sliceInterval, sliceMeeter } from '../../src/radar/slices.ts';
-import type { Slice } from '../../src/radar/slices.ts';
-import type { VolumeLayer } from '../../src/renderer/layers/volume-layer.ts';
-import { composeTwins, loadTwins } from '../../src/renderer/ray/compose-twins.ts';
-import { labelAppearances } from '../../src/renderer/ray/modules/label-appearances.ts';
-import type { Optics, RayModule, TwinFrame } from '../../src/renderer/ray/ray-module.ts';
-import { later, twinOf } from '../../src/renderer/ray/ray-twin.ts';
-import { longestDiagonal } from '../../src/volume/grid.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { plainOptics } from '../helpers/picture.ts';
-import { createQuietLayer } from '../helpers/quiet-layer.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
-import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
+import { castRay } from '../../../../src/optics/rays/cast-ray.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import type { RayStages, ShadeStage } from '../../../../src/optics/rays/ray-stages.ts';
+import { shapeInterval } from '../../../../src/optics/rays/ray-intervals.ts';
+import { rayThrough, setUpRays } from '../../../../src/optics/rays/rays.ts';
+import type { Ray, RaySetup } from '../../../../src/optics/rays/rays.ts';
+import { castSceneRay } from '../../../../src/optics/reference.ts';
+import { maxSubsteps } from '../../../../src/optics/transfer/substep-limits.ts';
+import { polarField } from '../../../../src/radar/polar-field.ts';
+import { sliceInterval, sliceMeeter } from '../../../../src/radar/slices.ts';
+import type { Slice } from '../../../../src/radar/slices.ts';
+import type { VolumeLayer } from '../../../../src/renderer/layers/volume-layer.ts';
+import { composeTwins, loadTwins } from '../../../../src/renderer/ray/compose-twins.ts';
+import { labelAppearances } from '../../../../src/renderer/ray/modules/label-appearances.ts';
+import type { Optics, RayModule, TwinFrame } from '../../../../src/renderer/ray/ray-module.ts';
+import { later, twinOf } from '../../../../src/renderer/ray/ray-twin.ts';
+import { longestDiagonal } from '../../../../src/volume/grid.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { plainOptics } from '../../../helpers/picture.ts';
+import { createQuietLayer } from '../../../helpers/quiet-layer.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
+import { evenAzimuths, radarVolume } from '../../../helpers/synthetic-radar.ts';
 
 /** Rays through the middle of a volume. */
 function setUp(volume: Volume) {

@@ -1,19 +1,19 @@
 // Modules that the package does not know, added by this file alone, in one place: what renderer/ray/ray-module.ts promises. They are drawn, cast in float64, picked and checked.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { GatherStage, Sample, ShadeStage } from '../../src/optics/rays/ray-stages.ts';
-import type { RayModule } from '../../src/renderer/ray/ray-module.ts';
-import { later, twinOf } from '../../src/renderer/ray/ray-twin.ts';
-import { noCuts } from '../../src/viewer/cuts/cuts.ts';
-import { checkPicture } from '../../src/viewer/picking/check-picture.ts';
-import { pick } from '../../src/viewer/picking/pick.ts';
-import { Visibility } from '../../src/viewer/scenes/visibility.ts';
-import { Viewer } from '../../src/viewer/view/viewer.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { x3dScenes } from '../../components/internal/x3d-scenes.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { casesOf } from '../helpers/cases.ts';
-import { isEdge, listOff } from '../helpers/edges.ts';
+import { orbitCamera } from '../../../../src/optics/rays/camera.ts';
+import type { GatherStage, Sample, ShadeStage } from '../../../../src/optics/rays/ray-stages.ts';
+import type { RayModule } from '../../../../src/renderer/ray/ray-module.ts';
+import { later, twinOf } from '../../../../src/renderer/ray/ray-twin.ts';
+import { noCuts } from '../../../../src/viewer/cuts/cuts.ts';
+import { checkPicture } from '../../../../src/viewer/picking/check-picture.ts';
+import { pick } from '../../../../src/viewer/picking/pick.ts';
+import { Visibility } from '../../../../src/viewer/scenes/visibility.ts';
+import { Viewer } from '../../../../src/viewer/view/viewer.ts';
+import type { VolumeScene } from '../../../../src/x3d/scene.ts';
+import { x3dScenes } from '../../../../components/internal/x3d-scenes.ts';
+import { boundingSphere, longestDiagonal } from '../../../../src/volume/grid.ts';
+import { casesOf } from '../../../helpers/cases.ts';
+import { isEdge, listOff } from '../../../helpers/edges.ts';
 import {
   comparePictures,
   drawPicture,
@@ -24,9 +24,9 @@ import {
   stagesOfView,
   width,
   withScene,
-} from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+} from '../../../helpers/picture.ts';
+import type { View } from '../../../helpers/picture.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const nothing = { uniforms: {}, units: [] };
 

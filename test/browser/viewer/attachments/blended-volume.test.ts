@@ -1,11 +1,11 @@
 // A second volume in X3D's BlendedVolumeStyle: a layer over the first, by the weights of both; and what can't be blended, in words.
 import { expect } from '@esm-bundle/chai';
-import type { OverlaidSample } from '../../src/optics/attachments/overlay.ts';
-import { extinction } from '../../src/optics/transfer/opacity.ts';
-import { cartesianOverlay, isOver, overlayStages } from '../../src/optics/attachments/overlay.ts';
-import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
-import { readVoxelTexture } from '../../src/x3d/nodes/volume-textures.ts';
-import { atlasOf, fakeView, plainAppearance, viewOf } from '../helpers/fake-view.ts';
+import type { OverlaidSample } from '../../../../src/optics/attachments/overlay.ts';
+import { extinction } from '../../../../src/optics/transfer/opacity.ts';
+import { cartesianOverlay, isOver, overlayStages } from '../../../../src/optics/attachments/overlay.ts';
+import { readVolumeNodes } from '../../../../src/viewer/attachments/read-volume-nodes.ts';
+import { readVoxelTexture } from '../../../../src/x3d/nodes/volume-textures.ts';
+import { atlasOf, fakeView, plainAppearance, viewOf } from '../../../helpers/fake-view.ts';
 
 const voxels = atlasOf('voxels', [0, 0, 0, 0, 255, 255]);
 const half =

@@ -1,15 +1,15 @@
 // What X3D's volume nodes in HTML say, as an author meant it; what X3D forbids, and what is not there, in words.
 import { expect } from '@esm-bundle/chai';
-import { socketOf } from '../../src/viewer/model/view-socket.ts';
-import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
-import { defaultReferenceLength } from '../../src/volume/reference-length.ts';
-import type { VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
-import { evaluate, largestOpacity } from '../../src/optics/transfer/transfer-function.ts';
-import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
-import { readOpacityMap } from '../../src/x3d/nodes/read-opacity-map.ts';
-import { readVolumeNodes, withVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
+import { socketOf } from '../../../../src/viewer/model/view-socket.ts';
+import { axialIndexToWorld, cartesianGrid } from '../../../../src/volume/grid.ts';
+import { defaultReferenceLength } from '../../../../src/volume/reference-length.ts';
+import type { VolumeStyle } from '../../../../src/optics/transfer/volume-styles.ts';
+import { evaluate, largestOpacity } from '../../../../src/optics/transfer/transfer-function.ts';
+import { parseTransferFunction } from '../../../../src/optics/transfer/parse-transfer-function.ts';
+import { readOpacityMap } from '../../../../src/x3d/nodes/read-opacity-map.ts';
+import { readVolumeNodes, withVolumeNodes } from '../../../../src/viewer/attachments/read-volume-nodes.ts';
 
-import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
+import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
 
 const plainAppearance: VolumeOptics = {
   transferFunction: [],

@@ -1,11 +1,11 @@
 // X3D's SegmentedVolumeData: which segments are drawn, and with what; and what can't be drawn, in words.
 import { expect } from '@esm-bundle/chai';
-import { socketOf } from '../../src/viewer/model/view-socket.ts';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { leadOf, readEnabled, readIdentifiers, reportStyles } from '../../src/x3d/nodes/read-segments.ts';
-import { readVolumeNodes } from '../../src/viewer/attachments/read-volume-nodes.ts';
-import { segmentOf } from '../../src/viewer/attachments/segment-controller.ts';
-import { atlasOf, fakeView, plainAppearance, viewOf } from '../helpers/fake-view.ts';
+import { socketOf } from '../../../../src/viewer/model/view-socket.ts';
+import { VolumeViewError } from '../../../../src/core/errors.ts';
+import { leadOf, readEnabled, readIdentifiers, reportStyles } from '../../../../src/x3d/nodes/read-segments.ts';
+import { readVolumeNodes } from '../../../../src/viewer/attachments/read-volume-nodes.ts';
+import { segmentOf } from '../../../../src/viewer/attachments/segment-controller.ts';
+import { atlasOf, fakeView, plainAppearance, viewOf } from '../../../helpers/fake-view.ts';
 
 const nodeOf = (attributes: string): Element =>
   viewOf(`<SegmentedVolumeData ${attributes}></SegmentedVolumeData>`).firstElementChild!;

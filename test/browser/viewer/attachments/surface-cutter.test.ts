@@ -1,15 +1,15 @@
 // When a surface is cut anew: with its volume, once a frame, and more rarely where it takes long; whole again without.
 import { expect } from '@esm-bundle/chai';
-import { ErrorState } from '../../src/viewer/model/error-state.ts';
-import { SurfaceController } from '../../src/viewer/attachments/surface-controller.ts';
-import { SurfaceTarget } from '../../src/viewer/attachments/surface-target.ts';
-import { socketOf } from '../../src/viewer/model/view-socket.ts';
-import type { Surface } from '../../src/volume/surface.ts';
-import type { WorldCut } from '../../src/volume/world-cut.ts';
-import type { GridFrame } from '../../src/volume/grid.ts';
-import { fakeOf, fakeScene, fakeSocketView, fakeSocketViewer } from '../helpers/fake.ts';
-import { ballPly, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { ErrorState } from '../../../../src/viewer/model/error-state.ts';
+import { SurfaceController } from '../../../../src/viewer/attachments/surface-controller.ts';
+import { SurfaceTarget } from '../../../../src/viewer/attachments/surface-target.ts';
+import { socketOf } from '../../../../src/viewer/model/view-socket.ts';
+import type { Surface } from '../../../../src/volume/surface.ts';
+import type { WorldCut } from '../../../../src/volume/world-cut.ts';
+import type { GridFrame } from '../../../../src/volume/grid.ts';
+import { fakeOf, fakeScene, fakeSocketView, fakeSocketViewer } from '../../../helpers/fake.ts';
+import { ballPly, surfaceOf, trianglesOf } from '../../../helpers/meshes.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const nothing: WorldCut = { kept: [], removed: null };
 const above = (at: number): WorldCut => ({ ...nothing, kept: [{ normal: [0, 0, 1], at }] });

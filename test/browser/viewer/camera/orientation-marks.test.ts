@@ -1,18 +1,20 @@
 // Letters at the sides of a volume. Which letter each axis of the voxels runs to is nibabel's word: see test/fixtures/make-axis-codes.py.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { listSides, placeMarks } from '../../src/viewer/camera/orientation-marks.ts';
-import type { OrientationMark } from '../../src/viewer/camera/orientation-marks.ts';
-import { length, subtract, transformPoint } from '../../src/volume/matrix.ts';
-import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
-import { english } from '../../src/messages/english-controls.ts';
-import { decodeBytes, fetchFixture } from '../helpers/decode.ts';
+import { orbitCamera } from '../../../../src/optics/rays/camera.ts';
+import { listSides, placeMarks } from '../../../../src/viewer/camera/orientation-marks.ts';
+import type { OrientationMark } from '../../../../src/viewer/camera/orientation-marks.ts';
+import { length, subtract, transformPoint } from '../../../../src/volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../../../src/volume/matrix.ts';
+import { english } from '../../../../src/messages/english-controls.ts';
+import { decodeBytes, fetchFixture } from '../../../helpers/decode.ts';
 
 interface AxisCodes {
   readonly cases: readonly { readonly affine: Matrix4; readonly codes: string }[];
 }
 
-const { cases } = (await (await fetch(new URL('../fixtures/axis-codes.json', import.meta.url))).json()) as AxisCodes;
+const { cases } = (await (
+  await fetch(new URL('../../../fixtures/axis-codes.json', import.meta.url))
+).json()) as AxisCodes;
 
 const letterOf = ({ view }: OrientationMark): string => english.letter[view.name];
 

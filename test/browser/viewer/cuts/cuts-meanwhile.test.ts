@@ -1,14 +1,14 @@
 // Cuts that an author asks for while the volume is on its way.
 import { expect } from '@esm-bundle/chai';
-import { ErrorState } from '../../src/viewer/model/error-state.ts';
-import { readSettings } from '../../src/viewer/model/settings.ts';
-import type { GivenAttributes } from '../../src/viewer/model/settings.ts';
-import { noCuts } from '../../src/viewer/cuts/shown-cuts.ts';
-import type { Cuts } from '../../src/viewer/cuts/shown-cuts.ts';
-import type { Viewer } from '../../src/viewer/view/viewer.ts';
-import { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { ErrorState } from '../../../../src/viewer/model/error-state.ts';
+import { readSettings } from '../../../../src/viewer/model/settings.ts';
+import type { GivenAttributes } from '../../../../src/viewer/model/settings.ts';
+import { noCuts } from '../../../../src/viewer/cuts/shown-cuts.ts';
+import type { Cuts } from '../../../../src/viewer/cuts/shown-cuts.ts';
+import type { Viewer } from '../../../../src/viewer/view/viewer.ts';
+import { VolumePresenter } from '../../../../src/viewer/view/volume-presenter.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 it('a cutout that is set while the first volume is uploaded is cut out', async () => {
   const host = document.createElement('div');

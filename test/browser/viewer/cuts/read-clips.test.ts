@@ -1,19 +1,19 @@
 // What of a volume an author cuts away, as read from a page, and where a person drags it.
 import { expect } from '@esm-bundle/chai';
-import { clipInterval, cutoutInterval } from '../../src/optics/rays/clip-intervals.ts';
-import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
-import { readClipAttributes } from '../../src/viewer/cuts/clip-attributes.ts';
-import { ClipModel } from '../../src/viewer/cuts/clip-model.ts';
-import type { ClipRoom } from '../../src/viewer/cuts/clip-model.ts';
-import { socketOf } from '../../src/viewer/model/view-socket.ts';
-import { readClips } from '../../src/viewer/cuts/read-clips.ts';
-import { unitToWorld } from '../../src/volume/grid.ts';
-import { dot, invertAffine, subtract, transformDirection, transformPoint } from '../../src/volume/matrix.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { isKept } from '../../src/volume/world-cut.ts';
-import { polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { clipInterval, cutoutInterval } from '../../../../src/optics/rays/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../../../../src/optics/rays/clip-intervals.ts';
+import { readClipAttributes } from '../../../../src/viewer/cuts/clip-attributes.ts';
+import { ClipModel } from '../../../../src/viewer/cuts/clip-model.ts';
+import type { ClipRoom } from '../../../../src/viewer/cuts/clip-model.ts';
+import { socketOf } from '../../../../src/viewer/model/view-socket.ts';
+import { readClips } from '../../../../src/viewer/cuts/read-clips.ts';
+import { unitToWorld } from '../../../../src/volume/grid.ts';
+import { dot, invertAffine, subtract, transformDirection, transformPoint } from '../../../../src/volume/matrix.ts';
+import type { Vector3 } from '../../../../src/volume/matrix.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { isKept } from '../../../../src/volume/world-cut.ts';
+import { polarScenes, radarVolume } from '../../../helpers/synthetic-radar.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const volume: Volume = syntheticVolume({ dimensions: [20, 18, 16] }); // From -10 -9 -8 to 10 9 8.
 

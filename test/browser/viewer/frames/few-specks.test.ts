@@ -1,17 +1,17 @@
 // What is stated of the error where what shows covers few pixels.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { outlinePatches } from '../../src/optics/transfer/patches.ts';
-import type { Patch } from '../../src/optics/transfer/patches.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { boundingSphere } from '../../src/volume/grid.ts';
-import { buildMacrocells } from '../../src/volume/macrocells.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { casesOf } from '../helpers/cases.ts';
-import { measureAtRest } from '../helpers/at-rest.ts';
-import { shareScene } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera } from '../../../../src/optics/rays/camera.ts';
+import { outlinePatches } from '../../../../src/optics/transfer/patches.ts';
+import type { Patch } from '../../../../src/optics/transfer/patches.ts';
+import type { RayStyle } from '../../../../src/optics/rays/ray-style.ts';
+import type { TransferFunction } from '../../../../src/optics/transfer/transfer-function.ts';
+import { boundingSphere } from '../../../../src/volume/grid.ts';
+import { buildMacrocells } from '../../../../src/volume/macrocells.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { casesOf } from '../../../helpers/cases.ts';
+import { measureAtRest } from '../../../helpers/at-rest.ts';
+import { shareScene } from '../../../helpers/picture.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 /** What is deeper than the specks need only takes time. */
 const dimensions = [20, 6, 20] as const;

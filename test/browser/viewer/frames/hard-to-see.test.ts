@@ -1,19 +1,19 @@
 // What is said of errors where hardly anything is to be seen, or nothing.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { Camera } from '../../src/optics/rays/camera.ts';
-import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
-import { createClip } from '../../src/renderer/ray/modules/clip.ts';
-import { unitToWorld } from '../../src/volume/grid.ts';
-import { transformPoint } from '../../src/volume/matrix.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { scatter, withVoxels } from '../accuracy/hard-volumes.ts';
-import { changePlan } from '../helpers/change-plan.ts';
-import { measureAtRest } from '../helpers/at-rest.ts';
-import type { RestResult, RestScene } from '../helpers/at-rest.ts';
-import { keep } from '../helpers/clips.ts';
-import { shareScene } from '../helpers/picture.ts';
+import { orbitCamera } from '../../../../src/optics/rays/camera.ts';
+import type { Camera } from '../../../../src/optics/rays/camera.ts';
+import { parseTransferFunction } from '../../../../src/optics/transfer/parse-transfer-function.ts';
+import { createClip } from '../../../../src/renderer/ray/modules/clip.ts';
+import { unitToWorld } from '../../../../src/volume/grid.ts';
+import { transformPoint } from '../../../../src/volume/matrix.ts';
+import type { Vector3 } from '../../../../src/volume/matrix.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { scatter, withVoxels } from '../../../accuracy/hard-volumes.ts';
+import { changePlan } from '../../../helpers/change-plan.ts';
+import { measureAtRest } from '../../../helpers/at-rest.ts';
+import type { RestResult, RestScene } from '../../../helpers/at-rest.ts';
+import { keep } from '../../../helpers/clips.ts';
+import { shareScene } from '../../../helpers/picture.ts';
 
 const bright = parseTransferFunction('0.3 #fa6 0, 1 #fa6 60%', [0, 1]);
 /** Of a voxel only what is next to its middle shows. */

@@ -1,14 +1,14 @@
 // Labels while the picture moves: few steps, and pixels between rays.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import { predictSampling } from '../../src/quality/adaptive-sampling.ts';
-import { stepLengthOf } from '../../src/quality/steps.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { labelMap } from '../helpers/labels.ts';
-import { comparePictures, plainOptics, shareScene } from '../helpers/picture.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera } from '../../../../src/optics/rays/camera.ts';
+import { predictSampling } from '../../../../src/quality/adaptive-sampling.ts';
+import { stepLengthOf } from '../../../../src/quality/steps.ts';
+import { boundingSphere, longestDiagonal } from '../../../../src/volume/grid.ts';
+import { changePlan, drawAt } from '../../../helpers/change-plan.ts';
+import { labelMap } from '../../../helpers/labels.ts';
+import { comparePictures, plainOptics, shareScene } from '../../../helpers/picture.ts';
+import { readPixels } from '../../../helpers/read-pixels.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 /** Odd both ways: lattices end beyond the last pixel. */
 const [width, height] = [151, 117];

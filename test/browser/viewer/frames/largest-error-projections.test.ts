@@ -1,9 +1,9 @@
 // What is stated of a projection's errors holds against all of its rays in float64: `npm run accuracy -- projected` takes many more.
 import { expect } from '@esm-bundle/chai';
-import { compareProjected } from '../accuracy/projected-page.ts';
-import { projectedScenes } from '../accuracy/projected-scenes.ts';
-import { casesIn } from '../helpers/cases.ts';
-import { shareScene } from '../helpers/picture.ts';
+import { compareProjected } from '../../../accuracy/projected-page.ts';
+import { projectedScenes } from '../../../accuracy/projected-scenes.ts';
+import { casesIn } from '../../../helpers/cases.ts';
+import { shareScene } from '../../../helpers/picture.ts';
 
 /** What was stated of the largest error, and was true, when a ray's steps passed beside voxels: 9.8 and 26.9, 6.6 and 36.1, 2.0 and 6.1. */
 const broken = [

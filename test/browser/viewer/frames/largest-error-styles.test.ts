@@ -1,16 +1,16 @@
 // The largest error that is stated of a picture at rest is not exceeded where a style alone makes things show.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import type { VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
-import { boundingSphere } from '../../src/volume/grid.ts';
-import { buildMacrocells } from '../../src/volume/macrocells.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { casesOf } from '../helpers/cases.ts';
-import { measureAtRest } from '../helpers/at-rest.ts';
-import { shareScene } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { orbitCamera } from '../../../../src/optics/rays/camera.ts';
+import type { RayStyle } from '../../../../src/optics/rays/ray-style.ts';
+import type { TransferFunction } from '../../../../src/optics/transfer/transfer-function.ts';
+import type { VolumeStyle } from '../../../../src/optics/transfer/volume-styles.ts';
+import { boundingSphere } from '../../../../src/volume/grid.ts';
+import { buildMacrocells } from '../../../../src/volume/macrocells.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { casesOf } from '../../../helpers/cases.ts';
+import { measureAtRest } from '../../../helpers/at-rest.ts';
+import { shareScene } from '../../../helpers/picture.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 /** One value, but for three voxels. It is flat, and seen from above: depth takes time, and shows no more of them. */
 function specks(): Volume {

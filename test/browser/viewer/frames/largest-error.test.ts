@@ -1,25 +1,25 @@
 // The largest error that is stated of a picture at rest is not exceeded where surfaces, or gradients alone, make values show.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { Camera } from '../../src/optics/rays/camera.ts';
-import { outlinePatches } from '../../src/optics/transfer/patches.ts';
-import type { Patch } from '../../src/optics/transfer/patches.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { allSubsteps } from '../../src/optics/cells/substeps.ts';
-import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
-import { boundingSphere } from '../../src/volume/grid.ts';
-import { buildMacrocells } from '../../src/volume/macrocells.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { measureTrueError } from '../accuracy/compare-shown.ts';
-import { errorScenes } from '../accuracy/error-scenes.ts';
-import { casesOf } from '../helpers/cases.ts';
-import { changePlan } from '../helpers/change-plan.ts';
-import { settle } from '../helpers/at-rest.ts';
-import { shareScene } from '../helpers/picture.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
-import { probe } from '../helpers/probe.ts';
+import { orbitCamera } from '../../../../src/optics/rays/camera.ts';
+import type { Camera } from '../../../../src/optics/rays/camera.ts';
+import { outlinePatches } from '../../../../src/optics/transfer/patches.ts';
+import type { Patch } from '../../../../src/optics/transfer/patches.ts';
+import type { RayStyle } from '../../../../src/optics/rays/ray-style.ts';
+import type { TransferFunction } from '../../../../src/optics/transfer/transfer-function.ts';
+import { allSubsteps } from '../../../../src/optics/cells/substeps.ts';
+import { autoSteps, stepLengthOf } from '../../../../src/quality/steps.ts';
+import { QualityControl } from '../../../../src/viewer/frames/quality-control.ts';
+import { boundingSphere } from '../../../../src/volume/grid.ts';
+import { buildMacrocells } from '../../../../src/volume/macrocells.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { measureTrueError } from '../../../accuracy/compare-shown.ts';
+import { errorScenes } from '../../../accuracy/error-scenes.ts';
+import { casesOf } from '../../../helpers/cases.ts';
+import { changePlan } from '../../../helpers/change-plan.ts';
+import { settle } from '../../../helpers/at-rest.ts';
+import { shareScene } from '../../../helpers/picture.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
+import { probe } from '../../../helpers/probe.ts';
 
 /** A flat one: what is deeper than the specks need only takes time. */
 const dimensions = [52, 6, 44] as const;

@@ -1,12 +1,12 @@
 // Pictures at rest of what is opaque at once, against rays in float64 that miss no crossing: their errors, and what is said of them.
 import { expect } from '@esm-bundle/chai';
-import { listOpaqueScenes } from '../accuracy/opaque-scenes.ts';
-import { measureTrueError } from '../accuracy/compare-shown.ts';
-import { ExactCells } from '../accuracy/exact-cells.ts';
-import { casesOf, takesAll } from '../helpers/cases.ts';
-import { drawAtRest } from '../helpers/at-rest.ts';
-import { shareScene } from '../helpers/picture.ts';
-import '../helpers/provide-substeps.ts';
+import { listOpaqueScenes } from '../../../accuracy/opaque-scenes.ts';
+import { measureTrueError } from '../../../accuracy/compare-shown.ts';
+import { ExactCells } from '../../../accuracy/exact-cells.ts';
+import { casesOf, takesAll } from '../../../helpers/cases.ts';
+import { drawAtRest } from '../../../helpers/at-rest.ts';
+import { shareScene } from '../../../helpers/picture.ts';
+import '../../../helpers/provide-substeps.ts';
 
 /**
  * Of `npm run accuracy -- opaque`. Before rays looked for jumps, these were said to be kept, with an RMSE of 0.02 to 0.99, and were off by 1.62 to 5.22: two to twenty-two rays that graze something

@@ -1,14 +1,14 @@
 import { expect } from '@esm-bundle/chai';
-import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
-import { defaultTargets } from '../../src/viewer/model/quality-targets.ts';
-import type { FrameQuality } from '../../src/quality/frame-quality.ts';
-import { allSubsteps, wholeSteps } from '../../src/optics/cells/substeps.ts';
-import { allRays } from '../../src/quality/sampling-outcome.ts';
-import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { errorScenes } from '../accuracy/error-scenes.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { withScene } from '../helpers/picture.ts';
+import { QualityControl } from '../../../../src/viewer/frames/quality-control.ts';
+import { defaultTargets } from '../../../../src/viewer/model/quality-targets.ts';
+import type { FrameQuality } from '../../../../src/quality/frame-quality.ts';
+import { allSubsteps, wholeSteps } from '../../../../src/optics/cells/substeps.ts';
+import { allRays } from '../../../../src/quality/sampling-outcome.ts';
+import { autoSteps, stepLengthOf } from '../../../../src/quality/steps.ts';
+import type { VolumeScene } from '../../../../src/x3d/scene.ts';
+import { errorScenes } from '../../../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from '../../../helpers/change-plan.ts';
+import { withScene } from '../../../helpers/picture.ts';
 
 /** Shells through a smooth transfer function: a scene with an error to choose by. */
 const { volume, transferFunction, camera } = errorScenes().find(({ name }) => name.startsWith('shells, peaks'))!;

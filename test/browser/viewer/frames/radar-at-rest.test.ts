@@ -1,25 +1,25 @@
 // A radar in the picture at rest: no gate is lost from any side, so that none comes and goes as the camera turns.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { Camera } from '../../src/optics/rays/camera.ts';
-import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
-import { allSubsteps } from '../../src/optics/cells/substeps.ts';
-import type { PictureError } from '../../src/quality/error-estimate.ts';
-import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { beamToLocal } from '../../src/radar/polar-geometry.ts';
-import { QualityControl } from '../../src/viewer/frames/quality-control.ts';
-import type { PolarVolume } from '../../src/volume/volume.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
-import { findPixel } from '../accuracy/full-rays.ts';
-import { casesIn, takesAll } from '../helpers/cases.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { settle } from '../helpers/at-rest.ts';
-import type { CoveredError } from '../helpers/covered-error.ts';
-import { shareScene } from '../helpers/picture.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
-import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
-import { probe } from '../helpers/probe.ts';
+import { orbitCamera } from '../../../../src/optics/rays/camera.ts';
+import type { Camera } from '../../../../src/optics/rays/camera.ts';
+import { parseTransferFunction } from '../../../../src/optics/transfer/parse-transfer-function.ts';
+import { allSubsteps } from '../../../../src/optics/cells/substeps.ts';
+import type { PictureError } from '../../../../src/quality/error-estimate.ts';
+import { autoSteps, stepLengthOf } from '../../../../src/quality/steps.ts';
+import { beamToLocal } from '../../../../src/radar/polar-geometry.ts';
+import { QualityControl } from '../../../../src/viewer/frames/quality-control.ts';
+import type { PolarVolume } from '../../../../src/volume/volume.ts';
+import type { VolumeScene } from '../../../../src/x3d/scene.ts';
+import { measureThing, measureTrueError } from '../../../accuracy/compare-shown.ts';
+import { findPixel } from '../../../accuracy/full-rays.ts';
+import { casesIn, takesAll } from '../../../helpers/cases.ts';
+import { changePlan, drawAt } from '../../../helpers/change-plan.ts';
+import { settle } from '../../../helpers/at-rest.ts';
+import type { CoveredError } from '../../../helpers/covered-error.ts';
+import { shareScene } from '../../../helpers/picture.ts';
+import { randomNumbers } from '../../../helpers/synthetic.ts';
+import { evenAzimuths, radarVolume } from '../../../helpers/synthetic-radar.ts';
+import { probe } from '../../../helpers/probe.ts';
 
 /** About a pixel for a gate. */
 const size = 128;

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { errorScenes } from '../accuracy/error-scenes.ts';
-import { withScene } from '../helpers/picture.ts';
-import { compareSpared, compareStated, expectMostWithinTwo } from '../helpers/stated-error.ts';
+import { errorScenes } from '../../../accuracy/error-scenes.ts';
+import { withScene } from '../../../helpers/picture.ts';
+import { compareSpared, compareStated, expectMostWithinTwo } from '../../../helpers/stated-error.ts';
 
 const size = { width: 96, height: 72 };
 

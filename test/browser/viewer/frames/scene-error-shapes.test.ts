@@ -1,15 +1,15 @@
 import { expect } from '@esm-bundle/chai';
-import { maxSubsteps } from '../../src/optics/rays/segment.ts';
-import { allSubsteps } from '../../src/optics/cells/substeps.ts';
-import { stepLengthOf } from '../../src/quality/steps.ts';
-import { measureError } from '../../src/viewer/frames/measure-quality.ts';
-import { errorScenes } from '../accuracy/error-scenes.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { compareCovered } from '../helpers/covered-error.ts';
-import { withScene } from '../helpers/picture.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
-import { shapesAmong } from '../helpers/shapes-among.ts';
-import { probe } from '../helpers/probe.ts';
+import { maxSubsteps } from '../../../../src/optics/rays/segment.ts';
+import { allSubsteps } from '../../../../src/optics/cells/substeps.ts';
+import { stepLengthOf } from '../../../../src/quality/steps.ts';
+import { measureError } from '../../../../src/viewer/frames/measure-quality.ts';
+import { errorScenes } from '../../../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from '../../../helpers/change-plan.ts';
+import { compareCovered } from '../../../helpers/covered-error.ts';
+import { withScene } from '../../../helpers/picture.ts';
+import { readPixels } from '../../../helpers/read-pixels.ts';
+import { shapesAmong } from '../../../helpers/shapes-among.ts';
+import { probe } from '../../../helpers/probe.ts';
 
 const [width, height] = [120, 90];
 

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { errorScenes } from '../accuracy/error-scenes.ts';
-import { withScene } from '../helpers/picture.ts';
-import { compareSpared, compareStated, expectMostWithinTwo } from '../helpers/stated-error.ts';
+import { errorScenes } from '../../../accuracy/error-scenes.ts';
+import { withScene } from '../../../helpers/picture.ts';
+import { compareSpared, compareStated, expectMostWithinTwo } from '../../../helpers/stated-error.ts';
 
 /** All of its pixels are compared. */
 const size = { width: 108, height: 81 };

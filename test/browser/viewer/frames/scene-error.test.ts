@@ -1,16 +1,16 @@
 import { expect } from '@esm-bundle/chai';
-import { measureError } from '../../src/viewer/frames/measure-quality.ts';
-import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
-import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
-import { allSubsteps } from '../../src/optics/cells/substeps.ts';
-import { maxSubsteps } from '../../src/optics/rays/segment.ts';
-import { stepLengthOf } from '../../src/quality/steps.ts';
-import { errorScenes } from '../accuracy/error-scenes.ts';
-import type { ErrorScene } from '../accuracy/error-scenes.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
-import { withScene } from '../helpers/picture.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
+import { measureError } from '../../../../src/viewer/frames/measure-quality.ts';
+import { projectionMatrix, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import { rayThrough, setUpRays } from '../../../../src/optics/rays/rays.ts';
+import { castSceneRay, opticsOf } from '../../../../src/optics/reference.ts';
+import { allSubsteps } from '../../../../src/optics/cells/substeps.ts';
+import { maxSubsteps } from '../../../../src/optics/rays/segment.ts';
+import { stepLengthOf } from '../../../../src/quality/steps.ts';
+import { errorScenes } from '../../../accuracy/error-scenes.ts';
+import type { ErrorScene } from '../../../accuracy/error-scenes.ts';
+import { changePlan, drawAt } from '../../../helpers/change-plan.ts';
+import { withScene } from '../../../helpers/picture.ts';
+import { readPixels } from '../../../helpers/read-pixels.ts';
 
 /** The picture whose error is stated, by probing it. */
 const size = { width: 96, height: 72 };

@@ -1,11 +1,11 @@
 // Small things are in the picture at rest as they are in rays in float64, where something cuts the volume, stands in it, or is painted in it, also in WebGL 1.
 // `npm run accuracy -- among` measures more of it.
 import { expect } from '@esm-bundle/chai';
-import { measureAmong } from '../accuracy/among-page.ts';
-import type { SeenThings } from '../accuracy/among-page.ts';
-import { measurePane } from '../accuracy/among-panes.ts';
-import { measureScene } from '../accuracy/small-page.ts';
-import { casesOf, takesAll } from '../helpers/cases.ts';
+import { measureAmong } from '../../../accuracy/among-page.ts';
+import type { SeenThings } from '../../../accuracy/among-page.ts';
+import { measurePane } from '../../../accuracy/among-panes.ts';
+import { measureScene } from '../../../accuracy/small-page.ts';
+import { casesOf, takesAll } from '../../../helpers/cases.ts';
 
 /** Of a thing's contrast in full rays, the least that the picture has. */
 const minKept = 0.75;

@@ -1,7 +1,7 @@
 // Small things are in the picture at rest as they are in full rays. `npm run accuracy -- small` measures more of it.
 import { expect } from '@esm-bundle/chai';
-import { measureScene } from '../accuracy/small-page.ts';
-import { casesOf } from '../helpers/cases.ts';
+import { measureScene } from '../../../accuracy/small-page.ts';
+import { casesOf } from '../../../helpers/cases.ts';
 
 /** Of a thing's contrast in full rays, the least that the element's picture has. */
 const minKept = 0.75;

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { Playback } from '../../src/viewer/loading/playback.ts';
-import { ScanPlayer } from '../../src/viewer/loading/scan-player.ts';
-import type { ScanHost, TimeChangeDetail } from '../../src/viewer/loading/scan-player.ts';
-import type { Volume } from '../../src/volume/volume.ts';
+import { Playback } from '../../../../src/viewer/loading/playback.ts';
+import { ScanPlayer } from '../../../../src/viewer/loading/scan-player.ts';
+import type { ScanHost, TimeChangeDetail } from '../../../../src/viewer/loading/scan-player.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
 
 const sources = (count: number): { url: string }[] => Array.from({ length: count }, (_, i) => ({ url: String(i) }));
 const pause = (ms = 0): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));

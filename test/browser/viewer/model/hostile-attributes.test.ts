@@ -1,16 +1,16 @@
 // Texts of strangers in attributes: each is read, or refused in words, in a time that grows with its length.
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/core/errors.ts';
-import { parseCssColor } from '../../src/optics/transfer/css-color.ts';
-import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
-import { readTransferFunction } from '../../src/optics/transfer/presets.ts';
-import { readSettings } from '../../src/viewer/model/settings.ts';
-import { readSource } from '../../src/viewer/loading/read-source.ts';
-import type { GivenAttributes } from '../../src/viewer/model/settings.ts';
-import { parseMosaicSize } from '../../src/volume/mosaic-size.ts';
-import { readSlices } from '../../src/viewer/cuts/read-cuts.ts';
-import * as kinds from '../../components/internal/property-kinds.ts';
-import { cloudVolume } from '../helpers/polar-cloud.ts';
+import { VolumeViewError } from '../../../../src/core/errors.ts';
+import { parseCssColor } from '../../../../src/optics/transfer/css-color.ts';
+import { parseTransferFunction } from '../../../../src/optics/transfer/parse-transfer-function.ts';
+import { readTransferFunction } from '../../../../src/optics/transfer/presets.ts';
+import { readSettings } from '../../../../src/viewer/model/settings.ts';
+import { readSource } from '../../../../src/viewer/loading/read-source.ts';
+import type { GivenAttributes } from '../../../../src/viewer/model/settings.ts';
+import { parseMosaicSize } from '../../../../src/volume/mosaic-size.ts';
+import { readSlices } from '../../../../src/viewer/cuts/read-cuts.ts';
+import * as kinds from '../../../../components/internal/property-kinds.ts';
+import { cloudVolume } from '../../../helpers/polar-cloud.ts';
 
 /** For a megabyte, ms: what grows with the square would take an hour, and a busy machine is not to fail it. */
 const longest = 20_000;

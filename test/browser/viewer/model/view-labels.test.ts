@@ -1,16 +1,16 @@
 import { expect } from '@esm-bundle/chai';
-import type { VolumeViewError } from '../../src/core/errors.ts';
-import type { LabelRow } from '../../src/formats/label-tables/label-table.ts';
-import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
-import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
-import { paneLabels } from '../../src/panes/pane-labels.ts';
-import { readLabelChildren } from '../../src/viewer/attachments/label-children.ts';
-import { LabelFunctions } from '../../src/viewer/attachments/label-functions.ts';
-import { ownLabelsAppearance } from '../../src/viewer/appearance/own-labels-appearance.ts';
-import { describeLabels, styleLabels } from '../../src/viewer/model/view-labels.ts';
-import type { LabelEntry, LabelSources } from '../../src/viewer/model/view-labels.ts';
-import { invertAffine, transformPoint } from '../../src/volume/matrix.ts';
-import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
+import type { VolumeViewError } from '../../../../src/core/errors.ts';
+import type { LabelRow } from '../../../../src/formats/label-tables/label-table.ts';
+import { parseTransferFunction } from '../../../../src/optics/transfer/parse-transfer-function.ts';
+import { evaluate } from '../../../../src/optics/transfer/transfer-function.ts';
+import { paneLabels } from '../../../../src/panes/pane-labels.ts';
+import { readLabelChildren } from '../../../../src/viewer/attachments/label-children.ts';
+import { LabelFunctions } from '../../../../src/viewer/attachments/label-functions.ts';
+import { ownLabelsAppearance } from '../../../../src/viewer/appearance/own-labels-appearance.ts';
+import { describeLabels, styleLabels } from '../../../../src/viewer/model/view-labels.ts';
+import type { LabelEntry, LabelSources } from '../../../../src/viewer/model/view-labels.ts';
+import { invertAffine, transformPoint } from '../../../../src/volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../../../src/volume/matrix.ts';
 
 const row = (id: number, more: Partial<LabelRow> = {}): [number, LabelRow] => [
   id,

@@ -1,17 +1,17 @@
 // A toy thing in the picture joins a view: it is in each scene, is placed after each picture, knows the volume, and leaves.
 import { expect } from '@esm-bundle/chai';
-import { noCuts } from '../../src/viewer/cuts/cuts.ts';
-import { ErrorState } from '../../src/viewer/model/error-state.ts';
-import type { Scene, View } from '../../src/viewer/model/scene.ts';
-import { socketOf, standIn, ViewSocket } from '../../src/viewer/model/view-socket.ts';
-import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
-import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
-import type { ShownSurface } from '../../src/renderer/layers/shown-surfaces.ts';
-import { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
-import type { PresenterHost } from '../../src/viewer/view/volume-presenter.ts';
-import { Viewer } from '../../src/viewer/view/viewer.ts';
-import { fakeOf, fakePlace } from '../helpers/fake.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { noCuts } from '../../../../src/viewer/cuts/cuts.ts';
+import { ErrorState } from '../../../../src/viewer/model/error-state.ts';
+import type { Scene, View } from '../../../../src/viewer/model/scene.ts';
+import { socketOf, standIn, ViewSocket } from '../../../../src/viewer/model/view-socket.ts';
+import type { ViewPart } from '../../../../src/viewer/model/view-socket.ts';
+import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
+import type { ShownSurface } from '../../../../src/renderer/layers/shown-surfaces.ts';
+import { VolumePresenter } from '../../../../src/viewer/view/volume-presenter.ts';
+import type { PresenterHost } from '../../../../src/viewer/view/volume-presenter.ts';
+import { Viewer } from '../../../../src/viewer/view/viewer.ts';
+import { fakeOf, fakePlace } from '../../../helpers/fake.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const optics: VolumeOptics = {
   window: [0, 1],

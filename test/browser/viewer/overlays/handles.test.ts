@@ -1,12 +1,12 @@
 // Handles over a picture: where they stand, and what they tell of a drag and of keys. End to end: test/e2e/measure.spec.ts.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { Camera } from '../../src/optics/rays/camera.ts';
-import { Handles } from '../../src/viewer/overlays/handles.ts';
-import type { HandledView } from '../../src/viewer/overlays/handles.ts';
-import type { View } from '../../src/viewer/model/scene.ts';
-import { socketOf } from '../../src/viewer/model/view-socket.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
+import { orbitCamera } from '../../../../src/optics/rays/camera.ts';
+import type { Camera } from '../../../../src/optics/rays/camera.ts';
+import { Handles } from '../../../../src/viewer/overlays/handles.ts';
+import type { HandledView } from '../../../../src/viewer/overlays/handles.ts';
+import type { View } from '../../../../src/viewer/model/scene.ts';
+import { socketOf } from '../../../../src/viewer/model/view-socket.ts';
+import type { Vector3 } from '../../../../src/volume/matrix.ts';
 
 /** From the front at a distance of 10, 200 pixels high: a pixel at the middle is this long, and x runs to the left. */
 const camera = orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 10 }, [0, 0, 0], Math.PI / 3);

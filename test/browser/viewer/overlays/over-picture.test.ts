@@ -1,9 +1,9 @@
 // What stands over a picture: numbers of measures, labels of rings, handles.
 import { expect } from '@esm-bundle/chai';
-import { Handles } from '../../src/viewer/overlays/handles.ts';
-import type { HandledView } from '../../src/viewer/overlays/handles.ts';
-import { LineOverlay } from '../../src/viewer/overlays/line-overlay.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
+import { Handles } from '../../../../src/viewer/overlays/handles.ts';
+import type { HandledView } from '../../../../src/viewer/overlays/handles.ts';
+import { LineOverlay } from '../../../../src/viewer/overlays/line-overlay.ts';
+import type { Vector3 } from '../../../../src/volume/matrix.ts';
 
 const camera = { eye: [0, -10, 0], target: [0, 0, 0], up: [0, 0, 1], fieldOfView: 1 } as const;
 let view: HTMLElement;

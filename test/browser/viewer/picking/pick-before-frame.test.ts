@@ -1,18 +1,18 @@
 // Picks after a new volume has come and before its first picture: the scene still has the cuts of the volume before.
 import { expect } from '@esm-bundle/chai';
-import { x3dScenes } from '../../components/internal/x3d-scenes.ts';
-import { noCuts } from '../../src/viewer/cuts/cuts.ts';
-import type { Cuts } from '../../src/viewer/cuts/cuts.ts';
-import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
-import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
-import { pick } from '../../src/viewer/picking/pick.ts';
-import { Visibility } from '../../src/viewer/scenes/visibility.ts';
-import { Viewer } from '../../src/viewer/view/viewer.ts';
-import { longestDiagonal } from '../../src/volume/grid.ts';
-import { cutRegion } from '../../src/volume/region.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
-import { radarVolume } from '../helpers/synthetic-radar.ts';
+import { x3dScenes } from '../../../../components/internal/x3d-scenes.ts';
+import { noCuts } from '../../../../src/viewer/cuts/cuts.ts';
+import type { Cuts } from '../../../../src/viewer/cuts/cuts.ts';
+import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
+import type { VolumePick } from '../../../../src/viewer/model/volume-pick.ts';
+import { pick } from '../../../../src/viewer/picking/pick.ts';
+import { Visibility } from '../../../../src/viewer/scenes/visibility.ts';
+import { Viewer } from '../../../../src/viewer/view/viewer.ts';
+import { longestDiagonal } from '../../../../src/volume/grid.ts';
+import { cutRegion } from '../../../../src/volume/region.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
+import { radarVolume } from '../../../helpers/synthetic-radar.ts';
 
 const places = [
   [20, 15],

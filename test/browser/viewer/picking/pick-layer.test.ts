@@ -1,18 +1,18 @@
 // Picks where a layer shows what the volume has no data of.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import { makeOverlay } from '../../src/viewer/attachments/make-overlay.ts';
-import { pick } from '../../src/viewer/picking/pick.ts';
-import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
-import type { Viewer } from '../../src/viewer/view/viewer.ts';
-import { styleOf } from '../../src/viewer/model/volume-info.ts';
-import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
-import { overlayOf } from '../helpers/overlays.ts';
-import { plainOptics } from '../helpers/picture.ts';
-import { createQuietLayer } from '../helpers/quiet-layer.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
-import { fakeOf } from '../helpers/fake.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import type { RayStyle } from '../../../../src/optics/rays/ray-style.ts';
+import { makeOverlay } from '../../../../src/viewer/attachments/make-overlay.ts';
+import { pick } from '../../../../src/viewer/picking/pick.ts';
+import type { VolumePick } from '../../../../src/viewer/model/volume-pick.ts';
+import type { Viewer } from '../../../../src/viewer/view/viewer.ts';
+import { styleOf } from '../../../../src/viewer/model/volume-info.ts';
+import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
+import { overlayOf } from '../../../helpers/overlays.ts';
+import { plainOptics } from '../../../helpers/picture.ts';
+import { createQuietLayer } from '../../../helpers/quiet-layer.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
+import { fakeOf } from '../../../helpers/fake.ts';
 
 /** Data in its left half alone, of which little shows. */
 const volume = {

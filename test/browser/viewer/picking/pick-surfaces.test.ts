@@ -1,16 +1,16 @@
 // Rays that meet surfaces: in boxes within boxes, cut by ClipPlanes, and as the end of a pick's ray.
 import { expect } from '@esm-bundle/chai';
-import { TriangleTree } from '../../src/optics/surfaces/triangle-tree.ts';
-import type { WorldRay } from '../../src/optics/surfaces/triangle-tree.ts';
-import { cutSurface } from '../../src/volume/cut-surface.ts';
-import { identity, length, subtract } from '../../src/volume/matrix.ts';
-import type { Vector3 } from '../../src/volume/matrix.ts';
-import type { Surface } from '../../src/volume/surface.ts';
-import type { WorldCut } from '../../src/volume/world-cut.ts';
-import type { ShownSurface } from '../../src/renderer/layers/shown-surfaces.ts';
-import { socketOf } from '../../src/viewer/model/view-socket.ts';
-import { endAtSurface } from '../../src/viewer/picking/pick-surfaces.ts';
-import { ballPly, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
+import { TriangleTree } from '../../../../src/optics/surfaces/triangle-tree.ts';
+import type { WorldRay } from '../../../../src/optics/surfaces/triangle-tree.ts';
+import { cutSurface } from '../../../../src/volume/cut-surface.ts';
+import { identity, length, subtract } from '../../../../src/volume/matrix.ts';
+import type { Vector3 } from '../../../../src/volume/matrix.ts';
+import type { Surface } from '../../../../src/volume/surface.ts';
+import type { WorldCut } from '../../../../src/volume/world-cut.ts';
+import type { ShownSurface } from '../../../../src/renderer/layers/shown-surfaces.ts';
+import { socketOf } from '../../../../src/viewer/model/view-socket.ts';
+import { endAtSurface } from '../../../../src/viewer/picking/pick-surfaces.ts';
+import { ballPly, surfaceOf, trianglesOf } from '../../../helpers/meshes.ts';
 
 /** All t of a ray, triangle by triangle, by the plane of each and the sides of its corners. */
 function meetAll(surface: Surface, { origin, direction }: WorldRay): number[] {

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { ContextPool } from '../../src/viewer/scenes/context-pool.ts';
-import type { Need, ContextHolder } from '../../src/viewer/scenes/context-pool.ts';
+import { ContextPool } from '../../../../src/viewer/scenes/context-pool.ts';
+import type { Need, ContextHolder } from '../../../../src/viewer/scenes/context-pool.ts';
 
 /** An element's part, without an element: a test sets what it needs. */
 class Holder implements ContextHolder {

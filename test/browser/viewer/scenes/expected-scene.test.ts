@@ -1,14 +1,14 @@
 import { expect } from '@esm-bundle/chai';
-import { contextPool, maxContexts } from '../../src/viewer/scenes/context-pool.ts';
-import type { ContextHolder } from '../../src/viewer/scenes/context-pool.ts';
-import type { Scene } from '../../src/viewer/model/scene.ts';
-import { ViewSocket } from '../../src/viewer/model/view-socket.ts';
-import { SceneController } from '../../src/viewer/scenes/scene-controller.ts';
-import type { SceneUser } from '../../src/viewer/scenes/scene-controller.ts';
-import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { fakeOf, fakePlace, fakeScene } from '../helpers/fake.ts';
-import type { Some } from '../helpers/fake.ts';
+import { contextPool, maxContexts } from '../../../../src/viewer/scenes/context-pool.ts';
+import type { ContextHolder } from '../../../../src/viewer/scenes/context-pool.ts';
+import type { Scene } from '../../../../src/viewer/model/scene.ts';
+import { ViewSocket } from '../../../../src/viewer/model/view-socket.ts';
+import { SceneController } from '../../../../src/viewer/scenes/scene-controller.ts';
+import type { SceneUser } from '../../../../src/viewer/scenes/scene-controller.ts';
+import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { fakeOf, fakePlace, fakeScene } from '../../../helpers/fake.ts';
+import type { Some } from '../../../helpers/fake.ts';
 
 const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 

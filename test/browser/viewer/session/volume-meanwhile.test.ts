@@ -1,14 +1,14 @@
-import { rotate } from '../../src/viewer/camera/camera-moves.ts';
+import { rotate } from '../../../../src/viewer/camera/camera-moves.ts';
 import { expect } from '@esm-bundle/chai';
-import { noCuts } from '../../src/viewer/cuts/cuts.ts';
-import type { AuthorCamera, Scene } from '../../src/viewer/model/scene.ts';
-import { SourceLoader } from '../../src/viewer/session/source-loader.ts';
-import type { LoaderHost, LoaderParts } from '../../src/viewer/session/source-loader.ts';
-import { Viewer } from '../../src/viewer/view/viewer.ts';
-import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { fakeOf, fakePlace, fakeScene } from '../helpers/fake.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { noCuts } from '../../../../src/viewer/cuts/cuts.ts';
+import type { AuthorCamera, Scene } from '../../../../src/viewer/model/scene.ts';
+import { SourceLoader } from '../../../../src/viewer/session/source-loader.ts';
+import type { LoaderHost, LoaderParts } from '../../../../src/viewer/session/source-loader.ts';
+import { Viewer } from '../../../../src/viewer/view/viewer.ts';
+import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { fakeOf, fakePlace, fakeScene } from '../../../helpers/fake.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const optics: VolumeOptics = {
   window: [0, 1],

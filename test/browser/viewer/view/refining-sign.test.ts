@@ -1,9 +1,9 @@
 // The line under a picture that is made finer: when it is there, and when not. What draws is played here, so that times are known.
 import { expect } from '@esm-bundle/chai';
-import { followRefining } from '../../src/viewer/view/refining.ts';
-import type { RefinedView } from '../../src/viewer/view/refining-sign.ts';
-import type { VolumePresenter } from '../../src/viewer/view/volume-presenter.ts';
-import { fakeOf } from '../helpers/fake.ts';
+import { followRefining } from '../../../../src/viewer/view/refining.ts';
+import type { RefinedView } from '../../../../src/viewer/view/refining-sign.ts';
+import type { VolumePresenter } from '../../../../src/viewer/view/volume-presenter.ts';
+import { fakeOf } from '../../../helpers/fake.ts';
 
 const wait = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
 

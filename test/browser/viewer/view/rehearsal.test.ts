@@ -1,20 +1,20 @@
 // What is compiled for a radar before it is there.
 import { expect } from '@esm-bundle/chai';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { wholeSteps } from '../../src/optics/cells/substeps.ts';
-import { predictPolar } from '../../src/formats/radar/finish-polar.ts';
-import { noCuts } from '../../src/viewer/cuts/cuts.ts';
-import { readRings } from '../../src/viewer/cuts/read-rings.ts';
-import { precompile } from '../../src/viewer/view/precompile.ts';
-import type { Viewer } from '../../src/viewer/view/viewer.ts';
-import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
-import type { Scene } from '../../src/viewer/model/scene.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { comparePictures, withScene } from '../helpers/picture.ts';
-import { readPixels } from '../helpers/read-pixels.ts';
-import { polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
-import { viewFromAbove } from '../helpers/views.ts';
-import { fakeOf } from '../helpers/fake.ts';
+import type { TransferFunction } from '../../../../src/optics/transfer/transfer-function.ts';
+import { wholeSteps } from '../../../../src/optics/cells/substeps.ts';
+import { predictPolar } from '../../../../src/formats/radar/finish-polar.ts';
+import { noCuts } from '../../../../src/viewer/cuts/cuts.ts';
+import { readRings } from '../../../../src/viewer/cuts/read-rings.ts';
+import { precompile } from '../../../../src/viewer/view/precompile.ts';
+import type { Viewer } from '../../../../src/viewer/view/viewer.ts';
+import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
+import type { Scene } from '../../../../src/viewer/model/scene.ts';
+import type { VolumeScene } from '../../../../src/x3d/scene.ts';
+import { comparePictures, withScene } from '../../../helpers/picture.ts';
+import { readPixels } from '../../../helpers/read-pixels.ts';
+import { polarScenes, radarVolume } from '../../../helpers/synthetic-radar.ts';
+import { viewFromAbove } from '../../../helpers/views.ts';
+import { fakeOf } from '../../../helpers/fake.ts';
 
 const echoes: TransferFunction = [
   { value: -20, color: [0, 0.4, 1], opacity: 0 },

@@ -1,16 +1,16 @@
 // The viewer with scenes that draw nothing: what it asks of them, and when.
 import { expect } from '@esm-bundle/chai';
-import { asVolumeViewError, VolumeViewError } from '../../src/core/errors.ts';
-import { Visibility } from '../../src/viewer/scenes/visibility.ts';
-import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
-import type { FramePlan } from '../../src/viewer/model/frame-plan.ts';
-import type { RenderStats } from '../../src/viewer/model/render-stats.ts';
-import type { Scene, SceneFactory } from '../../src/viewer/model/scene.ts';
-import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
-import { noCuts } from '../../src/viewer/cuts/cuts.ts';
-import { Viewer } from '../../src/viewer/view/viewer.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { asVolumeViewError, VolumeViewError } from '../../../../src/core/errors.ts';
+import { Visibility } from '../../../../src/viewer/scenes/visibility.ts';
+import type { RayStyle } from '../../../../src/optics/rays/ray-style.ts';
+import type { FramePlan } from '../../../../src/viewer/model/frame-plan.ts';
+import type { RenderStats } from '../../../../src/viewer/model/render-stats.ts';
+import type { Scene, SceneFactory } from '../../../../src/viewer/model/scene.ts';
+import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
+import { noCuts } from '../../../../src/viewer/cuts/cuts.ts';
+import { Viewer } from '../../../../src/viewer/view/viewer.ts';
+import type { Volume } from '../../../../src/volume/volume.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const volume = syntheticVolume({ dimensions: [8, 8, 8] });
 const optics: VolumeOptics = {
