@@ -139,6 +139,9 @@ test.describe('of several changes in a row the last one holds', () => {
       await page.route('**/nowhere.nii', (route) => route.fulfill({ contentType: 'text/plain', body: 'no' }));
       // Two dozen pictures, of which only the colour is looked at.
       await open(page, plain.replace('<volume-view', '<volume-view style="width: 40px; height: 30px"'));
+      await page.addStyleTag({
+        content: 'volume-view { background: black } volume-view::part(error) { display: none }',
+      });
       await settle(page);
       // At every moment of a load in turn: so many steps of the event loop after its start.
       for (let ticks = 0; ticks < 12; ticks++) {
@@ -158,9 +161,6 @@ test.describe('of several changes in a row the last one holds', () => {
           { argument: [src, ticks] as const },
         );
         expect(width).toBe(src === ballUrl ? 12 : 24);
-        await page.addStyleTag({
-          content: 'volume-view { background: black } volume-view::part(error) { display: none }',
-        });
         const [, g, b] = meanOf(await takeScreenshot(page));
         expect(g, `green after ${ticks} ticks`).toBeGreaterThan(0.4);
         expect(b, `blue after ${ticks} ticks`).toBe(0);

@@ -15,9 +15,9 @@ async function shareOf(page: Page): Promise<NonNullable<ReturnType<typeof measur
 
 test.describe('a bare tag', () => {
   for (const [name, size] of Object.entries({
-    'a desktop': [400, 300],
-    'a phone held upright': [200, 400],
-    'a banner': [600, 200],
+    'a desktop': [200, 150],
+    'a phone held upright': [100, 200],
+    'a banner': [300, 100],
   })) {
     test(`fills most of the picture on ${name}, and nothing is cut`, async ({ page }) => {
       await open(

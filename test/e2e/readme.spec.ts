@@ -62,7 +62,7 @@ async function shareShown(frame: Page | Frame): Promise<number> {
   });
 }
 
-test.use({ viewport: { width: 500, height: 700 } });
+test.use({ viewport: { width: 320, height: 560 } });
 
 test('the README and the first steps have a page, tags and a frame to copy', () => {
   expect(readBlocks('README.md', 'html')[0]).toContain('<script');
