@@ -1,4 +1,5 @@
 import { cartesianGrid } from '../volume/grid.ts';
+import { largestWindow } from '../optics/transfer/transfer-function.ts';
 import { summarize } from '../volume/histogram.ts';
 import { buildMacrocells } from '../volume/macrocells.ts';
 import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
@@ -50,6 +51,9 @@ export async function finishVolume(
   return { ...outline, macrocells: decoded.makeMacrocells() };
 }
 
+/** Whether windows and colours end before the values do. */
+const isHuge = ({ range: [low, high] }: Pick<Volume, 'range'>): boolean => Math.max(-low, high) > largestWindow;
+
 /** Samples of float32 times a slope of float64 may be larger than float64 holds. */
 async function checkRange(volume: Pick<Volume, 'range' | 'format'>): Promise<void> {
   if (!Number.isFinite(volume.range[1] - volume.range[0]))
@@ -89,12 +93,13 @@ async function finishCartesian(
     }),
     ...appearance,
     left:
-      decoded.rounded || hidden
+      decoded.rounded || decoded.unkept || hidden || isHuge(summary)
         ? [
             ...(decoded.left ?? []),
-            ...(decoded.rounded
-              ? [(await loadReader(() => import('#rare/formats/base/whole-numbers.ts'))).reportRounded(decoded.rounded)]
-              : []),
+            ...(await loadReader(() => import('#rare/formats/base/report-numbers.ts'))).reportNumbers(
+              decoded,
+              summary.range,
+            ),
             ...(hidden ? [hidden] : []),
           ]
         : decoded.left,

@@ -12,6 +12,14 @@ export interface Rounded {
   readonly by: number;
 }
 
+/** Numbers that can't be stored among the others of their file. */
+export interface Unkept {
+  /** How many are infinite: they become no data. */
+  readonly infinite: number;
+  /** How many lie so near to the offset, compared with the largest, that their samples become 0 or lose digits. */
+  readonly small: number;
+}
+
 /** Maximum number of different labels: two bytes can index so many. */
 export const maxLabels = 65_536;
 

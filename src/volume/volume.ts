@@ -1,6 +1,6 @@
 import type { CartesianGrid } from './grid.ts';
 import type { Histogram } from './histogram.ts';
-import type { IndexedSamples, Rounded } from './index-numbers.ts';
+import type { IndexedSamples, Rounded, Unkept } from './index-numbers.ts';
 import type { NamedLabel } from './labels.ts';
 import type { Macrocells } from './macrocells.ts';
 import type { Vector3 } from './matrix.ts';
@@ -47,6 +47,8 @@ export interface VolumeData {
   readonly indexed?: IndexedSamples;
   /** Set where whole numbers are rounded that are not in `indexed`. */
   readonly rounded?: Rounded;
+  /** Set where samples can't keep all numbers of a file of floats. */
+  readonly unkept?: Unkept;
 }
 
 /** Where a volume comes from: what its file says about it, and what was changed on its way. */

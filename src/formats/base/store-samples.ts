@@ -1,5 +1,5 @@
 import { chooseOffset } from '../../volume/detail-offset.ts';
-import type { IndexedSamples, Rounded } from '../../volume/index-numbers.ts';
+import type { IndexedSamples, Rounded, Unkept } from '../../volume/index-numbers.ts';
 import type { Samples } from '../../volume/volume.ts';
 import type { Budget } from './budget.ts';
 import { loadReader } from './load-reader.ts';
@@ -17,6 +17,8 @@ export interface StoredSamples {
   readonly indexed?: IndexedSamples;
   /** Whole numbers that are rounded and not indexed: how many, and by how much at most. */
   readonly rounded?: Rounded;
+  /** Numbers of a file of floats that have no sample of their own; absent if there are none. */
+  readonly unkept?: Unkept;
 }
 
 interface Rescale {
@@ -137,8 +139,11 @@ function chooseStore(values: { low: number; high: number; range: number }): {
   return { store: Float32Array, from: exact ? 'zero' : 'detail' };
 }
 
-/** Floats from here on are stored as shares of a power of two: a GPU rounds the inverse of their span to 0. */
+/** Floats from here on are stored as shares of a power of two: a GPU rounds the inverse of their span to 0. So are those below its inverse. */
 const largestAsIs = 2 ** 100;
+
+/** The smallest number that float32 holds with all its digits. */
+const smallestNormal = 2 ** -126;
 
 function storeFloats(
   values: Float32Array<ArrayBuffer> | Float64Array,
@@ -158,14 +163,18 @@ function storeFloats(
     isFloat32 && detail !== 0 && values.some((value) => Math.abs(Math.fround(value - detail) + detail - value) > 0);
   const offset = whole?.offset ?? (low === high && !isFloat32 ? low : isHarmed ? 0 : detail);
   const largest = low === high ? Math.max(1, Math.abs(low)) : Math.max(offset - low, high - offset);
-  const scale = isFloat32 && largest < largestAsIs ? 1 : chooseScale(largest);
+  const isAsIs = isFloat32 && largest > 1 / largestAsIs && largest < largestAsIs;
+  const scale = isAsIs ? 1 : chooseScale(largest);
   if (!isFloat32) take(budget, values.length * 4);
   const samples = isFloat32 ? values : new Float32Array(values.length);
+  let [infinite, small] = [0, 0];
   for (let i = 0; i < values.length; i++) {
     const value = values[i];
-    samples[i] = Number.isFinite(value) ? (value - offset) / scale : NaN;
+    const sample = (samples[i] = Number.isFinite(value) ? (value - offset) / scale : NaN);
+    if (Number.isNaN(sample) && !Number.isNaN(value)) infinite++;
+    if (!isAsIs && sample !== 0 && Math.abs(sample) < smallestNormal) small++;
   }
-  return { samples, ...whole, scale, offset };
+  return { samples, ...whole, ...(infinite || small ? { unkept: { infinite, small } } : {}), scale, offset };
 }
 
 /** No data (NaN) does not count as a fraction. */

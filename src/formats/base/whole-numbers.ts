@@ -49,8 +49,3 @@ export function chooseWhole<T extends number | bigint>(
 function subtract<T extends number | bigint>(a: T, b: T): T {
   return ((a as number) - (b as number)) as T;
 }
-
-/** The sentence about rounding that a page receives. */
-export function reportRounded({ count, by }: Rounded): string {
-  return `${count.toLocaleString('en')} whole numbers are rounded, by up to ${by.toLocaleString('en')}: beyond 16,777,216 at most 65,536 different ones are kept exactly, and none beyond 9,007,199,254,740,991`;
-}

@@ -30,7 +30,7 @@ export const readMetaImage: FormatReader = async (input, settings, context) => {
   const bytes = await readData(input, context, { header, type, wanted, bytesInAll: wanted * volumes });
   const isText = !readFlag(header, 'BinaryData', true);
   const littleEndian = isText ? hostIsLittleEndian : !readFlag(header, 'BinaryDataByteOrderMSB', false);
-  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, {
+  const { samples, scale, offset, indexed, rounded, unkept } = storeSamples(bytes, type, littleEndian, {
     slope: 1,
     intercept: 0,
     budget: context.budget,
@@ -45,6 +45,7 @@ export const readMetaImage: FormatReader = async (input, settings, context) => {
       intercept: offset,
       indexed,
       rounded,
+      unkept,
       unit: '',
       format,
       anatomical: isAnatomical(header),

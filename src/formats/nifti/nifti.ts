@@ -78,6 +78,7 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
     intercept: slope * stored.offset + intercept,
     // Nobody expects all digits of scaled numbers.
     ...(slope === 1 && intercept === 0 ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
+    unkept: stored.unkept,
     unit: '',
     format: `NIfTI-${header.version}${volumes * numbers > 1 ? `, volume 1 of ${volumes * numbers}` : ''}`,
     ...listLeft(

@@ -62,7 +62,7 @@ interface Wanted {
   readonly layout: NrrdLayout;
 }
 
-type Stored = Pick<DecodedCartesianVolume, 'samples' | 'slope' | 'intercept' | 'indexed' | 'rounded'>;
+type Stored = Pick<DecodedCartesianVolume, 'samples' | 'slope' | 'intercept' | 'indexed' | 'rounded' | 'unkept'>;
 
 async function store(
   bytes: Uint8Array<ArrayBuffer>,
@@ -70,13 +70,13 @@ async function store(
   { budget }: ReadContext,
 ): Promise<Stored> {
   const littleEndian = readEncoding(fields) === 'text' ? hostIsLittleEndian : isLittleEndian(fields);
-  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, {
+  const { samples, scale, offset, indexed, rounded, unkept } = storeSamples(bytes, type, littleEndian, {
     slope: 1,
     intercept: 0,
     budget,
     chooseWhole: await wholeNumbersOf(type),
   });
-  return { samples, slope: scale, intercept: offset, indexed, rounded };
+  return { samples, slope: scale, intercept: offset, indexed, rounded, unkept };
 }
 
 type SegmentPart = typeof segmentPart;

@@ -19,6 +19,9 @@ export type TransferFunction = readonly Stop[];
 /** Values from authors must be smaller than this, so that their sums and products are finite. */
 export const largestValue = 1e300;
 
+/** The ends of a window lie no farther from 0 than this, however large the data are, for instance where 1.8e308 stands for "no data". */
+export const largestWindow = 0.9 * largestValue;
+
 /** Red, green, blue (premultiplied by alpha) and alpha, each 0..1. */
 export type Premultiplied = [number, number, number, number];
 

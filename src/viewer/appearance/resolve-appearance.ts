@@ -2,16 +2,13 @@ import { loadPart } from '../../core/load-part.ts';
 import { defaultPreset } from '../../optics/transfer/default-preset.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
 import { spanAround } from '../../optics/transfer/span-around.ts';
-import { largestValue } from '../../optics/transfer/transfer-function.ts';
+import { largestWindow } from '../../optics/transfer/transfer-function.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { defaultReferenceLength } from '../../volume/reference-length.ts';
 import { loadLabelStops } from '../model/optics-by-place.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import type { AppearanceSettings } from '../model/settings.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
-
-/** Data may be as large as numbers can be, for instance where 1.8e308 stands for "no data": a window may not. */
-const widest = 0.9 * largestValue;
 
 /** The transfer function of a volume whose page gives none. */
 export async function suggestedOf({
@@ -33,7 +30,7 @@ export async function resolveAppearance(said: AppearanceSettings, volume: ScanMo
       ? said
       : (await loadPart(import('./named-looks.ts'), 'reads looks')).applyNamedLook(said, volume);
   const [low, high] = appearance.window ?? volume.window ?? volume.range;
-  const ends = [low, high].map((end) => Math.min(widest, Math.max(-widest, end)));
+  const ends = [low, high].map((end) => Math.min(largestWindow, Math.max(-largestWindow, end)));
   const window = ends[0] < ends[1] ? ([ends[0], ends[1]] as const) : spanAround(ends[0]);
   const text = appearance.transferFunction ?? (await suggestedOf(volume));
   const optics: VolumeOptics = {
