@@ -245,6 +245,36 @@ const ownPrivates = {
   },
 };
 
+/** A file with more imports than this does several things, or joins what a module is made of. */
+const MAX_IMPORTS = 20;
+
+/** The roots of modules, which join their parts, and may import from more files. */
+const ROOTS = [
+  'components/volume-slice-view/volume-slice-view.ts', // the element: its file, its view, its picture, its marks
+  'demos/accuracy/study-gl.ts', // draws pictures of the study without a view: it joins the renderer's parts itself
+  'src/renderer/layers/volume-layer.ts', // all that draws one volume
+  'src/viewer/view/viewer.ts', // camera, frames, quality and scene of a view
+  'src/x3d/scene.ts', // x3dom's scene: its canvas, camera, lights, shapes and layers
+];
+
+const fewImports = {
+  meta: { type: 'problem', schema: [] },
+  create: (/** @type {any} */ context) => ({
+    /** @param {any} node */
+    Program(node) {
+      const file = relative(projectRoot, context.filename).split(sep).join('/');
+      if (!MAY_IMPORT[findPlace(context.filename).name] || ROOTS.includes(file)) return;
+      const sources = new Set(node.body.map((/** @type {any} */ one) => one.source?.value).filter(Boolean));
+      if (sources.size > MAX_IMPORTS) {
+        context.report({
+          node: node.body[0],
+          message: `${file} imports from ${sources.size} files; at most ${MAX_IMPORTS} are allowed: divide it, or add it to ROOTS if it joins the parts of a module`,
+        });
+      }
+    },
+  }),
+};
+
 const reexportsOnly = {
   meta: { type: 'problem', schema: [] },
   create: (/** @type {any} */ context) => ({
@@ -302,6 +332,7 @@ export default {
   meta: { name: 'modules' },
   rules: {
     'one-way': oneWay,
+    'few-imports': fewImports,
     'reexports-only': reexportsOnly,
     'own-privates': ownPrivates,
     'no-unfinished': noUnfinished,

@@ -23,17 +23,7 @@ const plainScans = [
   {
     title: 'an MRI that is lit by default',
     attributes: '',
-    parts: [
-      'lit',
-      'styles',
-      'layer-light',
-      'style-detail',
-      'cut-fade',
-      'gradient',
-      'styled',
-      'keep-last',
-      'part-of-twins',
-    ],
+    parts: ['styles', 'light', 'lights', 'points', 'style-detail', 'gradient', 'styled', 'keep-last', 'part-of-twins'],
   },
 ];
 

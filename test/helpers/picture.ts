@@ -33,7 +33,7 @@ import { composeTwins } from '../../src/renderer/ray/compose-twins.ts';
 import { groupsTwin } from '../../src/renderer/ray/modules/label-functions.ts';
 import { groupAppearances, labelAppearances } from '../../src/renderer/ray/modules/label-appearances.ts';
 import { labelsTwin } from '../../src/renderer/ray/modules/labels.ts';
-import { shadingTwins } from '../../src/renderer/ray/modules/lit.ts';
+import { shadingTwins } from '../../src/renderer/ray/modules/field-taps.ts';
 import { overlayTwins } from '../../src/renderer/ray/modules/overlay.ts';
 import { projectionTwin } from '../../src/renderer/ray/modules/projection.ts';
 import { usualTwins } from '../../src/renderer/ray/ray-twin.ts';

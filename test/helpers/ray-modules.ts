@@ -9,10 +9,12 @@ import { cartesianText, loadCartesianChunks } from '../../src/renderer/ray/modul
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
 import { clipText } from '../../src/renderer/ray/modules/clip.ts';
 import { cutoutText } from '../../src/renderer/ray/modules/cutout.ts';
-import { groupColumnsText, labelFunctionsText } from '../../src/renderer/ray/modules/label-functions.ts';
+import { groupColumnsText, labelFunctionsText } from '../../src/renderer/ray/modules/label-functions-text.ts';
 import { labelAppearances } from '../../src/renderer/ray/modules/label-appearances.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
-import { cartesianTapsOf, litText, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
+import { litText } from '../../src/renderer/ray/modules/lit.ts';
+import { pointsModule } from '../../src/renderer/ray/modules/points.ts';
+import { cartesianTapsOf } from '../../src/renderer/ray/modules/field-taps.ts';
 import { overlayAppearanceText, overlayText, secondMomentText } from '../../src/renderer/ray/modules/overlay.ts';
 import { patchesText } from '../../src/renderer/ray/modules/patches.ts';
 import { styledText, stylingText } from '../../src/renderer/ray/modules/styled.ts';

@@ -1,5 +1,5 @@
 import polarTaps from '../../../shaders/chunks/radar/gradient-polar.glsl?raw';
-import type { FieldTaps } from '../../renderer/ray/modules/lit.ts';
+import type { FieldTaps } from '../../renderer/ray/modules/field-taps.ts';
 import { partOf } from '../../renderer/ray/part-of-twins.ts';
 import { beamTaps } from '../polar-gradient.ts';
 import { stretchOf } from '../polar-geometry.ts';

@@ -1,4 +1,4 @@
-import type { FieldTaps } from '../ray/modules/lit.ts';
+import type { FieldTaps } from '../ray/modules/field-taps.ts';
 import type { FieldProvider } from '../ray/ray-module.ts';
 
 /** Loaders of the code that draws volumes whose grid is not cartesian: the first such volume calls them. */

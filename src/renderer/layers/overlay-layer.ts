@@ -1,29 +1,25 @@
 import { loadPart } from '../../core/load-part.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import { domainOf } from '../../optics/transfer/emission.ts';
-import { fullColor, isOver, overlayColors, toOverlay } from '../../optics/attachments/overlay.ts';
+import { fullColor, isOver } from '../../optics/attachments/overlay.ts';
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import { listOverlayCells, overlaidDetail, shownByOverlay } from '../../optics/cells/overlay-cells.ts';
 import type { OverlayCells } from '../../optics/cells/overlay-cells.ts';
-import { buildPreintegrationTable, preintegrationTableSize } from '../../optics/transfer/preintegration-table.ts';
 import { mapShares } from '../../optics/transfer/share-map.ts';
-import { findColumns } from '../../optics/transfer/table-columns.ts';
-import { usualColumns } from '../../optics/transfer/usual-columns.ts';
 import { isPolar } from '../../volume/volume.ts';
-import type { Samples, VolumeData } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import type { Device, Gl } from '../device/device.ts';
 import type { FieldProviders } from './field-providers.ts';
 import { finishUpload, quickBytes } from '../textures/fill-texture.ts';
-import type { Upload } from '../textures/fill-texture.ts';
-import { pairTexels, weighFloats } from '../textures/float-pairs.ts';
 import { joinInputs } from '../device/inputs.ts';
 import type { ProgramInputs } from '../device/inputs.ts';
 import { Kept } from '../device/kept.ts';
 import { askTwoByteFilter } from '../probes/probe-device.ts';
-import { isFiltered, prepareCartesian, uploadBlock } from '../ray/modules/cartesian-field.ts';
-import { overlayAppearanceText, overlayText, overlayTwins } from '../ray/modules/overlay.ts';
+import { prepareCartesian } from '../ray/modules/cartesian-field.ts';
+import { overlayAppearanceText } from '../ray/modules/overlay.ts';
 import type { Optics, RayFrame, RayModule, SecondField } from '../ray/ray-module.ts';
-import { uploadTable } from '../textures/table-textures.ts';
+import { uploadOverlayTable } from './overlay-table.ts';
+import { uploadOverlay } from './upload-overlay.ts';
 import { uploadGradually } from '../textures/upload-gradually.ts';
 
 /** Factors stay below this, so that the shader's products don't overflow. */
@@ -76,40 +72,10 @@ export class OverlayLayer {
         'shows a second moment',
       ));
     if (this.#wanted !== overlay) return null;
-    const upload = second ? second(this.gl, overlay, this.device) : this.#upload(volume);
+    const upload = second ? second(this.gl, overlay, this.device) : uploadOverlay(this.gl, volume, this.device);
     return volume.samples.byteLength <= quickBytes
       ? finishUpload(upload)
       : uploadGradually(this.gl, upload, () => this.#wanted !== overlay);
-  }
-
-  *#upload(volume: VolumeData): Upload<SecondField> {
-    const { slope, intercept, samples, grid, hasNoData } = volume;
-    // If the device filters floats, it also filters floats with holes (missing data).
-    const holes = hasNoData && samples instanceof Float32Array && this.device.floatLinear;
-    const filter = holes || isFiltered(volume, this.device);
-    const packing = holes
-      ? {
-          texels: pairTexels(this.gl),
-          pack: (some: Samples, scale: number) => weighFloats(some as Float32Array, scale),
-        }
-      : undefined;
-    const block = yield* uploadBlock(this.gl, volume, { device: this.device, filterInShader: !filter, packing });
-    const {
-      uniforms: { uMosaic },
-      units: [unit],
-    } = block.inputs();
-    const uniforms = { uOverlayDimensions: grid.dimensions, ...(uMosaic ? { uOverlayMosaic: uMosaic } : {}) };
-    return {
-      twins: overlayTwins,
-      text: overlayText({ texture3d: this.device.webgl2, twoBytes: samples instanceof Uint16Array, filter, holes }),
-      stored: { slope, intercept, storedScale: block.storedScale },
-      foldFrom: Infinity,
-      inputs: (over) => ({
-        uniforms: { ...uniforms, uToOverlay: byColumn(toOverlay(over.grid, grid)) },
-        units: [{ ...unit, samplerName: 'uOverlay' }],
-      }),
-      dispose: block.dispose,
-    };
   }
 
   /** The overlay modules of a volume; none if it has no overlay. @param projects - whether rays project values: then the overlay is left out */
@@ -156,23 +122,9 @@ export class OverlayLayer {
   }
 
   #tableOf(overlay: ShownOverlay, { optics: { lightFactor } }: RayFrame): ProgramInputs {
-    return this.#table.get([overlay.transferFunction, overlay.blend, lightFactor], (last) => {
-      const { transferFunction } = overlay;
-      const table = buildPreintegrationTable(overlayColors(overlay, lightFactor), {
-        columns: findColumns(transferFunction) ?? usualColumns,
-        rows: preintegrationTableSize.rows,
-      });
-      const unit = uploadTable(this.gl, table, last?.units[0].texture ?? null);
-      const filter = this.device.floatLinear ? this.gl.LINEAR : this.gl.NEAREST;
-      return {
-        uniforms: {
-          uOverlayTableSize: [table.columns, table.rows],
-          uOverlayFirst: table.first,
-          uOverlayLast: table.last,
-        },
-        units: [{ ...unit, minFilter: filter, magFilter: filter, samplerName: 'uOverlayTable' }],
-      };
-    });
+    return this.#table.get([overlay.transferFunction, overlay.blend, lightFactor], (last) =>
+      uploadOverlayTable(this.gl, overlay, { lightFactor, isFiltered: this.device.floatLinear, last }),
+    );
   }
 
   /** The overlay, if it lies over this volume; else null. */
@@ -214,9 +166,4 @@ function isSameField(one: ShownOverlay | null, other: ShownOverlay | null): bool
 
 function scaleOf({ opacityFactor }: ShownOverlay, { rays, optics }: RayFrame): number {
   return Math.min(largestFactor, (rays.diameter / optics.referenceLength) * optics.opacityFactor * opacityFactor);
-}
-
-/** Column by column, as WebGL expects matrices. */
-function byColumn(matrix: readonly number[] | null): readonly number[] {
-  return Array.from({ length: 16 }, (_, at) => matrix?.[4 * (at % 4) + (at >> 2)] ?? 0);
 }

@@ -4,9 +4,6 @@ import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-
 import { childrenOf } from '../../page/page-children.ts';
 import { deviceLimits } from '../../renderer/device/device.ts';
 import { probeDevice } from '../../renderer/probes/probe-device.ts';
-import { cartesianGrid, unitToWorld } from '../../volume/grid.ts';
-import { multiply, scaleAndTranslate } from '../../volume/matrix.ts';
-import type { Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { withoutIds } from '../../volume/label-volume.ts';
 import type { Volume } from '../../volume/volume.ts';
@@ -18,6 +15,7 @@ import { loadAttachment } from '../loading/load-attachment.ts';
 import { makeOverlay } from './make-overlay.ts';
 import { OverlayTarget } from './overlay-target.ts';
 import { placeOverlay } from './place-overlay.ts';
+import { stretchOver } from './stretch-over.ts';
 import { readOpacityMap } from '../../x3d/nodes/read-opacity-map.ts';
 import { sharedVolumes } from '../loading/shared-volumes.ts';
 import type { SecondVolume } from '../../x3d/nodes/volume-textures.ts';
@@ -104,14 +102,4 @@ export class BlendController extends AttachmentController<BlendTarget, Attachmen
     target.cleared();
     target.reportFiles([[voxels.url, noticesOf(file)]]);
   }
-}
-
-/** An image of slices has no place of its own: X3D's textures fill the volume's box, each on its own grid. */
-export function stretchOver(volume: Volume, over: Volume): Volume {
-  const { dimensions } = volume.grid;
-  const [scale, offset] = [1, 0.5].map((share) => dimensions.map((n) => share / n) as unknown as Vector3);
-  return {
-    ...volume,
-    grid: cartesianGrid(dimensions, multiply(unitToWorld(over.grid), scaleAndTranslate(scale, offset))),
-  };
 }

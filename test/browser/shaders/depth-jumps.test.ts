@@ -3,7 +3,7 @@ import { orbitCamera, projectionMatrix, viewMatrix } from '../../../src/optics/r
 import { findJump, findThin, jumps, rayEnd } from '../../../src/optics/rays/depth-jumps.ts';
 import type { EndsAround, RayEnd } from '../../../src/optics/rays/depth-jumps.ts';
 import { crossVolume, rayThrough, setUpRays } from '../../../src/optics/rays/rays.ts';
-import { jumpChunks, jumpDefines } from '../../../src/renderer/passes/depth-jumps.ts';
+import { jumpChunks, jumpDefines } from '../../../src/renderer/passes/depth-jumps-text.ts';
 import { rayUniforms } from '../../../src/renderer/ray/uniforms.ts';
 import { createGl, pointTexture, releaseGl, runChunk } from '../../helpers/gl.ts';
 import { syntheticVolume } from '../../helpers/synthetic.ts';

@@ -35,7 +35,7 @@ import { sliceInterval, sliceMeeter } from '../../../src/radar/slices.ts';
 import type { Slice } from '../../../src/radar/slices.ts';
 import * as clip from '../../../src/renderer/ray/modules/clip.ts';
 import * as cutout from '../../../src/renderer/ray/modules/cutout.ts';
-import * as labelFunctions from '../../../src/renderer/ray/modules/label-functions.ts';
+import { labelFunctionsText } from '../../../src/renderer/ray/modules/label-functions-text.ts';
 import * as planes from '../../../src/renderer/ray/modules/plane-slices.ts';
 import * as sceneDepth from '../../../src/renderer/ray/modules/scene-depth.ts';
 import type { RayModule } from '../../../src/renderer/ray/ray-module.ts';
@@ -290,7 +290,7 @@ describe('the order of convergence that a module states', () => {
   it('is measured of all modules', () => {
     const all = Object.values(listLevels(true))
       .flatMap((levels) => levels.flatMap((one) => (one ? [one.name] : [])))
-      .concat(labelFunctions.labelFunctionsText.name, 'patches');
+      .concat(labelFunctionsText.name, 'patches');
     expect(Object.keys(looks)).to.have.members([...new Set(all)]);
     expect([...modules.keys()]).to.have.members(Object.keys(looks));
   });

@@ -2,7 +2,9 @@
 import { expect } from '@esm-bundle/chai';
 import segmentChunk from '../../../shaders/chunks/walk/segment.glsl?raw';
 import { sampleStruct } from '../../../src/renderer/ray/generate-chains.ts';
-import { cartesianTapsOf, litText, pointsModule } from '../../../src/renderer/ray/modules/lit.ts';
+import { litText } from '../../../src/renderer/ray/modules/lit.ts';
+import { pointsModule } from '../../../src/renderer/ray/modules/points.ts';
+import { cartesianTapsOf } from '../../../src/renderer/ray/modules/field-taps.ts';
 import { styledText } from '../../../src/renderer/ray/modules/styled.ts';
 import { createGl, releaseGl, runChunk } from '../../helpers/gl.ts';
 

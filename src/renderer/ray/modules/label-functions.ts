@@ -1,6 +1,4 @@
 // Transfer functions of groups of labels. The first of them loads this file.
-import columnMeans from '../../../../shaders/chunks/classify/column-means.glsl?raw';
-import labelFunctions from '../../../../shaders/chunks/classify/label-functions.glsl?raw';
 import { brighten } from '../../../optics/transfer/brighten.ts';
 import { domainOf } from '../../../optics/transfer/emission.ts';
 import { contributionOf } from '../../../optics/cells/empty-space-distance.ts';
@@ -11,7 +9,6 @@ import { substepTableSize } from '../../../optics/transfer/substep-limits.ts';
 import { buildSubstepTable } from '../../../optics/transfer/substep-table.ts';
 import type { TransferFunction } from '../../../optics/transfer/transfer-function.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
-import { maxGroups } from '../../../volume/labels.ts';
 import type { Gl } from '../../device/device.ts';
 import { prepareUpload, uploadPlane } from '../../textures/fill-texture.ts';
 import { joinInputs } from '../../device/inputs.ts';
@@ -19,30 +16,13 @@ import type { ProgramInputs } from '../../device/inputs.ts';
 import { Kept } from '../../device/kept.ts';
 import { textureUnit } from '../../device/texture-unit.ts';
 import type { TextureUnit } from '../../device/texture-unit.ts';
-import type { Optics, RayFrame, RayModule, RayText, RayTwin } from '../ray-module.ts';
+import type { Optics, RayFrame, RayModule, RayTwin } from '../ray-module.ts';
 import { twinOf, usualTwins } from '../ray-twin.ts';
 import { keepColumns } from './column-tables.ts';
 import type { ColumnTables } from './column-tables.ts';
-import { columnsText, fetchEach } from './columns.ts';
-import { classifyText, opticalUniforms } from './transfer-function.ts';
-
-/** The maximum number of functions: the volume's own, and those of groups. */
-const room = maxGroups + 1;
-
-const defines = { FUNCTIONS: room.toFixed(1) };
-
-/** Finds each sample's column in the columns of its label's function. */
-export function groupColumnsText(bins: boolean): RayText {
-  const text = columnsText(bins);
-  return { ...text, defines: { ...text.defines, ...defines } };
-}
-
-export const labelFunctionsText = classifyText({
-  name: 'labelFunctions',
-  defines,
-  chunks: [columnMeans, labelFunctions],
-  samplers: [],
-});
+import { fetchEach } from './columns.ts';
+import { groupColumnsText, labelFunctionsText, room } from './label-functions-text.ts';
+import { opticalUniforms } from './transfer-function.ts';
 
 /** The groups that have transfer functions. */
 interface Groups {

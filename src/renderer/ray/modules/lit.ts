@@ -1,16 +1,12 @@
-import cartesianTaps from '../../../../shaders/chunks/field/gradient-cartesian.glsl?raw';
 import gradientTaps from '../../../../shaders/chunks/field/gradient-taps.glsl?raw';
 import lights from '../../../../shaders/chunks/shade/lights.glsl?raw';
 import lit from '../../../../shaders/chunks/shade/lit.glsl?raw';
 import litBegin from '../../../../shaders/chunks/shade/lit-begin.glsl?raw';
 import litCuts from '../../../../shaders/chunks/shade/lit-cuts.glsl?raw';
 import litSample from '../../../../shaders/chunks/shade/lit-sample.glsl?raw';
-import points from '../../../../shaders/chunks/walk/points.glsl?raw';
-import { loadPart } from '../../../core/load-part.ts';
 import type { LitScene } from '../../../optics/rays/lit.ts';
-import type { SlopedField } from '../../../optics/shading-twins.ts';
 import { domainOf } from '../../../optics/transfer/emission.ts';
-import { flatChange, normalsToWorld } from '../../../optics/rays/gradient.ts';
+import { flatChange } from '../../../optics/rays/gradient.ts';
 import {
   fogFlat,
   fogMaterial,
@@ -23,40 +19,16 @@ import type { LitMaterial, SceneLights } from '../../../optics/transfer/lights.t
 import { mapShares } from '../../../optics/transfer/share-map.ts';
 import { unitToWorld } from '../../../volume/grid.ts';
 import type { Matrix4 } from '../../../volume/matrix.ts';
-import type { VolumeData } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 import type { RayFrame, RayModule, RayText, RayTwin, TwinFrame } from '../ray-module.ts';
-import { partOf } from '../part-of-twins.ts';
-import { later, twinOf, usualTwins } from '../ray-twin.ts';
-import type { Later } from '../ray-twin.ts';
+import { shadingTwins } from './field-taps.ts';
+import type { FieldTaps } from './field-taps.ts';
 import { cutUniforms } from './lit-cuts.ts';
 import type { CutsOfRays } from './lit-cuts.ts';
 import { lightUniforms } from './lit-lights.ts';
 
 /** Segments that are left unlit change a picture by at most this: a quarter of 1/255. */
 const minLit = 1 / 1024;
-
-/** How a kind of field takes taps (samples around a place) for gradients: its chunk, and the uniforms that the chunk reads. */
-export interface FieldTaps {
-  readonly chunk: string;
-  uniforms(volume: VolumeData): Uniforms;
-  /** Row-major matrix: from the direction in which values grow, as the chunk returns it, to a direction in the world. */
-  normals(volume: VolumeData): Matrix4;
-  /** The same field in float64. */
-  readonly slopes: Later<(volume: VolumeData) => SlopedField>;
-}
-
-/** The code of all twins that need gradients. */
-export const shadingTwins = later(() =>
-  loadPart(import('../../../optics/shading-twins.ts'), 'lights rays on the processor'),
-);
-
-export const cartesianTapsOf: FieldTaps = {
-  chunk: cartesianTaps,
-  uniforms: () => ({}),
-  normals: ({ grid }) => normalsToWorld(grid),
-  slopes: partOf(shadingTwins, ({ cartesianSlopes }) => cartesianSlopes),
-};
 
 /** The options of the module's text. */
 export interface LitOptions {
@@ -66,20 +38,6 @@ export interface LitOptions {
   /** Whether a region, planes or a box cut the volume, in addition to its own bounds. */
   readonly cuts: boolean;
 }
-
-/** Adds its place to each sample. */
-export const pointsModule: RayModule<'field'> = {
-  name: 'points',
-  stage: 'field',
-  defines: {},
-  members: ['vec3 point'],
-  chunks: [points],
-  samplers: [],
-  sparesRays: true,
-  order: Infinity,
-  inputs: () => ({ uniforms: {}, units: [] }),
-  twin: twinOf(usualTwins, ({ pointField }) => ({ moreFields: [pointField] })),
-};
 
 /** The parts of a text that shades places: the chunks up to `shadeSample`, and their options. */
 export function shadingText({ taps, ...options }: LitOptions): Pick<RayText, 'defines' | 'chunks'> {

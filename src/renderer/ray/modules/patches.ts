@@ -13,7 +13,8 @@ import type { Gl } from '../../device/device.ts';
 import { joinInputs } from '../../device/inputs.ts';
 import type { Uniforms } from '../../device/inputs.ts';
 import type { RayFrame, RayModule, RayText, RayTwin } from '../ray-module.ts';
-import { shadedTwin, shadingText, shadingTwins, shadingUniforms } from './lit.ts';
+import { shadedTwin, shadingText, shadingUniforms } from './lit.ts';
+import { shadingTwins } from './field-taps.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
 import { classifyText, classifyTwin, createClassify } from './transfer-function.ts';
 

@@ -25,7 +25,8 @@ import type { RayFrame, RayModule, RayText, RayTwin, TwinFrame } from '../ray-mo
 import type { Sample } from '../../../optics/rays/ray-stages.ts';
 import type { Ray } from '../../../optics/rays/rays.ts';
 import type { Styled } from '../../../optics/transfer/volume-styles.ts';
-import { litScene, perFlat, shadedTwin, shadingText, shadingTwins, shadingUniforms } from './lit.ts';
+import { litScene, perFlat, shadedTwin, shadingText, shadingUniforms } from './lit.ts';
+import { shadingTwins } from './field-taps.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
 
 export { withLight } from '../../../optics/transfer/volume-styles.ts';

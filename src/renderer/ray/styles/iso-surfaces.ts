@@ -5,7 +5,7 @@ import { contributionOfSurfaces, depthOfSurfaces, surfaceFlat } from '../../../o
 import { isPolar } from '../../../volume/volume.ts';
 import { lightLayer } from './layer-light.ts';
 import type { LayerLight } from './layer-light.ts';
-import { pointsModule } from '../modules/lit.ts';
+import { pointsModule } from '../modules/points.ts';
 import { createSurfaces } from '../modules/surfaces.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 

@@ -1,8 +1,9 @@
 import { headlightAlone } from '../../../optics/transfer/lights.ts';
 import { isPolar } from '../../../volume/volume.ts';
 import type { VolumeData } from '../../../volume/volume.ts';
-import { cartesianTapsOf } from '../modules/lit.ts';
-import type { FieldTaps, LitOptions, LitSurroundings } from '../modules/lit.ts';
+import { cartesianTapsOf } from '../modules/field-taps.ts';
+import type { FieldTaps } from '../modules/field-taps.ts';
+import type { LitOptions, LitSurroundings } from '../modules/lit.ts';
 import { cutsOf, hasCuts } from '../modules/lit-cuts.ts';
 import type { StyledLayer } from './style-modules.ts';
 

@@ -5,7 +5,7 @@ import { depthOfPatches } from '../../../optics/transfer/patches.ts';
 import type { Patch } from '../../../optics/transfer/patches.ts';
 import { Kept } from '../../device/kept.ts';
 import { lightLayer } from './layer-light.ts';
-import { pointsModule } from '../modules/lit.ts';
+import { pointsModule } from '../modules/points.ts';
 import { createPatches } from '../modules/patches.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 

@@ -4,7 +4,7 @@ import type { SceneLights } from '../../../optics/transfer/lights.ts';
 import type { StyledAppearance } from '../../../optics/cells/style-detail.ts';
 import type { VolumeData } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
-import type { FieldTaps } from '../modules/lit.ts';
+import type { FieldTaps } from '../modules/field-taps.ts';
 import type { Optics, RayModule } from '../ray-module.ts';
 import type { RayPlan } from '../ray-plan.ts';
 

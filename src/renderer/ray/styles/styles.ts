@@ -1,7 +1,6 @@
 // Rays that show more than emission and absorption, or something else. The first such picture loads this file.
 import type { ProjectionKind, RayStyle } from '../../../optics/rays/ray-style.ts';
 import { isCut } from '../../../optics/cells/substeps.ts';
-import type { StyleChain } from '../../../optics/transfer/volume-styles.ts';
 import { isPolar } from '../../../volume/volume.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 
@@ -11,8 +10,12 @@ export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<
   if (style.projection) return createProjected(style.projection, style.intensityThreshold, layer);
   const parts: Promise<StyleModules>[] = [];
   // Rendering styles also light the volume, so that normals are computed once.
-  if (style.styles && !style.clear) parts.push(createStyled(style.styles, style, layer));
-  else if (style.lit && !style.clear) parts.push(createLight(layer));
+  if (style.styles && !style.clear) {
+    const { styles: chains, lit } = style;
+    parts.push(import('./styled-rays.ts').then(({ createStyled }) => createStyled(chains, lit, layer)));
+  } else if (style.lit && !style.clear) {
+    parts.push(import('./light.ts').then(({ createLight }) => createLight(layer)));
+  }
   if (style.patches && !style.clear)
     parts.push(import('./patches.ts').then(({ createPatched }) => createPatched(style.patches!, layer)));
   if (style.surfaces)
@@ -52,53 +55,5 @@ function join(parts: readonly StyleModules[]): StyleModules {
     contributions: last?.contributions,
     seen: (more, appearance) => parts.reduce((known, part) => part.seen?.(known, appearance) ?? known, more),
     dispose: () => parts.forEach((part) => part.dispose()),
-  };
-}
-
-/** Light. Volumes of labels have no gradients, so they have no surfaces that could face a light. */
-async function createLight(layer: StyledLayer): Promise<StyleModules> {
-  const [{ createLit, pointsModule }, { lightLayer }, { rangeLight }] = await Promise.all([
-    import('../modules/lit.ts'),
-    import('./layer-light.ts'),
-    import('../../../optics/cells/style-detail.ts'),
-  ]);
-  const lightOf = lightLayer(layer);
-  return {
-    projects: false,
-    prepare: lightOf.prepare,
-    modules: () => {
-      const light = lightOf();
-      return light ? [pointsModule, createLit(light.options, light.surroundings)] : [];
-    },
-    seen: (more, appearance) => ({ ...more, style: rangeLight(appearance) }),
-    dispose: () => {},
-  };
-}
-
-async function createStyled(
-  chains: readonly StyleChain[],
-  { lit }: RayStyle,
-  layer: StyledLayer,
-): Promise<StyleModules> {
-  const [{ pointsModule }, { lightLayer }, { rangeStyles }, { hasRoom, StyledRays, withLight }] = await Promise.all([
-    import('../modules/lit.ts'),
-    import('./layer-light.ts'),
-    import('../../../optics/cells/style-detail.ts'),
-    import('../modules/styled.ts'),
-  ]);
-  const lightOf = lightLayer(layer);
-  const all = lit ? withLight(chains) : chains;
-  const rays = new StyledRays(layer.gl, all);
-  return {
-    projects: false,
-    prepare: lightOf.prepare,
-    modules: (others) => {
-      const light = lightOf();
-      return light && hasRoom(others, layer.device)
-        ? [pointsModule, rays.module(light.options, light.surroundings)]
-        : [];
-    },
-    seen: (more, appearance) => ({ ...more, style: rangeStyles(all, appearance) }),
-    dispose: () => rays.dispose(),
   };
 }
