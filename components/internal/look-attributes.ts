@@ -48,10 +48,10 @@ export class LookAttributes extends PictureAttributes {
 
   /**
    * `lit` shows the orientation of surfaces in the volume, by a light at the eye and the X3D lights among the children; `unlit` shows the
-   * colours as they are in the legend. By default the surfaces of `surface-values` are lit, and MRI and CT if no other attribute and no child
+   * colours as they are in the legend; `ambient-occlusion` is `lit`, with soft shadows in caves and folds. By default the surfaces of `surface-values` are lit, and MRI and CT if no other attribute and no child
    * decides how they look. A `projection` is never lit.
    */
-  @property() shading!: 'lit' | 'unlit' | null;
+  @property() shading!: 'lit' | 'ambient-occlusion' | 'unlit' | null;
 
   /**
    * Surfaces where the data have a given value: `value colour opacity, ...`, at most four, each lit. A value is a number or a percentage of

@@ -86,6 +86,16 @@ const styleTiles = [
 
 /** @type {Picture[]} */
 const pictures = [
+  {
+    file: 'docs/images/ambient-occlusion.webp',
+    size: [1080, 720],
+    columns: 3,
+    parts: ['lit', 'ambient-occlusion'].flatMap((shading) => [
+      { attributes: { ...mri, look: 'textbook', shading, 'camera-orbit': '125deg 70deg 92%' } },
+      { attributes: { ...head, shading, 'camera-orbit': '35deg 66deg 92%' } },
+      { attributes: { ...torso, look: 'textbook', shading, 'camera-orbit': '25deg 80deg 105%' } },
+    ]),
+  },
   { file: 'docs/images/x3d-styles.webp', size: [1280, 640], columns: 4, parts: styleTiles },
   {
     file: 'docs/images/volume-view.webp',

@@ -6,6 +6,7 @@ import type { GradientStage } from './rays/gradient.ts';
 import { cartesianField } from './rays/ray-field.ts';
 import type { FieldStage } from './rays/ray-stages.ts';
 
+export { ambientShade } from './rays/ambient-light.ts';
 export { lightAt, litShade, towardsEye } from './rays/lit.ts';
 export { lightPatches, patchClassify } from './rays/patch-classify.ts';
 export { styledShade, stylesAt } from './rays/styled.ts';

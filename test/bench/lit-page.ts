@@ -16,6 +16,8 @@ export interface LitOptions {
   readonly scenes: readonly string[];
   /** How the names of variants begin; all where empty. */
   readonly variants: readonly string[];
+  /** Whether they are compared with the lit picture, not with the plain one. */
+  readonly overLit: boolean;
 }
 
 export interface LitRow {
@@ -45,7 +47,7 @@ export async function compareLit(options: LitOptions): Promise<LitRow[]> {
   return rows;
 }
 
-async function compareScene(bench: LitScene, { size, steps, turns, variants }: LitOptions): Promise<LitRow[]> {
+async function compareScene(bench: LitScene, { size, steps, turns, variants, overLit }: LitOptions): Promise<LitRow[]> {
   const volume = await loadScan(bench.url);
   const transferFunction = await resolveTransferFunction(bench.look, volume.range);
   const stepLength = stepLengthOf(volume.grid, steps);
@@ -76,7 +78,7 @@ async function compareScene(bench: LitScene, { size, steps, turns, variants }: L
     };
     return { name, time, dispose };
   };
-  const plain = await open({ name: 'plain' });
+  const plain = await open(overLit ? { name: 'lit', style: { lit: true } } : { name: 'plain' });
   const rows: LitRow[] = [];
   const all = await listVariants(bench, volume);
   for (const variant of all.filter(

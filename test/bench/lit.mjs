@@ -1,5 +1,6 @@
 // `npm run bench -- lit`: what light, surfaces alone, a second field and labels cost: frames of the same size and steps, in turns with plain ones.
-// SCENES=mri,mri-surface,ct,ct-skin,radar names some of the scenes, WITH=lit,layer some of what is in them.
+// SCENES=mri,mri-surface,ct,ct-skin,radar names some of the scenes, WITH=lit,layer some of what is in them; OVER=lit
+// compares with lit frames instead of plain ones.
 import { readSizes, repeats } from './knobs.mjs';
 import { measureTurns } from './turns.mjs';
 
@@ -22,6 +23,7 @@ export const run = () =>
             turns: repeats,
             scenes: process.env.SCENES?.split(',') ?? [],
             variants: process.env.WITH?.split(',') ?? [],
+            overLit: process.env.OVER === 'lit',
           },
         },
       );

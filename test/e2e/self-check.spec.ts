@@ -23,6 +23,7 @@ const kinds: Record<string, string> = {
   'given steps, half of what is asked at rest': `<volume-view src="${mri}" steps="180" ${shown}></volume-view>`,
   'a window, factors and bands': `<volume-view src="${torso}" value-window="-200 600" transfer-function="-200 #000 0, 40 #f80 0, 40 #f80 30%, 300 #fff 80%" opacity-factor="0.7" light-factor="1.2" ${shown}></volume-view>`,
   'light of its own, and a cut': `<volume-view src="${mri}" shading="lit" cutout="0 0 0 200 200 200" transfer-function="20% #e2b9a6 0, 30% #e2b9a6 60%, 100% #fff 90%" ${shown}><directionallight direction="1 1 -1" intensity="0.8"></directionallight></volume-view>`,
+  'ambient occlusion, and a cut': `<volume-view src="${mri}" look="textbook" shading="ambient-occlusion" cutout="0 0 0 200 200 200" ${shown}></volume-view>`,
   'a look by one word': `<volume-view src="${torso}" look="textbook" ${shown}></volume-view>`,
   'an X-ray by one word': `<volume-view src="${torso}" look="xray" ${shown}></volume-view>`,
   'surfaces of values in fog': `<volume-view src="${torso}" surface-values="-300 #d9a98c 25%, 250 #f3e6cc" region="-100 -100 -100 100 80 100" ${shown}></volume-view>`,

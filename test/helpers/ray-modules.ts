@@ -4,6 +4,7 @@ import { polarText } from '../../src/radar/gpu/polar-field-module.ts';
 import { slicesText } from '../../src/radar/gpu/slices-module.ts';
 import { listSamplers, maxSamplers } from '../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
+import { ambientText } from '../../src/renderer/ray/modules/ambient.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
 import { cartesianText, loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
@@ -90,6 +91,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
       styledText({ taps: cartesianTapsOf, lights: true, cuts: true }),
       styledText({ taps: polarTapsOf, lights: false, cuts: false }),
     ],
+    occlusion: [null, ambientText],
     gather: [
       compositeText,
       ...projectionKinds.flatMap((kind) => bits.map((isExact) => projectionText(kind, { isExact }))),
@@ -135,7 +137,7 @@ export function listRays(webgl2: boolean): Row<Level>[] {
  * level here.
  */
 function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
-  const { overlay, overlayAppearance, field, labels, light } = listLevels(webgl2);
+  const { overlay, overlayAppearance, field, labels, light, occlusion } = listLevels(webgl2);
   const fields = [field[0], field[4], field.at(-1)!];
   const some = {
     ...Object.fromEntries(Object.entries(plainRay(webgl2)).map(([name, level]) => [name, [level]])),
@@ -147,6 +149,7 @@ function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
     shade: [null, labelAppearances],
     points: [null, pointsModule],
     light: [null, light[1], light.at(-1)!],
+    occlusion,
   };
   return listRows<Level>(
     some,
@@ -156,11 +159,16 @@ function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
       (row.labels !== null) === (row.shade !== null) &&
       !(row.labels && row.field?.name === 'polar') &&
       (row.points !== null) === (row.light !== null) &&
+      canBeOccluded(row) &&
       (!row.light || row.light.chunks.includes(polarTapsOf.chunk) === (row.field?.name === 'polar')) &&
       listSamplers({ adaptive: false, modules: Object.values(row).filter((level) => level !== null) }).length <=
         maxSamplers(webgl2),
   );
 }
+
+/** Ambient occlusion needs light, and a cartesian grid. */
+const canBeOccluded = ({ occlusion, light, field }: Row<Level>): boolean =>
+  !occlusion || (light?.name === 'lit' && field?.name === 'cartesian');
 
 /**
  * Rays without a second field. Slices occur only on a radar; planes and labels never do. Columns come with their means. Labels hide values
@@ -169,7 +177,9 @@ function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
 function listRaysWithout(webgl2: boolean): Row<Level>[] {
   return listRows<Level>(
     { ...listLevels(webgl2), overlay: [null], overlayAppearance: [null] },
-    ({ depth, slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
+    ({ depth, slices, planes, field, columns, labels, points, classify, shade, light, gather, occlusion }) =>
+      canBeOccluded({ occlusion, light, field }) &&
+      (webgl2 || !occlusion || !depth || !columns || !labels) &&
       (!slices || field?.name === 'polar') &&
       (!(planes || labels) || field?.name !== 'polar') &&
       (columns !== null) === (classify?.name === 'columnMeans') &&
@@ -215,6 +225,7 @@ const device = (webgl2: boolean): Row<Level> => ({
   shade: null,
   overlayAppearance: null,
   light: null,
+  occlusion: null,
   gather: compositeText,
 });
 
@@ -302,6 +313,12 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
       }),
     },
     { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) },
+    {
+      ...deep,
+      points: pointsModule,
+      light: litText({ taps: cartesianTapsOf, lights: false, cuts: true }),
+      occlusion: ambientText,
+    },
     { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
     { ...plain, points: pointsModule, light: styledText(lamps) },
     {

@@ -15,10 +15,10 @@ export interface ProjectedRays {
   readonly hasValuesBetween: boolean;
 }
 
-/** Whether the surfaces that a field has everywhere are lit. */
-export type Shading = 'lit' | 'unlit';
+/** Whether the surfaces that a field has everywhere are lit, and whether what is hidden from most sides is darker. */
+export type Shading = 'lit' | 'ambient-occlusion' | 'unlit';
 
-export const shadings: readonly Shading[] = ['lit', 'unlit'];
+export const shadings: readonly Shading[] = ['lit', 'ambient-occlusion', 'unlit'];
 
 /** An iso-surface: where a field has a given value. */
 export interface IsoSurface {
@@ -49,6 +49,8 @@ export interface RayStyle extends Partial<SurfaceStyle> {
   readonly intensityThreshold?: number;
   /** Whether emission is lit. */
   readonly lit?: true;
+  /** Whether light from all sides is also hidden by what is around a place; only where `lit`. */
+  readonly ambientOcclusion?: true;
   /** X3D's rendering styles. */
   readonly styles?: readonly StyleChain[];
   /** If given, emission and absorption depend on value and gradient. */

@@ -101,8 +101,10 @@ export function styleOf({
   patches,
 }: VolumeOptics): RayStyle | null {
   if (projection) return { projection, intensityThreshold };
-  const lit = shading === 'lit' || undefined;
-  return lit || surfaces || styles || patches ? { lit, styles, patches, ...surfaces } : null;
+  const lit = shading !== 'unlit' || undefined;
+  return lit || surfaces || styles || patches
+    ? { lit, ...(shading === 'ambient-occlusion' && { ambientOcclusion: true }), styles, patches, ...surfaces }
+    : null;
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {

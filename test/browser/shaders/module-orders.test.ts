@@ -5,6 +5,8 @@ import { fieldProviders } from '../../../components/internal/field-providers.ts'
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../../src/optics/rays/camera.ts';
 import type { Camera } from '../../../src/optics/rays/camera.ts';
 import { castRay } from '../../../src/optics/rays/cast-ray.ts';
+import { ambientShade, measureAmbientLight } from '../../../src/optics/rays/ambient-light.ts';
+import { uncut } from '../../../src/optics/rays/cut-fade.ts';
 import { cartesianGradient } from '../../../src/optics/rays/gradient.ts';
 import { litShade, pointField } from '../../../src/optics/rays/lit.ts';
 import { cartesianOverlay, overlayStages } from '../../../src/optics/attachments/overlay.ts';
@@ -161,6 +163,18 @@ const looks: Record<string, Look> = {
   composite: exact,
   points: { ...exact, moreFields: [pointField] },
   lit: { ...colored, field: known(bump), ...lightOf(known(bump)) },
+  ambient: {
+    ...colored,
+    field: known(bump),
+    moreFields: [pointField],
+    shades: [
+      ambientShade(
+        measureAmbientLight({ volume: head, ...plain, transferFunction: cloudColors, cuts: uncut }),
+        head.grid,
+        uncut,
+      ),
+    ],
+  },
   styled: {
     ...colored,
     field: known(bump),
@@ -234,6 +248,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
       for (const style of [
         null,
         { lit: true } as const,
+        { lit: true, ambientOcclusion: true } as const,
         { styles: smoothStyles },
         { patches: bells },
         { surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 1 }] } as const,

@@ -67,6 +67,7 @@ for (const version of [1, 2] as const) {
             },
             overlayAppearance: { overlay: overlay[1] },
             points: { light: light[1] },
+            ambient: { points: points[1], light: light[1] },
             ...Object.fromEntries(
               ['lit', 'styled', 'surfaces', 'jumps'].map((name) => [
                 name,

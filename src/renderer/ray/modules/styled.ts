@@ -20,7 +20,7 @@ import type { Gl } from '../../device/device.ts';
 import { prepareUpload } from '../../textures/fill-texture.ts';
 import type { ProgramInputs, Uniforms } from '../../device/inputs.ts';
 import { textureUnit } from '../../device/texture-unit.ts';
-import { listSamplers, maxSamplers } from '../compose-ray.ts';
+import { hasRoomFor } from '../has-room.ts';
 import type { RayFrame, RayModule, RayText, RayTwin, TwinFrame } from '../ray-module.ts';
 import type { Sample } from '../../../optics/rays/ray-stages.ts';
 import type { Ray } from '../../../optics/rays/rays.ts';
@@ -57,18 +57,13 @@ export function styledText(options: LitOptions): RayText {
   };
 }
 
-let reported = false;
-
-/** Whether a sampler is left for the table: in WebGL 1 other modules may use all of them. Then styles are left out, with one console warning. */
-export function hasRoom(others: readonly RayText[], { webgl2 }: { readonly webgl2: boolean }): boolean {
-  const fits = listSamplers({ adaptive: false, modules: others }).length < maxSamplers(webgl2);
-  if (!fits && !reported)
-    console.warn(
-      '<volume-view>: this device has no room for rendering styles in addition to shapes, a transfer function of steep stops, and labels, a layer or a radar. They are left out.',
-    );
-  reported ||= !fits;
-  return fits;
-}
+/** Whether a sampler is left for the table. If there is none, styles are left out. */
+export const hasRoom = (others: readonly RayText[], device: { readonly webgl2: boolean }): boolean =>
+  hasRoomFor(
+    'this device has no room for rendering styles in addition to shapes, a transfer function of steep stops, and labels, a layer or a radar. They are left out.',
+    others,
+    device,
+  );
 
 const styledTwin = (chains: readonly StyleChain[], options: LitOptions, scene: LitSurroundings): RayTwin =>
   shadedTwin(options, (frame) => {

@@ -14,7 +14,11 @@ export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<
     const { styles: chains, lit } = style;
     parts.push(import('./styled-rays.ts').then(({ createStyled }) => createStyled(chains, lit, layer)));
   } else if (style.lit && !style.clear) {
-    parts.push(import('./light.ts').then(({ createLight }) => createLight(layer)));
+    parts.push(
+      style.ambientOcclusion
+        ? import('./occlusion.ts').then(({ createOccludedLight }) => createOccludedLight(layer))
+        : import('./light.ts').then(({ createLight }) => createLight(layer)),
+    );
   }
   if (style.patches && !style.clear)
     parts.push(import('./patches.ts').then(({ createPatched }) => createPatched(style.patches!, layer)));

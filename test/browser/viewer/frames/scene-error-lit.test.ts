@@ -27,4 +27,18 @@ describe('the error that a lit picture states', () => {
     expect(ratios.length).to.equal(16);
     expectMostWithinTwo(ratios);
   });
+
+  it('is within a factor of two with ambient occlusion too', async function () {
+    this.timeout(180_000);
+    const scenes = errorScenes().filter((_, i) => i % 4 === 1);
+    let ratios: number[] = [];
+    await withScene({}, async (gpu) => {
+      await gpu.setStyle({ lit: true, ambientOcclusion: true });
+      // The GPU draws what the twin does: see scene-ambient.test.ts.
+      const lattice = { stride: every, first: [2, 3], width: size.width / every, height: size.height / every } as const;
+      ratios = scenes.map((scene) => compareStated(gpu, scene, { size, lattice, times: 16 }));
+    });
+    expect(ratios.length).to.equal(8);
+    expectMostWithinTwo(ratios);
+  });
 });

@@ -172,6 +172,7 @@ const cases: [
     'look',
     [
       ['lit', { shading: 'lit' }],
+      ['Ambient-Occlusion', { shading: 'ambient-occlusion' }],
       [' Unlit ', { shading: 'unlit' }],
       ['', { shading: null }],
     ],
