@@ -51,9 +51,6 @@ export async function finishVolume(
   return { ...outline, macrocells: decoded.makeMacrocells() };
 }
 
-/** Whether windows and colours end before the values do. */
-const isHuge = ({ range: [low, high] }: Pick<Volume, 'range'>): boolean => Math.max(-low, high) > largestWindow;
-
 /** Samples of float32 times a slope of float64 may be larger than float64 holds. */
 async function checkRange(volume: Pick<Volume, 'range' | 'format'>): Promise<void> {
   if (!Number.isFinite(volume.range[1] - volume.range[0]))
@@ -93,7 +90,7 @@ async function finishCartesian(
     }),
     ...appearance,
     left:
-      decoded.rounded || decoded.unkept || hidden || isHuge(summary)
+      decoded.rounded || decoded.unkept || hidden || Math.max(...summary.range.map(Math.abs)) > largestWindow
         ? [
             ...(decoded.left ?? []),
             ...(await loadReader(() => import('#rare/formats/base/report-numbers.ts'))).reportNumbers(

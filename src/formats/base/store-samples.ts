@@ -174,7 +174,7 @@ function storeFloats(
     if (Number.isNaN(sample) && !Number.isNaN(value)) infinite++;
     if (!isAsIs && sample !== 0 && Math.abs(sample) < smallestNormal) small++;
   }
-  return { samples, ...whole, ...(infinite || small ? { unkept: { infinite, small } } : {}), scale, offset };
+  return { samples, ...whole, unkept: infinite + small ? { infinite, small } : undefined, scale, offset };
 }
 
 /** No data (NaN) does not count as a fraction. */
