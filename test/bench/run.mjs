@@ -24,6 +24,7 @@ const programs = [
   'choices',
   'motion',
   'gpu',
+  'default-look',
 ];
 
 /** What measures nothing runs only where it is named. */
