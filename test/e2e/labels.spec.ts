@@ -307,7 +307,7 @@ test.describe("what can't be shown", () => {
     );
     const errors: [Record<string, string>, string, RegExp][] = [
       [{ src: `${folder}/far.nii` }, 'format/unsupported', /no place in common/],
-      [{ src: fieldUrl, table: `${folder}/atlas.nii` }, 'format/unknown', /BIDS/],
+      [{ src: `${folder}/atlas.nii`, table: `${folder}/atlas.nii` }, 'format/unknown', /BIDS/],
     ];
     for (const [attributes, code, message] of errors) {
       const reported = await page.locator('volume-labels').evaluate(

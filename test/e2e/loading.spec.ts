@@ -179,13 +179,15 @@ test('where the whole fails after its coarse picture, the last good picture is b
   await open(page, plain.replace('<volume-view', '<volume-view src="/test/e2e/pages/data/field.nii.gz"'));
   await settle(page);
   const before = await takePicture(page);
-  const since = (await seenEvents(page)).length;
-  await loadLump(page, largeEdge, 8);
-  await waitForEvent(page, 'error', { since });
-  expect(
-    (await seenEvents(page)).slice(since).filter(({ type }) => type === 'render').length,
-    'pictures of the coarse one',
-  ).toBeGreaterThan(0);
+  // On a busy machine the whole may come before the coarse one is drawn: then the same again.
+  let coarse = 0;
+  for (let attempt = 0; attempt < 4 && coarse === 0; attempt++) {
+    const since = (await seenEvents(page)).length;
+    await loadLump(page, largeEdge, 8);
+    await waitForEvent(page, 'error', { since });
+    coarse = (await seenEvents(page)).slice(since).filter(({ type }) => type === 'render').length;
+  }
+  expect(coarse, 'pictures of the coarse one').toBeGreaterThan(0);
   // The words of the error cover it, and toBlob says them.
   const url = await withElement(page, async (element) => {
     await element.redraw();

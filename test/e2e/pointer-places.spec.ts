@@ -483,6 +483,10 @@ const placeless: Readonly<Record<string, string>> = {
   'components/volume-view/volume-view-parts.ts': 'a button',
   'components/volume-view/view-controls-parts.ts': 'buttons',
   'components/volume-label-list/volume-label-list.ts': 'buttons',
+  'components/volume-note/volume-note.ts': 'a button, and whether the mouse is over the text',
+  'src/viewer/notes/note-layer.ts':
+    'how far a press has moved, in the pixels of the page, and whether it is outside of a note',
+  'src/viewer/notes/note-mark.ts': 'buttons, and whether the mouse is over them',
   'components/internal/view-notices.ts': 'a button, and a press elsewhere that closes its text',
 };
 
