@@ -118,6 +118,7 @@ export const FOLDERS = {
     'attachments',
     'tools',
     'notes',
+    'tours',
     'session',
   ],
 };
