@@ -14,9 +14,11 @@ export const elements: Readonly<Record<string, () => Promise<unknown>>> = {
   'volume-readout': () => import('../volume-readout/define.ts'),
   'volume-slice': () => import('../volume-slice/define.ts'),
   'volume-slice-view': () => import('../volume-slice-view/define.ts'),
+  'volume-step': () => import('../volume-step/define.ts'),
   'volume-surface': () => import('../volume-surface/define.ts'),
   'volume-terrain': () => import('../volume-terrain/define.ts'),
   'volume-timeline': () => import('../volume-timeline/define.ts'),
+  'volume-tour': () => import('../volume-tour/define.ts'),
   'volume-transfer-function': () => import('../volume-transfer-function/define.ts'),
   'volume-workspace': () => import('../volume-workspace/define.ts'),
 };

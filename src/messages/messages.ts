@@ -8,6 +8,7 @@ import type { NoteMessages } from './note-messages.ts';
 import type { NoticeMessages } from './notice-messages.ts';
 import type { PlaneMessages } from './plane-messages.ts';
 import type { ReadoutMessages } from './readout-messages.ts';
+import type { TourMessages } from './tour-messages.ts';
 
 /** Names of hues, and of colours without a hue. */
 export type ColorName =
@@ -43,6 +44,7 @@ export type Messages = ViewMessages &
   NoteMessages &
   NoticeMessages &
   PlaneMessages &
+  TourMessages &
   BlankMessages;
 
 /** The messages of <volume-view>. */

@@ -214,6 +214,16 @@ export const messages: Messages = {
   noteOutside: 'خارج الصورة',
   noteShow: (name) => `العرض في الصورة: ${name}`,
 
+  tour: 'جولة',
+  tourStart: 'بدء الجولة',
+  tourPrevious: 'الخطوة السابقة',
+  tourNext: 'الخطوة التالية',
+  tourLeave: 'مغادرة الجولة',
+  tourBack: 'العودة إلى هذه الخطوة',
+  tourStep: (number) => `الخطوة ${number}`,
+  tourStepOf: (number, count, title) => `الخطوة ${number} من ${count}: ${title}`,
+  tourLeft: 'أُغلقت الجولة.',
+
   labelList: 'التسميات',
   findLabel: 'البحث عن تسمية',
   allLabels: 'عرض الكل',

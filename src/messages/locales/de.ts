@@ -227,6 +227,16 @@ export const messages: Messages = {
   noteOutside: 'Außerhalb des Bildes',
   noteShow: (name) => `Im Bild zeigen: ${name}`,
 
+  tour: 'Rundgang',
+  tourStart: 'Rundgang beginnen',
+  tourPrevious: 'Voriger Schritt',
+  tourNext: 'Nächster Schritt',
+  tourLeave: 'Rundgang verlassen',
+  tourBack: 'Zurück zu diesem Schritt',
+  tourStep: (number) => `Schritt ${number}`,
+  tourStepOf: (number, count, title) => `Schritt ${number} von ${count}: ${title}`,
+  tourLeft: 'Der Rundgang ist beendet.',
+
   labelList: 'Beschriftungen',
   findLabel: 'Beschriftung suchen',
   allLabels: 'Alle zeigen',

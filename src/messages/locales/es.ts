@@ -216,6 +216,16 @@ export const messages: Messages = {
   noteOutside: 'Fuera de la imagen',
   noteShow: (name) => `Mostrar en la imagen: ${name}`,
 
+  tour: 'Recorrido',
+  tourStart: 'Empezar el recorrido',
+  tourPrevious: 'Paso anterior',
+  tourNext: 'Paso siguiente',
+  tourLeave: 'Salir del recorrido',
+  tourBack: 'Volver a este paso',
+  tourStep: (number) => `Paso ${number}`,
+  tourStepOf: (number, count, title) => `Paso ${number} de ${count}: ${title}`,
+  tourLeft: 'El recorrido está cerrado.',
+
   labelList: 'Etiquetas',
   findLabel: 'Buscar una etiqueta',
   allLabels: 'Mostrar todas',

@@ -217,6 +217,16 @@ export const messages: Messages = {
   noteOutside: 'En dehors de l’image',
   noteShow: (name) => `Montrer dans l’image : ${name}`,
 
+  tour: 'Visite guidée',
+  tourStart: 'Commencer la visite',
+  tourPrevious: 'Étape précédente',
+  tourNext: 'Étape suivante',
+  tourLeave: 'Quitter la visite',
+  tourBack: 'Revenir à cette étape',
+  tourStep: (number) => `Étape ${number}`,
+  tourStepOf: (number, count, title) => `Étape ${number} sur ${count} : ${title}`,
+  tourLeft: 'La visite est fermée.',
+
   labelList: 'Étiquettes',
   findLabel: 'Chercher une étiquette',
   allLabels: 'Tout afficher',

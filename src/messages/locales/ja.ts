@@ -214,6 +214,16 @@ export const messages: Messages = {
   noteOutside: '画像の外',
   noteShow: (name) => `画像で示す: ${name}`,
 
+  tour: 'ツアー',
+  tourStart: 'ツアーを始める',
+  tourPrevious: '前のステップ',
+  tourNext: '次のステップ',
+  tourLeave: 'ツアーを終える',
+  tourBack: 'このステップに戻る',
+  tourStep: (number) => `ステップ ${number}`,
+  tourStepOf: (number, count, title) => `ステップ ${number} / ${count}: ${title}`,
+  tourLeft: 'ツアーを終了しました。',
+
   labelList: 'ラベル',
   findLabel: 'ラベルを探す',
   allLabels: 'すべて表示',

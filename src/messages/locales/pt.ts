@@ -216,6 +216,16 @@ export const messages: Messages = {
   noteOutside: 'Fora da imagem',
   noteShow: (name) => `Mostrar na imagem: ${name}`,
 
+  tour: 'Visita guiada',
+  tourStart: 'Começar a visita',
+  tourPrevious: 'Etapa anterior',
+  tourNext: 'Próxima etapa',
+  tourLeave: 'Sair da visita',
+  tourBack: 'Voltar a esta etapa',
+  tourStep: (number) => `Etapa ${number}`,
+  tourStepOf: (number, count, title) => `Etapa ${number} de ${count}: ${title}`,
+  tourLeft: 'A visita está fechada.',
+
   labelList: 'Rótulos',
   findLabel: 'Procurar um rótulo',
   allLabels: 'Mostrar todos',

@@ -213,6 +213,16 @@ export const messages: Messages = {
   noteOutside: '在图像之外',
   noteShow: (name) => `在图像中显示：${name}`,
 
+  tour: '导览',
+  tourStart: '开始导览',
+  tourPrevious: '上一步',
+  tourNext: '下一步',
+  tourLeave: '退出导览',
+  tourBack: '返回此步骤',
+  tourStep: (number) => `第 ${number} 步`,
+  tourStepOf: (number, count, title) => `第 ${number} 步，共 ${count} 步：${title}`,
+  tourLeft: '导览已关闭。',
+
   labelList: '标签',
   findLabel: '查找标签',
   allLabels: '全部显示',

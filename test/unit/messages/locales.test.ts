@@ -12,6 +12,7 @@ import { english as notes } from '../../../src/messages/english-notes.ts';
 import { english as plane } from '../../../src/messages/english-plane.ts';
 import { english as readout } from '../../../src/messages/english-readout.ts';
 import { english as slices } from '../../../src/messages/english-slices.ts';
+import { english as tours } from '../../../src/messages/english-tours.ts';
 import { english as view } from '../../../src/messages/english-view.ts';
 import { loadLanguage } from '../../../src/messages/load-language.ts';
 
@@ -28,6 +29,7 @@ const english: Record<string, unknown> = {
   ...plane,
   ...readout,
   ...slices,
+  ...tours,
   ...view,
 };
 const codes = ['ar', 'de', 'es', 'fr', 'ja', 'pt', 'zh'];

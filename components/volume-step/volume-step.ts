@@ -1,0 +1,82 @@
+import { css, html } from 'lit';
+import { state } from 'lit/decorators.js';
+import { CustomStates } from '../internal/custom-states.ts';
+import { reportIfLost } from '../internal/lost-element.ts';
+import { property, ReflectingElement } from '../internal/reflecting-element.ts';
+
+/**
+ * A step of the `<volume-tour>` around it: a text with a heading, and attributes of `<volume-view>`, which the view gets while the step is
+ * open: `camera-orbit`, `transfer-function`, `region`, `cutout`, `time` ... What a step leaves out is as before the tour.
+ *
+ * `<volume-step camera-orbit="90deg 80deg auto" notes="thalamus"><h3>The thalamus</h3><p>It is near the middle.</p></volume-step>`
+ *
+ * Attributes that say which data to show, `src` first of all, are not for steps.
+ *
+ * @tag volume-step
+ * @slot - the text of the step; its first heading is its name
+ * @fires {CustomEvent<ErrorDetail>} error - there is no `<volume-tour>` around it
+ */
+export class VolumeStep extends ReflectingElement {
+  static override readonly styles = css`
+    :host {
+      display: block;
+    }
+
+    :host([hidden]),
+    .step[hidden] {
+      display: none;
+    }
+
+    ::slotted(:first-child) {
+      margin-block-start: 0;
+    }
+
+    ::slotted(:last-child) {
+      margin-block-end: 0;
+    }
+
+    /* On paper there is room for all of them. */
+    @media print {
+      .step[hidden] {
+        display: block;
+      }
+
+      :host {
+        margin-block-end: 1em;
+      }
+    }
+  `;
+
+  /** A short name, where the step has no heading. */
+  @property() label!: string | null;
+
+  /** The ids of the `<volume-note>`s that are open in this step, separated by blanks; all others are closed. */
+  @property() notes!: string | null;
+
+  /** Type and position of the first `<volume-slice>` in the view, `axial 20`. */
+  @property() slice!: string | null;
+
+  @state() private _closed = false;
+  readonly #states = new CustomStates<'open'>(this);
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    reportIfLost(this, 'volume-tour');
+  }
+
+  /** Show the text, or hide it. @internal */
+  setOpen(isOpen: boolean): void {
+    this._closed = !isOpen;
+    this.#states.set('open', isOpen);
+  }
+
+  protected override render(): unknown {
+    return html`<div class="step" ?hidden=${this._closed}><slot></slot></div>`;
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-step': VolumeStep;
+  }
+}

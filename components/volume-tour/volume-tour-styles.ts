@@ -1,0 +1,159 @@
+import { css } from 'lit';
+
+export const styles = css`
+  :host {
+    --_line: color-mix(in srgb, currentColor 45%, transparent);
+
+    display: block;
+    box-sizing: border-box;
+    min-inline-size: 0;
+  }
+
+  :host([hidden]) {
+    display: none;
+  }
+
+  .bar {
+    display: flex;
+    flex-wrap: wrap;
+    align-items: center;
+    gap: 4px 8px;
+    margin-block: 0 12px;
+    font: 14px / 1.4 system-ui, sans-serif;
+    font-variant-numeric: tabular-nums;
+  }
+
+  slot + .bar {
+    margin-block: 12px 0;
+  }
+
+  button {
+    display: grid;
+    place-items: center;
+    box-sizing: border-box;
+    min-inline-size: 40px;
+    min-block-size: 40px;
+    margin: 0;
+    padding: 0;
+    border: 1px solid var(--_line);
+    border-radius: 8px;
+    background: transparent;
+    color: inherit;
+    font: inherit;
+    cursor: pointer;
+    touch-action: manipulation;
+  }
+
+  button:hover:enabled {
+    border-color: currentColor;
+  }
+
+  button:disabled {
+    border-color: color-mix(in srgb, currentColor 20%, transparent);
+    color: color-mix(in srgb, currentColor 40%, transparent);
+    cursor: default;
+  }
+
+  button:focus-visible,
+  ::slotted(:focus-visible) {
+    outline: 2px solid var(--volume-view-focus-color, currentColor);
+    outline-offset: 2px;
+  }
+
+  button.words {
+    padding-inline: 14px;
+  }
+
+  svg {
+    inline-size: 20px;
+    block-size: 20px;
+    fill: none;
+    stroke: currentColor;
+    stroke-width: 2;
+    stroke-linecap: round;
+    stroke-linejoin: round;
+  }
+
+  :host(:dir(rtl)) .turns {
+    scale: -1 1;
+  }
+
+  .dots {
+    display: flex;
+    flex-wrap: wrap;
+    margin: 0;
+    padding: 0;
+    list-style: none;
+  }
+
+  /* The place to press is larger than the dot. */
+  .dots button {
+    min-inline-size: 24px;
+    min-block-size: 24px;
+    border: 0;
+    border-radius: 999px;
+  }
+
+  .dots button::before {
+    content: '';
+    box-sizing: border-box;
+    inline-size: 12px;
+    block-size: 12px;
+    border: 2px solid currentColor;
+    border-radius: 999px;
+  }
+
+  .dots [aria-current]::before {
+    background: var(--volume-tour-color, currentColor);
+    border-color: var(--volume-tour-color, currentColor);
+  }
+
+  .leave {
+    margin-inline-start: auto;
+  }
+
+  .error,
+  .hint {
+    margin: 0 0 12px;
+    unicode-bidi: plaintext;
+    overflow-wrap: anywhere;
+  }
+
+  .error {
+    padding: 0.75em 1em;
+    background: var(--volume-view-error-background, rgb(60 14 14 / 0.94));
+    color: var(--volume-view-error-color, #fff1ee);
+  }
+
+  .status {
+    position: absolute;
+    inline-size: 1px;
+    block-size: 1px;
+    overflow: hidden;
+    clip-path: inset(50%);
+    white-space: nowrap;
+  }
+
+  @media print {
+    .bar,
+    .hint {
+      display: none;
+    }
+  }
+
+  @media (forced-colors: active) {
+    .dots button::before {
+      forced-color-adjust: none;
+      border-color: ButtonText;
+    }
+
+    .dots [aria-current]::before {
+      background: Highlight;
+      border-color: Highlight;
+    }
+
+    button:disabled {
+      color: GrayText;
+    }
+  }
+`;

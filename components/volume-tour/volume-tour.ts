@@ -1,0 +1,356 @@
+import { html, nothing } from 'lit';
+import type { PropertyValues } from 'lit';
+import { invalidAttribute } from '../../src/core/errors.ts';
+import type { VolumeViewError } from '../../src/core/errors.ts';
+import { english as companions } from '../../src/messages/english-companions.ts';
+import { english as tours } from '../../src/messages/english-tours.ts';
+import { LocaleController } from '../../src/messages/locale-controller.ts';
+import type { CompanionMessages } from '../../src/messages/messages.ts';
+import type { TourMessages } from '../../src/messages/tour-messages.ts';
+import { childrenOf } from '../../src/page/page-children.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
+import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
+import { readStep } from '../../src/viewer/tours/step-value.ts';
+import type { StepValue } from '../../src/viewer/tours/step-value.ts';
+import { findTargets, TourGuide, usualDuration } from '../../src/viewer/tours/tour-guide.ts';
+import { number } from '../internal/property-kinds.ts';
+import { property, ReflectingElement } from '../internal/reflecting-element.ts';
+import { companionGap } from '../internal/view-width.ts';
+import { VolumeLink } from '../internal/volume-link.ts';
+import { emit } from '../internal/volume-view-events.ts';
+import type { VolumeStep } from '../volume-step/volume-step.ts';
+import { styles } from './volume-tour-styles.ts';
+
+/** Detail of `step-change`. */
+export interface StepChangeDetail {
+  /** Number of the step that is open now, from 1; 0 where none is. */
+  readonly step: number;
+  /** Number of all steps. */
+  readonly count: number;
+  /** The id of the `<volume-step>`; empty where it has none. */
+  readonly id: string;
+}
+
+/** Paths in a box of 24 by 24. */
+const icons = { previous: 'M15 5l-7 7 7 7', next: 'M9 5l7 7-7 7', leave: 'M6 6l12 12M18 6L6 18' };
+
+/**
+ * A way through a volume in steps: each `<volume-step>` has a text, and attributes that the `<volume-view>` gets while the step is open. A
+ * step is open at a time; buttons, dots and arrow keys lead to the others, Escape leaves the tour. Then the view is as before.
+ *
+ * `<volume-tour for="head"><volume-step camera-orbit="90deg 80deg auto"><h3>From the side</h3></volume-step></volume-tour>`
+ *
+ * Whoever turns the picture by hand may go on from there, or back to the step. On paper and without scripts all texts are there.
+ *
+ * @tag volume-tour
+ * @slot - the `<volume-step>`s
+ * @csspart bar - the box around the buttons
+ * @csspart button - each button
+ * @csspart dot - the button of each step
+ * @csspart hint - the text where the page has no such view
+ * @csspart error - the text where an attribute can't be read
+ * @cssproperty --volume-tour-color - colour of the dot of the open step; by default that of the text
+ * @cssproperty --volume-view-focus-color - colour of the ring around the element with the focus; by default that of the text
+ * @fires {CustomEvent<StepChangeDetail>} step-change - another step is open, or none
+ * @fires {CustomEvent<null>} tour-complete - each step has been open
+ * @fires {CustomEvent<ErrorDetail>} error - an attribute of the tour, or of a step, can't be read; the attribute is ignored
+ */
+export class VolumeTour extends ReflectingElement {
+  static override readonly styles = [companionGap, styles];
+
+  /** The id of the `<volume-view>`; by default the nearest one. */
+  @property({ attribute: 'for' }) htmlFor!: string | null;
+
+  /**
+   * Number of the open step, from 1; 0 for none.
+   * @default 1
+   */
+  @property({ kind: number }) step!: number | null;
+
+  /**
+   * How long a move to another step takes, milliseconds; 0 for none. Under `prefers-reduced-motion` there is none either.
+   * @default 600
+   */
+  @property({ kind: number }) duration!: number | null;
+
+  readonly #link = new VolumeLink(this, () => this.requestUpdate(), []);
+  readonly #locale = new LocaleController<CompanionMessages & TourMessages>(this, { ...companions, ...tours });
+  /** Through this the view gets the speed of its camera. */
+  readonly #part: ViewPart = {
+    key: 'tour',
+    element: this,
+    // A camera is at its place after five times this time, by the eye: 99.3 % of the way.
+    attribute: (name) => (name === 'interpolationDecay' && this.hasAttribute('duration') ? `${this.#time / 5}` : null),
+  };
+  #steps: readonly VolumeStep[] = [];
+  #values: readonly StepValue<Element>[] = [];
+  /** Number of the open step. */
+  #number = 0;
+  /** Duration of a move, ms. */
+  #time = usualDuration;
+  #problem: VolumeViewError | null = null;
+  #guide: TourGuide | null = null;
+  /** What the view got last; empty for nothing. */
+  #given = '';
+  /** The step that the page has been told about; null before the first one. */
+  #known: number | null = null;
+  readonly #seen = new Set<VolumeStep>();
+  #isComplete = false;
+  /** Whether a person has turned the picture since the step opened. */
+  #isTurned = false;
+  /** Whether a person has chosen the step, and the focus follows. */
+  #takesFocus = false;
+  #said = '';
+
+  constructor() {
+    super();
+    new MutationObserver((records) => {
+      if (records.some(({ type, target }) => type === 'childList' || target.nodeName === 'VOLUME-STEP'))
+        this.requestUpdate();
+    }).observe(this, { childList: true, subtree: true, attributes: true });
+    this.addEventListener('keydown', (event) => this.#onKey(event));
+    // The steps, and the notes that they name, may come after this tag.
+    if (document.readyState === 'loading')
+      document.addEventListener('DOMContentLoaded', () => this.requestUpdate(), { once: true });
+  }
+
+  /** Open the next step. Returns whether there is one. */
+  next(): boolean {
+    return this.#go(this.#number + 1);
+  }
+
+  /** Open the previous step. Returns whether there is one. */
+  previous(): boolean {
+    return this.#number > 1 && this.#go(this.#number - 1);
+  }
+
+  /** Close the open step: the view is as before the tour. */
+  leave(): void {
+    this.#leaveView();
+    this.step = 0;
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
+    const { view } = this.#link;
+    const targets = view && findTargets(view);
+    this.#steps = childrenOf(this, 'volume-step', 'volume-tour') as VolumeStep[];
+    this.#values = targets ? this.#steps.map(({ attributes }) => readStep(attributes, targets)) : [];
+    let problem = this.#values.find((value) => value.problem)?.problem ?? null;
+    for (const name of ['duration', 'step'] as const) {
+      try {
+        if (name === 'duration') this.#time = this.#readTime();
+        else this.#number = this.#readNumber();
+      } catch (error) {
+        problem = error as VolumeViewError;
+      }
+    }
+    if (document.readyState === 'loading') return;
+    this.#report(problem);
+    if (this.#known !== null && this.#known !== this.#number) this.#said = this.#describe();
+  }
+
+  /** @throws {VolumeViewError} `attribute/invalid` */
+  #readTime(): number {
+    const text = this.readText('duration');
+    if (text === null) return usualDuration;
+    const time = number.read(text);
+    if (time !== null && time >= 0) return time;
+    throw invalidAttribute('duration of <volume-tour>', text, 'milliseconds, 0 or more');
+  }
+
+  /** @throws {VolumeViewError} `attribute/invalid`; the open step then stays */
+  #readNumber(): number {
+    const [text, count] = [this.readText('step'), this.#steps.length];
+    if (count === 0) return 0;
+    const given = text === null ? 1 : number.read(text);
+    if (given !== null && Number.isInteger(given) && given >= 0 && given <= count) return given;
+    throw invalidAttribute('step of <volume-tour>', text!, `the number of a step, 1 to ${count}, or 0 for none`);
+  }
+
+  /** Send an error to the page, unless it is the last one. */
+  #report(error: VolumeViewError | null): void {
+    const isNew = error?.message !== this.#problem?.message;
+    this.#problem = error;
+    if (error && isNew) emit(this, 'error', { code: error.code, message: error.message, cause: error.cause });
+  }
+
+  protected override updated(): void {
+    if (document.readyState === 'loading') return;
+    // A step may not be defined yet; then all of its text is there.
+    this.#steps.forEach((step, i) => step.setOpen?.(i + 1 === this.#number));
+    const { view } = this.#link;
+    const value = this.#values.at(this.#number - 1);
+    if (!view || this.#number === 0 || !value || this.#guide?.view !== view) this.#leaveView();
+    if (view && this.#number > 0 && value) this.#show(view, value);
+    this.#tell();
+    if (this.#takesFocus) void this.#moveFocus();
+  }
+
+  /** Show a step in the view, unless it is there. */
+  #show(view: HTMLElement, value: StepValue<Element>): void {
+    const given = JSON.stringify([this.#number, value.settings.map(({ name, text }) => [name, text])]);
+    if (given === this.#given) return;
+    if (!this.#guide) {
+      for (const { key, element } of socketOf(view).parts)
+        if (key === this.localName && element !== this) (element as VolumeTour).leave();
+      this.#guide = new TourGuide(view);
+      void socketOf(view).join(this.#part);
+      view.addEventListener('camera-change', this.#onTurn);
+    }
+    this.#given = given;
+    this.#isTurned = false;
+    this.#guide.open(value, this.#values, this.#time);
+    this.requestUpdate();
+  }
+
+  #leaveView(): void {
+    const view = this.#guide?.view;
+    this.#given = '';
+    this.#isTurned = false;
+    if (!view) return;
+    view.removeEventListener('camera-change', this.#onTurn);
+    void socketOf(view).leave(this.#part);
+    this.#guide!.leave();
+    this.#guide = null;
+  }
+
+  /** Tell the page which step is open. */
+  #tell(): void {
+    const [step, count] = [this.#number, this.#steps.length];
+    if (count === 0 || step === this.#known) return;
+    this.#known = step;
+    const open = this.#steps.at(step - 1)!;
+    const detail: StepChangeDetail = { step, count, id: step > 0 ? open.id : '' };
+    emit(this, 'step-change', detail);
+    if (step > 0) this.#seen.add(open);
+    if (this.#isComplete || !this.#steps.every((one) => this.#seen.has(one))) return;
+    this.#isComplete = true;
+    emit(this, 'tour-complete', null);
+  }
+
+  #go(step: number): boolean {
+    if (step > this.#steps.length) return false;
+    this.step = step;
+    return true;
+  }
+
+  /** A person chooses a step, or leaves. */
+  #choose(step: number): void {
+    if (step < 0 || step > this.#steps.length) return;
+    this.#takesFocus = true;
+    if (step === 0) this.leave();
+    else this.step = step;
+  }
+
+  readonly #onTurn = (): void => {
+    const isPlaced = this.#values.some(({ settings }) =>
+      settings.some(({ name }) => name.startsWith('camera-') || name === 'field-of-view'),
+    );
+    if (this.#isTurned || !isPlaced) return;
+    this.#isTurned = true;
+    this.requestUpdate();
+  };
+
+  /** Back to the open step, after a person has turned the picture. */
+  readonly #onBack = (): void => {
+    this.#given = '';
+    this.#takesFocus = true; // The button disappears.
+    this.requestUpdate();
+  };
+
+  #onKey(event: KeyboardEvent): void {
+    const [from] = event.composedPath() as HTMLElement[];
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || this.#number === 0) return;
+    if (from.matches('input, textarea, select, [contenteditable]')) return;
+    const isOwn = this.shadowRoot!.contains(from) || from === this.#headingOf(this.#number);
+    const isRtl = getComputedStyle(this).direction === 'rtl';
+    const steps: Readonly<Record<string, number>> = {
+      Escape: 0,
+      ...(isOwn && {
+        [isRtl ? 'ArrowLeft' : 'ArrowRight']: Math.min(this.#number + 1, this.#steps.length),
+        [isRtl ? 'ArrowRight' : 'ArrowLeft']: Math.max(this.#number - 1, 1),
+        Home: 1,
+        End: this.#steps.length,
+      }),
+    };
+    if (!Object.hasOwn(steps, event.key)) return;
+    event.preventDefault();
+    this.#choose(steps[event.key]);
+  }
+
+  /** Where the text of a step begins. */
+  #headingOf(step: number): HTMLElement {
+    const element = this.#steps[step - 1];
+    return element.querySelector<HTMLElement>('h1, h2, h3, h4, h5, h6') ?? element;
+  }
+
+  /** The focus goes to the heading of the step, and after the tour to the button that starts it. */
+  async #moveFocus(): Promise<void> {
+    this.#takesFocus = false;
+    if (this.#number === 0) return this.shadowRoot!.querySelector<HTMLElement>('button')?.focus();
+    const step = this.#steps[this.#number - 1];
+    const heading = this.#headingOf(this.#number);
+    await step.updateComplete;
+    if (!heading.hasAttribute('tabindex')) heading.tabIndex = -1;
+    heading.focus();
+  }
+
+  #titleOf(step: number): string {
+    const element = this.#steps[step - 1];
+    const heading = this.#headingOf(step);
+    const title = heading === element ? element.getAttribute('label') : heading.textContent;
+    return (
+      title?.trim().replace(/\s+/g, ' ').slice(0, 200) || this.#locale.messages.tourStep(this.#locale.number(step))
+    );
+  }
+
+  /** The sentence for screen readers. */
+  #describe(): string {
+    const { messages } = this.#locale;
+    if (this.#number === 0) return messages.tourLeft;
+    const [step, count] = [this.#number, this.#steps.length].map((one) => this.#locale.number(one));
+    return messages.tourStepOf(step, count, this.#titleOf(this.#number));
+  }
+
+  protected override render(): unknown {
+    const { messages } = this.#locale;
+    const isLoading = document.readyState === 'loading';
+    return html`${this.#problem ? html`<p class="error" part="error" role="alert" lang="en">${this.#problem.message}</p>` : nothing}
+      ${this.#link.view || isLoading ? nothing : html`<p class="hint" part="hint">${messages.noView(this.htmlFor)}</p>`}
+      ${this.#steps.length === 0 ? nothing : html`<div class="bar" part="bar" role="group" aria-label=${messages.tour}>${this.#number === 0 ? this.#renderWords(messages.tourStart, () => this.#choose(1)) : this.#renderButtons()}</div>`}
+      <slot></slot>
+      ${this.#isTurned ? html`<div class="bar">${this.#renderWords(messages.tourBack, this.#onBack)}</div>` : nothing}
+      <div class="status" role="status">${this.#said}</div>`;
+  }
+
+  #renderButtons(): unknown {
+    const { messages } = this.#locale;
+    const [step, count] = [this.#number, this.#steps.length];
+    return html`${this.#renderIcon('previous', messages.tourPrevious, step === 1, () => this.#choose(step - 1))}
+      <ol class="dots">${this.#steps.map((_, i) => this.#renderDot(i + 1))}</ol>
+      ${this.#renderIcon('next', messages.tourNext, step === count, () => this.#choose(step + 1))}
+      ${this.#renderIcon('leave', messages.tourLeave, false, () => this.#choose(0))}`;
+  }
+
+  #renderDot(step: number): unknown {
+    const title = this.#titleOf(step);
+    return html`<li><button type="button" part="dot" title=${title} aria-label=${`${this.#locale.number(step)}. ${title}`} aria-current=${step === this.#number ? 'step' : nothing} @click=${() => this.#choose(step)}></button></li>`;
+  }
+
+  #renderIcon(icon: keyof typeof icons, label: string, isDisabled: boolean, act: () => void): unknown {
+    return html`<button type="button" class=${icon === 'leave' ? 'leave' : 'turns'} part="button" title=${label} aria-label=${label} ?disabled=${isDisabled} @click=${act}>
+      <svg viewBox="0 0 24 24" aria-hidden="true"><path d=${icons[icon]}></path></svg>
+    </button>`;
+  }
+
+  #renderWords(text: string, act: () => void): unknown {
+    return html`<button type="button" class="words" part="button" @click=${act}>${text}</button>`;
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-tour': VolumeTour;
+  }
+}
