@@ -14,11 +14,23 @@ const comment = (text) => `/** ${oneLine(text).replaceAll('*/', '* /')} */`;
 /** The elements of the manifest, each with the module that defines it. @returns {Entry[]} */
 function readElements() {
   const { modules } = JSON.parse(readFileSync(join(projectRoot, 'custom-elements.json'), 'utf8'));
-  return modules
+  const elements = modules
     .flatMap((/** @type {Entry} */ module) =>
       module.declarations.map((/** @type {Entry} */ one) => ({ ...one, path: module.path })),
     )
     .filter((/** @type {Entry} */ one) => one.tagName);
+  addStepAttributes(elements);
+  return elements;
+}
+
+/** A `<volume-step>` also has the attributes of a `<volume-view>` that a step may set, but no properties for them. @param {Entry[]} elements */
+function addStepAttributes(elements) {
+  const [step, view] = ['volume-step', 'volume-view'].map((name) => elements.find(({ tagName }) => tagName === name));
+  if (!step || !view) return;
+  const text = readFileSync(join(projectRoot, 'src/viewer/tours/step-attributes.ts'), 'utf8');
+  const left = [...text.slice(text.indexOf('notInSteps')).matchAll(/'([^']+)'/g)].map(([, name]) => name);
+  const added = view.attributes.filter(({ name }) => !left.includes(name));
+  step.attributes = [...step.attributes, ...added.map((one) => ({ ...one, fieldName: undefined }))];
 }
 
 /** Allowed words of an attribute, where its type names them. @param {Entry} attribute */
@@ -56,11 +68,13 @@ function writeWebTypes(elements, version) {
     })),
     slots: named(element.slots),
     js: {
-      properties: (element.attributes ?? []).map((/** @type {Entry} */ one) => ({
-        name: one.fieldName,
-        description: oneLine(one.description),
-        type: oneLine(one.type?.text),
-      })),
+      properties: (element.attributes ?? [])
+        .filter((/** @type {Entry} */ one) => one.fieldName)
+        .map((/** @type {Entry} */ one) => ({
+          name: one.fieldName,
+          description: oneLine(one.description),
+          type: oneLine(one.type?.text),
+        })),
       events: named(element.events),
     },
     css: { parts: named(element.cssParts), properties: named(element.cssProperties) },
@@ -89,8 +103,10 @@ function typeProperty({ name }, { fieldName }) {
 function typeAttributes(element) {
   return (element.attributes ?? []).flatMap((/** @type {Entry} */ one) => [
     comment(one.description),
-    `${one.fieldName}?: ${typeProperty(element, one)} | undefined;`,
-    ...(one.name === one.fieldName ? [] : [`'${one.name}'?: string | number | undefined;`]),
+    ...(one.fieldName ? [`${one.fieldName}?: ${typeProperty(element, one)} | undefined;`] : []),
+    ...(one.name === one.fieldName
+      ? []
+      : [`'${one.name}'?: string | number${one.fieldName ? '' : ' | boolean'} | undefined;`]),
   ]);
 }
 
@@ -101,7 +117,7 @@ function typeAttributes(element) {
  */
 function listOwn(element, events) {
   const names = (element.attributes ?? []).flatMap((/** @type {Entry} */ one) => [
-    `'${one.fieldName}'`,
+    `'${one.fieldName ?? one.name}'`,
     `'${one.name}'`,
   ]);
   return [...new Set([...events, ...names])].join(' | ') || 'never';

@@ -125,15 +125,6 @@ export const styles = css`
     color: var(--volume-view-error-color, #fff1ee);
   }
 
-  .status {
-    position: absolute;
-    inline-size: 1px;
-    block-size: 1px;
-    overflow: hidden;
-    clip-path: inset(50%);
-    white-space: nowrap;
-  }
-
   @media print {
     .bar,
     .hint {

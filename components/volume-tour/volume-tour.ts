@@ -15,6 +15,7 @@ import type { StepValue } from '../../src/viewer/tours/step-value.ts';
 import { findTargets, TourGuide, usualDuration } from '../../src/viewer/tours/tour-guide.ts';
 import { number } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
+import { spokenStyles } from '../internal/spoken-styles.ts';
 import { companionGap } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 import { emit } from '../internal/volume-view-events.ts';
@@ -56,7 +57,7 @@ const icons = { previous: 'M15 5l-7 7 7 7', next: 'M9 5l7 7-7 7', leave: 'M6 6l1
  * @fires {CustomEvent<ErrorDetail>} error - an attribute of the tour, or of a step, can't be read; the attribute is ignored
  */
 export class VolumeTour extends ReflectingElement {
-  static override readonly styles = [companionGap, styles];
+  static override readonly styles = [companionGap, spokenStyles, styles];
 
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
@@ -105,7 +106,7 @@ export class VolumeTour extends ReflectingElement {
   constructor() {
     super();
     new MutationObserver((records) => {
-      if (records.some(({ type, target }) => type === 'childList' || target.nodeName === 'VOLUME-STEP'))
+      if (records.some(({ type, target }) => type === 'childList' || (target as Element).localName === 'volume-step'))
         this.requestUpdate();
     }).observe(this, { childList: true, subtree: true, attributes: true });
     this.addEventListener('keydown', (event) => this.#onKey(event));
@@ -145,6 +146,7 @@ export class VolumeTour extends ReflectingElement {
         problem = error as VolumeViewError;
       }
     }
+    this.#number = Math.min(this.#number, this.#steps.length); // Steps may have been removed.
     if (document.readyState === 'loading') return;
     this.#report(problem);
     if (this.#known !== null && this.#known !== this.#number) this.#said = this.#describe();
@@ -199,9 +201,9 @@ export class VolumeTour extends ReflectingElement {
       view.addEventListener('camera-change', this.#onTurn);
     }
     this.#given = given;
+    if (this.#isTurned) this.requestUpdate(); // The button goes.
     this.#isTurned = false;
     this.#guide.open(value, this.#values, this.#time);
-    this.requestUpdate();
   }
 
   #leaveView(): void {
@@ -321,7 +323,7 @@ export class VolumeTour extends ReflectingElement {
       ${this.#steps.length === 0 ? nothing : html`<div class="bar" part="bar" role="group" aria-label=${messages.tour}>${this.#number === 0 ? this.#renderWords(messages.tourStart, () => this.#choose(1)) : this.#renderButtons()}</div>`}
       <slot></slot>
       ${this.#isTurned ? html`<div class="bar">${this.#renderWords(messages.tourBack, this.#onBack)}</div>` : nothing}
-      <div class="status" role="status">${this.#said}</div>`;
+      <div class="spoken" role="status">${this.#said}</div>`;
   }
 
   #renderButtons(): unknown {

@@ -436,6 +436,27 @@ async function photographNotes(page) {
 }
 
 /**
+ * The card of the page with a tour: the third of five steps, with its text below the picture.
+ * @param {import('@playwright/test').Page} page
+ */
+async function photographTour(page) {
+  await page.setViewportSize({ width: 640, height: 480 });
+  const empty = '<volume-step><h2>x</h2></volume-step>';
+  await page.setContent(`<!doctype html><title>Tour</title><script type="module" src="/src/index.ts"></script>
+    <style>body { margin: 0; background: #0f1217; color: #e8edf4; font: 22px/1.4 system-ui, sans-serif } volume-view { width: 640px; height: 326px } ::part(note) { font-size: 16px } volume-tour { margin: 12px 24px } h2 { margin: 0; font-size: 30px }</style>
+    <volume-view id="brain" src="${mri.src}" transfer-function="20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%"><volume-note id="callosum" position="0.5 -6 25" label="Corpus callosum"></volume-note></volume-view>
+    <volume-tour for="brain" step="3">${empty.repeat(2)}<volume-step camera-orbit="82deg 84deg 92%" region="0 -120 -80 90 90 100"><h2>What joins the halves</h2></volume-step>${empty.repeat(2)}</volume-tour>`);
+  await page.evaluate(() =>
+    Promise.all(['volume-view', 'volume-note', 'volume-tour'].map((name) => customElements.whenDefined(name))).then(
+      () => undefined,
+    ),
+  );
+  await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
+  await page.waitForTimeout(1500);
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
  * In a page: a PNG as WebP.
  * @param {{ png: string, quality: number }} picture - in base64
  */
@@ -475,6 +496,7 @@ const photographs = new Map([
   [card('pointing', []), photographPointing],
   [card('measure', []), photographMeasure],
   [card('notes', []), photographNotes],
+  [card('tour', []), photographTour],
   ...guidePictures.map(photographFor),
 ]);
 pictures.push(...photographs.keys());

@@ -22,11 +22,21 @@ const readJson = (path) => JSON.parse(read(path));
 async function listAttributes(tag) {
   const module = await import(pathToFileURL(join(projectRoot, `dist/esm/components/${tag}/${tag}.js`)).href);
   const element = Object.values(module).find((one) => one.observedAttributes); // Which makes Lit gather them.
-  return new Map(
+  /** @type {Map<string, string>} */
+  const attributes = new Map(
     [...element.elementProperties]
       .filter(([, { attribute }]) => typeof attribute === 'string')
       .map(([name, { attribute }]) => [attribute, name]),
   );
+  // A step also has attributes of the view, without properties for them.
+  if (tag === 'volume-step') for (const name of await listStepAttributes()) attributes.set(name, name);
+  return attributes;
+}
+
+/** @returns {Promise<readonly string[]>} */
+async function listStepAttributes() {
+  const path = join(projectRoot, 'dist/esm/src/viewer/tours/step-attributes.js');
+  return (await import(pathToFileURL(path).href)).stepAttributes;
 }
 
 /** @returns {Promise<string>} how many there are */

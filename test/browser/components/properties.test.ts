@@ -162,9 +162,19 @@ const companionRows: Record<string, Row[]> = {
     ['hide', 'hide', 'never', 'never'],
     ['open', 'open', true, ''],
   ],
+  'volume-step': [
+    ['label', 'label', 'Heart', 'Heart'],
+    ['notes', 'notes', 'lad rca', 'lad rca'],
+    ['slice', 'slice', 'axial 20', 'axial 20'],
+  ],
   'volume-timeline': [
     ['htmlFor', 'for', 'a', 'a'],
     ['timeZone', 'time-zone', 'Europe/Brussels', 'Europe/Brussels'],
+  ],
+  'volume-tour': [
+    ['htmlFor', 'for', 'a', 'a'],
+    ['step', 'step', 2, '2'],
+    ['duration', 'duration', 900, '900'],
   ],
   'volume-transfer-function': [
     ['htmlFor', 'for', 'a', 'a'],

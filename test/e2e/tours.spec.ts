@@ -1,0 +1,445 @@
+// <volume-tour> and <volume-step>
+import type { Page } from '@playwright/test';
+import { findFaults } from './helpers/axe.ts';
+import { attributesOf, plainAttributes } from './helpers/reference.ts';
+import {
+  compare,
+  expect,
+  fieldUrl,
+  forgetEvents,
+  open,
+  settle,
+  takePicture,
+  keptTest as test,
+  waitForEvent,
+} from './helpers/harness.ts';
+import { meanOf } from './helpers/pictures.ts';
+
+const size = 'style="width: 480px; height: 360px"';
+const view = (id: string, changes: Record<string, string> = {}): string =>
+  `<volume-view id="${id}" src="${fieldUrl}" ${attributesOf(changes)} ${size} alt="A field"><volume-note id="one" position="-8 4 3" label="One"><p>Text of a note</p></volume-note></volume-view>`;
+
+/** What each step sets, in the order of the page. */
+const settings: readonly Record<string, string>[] = [
+  {},
+  { 'camera-orbit': '-80deg 90deg 90', 'transfer-function': '0.15 #030 0, 0.4 #3c6 9%, 0.8 #cff 0.6', notes: 'one' },
+  { region: '-500 -2 -500 500 500 500', alt: 'Half a field' },
+  { 'camera-orbit': '170deg 40deg 90', 'opacity-factor': '3', projection: 'max' },
+];
+const names = ['First', 'Second', 'Third', 'Fourth'];
+const write = (attributes: Record<string, string>): string =>
+  Object.entries(attributes)
+    .map(([name, value]) => `${name}="${value}"`)
+    .join(' ');
+const tourOf = (more = '', steps = settings): string =>
+  `<volume-tour for="seen" ${more}>${steps.map((step, i) => `<volume-step id="step-${i + 1}" ${write(step)}><h2>${names[i]}</h2><p>Text ${i + 1}</p></volume-step>`).join('')}</volume-tour>`;
+const lesson = (more = '', steps = settings): string => `${view('seen')}${tourOf(more, steps)}`;
+
+const button = (page: Page, name: string) => page.locator('volume-tour').getByRole('button', { name, exact: true });
+
+/** The attributes of the view that matter, and which notes are open. */
+const stateOf = (page: Page, id = 'seen'): Promise<Record<string, string | boolean>> =>
+  page.evaluate((id) => {
+    const element = document.getElementById(id)!;
+    const own = element.getAttributeNames().filter((name) => !['id', 'class', 'style', 'src'].includes(name));
+    return {
+      ...Object.fromEntries(own.map((name) => [name, element.getAttribute(name)!])),
+      isOpen: element.querySelector('volume-note')!.hasAttribute('open'),
+    };
+  }, id);
+
+/** The state of a fresh tag with the attributes of a step. */
+function stateIn(step: number): Record<string, string | boolean> {
+  const { notes, ...attributes } = settings[step - 1] ?? {};
+  return { ...plainAttributes, alt: 'A field', ...attributes, isOpen: notes === 'one' };
+}
+
+/** Open a step as a script does, and wait until all is there. */
+async function goTo(page: Page, step: number): Promise<void> {
+  await page.evaluate((step) => {
+    document.querySelector('volume-tour')!.step = step;
+  }, step);
+  await expect.poll(() => stateOf(page)).toEqual(stateIn(step));
+}
+
+/** The events of the tour from now on. */
+async function listen(page: Page): Promise<() => Promise<unknown[]>> {
+  await page.evaluate(() => {
+    const seen: unknown[] = ((window as unknown as { told: unknown[] }).told = []);
+    for (const type of ['step-change', 'tour-complete', 'error'])
+      document.querySelector('volume-tour')!.addEventListener(type, (event) => {
+        const { detail } = event as CustomEvent<{ message?: string } | null>;
+        seen.push([type, detail?.message ?? detail]);
+      });
+  });
+  return () => page.evaluate(() => (window as unknown as { told: unknown[] }).told);
+}
+
+test.describe('tours', () => {
+  test('show one step at a time, and lead on by buttons and dots', async ({ page }) => {
+    await open(page, lesson());
+    await settle(page);
+    await expect(page.getByText('Text 1')).toBeVisible();
+    await expect(page.getByText('Text 2')).toBeHidden();
+    await expect(page.locator('volume-tour')).toMatchAriaSnapshot(`
+      - group "Tour":
+        - button "Previous step" [disabled]
+        - list:
+          - listitem:
+            - button "1. First"
+          - listitem:
+            - button "2. Second"
+          - listitem:
+            - button "3. Third"
+          - listitem:
+            - button "4. Fourth"
+        - button "Next step"
+        - button "Leave the tour"
+      - heading "First" [level=2]
+      - paragraph: Text 1
+      - status
+    `);
+    await expect(button(page, '1. First')).toHaveAttribute('aria-current', 'step');
+    const told = await listen(page);
+    await button(page, 'Next step').click();
+    await expect(page.getByText('Text 2')).toBeVisible();
+    await expect(page.getByText('Text 1')).toBeHidden();
+    await expect(page.getByRole('heading', { name: 'Second' })).toBeFocused();
+    await expect(page.locator('volume-tour').getByRole('status')).toHaveText('Step 2 of 4: Second');
+    await expect(page.getByText('Text of a note')).toBeVisible();
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(2));
+    await button(page, '4. Fourth').click();
+    await expect(button(page, 'Next step')).toBeDisabled();
+    await expect(page.getByText('Text of a note')).toBeHidden();
+    await button(page, 'Previous step').click();
+    await expect(page.getByRole('heading', { name: 'Third' })).toBeFocused();
+    await expect(page.locator('volume-view .picture')).toHaveAccessibleName('Half a field');
+    await button(page, 'Leave the tour').click();
+    await expect(button(page, 'Start the tour')).toBeFocused();
+    await expect(page.locator('volume-tour').getByRole('status')).toHaveText('The tour is closed.');
+    await expect(page.getByText('Text 3')).toBeHidden();
+    expect(await stateOf(page)).toEqual(stateIn(0));
+    await button(page, 'Start the tour').click();
+    await expect(page.getByRole('heading', { name: 'First' })).toBeFocused();
+    const steps = [2, 4, 3, 0, 1].map((step) => ['step-change', { step, count: 4, id: step ? `step-${step}` : '' }]);
+    expect(await told()).toEqual([...steps.slice(0, 3), ['tour-complete', null], ...steps.slice(3)]);
+  });
+
+  test('are walked through by keys alone', async ({ page }) => {
+    await open(page, lesson());
+    await settle(page);
+    await button(page, 'Next step').focus();
+    await page.keyboard.press('Enter');
+    for (const [key, name] of [
+      ['ArrowRight', 'Third'],
+      ['End', 'Fourth'],
+      ['ArrowRight', 'Fourth'],
+      ['ArrowLeft', 'Third'],
+      ['Home', 'First'],
+      ['ArrowLeft', 'First'],
+    ]) {
+      await page.keyboard.press(key);
+      await expect(page.getByRole('heading', { name }), key).toBeFocused();
+    }
+    await page.keyboard.press('Escape');
+    await expect(button(page, 'Start the tour')).toBeFocused();
+    await page.keyboard.press('Enter');
+    await expect(page.getByRole('heading', { name: 'First' })).toBeFocused();
+    await page.evaluate(() => (document.documentElement.dir = 'rtl'));
+    await page.keyboard.press('ArrowLeft');
+    await expect(page.getByRole('heading', { name: 'Second' })).toBeFocused();
+  });
+
+  test('end in any order where a fresh tag with the attributes of the step is: attributes and pixels', async ({
+    page,
+  }) => {
+    test.slow();
+    await open(page, `${lesson('duration="60"')}<div id="fresh-one"></div>`);
+    await settle(page, '#seen');
+    // Each step after each other one, and leaving in between.
+    const order = [2, 4, 1, 3, 2, 1, 4, 3, 1, 2, 0, 4, 2, 3, 4, 0, 3, 0, 1, 0];
+    for (const step of order) await goTo(page, step);
+    for (const [step, attributes] of settings.entries()) {
+      await goTo(page, step + 1);
+      await settle(page, '#seen');
+      const { notes: _notes, ...changes } = attributes;
+      await page.evaluate(
+        (html) => (document.querySelector('#fresh-one')!.innerHTML = html),
+        view('fresh', changes).replace(/<volume-note.*<\/volume-note>/, ''),
+      );
+      await settle(page, '#fresh');
+      const [toured, fresh] = [
+        await takePicture(page, { selector: '#seen', width: 240, height: 180 }),
+        await takePicture(page, { selector: '#fresh', width: 240, height: 180 }),
+      ];
+      expect(compare(toured, fresh).worst, names[step]).toBeLessThanOrEqual(2);
+      expect(meanOf(toured)[3], names[step]).toBeGreaterThan(1);
+    }
+  });
+
+  test('mix colours on the way, and end with the text of the step', async ({ page }) => {
+    await open(page, lesson('duration="400"'));
+    await settle(page);
+    const texts = await page.evaluate(async () => {
+      const [tour, element] = [document.querySelector('volume-tour')!, document.querySelector('volume-view')!];
+      const seen = new Set<string>();
+      tour.step = 2;
+      const began = performance.now();
+      while (performance.now() - began < 900) {
+        seen.add(element.getAttribute('transfer-function')!);
+        await new Promise(requestAnimationFrame);
+      }
+      return [...seen];
+    });
+    expect(texts.length).toBeGreaterThan(2);
+    expect(texts[0]).toBe(plainAttributes['transfer-function']);
+    expect(texts.at(-1)).toBe(settings[1]['transfer-function']);
+    for (const text of texts.slice(1, -1))
+      expect(text).toMatch(/^0\.15 #\w{6} 0%, 0\.4 #\w{6} [\d.]+%, 0\.8 #\w{6} [\d.]+%$/);
+  });
+
+  test('jump where a reader wants less motion, and with duration="0"', async ({ page }) => {
+    for (const [more, reducedMotion] of [
+      ['duration="2000"', 'reduce'],
+      ['duration="0"', null],
+    ] as const) {
+      await page.emulateMedia({ reducedMotion });
+      await open(page, lesson(more));
+      await settle(page);
+      const [text, thetas] = await page.evaluate(async () => {
+        const [tour, element] = [document.querySelector('volume-tour')!, document.querySelector('volume-view')!];
+        const seen = new Set([element.camera!.orbit.theta]);
+        tour.step = 2;
+        await tour.updateComplete;
+        const written = element.getAttribute('transfer-function');
+        await element.updateComplete;
+        for (const began = performance.now(); performance.now() - began < 500;) {
+          await new Promise(requestAnimationFrame);
+          seen.add(element.camera!.orbit.theta);
+        }
+        return [written, [...seen]] as const;
+      });
+      expect(text, more).toBe(settings[1]['transfer-function']);
+      expect(thetas, more).toHaveLength(2);
+      expect(Math.cos(thetas[1] + (80 * Math.PI) / 180), more).toBeCloseTo(1, 6);
+    }
+    await page.emulateMedia({ reducedMotion: null });
+  });
+
+  test('yield to a hand on the camera, also in the middle of a move, and take the step up again', async ({ page }) => {
+    await open(page, lesson('duration="1500"'));
+    await settle(page);
+    await expect(button(page, 'Back to this step')).toHaveCount(0);
+    await button(page, 'Next step').click();
+    await page.mouse.move(240, 300);
+    await page.mouse.down();
+    await page.mouse.move(330, 310, { steps: 6 });
+    await page.mouse.up();
+    await expect(button(page, 'Back to this step')).toBeVisible();
+    await settle(page);
+    const orbit = (): Promise<string | null> => page.evaluate(() => document.querySelector('volume-view')!.cameraOrbit);
+    expect(await orbit()).not.toBe(settings[1]['camera-orbit']);
+    await button(page, 'Back to this step').click();
+    await expect(button(page, 'Back to this step')).toHaveCount(0);
+    await settle(page);
+    expect(await orbit()).toBe(settings[1]['camera-orbit']);
+    // The next step lets nothing of the hand stay.
+    await page.mouse.move(240, 300);
+    await page.mouse.down();
+    await page.mouse.move(150, 290, { steps: 4 });
+    await page.mouse.up();
+    await button(page, '1. First').click();
+    await settle(page);
+    expect(await orbit()).toBe(plainAttributes['camera-orbit']);
+  });
+
+  test('restore the view when they are removed in the middle of a move, and go on when they are moved', async ({
+    page,
+  }) => {
+    await open(page, `${lesson('duration="800"')}<div id="elsewhere"></div>`);
+    await settle(page);
+    await button(page, 'Next step').click();
+    await page.evaluate(() => document.querySelector('#elsewhere')!.append(document.querySelector('volume-tour')!));
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(2));
+    await button(page, '4. Fourth').click();
+    await page.evaluate(() => {
+      const tour = document.querySelector('volume-tour')!;
+      (window as unknown as { tour: Element }).tour = tour;
+      tour.remove();
+    });
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(0));
+    await page.waitForTimeout(600);
+    expect(await stateOf(page)).toEqual(stateIn(0));
+    await page.evaluate(() =>
+      document.querySelector('#elsewhere')!.append((window as unknown as { tour: Element }).tour),
+    );
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(4));
+    await page.evaluate(() => document.querySelector('volume-view')!.remove());
+    await expect(page.locator('volume-tour [part=hint]')).toContainText('seen');
+    await button(page, '2. Second').click();
+    await expect(page.getByText('Text 2')).toBeVisible();
+  });
+
+  test('outlive a lost context in the middle of a move, and a resize', async ({ page }) => {
+    await open(page, lesson('duration="500"'));
+    await settle(page);
+    await forgetEvents(page);
+    await button(page, 'Next step').click();
+    await page.evaluate(() => {
+      const element = document.querySelector('volume-view')!;
+      element.style.width = '300px';
+      const canvas = element.shadowRoot!.querySelector('canvas')!;
+      const gl = (canvas.getContext('webgl2') ?? canvas.getContext('webgl')) as WebGLRenderingContext;
+      gl.getExtension('WEBGL_lose_context')!.loseContext();
+    });
+    await waitForEvent(page, 'render');
+    await settle(page);
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(2));
+    await button(page, '1. First').click();
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(1));
+  });
+
+  test('say in words what they can not read, and go on with the rest', async ({ page }) => {
+    await open(page, lesson('', [{}, { src: '/stranger.nii', 'opacity-factor': '2' }]));
+    await settle(page);
+    const problem = page.locator('volume-tour [part=error]');
+    await expect(problem).toHaveText(
+      '<volume-step> got the attribute src; it belongs on the <volume-view>, and is the same in all steps.',
+    );
+    const told = await listen(page);
+    await button(page, 'Next step').click();
+    await expect(page.locator('volume-view')).toHaveAttribute('opacity-factor', '2');
+    await expect(page.locator('volume-view')).toHaveAttribute('src', fieldUrl);
+    const change = (selector: string, name: string, value: string | null): Promise<void> =>
+      page.evaluate(
+        ([selector, name, value]) => {
+          const element = document.querySelector(selector!)!;
+          if (value === null) element.removeAttribute(name!);
+          else element.setAttribute(name!, value);
+        },
+        [selector, name, value],
+      );
+    await change('#step-2', 'src', null);
+    await expect(problem).toHaveCount(0);
+    await change('#step-2', 'onclick', 'window.hacked = 1');
+    await change('#step-2', 'camera-orbitt', '0deg');
+    await expect(problem).toHaveText(
+      /got the attribute camera-orbitt; expected an attribute of <volume-view>, or notes/,
+    );
+    await change('#step-2', 'camera-orbitt', null);
+    await change('#step-2', 'notes', 'nobody');
+    await expect(problem).toHaveText(/notes of <volume-step> got "nobody"; expected the id of a <volume-note>/);
+    await change('#step-2', 'notes', '');
+    await change('volume-tour', 'step', '9');
+    await expect(problem).toHaveText(
+      /step of <volume-tour> got "9"; expected the number of a step, 1 to 2, or 0 for none/,
+    );
+    await expect(page.getByText('Text 2')).toBeVisible();
+    await change('volume-tour', 'step', '2');
+    await change('volume-tour', 'duration', 'long');
+    await expect(problem).toHaveText(/duration of <volume-tour> got "long"; expected milliseconds/);
+    await change('volume-tour', 'duration', null);
+    await expect(problem).toHaveCount(0);
+    await change('volume-tour', 'for', 'nobody');
+    await expect(page.locator('volume-tour [part=hint]')).toContainText('nobody');
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(0));
+    expect(await page.evaluate(() => document.querySelector('volume-view')!.hasAttribute('onclick'))).toBe(false);
+    expect((await told()).filter((one) => (one as string[])[0] === 'error')).toHaveLength(4);
+  });
+
+  test('never read HTML from a heading', async ({ page }) => {
+    await open(
+      page,
+      `${view('seen')}<volume-tour for="seen"><volume-step><h2>&lt;img src=x onerror="window.hacked=1"&gt;</h2></volume-step></volume-tour>`,
+    );
+    await expect(button(page, '1. <img src=x onerror="window.hacked=1">')).toBeVisible();
+    expect(await page.evaluate(() => document.querySelector('volume-tour')!.shadowRoot!.querySelector('img'))).toBe(
+      null,
+    );
+  });
+
+  test('go on when steps are added and removed', async ({ page }) => {
+    await open(page, lesson('step="4"'));
+    await settle(page);
+    await expect(page.getByText('Text 4')).toBeVisible();
+    await page.evaluate(() => document.querySelectorAll('volume-step').forEach((one, i) => i > 1 && one.remove()));
+    await expect(page.locator('volume-tour [part=error]')).toContainText('expected the number of a step, 1 to 2');
+    await expect(page.getByText('Text 2')).toBeVisible();
+    await page.evaluate(() => {
+      document
+        .querySelector('volume-tour')!
+        .insertAdjacentHTML('beforeend', '<div><volume-step label="New"><p>Text of a new step</p></volume-step></div>');
+      document.querySelector('volume-tour')!.step = 3;
+    });
+    await expect(page.getByText('Text of a new step')).toBeVisible();
+    await expect(button(page, '3. New')).toHaveAttribute('aria-current', 'step');
+    await expect(page.locator('volume-tour [part=error]')).toHaveCount(0);
+  });
+
+  test('of one view: one is open at a time', async ({ page }) => {
+    await open(
+      page,
+      `${lesson()}<volume-tour id="second" for="seen" step="0"><volume-step rings="5" opacity-factor="2"><h2>Other</h2></volume-step></volume-tour>`,
+    );
+    await settle(page);
+    await page.locator('volume-tour').first().getByRole('button', { name: 'Next step' }).click();
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(2));
+    await page.locator('#second').getByRole('button', { name: 'Start the tour' }).click();
+    await expect.poll(() => stateOf(page)).toEqual({ ...stateIn(0), rings: '5', 'opacity-factor': '2' });
+    await expect(page.locator('volume-tour').first()).toHaveAttribute('step', '0');
+    await page.keyboard.press('Escape');
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(0));
+  });
+
+  test('move a slice, and put it back', async ({ page }) => {
+    await open(
+      page,
+      `${view('seen').replace('</volume-view>', '<volume-slice type="axial" at="2"></volume-slice></volume-view>')}${tourOf('', [{}, { slice: 'coronal -3' }])}`,
+    );
+    await settle(page);
+    const slice = page.locator('volume-slice');
+    await button(page, 'Next step').click();
+    await expect(slice).toHaveAttribute('type', 'coronal');
+    await expect(slice).toHaveAttribute('at', '-3');
+    await button(page, 'Previous step').click();
+    await expect(slice).toHaveAttribute('type', 'axial');
+    await expect(slice).toHaveAttribute('at', '2');
+  });
+
+  test('have no faults that axe finds: open, turned and left', async ({ page }) => {
+    await open(page, `<main><h1>A lesson</h1>${lesson()}</main>`);
+    await settle(page);
+    expect(await findFaults(page)).toEqual([]);
+    await page.keyboard.press('Tab');
+    await page.locator('volume-view').evaluate((element: HTMLElement) => element.focus());
+    await page.keyboard.press('ArrowRight');
+    await expect(button(page, 'Back to this step')).toBeVisible();
+    expect(await findFaults(page)).toEqual([]);
+    await button(page, 'Leave the tour').click();
+    expect(await findFaults(page)).toEqual([]);
+  });
+
+  test('are headings and texts on paper', async ({ page }) => {
+    await open(page, lesson());
+    await settle(page);
+    await page.emulateMedia({ media: 'print' });
+    for (const [i, name] of names.entries()) {
+      await expect(page.getByRole('heading', { name })).toBeVisible();
+      await expect(page.getByText(`Text ${i + 1}`)).toBeVisible();
+    }
+    await expect(button(page, 'Next step')).toBeHidden();
+    await page.emulateMedia({ media: null });
+  });
+});
+
+test.describe('tours without scripts', () => {
+  test('are headings and texts', async ({ browser }) => {
+    const page = await browser.newPage({ javaScriptEnabled: false });
+    await page.setContent(`<!doctype html><title>Test</title>${lesson()}`);
+    for (const [i, name] of names.entries()) {
+      await expect(page.getByRole('heading', { name })).toBeVisible();
+      await expect(page.getByText(`Text ${i + 1}`)).toBeVisible();
+    }
+    await page.close();
+  });
+});
