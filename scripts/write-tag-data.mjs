@@ -29,8 +29,11 @@ function addStepAttributes(elements) {
   if (!step || !view) return;
   const text = readFileSync(join(projectRoot, 'src/viewer/tours/step-attributes.ts'), 'utf8');
   const left = [...text.slice(text.indexOf('notInSteps')).matchAll(/'([^']+)'/g)].map(([, name]) => name);
-  const added = view.attributes.filter(({ name }) => !left.includes(name));
-  step.attributes = [...step.attributes, ...added.map((one) => ({ ...one, fieldName: undefined }))];
+  const added = view.attributes.filter((/** @type {Entry} */ one) => !left.includes(one.name));
+  step.attributes = [
+    ...step.attributes,
+    ...added.map((/** @type {Entry} */ one) => ({ ...one, fieldName: undefined })),
+  ];
 }
 
 /** Allowed words of an attribute, where its type names them. @param {Entry} attribute */

@@ -93,7 +93,7 @@ export class VolumeTour extends ReflectingElement {
   #guide: TourGuide | null = null;
   /** What the view got last; empty for nothing. */
   #given = '';
-  /** The step that the page has been told about; null before the first one. */
+  /** The step of the last `step-change`; null before the first one. */
   #known: number | null = null;
   readonly #seen = new Set<VolumeStep>();
   #isComplete = false;
@@ -185,7 +185,7 @@ export class VolumeTour extends ReflectingElement {
     const value = this.#values.at(this.#number - 1);
     if (!view || this.#number === 0 || !value || this.#guide?.view !== view) this.#leaveView();
     if (view && this.#number > 0 && value) this.#show(view, value);
-    this.#tell();
+    this.#notify();
     if (this.#takesFocus) void this.#moveFocus();
   }
 
@@ -217,8 +217,8 @@ export class VolumeTour extends ReflectingElement {
     this.#guide = null;
   }
 
-  /** Tell the page which step is open. */
-  #tell(): void {
+  /** Notify the page of another step. */
+  #notify(): void {
     const [step, count] = [this.#number, this.#steps.length];
     if (count === 0 || step === this.#known) return;
     this.#known = step;

@@ -65,14 +65,14 @@ async function goTo(page: Page, step: number): Promise<void> {
 /** The events of the tour from now on. */
 async function listen(page: Page): Promise<() => Promise<unknown[]>> {
   await page.evaluate(() => {
-    const seen: unknown[] = ((window as unknown as { told: unknown[] }).told = []);
+    const seen: unknown[] = ((window as unknown as { heard: unknown[] }).heard = []);
     for (const type of ['step-change', 'tour-complete', 'error'])
       document.querySelector('volume-tour')!.addEventListener(type, (event) => {
         const { detail } = event as CustomEvent<{ message?: string } | null>;
         seen.push([type, detail?.message ?? detail]);
       });
   });
-  return () => page.evaluate(() => (window as unknown as { told: unknown[] }).told);
+  return () => page.evaluate(() => (window as unknown as { heard: unknown[] }).heard);
 }
 
 test.describe('tours', () => {
@@ -100,7 +100,7 @@ test.describe('tours', () => {
       - status
     `);
     await expect(button(page, '1. First')).toHaveAttribute('aria-current', 'step');
-    const told = await listen(page);
+    const heard = await listen(page);
     await button(page, 'Next step').click();
     await expect(page.getByText('Text 2')).toBeVisible();
     await expect(page.getByText('Text 1')).toBeHidden();
@@ -122,7 +122,7 @@ test.describe('tours', () => {
     await button(page, 'Start the tour').click();
     await expect(page.getByRole('heading', { name: 'First' })).toBeFocused();
     const steps = [2, 4, 3, 0, 1].map((step) => ['step-change', { step, count: 4, id: step ? `step-${step}` : '' }]);
-    expect(await told()).toEqual([...steps.slice(0, 3), ['tour-complete', null], ...steps.slice(3)]);
+    expect(await heard()).toEqual([...steps.slice(0, 3), ['tour-complete', null], ...steps.slice(3)]);
   });
 
   test('are walked through by keys alone', async ({ page }) => {
@@ -306,7 +306,7 @@ test.describe('tours', () => {
     await expect(problem).toHaveText(
       '<volume-step> got the attribute src; it belongs on the <volume-view>, and is the same in all steps.',
     );
-    const told = await listen(page);
+    const heard = await listen(page);
     await button(page, 'Next step').click();
     await expect(page.locator('volume-view')).toHaveAttribute('opacity-factor', '2');
     await expect(page.locator('volume-view')).toHaveAttribute('src', fieldUrl);
@@ -344,7 +344,7 @@ test.describe('tours', () => {
     await expect(page.locator('volume-tour [part=hint]')).toContainText('nobody');
     await expect.poll(() => stateOf(page)).toEqual(stateIn(0));
     expect(await page.evaluate(() => document.querySelector('volume-view')!.hasAttribute('onclick'))).toBe(false);
-    expect((await told()).filter((one) => (one as string[])[0] === 'error')).toHaveLength(4);
+    expect((await heard()).filter((one) => (one as string[])[0] === 'error')).toHaveLength(4);
   });
 
   test('never read HTML from a heading', async ({ page }) => {

@@ -84,7 +84,7 @@ describe('the state of a tour', () => {
     expect(compared).to.be.above(500);
   });
 
-  it('keeps what was before the tour where a note comes later, and where a step is written anew', () => {
+  it('keeps what was before the tour where a note comes later, and where a step gets more attributes', () => {
     const { targets, tags } = makePage();
     const state = new TourState<Tag>((target, name) => target.get(name) ?? null);
     const first = readStep(listOf({ notes: 'b' }), targets);
