@@ -221,7 +221,9 @@ export class VolumeTour extends ReflectingElement {
   #notify(): void {
     const [step, count] = [this.#number, this.#steps.length];
     if (count === 0 || step === this.#known) return;
+    const isFirst = this.#known === null;
     this.#known = step;
+    if (isFirst && step === 0) return;
     const open = this.#steps.at(step - 1)!;
     const detail: StepChangeDetail = { step, count, id: step > 0 ? open.id : '' };
     emit(this, 'step-change', detail);

@@ -1,5 +1,8 @@
 // <volume-tour> and <volume-step>
-import type { Page } from '@playwright/test';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Locator, Page } from '@playwright/test';
+import { projectRoot } from '../../scripts/shared-data.mjs';
 import { findFaults } from './helpers/axe.ts';
 import { attributesOf, plainAttributes } from './helpers/reference.ts';
 import {
@@ -35,7 +38,8 @@ const tourOf = (more = '', steps = settings): string =>
   `<volume-tour for="seen" ${more}>${steps.map((step, i) => `<volume-step id="step-${i + 1}" ${write(step)}><h2>${names[i]}</h2><p>Text ${i + 1}</p></volume-step>`).join('')}</volume-tour>`;
 const lesson = (more = '', steps = settings): string => `${view('seen')}${tourOf(more, steps)}`;
 
-const button = (page: Page, name: string) => page.locator('volume-tour').getByRole('button', { name, exact: true });
+const button = (page: Page, name: string): Locator =>
+  page.locator('volume-tour').getByRole('button', { name, exact: true });
 
 /** The attributes of the view that matter, and which notes are open. */
 const stateOf = (page: Page, id = 'seen'): Promise<Record<string, string | boolean>> =>
@@ -417,6 +421,20 @@ test.describe('tours', () => {
     expect(await findFaults(page)).toEqual([]);
     await button(page, 'Leave the tour').click();
     expect(await findFaults(page)).toEqual([]);
+  });
+
+  test('work as the guide writes them', async ({ page }) => {
+    const guide = readFileSync(join(projectRoot, 'docs/guide/tours.md'), 'utf8');
+    const [, html] = /^```html\n([^]*?)^```$/m.exec(guide)!;
+    expect(html).toContain('src="head.nii.gz"');
+    await open(page, html.replace('head.nii.gz', fieldUrl));
+    await settle(page);
+    await button(page, 'Next step').click();
+    await expect(page.getByRole('heading', { name: 'What joins the halves' })).toBeFocused();
+    await expect(page.locator('volume-view')).toHaveAttribute('region', '0 -120 -80 90 90 100');
+    await button(page, 'Previous step').click();
+    await expect(page.locator('volume-view')).not.toHaveAttribute('region');
+    await expect(page.locator('volume-tour [part=error]')).toHaveCount(0);
   });
 
   test('are headings and texts on paper', async ({ page }) => {
