@@ -18,7 +18,7 @@ import {
 } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 
-const size = 'style="width: 480px; height: 360px"';
+const size = 'style="width: 320px; height: 240px"';
 const view = (id: string, changes: Record<string, string> = {}): string =>
   `<volume-view id="${id}" src="${fieldUrl}" ${attributesOf(changes)} ${size} alt="A field"><volume-note id="one" position="-8 4 3" label="One"><p>Text of a note</p></volume-note></volume-view>`;
 
@@ -231,13 +231,13 @@ test.describe('tours', () => {
   });
 
   test('yield to a hand on the camera, also in the middle of a move, and take the step up again', async ({ page }) => {
-    await open(page, lesson('duration="1500"'));
+    await open(page, lesson('duration="1000"'));
     await settle(page);
     await expect(button(page, 'Back to this step')).toHaveCount(0);
     await button(page, 'Next step').click();
-    await page.mouse.move(240, 300);
+    await page.mouse.move(160, 200);
     await page.mouse.down();
-    await page.mouse.move(330, 310, { steps: 6 });
+    await page.mouse.move(230, 205, { steps: 6 });
     await page.mouse.up();
     await expect(button(page, 'Back to this step')).toBeVisible();
     await settle(page);
@@ -248,9 +248,9 @@ test.describe('tours', () => {
     await settle(page);
     expect(await orbit()).toBe(settings[1]['camera-orbit']);
     // The next step lets nothing of the hand stay.
-    await page.mouse.move(240, 300);
+    await page.mouse.move(160, 200);
     await page.mouse.down();
-    await page.mouse.move(150, 290, { steps: 4 });
+    await page.mouse.move(90, 195, { steps: 4 });
     await page.mouse.up();
     await button(page, '1. First').click();
     await settle(page);
