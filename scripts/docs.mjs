@@ -195,6 +195,7 @@ const details = [
   'MeasureResult',
   'Statistics',
   'SliceCursorDetail',
+  'StepChangeDetail',
   'LayerLook',
   'VolumeSurfaceInfo',
   'VolumeTerrainInfo',

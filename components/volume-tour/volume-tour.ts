@@ -36,8 +36,8 @@ export interface StepChangeDetail {
 const icons = { previous: 'M15 5l-7 7 7 7', next: 'M9 5l7 7-7 7', leave: 'M6 6l12 12M18 6L6 18' };
 
 /**
- * A way through a volume in steps: each `<volume-step>` has a text, and attributes that the `<volume-view>` gets while the step is open. A
- * step is open at a time; buttons, dots and arrow keys lead to the others, Escape leaves the tour. Then the view is as before.
+ * A way through a volume in steps: each `<volume-step>` has a text, and attributes that the `<volume-view>` gets while the step is open.
+ * One step is open at a time; buttons, dots and arrow keys lead to the others, Escape leaves the tour. Then the view is as before.
  *
  * `<volume-tour for="head"><volume-step camera-orbit="90deg 80deg auto"><h3>From the side</h3></volume-step></volume-tour>`
  *
