@@ -54,6 +54,13 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
    */
   @property({ attribute: 'transfer-function' }) transferFunction!: string | null;
 
+  /**
+   * The ids of the labels that are shown, separated by blanks, `17 18`; 0 stands for voxels without a label. Everything else is hidden, or
+   * with the word `ghost`, `17 18 ghost`, a grey trace. By default all are shown but those with `hidden`. Setting it takes back what a
+   * person or a script has chosen.
+   */
+  @property() only!: string | null;
+
   readonly #watcher = new MutationObserver((records) => this.#follow(records));
   protected override readonly controller = new LabelController({
     said: () => readLabelChildren(this),
@@ -62,6 +69,7 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
       table: this.table,
       hidden: this.hasAttribute('hidden'),
       transferFunction: this.transferFunction,
+      only: this.only,
     }),
     target: () => this.target,
     changed: () => this.dispatchEvent(new CustomEvent('labels-change', { detail: null, bubbles: true })),
@@ -126,8 +134,9 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
+    if (changed.has('only')) this.controller.forgetChoices();
     if (changed.has('src') || changed.has('table')) this.controller.refresh();
-    else if (changed.has('transferFunction')) this.controller.restyle();
+    else if (changed.has('transferFunction') || changed.has('only')) this.controller.restyle();
   }
 
   protected override get file(): string {

@@ -53,7 +53,13 @@ export class VolumeStep extends ReflectingElement {
   /** The ids of the `<volume-note>`s that are open in this step, separated by blanks; all others are closed. */
   @property() notes!: string | null;
 
-  /** Type and position of the first `<volume-slice>` in the view, `axial 20`. */
+  /**
+   * Which labels of the `<volume-labels>` in the view are shown: ids, as its attribute `only` has them, `17 18` or `17 18 ghost`; `all`; or
+   * `none`, for the volume without labels.
+   */
+  @property() labels!: string | null;
+
+  /** Type and position of the first `<volume-slice>` in the view, `axial 20`; `none` hides it. */
   @property() slice!: string | null;
 
   @state() private _closed = false;

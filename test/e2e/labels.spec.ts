@@ -1,9 +1,8 @@
 // <volume-labels>, <volume-label-list>: an atlas over a volume, in 3D and in a pane, by list, script and attributes.
 import type { Page } from '@playwright/test';
 import type { VolumeLabels } from '../../components/volume-labels/volume-labels.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
+import { atlas } from './helpers/atlas.ts';
 import { findFaults } from './helpers/axe.ts';
 import {
   expect,
@@ -17,29 +16,7 @@ import {
 } from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { serveFiles } from './helpers/served-files.ts';
-import { field } from './helpers/volumes.ts';
 
-/** Half of the field's voxels along each axis, in the same place: what lies to its right is 3, to its left 7. */
-const atlas: Volume = (() => {
-  const [nx, ny, nz] = [12, 10, 8];
-  const made = syntheticVolume({ dimensions: [nx, ny, nz], spacing: [2, 3, 4] });
-  const { indexToWorld } = field.grid;
-  const half = indexToWorld.map((entry, i) =>
-    i < 12 && i % 4 < 3
-      ? 2 * entry
-      : i < 12
-        ? entry + 0.5 * (indexToWorld[i - 1] + indexToWorld[i - 2] + indexToWorld[i - 3])
-        : entry,
-  );
-  const isRight = (i: number): boolean => half[0] * (i + 0.5) > half[0] * (nx / 2);
-  return {
-    ...made,
-    grid: { ...made.grid, indexToWorld: half },
-    samples: Uint8Array.from({ length: nx * ny * nz }, (_, at) => (isRight(at % nx) ? 3 : 7)),
-    slope: 1,
-    intercept: 0,
-  };
-})();
 const files: Record<string, Buffer> = {
   'atlas.nii': Buffer.from(niftiBytes(atlas)),
   'far.nii': Buffer.from(

@@ -3,6 +3,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Locator, Page } from '@playwright/test';
 import { projectRoot } from '../../scripts/shared-data.mjs';
+import { niftiBytes } from '../helpers/nifti-bytes.ts';
+import { atlas } from './helpers/atlas.ts';
 import { findFaults } from './helpers/axe.ts';
 import { attributesOf, plainAttributes } from './helpers/reference.ts';
 import {
@@ -17,6 +19,7 @@ import {
   waitForEvent,
 } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
+import { serveFiles } from './helpers/served-files.ts';
 
 const size = 'style="width: 320px; height: 240px"';
 const view = (id: string, changes: Record<string, string> = {}): string =>
@@ -328,7 +331,7 @@ test.describe('tours', () => {
     await change('#step-2', 'onclick', 'window.hacked = 1');
     await change('#step-2', 'camera-orbitt', '0deg');
     await expect(problem).toHaveText(
-      /got the attribute camera-orbitt; expected an attribute of <volume-view>, or notes/,
+      /got the attribute camera-orbitt; expected an attribute of <volume-view>, or labels, notes/,
     );
     await change('#step-2', 'camera-orbitt', null);
     await change('#step-2', 'notes', 'nobody');
@@ -408,6 +411,67 @@ test.describe('tours', () => {
     await button(page, 'Previous step').click();
     await expect(slice).toHaveAttribute('type', 'axial');
     await expect(slice).toHaveAttribute('at', '2');
+  });
+
+  test('show some labels, all, or none of them: attributes and pixels are those of a fresh tag', async ({ page }) => {
+    const folder = '/test/e2e/pages/data/tour';
+    await serveFiles(page, folder, { 'atlas.nii': Buffer.from(niftiBytes(atlas)) });
+    const slow = 'interaction="none" steps="40" value-window="0 255" transfer-function="0 white 0, 60 white 40%"';
+    const labelled = (id: string, attributes: string, slice: string): string =>
+      `<volume-view id="${id}" src="${fieldUrl}" ${slow} camera-orbit="0deg 80deg auto" style="width: 90px; height: 68px" alt="A field"><volume-labels src="${folder}/atlas.nii" ${attributes}><volume-label value="3" color="red"></volume-label><volume-label value="7" color="blue"></volume-label></volume-labels><volume-slice ${slice}></volume-slice></volume-view>`;
+    const steps: readonly (readonly [step: Record<string, string>, labels: string, slice: string])[] = [
+      [{}, '', 'type="axial" at="2" hidden'],
+      [{ labels: '3' }, 'only="3"', 'type="axial" at="2" hidden'],
+      [{ labels: '7 ghost', slice: 'coronal -3' }, 'only="7 ghost"', 'type="coronal" at="-3"'],
+      [{ labels: 'none', slice: 'none' }, 'hidden', 'type="axial" at="2" hidden'],
+      [{ labels: 'all', slice: 'sagittal' }, '', 'type="sagittal"'],
+    ];
+    const settings = steps.map(([step]) => step);
+    await open(
+      page,
+      `${labelled('seen', steps[0][1], steps[0][2])}<volume-tour for="seen" duration="0">${settings.map((step, i) => `<volume-step ${write(step)}><h2>Step ${i + 1}</h2></volume-step>`).join('')}</volume-tour><div id="fresh-one"></div>`,
+    );
+    await settle(page, '#seen');
+    const attributes = (id: string): Promise<unknown> =>
+      page.evaluate(
+        (id) =>
+          ['volume-labels', 'volume-slice'].map((name) => {
+            const element = document.querySelector(`#${id} ${name}`)!;
+            return Object.fromEntries(
+              element
+                .getAttributeNames()
+                .sort()
+                .map((name) => [name, element.getAttribute(name)]),
+            );
+          }),
+        id,
+      );
+    const pictures: number[] = [];
+    for (const step of [2, 3, 5, 4, 1]) {
+      // What a person chooses in a list does not stay in the next step.
+      await page.evaluate(() => (document.querySelector('volume-labels')!.hiddenLabels = [0, 3]));
+      await page.evaluate((step) => {
+        document.querySelector('volume-tour')!.step = step;
+      }, step);
+      const [, labels, slice] = steps[step - 1];
+      await page.evaluate(
+        (html) => (document.querySelector('#fresh-one')!.innerHTML = html),
+        labelled('fresh', labels, slice),
+      );
+      await settle(page, '#fresh');
+      await settle(page, '#seen');
+      expect(await attributes('seen'), `step ${step}`).toEqual(await attributes('fresh'));
+      const [toured, fresh] = [
+        await takePicture(page, { selector: '#seen' }),
+        await takePicture(page, { selector: '#fresh' }),
+      ];
+      expect(compare(toured, fresh).worst, `step ${step}`).toBeLessThanOrEqual(2);
+      pictures[step] = meanOf(toured)[0] - meanOf(toured)[2];
+    }
+    // Red alone is redder than red and blue, and those than a plain field.
+    expect(pictures[2] - pictures[4]).toBeGreaterThan(1);
+    expect(pictures[3] - pictures[4]).toBeLessThan(-1);
+    await expect(page.locator('volume-tour [part=error]')).toHaveCount(0);
   });
 
   test('have no faults that axe finds: open, turned and left', async ({ page }) => {

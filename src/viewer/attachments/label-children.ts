@@ -13,6 +13,41 @@ export interface LabelChildren {
   readonly error: VolumeViewError | null;
 }
 
+/** The labels that an author shows, and nothing else. */
+export interface OnlyLabels {
+  readonly ids: ReadonlySet<number>;
+  /** Whether everything else is a grey trace. */
+  readonly ghost: boolean;
+}
+
+/**
+ * The attribute `only`: ids, and the word `ghost`.
+ * @param text - null where the attribute is absent
+ * @param ids - of the file, with that of "no label"; empty before it is loaded
+ * @returns a value of null where all labels are shown, and the error where the text can't be read
+ */
+export function readOnly(
+  text: string | null,
+  ids: readonly number[],
+): { readonly value: OnlyLabels | null; readonly error: VolumeViewError | null } {
+  if (text === null || ids.length === 0) return { value: null, error: null };
+  const words = text
+    .trim()
+    .toLowerCase()
+    .split(/[\s,]+/);
+  const asked = words.filter((word) => word !== 'ghost');
+  const known = new Set(ids);
+  const wrong = asked.find((word) => !isNumber(word) || !known.has(Number(word)));
+  if (asked.length > 0 && wrong === undefined)
+    return { value: { ids: new Set(asked.map(Number)), ghost: asked.length < words.length }, error: null };
+  const error = invalidAttribute(
+    'only of <volume-labels>',
+    wrong ?? text,
+    'ids of labels in the file, like "17 18", or "17 18 ghost", which shows the rest as a grey trace',
+  );
+  return { value: null, error };
+}
+
 export function readLabelChildren(parent: Element): LabelChildren {
   const overrides = new Map<number, LabelOverride>();
   let error: VolumeViewError | null = null;

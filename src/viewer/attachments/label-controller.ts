@@ -8,7 +8,8 @@ import type { LabelMap, NamedLabel } from '../../volume/labels.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { AttachmentController } from './attachment-controller.ts';
 import type { AttachmentHost } from './attachment-controller.ts';
-import type { LabelChildren } from './label-children.ts';
+import { readOnly } from './label-children.ts';
+import type { LabelChildren, OnlyLabels } from './label-children.ts';
 import { labelsIn, loadLabelFile, loadLabelTable } from '../loading/label-files.ts';
 import type { LabelFile } from '../loading/label-files.ts';
 import { LabelFunctions } from './label-functions.ts';
@@ -30,6 +31,7 @@ export interface LabelControllerHost extends AttachmentHost<LabelTarget> {
     readonly table: string | null;
     readonly hidden: boolean;
     readonly transferFunction: string | null;
+    readonly only?: string | null;
   };
   /** The labels, or their appearance, have changed. */
   changed(): void;
@@ -48,8 +50,10 @@ interface Applied {
 export class LabelController extends AttachmentController<LabelTarget, LabelControllerHost> {
   /** For each label, the choice of a person or a script: whether it is hidden. */
   readonly #chosen = new Map<number, boolean>();
-  /** Whether hidden labels stay faintly visible, as ghosts. */
-  #ghosts = false;
+  /** The same: whether hidden labels stay faintly visible, as ghosts; null where nobody has chosen. */
+  #chosenGhosts: boolean | null = null;
+  /** What the author shows, and nothing else. */
+  #only: OnlyLabels | null = null;
   readonly #files = new LastWork<LabelFile>();
   readonly #tables = new LastWork<LabelTable>();
   readonly #placed = new LastWork<LabelMap>();
@@ -118,14 +122,14 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     const target = this.host.target();
     if (
       (this.#window && this.#window !== String(target?.window)) ||
-      (this.#ghosts && this.#showsGhosts !== target?.showsGhosts)
+      (this.#hasGhosts && this.#showsGhosts !== target?.showsGhosts)
     )
       this.restyle();
   }
 
   /** Choose which labels are hidden: these, and no others. @param ghosts - whether they stay faintly visible; unchanged where absent */
-  choose(hidden: Iterable<number>, ghosts = this.#ghosts): void {
-    this.#ghosts = ghosts;
+  choose(hidden: Iterable<number>, ghosts = this.#hasGhosts): void {
+    this.#chosenGhosts = ghosts;
     const all = new Set(hidden);
     for (const { id } of this.#entries) this.#chosen.set(id, false);
     for (const id of all) this.#chosen.set(id, true);
@@ -135,6 +139,20 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
   /** Use the author's setting for a label again. */
   forgetChoice(id: number): void {
     this.#chosen.delete(id);
+  }
+
+  /** Use the author's settings again. */
+  forgetChoices(): void {
+    this.#chosen.clear();
+    this.#chosenGhosts = null;
+  }
+
+  get #hasGhosts(): boolean {
+    return this.#chosenGhosts ?? this.#only?.ghost ?? false;
+  }
+
+  get #choices(): { readonly chosen: ReadonlyMap<number, boolean>; readonly ghosts: boolean } {
+    return { chosen: this.#chosen, ghosts: this.#hasGhosts && this.#showsGhosts };
   }
 
   protected override async read(target: LabelTarget, signal: AbortSignal): Promise<void> {
@@ -174,15 +192,17 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
   }
 
   /** Describe the labels. */
-  #describe(applied: Applied | null, choices: { ghosts: boolean; chosen: ReadonlyMap<number, boolean> }): void {
+  #describe(applied: Applied | null): void {
     const { overrides, error } = this.host.said(applied?.map.ids ?? []);
-    const transferFunction = this.host.wanted().transferFunction?.trim() || null;
-    this.#entries = applied
-      ? describeLabels(applied.map.ids, { table: applied.table, overrides, transferFunction, ...choices })
-      : [];
+    const wanted = this.host.wanted();
+    const only = readOnly(wanted.only ?? null, applied?.map.ids ?? []);
+    this.#only = only.value;
+    const transferFunction = wanted.transferFunction?.trim() || null;
+    const said = { overrides, transferFunction, ...(this.#only && { only: this.#only.ids }), ...this.#choices };
+    this.#entries = applied ? describeLabels(applied.map.ids, { table: applied.table, ...said }) : [];
     const names = new Map(this.#entries.map(({ id, name }) => [id, name]));
     this.#nameOf = (id) => names.get(id) || null;
-    this.#saidError = error;
+    this.#saidError = error ?? only.error;
   }
 
   async #apply(applied: Applied | null, isChoice = false): Promise<void> {
@@ -190,9 +210,8 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     this.#applied = applied;
     const call = ++this.#applies;
     this.#showsGhosts = target?.showsGhosts === true;
-    const choices = { chosen: this.#chosen, ghosts: this.#ghosts && this.#showsGhosts };
-    if (isChoice) this.#entries = hideChosen(this.#entries, choices);
-    else this.#describe(applied, choices);
+    if (isChoice) this.#entries = hideChosen(this.#entries, this.#choices);
+    else this.#describe(applied);
     target?.replaceTransferFunction(applied?.isOwn ? ownLabelsAppearance(this.#entries) : null);
     this.host.changed();
     const reading = target?.window && applied ? this.#functions.read(this.#entries, target.window) : null;

@@ -44,6 +44,8 @@ export interface LabelSources {
   readonly chosen: ReadonlyMap<number, boolean>;
   /** For all labels that have no transfer function of their own. */
   readonly transferFunction?: string | null;
+  /** The ids of the labels that the author shows, and no others; absent where hidden labels say it. */
+  readonly only?: ReadonlySet<number>;
   /** Whether hidden labels appear as ghosts. */
   readonly ghosts?: boolean;
 }
@@ -61,12 +63,12 @@ const plain = { name: '', color: [1, 1, 1], opacity: 1, hidden: false } as const
  */
 export function describeLabels(
   ids: readonly number[],
-  { table, overrides, chosen, transferFunction = null, ghosts = false }: LabelSources,
+  { table, overrides, chosen, transferFunction = null, only, ghosts = false }: LabelSources,
 ): LabelEntry[] {
   return ids.map((id, number) => {
     const row = number === 0 ? plain : table?.rows.get(id);
     const said = overrides.get(id);
-    const hidden = chosen.get(id) ?? said?.hidden ?? row?.hidden ?? false;
+    const hidden = chosen.get(id) ?? (only ? !only.has(id) : (said?.hidden ?? row?.hidden ?? false));
     return {
       id,
       name: said?.name ?? (row?.name || (number === 0 ? '' : String(id))),

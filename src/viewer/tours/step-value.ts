@@ -15,6 +15,8 @@ export interface StepTargets<Target> {
   readonly notes: readonly { readonly id: string; readonly target: Target }[];
   /** The first `<volume-slice>` in the view; null for none. */
   readonly slice: Target | null;
+  /** The `<volume-labels>` in the view; null for none. */
+  readonly labels: Target | null;
 }
 
 /** What a step sets, and the first thing in it that can't be read. */
@@ -24,7 +26,7 @@ export interface StepValue<Target> {
 }
 
 /** Attributes of the step itself. */
-const own = new Set(['label', 'notes', 'slice']);
+const own = new Set(['label', 'labels', 'notes', 'slice']);
 
 /** Attributes that every element of HTML may have. */
 const global = new Set(
@@ -43,7 +45,7 @@ const foreign = /[^a-z0-9-]|^(aria|astro|data|hx|ng|on|svelte|v|x)(-|$)|^on[a-z]
  */
 export function readStep<Target>(
   attributes: Iterable<{ readonly name: string; readonly value: string }>,
-  { view, notes, slice }: StepTargets<Target>,
+  { view, notes, slice, labels }: StepTargets<Target>,
 ): StepValue<Target> {
   const settings: Setting<Target>[] = [];
   let problem: VolumeViewError | null = null;
@@ -52,6 +54,7 @@ export function readStep<Target>(
       if (stepAttributes.includes(name)) settings.push({ target: view, name, text: value });
       else if (name === 'notes') settings.push(...openNotes(value, notes));
       else if (name === 'slice') settings.push(...moveSlice(value, slice));
+      else if (name === 'labels') settings.push(...showLabels(value, labels));
       else check(name);
     } catch (error) {
       problem ??= error as VolumeViewError;
@@ -65,7 +68,7 @@ function check(name: string): void {
   if (own.has(name) || global.has(name) || foreign.test(name)) return;
   const reason = notInSteps.includes(name)
     ? `it belongs on the <volume-view>, and is the same in all steps`
-    : `expected an attribute of <volume-view>, or notes, slice, label`;
+    : `expected an attribute of <volume-view>, or labels, notes, slice, label`;
   throw new VolumeViewError('attribute/invalid', `<volume-step> got the attribute ${name.slice(0, 60)}; ${reason}.`);
 }
 
@@ -78,17 +81,30 @@ function openNotes<Target>(text: string, notes: StepTargets<Target>['notes']): S
   return notes.map(({ id, target }) => ({ target, name: 'open', text: ids.has(id) ? '' : null }));
 }
 
-/** @param text - a type and a position, `axial 20`, as the attributes `type` and `at` of the slice */
+/** @param text - a type and a position, `axial 20`, as the attributes `type` and `at` of the slice; or `none`, which hides it */
 function moveSlice<Target>(text: string, slice: Target | null): Setting<Target>[] {
   const [type, at = null, more] = text.trim().split(/\s+/);
   if (slice === null || type === '' || more !== undefined)
     throw invalidAttribute(
       'slice of <volume-step>',
       text,
-      slice === null ? 'a <volume-slice> in the <volume-view>' : 'a type and a position, like "axial 20"',
+      slice === null ? 'a <volume-slice> in the <volume-view>' : 'a type and a position, like "axial 20", or none',
     );
+  if (type === 'none' && at === null) return [{ target: slice, name: 'hidden', text: '' }];
   return [
+    { target: slice, name: 'hidden', text: null },
     { target: slice, name: 'type', text: type },
     { target: slice, name: 'at', text: at },
+  ];
+}
+
+/** @param text - what the attribute `only` of the labels takes, `17 18`; or `all`, or `none`, which shows the volume without labels */
+function showLabels<Target>(text: string, labels: Target | null): Setting<Target>[] {
+  if (labels === null)
+    throw invalidAttribute('labels of <volume-step>', text, 'a <volume-labels> in the <volume-view>');
+  const word = text.trim().toLowerCase();
+  return [
+    { target: labels, name: 'hidden', text: word === 'none' ? '' : null },
+    { target: labels, name: 'only', text: word === 'none' || word === 'all' ? null : text },
   ];
 }

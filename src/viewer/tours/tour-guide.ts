@@ -62,8 +62,8 @@ export class TourGuide {
 }
 
 function write({ target, name, text }: Setting<Element>, view: Element): void {
-  // A person may have moved the camera, or chosen another scan: the view goes back only if the attribute is set again.
-  const isPlace = target === view && places.includes(name);
+  // A person may have moved the camera, or chosen another scan or other labels: only an attribute that is set again takes that back.
+  const isPlace = target === view ? places.includes(name) : name === 'only';
   if (!isPlace && target.getAttribute(name) === text) return;
   if (isPlace && text === null) target.setAttribute(name, '');
   if (text === null) target.removeAttribute(name);
@@ -82,5 +82,6 @@ export function findTargets(view: HTMLElement): StepTargets<Element> {
     view,
     notes: [...notes].map((target) => ({ id: target.id, target })),
     slice: view.querySelector('volume-slice'),
+    labels: view.querySelector('volume-labels'),
   };
 }

@@ -99,6 +99,7 @@ const companionRows: Record<string, Row[]> = {
     ['src', 'src', 'a.nii', 'a.nii'],
     ['table', 'table', 'a.tsv', 'a.tsv'],
     ['transferFunction', 'transfer-function', 'gray', 'gray'],
+    ['only', 'only', '17 18 ghost', '17 18 ghost'],
   ],
   'volume-readout': [
     ['htmlFor', 'for', 'a', 'a'],
@@ -164,6 +165,7 @@ const companionRows: Record<string, Row[]> = {
   ],
   'volume-step': [
     ['label', 'label', 'Heart', 'Heart'],
+    ['labels', 'labels', '17 18', '17 18'],
     ['notes', 'notes', 'lad rca', 'lad rca'],
     ['slice', 'slice', 'axial 20', 'axial 20'],
   ],

@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { socketOf } from '../../../../src/viewer/model/view-socket.ts';
 import type { SocketView } from '../../../../src/viewer/model/view-socket.ts';
+import { readStep } from '../../../../src/viewer/tours/step-value.ts';
 import type { Setting, StepValue } from '../../../../src/viewer/tours/step-value.ts';
 import { TourGuide } from '../../../../src/viewer/tours/tour-guide.ts';
 
@@ -26,6 +27,15 @@ class Tag {
 }
 
 const replaced = ['requestAnimationFrame', 'cancelAnimationFrame', 'matchMedia', 'performance'] as const;
+
+/** Numbers 0 to 1, the same in each run. */
+function makeRandom(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
 
 describe('the guide of a tour', () => {
   const originals = replaced.map((name) => Object.getOwnPropertyDescriptor(globalThis, name));
@@ -146,5 +156,95 @@ describe('the guide of a tour', () => {
     pass(1000);
     expect(Object.fromEntries(tag.attributes)).to.deep.equal(before);
     expect(frames.size).to.equal(0);
+  });
+
+  it('ends forwards, backwards and after 200 random jumps, some in the middle of a move, where fresh tags with the attributes of the step are', () => {
+    /** A storm of labels, slices, surfaces, cuts and scans: each step sets something else. */
+    const lesson: readonly Record<string, string>[] = [
+      {},
+      { 'camera-orbit': '90deg 80deg auto', 'transfer-function': '0 #ffffff 0, 1 #ffffff 0', notes: 'a' },
+      { 'surface-values': '300', 'transfer-function': 'bone', slice: 'axial 20', labels: 'none' },
+      { time: '2', region: '0 0 0 1 1 1', notes: '' },
+      { cutout: '0 0 0 9 9 9', labels: '3 7 ghost', 'opacity-factor': '2' },
+      { labels: '7', slice: 'none', notes: 'b a', 'field-of-view': '20deg' },
+      { labels: 'all', slice: 'sagittal', time: '1', 'surface-values': '100 300', look: 'glass' },
+    ];
+    const makePage = () => {
+      const begun = start({ 'transfer-function': '0 #000000 0, 1 #000000 100%', time: '0', alt: 'A head' });
+      const [slice, labels, a, b] = [{ type: 'coronal', hidden: '' }, { hidden: '' }, { open: '' }, {}].map(
+        (attributes) => new Tag(new Map(Object.entries(attributes))),
+      );
+      const elementOf = (one: Tag): Element => one as unknown as Element;
+      const targets = {
+        view: elementOf(begun.tag),
+        slice: elementOf(slice),
+        labels: elementOf(labels),
+        notes: [
+          { id: 'a', target: elementOf(a) },
+          { id: 'b', target: elementOf(b) },
+        ],
+      };
+      const steps = lesson.map((step) =>
+        readStep(
+          Object.entries(step).map(([name, value]) => ({ name, value })),
+          targets,
+        ),
+      );
+      const tags = [begun.tag, slice, labels, a, b];
+      return {
+        guide: begun.guide,
+        steps,
+        tags,
+        state: () => tags.map(({ attributes }) => Object.fromEntries([...attributes].sort())),
+      };
+    };
+    const { guide, steps, tags, state } = makePage();
+    expect(steps.map(({ problem }) => problem)).to.deep.equal(lesson.map(() => null));
+    const before = state();
+    const freshState = lesson.map((_, i) => {
+      const fresh = makePage();
+      for (const { target, name, text } of fresh.steps[i].settings) {
+        const one = target as unknown as Tag;
+        if (text === null) one.removeAttribute(name);
+        else one.setAttribute(name, text);
+      }
+      return fresh.state();
+    });
+    const random = makeRandom(41);
+    const order = [
+      ...lesson.keys(),
+      ...[...lesson.keys()].reverse(),
+      ...Array.from({ length: 200 }, () => Math.floor(random() * lesson.length)),
+    ];
+    let interrupted = 0;
+    for (const [jump, i] of order.entries()) {
+      // A script or a person changes something on the way: the label list, a note.
+      if (random() < 0.2) tags[3].setAttribute('open', '');
+      guide.open(steps[i], steps, 600);
+      if (random() < 0.4) {
+        pass(random() * 590); // The next jump comes before this move ends.
+        if (frames.size > 0) interrupted++;
+        if (jump < order.length - 1) continue;
+      }
+      pass(300);
+      pass(300);
+      expect(state(), `${jump}: step ${i}`).to.deep.equal(freshState[i]);
+      expect(frames.size).to.equal(0);
+    }
+    expect(interrupted).to.be.above(20);
+    guide.leave();
+    expect(state()).to.deep.equal(before);
+  });
+
+  it('writes the labels that are shown again, as a person may have chosen others', () => {
+    const { guide, stepOf } = start({});
+    const labels = new Tag(new Map());
+    const step = (text: string | null): StepValue<Element> => ({
+      problem: null,
+      settings: [{ target: labels as unknown as Element, name: 'only', text }],
+    });
+    const steps = [step('3'), step('3'), stepOf({})];
+    for (const one of steps) guide.open(one, steps, 0);
+    expect(labels.written).to.deep.equal(['only=3', 'only=3', 'only=', 'no only']);
   });
 });

@@ -14,11 +14,12 @@ const listOf = (attributes: Record<string, string>): { name: string; value: stri
 /** A page with a view, a slice and three notes. */
 function makePage(): { targets: StepTargets<Tag>; tags: Tag[] } {
   const view = tag({ src: 'a.nii', 'camera-orbit': '10deg 80deg 90%', time: '2', alt: 'A head' });
-  const slice = tag({ type: 'coronal' });
+  const slice = tag({ type: 'coronal', hidden: '' });
+  const labels = tag({ src: 'atlas.nii', hidden: '' });
   const notes = [tag({ id: 'a', open: '' }), tag({ id: 'b' }), tag({})];
   return {
-    targets: { view, slice, notes: notes.map((target) => ({ id: target.get('id') ?? '', target })) },
-    tags: [view, slice, ...notes],
+    targets: { view, slice, labels, notes: notes.map((target) => ({ id: target.get('id') ?? '', target })) },
+    tags: [view, slice, labels, ...notes],
   };
 }
 
@@ -40,7 +41,8 @@ const possible: readonly (readonly [name: string, texts: readonly string[]])[] =
   ['time', ['0', '1']],
   ['alt', ['', 'From above']],
   ['notes', ['', 'a', 'b a']],
-  ['slice', ['axial 20', 'sagittal']],
+  ['slice', ['axial 20', 'sagittal', 'none']],
+  ['labels', ['3 4 ghost', 'all', 'none']],
 ];
 
 /** Numbers 0 to 1, the same in each run. */
@@ -135,7 +137,7 @@ describe('a step of a tour', () => {
 
   it('says which attribute it does not know, and leaves those of HTML and of libraries alone', () => {
     expect(problemOf({ 'camera-orbitt': '0deg' })).to.equal(
-      '<volume-step> got the attribute camera-orbitt; expected an attribute of <volume-view>, or notes, slice, label.',
+      '<volume-step> got the attribute camera-orbitt; expected an attribute of <volume-view>, or labels, notes, slice, label.',
     );
     for (const name of ['id', 'class', 'lang', 'hidden', 'data-x', 'aria-label', 'label', 'v-cloak', '_ngcontent-abc'])
       expect(problemOf({ [name]: 'x' }), name).to.equal(undefined);
@@ -151,13 +153,41 @@ describe('a step of a tour', () => {
 
   it('moves the first slice, and says what is missing', () => {
     expect(readStep(listOf({ slice: ' axial  -20.5 ' }), targets).settings).to.deep.equal([
+      { target: targets.slice, name: 'hidden', text: null },
       { target: targets.slice, name: 'type', text: 'axial' },
       { target: targets.slice, name: 'at', text: '-20.5' },
     ]);
-    expect(problemOf({ slice: '' })).to.match(/expected a type and a position, like "axial 20"/);
+    expect(readStep(listOf({ slice: 'none' }), targets).settings).to.deep.equal([
+      { target: targets.slice, name: 'hidden', text: '' },
+    ]);
+    expect(problemOf({ slice: '' })).to.match(/expected a type and a position, like "axial 20", or none/);
     expect(problemOf({ slice: 'axial 2 3' })).to.match(/got "axial 2 3"; expected a type and a position/);
     expect(readStep(listOf({ slice: 'axial 2' }), { ...targets, slice: null }).problem?.message).to.match(
       /expected a <volume-slice> in the <volume-view>/,
+    );
+  });
+
+  it('shows some labels, all, or none of them', () => {
+    const settingsOf = (labels: string): unknown =>
+      readStep(listOf({ labels }), targets).settings.map(({ target, name, text }) => [
+        target === targets.labels,
+        name,
+        text,
+      ]);
+    expect(settingsOf('3 4 ghost')).to.deep.equal([
+      [true, 'hidden', null],
+      [true, 'only', '3 4 ghost'],
+    ]);
+    expect(settingsOf('all')).to.deep.equal([
+      [true, 'hidden', null],
+      [true, 'only', null],
+    ]);
+    expect(settingsOf(' None ')).to.deep.equal([
+      [true, 'hidden', ''],
+      [true, 'only', null],
+    ]);
+    expect(readStep(listOf({ labels: '3' }), { ...targets, labels: null }).problem?.message).to.equal(
+      'labels of <volume-step> got "3"; expected a <volume-labels> in the <volume-view>.',
     );
   });
 });
