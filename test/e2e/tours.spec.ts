@@ -437,12 +437,7 @@ test.describe('tours', () => {
         (id) =>
           ['volume-labels', 'volume-slice'].map((name) => {
             const element = document.querySelector(`#${id} ${name}`)!;
-            return Object.fromEntries(
-              element
-                .getAttributeNames()
-                .sort()
-                .map((name) => [name, element.getAttribute(name)]),
-            );
+            return Object.fromEntries(element.getAttributeNames().map((name) => [name, element.getAttribute(name)]));
           }),
         id,
       );
