@@ -178,6 +178,8 @@ const sources = sourceFiles.map((file) => readFileSync(file, 'utf8'));
 const details = [
   'VolumeInfo',
   'VolumePick',
+  'VolumePosition',
+  'EarthPlace',
   'PickedSurface',
   'RadarPlace',
   'RadarGate',

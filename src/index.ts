@@ -8,7 +8,14 @@ export type {
 export type { RenderStats } from './viewer/model/render-stats.ts';
 export type { PictureError } from './quality/error-estimate.ts';
 export type { VolumeInfo, VolumeOptics } from './viewer/model/volume-info.ts';
-export type { PickOptions, RadarGate, RadarPlace, VolumePick } from './viewer/model/volume-pick.ts';
+export type {
+  EarthPlace,
+  PickOptions,
+  RadarGate,
+  RadarPlace,
+  VolumePick,
+  VolumePosition,
+} from './viewer/model/volume-pick.ts';
 export { VolumeViewError } from './core/errors.ts';
 export type { ErrorCode } from './core/errors.ts';
 export { presetNames } from './optics/transfer/preset-names.ts';

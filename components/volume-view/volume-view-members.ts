@@ -3,7 +3,7 @@ import type { RenderStats } from '../../src/viewer/model/render-stats.ts';
 import type { TimeChangeDetail } from '../../src/viewer/loading/scan-player.ts';
 import type { LocalFiles } from '../../src/formats/base/load-request.ts';
 import type { VolumeInfo, VolumeOptics } from '../../src/viewer/model/volume-info.ts';
-import type { PickOptions, VolumePick } from '../../src/viewer/model/volume-pick.ts';
+import type { PickOptions, VolumePick, VolumePosition } from '../../src/viewer/model/volume-pick.ts';
 import type { VolumeSession } from '../../src/viewer/session/volume-session.ts';
 import type { CameraState } from '../../src/viewer/view/write-camera.ts';
 import { warnOfOldName } from '../internal/deprecated.ts';
@@ -168,9 +168,18 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
    * The value at a point of the picture, and its position; null where nothing is visible, and before there is a picture.
    * @param x - CSS pixels from the left edge of the element, inside its border, as `offsetX` of a mouse event; `y` from the top
    * @param options - `at`: `jump` (default), where the opacity rises most steeply; `surface`, where it passes a half; `max`, at the largest
-   * visible value
+   * visible value; `half`, where half of the final opacity is reached
    */
   async pick(x: number, y: number, options?: PickOptions): Promise<VolumePick | null> {
     return this._session.interaction?.pickIn(this._session.viewer, [x, y], options) ?? null;
+  }
+
+  /**
+   * The place in the volume that is seen at a point of the page: where half of the final opacity is reached, with its value, and with the
+   * share of its light that reaches the eye. null where nothing is seen, outside of the picture, and before there is one.
+   * @param clientX - as `clientX` of a mouse event, however the page scales or turns the element; `clientY` alike
+   */
+  async positionFromPoint(clientX: number, clientY: number): Promise<VolumePosition | null> {
+    return this._session.interaction?.positionIn(this._session.viewer, { clientX, clientY }) ?? null;
   }
 }

@@ -12,9 +12,9 @@ import { evaluate } from './transfer/transfer-function.ts';
 import type { Premultiplied, TransferFunction } from './transfer/transfer-function.ts';
 
 /** Which place on a ray to pick: see `pickRay`. */
-export type PickAt = 'jump' | 'surface' | 'max';
+export type PickAt = 'jump' | 'surface' | 'max' | 'half';
 
-export const pickPlaces: readonly PickAt[] = ['jump', 'surface', 'max'];
+export const pickPlaces: readonly PickAt[] = ['jump', 'surface', 'max', 'half'];
 
 /** How values along a ray are shown. */
 export interface PickedAppearance {
@@ -64,6 +64,7 @@ const [parts, rounds] = [16, 2];
  * - `jump`: the gathered opacity has its largest jump; the place is where half of this jump is reached.
  * - `surface`: the place where the gathered opacity passes one half; no place if it never does.
  * - `max`: the place of the largest value that is visible and is not hidden by matter in front of it.
+ * - `half`: the place where half of the ray's final opacity is reached.
  *
  * With a projection, it is the place of the value that the ray shows. For an average, it is the place of the largest value.
  * @returns null if nothing is visible
@@ -170,9 +171,12 @@ function findPlace(
   if (appearance.projection) return end && end.height > color[3] ? end : findExtreme(walked, appearance, Infinity);
   if (at === 'max')
     return (appearance.isClear ? findHighest(walked) : findExtreme(walked, appearance, hiddenFrom(walked))) ?? end;
-  const jump =
-    at === 'surface' ? { first: 0, last: walked.rises.length - 1, height: 2 * surfaceOpacity } : findJump(walked.rises);
-  if (end && (at === 'surface' ? color[3] < surfaceOpacity : end.height > (jump?.height ?? 0))) return end;
+  if (at !== 'jump') {
+    const wanted = at === 'surface' ? surfaceOpacity : (color[3] + (end?.height ?? 0)) / 2;
+    return end && color[3] < wanted ? end : reach(walked, 0, wanted);
+  }
+  const jump = findJump(walked.rises);
+  if (end && end.height > (jump?.height ?? 0)) return end;
   return jump && reach(walked, jump.first, jump.height / 2);
 }
 

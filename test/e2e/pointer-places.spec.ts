@@ -523,3 +523,62 @@ test('all files that listen to pointers ask one place where they are, or need no
     'said of files that do not listen any more',
   ).toEqual([]);
 });
+
+test('the place that is seen at a point of the page is the same however the page shows the view', async ({ page }) => {
+  const view = `<volume-view id="view" src="${fieldUrl}" ${attributesOf({ 'transfer-function': '0.2 #003 0, 0.5 #c63 0.05, 1 #ffc 0.3', steps: '20' })} alt="A field" style="width: 300px; height: 200px; border: 5px solid"><volume-note position="0 0 0" hide="never"></volume-note></volume-view>`;
+  await open(page, page2(view));
+  await settle(page);
+  const plain = await compareAll(
+    page,
+    async (to) => {
+      const places = await to('#view', [
+        [150, 100],
+        [130, 85],
+        [175, 120],
+      ]);
+      const found = await withElement(
+        page,
+        (element, points) => Promise.all(points.map(([x, y]) => element.positionFromPoint(x, y))),
+        { argument: places },
+      );
+      // Half of the light of a ray that is opaque enough is left; pages round pixels.
+      return found.flatMap((one) => (one ? [...one.position, 20 * one.value, 20 * one.transmittance] : [NaN]));
+    },
+    0.6,
+  );
+  expect(plain[4] / 20).toBeGreaterThan(0.45);
+  expect(plain[4] / 20).toBeLessThan(0.99);
+  // A note at this place measures the same light, and its pin stands at this pixel.
+  await show(page, {});
+  const [place] = await toPage(page, '#view', [[130, 85]], 'none');
+  const transmittance = await withElement(
+    page,
+    async (element, [x, y]) => {
+      const found = (await element.positionFromPoint(x, y))!;
+      document.querySelector('volume-note')!.position = found.position;
+      return found.transmittance;
+    },
+    { argument: place },
+  );
+  await expect
+    .poll(() => page.evaluate(() => document.querySelector('volume-note')!.transmittance))
+    .toBeCloseTo(transmittance, 6);
+  const pin = (await page.locator('#view .pin').boundingBox())!;
+  expect(Math.abs(pin.x + pin.width / 2 - place[0])).toBeLessThan(1);
+  expect(Math.abs(pin.y + pin.height / 2 - place[1])).toBeLessThan(1);
+  const corner = await toPage(
+    page,
+    '#view',
+    [
+      [1, 1],
+      [-20, 50],
+    ],
+    'none',
+  );
+  const nothing = await withElement(
+    page,
+    (element, points) => Promise.all(points.map(([x, y]) => element.positionFromPoint(x, y))),
+    { argument: corner },
+  );
+  expect(nothing).toEqual([null, null]);
+});

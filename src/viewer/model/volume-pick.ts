@@ -5,7 +5,7 @@ import type { Vector3 } from '../../volume/matrix.ts';
 export interface PickOptions {
   /**
    * `jump` (by default): where the opacity increases most on the way into the picture; `surface`: where it exceeds one half;
-   * `max`: where the largest visible value is.
+   * `max`: where the largest visible value is; `half`: where half of the final opacity is reached.
    */
   readonly at?: PickAt;
 }
@@ -47,6 +47,37 @@ export interface VolumePick {
   readonly radar: RadarPlace | null;
   /** The surface at the place, if it hides the volume there; absent where there is none. */
   readonly surface?: PickedSurface;
+}
+
+/** A place in the volume that is seen at a point of the picture: where half of the final opacity of the ray through this point is reached. */
+export interface VolumePosition {
+  /**
+   * The place, as `position` of a `<volume-note>` has it: for medical files mm to the patient's right, front and head; for a radar metres
+   * east, north and above the antenna, before the exaggeration of heights.
+   */
+  readonly position: Vector3;
+  /** Value of the nearest voxel or gate that has data; NaN on a surface, or in a layer, where the volume has no value. */
+  readonly value: number;
+  /** Unit of the value, or ''. */
+  readonly unit: string;
+  /** The share of the light from this place that reaches the eye, 0..1; 1 in a projection. */
+  readonly transmittance: number;
+  /** The label's id; absent where there is no label. */
+  readonly label?: string;
+  /** Name of that label. */
+  readonly labelName?: string;
+  /** The place on Earth; null for volumes other than a radar's, and where the file does not say where the radar is. */
+  readonly earth: EarthPlace | null;
+}
+
+/** A place on Earth, as the attributes of a `<volume-note>` have it. */
+export interface EarthPlace {
+  /** Degrees north. */
+  readonly latitude: number;
+  /** Degrees east. */
+  readonly longitude: number;
+  /** Metres above sea level where the file gives the altitude of the radar, else above its antenna. */
+  readonly height: number;
 }
 
 /** A surface that a person pointed at. */

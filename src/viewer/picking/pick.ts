@@ -4,13 +4,16 @@ import { brighten } from '../../optics/transfer/brighten.ts';
 import { groupOf } from '../../optics/attachments/labels.ts';
 import { pickPlaces, pickRay } from '../../optics/pick-ray.ts';
 import type { RayPick } from '../../optics/pick-ray.ts';
+import type { RayStages } from '../../optics/rays/ray-stages.ts';
 import { rayThrough } from '../../optics/rays/rays.ts';
+import type { Ray } from '../../optics/rays/rays.ts';
 import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
 import { evaluate } from '../../optics/transfer/transfer-function.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { writeColor } from '../../optics/transfer/write-transfer-function.ts';
 import { finestSpacing, longestDiagonal, unitToWorld } from '../../volume/grid.ts';
 import { transformPoint } from '../../volume/matrix.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { labelOf, layersAt } from './pick-label.ts';
 import { nearestVoxel } from './pick-voxel.ts';
@@ -23,6 +26,17 @@ import type { PickOptions, RadarPlace, VolumePick } from '../model/volume-pick.t
 /** Maximum number of steps of a ray; each of them may be cut into substeps. */
 const maxSteps = 1500;
 
+/** A place that was picked, and the ray on which it lies. */
+export interface PickedOnRay {
+  readonly pick: VolumePick;
+  /** In the unit cube. */
+  readonly place: Vector3;
+  readonly ray: Ray;
+  readonly rays: ViewRays;
+  /** Of the ray, without meshes. */
+  readonly stages: RayStages;
+}
+
 /**
  * What is at a place of the picture that is on the page.
  * @param place - CSS pixels from the left and top edge of the picture
@@ -31,9 +45,18 @@ const maxSteps = 1500;
  */
 export async function pick(
   viewer: Viewer | null,
-  [x, y]: readonly [x: number, y: number],
+  place: readonly [x: number, y: number],
   options?: PickOptions | null,
 ): Promise<VolumePick | null> {
+  return (await pickOnRay(viewer, place, options))?.pick ?? null;
+}
+
+/** See `pick`. */
+export async function pickOnRay(
+  viewer: Viewer | null,
+  [x, y]: readonly [x: number, y: number],
+  options?: PickOptions | null,
+): Promise<PickedOnRay | null> {
   const at = pickPlaces.find((one) => one === options?.at) ?? 'jump';
   const polar =
     viewer?.volume && isPolar(viewer.volume)
@@ -67,8 +90,9 @@ export async function pick(
     look: appearance,
   });
   if (!found) return null;
+  const onRay = { place: found.place, ray, rays, stages };
   if (end?.isPicked(ray, found.place))
-    return surfaces!.describeSurface(volume, end.hit, stages.field, polar?.describePlace);
+    return { ...onRay, pick: surfaces!.describeSurface(volume, end.hit, stages.field, polar?.describePlace) };
   const there = stages.moreFields.reduce(
     (known, stage) => stage(found.place, known),
     stages.field.sampleAt(found.place),
@@ -84,7 +108,12 @@ export async function pick(
     radar,
     hasLayer: overlay?.shown.blend === 'mix' && typeof attached.layers?.[0].value === 'number',
   });
-  return described && { ...described, ...labelOf(labels, found.place, described, volume), ...attached };
+  return (
+    described && {
+      ...onRay,
+      pick: { ...described, ...labelOf(labels, found.place, described, volume), ...attached },
+    }
+  );
 }
 
 /** What is known about a place, in addition to the place itself. */

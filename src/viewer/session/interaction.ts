@@ -2,5 +2,5 @@
 export { CameraInput } from '../camera/camera-input.ts';
 export { checkIn } from '../picking/lazy-check.ts';
 export { follow } from './follow-view.ts';
-export { pickIn } from '../picking/lazy-pick.ts';
+export { pickIn, positionIn } from '../picking/lazy-pick.ts';
 export { writeCamera, writeView } from '../view/write-camera.ts';

@@ -13,6 +13,7 @@ import type { FieldStage } from '../../../src/optics/rays/ray-stages.ts';
 import { shapeInterval } from '../../../src/optics/rays/ray-intervals.ts';
 import { rayThrough, setUpRays } from '../../../src/optics/rays/rays.ts';
 import { stagesOf } from '../../../src/optics/reference.ts';
+import { transmittanceTo } from '../../../src/optics/transmittance.ts';
 import type { ReferenceScene } from '../../../src/optics/reference.ts';
 import type { Stop } from '../../../src/optics/transfer/transfer-function.ts';
 import { cartesianGrid } from '../../../src/volume/grid.ts';
@@ -125,6 +126,62 @@ describe('a pick', () => {
     const thin = labels(0.004, 0); // 33 % in all.
     expect(pick(stages(fog, thin), 'surface', thin)).to.equal(null);
     expect(pick(stages(fog, thin), 'jump', thin)).to.be.above(20);
+  });
+
+  it('at the half is where half of the final opacity is reached, through a slab and a wedge, and half of the light is left', () => {
+    const ray = rayThrough(rays, 0, 0);
+    const toEye = (scene: ReturnType<typeof stages>, depth: number): number =>
+      transmittanceTo(scene, ray, (1 - depth / 100 - ray.point[2]) / ray.direction[2]);
+    // A slab from 20 to 60: T(d) = exp(-t (d - 20)), so half of A = 1 - exp(-40 t) is reached where T = 1 - A / 2.
+    const slab = byDepth((depth) => (depth >= 20 && depth < 60 ? 1 : 0));
+    for (const opacity of [0.005, 0.05, 0.3]) {
+      const appearance = labels(opacity, 0);
+      const t = -Math.log(1 - opacity);
+      const half = 20 - Math.log((1 + Math.exp(-40 * t)) / 2) / t;
+      for (const stepLength of [0.25, 1]) {
+        const scene = stages(slab, appearance, { stepLength });
+        expect(pick(scene, 'half', appearance), `slab of ${opacity}, ${stepLength}`).to.be.closeTo(half, stepLength);
+      }
+    }
+    // A wedge: the opacity of a step of 1 grows as 0.04 depth / 100, by tau(d), the integral of -ln(1 - 0.0004 x).
+    const wedge = byDepth((depth) => depth / 100);
+    const ramp: Stop[] = [
+      { value: 0, color, opacity: 0 },
+      { value: 1, color, opacity: 0.04 },
+    ];
+    const tau = (depth: number): number => {
+      const left = 1 - 0.0004 * depth;
+      return (left * Math.log(left) - left + 1) / 0.0004;
+    };
+    const wanted = 1 - (1 - Math.exp(-tau(100))) / 2;
+    let [low, high] = [0, 100];
+    for (let i = 0; i < 60; i++) {
+      const middle = (low + high) / 2;
+      if (Math.exp(-tau(middle)) > wanted) low = middle;
+      else high = middle;
+    }
+    for (const stepLength of [0.3, 1, 3]) {
+      const scene = stages(wedge, ramp, { stepLength });
+      const depth = pick(scene, 'half', ramp)!;
+      expect(depth, `wedge, ${stepLength}`).to.be.closeTo(low, 0.02);
+      expect(toEye(scene, depth), `light of the wedge, ${stepLength}`).to.be.closeTo(wanted, 0.002);
+    }
+  });
+
+  it('at the half counts what ends the ray, and is where a projection shows its value', () => {
+    const fog = byDepth(() => 1);
+    const appearance = labels(0.01, 0);
+    const behind = (alpha: number) =>
+      stages(fog, appearance, { ends: [(_, interval) => ({ ...interval, exit: 0, behind: [1, 1, 1, alpha] })] });
+    // 50 of fog hide 1 - 0.99^50 = 0.395: less than half of an opaque end, more than half with one of 0.1.
+    expect(pick(behind(1), 'half', appearance)).to.be.closeTo(50, 1e-9);
+    const all = 1 - 0.99 ** 50 * 0.9;
+    expect(pick(behind(0.1), 'half', appearance)).to.be.closeTo(Math.log(1 - all / 2) / Math.log(0.99), 1e-3);
+    const peak = byDepth((depth) => 0.5 + 0.3 * Math.exp(-(((depth - 70.37) / 8) ** 2)));
+    const scene = stages(peak, appearance, { gather: projectionGather('max') });
+    expect(pick(scene, 'half', appearance, 'max')).to.be.closeTo(70.37, 0.01);
+    const clear = labels(0, 0);
+    expect(pick(stages(shells, clear), 'half', clear)).to.equal(null);
   });
 
   it('at the maximum is at the largest value that shows and is not hidden', () => {
