@@ -98,6 +98,7 @@ export const FOLDERS = {
     'nifti',
     'nrrd',
     'metaimage',
+    'mgh',
     'meshes',
     'terrain',
     'label-tables',

@@ -3,17 +3,24 @@ import type { DecodeInput } from './base/decoded-volume.ts';
 import { findForeign } from './base/foreign-formats.ts';
 import type { FileStart, Format } from './base/format.ts';
 import { nameOf } from './base/name-of.ts';
+import { rareFormats } from './rare-formats.ts';
 
 /**
- * Chooses a file's format by its name, if its bytes match no known format.
+ * Chooses a file's format if its bytes match none of the usual ones: a rare format by its bytes, else the one that is
+ * asked last, else one by the file's name.
+ * @param last - the format that is asked last and whose bytes the file has; null if there is none
  * @throws {VolumeViewError} `format/unknown`, `format/unsupported`, `format/corrupt`, with a message about what was
  * received
  */
-export function chooseByName(
+export function chooseRare(
   { bytes, url, contentType }: DecodeInput,
   start: FileStart,
-  formats: readonly Format[],
+  usual: readonly Format[],
+  last: Format | null,
 ): Format {
+  const found = rareFormats.find((format) => format.matches(start)) ?? last;
+  if (found) return found;
+  const formats = [...usual, ...rareFormats];
   const name = nameOf(url);
   const { text } = start;
   const foreign = findForeign(start);

@@ -5,15 +5,15 @@ import { loadReader } from './base/load-reader.ts';
 
 /**
  * Finds a file's format: by its bytes, then by its name.
- * @param formats - the known ones
+ * @param formats - the usual ones; the rare ones are known in addition
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, with a message about what was received
  */
 export async function sniffFile(input: DecodeInput, formats: readonly Format[]): Promise<Format> {
   const start = await lookAt(input.bytes);
   const found = findByBytes(start, formats);
-  if (found) return found;
-  const { chooseByName } = await loadReader(() => import('#rare/formats/choose-by-name.ts'));
-  return chooseByName(input, start, formats);
+  if (found && !found.last) return found;
+  const { chooseRare } = await loadReader(() => import('#rare/formats/choose-rare.ts'));
+  return chooseRare(input, start, formats, found);
 }
 
 /** The format of a file by its bytes alone, or null. */

@@ -3,6 +3,7 @@ import { checkFileCount } from '../formats/base/check-file-count.ts';
 import { findForeign } from '../formats/base/foreign-formats.ts';
 import type { FileStart, Format } from '../formats/base/format.ts';
 import { manifest } from '../formats/manifest/manifest-format.ts';
+import { rareFormats } from '../formats/rare-formats.ts';
 import { allFormats } from '../formats/registry.ts';
 import { lookAt, findByBytes } from '../formats/sniff.ts';
 import { pathOf } from './byte-store.ts';
@@ -15,6 +16,8 @@ const startBytes = 2 ** 16;
 
 /** Bytes of a manifest, which has to be read to know that it is one: other programs write JSON files too. */
 const maxManifestBytes = 2 ** 26;
+
+const everyFormat: readonly Format[] = [...allFormats, ...rareFormats];
 
 /** The file of a store with which its volume begins, and all files of a stack. */
 export interface FoundVolume {
@@ -70,7 +73,7 @@ export async function findVolume(
 
 /** @param start - of the file */
 async function sniffKind(store: ByteStore, url: string, start: FileStart): Promise<FileKind> {
-  const format: Format | null = findByBytes(start, allFormats);
+  const format: Format | null = findByBytes(start, everyFormat);
   if (!format) return 'other';
   if (format === manifest) return (await isManifest(store, url)) ? 'manifest' : 'other';
   if ('loadImage' in format) return 'image';
@@ -86,7 +89,7 @@ function isLitter(url: string): boolean {
 async function isCertain(format: Format, { unpacked }: FileStart): Promise<boolean> {
   return (
     !format.last ||
-    (unpacked !== null && findByBytes(await lookAt(unpacked as Uint8Array<ArrayBuffer>), allFormats) !== null)
+    (unpacked !== null && findByBytes(await lookAt(unpacked as Uint8Array<ArrayBuffer>), everyFormat) !== null)
   );
 }
 

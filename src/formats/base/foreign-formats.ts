@@ -30,11 +30,6 @@ const foreign: readonly ForeignFormat[] = [
       ([2, 8].includes(bytes[0]) && bytes[1] === 0 && bytes[3] === 0 && /^[A-Z]{2}$/.test(latin(bytes.subarray(4), 2))),
   },
   {
-    name: 'a FreeSurfer volume (MGH)',
-    advice: 'to NIfTI: mri_convert file.mgz file.nii.gz',
-    matches: (_, bytes) => startsWith(bytes, '\0\0\0\x01') && bytes.length > 284,
-  },
-  {
     name: 'a VTK file',
     advice: 'to MetaImage (.mha) or NRRD, with ParaView or 3D Slicer',
     matches: ({ text }) => text.startsWith('# vtk DataFile') || /^(<\?xml[^>]{0,100}>\s*)?<VTKFile/.test(text),

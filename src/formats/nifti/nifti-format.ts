@@ -9,7 +9,7 @@ export const nifti: VolumeFormat = {
   words,
   endings: ['nii'],
   beginning: 'a NIfTI header',
-  matches: ({ bytes }) => detectNifti(bytes) !== null,
+  matches: ({ bytes, unpacked }) => detectNifti(unpacked ?? bytes) !== null,
   load,
 };
 

@@ -1,7 +1,6 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import { cartesianGrid } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import type { Budget } from '../base/budget.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import type { FormatReader } from '../base/format.ts';
@@ -15,18 +14,13 @@ import { niftiTypes } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
 import { PieceReader, yieldOnce } from '../base/piece-reader.ts';
 import { placeVolume } from '../base/place-volume.ts';
+import { readSpan } from '../base/read-span.ts';
+import type { StreamSource } from '../base/read-span.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 
-/** Maximum bytes that are read after the samples to reach a gzip file's checksum; the rest is ignored. */
-const maxTrailingBytes = 2 ** 24;
-
-export interface NiftiSource {
+export interface NiftiSource extends StreamSource {
   /** The file's bytes, unpacked, in pieces. */
   readonly pieces: AsyncIterable<Uint8Array<ArrayBuffer>>;
-  /** Maximum number of bytes of the pieces, given the file's length. */
-  readonly atMost: number;
-  onProgress(loaded: number, total: number): void;
-  readonly budget: Budget;
 }
 
 /** Reads a NIfTI file, packed with gzip or not. */
@@ -58,10 +52,11 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
   const { dimensions, volumes, numbers } = readDimensions(header);
   const type = await readType(header);
   const rescale = readRescale(header);
-  const bytes = await readSamples(reader, source, {
-    header,
+  const bytes = await readSpan(reader, source, {
+    what: 'NIfTI',
+    offset: header.offset,
     bytes: countSampleBytes('the NIfTI header', dimensions, type),
-    isSeries: volumes * numbers > 1,
+    isPart: volumes * numbers > 1,
   });
   const stored = storeSamples(bytes, type, header.littleEndian, {
     ...rescale,
@@ -150,25 +145,4 @@ function readRescale(header: NiftiHeader): { slope: number; intercept: number } 
 
 function readWindow({ calMin, calMax }: NiftiHeader): { window?: [number, number] } {
   return calMax > calMin && Number.isFinite(calMax - calMin) ? { window: [calMin, calMax] } : {};
-}
-
-async function readSamples(
-  reader: PieceReader,
-  source: NiftiSource,
-  wanted: { header: NiftiHeader; bytes: number; isSeries: boolean },
-): Promise<Uint8Array<ArrayBuffer>> {
-  const { offset } = wanted.header;
-  const fail = (got: string): VolumeViewError =>
-    new VolumeViewError(
-      'format/corrupt',
-      `the NIfTI file ends early: got ${got}; its header asks for ${offset + wanted.bytes} bytes`,
-    );
-  // Refuse a header that announces more data than the file can hold, before memory is allocated.
-  if (offset + wanted.bytes > source.atMost) throw fail(`at most ${source.atMost} bytes`);
-  source.budget.take(wanted.bytes, 'the NIfTI file');
-  const got = await reader.readRange(offset, wanted.bytes, source.onProgress);
-  if (got.length < wanted.bytes) throw fail(`${reader.total} bytes`);
-  // The end of a gzip file holds the checksum. Of a series only the beginning is read, so its checksum is not checked.
-  if (!wanted.isSeries) await reader.drain(maxTrailingBytes);
-  return got;
 }

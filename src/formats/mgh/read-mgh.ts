@@ -1,0 +1,150 @@
+import { cartesianGrid } from '../../volume/grid.ts';
+import { invertAffine } from '../../volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import { countSampleBytes } from '../base/count-sample-bytes.ts';
+import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
+import type { FormatReader } from '../base/format.ts';
+import { listLeft } from '../base/list-left.ts';
+import { numberTypes } from '../base/number-types.ts';
+import type { NumberType } from '../base/number-types.ts';
+import { PieceReader, yieldOnce } from '../base/piece-reader.ts';
+import { placeVolume } from '../base/place-volume.ts';
+import { readSpan } from '../base/read-span.ts';
+import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
+import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
+import { mghHeaderBytes } from './mgh-format.ts';
+
+const what = 'the MGH header';
+
+/** Source: FreeSurfer's mri.h, MRI_UCHAR and so on. */
+const types = new Map<number, NumberType>([
+  [0, numberTypes.uint8],
+  [1, numberTypes.int32],
+  [3, numberTypes.float32],
+  [4, numberTypes.int16],
+  [10, numberTypes.uint16],
+]);
+
+/** What an error says about the other types of mri.h. */
+const refused = new Map([
+  [2, 'long integers, which have another size on each machine'],
+  [5, 'one bit per voxel'],
+  [6, 'tensors'],
+  [7, 'complex numbers of a Fourier transform'],
+  [8, 'colours (RGB)'],
+]);
+
+interface MghHeader {
+  readonly dimensions: Vector3;
+  readonly frames: number;
+  readonly type: NumberType;
+  readonly indexToWorld: Matrix4;
+  /** Whether the header says where the patient is (its good_ras_flag). */
+  readonly anatomical: boolean;
+}
+
+/**
+ * Reads an MGH file, packed with gzip (MGZ) or not: of a series of frames, the first one. What follows the samples, such
+ * as scan parameters and names of labels, is not used.
+ * Sources: FreeSurfer wiki, FsTutorial/MghFormat; nibabel 5.4, `freesurfer/mghformat.py`
+ */
+export const readMgh: FormatReader = async ({ bytes }, settings, { onProgress, budget }) => {
+  onProgress(0, bytes.length);
+  const isPacked = isGzip(bytes);
+  const atMost = isPacked ? bytes.length * maxDeflateRatio : bytes.length;
+  const reader = new PieceReader(isPacked ? gunzip(bytes) : yieldOnce(bytes));
+  try {
+    const { dimensions, frames, type, indexToWorld, anatomical } = readHeader(await reader.readStart(mghHeaderBytes));
+    const stored = storeSamples(
+      await readSpan(
+        reader,
+        { atMost, onProgress, budget },
+        {
+          what: 'MGH',
+          offset: mghHeaderBytes,
+          bytes: countSampleBytes(what, dimensions, type),
+          isPart: frames > 1,
+        },
+      ),
+      type,
+      false,
+      { slope: 1, intercept: 0, budget, chooseWhole: await wholeNumbersOf(type) },
+    );
+    const { samples, scale, offset, indexed, rounded, unkept } = stored;
+    return placeVolume(
+      {
+        grid: cartesianGrid(dimensions, indexToWorld),
+        anatomical,
+        samples,
+        slope: scale,
+        intercept: offset,
+        indexed,
+        rounded,
+        unkept,
+        unit: '',
+        format: `MGH${frames > 1 ? `, volume 1 of ${frames}` : ''}`,
+        ...listLeft(frames),
+      },
+      settings,
+    );
+  } finally {
+    await reader.stop();
+  }
+};
+
+/** All numbers are big-endian, on every machine. */
+function readHeader(bytes: Uint8Array): MghHeader {
+  if (bytes.length < mghHeaderBytes)
+    throw corruptFile(what, `got ${bytes.length} bytes; expected ${mghHeaderBytes}: the file is cut short`);
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const [version, nx, ny, nz, frames, code] = [0, 4, 8, 12, 16, 20].map((at) => view.getInt32(at));
+  if (version !== 1)
+    throw corruptFile(what, `got the version ${version}; expected 1: the file is damaged or misnamed`);
+  const dimensions: Vector3 = [nx, ny, nz];
+  if (!dimensions.every((n) => n >= 1) || frames < 1)
+    throw corruptFile(what, `got dimensions ${nx} x ${ny} x ${nz} and ${frames} frames; expected whole numbers from 1`);
+  const anatomical = view.getInt16(28) > 0;
+  return {
+    dimensions,
+    frames,
+    type: readType(code),
+    indexToWorld: readAffine((at) => view.getFloat32(at), dimensions, anatomical),
+    anatomical,
+  };
+}
+
+function readType(code: number): NumberType {
+  const type = types.get(code);
+  if (type) return type;
+  const words = refused.get(code);
+  if (words)
+    throw unsupportedFile(
+      'the MGH file',
+      `holds ${words}; expected one number per voxel. Convert it: mri_convert --out_data_type float in.mgz out.mgz`,
+    );
+  throw corruptFile(what, `got the type ${code}; expected one of ${[...types.keys()].join(', ')}`);
+}
+
+/**
+ * Voxel index to world (RAS, mm). The header has the spacing, the direction of each axis, and the world position of the
+ * volume's centre (c_ras), which is the index n / 2 along each axis, and not (n - 1) / 2. Without good_ras_flag
+ * FreeSurfer takes a coronal scan with voxels of 1 mm, its centre at the origin.
+ */
+function readAffine(float: (at: number) => number, dimensions: Vector3, isPlaced: boolean): Matrix4 {
+  const numbers = Array.from({ length: 15 }, (_, i) => float(30 + 4 * i));
+  const [dx, dy, dz, xr, xa, xs, yr, ya, ys, zr, za, zs, cr, ca, cs] = isPlaced
+    ? numbers
+    : [1, 1, 1, -1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 0, 0];
+  const rows = [
+    [xr * dx, yr * dy, zr * dz, cr],
+    [xa * dx, ya * dy, za * dz, ca],
+    [xs * dx, ys * dy, zs * dz, cs],
+  ];
+  const [nx, ny, nz] = dimensions;
+  const affine = [...rows.flatMap(([x, y, z, c]) => [x, y, z, c - (x * nx + y * ny + z * nz) / 2]), 0, 0, 0, 1];
+  if (affine.every(Number.isFinite) && invertAffine(affine)) return affine;
+  throw corruptFile(
+    what,
+    `got the spacing ${dx} x ${dy} x ${dz} and the axes (${xr}, ${xa}, ${xs}) (${yr}, ${ya}, ${ys}) (${zr}, ${za}, ${zs}); expected finite lengths above 0, and directions that do not lie in one plane`,
+  );
+}
