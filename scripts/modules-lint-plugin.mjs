@@ -99,6 +99,7 @@ export const FOLDERS = {
     'nrrd',
     'metaimage',
     'mgh',
+    'analyze',
     'meshes',
     'terrain',
     'label-tables',

@@ -6,8 +6,8 @@ import { nameOf } from './base/name-of.ts';
 import { rareFormats } from './rare-formats.ts';
 
 /**
- * Chooses a file's format if its bytes match none of the usual ones: a rare format by its bytes, else the one that is
- * asked last, else one by the file's name.
+ * Chooses a file's format if its bytes match none of the usual ones: a rare format by its bytes, or by its name if it
+ * may hold samples alone, else the one that is asked last, else one by the file's name.
  * @param last - the format that is asked last and whose bytes the file has; null if there is none
  * @throws {VolumeViewError} `format/unknown`, `format/unsupported`, `format/corrupt`, with a message about what was
  * received
@@ -18,12 +18,13 @@ export function chooseRare(
   usual: readonly Format[],
   last: Format | null,
 ): Format {
-  const found = rareFormats.find((format) => format.matches(start)) ?? last;
+  const name = nameOf(url);
+  const foreign = findForeign(start);
+  const found =
+    rareFormats.find((format) => format.matches(start)) ?? (foreign || bytes.length === 0 ? null : findData(name)) ?? last;
   if (found) return found;
   const formats = [...usual, ...rareFormats];
-  const name = nameOf(url);
   const { text } = start;
-  const foreign = findForeign(start);
   if (foreign)
     throw new VolumeViewError(
       'format/unsupported',
@@ -44,6 +45,12 @@ export function chooseRare(
   }
   const type = contentType ? ` (sent as ${contentType})` : '';
   throw unknown(`${name}${type} is of no known type; expected ${listWords(formats)}`);
+}
+
+/** The format of which a file with this name, packed or not, may hold the samples alone: such files have no mark. */
+function findData(name: string): Format | null {
+  const ending = /\.([^.]+?)(\.gz)?$/i.exec(name)?.[1].toLowerCase() ?? '';
+  return rareFormats.find(({ beginning, endings }) => beginning === null && endings.includes(ending)) ?? null;
 }
 
 /** 'a, b or c'. */

@@ -1,8 +1,9 @@
 import type { VolumeFormat } from './base/format.ts';
+import { analyze } from './analyze/analyze-format.ts';
 import { mgh } from './mgh/mgh-format.ts';
 
 /**
  * Formats that few pages have. Their descriptions are loaded only for a file that is of none of the usual formats, so
  * that pages with other files do not pay for them.
  */
-export const rareFormats: readonly VolumeFormat[] = [mgh];
+export const rareFormats: readonly VolumeFormat[] = [mgh, analyze];

@@ -8,6 +8,7 @@ import { netcdf3 } from './grammars/netcdf3.ts';
 import { nexrad } from './grammars/nexrad.ts';
 import { nifti } from './grammars/nifti.ts';
 import { png } from './grammars/png.ts';
+import { analyze, mgh } from './grammars/rare-formats.ts';
 
 /** All that can be fuzzed, by the names that `npm run fuzz` takes. */
 export const grammars: Readonly<Record<string, Grammar>> = {
@@ -20,6 +21,8 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   nifti,
   nrrd,
   metaimage: metaImage,
+  mgh,
+  analyze,
   manifest,
   attributes,
 };

@@ -7,18 +7,13 @@ export const mgh: VolumeFormat = {
   name: 'MGH',
   words: 'MGH (.mgh, .mgz)',
   endings: ['mgh', 'mgz'],
-  beginning: null,
+  beginning: 'the version 1 of an MGH header',
   matches: ({ bytes, unpacked }) => isMgh(unpacked ?? bytes),
   load: async () => (await import('#rare/formats/mgh/read-mgh.ts')).readMgh,
 };
 
-/**
- * MGH has no mark. It begins with version 1 and with four lengths and a type, all big-endian: small numbers, whose first
- * bytes are 0.
- */
+/** MGH has no mark. It begins with version 1, above which are bits for the file's purpose; at 20 is a small number, its type. */
 function isMgh(bytes: Uint8Array): boolean {
-  if (bytes.length < mghHeaderBytes) return false;
-  const view = new DataView(bytes.buffer, bytes.byteOffset, mghHeaderBytes);
-  const numbers = [1, 2, 3, 4].map((at) => view.getInt32(4 * at));
-  return view.getInt32(0) === 1 && numbers.every((n) => n > 0 && n < 2 ** 24) && bytes[20] + bytes[21] + bytes[22] === 0;
+  const zeros = [0, 1, 20, 21, 22];
+  return bytes.length > 24 && bytes[3] === 1 && zeros.every((at) => bytes[at] === 0);
 }

@@ -30,8 +30,9 @@ const refused = new Map([
   [2, 'long integers, which have another size on each machine'],
   [5, 'one bit per voxel'],
   [6, 'tensors'],
-  [7, 'complex numbers of a Fourier transform'],
-  [8, 'colours (RGB)'],
+  [7, 'complex numbers'],
+  [8, 'complex numbers'],
+  [9, 'colours (RGB)'],
 ]);
 
 interface MghHeader {
@@ -97,9 +98,7 @@ function readHeader(bytes: Uint8Array): MghHeader {
   if (bytes.length < mghHeaderBytes)
     throw corruptFile(what, `got ${bytes.length} bytes; expected ${mghHeaderBytes}: the file is cut short`);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const [version, nx, ny, nz, frames, code] = [0, 4, 8, 12, 16, 20].map((at) => view.getInt32(at));
-  if (version !== 1)
-    throw corruptFile(what, `got the version ${version}; expected 1: the file is damaged or misnamed`);
+  const [nx, ny, nz, frames, code] = [4, 8, 12, 16, 20].map((at) => view.getInt32(at));
   const dimensions: Vector3 = [nx, ny, nz];
   if (!dimensions.every((n) => n >= 1) || frames < 1)
     throw corruptFile(what, `got dimensions ${nx} x ${ny} x ${nz} and ${frames} frames; expected whole numbers from 1`);

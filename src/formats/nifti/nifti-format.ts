@@ -9,7 +9,8 @@ export const nifti: VolumeFormat = {
   words,
   endings: ['nii'],
   beginning: 'a NIfTI header',
-  matches: ({ bytes, unpacked }) => detectNifti(unpacked ?? bytes) !== null,
+  // Others are in two files: the mark "ni1", or none.
+  matches: ({ bytes, unpacked }) => detectNifti(unpacked ?? bytes)?.magic[1] === '+',
   load,
 };
 

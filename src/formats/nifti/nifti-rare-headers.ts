@@ -8,12 +8,12 @@ import type { NiftiHeader, NiftiStart } from './nifti-header.ts';
 
 /**
  * @param found - the kind of header; null if it is none
- * @throws {VolumeViewError} `format/unknown`, `format/unsupported` (.hdr/.img pairs, Analyze 7.5), `format/corrupt`
+ * @throws {VolumeViewError} `format/unknown`, `format/unsupported`, `format/corrupt`
  */
 export function readRareHeader(bytes: Uint8Array, found: NiftiStart | null): NiftiHeader {
   if (!found) throw notNifti(bytes);
   const { version, littleEndian, magic } = found;
-  checkMark(version, magic);
+  checkMark(magic);
   if (bytes.length < headerSizes[version]) {
     throw new VolumeViewError(
       'format/corrupt',
@@ -43,23 +43,9 @@ function notNifti(bytes: Uint8Array): VolumeViewError {
     : new VolumeViewError('format/unknown', 'the data do not begin with a NIfTI header');
 }
 
-function checkMark(version: 1 | 2, magic: string): void {
-  const [single, pair] = version === 1 ? ['n+1', 'ni1'] : ['n+2', 'ni2'];
-  if (magic.startsWith(pair)) {
-    throw new VolumeViewError(
-      'format/unsupported',
-      `this is the header of a NIfTI-${version} pair, whose data lie in an .img file; join the two into one .nii file`,
-    );
-  }
-  if (!magic.startsWith(single)) {
-    throw version === 1
-      ? new VolumeViewError(
-          'format/unsupported',
-          'this is an Analyze 7.5 header, or a NIfTI one without its mark; convert the file to NIfTI (.nii)',
-        )
-      : new VolumeViewError('format/corrupt', 'the NIfTI-2 header lacks its mark "n+2"');
-  }
-  if (version === 2 && magic.slice(3) !== '\0\r\n\x1a\n') {
+function checkMark(magic: string): void {
+  if (!magic.startsWith('n+2')) throw new VolumeViewError('format/corrupt', 'the NIfTI-2 header lacks its mark "n+2"');
+  if (magic.slice(3) !== '\0\r\n\x1a\n') {
     throw new VolumeViewError(
       'format/corrupt',
       'the NIfTI-2 mark has other line ends: the file was transferred as text; transfer it as binary data',
@@ -67,7 +53,8 @@ function checkMark(version: 1 | 2, magic: string): void {
   }
 }
 
-function readVersion2(view: DataView, little: boolean): NiftiHeader {
+/** Reads a header of version 2. */
+export function readVersion2(view: DataView, little: boolean): NiftiHeader {
   const long = (at: number): number => Number(view.getBigInt64(at, little));
   const double = (at: number): number => view.getFloat64(at, little);
   return {

@@ -36,19 +36,24 @@ export const readNiftiFile: FormatReader = async ({ bytes }, settings, { onProgr
 
 /**
  * Reads a NIfTI-1 or -2 file: of a series, its first volume.
+ * @param header - of another file, if the source has only the samples
  * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`, `format/too-large`
  */
-export async function readNifti(source: NiftiSource): Promise<DecodedCartesianVolume> {
+export async function readNifti(source: NiftiSource, header?: NiftiHeader): Promise<DecodedCartesianVolume> {
   const reader = new PieceReader(source.pieces);
   try {
-    return await readVolume(reader, source);
+    const start = await reader.readStart(niftiHeaderBytes);
+    return await readVolume(reader, source, header ?? (await readHeader(start)));
   } finally {
     await reader.stop();
   }
 }
 
-async function readVolume(reader: PieceReader, source: NiftiSource): Promise<DecodedCartesianVolume> {
-  const header = await readHeader(await reader.readStart(niftiHeaderBytes));
+async function readVolume(
+  reader: PieceReader,
+  source: NiftiSource,
+  header: NiftiHeader,
+): Promise<DecodedCartesianVolume> {
   const { dimensions, volumes, numbers } = readDimensions(header);
   const type = await readType(header);
   const rescale = readRescale(header);
@@ -91,7 +96,7 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
 async function readHeader(bytes: Uint8Array): Promise<NiftiHeader> {
   const found = detectNifti(bytes);
   const header =
-    found?.version === 1 && found.magic.startsWith('n+1')
+    found?.version === 1
       ? readVersion1(bytes, found.littleEndian)
       : (await loadReader(() => import('./nifti-rare-headers.ts'))).readRareHeader(bytes, found);
   // The header is followed by four bytes that say whether extensions follow; some writers leave the offset 0.

@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { decodeFile } from '../../../src/formats/decode.ts';
 import type { Format, VolumeFormat } from '../../../src/formats/base/format.ts';
+import { rareFormats } from '../../../src/formats/rare-formats.ts';
 import { allFormats } from '../../../src/formats/registry.ts';
 import { sniffFile } from '../../../src/formats/sniff.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../../src/volume/grid.ts';
@@ -49,7 +50,7 @@ describe('the registry of formats', () => {
   it('names every format where a file is of none', async () => {
     const error = await expectError(sniffFile(inputOf(encode('just text'), 'x'), formats));
     expect(error.code).to.equal('format/unknown');
-    for (const { words } of formats) expect(error.message).to.contain(words);
+    for (const { words } of [...formats, ...rareFormats]) expect(error.message).to.contain(words);
     expect(error.message, 'a list that ends with "or"').to.match(/, [^,]+ or [^,]+(?: \([^)]*\))?$/);
   });
 
@@ -60,9 +61,10 @@ describe('the registry of formats', () => {
   });
 
   it('gives no two formats the same ending or name', () => {
-    const endings = allFormats.flatMap((format) => format.endings);
+    const all = [...allFormats, ...rareFormats];
+    const endings = all.flatMap((format) => format.endings);
     expect(endings).to.have.length(new Set(endings).size);
-    expect(new Set(allFormats.map(({ name }) => name)).size).to.equal(allFormats.length);
+    expect(new Set(all.map(({ name }) => name)).size).to.equal(all.length);
     expect(allFormats.length).to.be.greaterThan(10);
   });
 });
