@@ -4,7 +4,7 @@ import type { GiftiArray } from './gifti-array.ts';
 import { giftiTransform } from './gifti-transform.ts';
 import { checkCounts, corrupt } from './mesh-limits.ts';
 import type { Mesh } from './mesh.ts';
-import { readXml } from './xml-reader.ts';
+import { readXml } from '../base/read-xml.ts';
 
 export function isGifti(text: string): boolean {
   return /<GIFTI\b|<!DOCTYPE\s+GIFTI\b/.test(text) || /^\s*<\?xml\b/.test(text);

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { makeNormals } from '../../../../src/formats/meshes/make-normals.ts';
 import { maxPartVertices, splitMesh } from '../../../../src/formats/meshes/split-mesh.ts';
-import { readXml } from '../../../../src/formats/meshes/xml-reader.ts';
+import { readXml } from '../../../../src/formats/base/read-xml.ts';
 import { dot } from '../../../../src/volume/matrix.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
 import { fetchFixture } from '../../../helpers/decode.ts';
