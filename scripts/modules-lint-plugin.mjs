@@ -100,6 +100,8 @@ export const FOLDERS = {
     'metaimage',
     'mgh',
     'analyze',
+    'npy',
+    'vti',
     'meshes',
     'terrain',
     'label-tables',

@@ -8,7 +8,7 @@ import { netcdf3 } from './grammars/netcdf3.ts';
 import { nexrad } from './grammars/nexrad.ts';
 import { nifti } from './grammars/nifti.ts';
 import { png } from './grammars/png.ts';
-import { analyze, mgh } from './grammars/rare-formats.ts';
+import { analyze, mgh, npy, vti } from './grammars/rare-formats.ts';
 
 /** All that can be fuzzed, by the names that `npm run fuzz` takes. */
 export const grammars: Readonly<Record<string, Grammar>> = {
@@ -23,6 +23,8 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   metaimage: metaImage,
   mgh,
   analyze,
+  npy,
+  vti,
   manifest,
   attributes,
 };

@@ -1,7 +1,8 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 
 /**
- * Copies the samples of one volume out of an array that holds more. They are packed together, i fastest.
+ * Copies the samples of one volume out of an array that holds more, or whose axes have another order. They are packed
+ * together, i fastest. Bytes that are the volume already are returned as they are.
  * @param bytes - from the volume's first sample on
  * @param strides - samples from one voxel to the next along i, j and k
  */
@@ -12,7 +13,8 @@ export function pickVolume(
   strides: Vector3,
 ): Uint8Array<ArrayBuffer> {
   const [nx, ny, nz] = dimensions;
-  if (nx * ny * nz * bytesPerSample === bytes.length) return bytes;
+  const isAll = nx * ny * nz * bytesPerSample === bytes.length;
+  if (isAll && strides[0] === 1 && strides[1] === nx && strides[2] === nx * ny) return bytes;
   const picked = new Uint8Array(nx * ny * nz * bytesPerSample);
   let to = 0;
   for (let k = 0; k < nz; k++) {

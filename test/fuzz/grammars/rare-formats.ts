@@ -1,5 +1,5 @@
-import { gzipSync } from 'node:zlib';
-import { big, concat, little } from '../bytes.ts';
+import { deflateSync, gzipSync } from 'node:zlib';
+import { big, concat, latin1, little } from '../bytes.ts';
 import { damage, oneFile } from '../fuzz-case.ts';
 import type { FilesCase, Grammar } from '../fuzz-case.ts';
 import type { Random } from '../random.ts';
@@ -60,4 +60,79 @@ export const analyze: Grammar = (random) => {
   const samples = { name: random.or('a.img', 'a.img.gz', 'b.img'), bytes: damage(random, random.bytes(bytes * product(size))) };
   const files = random.chance(0.5) ? [header, samples] : [samples, header];
   return { files, ...(random.isWild() ? { stack: true as const } : {}) };
+};
+
+/** NPY: descriptions and shapes that lie. Source: numpy.lib.format */
+export const npy: Grammar = (random) => {
+  const [code, bytes] = random.pick([
+    ['|b1', 1],
+    ['<i2', 2],
+    ['>i2', 2],
+    ['<f2', 2],
+    ['<f4', 4],
+    ['>u8', 8],
+    ['<c16', 16],
+  ] as const);
+  const size = Array.from({ length: random.or(3, 1, 2, 4, 5) }, () => random.int(1, 7));
+  const shape = size.map((n) => random.size(n)).join(', ');
+  const description = `{'descr': ${random.or(`'${code}'`, "'|O'", "[('a', '<f4')]", "'".repeat(3000))}, 'fortran_order': ${random.pick(['True', 'False'])}, 'shape': (${random.or(shape, '', '1, '.repeat(9000))}), }\n`;
+  const version = random.or(1, 2, 3, 9);
+  const out = little().text('\x93NUMPY').u8(version, 0);
+  const length = random.size(description.length);
+  if (version === 1) out.u16(length & 0xffff);
+  else out.u32(length);
+  out.text(description).put(random.bytes(bytes * product(size)));
+  return mayPack(random, out.finish(), ['a.npy', 'a.npy.gz']);
+};
+
+/** Base64 of bytes, as VTK writes it. */
+const base64 = (bytes: Uint8Array): string => Buffer.from(bytes).toString('base64');
+
+/** VTI: extents, offsets, headers and blocks that lie. Source: VTK XML formats */
+export const vti: Grammar = (random) => {
+  const [type, bytes] = random.pick([
+    ['UInt8', 1],
+    ['Int16', 2],
+    ['Float32', 4],
+    ['Float64', 8],
+    ['Int64', 8],
+  ] as const);
+  const size = [random.int(2, 7), random.int(2, 7), random.int(2, 7)];
+  const samples = random.bytes(bytes * product(size));
+  const isWide = random.chance(0.3);
+  const isPacked = random.chance(0.5);
+  const form = random.pick(['ascii', 'binary', 'base64', 'raw']);
+  const head = (...values: number[]): Uint8Array<ArrayBuffer> => {
+    const out = little();
+    for (const value of values) {
+      if (isWide) out.u64(random.size(value));
+      else out.u32(random.size(value) % 2 ** 32);
+    }
+    return out.finish();
+  };
+  const block = isPacked
+    ? new Uint8Array(deflateSync(random.isWild() ? concat([samples, new Uint8Array(2e7)]) : samples))
+    : samples;
+  const header = isPacked ? head(1, samples.length, 0, block.length) : head(samples.length);
+  const text = isPacked ? base64(header) + base64(block) : base64(concat([header, block]));
+  const inline =
+    form === 'ascii' ? Array.from(samples.subarray(0, product(size))).join(' ') : form === 'binary' ? text : '';
+  const isAppended = form === 'base64' || form === 'raw';
+  const numbers = (...values: number[]): string => values.map((value) => random.number(value)).join(' ');
+  const extent = size.map((n) => `0 ${random.size(n - 1)}`).join(' ');
+  const xml =
+    `${random.or('<?xml version="1.0"?>\n', '', '<!-- x -->')}<VTKFile type="ImageData" header_type="${isWide ? 'UInt64' : 'UInt32'}" ` +
+    `byte_order="${random.or('LittleEndian', 'BigEndian')}" ${isPacked && form !== 'ascii' ? 'compressor="vtkZLibDataCompressor"' : ''}>` +
+    `<ImageData WholeExtent="${extent}" Origin="${numbers(0, 0, 0)}" Spacing="${numbers(1, 1.5, 2)}" Direction="${numbers(1, 0, 0, 0, 1, 0, 0, 0, 1)}">` +
+    `${'<Piece>'.repeat(random.or(1, 0, 3))}<${random.or('PointData', 'CellData')}>` +
+    `<DataArray type="${random.or<string>(type, 'String', '')}" Name="a" NumberOfComponents="${random.size(1)}" format="${isAppended ? 'appended' : form}" ${isAppended ? `offset="${random.size(0)}"` : ''}>${inline}</DataArray>` +
+    `</PointData></Piece></ImageData>`;
+  const appended = isAppended
+    ? [
+        latin1(`<AppendedData encoding="${form}">_`),
+        form === 'raw' ? concat([header, block]) : latin1(text),
+        latin1('</AppendedData>'),
+      ]
+    : [];
+  return oneFile(random.or('a.vti', 'a'), damage(random, concat([latin1(xml), ...appended, latin1('</VTKFile>')])));
 };

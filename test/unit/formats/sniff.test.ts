@@ -52,7 +52,7 @@ describe('files of formats that are not read', () => {
     ['DICOM', bytesOf(128, 'DICM', '\x02\0\0\0UL\x04\0', 40), /scan\.x is a DICOM file, .* dcm2niix/],
     ['DICOM without a preamble', bytesOf('\x08\0\x05\0CS\x0a\0ISO_IR 100', 60), /DICOM/],
     ['VTK', bytesOf('# vtk DataFile Version 3.0\nx\n'), /VTK/],
-    ['VTI', bytesOf('<?xml version="1.0"?>\n<VTKFile type="ImageData">'), /VTK/],
+    ['VTU', bytesOf('<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid">'), /VTK/],
     ['PAR', bytesOf('# === DATA DESCRIPTION FILE ===='), /PAR/],
     ['TIFF', tiff, /TIFF image, .* PNG/],
     ['AVIF', bytesOf('\0\0\0\x20ftypavif', 30), /AVIF/],

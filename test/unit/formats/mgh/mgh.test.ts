@@ -52,7 +52,7 @@ describe('MGH', () => {
 
   it('holds labels with the numbers of FreeSurfer', async () => {
     const { found } = labelsIn(await readFormatFile('labels.mgz'), 'labels.mgz');
-    expect([...found.ids]).to.deep.equal([2, 10, 41, 1001, 2035, 12101, 14175]);
+    expect([...found.ids]).to.deep.equal([0, 2, 10, 41, 1001, 2035, 12101, 14175]);
   });
 
   it('accepts the purpose that newer files have in their version', async () => {
