@@ -21,7 +21,9 @@ export function chooseRare(
   const name = nameOf(url);
   const foreign = findForeign(start);
   const found =
-    rareFormats.find((format) => format.matches(start)) ?? (foreign || bytes.length === 0 ? null : findData(name)) ?? last;
+    rareFormats.find((format) => format.matches(start)) ??
+    (foreign || bytes.length === 0 ? null : findData(name)) ??
+    last;
   if (found) return found;
   const formats = [...usual, ...rareFormats];
   const { text } = start;

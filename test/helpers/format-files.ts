@@ -44,9 +44,7 @@ export async function compareFormatFile(expected: FormatFile): Promise<Volume> {
 
 /** Decode files as if a person had chosen them from the disk. */
 export async function decodeChosen(names: readonly string[]): Promise<Volume> {
-  const files = await Promise.all(
-    names.map(async (name) => new File([await fetchFixture(`formats/${name}`)], name)),
-  );
+  const files = await Promise.all(names.map(async (name) => new File([await fetchFixture(`formats/${name}`)], name)));
   const { first, read } = await openFiles({ files, base: 'https://files.invalid/' }, { isStack: false });
   const fetchFile = (url: string): ReturnType<typeof read> => read(url, {});
   const context = {

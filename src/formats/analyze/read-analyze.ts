@@ -41,9 +41,7 @@ export const readAnalyze: FormatReader = async (input, settings, context) => {
   const left = [
     ...(volume.left ?? []),
     ...(orient >= 1 && orient <= 5
-      ? [
-          `the header's orientation (orient ${orient}): slices are taken as transverse, as SPM and nibabel take them`,
-        ]
+      ? [`the header's orientation (orient ${orient}): slices are taken as transverse, as SPM and nibabel take them`]
       : []),
   ];
   return placeVolume(

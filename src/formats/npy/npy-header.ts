@@ -33,8 +33,7 @@ export async function readNpyHeader(reader: PieceReader): Promise<NpyHeader> {
     throw corruptFile(what, `got ${length} bytes of description; expected at most ${maxHeaderBytes}`);
   const end = from + length;
   const bytes = await reader.readStart(end);
-  if (bytes.length < end)
-    throw corruptFile(what, `got ${bytes.length} bytes; expected ${end}: the file is cut short`);
+  if (bytes.length < end) throw corruptFile(what, `got ${bytes.length} bytes; expected ${end}: the file is cut short`);
   return { ...readDescription(new TextDecoder().decode(bytes.subarray(from))), end };
 }
 

@@ -81,11 +81,10 @@ function arrangeAxes({ shape, isFortran, type }: NpyHeader): NpyAxes {
   const steps = shape.map((_, axis) =>
     (isFortran ? shape.slice(0, axis) : shape.slice(axis + 1)).reduce((product, n) => product * n, 1),
   );
-  const [nx = 1, ny = 1, nz = 1, ...series] = [...shape].reverse();
-  const [sx = 1, sy = 1, sz = 1] = [...steps].reverse();
+  const fromEnd = (list: readonly number[]): Vector3 => [list.at(-1) ?? 1, list.at(-2) ?? 1, list.at(-3) ?? 1];
   return {
-    dimensions: [nx, ny, nz],
-    strides: [sx, sy, sz],
-    volumes: series.reduce((product, n) => product * n, 1),
+    dimensions: fromEnd(shape),
+    strides: fromEnd(steps),
+    volumes: shape.slice(0, -3).reduce((product, n) => product * n, 1),
   };
 }

@@ -69,7 +69,8 @@ export const readVti: FormatReader = async ({ bytes }, settings, { onProgress, b
 
 function chooseArray({ arrays, scalars }: VtiDocument): VtiArray {
   const single = arrays.filter(({ components }) => components === 1);
-  const chosen = single.find(({ name }) => scalars.includes(name)) ?? single.find(({ at }) => at === 'points') ?? single[0];
+  const chosen =
+    single.find(({ name }) => scalars.includes(name)) ?? single.find(({ at }) => at === 'points') ?? single[0];
   if (chosen) return chosen;
   throw arrays.length > 0
     ? unsupportedFile(

@@ -136,7 +136,10 @@ async function unpackBlocks(
   const lengthOf = (block: number): number => (block === count - 1 && last > 0 ? last : length);
   checkCount(count > 0 ? (count - 1) * length + lengthOf(count - 1) : 0, wanted);
   if (wanted > (bytes.length - at) * maxDeflateRatio)
-    throw corruptFile(what, `ends early: got ${bytes.length - at} packed bytes; its header asks for ${wanted} unpacked`);
+    throw corruptFile(
+      what,
+      `ends early: got ${bytes.length - at} packed bytes; its header asks for ${wanted} unpacked`,
+    );
   budget.take(wanted, what);
   const all = new Uint8Array(wanted);
   let to = 0;

@@ -6,6 +6,8 @@ export const vti: VolumeFormat = {
   endings: ['vti'],
   beginning: '<VTKFile type="ImageData">',
   matches: ({ text }) =>
-    /^(?:<\?xml[^>]{0,200}>\s*)?(?:<!--[^]{0,400}?-->\s*)?<VTKFile\b[^>]{0,300}\btype\s*=\s*["']ImageData["']/.test(text),
+    /^(?:<\?xml[^>]{0,200}>\s*)?(?:<!--[^]{0,400}?-->\s*)?<VTKFile\b[^>]{0,300}\btype\s*=\s*["']ImageData["']/.test(
+      text,
+    ),
   load: async () => (await import('#rare/formats/vti/read-vti.ts')).readVti,
 };

@@ -5,7 +5,11 @@ import type { FilesCase, Grammar } from '../fuzz-case.ts';
 import type { Random } from '../random.ts';
 
 /** A file that may be packed with gzip, and then may swell. */
-function mayPack(random: Random, whole: Uint8Array<ArrayBuffer>, [plain, packed]: readonly [string, string]): FilesCase {
+function mayPack(
+  random: Random,
+  whole: Uint8Array<ArrayBuffer>,
+  [plain, packed]: readonly [string, string],
+): FilesCase {
   const bytes = damage(random, whole);
   if (!random.chance(0.4)) return oneFile(random.or(plain, 'a'), bytes);
   const swollen = random.isWild() ? concat([bytes, new Uint8Array(random.pick([1e5, 2e7]))]) : bytes;
@@ -24,7 +28,11 @@ export const mgh: Grammar = (random) => {
     [10, 2],
   ] as const);
   const size = [random.int(1, 9), random.int(1, 9), random.int(1, 9), random.or(1, 2, 5)];
-  const out = big().u32(random.or(1, 0x201, 2), ...size.map((n) => random.size(n)), random.or<number>(code, 2, 5, 9, 99));
+  const out = big().u32(
+    random.or(1, 0x201, 2),
+    ...size.map((n) => random.size(n)),
+    random.or<number>(code, 2, 5, 9, 99),
+  );
   out.u32(random.size(0)).u16(random.or(1, 0, 0xffff));
   out.f32(...[1, 1.5, 2, -1, 0, 0, 0, 0, -1, 0, 1, 0, 5, 6, 7].map((entry) => random.number(entry)));
   out.zeros(284 - out.length).put(random.bytes(bytes * product(size)));
@@ -48,16 +56,26 @@ export const analyze: Grammar = (random) => {
   const size = [random.int(1, 9), random.int(1, 9), random.int(1, 9), random.or(1, 2, 5)];
   const short = (sound: number): number => random.size(sound) & 0xffff;
   const out = random.chance(0.7) ? little() : big();
-  out.u32(random.or(348, 540)).zeros(36).u16(random.or(4, 0, 3, 8), ...size.map(short), 1, 1, 1).zeros(14);
+  out
+    .u32(random.or(348, 540))
+    .zeros(36)
+    .u16(random.or(4, 0, 3, 8), ...size.map(short), 1, 1, 1)
+    .zeros(14);
   out.u16(random.or<number>(code, 0, 1, 128, 9999), short(8 * bytes), 0);
   out.f32(random.or(1, 0), ...[1, 1.5, 2, 1, 1, 1, 1].map((entry) => random.number(entry)));
   out.f32(random.isWild() ? random.size(0) : 0, random.number(random.pick([0, 1])), random.number(0)).zeros(4);
-  out.f32(random.number(random.pick([0, 100])), random.number(0)).zeros(8).u32(random.size(1000), random.size(0));
+  out
+    .f32(random.number(random.pick([0, 100])), random.number(0))
+    .zeros(8)
+    .u32(random.size(1000), random.size(0));
   out.zeros(252 - out.length).u8(random.or(0, 1, 5, 200));
   for (let axis = 0; axis < 3; axis++) out.u16(short(random.pick([0, 2])));
   out.zeros(344 - out.length).text(random.pick(['\0\0\0\0', '\0\0\0\0', 'ni1\0']));
   const header = { name: random.or('a.hdr', 'a'), bytes: damage(random, out.finish()) };
-  const samples = { name: random.or('a.img', 'a.img.gz', 'b.img'), bytes: damage(random, random.bytes(bytes * product(size))) };
+  const samples = {
+    name: random.or('a.img', 'a.img.gz', 'b.img'),
+    bytes: damage(random, random.bytes(bytes * product(size))),
+  };
   const files = random.chance(0.5) ? [header, samples] : [samples, header];
   return { files, ...(random.isWild() ? { stack: true as const } : {}) };
 };

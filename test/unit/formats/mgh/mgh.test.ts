@@ -79,7 +79,7 @@ describe('MGH files that are refused', () => {
       [{ dimensions: [100000, 100000, 100000] }, 'format/too-large', /100000 x 100000 x 100000/],
       [{ dimensions: [2000, 1000, 1000] }, 'format/corrupt', /ends early/],
     ] as const) {
-      const error = await refuse(fields as MghFields);
+      const error = await refuse(fields);
       expect([error.code, JSON.stringify(fields)]).to.deep.equal([code, JSON.stringify(fields)]);
       expect(error.message).to.match(words);
     }
