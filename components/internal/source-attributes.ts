@@ -6,7 +6,7 @@ import { property } from './reflecting-element.ts';
 /** The attributes that say which data to show, and how to read the files. */
 export class SourceAttributes extends LookAttributes {
   /**
-   * URL of the data: a NIfTI, NRRD or MetaImage file, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II), a JSON
+   * URL of the data: a NIfTI, NRRD or MetaImage file or one of more formats, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II), a JSON
    * manifest, or a ZIP archive that holds one volume.
    * Several URLs, separated by blanks, are scans in the order of time; a blank within a URL is written `%20`.
    */

@@ -41,7 +41,7 @@ export interface VolumeLabelInfo {
  */
 export class VolumeLabels extends AttachmentElement<LabelTarget> {
   /**
-   * A file with a label, a whole number, for each voxel: NIfTI, NRRD or MetaImage. Without it, the values of the volume itself are the
+   * A file with a label, a whole number, for each voxel: NIfTI, NRRD, MetaImage, MGZ and others. Without it, the values of the volume itself are the
    * labels.
    */
   @property() src!: string | null;

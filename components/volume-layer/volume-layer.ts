@@ -29,7 +29,7 @@ export interface LayerLook {
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good layer stays
  */
 export class VolumeLayer extends AttachmentElement<OverlayTarget> {
-  /** The file: NIfTI, NRRD, MetaImage, or a mosaic's manifest. */
+  /** The file: NIfTI, NRRD, MetaImage and others, or a mosaic's manifest. */
   @property() src!: string | null;
 
   /** Colour and opacity by data value, as on `<volume-view>`. The default depends on the values: two colours if they have both signs. */
