@@ -1,8 +1,5 @@
 import type { VolumeFormat } from '../base/format.ts';
 
-/** Bytes of the header; the samples follow it. */
-export const mghHeaderBytes = 284;
-
 export const mgh: VolumeFormat = {
   name: 'MGH',
   words: 'MGH (.mgh, .mgz)',

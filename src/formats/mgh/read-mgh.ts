@@ -7,12 +7,13 @@ import type { FormatReader } from '../base/format.ts';
 import { listLeft } from '../base/list-left.ts';
 import { numberTypes } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
-import { PieceReader, yieldOnce } from '../base/piece-reader.ts';
+import { PieceReader, readSpan, yieldOnce } from '../base/piece-reader.ts';
 import { placeVolume } from '../base/place-volume.ts';
-import { readSpan } from '../base/read-span.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
-import { mghHeaderBytes } from './mgh-format.ts';
+
+/** Bytes of the header; the samples follow it. */
+const mghHeaderBytes = 284;
 
 const what = 'the MGH header';
 

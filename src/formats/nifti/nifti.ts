@@ -12,10 +12,9 @@ import { detectNifti, headerSizes, niftiHeaderBytes, readVersion1 } from './nift
 import type { NiftiHeader } from './nifti-header.ts';
 import { niftiTypes } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
-import { PieceReader, yieldOnce } from '../base/piece-reader.ts';
+import { PieceReader, readSpan, yieldOnce } from '../base/piece-reader.ts';
+import type { StreamSource } from '../base/piece-reader.ts';
 import { placeVolume } from '../base/place-volume.ts';
-import { readSpan } from '../base/read-span.ts';
-import type { StreamSource } from '../base/read-span.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 
 export interface NiftiSource extends StreamSource {
