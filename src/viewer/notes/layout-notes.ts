@@ -1,6 +1,8 @@
-// Where the texts of notes stand over a picture: in columns at its sides, so that none covers another. Pixels are CSS pixels from the left
-// and top edge of the picture.
+// Where the texts of notes stand over a picture: in columns at its sides, so that none covers another, nor a pin. Pixels are CSS pixels from
+// the left and top edge of the picture.
 import type { Pixel } from '../camera/drag-place.ts';
+import { avoidPins, countFree } from './avoid-pins.ts';
+import type { Interval } from './avoid-pins.ts';
 
 /** A note over a picture. */
 export interface PlacedNote {
@@ -8,6 +10,8 @@ export interface PlacedNote {
   readonly anchor: Pixel | null;
   /** Width of its text. */
   readonly width: number;
+  /** Whether its place has no pin: texts may stand there. */
+  readonly hasNoPin?: boolean;
 }
 
 /** What does not change from note to note. */
@@ -33,11 +37,16 @@ export interface NoteColumn {
 export interface NoteOrder {
   /** Whether there is room for numbers only. */
   readonly isShort: boolean;
+  /** Whether texts cover pins: there is no room to keep them apart. */
+  readonly isCrowded: boolean;
   readonly columns: readonly NoteColumn[];
 }
 
 /** Distance from text to text, and from a text to the edge of the picture. */
 export const [gap, margin] = [4, 8];
+
+/** Texts stay this far away from the middle of a pin. */
+export const pinReach = 7;
 
 /** Columns are no farther from each other than this, as a share of the height of the picture: leaders would be long in a wide one. */
 const maxSpan = 1.7;
@@ -63,37 +72,98 @@ export function columnsOf({ width, height }: NoteRoom): { readonly maxWidth: num
 }
 
 /**
- * Choose column and order. Notes stay on their side, and in their order, unless their places have changed clearly.
+ * Choose column and order. Notes stay on their side, and in their order, unless their places have changed clearly. There are numbers in place
+ * of names where names have no room, or would cover pins.
  * @param before - the last order
  */
 export function arrangeNotes(notes: readonly PlacedNote[], room: NoteRoom, before: NoteOrder | null = null): NoteOrder {
-  const rows = countRows(room);
-  const { maxWidth, left } = columnsOf(room);
   const all = notes.flatMap(({ anchor }, i) => (anchor ? [i] : []));
-  const isShort = all.length > 2 * rows || maxWidth < 3 * room.line;
-  const sizeOf = (i: number): number => (isShort ? room.line : Math.min(notes[i].width, maxWidth));
-  const perSide = isShort ? Math.max(0, Math.floor((room.width / 2 - margin) / (room.line + gap))) : 1;
-  const shown = all.slice(0, 2 * perSide * rows);
-  const sides = divide(shown, notes, room, { before, max: perSide * rows });
-  const columns = sides.flatMap((side, isRight) => {
-    const count = Math.ceil(side.length / Math.max(1, rows));
-    const ordered = order(side, notes, before);
-    return Array.from({ length: count }, (_, column): NoteColumn => {
-      const members = ordered.filter((_, i) => i % count === column);
-      const width = Math.max(...members.map(sizeOf));
-      const from = (isShort ? margin : left) + column * (room.line + gap);
-      return { left: isRight ? room.width - from - width : from, width, isRight: Boolean(isRight), notes: members };
-    });
-  });
-  return { isShort, columns };
+  const pins = findPins(notes);
+  const judge = (columns: readonly NoteColumn[], isShort: boolean): NoteOrder & { readonly covered: number } => {
+    const order = { columns, isShort };
+    const covered = columns.reduce((sum, column) => sum + aim(column, order, notes, { room, pins }).covered, 0);
+    return { ...order, covered, isCrowded: covered > 0 };
+  };
+  const fits = all.length <= 2 * countRows(room) && columnsOf(room).maxWidth >= 3 * room.line;
+  const names = fits ? judge(columnsOfNames(all, notes, room, before), false) : null;
+  if (names?.covered === 0) return names;
+  const numbers = judge(columnsOfNumbers(all, notes, { room, pins }, before), true);
+  return names && names.covered <= numbers.covered ? names : numbers;
 }
 
-/** The notes of the left side and those of the right one, each at most `max`. */
+function columnsOfNames(
+  all: readonly number[],
+  notes: readonly PlacedNote[],
+  room: NoteRoom,
+  before: NoteOrder | null,
+): NoteColumn[] {
+  const { maxWidth, left } = columnsOf(room);
+  const rows = countRows(room);
+  return divide(all, notes, room, { before, max: [rows, rows] }).flatMap((side, right) => {
+    if (side.length === 0) return [];
+    const width = Math.max(...side.map((i) => Math.min(notes[i].width, maxWidth)));
+    const isRight = right === 1;
+    return [{ left: isRight ? room.width - left - width : left, width, isRight, notes: order(side, notes, before) }];
+  });
+}
+
+/** As many columns as the notes need where no number covers a pin; if there is no such room, as if there were no pins. */
+function columnsOfNumbers(
+  all: readonly number[],
+  notes: readonly PlacedNote[],
+  { room, pins }: Pinned,
+  before: NoteOrder | null,
+): NoteColumn[] {
+  const { line } = room;
+  const rows = countRows(room);
+  const perSide = Math.max(0, Math.floor((room.width / 2 - margin) / (line + gap)));
+  const leftOf = (column: number, isRight: boolean): number =>
+    isRight ? room.width - margin - column * (line + gap) - line : margin + column * (line + gap);
+  const [from, to] = boundsOf(1, room);
+  const free = [false, true].map((isRight) =>
+    Array.from({ length: perSide }, (_, column) => {
+      const left = leftOf(column, isRight);
+      return Math.min(rows, countFree(blockedBy(pins, left, left + line, line), { from, to, apart: line + gap }));
+    }),
+  );
+  const full = [0, 1].map(() => Array.from({ length: perSide }, () => rows));
+  const sum = (counts: readonly number[]): number => counts.reduce((a, b) => a + b, 0);
+  const counts = sum(free.flat()) >= all.length ? free : full;
+  const shown = all.slice(0, sum(counts.flat()));
+  return divide(shown, notes, room, { before, max: [sum(counts[0]), sum(counts[1])] }).flatMap((side, right) => {
+    const isRight = right === 1;
+    return deal(order(side, notes, before), counts[right])
+      .map((members, column) => ({
+        left: leftOf(column, isRight),
+        width: line,
+        isRight,
+        notes: members,
+      }))
+      .filter(({ notes: { length } }) => length > 0);
+  });
+}
+
+/** Deal notes to as few columns as hold them, so that each column has some of every height. @param counts - how many a column holds */
+function deal(notes: readonly number[], counts: readonly number[]): number[][] {
+  let [used, held] = [0, 0];
+  while (held < notes.length && used < counts.length) held += counts[used++];
+  const columns = counts.slice(0, used).map((): number[] => []);
+  notes.forEach((note, i) => {
+    // The column that is farthest behind its share.
+    const behind = columns.map(({ length }, at) =>
+      length < counts[at] ? ((i + 1) * counts[at]) / held - length : -Infinity,
+    );
+    columns[behind.indexOf(Math.max(...behind))].push(note);
+  });
+  return columns;
+}
+
+/** The notes of the left side and those of the right one, at most `max` of them. */
 function divide(
   shown: readonly number[],
   notes: readonly PlacedNote[],
   { width }: NoteRoom,
-  { before, max }: { readonly before: NoteOrder | null; readonly max: number },
+  { before, max }: { readonly before: NoteOrder | null; readonly max: readonly [number, number] },
 ): [number[], number[]] {
   const was = new Map(before?.columns.flatMap(({ notes: members, isRight }) => members.map((i) => [i, isRight])));
   const fromMiddle = (i: number): number => {
@@ -103,7 +173,7 @@ function divide(
   const sorted = [...shown];
   sorted.sort((a, b) => fromMiddle(a) - fromMiddle(b) || a - b);
   const left = sorted.filter((i) => fromMiddle(i) < 0).length;
-  const count = Math.max(sorted.length - max, Math.min(max, left));
+  const count = Math.max(sorted.length - max[1], Math.min(max[0], left));
   return [sorted.slice(0, count), sorted.slice(count)];
 }
 
@@ -123,22 +193,70 @@ function order(side: readonly number[], notes: readonly PlacedNote[], before: No
   return sorted;
 }
 
+/** A room with its pins. */
+interface Pinned {
+  readonly room: NoteRoom;
+  readonly pins: readonly Pixel[];
+}
+
+/** The pins of a picture, from top to bottom. */
+function findPins(notes: readonly PlacedNote[]): readonly Pixel[] {
+  const pins = notes.flatMap(({ anchor, hasNoPin }) => (anchor && !hasNoPin ? [anchor] : []));
+  return pins.sort((a, b) => a[1] - b[1]);
+}
+
+/** Where tops of a text from `left` to `right` cover pins, from top to bottom. */
+function blockedBy(pins: readonly Pixel[], left: number, right: number, line: number): Interval[] {
+  return pins.flatMap(([x, y]): Interval[] =>
+    x > left - pinReach && x < right + pinReach ? [[y - pinReach - line, y + pinReach]] : [],
+  );
+}
+
+/** Top of the first of some texts: where it is highest, and where it is lowest. */
+function boundsOf(count: number, { height, line, bottom = 0 }: NoteRoom): Interval {
+  return [margin, Math.max(margin, height - bottom - margin - line - (count - 1) * (line + gap))];
+}
+
 /**
- * The top of each text, by the number of its note: as near to the height of its place as the others allow.
- * @param before - the tops in the last picture, and the places there: then no text moves farther than its place by more than `maxStep`
+ * The tops of a column's texts: as near to the height of its place as the others and the pins allow.
+ * @param last - the tops in the last picture
+ */
+function aim(
+  { left, width, isRight, notes: members }: NoteColumn,
+  { isShort }: Pick<NoteOrder, 'isShort'>,
+  notes: readonly PlacedNote[],
+  { room, pins, last }: Pinned & { readonly last?: ReadonlyMap<number, number> },
+): { readonly tops: number[]; readonly covered: number } {
+  const { line } = room;
+  const apart = line + gap;
+  const wanted = members.map((i) => (notes[i].anchor?.[1] ?? (last?.get(i) ?? 0) + line / 2) - line / 2);
+  const shared = isShort ? blockedBy(pins, left, left + width, line) : null;
+  const blocked = members.map((i) => {
+    if (shared) return shared;
+    const own = Math.min(notes[i].width, width);
+    const from = isRight ? left + width - own : left;
+    return blockedBy(pins, from, from + own, line);
+  });
+  const [from, to] = boundsOf(members.length, room);
+  return avoidPins(spread(wanted, room), { wanted, blocked, from, to, apart, last: members.map((i) => last?.get(i)) });
+}
+
+/**
+ * The top of each text, by the number of its note: as near to the height of its place as the others and the pins allow.
+ * @param before - the tops in the last picture, and the places there: then no text moves farther than its place by more than `maxStep`, and
+ * may cover a pin that passes it
  */
 export function placeNotes(
-  { columns }: NoteOrder,
+  order: NoteOrder,
   notes: readonly PlacedNote[],
   room: NoteRoom,
   before: { readonly tops: ReadonlyMap<number, number>; readonly anchors: readonly (Pixel | null)[] } | null = null,
 ): Map<number, number> {
   const tops = new Map<number, number>();
-  for (const { notes: members } of columns) {
-    const wanted = members.map(
-      (i) => (notes[i].anchor?.[1] ?? (before?.tops.get(i) ?? 0) + room.line / 2) - room.line / 2,
-    );
-    const targets = spread(wanted, room);
+  const pins = findPins(notes);
+  for (const column of order.columns) {
+    const { notes: members } = column;
+    const { tops: targets } = aim(column, order, notes, { room, pins, last: before?.tops });
     const from = members.map((i) => before?.tops.get(i));
     // Both the last tops and the targets keep their distances, and so does everything between them.
     const share = members.reduce((least, i, at) => {
@@ -159,8 +277,8 @@ export function placeNotes(
  * Tops that keep their order and distance, stay in the picture, and are nearest to the wanted ones in the sense of least squares.
  * Source: pool adjacent violators, Ayer et al. 1955; bounds may be applied afterwards, Barlow et al. 1972
  */
-function spread(wanted: readonly number[], { height, line, bottom = 0 }: NoteRoom): number[] {
-  const apart = line + gap;
+function spread(wanted: readonly number[], room: NoteRoom): number[] {
+  const apart = room.line + gap;
   const blocks: { sum: number; count: number }[] = [];
   wanted.forEach((top, i) => {
     let block = { sum: top - i * apart, count: 1 };
@@ -170,8 +288,8 @@ function spread(wanted: readonly number[], { height, line, bottom = 0 }: NoteRoo
     }
     blocks.push(block);
   });
-  const max = Math.max(margin, height - bottom - margin - line - (wanted.length - 1) * apart);
+  const [from, to] = boundsOf(wanted.length, room);
   return blocks
-    .flatMap(({ sum, count }) => Array.from({ length: count }, () => Math.min(max, Math.max(margin, sum / count))))
+    .flatMap(({ sum, count }) => Array.from({ length: count }, () => Math.min(to, Math.max(from, sum / count))))
     .map((top, i) => top + i * apart);
 }

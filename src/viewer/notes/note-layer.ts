@@ -224,11 +224,16 @@ export class NoteLayer implements ViewPart {
   }
 
   #notes(anchors: readonly (Pixel | null)[]): PlacedNote[] {
-    return this.#marks.map(({ width }, i) => ({ anchor: anchors[i], width }));
+    return this.#marks.map(({ width, isAway }, i) => ({
+      anchor: anchors[i],
+      width,
+      hasNoPin: isAway || !this.#isInside(anchors[i]),
+    }));
   }
 
   /** Choose the order of the texts that are shown. */
   #arrange(anchors: readonly (Pixel | null)[]): void {
+    this.#element.classList.remove('short');
     for (const mark of this.#marks) mark.measure();
     const bottom = this.view.shadowRoot!.querySelector('.controls') ? barHeight : 0;
     this.#room = { ...this.#room, bottom };

@@ -226,11 +226,8 @@ export class NoteMark {
     if (anchor) {
       this.pin.style.left = `${((100 * anchor[0]) / room.width).toFixed(3)}%`;
       this.pin.style.top = `${((100 * anchor[1]) / room.height).toFixed(3)}%`;
-      const end = left + size / 2 < anchor[0] ? left + size : left;
-      this.line.setAttribute(
-        'd',
-        `M${end.toFixed(1)} ${(top + room.line / 2).toFixed(1)}L${anchor[0].toFixed(1)} ${anchor[1].toFixed(1)}`,
-      );
+      const [x, y] = startOfLine(anchor, { left, top, size, line: room.line });
+      this.line.setAttribute('d', `M${x.toFixed(1)} ${y.toFixed(1)}L${anchor[0].toFixed(1)} ${anchor[1].toFixed(1)}`);
     }
     if (!this.panel.hidden) this.#placePanel(left, top, size, room);
   }
@@ -245,4 +242,19 @@ export class NoteMark {
       Math.max(margin, Math.min(side - margin - length, at));
     this.panel.style.transform = `translate(${clamp(x, offsetWidth, width).toFixed(1)}px, ${clamp(y, offsetHeight, height).toFixed(1)}px)`;
   }
+}
+
+/** Where the line leaves a text: at its side, or at its upper or lower edge where the pin is above or below it. */
+function startOfLine(
+  [x, y]: Pixel,
+  {
+    left,
+    top,
+    size,
+    line,
+  }: { readonly left: number; readonly top: number; readonly size: number; readonly line: number },
+): Pixel {
+  const [from, to] = [left + line / 2, left + size - line / 2];
+  if (x > from && x < to) return [x, y < top + line / 2 ? top : top + line];
+  return [x > left + size / 2 ? left + size : left, top + line / 2];
 }

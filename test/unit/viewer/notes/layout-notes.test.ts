@@ -5,14 +5,9 @@ import { projectPlace } from '../../../../src/viewer/camera/project-place.ts';
 import { arrangeNotes, gap, margin, maxStep, placeNotes } from '../../../../src/viewer/notes/layout-notes.ts';
 import type { NoteOrder, NoteRoom, PlacedNote } from '../../../../src/viewer/notes/layout-notes.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
+import { findProblems, textBoxes } from '../../../helpers/note-boxes.ts';
+import type { TextBox } from '../../../helpers/note-boxes.ts';
 import { randomNumbers } from '../../../helpers/synthetic.ts';
-
-interface Box {
-  readonly left: number;
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
-}
 
 const rooms: readonly NoteRoom[] = [
   { width: 640, height: 480, line: 24 },
@@ -44,42 +39,18 @@ const inside = (anchors: readonly (Pixel | null)[], { width, height }: NoteRoom)
 const noted = (anchors: readonly (Pixel | null)[], widths: readonly number[]): PlacedNote[] =>
   anchors.map((anchor, i) => ({ anchor, width: widths[i] }));
 
-function boxesOf(
-  { columns, isShort }: NoteOrder,
+const boxesOf = (
+  order: NoteOrder,
   tops: ReadonlyMap<number, number>,
   widths: readonly number[],
   room: NoteRoom,
-): Map<number, Box> {
-  const boxes = new Map<number, Box>();
-  for (const { notes, left, width, isRight } of columns)
-    for (const i of notes) {
-      const own = isShort ? room.line : Math.min(width, widths[i]);
-      const from = isRight ? left + width - own : left;
-      boxes.set(i, { left: from, right: from + own, top: tops.get(i)!, bottom: tops.get(i)! + room.line });
-    }
-  return boxes;
-}
-
-/** Texts that cover another one, or are not inside the picture. */
-function findProblems(boxes: ReadonlyMap<number, Box>, { width, height }: NoteRoom): Box[] {
-  const all = [...boxes.values()];
-  const slack = 1e-6;
-  return all.filter(
-    (a, i) =>
-      Math.min(a.left, a.top) < -slack ||
-      a.right > width + slack ||
-      a.bottom > height + slack ||
-      all
-        .slice(0, i)
-        .some(
-          (b) =>
-            a.left < b.right - slack &&
-            b.left < a.right - slack &&
-            a.top < b.bottom - slack &&
-            b.top < a.bottom - slack,
-        ),
+): ReadonlyMap<number, TextBox> =>
+  textBoxes(
+    order,
+    tops,
+    widths.map((width) => ({ anchor: null, width })),
+    room,
   );
-}
 
 describe('the layout of notes', () => {
   for (const count of [1, 7, 20, 100, 400])
