@@ -1,6 +1,7 @@
 /**
  * States of an element that CSS may ask for, `volume-view:state(loading)`. Browsers without custom states get an attribute
- * instead: `volume-view[data-state-loading]`.
+ * instead: `volume-view[data-state-loading]`. Styles ask for both in `:is()`, as such a browser drops a whole rule with `:state()`:
+ * `:host(:is(:state(loading), [data-state-loading]))`.
  */
 export class CustomStates<State extends string> {
   readonly #host: HTMLElement;

@@ -12,7 +12,7 @@ export const noticeStyles = `
   pointer-events: none;
   color: var(--volume-view-notice-color, #f2f5fa);
 }
-:host(:state(error)) .notice {
+:host(:is(:state(error), [data-state-error])) .notice {
   inset-block-start: 56px;
 }
 .notice > button {

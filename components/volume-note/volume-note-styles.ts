@@ -18,14 +18,12 @@ export const styles = css`
   }
 
   /* In the page, outside of a view. */
-  :host(:state(linked)),
-  :host([data-state-linked]) {
+  :host(:is(:state(linked), [data-state-linked])) {
     display: flow-root;
     border-radius: 6px;
   }
 
-  :host(:state(active)),
-  :host([data-state-active]) {
+  :host(:is(:state(active), [data-state-active])) {
     background: var(--volume-note-highlight, rgb(47 125 225 / 0.16));
     box-shadow: 0 0 0 4px var(--volume-note-highlight, rgb(47 125 225 / 0.16));
   }
@@ -53,7 +51,7 @@ export const styles = css`
   }
 
   @media (forced-colors: active) {
-    :host(:state(active)) {
+    :host(:is(:state(active), [data-state-active])) {
       outline: 2px solid Highlight;
     }
   }

@@ -28,7 +28,7 @@ export const styles = css`
   }
 
   /* An error message is at the bottom: the buttons move to the top, and their panels are above the message. */
-  :host(:state(error)) .controls {
+  :host(:is(:state(error), [data-state-error])) .controls {
     z-index: 1;
     inset-block: 8px auto;
     flex-direction: column-reverse;

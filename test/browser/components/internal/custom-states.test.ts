@@ -1,4 +1,7 @@
 import { expect } from '@esm-bundle/chai';
+import { noticeStyles } from '../../../../components/internal/view-notices-styles.ts';
+import { styles as controlStyles } from '../../../../components/volume-view/view-controls-styles.ts';
+import { styles as noteStyles } from '../../../../components/volume-note/volume-note-styles.ts';
 import { CustomStates } from '../../../../components/internal/custom-states.ts';
 
 class TestState extends HTMLElement {
@@ -44,4 +47,22 @@ describe('custom states', () => {
       expect(element.attributes.length).to.equal(0);
     });
   }
+
+  for (const [what, text, state, property] of [
+    ['notes in the page', noteStyles.cssText, 'linked', 'display'],
+    ['notes that are pointed at', noteStyles.cssText, 'active', 'background'],
+    ['controls above an error', controlStyles.cssText, 'error', 'inset-block'],
+    ['notices above an error', noticeStyles, 'error', 'inset-block-start'],
+  ] as const)
+    it(`styles of ${what} find the attribute in a browser that does not know :state()`, () => {
+      const sheet = new CSSStyleSheet();
+      // To this browser the name says as little as `:state()` to an older one.
+      sheet.replaceSync(text.replaceAll(':state(', ':unknown('));
+      const rules = [...sheet.cssRules].filter(
+        (rule): rule is CSSStyleRule =>
+          rule instanceof CSSStyleRule && rule.selectorText.includes(`[data-state-${state}]`),
+      );
+      expect(rules.some(({ style }) => style.getPropertyValue(property) !== '')).to.equal(true);
+      expect(text.match(/:state\(/g)!.length).to.equal(text.match(/\[data-state-/g)!.length);
+    });
 });
