@@ -323,6 +323,34 @@ test.describe('notes', () => {
     await expect.poll(() => page.locator('volume-view .pin').count()).toBe(1000);
   });
 
+  test('cover no pin in a narrow view, and are not seen before the first picture', async ({ page }) => {
+    const sides = [
+      [-9, 0, 6],
+      [-9, 0, -3],
+      [9, 0, 5],
+      [9, 0, -6],
+      [0, 0, 0],
+    ].map((at, i) => `<volume-note hide="never" position="${at.join(' ')}" label="A long name ${i}"></volume-note>`);
+    await open(
+      page,
+      view(sides.join(''), { src: 'absent.nii.gz' }).replace(size, 'style="width: 300px; height: 220px"'),
+    );
+    await expect(note(page, 'A long name 0')).toHaveCSS('opacity', '0');
+    await page.evaluate((url) => document.querySelector('volume-view')!.setAttribute('src', url), fieldUrl);
+    await rest(page);
+    const { covered, pins } = await page.evaluate(() => {
+      const boxes = (name: string): DOMRect[] =>
+        [...document.querySelector('volume-view')!.shadowRoot!.querySelectorAll(name)].map((one) =>
+          one.getBoundingClientRect(),
+        );
+      const [pins, texts] = [boxes('.pin'), boxes('.note')];
+      const touch = (a: DOMRect, b: DOMRect): boolean =>
+        a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+      return { covered: texts.filter((text) => pins.some((pin) => touch(text, pin))).length, pins: pins.length };
+    });
+    expect({ covered, pins }).toEqual({ covered: 0, pins: 5 });
+  });
+
   test('are numbers where there is no room for all names; a screen reader gets number and name', async ({ page }) => {
     const many = Array.from(
       { length: 40 },

@@ -70,6 +70,8 @@ export class NoteMark {
   #ownSlot: string | null = null;
   #sight: NoteSight = 'plain';
   #isOutside = false;
+  /** Whether the text has a place over the picture: not before the first picture, and not where there is no room. */
+  #hasPlace = false;
   width = 0;
 
   constructor(
@@ -93,7 +95,6 @@ export class NoteMark {
     this.text.setAttribute('aria-controls', this.panel.id);
     // Until the first picture it is not known where they are.
     for (const one of [this.pin, this.line]) one.classList.add('out');
-    this.text.classList.add('away');
     this.panel.hidden = true;
     this.#number = document.createElement('span');
     this.#number.className = 'number';
@@ -203,6 +204,7 @@ export class NoteMark {
       one.dataset.sight = this.#sight;
       one.classList.toggle('away', isAway);
     }
+    this.text.classList.toggle('away', isAway || !this.#hasPlace);
     this.text.ariaDescription = this.#isOutside
       ? messages.noteOutside
       : this.#sight === 'hidden'
@@ -218,10 +220,10 @@ export class NoteMark {
       this.#isOutside = isOutside;
       this.#update();
     }
-    const hasNoRoom = !isPlaced && !this.owner.isOpen;
+    this.#hasPlace = isPlaced || this.owner.isOpen;
     this.pin.classList.toggle('out', isOutside);
     this.line.classList.toggle('out', isOutside || !isPlaced);
-    this.text.classList.toggle('away', this.isAway || hasNoRoom);
+    this.text.classList.toggle('away', this.isAway || !this.#hasPlace);
     this.text.style.transform = `translate(${left.toFixed(2)}px, ${top.toFixed(2)}px)`;
     if (anchor) {
       this.pin.style.left = `${((100 * anchor[0]) / room.width).toFixed(3)}%`;
