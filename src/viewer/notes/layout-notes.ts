@@ -202,7 +202,8 @@ interface Pinned {
 /** The pins of a picture, from top to bottom. */
 function findPins(notes: readonly PlacedNote[]): readonly Pixel[] {
   const pins = notes.flatMap(({ anchor, hasNoPin }) => (anchor && !hasNoPin ? [anchor] : []));
-  return pins.sort((a, b) => a[1] - b[1]);
+  pins.sort((a, b) => a[1] - b[1]);
+  return pins;
 }
 
 /** Where tops of a text from `left` to `right` cover pins, from top to bottom. */

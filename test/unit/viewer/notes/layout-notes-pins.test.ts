@@ -66,7 +66,7 @@ describe('texts of notes and pins', () => {
     });
   });
 
-  it('a view without room for names beside the pins has numbers', () => {
+  it('a view without room for names between the pins has numbers', () => {
     const room: NoteRoom = { width: 300, height: 200, line: 28 };
     const notes = Array.from({ length: 12 }, (_, i): PlacedNote => ({
       anchor: [20 + 50 * (i % 3) + (i % 2 ? 150 : 0), 30 + 12 * i],
@@ -122,11 +122,11 @@ describe('a column of texts between pins', () => {
       const [from, to, apart] = [8, 40, 14];
       const wanted = [0, 1].map(() => Math.round(8 + 44 * random()) + 0.25);
       wanted.sort((a, b) => a - b);
-      const blocked = wanted.map(() =>
-        Array.from({ length: 3 }, () => Math.round(60 * random()))
-          .toSorted((a, b) => a - b)
-          .map((y) => [y - 9, y + 5] as const),
-      );
+      const blocked = wanted.map(() => {
+        const pins = Array.from({ length: 3 }, () => Math.round(60 * random()));
+        pins.sort((one, other) => one - other);
+        return pins.map((y) => [y - 9, y + 5] as const);
+      });
       const isFree = (i: number, top: number): boolean => blocked[i].every(([a, b]) => top <= a || top >= b);
       let best = Infinity;
       for (let first = from; first <= to; first++)
