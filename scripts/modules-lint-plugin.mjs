@@ -99,6 +99,7 @@ export const FOLDERS = {
     'nrrd',
     'metaimage',
     'mgh',
+    'dicom',
     'analyze',
     'npy',
     'vti',

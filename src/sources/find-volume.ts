@@ -23,6 +23,8 @@ const everyFormat: readonly Format[] = [...allFormats, ...rareFormats];
 export interface FoundVolume {
   readonly first: string;
   readonly files?: readonly string[];
+  /** Whether names of the files may be those of patients: then messages do not have them. */
+  readonly isPrivate?: true;
 }
 
 export interface FindOptions {
@@ -33,7 +35,8 @@ export interface FindOptions {
 
 /**
  * Finds the one volume that the files of an archive, or chosen files, hold: the file of a manifest, else the only file of
- * a volume, whose header may name other files; else the only image, or all images as the slices of a stack.
+ * a volume, whose header may name other files; else all files of series; else the only image, or all images as the slices
+ * of a stack.
  * @param what - the store, for messages: 'the ZIP archive scan.zip'
  * @throws {VolumeViewError} `format/unknown` where there is none, `format/unsupported` where there are several
  */
@@ -63,7 +66,7 @@ export async function findVolume(
       return { first: division.first };
     case 'stack':
       checkFileCount(what, division.files.length);
-      return { first: division.files[0], files: division.files };
+      return { first: division.files[0], files: division.files, ...(division.of === 'slices' && { isPrivate: true }) };
     case 'several':
       throw refuseSeveral(what, division.urls, division.of);
     case 'nothing':
@@ -77,6 +80,7 @@ async function sniffKind(store: ByteStore, url: string, start: FileStart): Promi
   if (!format) return 'other';
   if (format === manifest) return (await isManifest(store, url)) ? 'manifest' : 'other';
   if ('loadImage' in format) return 'image';
+  if (format.isSlice) return 'slice';
   return (await isCertain(format, start)) ? 'volume' : 'packed';
 }
 

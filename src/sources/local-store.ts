@@ -41,10 +41,12 @@ export class LocalStore implements ByteStore {
       );
     } catch (cause) {
       signal?.throwIfAborted();
-      if (cause instanceof VolumeViewError) throw refuseSize(pathOf(url), part.size, maxBytes!);
+      // The name of a single file may be that of a patient, and says nothing new.
+      const name = this.#files.size > 1 ? pathOf(url) : 'the chosen file';
+      if (cause instanceof VolumeViewError) throw refuseSize(name, part.size, maxBytes!);
       throw new VolumeViewError(
         'source/not-found',
-        `${pathOf(url)} can not be read from the disk: it was moved, changed or removed since it was chosen, or it is a folder; expected a file. Choose it again`,
+        `${name} can not be read from the disk: it was moved, changed or removed since it was chosen, or it is a folder; expected a file. Choose it again`,
         { cause },
       );
     }

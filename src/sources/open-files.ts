@@ -1,5 +1,6 @@
 // Opens what holds files: a ZIP archive, or the files that a person chose. Loaded when it is needed.
 import { VolumeViewError } from '../core/errors.ts';
+import type { ErrorCode } from '../core/errors.ts';
 import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import type { LocalFiles } from '../formats/base/load-request.ts';
 import { nameOf } from '../formats/base/name-of.ts';
@@ -47,10 +48,12 @@ async function openZip(store: ByteStore, url: string, name: string, options: Fin
 }
 
 async function openStore(store: ByteStore, what: string, base: string, options: FindOptions): Promise<OpenedFiles> {
+  const found = await findVolume(store, what, options);
   return {
-    ...(await findVolume(store, what, options)),
+    ...found,
     async read(url, reading) {
-      if (url.startsWith(base)) return store.read(url, reading);
+      if (url.startsWith(base))
+        return found.isPrivate ? readPrivate(store, url, found, reading) : store.read(url, reading);
       if (url.startsWith('data:')) return new HttpStore({ pageOrigin: '' }).read(url, reading);
       // A file from anywhere must not make the page request what its author has not named.
       throw new VolumeViewError(
@@ -60,3 +63,29 @@ async function openStore(store: ByteStore, what: string, base: string, options: 
     },
   };
 }
+
+/** Reads a file whose name is not to be seen: errors have its number instead. */
+async function readPrivate(
+  store: ByteStore,
+  url: string,
+  { files = [] }: FoundVolume,
+  options: ReadOptions,
+): Promise<DecodeInput> {
+  try {
+    return await store.read(url, options);
+  } catch (cause) {
+    options.signal?.throwIfAborted();
+    if (!(cause instanceof VolumeViewError)) throw cause;
+    throw new VolumeViewError(
+      cause.code,
+      `file ${files.indexOf(url) + 1} of ${files.length} (in the order of their names) can not be read: ${reasons[cause.code] ?? 'it is damaged; fetch or pack the files again'}`,
+    );
+  }
+}
+
+/** Why a file of a store is not read, without its name. */
+const reasons: Partial<Record<ErrorCode, string>> = {
+  'source/not-found': 'it was moved, changed or removed since it was chosen; choose the files again',
+  'format/too-large': 'it is too large',
+  'format/unsupported': 'it is encrypted, or packed with another method than Deflate; pack the files again',
+};

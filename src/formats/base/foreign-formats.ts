@@ -21,15 +21,6 @@ const asPng = 'to PNG, one file for each slice, and list them in src with the at
 /** Sources: each format's own description, in the manuals of its tools. */
 const foreign: readonly ForeignFormat[] = [
   {
-    name: 'a DICOM file',
-    advice: 'with all files of its series to NIfTI: dcm2niix -z y folder',
-    // After a preamble, or, in old files, from the first group on (0002 or 0008, with a value representation of two
-    // letters).
-    matches: (_, bytes) =>
-      startsWith(bytes.subarray(128), 'DICM') ||
-      ([2, 8].includes(bytes[0]) && bytes[1] === 0 && bytes[3] === 0 && /^[A-Z]{2}$/.test(latin(bytes.subarray(4), 2))),
-  },
-  {
     name: 'a VTK file',
     advice: 'to MetaImage (.mha) or NRRD, with ParaView or 3D Slicer',
     matches: ({ text }) => text.startsWith('# vtk DataFile') || /^(<\?xml[^>]{0,100}>\s*)?<VTKFile/.test(text),

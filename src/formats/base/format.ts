@@ -84,6 +84,8 @@ interface FormatBase {
 export interface VolumeFormat extends FormatBase {
   /** Whether the reader accepts the other files of a stack, as `further`. */
   readonly takesFiles?: true;
+  /** Whether each file is a part of a volume, mostly one slice: all such files of a folder belong together. */
+  readonly isSlice?: true;
   load(): Promise<FormatReader>;
 }
 

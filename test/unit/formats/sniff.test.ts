@@ -47,10 +47,8 @@ describe('files of formats that are not read', () => {
       ),
     );
   const tiff = bytesOf('II*', 30);
-  // What each begins with. Sources: DICOM PS3.10 7.1; VTK file formats; TIFF 6.0; GRIB2 and BUFR of WMO-No. 306
+  // What each begins with. Sources: VTK file formats; TIFF 6.0; GRIB2 and BUFR of WMO-No. 306
   const cases: readonly (readonly [string, Uint8Array<ArrayBuffer>, RegExp])[] = [
-    ['DICOM', bytesOf(128, 'DICM', '\x02\0\0\0UL\x04\0', 40), /scan\.x is a DICOM file, .* dcm2niix/],
-    ['DICOM without a preamble', bytesOf('\x08\0\x05\0CS\x0a\0ISO_IR 100', 60), /DICOM/],
     ['VTK', bytesOf('# vtk DataFile Version 3.0\nx\n'), /VTK/],
     ['VTU', bytesOf('<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid">'), /VTK/],
     ['PAR', bytesOf('# === DATA DESCRIPTION FILE ===='), /PAR/],

@@ -58,6 +58,26 @@ describe('several files are', () => {
       false,
       { is: 'volume', first: `${base}a.gz` },
     ],
+    [
+      'those of series, in the order of their numbers, and not their preview',
+      [
+        ['a.png', 'image'],
+        ['10.dcm', 'slice'],
+        ['9.dcm', 'slice'],
+        ['a.gz', 'packed'],
+      ],
+      false,
+      { is: 'stack', of: 'slices', files: urls('9.dcm', '10.dcm') },
+    ],
+    [
+      'one volume of one file of a series',
+      [
+        ['a.txt', 'other'],
+        ['1.dcm', 'slice'],
+      ],
+      false,
+      { is: 'volume', first: `${base}1.dcm` },
+    ],
     ['a mosaic where there is one image', [['a.png', 'image']], true, { is: 'volume', first: `${base}a.png` }],
     [
       'several volumes',
@@ -79,7 +99,7 @@ describe('several files are', () => {
       'the slices of one volume where it does, in the order of their numbers',
       images,
       true,
-      { is: 'stack', files: urls('slice 9.png', 'slice 10.png') },
+      { is: 'stack', of: 'images', files: urls('slice 9.png', 'slice 10.png') },
     ],
   ] as const satisfies readonly (readonly [string, readonly Named[], boolean, Division])[]) {
     it(what, () => expect(divide(files, isStack)).to.deep.equal(expected));

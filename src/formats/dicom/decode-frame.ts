@@ -1,0 +1,121 @@
+// The numbers of one frame.
+import type { Budget } from '../base/budget.ts';
+import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
+import { hostIsLittleEndian, swapBytes } from '../base/number-types.ts';
+import type { Picture, StoredType } from './picture.ts';
+import { unpackRle } from './rle.ts';
+
+export type FrameNumbers =
+  | Uint8Array
+  | Int8Array
+  | Uint16Array
+  | Int16Array
+  | Uint32Array
+  | Int32Array
+  | Float32Array
+  | Float64Array;
+
+export const arrayOf = {
+  uint8: Uint8Array,
+  int8: Int8Array,
+  uint16: Uint16Array,
+  int16: Int16Array,
+  uint32: Uint32Array,
+  int32: Int32Array,
+  float32: Float32Array,
+  float64: Float64Array,
+} as const satisfies Record<StoredType, unknown>;
+
+/** Checks that all frames of a picture are there, before memory is used for them. @throws {VolumeViewError} `format/corrupt`, `format/unsupported` */
+export function checkFrames(picture: Picture): void {
+  const { what, pixels, frames, syntax } = picture;
+  const { packing } = syntax;
+  if (packing !== 'none' && packing !== 'RLE') {
+    throw unsupportedFile(
+      what,
+      `is packed with ${packing === 'unknown' ? 'a method of its own' : packing}, which volume-view does not read yet; unpack all files of the series: ${packing === 'JPEG' || packing === 'lossless JPEG' ? 'dcmdjpeg in.dcm out.dcm' : 'gdcmconv --raw in.dcm out.dcm'}`,
+    );
+  }
+  if (!pixels.bytes) {
+    if (pixels.fragments.length < frames)
+      throw corruptFile(
+        what,
+        `ends early: got ${pixels.fragments.length} pieces of packed pixels; expected ${frames} or more, one for each frame`,
+      );
+    return;
+  }
+  if (packing !== 'none') throw corruptFile(what, `says that it is packed with ${packing}, and its pixels are not`);
+  const wanted = frames * frameBytes(picture);
+  if (pixels.bytes.length >= wanted) return;
+  throw corruptFile(
+    what,
+    `ends early: got ${pixels.bytes.length.toLocaleString('en')} bytes of pixels; ${frames} frame${frames > 1 ? 's' : ''} of ${picture.columns} x ${picture.rows} pixels of ${picture.bitsAllocated} bits need ${wanted.toLocaleString('en')}. Copy the file again`,
+  );
+}
+
+function frameBytes({ rows, columns, bitsAllocated }: Picture): number {
+  return (rows * columns * bitsAllocated) / 8;
+}
+
+/**
+ * The stored numbers of a frame, row by row, in memory of their own.
+ * @param frame - from 0
+ */
+export function decodeFrame(picture: Picture, frame: number, budget: Budget): FrameNumbers {
+  const { type, pixels, bitsAllocated, what } = picture;
+  const size = frameBytes(picture);
+  const bytes = new Uint8Array(size);
+  const packed = pixels.bytes ? pixels.bytes.subarray(frame * size, (frame + 1) * size) : joinFragments(picture, frame);
+  if (picture.syntax.packing === 'RLE') {
+    budget.step(size / 16, what);
+    unpackRle(packed, bytes, bitsAllocated / 8, what);
+    if (!hostIsLittleEndian) swapBytes(bytes, bitsAllocated / 8);
+  } else {
+    if (packed.length < size)
+      throw corruptFile(what, `ends early: got ${packed.length} bytes of a frame; expected ${size}`);
+    bytes.set(packed.subarray(0, size));
+    // Bytes in words of 16 bits have the byte order of words.
+    const word = bitsAllocated === 8 && pixels.vr === 'OW' && !pixels.littleEndian ? 2 : bitsAllocated / 8;
+    if (word > 1 && (bitsAllocated === 8 || pixels.littleEndian !== hostIsLittleEndian)) swapBytes(bytes, word);
+  }
+  const numbers = new arrayOf[type](bytes.buffer, 0, picture.rows * picture.columns);
+  trimBits(numbers, picture);
+  return numbers;
+}
+
+/** A frame may lie in several pieces: where it begins is said in bytes, or there is one piece for each frame, or one frame. */
+function joinFragments({ pixels: { fragments, offsets }, frames, what }: Picture, frame: number): Uint8Array {
+  if (fragments.length === frames) return fragments[frame];
+  let mine = fragments;
+  if (frames > 1) {
+    if (offsets.length < frames)
+      throw corruptFile(
+        what,
+        `has ${fragments.length} pieces of packed pixels for ${frames} frames, and does not say where each begins`,
+      );
+    const [start, end] = [offsets[frame], offsets[frame + 1] ?? Infinity];
+    let at = 0;
+    mine = fragments.filter(({ length }) => {
+      const place = at;
+      at += 8 + length;
+      return place >= start && place < end;
+    });
+  }
+  const joined = new Uint8Array(mine.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const piece of mine) {
+    joined.set(piece, at);
+    at += piece.length;
+  }
+  return joined;
+}
+
+/** Bits above and below a number belong to something else, such as overlays. Source: PS3.5, 8.1.1 */
+function trimBits(numbers: FrameNumbers, { bitsAllocated, bitsStored, shift, isSigned, type }: Picture): void {
+  if (bitsStored === bitsAllocated || type === 'float32' || type === 'float64') return;
+  const above = 32 - bitsStored - shift;
+  for (let i = 0; i < numbers.length; i++) {
+    const up = numbers[i] << above;
+    numbers[i] = isSigned ? up >> (above + shift) : up >>> (above + shift);
+  }
+}

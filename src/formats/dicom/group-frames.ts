@@ -1,0 +1,173 @@
+// Which frames make the volume: those of one series, orientation, pixel spacing and size, one at each place.
+import { dot } from '../../volume/matrix.ts';
+import type { Budget } from '../base/budget.ts';
+import type { Frame, Plane } from './frame.ts';
+
+export interface ChosenFrames {
+  /** With at most one at each place, in their order along the normal; without places, in the order of their numbers. */
+  readonly frames: readonly Frame[];
+  /** What of the files is not among them, in words. */
+  readonly left: readonly string[];
+}
+
+const sameDirection = 1 - 1e-5; // Cosine of a quarter of a degree.
+const sameSpacing = 1e-3; // Share of the spacing.
+/** Places closer together than this share of a pixel are one. */
+const samePlace = 0.01;
+
+/** Chooses the largest group of frames, and of those one at each place. */
+export function chooseFrames(all: readonly Frame[], budget: Budget): ChosenFrames {
+  const groups = groupFrames(all, budget);
+  const scans = groups.filter((group) => !group.every(({ isLocalizer }) => isLocalizer));
+  const candidates = (scans.length > 0 ? scans : groups).map((group) => ({ group, ...takeOnePerPlace(group) }));
+  const chosen = candidates.reduce((best, one) => (countVoxels(one.frames) > countVoxels(best.frames) ? one : best));
+  const localizers = groups.filter((group) => scans.length > 0 && !scans.includes(group)).flat().length;
+  const others = candidates.filter((one) => one !== chosen).map(({ group }) => group.length);
+  return {
+    frames: chosen.frames,
+    left: [
+      ...chosen.left,
+      ...(others.length > 0
+        ? [
+            `${others.length > 1 ? `${others.length} other series, or parts of other orientation or size` : 'another series, or a part of another orientation or size'}, with ${listCounts(others)}: the one with the most voxels is shown`,
+          ]
+        : []),
+      ...(localizers > 0
+        ? [
+            `${count(localizers, 'picture')} that only show${localizers > 1 ? '' : 's'} where the slices lie (LOCALIZER)`,
+          ]
+        : []),
+    ],
+  };
+}
+
+/** The number of a thing, with an s where there are several. */
+export function count(n: number, what: string): string {
+  return `${n.toLocaleString('en')} ${what}${n === 1 ? '' : 's'}`;
+}
+
+function listCounts(counts: readonly number[]): string {
+  const named = counts.slice(0, 4).map(String).join(', ');
+  return `${named}${counts.length > 4 ? ' …' : ''} ${counts.length === 1 && counts[0] === 1 ? 'picture' : 'pictures'}`;
+}
+
+function countVoxels(frames: readonly Frame[]): number {
+  return frames.reduce((sum, { columns, rows }) => sum + columns * rows, 0);
+}
+
+function groupFrames(all: readonly Frame[], budget: Budget): Frame[][] {
+  const groups: Frame[][] = [];
+  const byKey = new Map<string, Frame[][]>();
+  for (const frame of all) {
+    const key = [frame.series, frame.columns, frame.rows, frame.unit, frame.isLocalizer, frame.position !== null].join(
+      '\n',
+    );
+    const alike = byKey.get(key) ?? [];
+    byKey.set(key, alike);
+    budget.step(alike.length, 'the DICOM files');
+    const found = alike.find(([first]) => isAlike(first, frame));
+    if (found) {
+      found.push(frame);
+      continue;
+    }
+    const group = [frame];
+    alike.push(group);
+    groups.push(group);
+  }
+  return groups;
+}
+
+function isAlike(a: Frame, b: Frame): boolean {
+  return arePlanesAlike(a.plane, b.plane) && areSpacingsAlike(a.spacing, b.spacing);
+}
+
+function arePlanesAlike(a: Plane | null, b: Plane | null): boolean {
+  if (!a || !b) return a === b;
+  return dot(a.row, b.row) > sameDirection && dot(a.column, b.column) > sameDirection;
+}
+
+function areSpacingsAlike(a: Frame['spacing'], b: Frame['spacing']): boolean {
+  if (!a || !b) return a === b;
+  return a.every((length, axis) => Math.abs(length - b[axis]) <= sameSpacing * length);
+}
+
+/** Where a frame lies along the normal of the first one, in mm; null where its place is not known. */
+export function placeAlong(frame: Frame, { plane }: Frame): number | null {
+  return frame.position && plane ? dot(frame.position, plane.normal) : null;
+}
+
+/** Of several frames at one place, those that are alike in what differs there. */
+function takeOnePerPlace(group: readonly Frame[]): ChosenFrames {
+  const [first] = group;
+  if (group.some((frame) => placeAlong(frame, first) === null)) return { frames: sortByOrder(group), left: [] };
+  let places = findPlaces(group);
+  const most = Math.max(...places.map((at) => at.length));
+  if (most === 1) return { frames: places.flat(), left: [] };
+  const names: string[] = [];
+  for (const name of new Set(group.flatMap(({ traits }) => [...traits.keys()]))) {
+    if (places.every((at) => at.length === 1)) break;
+    if (!places.some((at) => new Set(at.map(({ traits }) => traits.get(name))).size > 1)) continue;
+    names.push(name);
+    places = takeByTrait(places, name);
+  }
+  const left =
+    names.length > 0
+      ? `up to ${most} pictures at each place, which differ in: ${names.join(', ')}. One of them is shown`
+      : 'pictures at the place of another one, from which they do not differ by what they say';
+  return { frames: places.map(([frame]) => frame), left: [left] };
+}
+
+/**
+ * Takes those of the value that most places have, of several such the smallest one; at places without it the smallest
+ * value that is there.
+ */
+function takeByTrait(places: readonly Frame[][], name: string): Frame[][] {
+  const counts = new Map<string | number | undefined, number>();
+  for (const at of places) {
+    for (const value of new Set(at.map(({ traits }) => traits.get(name))))
+      counts.set(value, (counts.get(value) ?? 0) + 1);
+  }
+  const most = Math.max(...counts.values());
+  const usual = [...counts.keys()].filter((value) => counts.get(value) === most);
+  usual.sort(compareValues);
+  return places.map((at) => {
+    const found = at.filter(({ traits }) => traits.get(name) === usual[0]);
+    if (found.length > 0) return found;
+    const values = at.map(({ traits }) => traits.get(name));
+    values.sort(compareValues);
+    return at.filter(({ traits }) => traits.get(name) === values[0]);
+  });
+}
+
+function compareValues(a: string | number | undefined, b: string | number | undefined): number {
+  if (typeof a === 'number' && typeof b === 'number') return a - b;
+  return String(a ?? '').localeCompare(String(b ?? ''), 'en');
+}
+
+/** The frames at each place, the places in ascending order. */
+function findPlaces(group: readonly Frame[]): Frame[][] {
+  const [first] = group;
+  const sorted = sortByOrder(group);
+  sorted.sort((a, b) => placeAlong(a, first)! - placeAlong(b, first)!);
+  const near = samePlace * Math.min(...(first.spacing ?? [1]));
+  const places: Frame[][] = [];
+  let last = -Infinity;
+  for (const frame of sorted) {
+    const along = placeAlong(frame, first)!;
+    if (along - last > near) {
+      places.push([]);
+      last = along;
+    }
+    places[places.length - 1].push(frame);
+  }
+  return places;
+}
+
+function sortByOrder(group: readonly Frame[]): Frame[] {
+  const sorted = [...group];
+  sorted.sort((a, b) => {
+    const differing = a.order.findIndex((one, i) => one !== b.order[i]);
+    return differing < 0 ? 0 : a.order[differing] - b.order[differing];
+  });
+  return sorted;
+}

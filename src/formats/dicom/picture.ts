@@ -1,0 +1,138 @@
+// What one file says of its pixels: their size, their numbers, and how they are packed.
+import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
+import type { DataSet } from './data-set.ts';
+import type { DicomFile } from './read-file.ts';
+import type { PixelElement } from './read-elements.ts';
+import { tags } from './tags.ts';
+import type { TransferSyntax } from './transfer-syntax.ts';
+
+/** The type of stored numbers. */
+export type StoredType = 'uint8' | 'int8' | 'uint16' | 'int16' | 'uint32' | 'int32' | 'float32' | 'float64';
+
+/** The pixels of a file: one or several frames of the same size. */
+export interface Picture {
+  /** For messages: 'file 12 of 300'. */
+  readonly what: string;
+  readonly set: DataSet;
+  readonly syntax: TransferSyntax;
+  readonly pixels: PixelElement;
+  readonly rows: number;
+  readonly columns: number;
+  readonly frames: number;
+  readonly type: StoredType;
+  readonly bitsAllocated: number;
+  readonly bitsStored: number;
+  /** How many bits lie below those of a number. */
+  readonly shift: number;
+  readonly isSigned: boolean;
+  /** Whether the smallest number is white. */
+  readonly isInverted: boolean;
+  /** Stored numbers from the first to the second one are no data. */
+  readonly padding: readonly [number, number] | null;
+}
+
+/** More than any scanner writes, and few enough to list. */
+const maxFrames = 2 ** 16;
+
+/** Media directories, segmentations and structures have no pixels, or others than values. Source: PS3.6, annex A */
+const segmentations = ['1.2.840.10008.5.1.4.1.1.66.4', '1.2.840.10008.5.1.4.1.1.66.7'];
+
+/**
+ * Reads how the pixels of a file lie in it.
+ * @returns null for a file without pixels, such as a report
+ * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`
+ */
+export function readPicture({ set, pixels, syntax }: DicomFile, what: string): Picture | null {
+  if (!pixels) return null;
+  const whole = (tag: (typeof tags)['rows'], usual?: number): number => set.number(tag) ?? usual ?? NaN;
+  const [rows, columns] = [whole(tags.rows), whole(tags.columns)];
+  if (![rows, columns].every((n) => Number.isInteger(n) && n >= 1 && n <= 0xffff))
+    throw corruptFile(what, `got ${say(columns)} columns and ${say(rows)} rows; expected whole numbers from 1`);
+  if (segmentations.includes(set.text(tags.sopClass)))
+    throw unsupportedFile(
+      what,
+      'is a segmentation; expected a scan. Convert it for <volume-labels>: segimage2itkimage (dcmqi)',
+    );
+  const photometric = set.text(tags.photometric).toUpperCase() || 'MONOCHROME2';
+  const samples = whole(tags.samplesPerPixel, 1);
+  if (samples !== 1 || !/^MONOCHROME[12]$/.test(photometric))
+    throw unsupportedFile(
+      what,
+      `is in colours (${/^(RGB|PALETTE COLOR|YBR_[A-Z]{1,7}(_42[02])?)$/.test(photometric) ? photometric : `${say(samples)} numbers per pixel`}), and a volume has one number per voxel; expected gray values. Convert it to a stack of PNG images: dcm2img, ImageMagick`,
+    );
+  const frames = set.number(tags.frames) ?? 1;
+  if (!(Number.isInteger(frames) && frames >= 1 && frames <= maxFrames))
+    throw corruptFile(
+      what,
+      `got ${say(frames)} frames; expected a whole number from 1 to ${maxFrames.toLocaleString('en')}`,
+    );
+  const numbers = readNumbers(set, pixels, what);
+  return {
+    what,
+    set,
+    syntax,
+    pixels,
+    rows,
+    columns,
+    frames,
+    ...numbers,
+    isInverted: photometric === 'MONOCHROME1',
+    padding: readPadding(set, numbers),
+  };
+}
+
+type Numbers = Pick<Picture, 'type' | 'bitsAllocated' | 'bitsStored' | 'shift' | 'isSigned'>;
+
+function readNumbers(set: DataSet, { numbers }: PixelElement, what: string): Numbers {
+  if (numbers !== 'integers') {
+    const bits = numbers === 'float32' ? 32 : 64;
+    return { type: numbers, bitsAllocated: bits, bitsStored: bits, shift: 0, isSigned: true };
+  }
+  const allocated = set.number(tags.bitsAllocated) ?? NaN;
+  if (![8, 16, 32].includes(allocated))
+    throw unsupportedFile(
+      what,
+      `has ${say(allocated)} bits for a pixel; expected 8, 16 or 32. Convert it: gdcmconv --raw in.dcm out.dcm`,
+    );
+  const stored = set.number(tags.bitsStored) ?? allocated;
+  const high = set.number(tags.highBit) ?? stored - 1;
+  if (
+    !(
+      Number.isInteger(stored) &&
+      stored >= 1 &&
+      stored <= allocated &&
+      Number.isInteger(high) &&
+      high < allocated &&
+      high >= stored - 1
+    )
+  )
+    throw corruptFile(
+      what,
+      `says that ${say(stored)} bits up to bit ${say(high)} of ${allocated} are used; expected bits within those`,
+    );
+  const isSigned = set.number(tags.pixelRepresentation) === 1;
+  return {
+    type: `${isSigned ? 'int' : 'uint'}${allocated as 8 | 16 | 32}`,
+    bitsAllocated: allocated,
+    bitsStored: stored,
+    shift: high + 1 - stored,
+    isSigned,
+  };
+}
+
+/** Padding is given in the type of the pixels, whatever the file calls it. Source: PS3.3, C.7.5.1.1.2 */
+function readPadding(set: DataSet, { type, isSigned, bitsAllocated }: Numbers): readonly [number, number] | null {
+  if (type === 'float32' || type === 'float64') return null;
+  const read = (tag: (typeof tags)['paddingValue']): number | undefined => {
+    const value = set.number(tag);
+    if (value === undefined || !isSigned) return value;
+    // As US, negative numbers of 16 bits look large.
+    return value >= 2 ** (Math.min(16, bitsAllocated) - 1) ? value - 2 ** Math.min(16, bitsAllocated) : value;
+  };
+  const first = read(tags.paddingValue);
+  if (first === undefined) return null;
+  const last = read(tags.paddingLimit) ?? first;
+  return [Math.min(first, last), Math.max(first, last)];
+}
+
+const say = (value: number): string => (Number.isNaN(value) ? 'no' : String(value));

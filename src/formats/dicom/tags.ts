@@ -1,0 +1,104 @@
+/** An element that is read. Files with implicit value representations do not say what an element holds; then `vr` counts. */
+export interface Tag {
+  /** 65,536 times its group, plus its number. */
+  readonly id: number;
+  /** Value representation. */
+  readonly vr: string;
+}
+
+const tag = (id: number, vr: string): Tag => ({ id, vr });
+
+/**
+ * Every element that is read. All others are skipped, and nothing of them is kept.
+ * Source: DICOM PS3.6, chapter 6; those of odd groups: the conformance statements of their makers
+ */
+export const tags = {
+  transferSyntax: tag(0x00020010, 'UI'),
+  imageType: tag(0x00080008, 'CS'),
+  sopClass: tag(0x00080016, 'UI'),
+  sopInstance: tag(0x00080018, 'UI'),
+  acquisitionTime: tag(0x00080032, 'TM'),
+  modality: tag(0x00080060, 'CS'),
+  frameType: tag(0x00089007, 'CS'),
+  sliceThickness: tag(0x00180050, 'DS'),
+  echoTime: tag(0x00180081, 'DS'),
+  inversionTime: tag(0x00180082, 'DS'),
+  echoNumber: tag(0x00180086, 'IS'),
+  spacingBetweenSlices: tag(0x00180088, 'DS'),
+  triggerTime: tag(0x00181060, 'DS'),
+  frameTime: tag(0x00181063, 'DS'),
+  imagerPixelSpacing: tag(0x00181164, 'DS'),
+  effectiveEchoTime: tag(0x00189082, 'FD'),
+  bValue: tag(0x00189087, 'FD'),
+  siemensImages: tag(0x0019100a, 'US'),
+  siemensBValue: tag(0x0019100c, 'IS'),
+  series: tag(0x0020000e, 'UI'),
+  acquisition: tag(0x00200012, 'IS'),
+  instance: tag(0x00200013, 'IS'),
+  position: tag(0x00200032, 'DS'),
+  orientation: tag(0x00200037, 'DS'),
+  temporalPosition: tag(0x00200100, 'IS'),
+  sliceLocation: tag(0x00201041, 'DS'),
+  stack: tag(0x00209056, 'SH'),
+  temporalIndex: tag(0x00209128, 'UL'),
+  samplesPerPixel: tag(0x00280002, 'US'),
+  photometric: tag(0x00280004, 'CS'),
+  planar: tag(0x00280006, 'US'),
+  frames: tag(0x00280008, 'IS'),
+  frameIncrement: tag(0x00280009, 'AT'),
+  rows: tag(0x00280010, 'US'),
+  columns: tag(0x00280011, 'US'),
+  pixelSpacing: tag(0x00280030, 'DS'),
+  bitsAllocated: tag(0x00280100, 'US'),
+  bitsStored: tag(0x00280101, 'US'),
+  highBit: tag(0x00280102, 'US'),
+  pixelRepresentation: tag(0x00280103, 'US'),
+  paddingValue: tag(0x00280120, 'US'),
+  paddingLimit: tag(0x00280121, 'US'),
+  burnedIn: tag(0x00280301, 'CS'),
+  windowCenter: tag(0x00281050, 'DS'),
+  windowWidth: tag(0x00281051, 'DS'),
+  intercept: tag(0x00281052, 'DS'),
+  slope: tag(0x00281053, 'DS'),
+  rescaleType: tag(0x00281054, 'LO'),
+  siemensHeader: tag(0x00291010, 'OB'),
+  units: tag(0x00541001, 'CS'),
+  doseOffsets: tag(0x3004000c, 'DS'),
+  doseUnits: tag(0x30040002, 'CS'),
+  doseScaling: tag(0x3004000e, 'DS'),
+} as const;
+
+/** Sequences whose items are read. */
+export const sequences = {
+  modalityTable: tag(0x00283000, 'SQ'),
+  sharedGroups: tag(0x52009229, 'SQ'),
+  frameGroups: tag(0x52009230, 'SQ'),
+  echo: tag(0x00189114, 'SQ'),
+  diffusion: tag(0x00189117, 'SQ'),
+  mrFrameType: tag(0x00189226, 'SQ'),
+  ctFrameType: tag(0x00189329, 'SQ'),
+  petFrameType: tag(0x00189751, 'SQ'),
+  detector: tag(0x00540022, 'SQ'),
+  frameContent: tag(0x00209111, 'SQ'),
+  planePosition: tag(0x00209113, 'SQ'),
+  planeOrientation: tag(0x00209116, 'SQ'),
+  pixelMeasures: tag(0x00289110, 'SQ'),
+  frameWindow: tag(0x00289132, 'SQ'),
+  pixelTransformation: tag(0x00289145, 'SQ'),
+} as const;
+
+/** The pixels, and what their numbers are. */
+export const pixelTags: ReadonlyMap<number, 'integers' | 'float32' | 'float64'> = new Map([
+  [0x7fe00008, 'float32'],
+  [0x7fe00009, 'float64'],
+  [0x7fe00010, 'integers'],
+]);
+
+export const itemTags = { item: 0xfffee000, itemEnd: 0xfffee00d, sequenceEnd: 0xfffee0dd } as const;
+
+const byId: ReadonlyMap<number, Tag> = new Map(
+  [...Object.values(tags), ...Object.values(sequences)].map((one) => [one.id, one]),
+);
+
+/** The element of an id, if it is read. */
+export const findTag = (id: number): Tag | undefined => byId.get(id);
