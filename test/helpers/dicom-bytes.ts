@@ -217,7 +217,8 @@ function valueBytes(value: DicomValue, vr: string, isBigEndian = false): number[
 
 function numberBytes(number: number, count: number, isBigEndian = false): number[] {
   const bytes = Array.from({ length: count }, (_, i) => Math.floor(number / 2 ** (8 * i)) & 0xff);
-  return isBigEndian ? bytes.toReversed() : bytes;
+  if (isBigEndian) bytes.reverse();
+  return bytes;
 }
 
 const latin = (text: string): number[] => Array.from(text, (c) => c.charCodeAt(0));
@@ -257,7 +258,7 @@ export function pixelFields(
     BitsAllocated: [8 * width],
     BitsStored: [8 * width],
     HighBit: [8 * width - 1],
-    PixelRepresentation: [/^Int/.test(numbers.constructor.name) ? 1 : 0],
+    PixelRepresentation: [numbers.constructor.name.startsWith('Int') ? 1 : 0],
     PixelData: bytes,
   };
 }
@@ -279,6 +280,6 @@ export function packRle(numbers: Uint8Array | Uint16Array | Int16Array): Uint8Ar
   });
   let at = 64;
   const starts = segments.map(({ length }) => (at += length) - length);
-  const head = [width, ...starts, ...new Array<number>(15 - width).fill(0)];
+  const head = [width, ...starts, ...Array.from({ length: 15 - width }, () => 0)];
   return Uint8Array.from([...head.flatMap((number) => numberBytes(number, 4)), ...segments.flat()]);
 }

@@ -20,25 +20,26 @@ export function unpackRle(packed: Uint8Array, numbers: Uint8Array, size: number,
     const end = segment + 1 < size ? view.getUint32(8 + 4 * segment, true) : packed.length;
     if (!(start >= 64 && start <= end && end <= packed.length))
       throw corruptFile(what, 'has packed pixels whose segments do not lie in them');
-    unpackSegment(packed.subarray(start, end), numbers, size - 1 - segment, size, what);
+    if (!unpackSegment(packed.subarray(start, end), numbers, { first: size - 1 - segment, step: size }))
+      throw corruptFile(what, 'has packed pixels that end early; copy the file again');
   }
 }
 
-/** Writes each byte of a segment `step` bytes after the one before. */
-function unpackSegment(packed: Uint8Array, numbers: Uint8Array, first: number, step: number, what: string): void {
+/** Writes bytes from `first` on, each `step` bytes after the one before. @returns whether all of them were there */
+function unpackSegment(
+  packed: Uint8Array,
+  numbers: Uint8Array,
+  { first, step }: { first: number; step: number },
+): boolean {
   let out = first;
   for (let at = 0; at < packed.length && out < numbers.length;) {
     const code = packed[at++];
     if (code === 128) continue;
-    const count = code < 128 ? code + 1 : 257 - code;
-    for (let i = 0; i < count && out < numbers.length; i++, out += step)
-      numbers[out] = packed[code < 128 ? at + i : at];
-    at += code < 128 ? count : 1;
-    if (at > packed.length) throw endsEarly(what);
+    const isRun = code > 128;
+    const count = isRun ? 257 - code : code + 1;
+    if (at + (isRun ? 1 : count) > packed.length) return false;
+    for (let i = 0; i < count && out < numbers.length; i++, out += step) numbers[out] = packed[isRun ? at : at + i];
+    at += isRun ? 1 : count;
   }
-  if (out < numbers.length) throw endsEarly(what);
-}
-
-function endsEarly(what: string): Error {
-  return corruptFile(what, 'has packed pixels that end early; copy the file again');
+  return out >= numbers.length;
 }
