@@ -53,7 +53,7 @@ describe('slices of DICOM', () => {
     expect(volume.left).to.deep.equal(['1 of 6 slices are missing between the others, and shown as no data']);
   });
 
-  it('up to 2 % beside their places are even', async () => {
+  it('up to 2 % away from their places are even', async () => {
     const volume = await decodeFields([0, 5.07, 9.95, 15].map((z, k) => slice(k, z)));
     expect(volume.grid.spacing[2]).to.equal(5);
     expect(volume.left).to.equal(undefined);

@@ -1,0 +1,188 @@
+// Frames: the pictures of a file with their places, and what the numbers stand for.
+import { cross, dot, length, normalize, scale, add } from '../../volume/matrix.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import type { DataSet } from './data-set.ts';
+import type { Frame, Plane } from './frame.ts';
+import type { Picture } from './picture.ts';
+import { findMosaic } from './siemens-mosaic.ts';
+import { sequences, tags } from './tags.ts';
+import type { Tag } from './tags.ts';
+
+/** The frames of a picture. */
+export function listFrames(picture: Picture): Frame[] {
+  const { set, frames, columns, rows } = picture;
+  const offsets = set.numbers(tags.doseOffsets);
+  const mosaic = findMosaic(picture);
+  if (mosaic) {
+    const frame = describeFrame(picture, 0);
+    return mosaic.place(frame).map(({ corner, position }, i) => ({
+      ...frame,
+      ...mosaic.size,
+      corner,
+      position,
+      order: [...frame.order.slice(0, -1), i],
+    }));
+  }
+  return Array.from({ length: frames }, (_, index) => {
+    const frame = describeFrame(picture, index);
+    const size = { ...frame, columns, rows };
+    if (frames === 1 || hasOwnPlaces(set) || !frame.position || !frame.plane) return size;
+    // All frames have the place of the first one, and the file says how far the others are from it.
+    const along =
+      offsets.length >= frames ? offsets[index] - offsets[0] : index * (signedStep(set) ?? frame.step ?? NaN);
+    const position = Number.isFinite(along) ? add(frame.position, scale(frame.plane.normal, along)) : null;
+    return { ...size, position };
+  });
+}
+
+/** Nuclear medicine counts against the normal where the spacing is negative. Source: PS3.3, C.8.4.15 */
+const signedStep = (set: DataSet): number | undefined => set.number(tags.spacingBetweenSlices);
+
+function hasOwnPlaces(set: DataSet): boolean {
+  return set.items(sequences.frameGroups).some((item) => item.items(sequences.planePosition).length > 0);
+}
+
+/** Finds an element: among those of the frame, among those that all frames share, among those of the file. */
+function finder(set: DataSet, index: number): (group: Tag | null, tag: Tag) => DataSet {
+  const own = set.items(sequences.frameGroups)[index] as DataSet | undefined;
+  const shared = set.items(sequences.sharedGroups)[0] as DataSet | undefined;
+  const detector = set.items(sequences.detector)[0] as DataSet | undefined;
+  return (group, tag) => {
+    for (const one of [own, shared]) {
+      const found = group && one?.items(group)[0];
+      if (found?.has(tag)) return found;
+    }
+    return detector?.has(tag) && !set.has(tag) ? detector : set;
+  };
+}
+
+function describeFrame(picture: Picture, index: number): Frame {
+  const { set, columns, rows } = picture;
+  const find = finder(set, index);
+  const imageType = set.texts(tags.imageType);
+  const modality = set.text(tags.modality).toUpperCase();
+  const values = readValues(picture, find, modality, imageType);
+  return {
+    picture,
+    index,
+    columns,
+    rows,
+    corner: [0, 0],
+    series: set.text(tags.series),
+    isLocalizer: imageType.includes('LOCALIZER'),
+    position: readVector(find(sequences.planePosition, tags.position).numbers(tags.position)),
+    plane: readPlane(find(sequences.planeOrientation, tags.orientation).numbers(tags.orientation)),
+    spacing: readSpacing(find),
+    step: readStep(find),
+    order: [set.number(tags.sliceLocation) ?? 0, set.number(tags.instance) ?? 0, index],
+    ...values,
+    traits: readTraits(find, imageType),
+  };
+}
+
+function readVector([x, y, z]: readonly number[]): Vector3 | null {
+  return Number.isFinite(x + y + z) ? [x, y, z] : null;
+}
+
+function readPlane(numbers: readonly number[]): Plane | null {
+  const [row, column] = [readVector(numbers), readVector(numbers.slice(3))];
+  if (!row || !column) return null;
+  const normal = cross(row, column);
+  // Vectors of length 0, or along one line, give no plane.
+  if (!(length(normal) > 0.5 && Math.abs(dot(row, column)) < 0.1)) return null;
+  return { row: normalize(row), column: normalize(column), normal: normalize(normal) };
+}
+
+/** The file has the distance of rows first. */
+function readSpacing(find: ReturnType<typeof finder>): readonly [number, number] | null {
+  for (const tag of [tags.pixelSpacing, tags.imagerPixelSpacing]) {
+    const [y, x = y] = find(sequences.pixelMeasures, tag).numbers(tag);
+    if (x > 0 && y > 0 && Number.isFinite(x + y)) return [x, y];
+  }
+  return null;
+}
+
+function readStep(find: ReturnType<typeof finder>): number | null {
+  for (const tag of [tags.spacingBetweenSlices, tags.sliceThickness]) {
+    const step = Math.abs(find(sequences.pixelMeasures, tag).number(tag) ?? 0);
+    if (step > 0) return step;
+  }
+  return null;
+}
+
+function readValues(
+  picture: Picture,
+  find: ReturnType<typeof finder>,
+  modality: string,
+  imageType: readonly string[],
+): Pick<Frame, 'slope' | 'intercept' | 'unit' | 'window'> {
+  const { set, isInverted, isSigned, bitsStored } = picture;
+  const rescale = find(sequences.pixelTransformation, tags.slope);
+  const slope = (modality === 'RTDOSE' ? set.number(tags.doseScaling) : rescale.number(tags.slope)) || 1;
+  const intercept = rescale.number(tags.intercept) ?? 0;
+  const unit = readUnit(set, rescale, modality, imageType);
+  const frameWindow = find(sequences.frameWindow, tags.windowCenter);
+  const [center, width] = [frameWindow.number(tags.windowCenter), frameWindow.number(tags.windowWidth)];
+  const window =
+    center !== undefined && width !== undefined && width > 0
+      ? ([center - width / 2, center + width / 2] as const)
+      : null;
+  // Where values have a unit, white for the smallest one is only a way to show them.
+  if (!isInverted || unit !== '') return { slope, intercept, unit, window };
+  const turned = isSigned ? -1 : 2 ** bitsStored - 1;
+  const sum = slope * turned + 2 * intercept;
+  return {
+    slope: -slope,
+    intercept: slope * turned + intercept,
+    unit,
+    window: window && [sum - window[1], sum - window[0]],
+  };
+}
+
+/** Units that are known by their code. Source: PS3.3, C.8.9.1.1.3 */
+const petUnits: Readonly<Record<string, string>> = {
+  BQML: 'Bq/ml',
+  GML: 'g/ml',
+  CNTS: 'counts',
+  CPS: 'counts/s',
+  PROPCPS: 'counts/s',
+};
+
+function readUnit(set: DataSet, rescale: DataSet, modality: string, imageType: readonly string[]): string {
+  const type = rescale.text(tags.rescaleType).toUpperCase();
+  if (modality === 'CT') {
+    const isScaled = rescale.has(tags.intercept) && !imageType.includes('LOCALIZER');
+    return isScaled && (type === '' || type === 'HU') ? 'HU' : '';
+  }
+  if (modality === 'PT') return petUnits[set.text(tags.units).toUpperCase()] ?? '';
+  if (modality === 'RTDOSE') return set.text(tags.doseUnits).toUpperCase() === 'GY' ? 'Gy' : '';
+  return '';
+}
+
+function readTraits(
+  find: ReturnType<typeof finder>,
+  imageType: readonly string[],
+): ReadonlyMap<string, string | number> {
+  const traits = new Map<string, string | number>();
+  const frameType = [sequences.mrFrameType, sequences.ctFrameType, sequences.petFrameType]
+    .map((group) => find(group, tags.frameType).texts(tags.frameType))
+    .find(([first]) => first !== '');
+  traits.set('kind of picture', (frameType ?? imageType).slice(2).join(' '));
+  for (const [name, group, ...candidates] of traitTags) {
+    const value = candidates.map((tag) => find(group, tag).number(tag)).find((one) => one !== undefined);
+    if (value !== undefined) traits.set(name, value);
+  }
+  return traits;
+}
+
+/** Those that say more come first. */
+const traitTags: readonly (readonly [name: string, group: Tag | null, ...tags: Tag[]])[] = [
+  ['echo time', sequences.echo, tags.effectiveEchoTime, tags.echoTime],
+  ['echo number', null, tags.echoNumber],
+  ['b value of diffusion', sequences.diffusion, tags.bValue, tags.siemensBValue],
+  ['inversion time', null, tags.inversionTime],
+  ['position in time', sequences.frameContent, tags.temporalIndex, tags.temporalPosition],
+  ['trigger time', null, tags.triggerTime],
+  ['number of the acquisition', null, tags.acquisition],
+  ['time of the acquisition', null, tags.acquisitionTime],
+];
