@@ -9,5 +9,5 @@ export const dicom: VolumeFormat = {
   matches: ({ bytes }) => isDicom(bytes),
   takesFiles: true,
   isSlice: true,
-  load: async () => (await import('./read-dicom.ts')).readDicom,
+  load: async () => (await import('#rare/formats/dicom/read-dicom.ts')).readDicom,
 };
