@@ -1,5 +1,6 @@
 import type { Grammar } from './fuzz-case.ts';
 import { attributes } from './grammars/attributes.ts';
+import { dicom } from './grammars/dicom.ts';
 import { metaImage, nrrd } from './grammars/grid-files.ts';
 import { hdf5 } from './grammars/hdf5.ts';
 import { jpeg, webp } from './grammars/image-headers.ts';
@@ -25,6 +26,7 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   analyze,
   npy,
   vti,
+  dicom,
   manifest,
   attributes,
 };
