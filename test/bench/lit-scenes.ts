@@ -93,7 +93,7 @@ export async function listVariants({ surface, layer, atlases }: LitScene, volume
       : surface;
   return [
     { name: 'lit', style: { lit: true } },
-    { name: 'ambient occlusion', style: { lit: true, ambientOcclusion: true } },
+    { name: 'ambient occlusion', style: { lit: 'ambient-occlusion' } },
     ...(value === undefined
       ? []
       : [

@@ -47,10 +47,8 @@ export interface RayStyle extends Partial<SurfaceStyle> {
   readonly projection?: ProjectionKind;
   /** If given, the first local maximum (or minimum) from this value on counts, in data units. If absent, that of the whole ray. */
   readonly intensityThreshold?: number;
-  /** Whether emission is lit. */
-  readonly lit?: true;
-  /** Whether light from all sides is also hidden by what is around a place; only where `lit`. */
-  readonly ambientOcclusion?: true;
+  /** Whether emission is lit, and whether what is around a place hides light from it. */
+  readonly lit?: true | 'ambient-occlusion';
   /** X3D's rendering styles. */
   readonly styles?: readonly StyleChain[];
   /** If given, emission and absorption depend on value and gradient. */

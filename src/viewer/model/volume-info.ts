@@ -101,10 +101,8 @@ export function styleOf({
   patches,
 }: VolumeOptics): RayStyle | null {
   if (projection) return { projection, intensityThreshold };
-  const lit = shading !== 'unlit' || undefined;
-  return lit || surfaces || styles || patches
-    ? { lit, ...(shading === 'ambient-occlusion' && { ambientOcclusion: true }), styles, patches, ...surfaces }
-    : null;
+  const lit = shading === 'lit' || (shading !== 'unlit' && shading) || undefined;
+  return lit || surfaces || styles || patches ? { lit, styles, patches, ...surfaces } : null;
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {

@@ -248,7 +248,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
       for (const style of [
         null,
         { lit: true } as const,
-        { lit: true, ambientOcclusion: true } as const,
+        { lit: 'ambient-occlusion' } as const,
         { styles: smoothStyles },
         { patches: bells },
         { surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 1 }] } as const,

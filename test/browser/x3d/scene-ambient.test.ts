@@ -34,7 +34,7 @@ interface Case {
   readonly cuts?: (view: View) => CutFaces;
 }
 
-const style = { lit: true, ambientOcclusion: true } as const;
+const style = { lit: 'ambient-occlusion' } as const;
 
 const cartesian = (data: Partial<SyntheticOptions>, more?: Partial<View>): View =>
   viewFromAbove(syntheticVolume({ dimensions: [24, 20, 16], ...data }), more);

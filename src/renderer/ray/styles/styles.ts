@@ -12,10 +12,10 @@ export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<
   // Rendering styles also light the volume, so that normals are computed once.
   if (style.styles && !style.clear) {
     const { styles: chains, lit } = style;
-    parts.push(import('./styled-rays.ts').then(({ createStyled }) => createStyled(chains, lit, layer)));
+    parts.push(import('./styled-rays.ts').then(({ createStyled }) => createStyled(chains, Boolean(lit), layer)));
   } else if (style.lit && !style.clear) {
     parts.push(
-      style.ambientOcclusion
+      style.lit === 'ambient-occlusion'
         ? import('./occlusion.ts').then(({ createOccludedLight }) => createOccludedLight(layer))
         : import('./light.ts').then(({ createLight }) => createLight(layer)),
     );

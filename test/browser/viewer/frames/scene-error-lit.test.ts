@@ -33,7 +33,7 @@ describe('the error that a lit picture states', () => {
     const scenes = errorScenes().filter((_, i) => i % 4 === 1);
     let ratios: number[] = [];
     await withScene({}, async (gpu) => {
-      await gpu.setStyle({ lit: true, ambientOcclusion: true });
+      await gpu.setStyle({ lit: 'ambient-occlusion' });
       // The GPU draws what the twin does: see scene-ambient.test.ts.
       const lattice = { stride: every, first: [2, 3], width: size.width / every, height: size.height / every } as const;
       ratios = scenes.map((scene) => compareStated(gpu, scene, { size, lattice, times: 16 }));
