@@ -1,6 +1,6 @@
 /// A ray has five stages: where it runs (interval), the values on it (field), what a piece of it shows (classify, shade), and how
 /// all pieces add up (gather). Here the ray begins and ends; walk-steps.glsl or walk-substeps.glsl walk it. The modules define the
-/// stages, see renderer/ray/. Twin: optics/cast-ray.ts
+/// stages, see renderer/ray/. Twin: optics/rays/cast-ray.ts
 void main() {
   Ray ray = rayOfPixel();
   Interval interval = enterVolume(ray);

@@ -112,6 +112,23 @@ await check('pages that code names are there', () => {
   return `${code.length} files of code`;
 });
 
+/** The file of the formula that a comment `Twin: optics/…` names, from src. */
+const listTwins = (/** @type {string} */ text) =>
+  [...text.matchAll(/\bTwin: ((?:[\w-]+\/)+[\w-]+\.ts)/g)].map(([, twin]) => twin);
+
+await check('the file in float64 that a chunk of GLSL names as its twin is there', () => {
+  assert.deepEqual(listTwins('/// Waits. Twin: optics/rays/gone.ts, wait'), ['optics/rays/gone.ts']);
+  const twins = code
+    .filter((path) => path.endsWith('.glsl'))
+    .flatMap((path) => listTwins(readFileSync(join(projectRoot, path), 'utf8')).map((twin) => ({ path, twin })));
+  assert.ok(twins.length > 50, `${twins.length}`);
+  assert.deepEqual(
+    twins.filter(({ twin }) => !existsSync(join(projectRoot, 'src', twin))),
+    [],
+  );
+  return `${twins.length} twins`;
+});
+
 await check('the map of the code leaves out arrows that follow from others', () => {
   assert.deepEqual(listDirectArrows({ a: [], b: ['a'], c: ['a', 'b'], d: ['a'] }), [
     ['b', 'a'],

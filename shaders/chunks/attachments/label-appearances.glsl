@@ -17,7 +17,7 @@ vec4 seeHalves(Segment segment) {
 #endif
 
 /// The front half of a segment has the appearance of the front end's label, and the back half that of the back end's label: colour, and
-/// factor of the extinction. If both are the same, the result is that of one segment. Twin: optics/labels.ts, labelShade
+/// factor of the extinction. If both are the same, the result is that of one segment. Twin: optics/attachments/labels.ts, labelShade
 vec4 labelAppearancesShade(Segment segment, vec4 seen) {
 #ifdef FUNCTIONS
   if (segment.front.group != segment.back.group && hasData(segment.front) && hasData(segment.back)) return seeHalves(segment);

@@ -24,7 +24,7 @@ vec4 countAlong(vec4 below, vec4 above, vec3 begin, vec3 end) {
 
 /// Where a ray may meet a label although it meets it at neither end of a way, as a share of the way; -1 if no other label can win. A label
 /// needs more than half of the votes to win against another one, and more than a third against two others.
-/// from, to: in the unit cube, between the same planes of voxel centres. Twin: optics/labels.ts, labelTurn
+/// from, to: in the unit cube, between the same planes of voxel centres. Twin: optics/attachments/labels.ts, labelTurn
 float labelTurn(vec3 from, vec3 to) {
   vec3 begin = clamp(from * uDimensions - 0.5, vec3(0.0), uDimensions - 1.0);
   vec3 end = clamp(to * uDimensions - 0.5, vec3(0.0), uDimensions - 1.0);

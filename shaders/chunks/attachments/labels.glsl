@@ -63,7 +63,7 @@ void fetchLabelCorners(vec3 low, out vec4 below, out vec4 above) {
   above = vec4(fetchLabel(vec3(low.xy, high.z)), fetchLabel(vec3(high.x, low.y, high.z)), fetchLabel(vec3(low.x, high.yz)), fetchLabel(high));
 }
 
-/// The number of the label at a place in a cell with several labels; position: in voxels, see optics/vote.ts
+/// The number of the label at a place in a cell with several labels; position: in voxels, see optics/rays/vote.ts
 float voteAt(vec3 position) {
   vec3 low = floor(position);
   vec4 below;
@@ -73,7 +73,7 @@ float voteAt(vec3 position) {
 }
 
 /// Adds the appearance of the label at a place; p: unit cube. For projections, which show only values, hidden labels have no data.
-/// Twin: optics/labels.ts, labelField
+/// Twin: optics/attachments/labels.ts, labelField
 Sample labelsField(vec3 p, Sample known) {
   vec3 voxel = p * uDimensions;
   float number = labelOfCell(clamp(floor(voxel * uLabelCells.w), vec3(0.0), uLabelCells.xyz - 1.0));

@@ -2,7 +2,7 @@
 uniform vec4 uOutlines[MAX_OUTLINES];
 uniform float uOutlineCount;
 
-/// Whether an edge runs between the pixels from which a quad is interpolated. Twin: optics/plane-outlines.ts, meetsOutline
+/// Whether an edge runs between the pixels from which a quad is interpolated. Twin: optics/attachments/plane-outlines.ts, meetsOutline
 bool meetsOutlines(QuadPlace place) {
   vec2 reach = 1.25 * place.reach;
   for (int i = 0; i < MAX_OUTLINES; i++) {

@@ -16,7 +16,7 @@ float fetchOverlayVoxel(vec3 index) {
 }
 
 /// Interpolates between those of the eight voxels around a place that have data; false if their weights sum to less than half.
-/// Twin: optics/interpolate.ts
+/// Twin: optics/rays/interpolate.ts
 bool interpolateOverlay(vec3 q, out float stored) {
   vec3 position = clamp(q * uOverlayDimensions - 0.5, vec3(0.0), uOverlayDimensions - 1.0);
   vec3 low = floor(position);
@@ -43,7 +43,7 @@ bool sampleOverlay(vec3 p, out float stored) {
   stored = 0.0;
   if (any(lessThan(q, vec3(-OVERLAY_SLACK))) || any(greaterThan(q, vec3(1.0 + OVERLAY_SLACK)))) return false;
 #if OVERLAY_HOLES
-  // The weighted sum of values (0 for missing data), and the sum of the weights. Twin: optics/interpolate.ts
+  // The weighted sum of values (0 for missing data), and the sum of the weights. Twin: optics/rays/interpolate.ts
   vec4 sums = filterOverlay(q);
 #if WEBGL2
   float weights = sums.g;

@@ -2,7 +2,7 @@
 uniform vec2 uOverlayDomain;
 
 /// The layer's value at a place as a share of its domain; far below MIN_OVERLAY if it has none. A separate flag would cost a second
-/// member in all samples. Twin: optics/overlay.ts, overlayField
+/// member in all samples. Twin: optics/attachments/overlay.ts, overlayField
 Sample overlayField(vec3 p, Sample known) {
   float stored;
   bool valid = sampleOverlay(p, stored);

@@ -38,7 +38,7 @@ vec4 fetchOverlayMean(float middle, float width) {
 #endif
 }
 
-/// Mean over any span; from, to: shares of the domain. Twin: optics/preintegration-table.ts, lookUpSpan
+/// Mean over any span; from, to: shares of the domain. Twin: optics/transfer/preintegration-table.ts, lookUpSpan
 vec4 overlayMean(float from, float to) {
   float a = min(from, to);
   float b = max(from, to);
@@ -52,7 +52,7 @@ vec4 overlayMean(float from, float to) {
 }
 
 /// Either two media in one place: their extinctions add, and so does their light. Or the volume's extinction with the layer's colour.
-/// If one end has no data of the layer, the half next to it has no layer. Twin: optics/overlay.ts, overlayShade
+/// If one end has no data of the layer, the half next to it has no layer. Twin: optics/attachments/overlay.ts, overlayShade
 vec4 overlayAppearanceShade(Segment segment, vec4 seen) {
   float from = segment.front.overlay;
   float to = segment.back.overlay;

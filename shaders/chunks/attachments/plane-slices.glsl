@@ -25,7 +25,7 @@ void takeOfSlab(float here, float weight, float kind, inout SlabValue found) {
 }
 
 /// The value that a thick plane shows at a place: the average or extreme of all values on a line through the slab.
-/// Twin: optics/plane-slices.ts, sampleSlab
+/// Twin: optics/attachments/plane-slices.ts, sampleSlab
 bool sampleSlab(vec3 p, vec3 way, float kind, out float value) {
   vec3 origin = p - 0.5 * way;
   vec3 safe = mix(way, vec3(1.0e-9), vec3(lessThan(abs(way), vec3(1.0e-9))));
@@ -78,7 +78,7 @@ bool sampleSlab(vec3 p, vec3 way, float kind, out float value) {
 }
 #endif
 
-/// The colour at a place of a plane. False if there is no data. Twin: optics/plane-slices.ts, planeInterval
+/// The colour at a place of a plane. False if there is no data. Twin: optics/attachments/plane-slices.ts, planeInterval
 bool paintPlane(vec3 p, vec4 paint, vec4 slab, out vec3 color) {
   float value;
   bool valid;
@@ -98,7 +98,7 @@ bool paintPlane(vec3 p, vec4 paint, vec4 slab, out vec3 color) {
 
 /// The nearest plane that has data at its place ends a ray, behind the part of the volume in front of it. A plane on a cut face, or on
 /// a face of the volume, is visible from both sides.
-/// Twin: optics/plane-slices.ts, planeInterval
+/// Twin: optics/attachments/plane-slices.ts, planeInterval
 Interval planesInterval(Ray ray, Interval interval) {
   float nearest = 1.0e30;
   float end = interval.exit;

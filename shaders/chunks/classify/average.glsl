@@ -1,4 +1,4 @@
-/// Gathers the mean value of a ray over the length that has data. Twin: optics/projection.ts, averageGather
+/// Gathers the mean value of a ray over the length that has data. Twin: optics/rays/projection.ts, averageGather
 struct Gathered {
   float mean;
   /// The length over which it is the mean.
@@ -23,7 +23,7 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
 }
 
 #if EXACT
-/// By Simpson's rule, which is exact for cubics. Twin: optics/line-pieces.ts
+/// By Simpson's rule, which is exact for cubics. Twin: optics/rays/line-pieces.ts
 void gatherPiece(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
   float sixth = (to - from) / 6.0;
   weigh(front, sixth, gathered);

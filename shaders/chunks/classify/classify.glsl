@@ -6,7 +6,7 @@ uniform float uLargestOpacity;
 
 /// What a segment shows. If an end has no data, the half next to it is empty. If a velocity folds between the ends, each half has
 /// the value of its end.
-/// Twin: optics/ray-classify.ts, classifyByMeans
+/// Twin: optics/rays/ray-classify.ts, classifyByMeans
 vec4 classifySegment(Segment segment) {
   Sample from = segment.front;
   Sample to = segment.back;

@@ -4,7 +4,7 @@ uniform sampler2D uColumnBins;
 /// Number of all bins; bins in a row; 1 / texels across and down.
 uniform vec4 uBinTexels;
 
-/// The column of a share, and where the column begins and ends. Twin: optics/column-bins.ts
+/// The column of a share, and where the column begins and ends. Twin: optics/transfer/column-bins.ts
 vec3 findColumn(float share) {
   float bin = floor(clamp(share * uBinTexels.x, 0.0, uBinTexels.x - 1.0));
   float row = floor((bin + 0.5) / uBinTexels.y);

@@ -1,4 +1,4 @@
-/// The mean emission between two samples. Twin: optics/columns.ts, meanOverColumns
+/// The mean emission between two samples. Twin: optics/transfer/columns.ts, meanOverColumns
 vec4 meanOfSamples(Sample from, Sample to) {
   float width = to.place - from.place;
   bool isOneColumn = from.column == to.column;

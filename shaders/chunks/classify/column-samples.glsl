@@ -1,5 +1,5 @@
 /// The emission of a sample's value, and the integral up to this value. The integral starts from the nearer edge of the sample's
-/// column, so that the difference of two samples in different columns loses no digits. Twin: optics/columns.ts, locateShare
+/// column, so that the difference of two samples in different columns loses no digits. Twin: optics/transfer/columns.ts, locateShare
 Sample columnsField(vec3 p, Sample known) {
 #ifdef FUNCTIONS
   whichFunction = known.group;

@@ -1,6 +1,6 @@
 /// Columns of a transfer function; in each column emission is linear. Rows: 0, 1: extinction times colour, and extinction, at the
 /// begin and at the end of the columns; 2, 3: the integral up to their begin, and the rest that this float lacks; 4, 5: the same for
-/// their end; 6: where they begin and end. Twin: optics/columns.ts
+/// their end; 6: where they begin and end. Twin: optics/transfer/columns.ts
 uniform sampler2D uColumns;
 
 /// Number of columns; columns in a line of texels, and 1 / that; lines of texels for each row.

@@ -1,11 +1,11 @@
-/// Cube roots of the maximum opacity of a voxel between two values, see optics/substep-table.ts
+/// Cube roots of the maximum opacity of a voxel between two values, see optics/transfer/substep-table.ts
 uniform sampler2D uSubstepTable;
 
 /// The maximum number of substeps of a step.
 uniform float uMaxSubsteps;
 
 /// The number of substeps of a step. from, to: the values at its ends, as shares of the domain;
-/// visible: the share of light that reaches the eye. Twin: optics/segment.ts, countSubsteps
+/// visible: the share of light that reaches the eye. Twin: optics/rays/segment.ts, countSubsteps
 float countSubsteps(float from, float to, float visible) {
   if (uMaxSubsteps < 1.5) return 1.0;
   float a = clamp((min(from, to) - SUBSTEP_TABLE_FROM) / SUBSTEP_TABLE_WIDTH, 0.0, 1.0);

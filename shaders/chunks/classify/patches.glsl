@@ -24,7 +24,7 @@ float erfOf(float x) {
   return sign(x) * (1.0 - rest * exp(-x * x));
 }
 
-/// The share of a way in the plane that is inside a box. Twin: optics/patches.ts, meanOfBox
+/// The share of a way in the plane that is inside a box. Twin: optics/transfer/patches.ts, meanOfBox
 float meanOfBox(vec4 box, vec2 from, vec2 to) {
   vec2 way = to - from;
   // A way of length 0 becomes a tiny one, so that it is inside or far outside.
@@ -42,7 +42,7 @@ float gaussianAt(vec2 place) {
 }
 
 /// The mean of a Gaussian over a way; from, to: in standard deviations from its middle.
-/// Source: Kniss et al. 2003. Twin: optics/patches.ts, meanOfGaussian
+/// Source: Kniss et al. 2003. Twin: optics/transfer/patches.ts, meanOfGaussian
 float meanOfGaussian(vec2 from, vec2 to) {
   vec2 way = to - from;
   float wayLength = length(way);
@@ -106,7 +106,7 @@ bool meetsPatches(float from, float to) {
   return false;
 }
 
-/// How steep a field is at a sample. Twin: optics/patch-classify.ts
+/// How steep a field is at a sample. Twin: optics/rays/patch-classify.ts
 float steepnessOf(Sample known) {
   vec3 from = beginTaps(known.point);
   return uPatchSteepness * length(uNormalToWorld * growsTowards(known.point, from, changePerVoxel(known, from)));

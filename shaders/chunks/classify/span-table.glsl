@@ -1,5 +1,5 @@
 /// Means of extinction times colour, and of extinction, over spans of values, per reference length: columns by the
-/// middle of the span, rows by the square root of its width. Twin: optics/preintegration-table.ts
+/// middle of the span, rows by the square root of its width. Twin: optics/transfer/preintegration-table.ts
 uniform sampler2D uTransferFunction;
 
 /// Columns and rows of the table.
@@ -15,7 +15,7 @@ vec4 fetchMean(float middle, float width) {
   return texture2D(uTransferFunction, (texel + 0.5) / uTableSize);
 }
 
-/// Mean over any span; from, to: shares of the domain. Twin: optics/preintegration-table.ts, lookUpSpan
+/// Mean over any span; from, to: shares of the domain. Twin: optics/transfer/preintegration-table.ts, lookUpSpan
 vec4 meanOverSpan(float from, float to) {
   float a = min(from, to);
   float b = max(from, to);

@@ -1,4 +1,4 @@
-/// Emission and opacity of a length with a constant mean; ratio: length / reference length. Twin: optics/segment.ts, attenuate
+/// Emission and opacity of a length with a constant mean; ratio: length / reference length. Twin: optics/rays/segment.ts, attenuate
 vec4 attenuate(vec4 mean, float ratio) {
   float depth = mean.a * ratio;
   if (depth <= 0.0) return vec4(0.0);

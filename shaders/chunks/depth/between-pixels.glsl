@@ -49,7 +49,7 @@ vec4 secondDifference(vec4 a, vec4 b, vec4 c) {
   return abs(a - 2.0 * b + c);
 }
 
-/// How much the half picture curves around a quad. Twin: optics/between-pixels.ts, interpolateQuad
+/// How much the half picture curves around a quad. Twin: optics/rays/between-pixels.ts, interpolateQuad
 float curvatureOf(Surroundings s) {
   vec4 across = max(
     max(secondDifference(s.leftOfA, s.a, s.b), secondDifference(s.a, s.b, s.rightOfB)),
@@ -63,7 +63,7 @@ float curvatureOf(Surroundings s) {
   return max(max(curvatures.r, curvatures.g), max(curvatures.b, curvatures.a));
 }
 
-/// The colour of one of a quad's pixels. place: 0 or 1 across and down. Twin: optics/between-pixels.ts, interpolateQuad
+/// The colour of one of a quad's pixels. place: 0 or 1 across and down. Twin: optics/rays/between-pixels.ts, interpolateQuad
 vec4 interpolateBetween(Surroundings s, vec2 place) {
   vec4 across = (9.0 * (s.a + s.b) - s.leftOfA - s.rightOfB) / 16.0;
   vec4 down = (9.0 * (s.a + s.c) - s.belowA - s.aboveC) / 16.0;

@@ -18,7 +18,7 @@ struct RayEnd {
   bool miss;
 };
 
-/// pixel: its centre; stored: depth of the nearest shape. Twin: optics/depth-jumps.ts, rayEnd
+/// pixel: its centre; stored: depth of the nearest shape. Twin: optics/rays/depth-jumps.ts, rayEnd
 RayEnd rayEndAt(vec2 pixel, float stored) {
   Interval interval = boxInterval(rayAt(pixel), Interval(uEyeT, 1.0e30, vec4(0.0)));
   float surface = depthToT(stored);
@@ -44,7 +44,7 @@ bool cutsInside(RayEnd end) {
 }
 
 /// For a quad of 2 x 2 pixels: its jump, and which of its rays end at lines and points, as a sum of 1, 2, 4 and 8 fifteenths.
-/// corner: centre of the quad's pixel at the lower left. Twin: optics/depth-jumps.ts, findJump and findThin
+/// corner: centre of the quad's pixel at the lower left. Twin: optics/rays/depth-jumps.ts, findJump and findThin
 vec2 findJump(vec2 corner) {
   // The known pixels around, and the quad's own. In a loop, because software GL needs half a second to compile each copy of `rayEndAt`.
   vec4 known = vec4(0.0);

@@ -26,7 +26,7 @@ float depthToT(float stored) {
 /// The shift from the middle of a pixel to its ray, in pixels.
 uniform vec2 uRayShift;
 
-/// How much the stored depth changes from pixel to pixel, across and up. Twin: optics/depth-slope.ts
+/// How much the stored depth changes from pixel to pixel, across and up. Twin: optics/rays/depth-slope.ts
 vec2 depthSlope(vec2 before, float here, vec2 after) {
   vec2 a = here - before;
   vec2 b = after - here;
@@ -43,7 +43,7 @@ float surfaceT() {
   return depthToT(stored < 1.0 ? stored + dot(uRayShift, depthSlope(before, stored, after)) : stored);
 }
 
-/// An opaque shape ends a ray; x3dom has drawn it. Twin: optics/ray-intervals.ts, shapeInterval
+/// An opaque shape ends a ray; x3dom has drawn it. Twin: optics/rays/ray-intervals.ts, shapeInterval
 Interval sceneDepthInterval(Ray ray, Interval interval) {
   interval.exit = min(interval.exit, surfaceT());
   return interval;

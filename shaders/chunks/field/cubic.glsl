@@ -1,5 +1,5 @@
 /// The place of a cubic's local maximum, from its values at 0, 1, 2 and 3; -1 if it has none between these. value: the maximum.
-/// Twin: optics/cubic.ts
+/// Twin: optics/rays/cubic.ts
 float topOfCubic(vec4 values, out float value) {
   float first = values.y - values.x;
   float second = values.z - 2.0 * values.y + values.x;

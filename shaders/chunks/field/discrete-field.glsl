@@ -2,7 +2,7 @@
 #define NO_DATA_BELOW -3.0e38
 
 /// The stored value at a point: the value with the most votes of the eight voxels around it; p: unit cube. False if there is no data.
-/// Twin: optics/vote.ts
+/// Twin: optics/rays/vote.ts
 bool sampleVolume(vec3 p, out float value) {
   vec3 position = clamp(p * uDimensions - 0.5, vec3(0.0), uDimensions - 1.0);
   vec3 low = floor(position);

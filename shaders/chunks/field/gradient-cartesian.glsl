@@ -1,4 +1,4 @@
-/// The taps of a cartesian grid are one voxel apart along its axes. Twin: optics/gradient.ts, cartesianGradient
+/// The taps of a cartesian grid are one voxel apart along its axes. Twin: optics/rays/gradient.ts, cartesianGradient
 vec3 beginTaps(vec3 p) {
   return p;
 }
@@ -18,7 +18,7 @@ bool tapField(vec3 at, out float stored) {
   return sampleVolume(at, stored);
 }
 #elif TEXTURE_3D
-/// All places have data, and the device's filter gives their values: each tap is one line. Twin: optics/gradient.ts, differ
+/// All places have data, and the device's filter gives their values: each tap is one line. Twin: optics/rays/gradient.ts, differ
 vec3 changePerVoxel(Sample known, vec3 from) {
   vec3 voxel = 1.0 / uDimensions;
   vec3 low = vec3(filterVolume(from - vec3(voxel.x, 0.0, 0.0)), filterVolume(from - vec3(0.0, voxel.y, 0.0)), filterVolume(from - vec3(0.0, 0.0, voxel.z)));
@@ -31,7 +31,7 @@ float filterTile(vec2 tile, vec2 at) {
   return decodeTexel(texture2D(uVolume, (tile + clamp(at, vec2(0.5), uDimensions.xy - 0.5)) / uMosaic.zw));
 }
 
-/// The same in the two slices around a place: the taps along x and y are in the same slices. Twin: optics/gradient.ts, differ
+/// The same in the two slices around a place: the taps along x and y are in the same slices. Twin: optics/rays/gradient.ts, differ
 vec3 changePerVoxel(Sample known, vec3 from) {
   vec2 at = from.xy * uDimensions.xy;
   float last = uDimensions.z - 1.0;

@@ -1,6 +1,6 @@
 #ifdef TAPS_IN_LOOP
 /// Six taps, in a loop, because each copy of their code takes long to compile. The loop ends at its bottom: if a loop ends at its top,
-/// software GL runs it once more for no ray. Twin: optics/gradient.ts, differ
+/// software GL runs it once more for no ray. Twin: optics/rays/gradient.ts, differ
 vec3 changePerVoxel(Sample known, vec3 from) {
   vec3 steps = tapSteps(from);
   vec3 sums = vec3(0.0);

@@ -2,7 +2,7 @@
 #define NO_DATA_BELOW -3.0e38
 
 /// Tri-linear interpolation of the eight voxels around a point; p: unit cube; value: stored. False if there is no data.
-/// Twin: optics/interpolate.ts
+/// Twin: optics/rays/interpolate.ts
 bool interpolateVoxels(vec3 p, out float value) {
   vec3 position = clamp(p * uDimensions - 0.5, vec3(0.0), uDimensions - 1.0);
   vec3 low = floor(position);

@@ -5,7 +5,7 @@ uniform vec3 uDimensions;
 uniform vec2 uTableDomain;
 
 /// The share of the domain for a stored value. The difference comes first, because it is exact near the low end.
-/// Twin: optics/share-map.ts
+/// Twin: optics/transfer/share-map.ts
 float toShare(float stored) {
   return (stored - uTableDomain.y) * uTableDomain.x;
 }

@@ -11,7 +11,7 @@ vec2 electOne(vec2 one, vec2 other) {
 /// The value with the most votes of a box's corners, where a vote counts by its tri-linear weight; with equal votes, the smallest value wins.
 /// below, above: corners at the lower and upper end of z, (0, 0), (1, 0), (0, 1), (1, 1); share: of the way from the lower corner to
 /// the upper one. Each corner gets the votes of all corners with the same value; each pair of neighbours is compared only once.
-/// Source: Hadwiger, Berger and Hauser 2003. Twin: optics/vote.ts
+/// Source: Hadwiger, Berger and Hauser 2003. Twin: optics/rays/vote.ts
 float voteOfCorners(vec4 below, vec4 above, vec3 share) {
   if (below == vec4(below.x) && above == vec4(below.x)) return below.x;
   vec2 across = vec2(1.0 - share.x, share.x);

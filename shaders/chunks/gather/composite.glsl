@@ -7,7 +7,7 @@ Gathered beginGathering() {
   return Gathered(vec4(0.0));
 }
 
-/// Emission and absorption. Twin: optics/ray-gather.ts, composite
+/// Emission and absorption. Twin: optics/rays/ray-gather.ts, composite
 void gatherSegment(Segment segment, inout Gathered gathered) {
   segment.visible = 1.0 - gathered.color.a;
   gathered.color += segment.visible * seeSegment(segment);

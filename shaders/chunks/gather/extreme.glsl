@@ -41,7 +41,7 @@ void consider(Sample found, float at, inout Gathered gathered) {
 }
 
 /// Takes a sample on the way. Behind the first local extreme that reaches the threshold, samples do not count.
-/// Twin: optics/projection.ts, seekExtreme
+/// Twin: optics/rays/projection.ts, seekExtreme
 void pass(Sample found, float at, inout Gathered gathered) {
 #if LOCAL_EXTREME
   gathered.isPast = gathered.isPast || (hasData(found) && gathered.best >= uThreshold && EXTREME_SIGN * found.value < gathered.best);
@@ -58,7 +58,7 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
 #if EXACT
 /// Takes a piece between two planes of voxel centres: samples at its ends, at both thirds, and at the maximum of the cubic through these
 /// four, if that is larger than the best value. All are samples of the ray, so that the picture shows only real values.
-/// Twin: optics/line-pieces.ts
+/// Twin: optics/rays/line-pieces.ts
 void gatherPiece(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
   float third = (to - from) / 3.0;
   Sample second = sampleField(path.origin + path.forward * (from + third));
@@ -118,7 +118,7 @@ float divide(float a, float b) {
 
 /// Places where a peak may be: the top of the parabola through three samples, and the places in front and behind where straight lines
 /// from two sides meet, as at faces of voxels. best: value and place; values, places: two samples before it and two after it.
-/// Twin: optics/projection.ts, findPeaks
+/// Twin: optics/rays/projection.ts, findPeaks
 vec3 findPeaks(vec2 best, vec4 values, vec4 places) {
   float before = best.y - places.y;
   float after = places.z - best.y;
@@ -144,7 +144,7 @@ vec2 pieceAround(Path path, float along) {
 }
 
 /// Takes samples where the peak may be, closer in each round. All are samples of the ray, so that the picture shows only real values.
-/// Twin: optics/projection.ts, refine
+/// Twin: optics/rays/projection.ts, refine
 Gathered refine(Gathered gathered, Path path) {
   float reach = uStepLength;
   vec2 piece = pieceAround(path, gathered.at);

@@ -1,5 +1,5 @@
 /// Emission and absorption that also finds every place where a ray touches a value at which the volume becomes opaque at once: see
-/// optics/opaque-jumps.ts. Twin: optics/jump-gather.ts
+/// optics/transfer/opaque-jumps.ts. Twin: optics/surfaces/jump-gather.ts
 
 /// Length of a voxel, in bounding diameters.
 uniform float uVoxelLength;

@@ -1,4 +1,4 @@
-/// Finds where rays cross surfaces of constant values, and where they graze them. Twin: optics/surface-crossings.ts
+/// Finds where rays cross surfaces of constant values, and where they graze them. Twin: optics/surfaces/surface-crossings.ts
 
 /// Whether a surface is between two values; isTop: whether `value` is above it, else below it.
 bool isBeyond(float value, float known, bool isTop) {
@@ -8,7 +8,7 @@ bool isBeyond(float value, float known, bool isTop) {
 
 #if KINKS
 /// Where a way of at most a voxel passes planes of voxel centres, along each axis, as shares of the way; 2 if it passes none.
-/// Twin: optics/ray-field.ts
+/// Twin: optics/rays/ray-field.ts
 vec3 kinksBetween(vec3 from, vec3 to) {
   vec3 begin = from * uDimensions - 0.5;
   vec3 way = (to - from) * uDimensions;
@@ -32,7 +32,7 @@ bool mayTurn(Segment segment, float before, float count) {
 }
 
 /// Where values turn back beyond a surface between two samples: the length from the segment's begin; 0 if they do not.
-/// value, point, span: of the sample before the segment, and its distance. Twin: optics/surface-crossings.ts, findTurn
+/// value, point, span: of the sample before the segment, and its distance. Twin: optics/surfaces/surface-crossings.ts, findTurn
 float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanBefore, out Sample top) {
   vec3 t = vec3(-spanBefore, 0.0, segment.span);
   vec3 v = vec3(valueBefore, segment.front.value, segment.back.value);
@@ -89,7 +89,7 @@ float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanB
 }
 
 /// The number of the next surface that a leg crosses; -1 if there is none. last: the surface before, or a number that is no surface.
-/// Twin: optics/surface-crossings.ts, listCrossed
+/// Twin: optics/surfaces/surface-crossings.ts, listCrossed
 float nextSurface(float from, float to, float last) {
   float next = -1.0;
   for (int i = 0; i < SURFACE_COUNT; i++) {
@@ -106,7 +106,7 @@ float nextSurface(float from, float to, float last) {
 }
 
 /// The share of a piece at which it has the wanted value; hit: the sample there. known: share and value of a place before it.
-/// Twin: optics/surface-crossings.ts, refine
+/// Twin: optics/surfaces/surface-crossings.ts, refine
 float refineHit(Segment piece, vec2 known, float wanted, out Sample hit) {
   bool isAbove = piece.back.value >= wanted;
   vec2 a = vec2(known.x, known.y - wanted);

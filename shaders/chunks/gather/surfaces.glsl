@@ -6,7 +6,7 @@ uniform mat4 uSurfaceColors;
 uniform float uPerFlatSurface;
 #endif
 
-/// A piece of a ray along which values only rise or fall. Twin: optics/surface-crossings.ts, Leg
+/// A piece of a ray along which values only rise or fall. Twin: optics/surfaces/surface-crossings.ts, Leg
 struct Leg {
   Segment piece;
   /// The leg crosses the surfaces from this value on.
@@ -25,7 +25,7 @@ bool runsOn(Sample a, Sample b) {
   return true;
 }
 
-/// The colour of a surface that a ray passes. visible: the share of light that reaches the eye. Twin: optics/surfaces.ts, seeSurface
+/// The colour of a surface that a ray passes. visible: the share of light that reaches the eye. Twin: optics/surfaces/surfaces.ts, seeSurface
 vec4 seeSurface(vec4 color, Sample hit, float visible) {
   vec4 seen = vec4(color.rgb * color.a, color.a);
 #ifdef LABELS_HIDE
@@ -81,7 +81,7 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
 }
 
 /// Emission and absorption with surfaces in it. One loop handles all pieces and all surfaces, so that its code is there only once.
-/// Twin: optics/surfaces.ts, surfaceGather
+/// Twin: optics/surfaces/surfaces.ts, surfaceGather
 void lookCloser(Segment segment, inout Gathered gathered) {
   if (!gathered.waits) return;
   gathered.waits = false;
@@ -172,7 +172,7 @@ void lookCloser(Segment segment, inout Gathered gathered) {
 #ifdef SUBSTEPS
 /// Whether values near a step may pass a surface that the step itself does not cross, if they continue as far as they came on the step
 /// or before it.
-/// Twin: optics/surface-crossings.ts, mayGraze
+/// Twin: optics/surfaces/surface-crossings.ts, mayGraze
 bool mayGraze(float from, float to, Gathered gathered) {
   float before = gathered.spanBefore > 0.0 ? abs(from - gathered.valueBefore) * (uStepLength / gathered.spanBefore) : 0.0;
   float reach = max(abs(to - from), before);

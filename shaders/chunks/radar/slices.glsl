@@ -22,7 +22,7 @@ vec4 fetchStopColor(float stop) {
   return texture2D(uStops, vec2((stop + 0.5) * uStopTexels.y, 0.75));
 }
 
-/// Colour and opacity at a share of the table's domain. Twin: optics/transfer-function.ts, evaluate
+/// Colour and opacity at a share of the table's domain. Twin: optics/transfer/transfer-function.ts, evaluate
 vec4 evaluateStops(float share) {
   float low = 0.0;
   float high = uStopTexels.x - 1.0;

@@ -13,7 +13,7 @@ float ambientInSlice(float slice, vec2 at) {
   return texture2D(uAmbient, (vec2(slice - row * uAmbientGrid.w, row) * uAmbientGrid.xy + at) * uAmbientScale.xy).r;
 }
 
-/// p: unit cube. Twin: optics/ambient-light.ts, ambientAt
+/// p: unit cube. Twin: optics/rays/ambient-light.ts, ambientAt
 float ambientAt(vec3 p) {
   vec3 at = clamp(p * (uAmbientGrid.xyz - 2.0 * uAmbientScale.z) + uAmbientScale.z, vec3(0.5), uAmbientGrid.xyz - 0.5);
   float below = floor(at.z - 0.5);
@@ -22,7 +22,7 @@ float ambientAt(vec3 p) {
 }
 
 /// Darkens what is hidden from the light that comes from all sides. Places are left out as in lit.glsl, which comes before.
-/// Source: Hernell, Ljung and Ynnerman 2010. Twin: optics/ambient-light.ts, ambientShade
+/// Source: Hernell, Ljung and Ynnerman 2010. Twin: optics/rays/ambient-light.ts, ambientShade
 vec4 ambientShade(Segment segment, vec4 seen) {
   if (segment.visible <= MIN_LIT || segment.visible * seen.a <= MIN_LIT * segment.span) return seen;
   vec3 middle = 0.5 * (segment.front.point + segment.back.point);

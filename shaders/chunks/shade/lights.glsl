@@ -13,7 +13,7 @@ float lightSides(float x, float front, float power) {
 }
 
 /// Add the light of the scene's lights. place: relative to the volume's centre; all in world directions; material: see uMaterial.
-/// Twin: optics/lights.ts, shadeSurface
+/// Twin: optics/transfer/lights.ts, shadeSurface
 Shade shadeByLights(vec3 place, vec3 normal, vec3 toEye, vec4 material, Shade shade) {
   float front = clamp(0.5 + 0.5 * dot(normal, toEye) / SOFT_FACING, 0.0, 1.0);
   for (int i = 0; i < 4; i++) {

@@ -1,7 +1,7 @@
 /// The material of the volume's surfaces: ambient, diffuse, specular, shininess.
 uniform vec4 uMaterial;
 
-/// The effect of light on a colour: the factor of the colour, and the amount of white. Twin: optics/lights.ts
+/// The effect of light on a colour: the factor of the colour, and the amount of white. Twin: optics/transfer/lights.ts
 struct Shade {
   vec3 diffuse;
   vec3 specular;

@@ -1,4 +1,4 @@
-/// Half-spaces that are kept, a column for each: the distance inside, in voxels. Twin: optics/cut-fade.ts, fadeAtCuts
+/// Half-spaces that are kept, a column for each: the distance inside, in voxels. Twin: optics/rays/cut-fade.ts, fadeAtCuts
 uniform mat4 uClipVoxelsA;
 uniform mat4 uClipVoxelsB;
 uniform mat4 uClipVoxelsC;

@@ -7,7 +7,7 @@ uniform mat3 uUnitToWorld;
 /// From a direction in which values grow to a world direction.
 uniform mat3 uNormalToWorld;
 
-/// 0 at a cut and beyond it, 1 from one voxel inside on. Twin: optics/cut-fade.ts, fadeAtCuts
+/// 0 at a cut and beyond it, 1 from one voxel inside on. Twin: optics/rays/cut-fade.ts, fadeAtCuts
 float fadeAtCuts(vec3 p) {
   float depth = depthInBox(p * uDimensions, uDimensions);
 #if LIT_CUTS
@@ -17,7 +17,7 @@ float fadeAtCuts(vec3 p) {
 }
 
 /// perFlat: 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat; material: as uMaterial.
-/// Twin: optics/lit.ts, lightAt
+/// Twin: optics/rays/lit.ts, lightAt
 Shade shadeSample(Sample known, float perFlat, vec4 material) {
   vec3 from = beginTaps(known.point);
   vec3 perVoxel = changePerVoxel(known, from) * perFlat;

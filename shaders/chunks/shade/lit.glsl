@@ -1,4 +1,4 @@
-/// 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat. Twin: optics/gradient.ts, flatChange
+/// 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat. Twin: optics/rays/gradient.ts, flatChange
 uniform float uPerFlat;
 
 /// As uMaterial, for flat places, which have no surface.
@@ -9,7 +9,7 @@ vec3 shadedPoint = vec3(-9.0);
 Shade shadedLast = Shade(vec3(1.0), vec3(0.0));
 
 /// Light on every place of a field, with its gradient as the normal of a surface. Taps are taken only where something shows: places that
-/// are left out change a picture by MIN_LIT at most. Source: Lum, Wilson and Ma 2004. Twin: optics/lit.ts, litShade
+/// are left out change a picture by MIN_LIT at most. Source: Lum, Wilson and Ma 2004. Twin: optics/rays/lit.ts, litShade
 vec4 litShade(Segment segment, vec4 seen) {
   Sample front = segment.front;
   Sample back = segment.back;

@@ -1,9 +1,9 @@
-/// Applies X3D's rendering styles at a place. Twin: optics/styled.ts, stylesAt
+/// Applies X3D's rendering styles at a place. Twin: optics/rays/styled.ts, stylesAt
 
 /// As in lit.glsl: 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat.
 uniform float uPerFlat;
 
-/// A row for each function of one number; a chain of styles has four functions. Twin: optics/volume-styles.ts, buildStyleTable
+/// A row for each function of one number; a chain of styles has four functions. Twin: optics/transfer/volume-styles.ts, buildStyleTable
 uniform sampler2D uStyleTable;
 
 /// For two chains: their share of the picture, their factor of the opacity at flat places, and whether they are lit.
@@ -12,7 +12,7 @@ uniform vec2 uStyleFlat;
 uniform vec2 uStyleLit;
 
 /// From the change along a reference length to a share of the range of factors by gradient; 0 if there are no such factors.
-/// Twin: optics/styled.ts, perGradientReach
+/// Twin: optics/rays/styled.ts, perGradientReach
 uniform vec2 uStylePerReach;
 
 /// As uMaterial, for styled places.
@@ -23,7 +23,7 @@ uniform vec3 uStyleDiffuse;
 uniform vec3 uStyleSpecular;
 uniform vec3 uStyleEmissive;
 
-/// From flat changes per world unit to the change along a reference length. Twin: optics/styled.ts, perReferenceLength
+/// From flat changes per world unit to the change along a reference length. Twin: optics/rays/styled.ts, perReferenceLength
 uniform float uStyleChange;
 
 /// How styles change a colour c (gain c + more), and the opacity of a reference length.
@@ -42,7 +42,7 @@ vec4 styleRow(float row, float share) {
   return mix(first, texture2D(uStyleTable, vec2((low + 1.5) / STYLE_COLUMNS, y)), at - low);
 }
 
-/// The mean of n . l of all lights, weighted by intensity, for the side that faces the eye. Twin: optics/styled.ts, towardsLights
+/// The mean of n . l of all lights, weighted by intensity, for the side that faces the eye. Twin: optics/rays/styled.ts, towardsLights
 float towardsLights(vec3 place, vec3 normal, float facing) {
   float sum = uHeadlight * abs(facing);
   float weights = uHeadlight;

@@ -12,7 +12,7 @@ float styleOpacity(float depth) {
 }
 
 /// Applies X3D's rendering styles to a segment: the mean of both ends. As in lit.glsl, taps are taken only where something shows.
-/// Twin: optics/styled.ts, styledShade
+/// Twin: optics/rays/styled.ts, styledShade
 vec4 styledShade(Segment segment, vec4 seen) {
   Sample front = segment.front;
   Sample back = segment.back;

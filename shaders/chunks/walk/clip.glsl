@@ -16,7 +16,7 @@ Interval clipTo(mat4 planes, Ray ray, Interval interval) {
   return interval;
 }
 
-/// A ray runs in the intersection of all half-spaces. Twin: optics/clip-intervals.ts, clipInterval
+/// A ray runs in the intersection of all half-spaces. Twin: optics/rays/clip-intervals.ts, clipInterval
 Interval clipInterval(Ray ray, Interval interval) {
   interval = clipTo(uClipC, ray, clipTo(uClipB, ray, clipTo(uClipA, ray, interval)));
   if (interval.exit < interval.entry + slackOf(ray.direction)) interval.exit = min(interval.exit, interval.entry);

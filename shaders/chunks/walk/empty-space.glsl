@@ -1,9 +1,9 @@
 /// A code for each cell. Codes of CELL_CODES and more: nothing can be seen in the cell, and the code counts the rings of such cells
 /// around it (the cell itself is the first). Smaller codes: the cell needs 2 to this power samples for each voxel.
-/// Twin: optics/empty-space-distance.ts, encodeCells
+/// Twin: optics/cells/empty-space-distance.ts, encodeCells
 uniform sampler2D uEmptySpaceDistance;
 
-/// Add this to a cell's code to get the power of 2 of the parts into which its steps are cut, see optics/power-of-steps.ts
+/// Add this to a cell's code to get the power of 2 of the parts into which its steps are cut, see optics/transfer/power-of-steps.ts
 uniform float uDetailPower;
 
 /// Exactly 1 / 2 to a power, for powers of 0, 1, 2 and 3; larger powers count as 3.

@@ -1,7 +1,7 @@
 /// t at the eye.
 uniform float uEyeT;
 
-/// Where a ray runs through the shown part of the volume, in its parameter t; entry >= exit if it misses that part. Twin: optics/ray-stages.ts
+/// Where a ray runs through the shown part of the volume, in its parameter t; entry >= exit if it misses that part. Twin: optics/rays/ray-stages.ts
 struct Interval {
   float entry;
   float exit;

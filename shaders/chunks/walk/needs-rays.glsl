@@ -4,7 +4,7 @@ uniform sampler2D uDepthJumps;
 /// Pixels whose brightest channel is at most this count as black.
 uniform float uFaint;
 
-/// Whether a quad needs rays because of shapes. Twin: optics/depth-jumps.ts, needsRays
+/// Whether a quad needs rays because of shapes. Twin: optics/rays/depth-jumps.ts, needsRays
 bool needsRaysAtJumps(QuadPlace place, Surroundings s) {
   vec4 largest = max(max(s.a, s.b), max(s.c, s.d));
   bool dark = max(max(largest.r, largest.g), max(largest.b, largest.a)) <= uFaint;

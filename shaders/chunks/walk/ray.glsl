@@ -1,4 +1,4 @@
-/// The ray of a pixel in the unit cube, linear in device coordinates: see optics/rays.ts.
+/// The ray of a pixel in the unit cube, linear in device coordinates: see optics/rays/rays.ts.
 uniform vec3 uPoint;
 uniform vec3 uPointX;
 uniform vec3 uPointY;

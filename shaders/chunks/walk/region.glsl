@@ -2,7 +2,7 @@
 uniform mat3 uRegionTurn;
 uniform vec3 uRegionShift;
 
-/// A ray runs through the unit cube, and the region in it. Twin: optics/ray-intervals.ts, boxInterval
+/// A ray runs through the unit cube, and the region in it. Twin: optics/rays/ray-intervals.ts, boxInterval
 Interval boxInterval(Ray ray, Interval interval) {
   vec2 whole = intersectUnitCube(ray.point, ray.direction);
   vec2 part = intersectUnitCube(uRegionTurn * ray.point + uRegionShift, uRegionTurn * ray.direction);

@@ -1,5 +1,5 @@
 /// The path of a ray through the shown part of the volume, measured by the length from its begin, in bounding diameters.
-/// Twin: optics/ray-stages.ts
+/// Twin: optics/rays/ray-stages.ts
 struct Path {
   /// Where it begins, in the unit cube; and how far a unit of length moves it.
   vec3 origin;

@@ -1,4 +1,4 @@
-/// Two ends of a ray that are nearer to each other than this, in its t, count as the same place. Twin: optics/slack.ts
+/// Two ends of a ray that are nearer to each other than this, in its t, count as the same place. Twin: optics/rays/slack.ts
 float slackOf(vec3 direction) {
   vec3 along = abs(direction);
   return 1.0e-5 / max(max(along.x, along.y), along.z);

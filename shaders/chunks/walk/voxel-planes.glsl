@@ -1,5 +1,5 @@
 /// The planes of voxel centres that a line meets: between two of them, a tri-linear value is a cubic function of the length.
-/// Twin: optics/voxel-planes.ts
+/// Twin: optics/rays/voxel-planes.ts
 struct PlaneWalk {
   /// Where the line begins, in voxels (whole numbers at centres); perVoxel: the length of line for one voxel along each axis.
   vec3 origin;

@@ -1,5 +1,5 @@
 /// Walk a ray from one plane of voxel centres to the next, like walk-voxels.glsl, but divide the way between two planes into parts. The
-/// gather stage gets each part as a whole (`gatherPart`). The parts have the same ends with skipping and without. Twin: optics/jump-gather.ts
+/// gather stage gets each part as a whole (`gatherPart`). The parts have the same ends with skipping and without. Twin: optics/surfaces/jump-gather.ts
 void walkRay(Path path, float limit, inout Gathered gathered) {
   PlaneWalk walk = enterPlanes(path.origin, path.forward);
   // The unit of look-ups of cells is an eighth of a voxel along the ray's main axis.

@@ -1,6 +1,6 @@
 /// Walk a ray whose steps are cut only as their cells need. Each iteration looks up the cell ahead, takes a sample there, and gathers the
 /// segment before: none of the three waits for the result of another, so that a processor can do them in parallel.
-/// Samples are on the same lattice of steps with skipping and without. Twin: optics/cast-ray.ts, with maxSubsteps 1
+/// Samples are on the same lattice of steps with skipping and without. Twin: optics/rays/cast-ray.ts, with maxSubsteps 1
 void walkRay(Path path, float limit, inout Gathered gathered) {
   float steps = countSteps(limit);
   // The last step is shorter than the others: its length, and how far the next sample is in it.

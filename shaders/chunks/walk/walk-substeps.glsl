@@ -1,4 +1,4 @@
-/// Walk a ray whose steps are also cut by the samples at their ends: into more substeps where more may be seen. Twin: optics/cast-ray.ts
+/// Walk a ray whose steps are also cut by the samples at their ends: into more substeps where more may be seen. Twin: optics/rays/cast-ray.ts
 void walkRay(Path path, float limit, inout Gathered gathered) {
   float total = path.total;
   float begin = 0.0;

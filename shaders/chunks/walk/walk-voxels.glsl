@@ -1,6 +1,6 @@
 /// Walk a ray from one plane of voxel centres to the next, independent of the step length. Between two planes a tri-linear value is a cubic
 /// function of the length; the gather stage gets each such piece (`gatherPiece`). Pieces have the same ends with skipping and without.
-/// Twin: optics/cast-ray.ts, walkKinks
+/// Twin: optics/rays/cast-ray.ts, walkKinks
 void walkRay(Path path, float limit, inout Gathered gathered) {
   PlaneWalk walk = enterPlanes(path.origin, path.forward);
   // The unit of look-ups of cells is an eighth of a voxel along the ray's main axis.

@@ -1,7 +1,7 @@
 /// Step length in bounding diameters.
 uniform float uStepLength;
 
-/// The number of steps on a length. Twin: optics/count-steps.ts
+/// The number of steps on a length. Twin: optics/rays/count-steps.ts
 float countSteps(float total) {
   return max(1.0, ceil(total / uStepLength - 0.001));
 }

@@ -20,6 +20,9 @@ export function createOccludedLight(layer: StyledLayer): StyleModules {
       const fits = lit.length > 0 && !isPolar(layer.volume!) && hasRoomFor(leftOut, [...others, ...lit], layer.device);
       return fits ? [...lit, rays.module(cutsOf(layer.plan.cuts))] : lit;
     },
-    dispose: () => rays.dispose(),
+    dispose: () => {
+      light.dispose();
+      rays.dispose();
+    },
   };
 }
