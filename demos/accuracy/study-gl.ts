@@ -128,7 +128,9 @@ export class StudyGl {
 
   /** Load what only some transfer functions need. `draw` does so by itself. */
   prepare({ volume, transferFunction, referenceLength }: StudyPicture): Promise<void> {
-    return this.#layer(volume).setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
+    return this.#layer(volume).setAppearance({
+      optics: { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 },
+    });
   }
 
   /**
@@ -180,7 +182,7 @@ export class StudyGl {
 
   #inputs(picture: StudyPicture, layer: VolumeLayer, size: number): ProgramInputs {
     const { method, rays, transferFunction, referenceLength, steps, paper, shown } = picture;
-    void layer.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
+    void layer.setAppearance({ optics: { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 } });
     if (layer.optics?.transferFunction !== transferFunction)
       throw new TypeError('prepare() has to be awaited before a picture is drawn');
     layer.skipping = picture.skipping ?? true;

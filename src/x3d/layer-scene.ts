@@ -1,6 +1,5 @@
 import type { ShownOverlay } from '../optics/attachments/overlay.ts';
-import type { RayStyle } from '../optics/rays/ray-style.ts';
-import type { Optics } from '../renderer/ray/ray-module.ts';
+import type { Appearance } from '../renderer/ray/ray-module.ts';
 import type { ProjectedRays } from '../optics/rays/ray-style.ts';
 import type { SeenVolume, Substeps, VolumeLayer } from '../renderer/layers/volume-layer.ts';
 import type { RayTwins } from '../renderer/ray/ray-twin.ts';
@@ -11,12 +10,8 @@ export abstract class LayerScene {
   /** What is drawn; only one at present. */
   abstract readonly layers: readonly [VolumeLayer];
 
-  setOptics(optics: Optics): Promise<void> {
-    return this.layers[0].setOptics(optics);
-  }
-
-  setStyle(style: RayStyle | null): Promise<void> {
-    return this.layers[0].setStyle(style);
+  setAppearance(appearance: Partial<Appearance>): Promise<void> {
+    return this.layers[0].setAppearance(appearance);
   }
 
   setLabels(labels: ShownLabels | null): Promise<void> {

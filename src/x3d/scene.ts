@@ -111,7 +111,7 @@ export class VolumeScene extends LayerScene {
   }
 
   /**
-   * Loads the code that only some volumes and some optics need, before `setVolume` and `setOptics`. @throws
+   * Loads the code that only some volumes and some optics need, before `setVolume` and `setAppearance`. @throws
    * {VolumeViewError} `format/unsupported`
    */
   async prepare(volume: VolumeData, optics?: Optics): Promise<void> {

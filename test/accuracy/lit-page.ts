@@ -90,8 +90,8 @@ async function show(
   await scene.setOverlay(null);
   await scene.prepare(volume, optics);
   scene.setVolume(volume);
-  await scene.setStyle(style);
-  await scene.setOptics(optics);
+  await scene.setAppearance({ style });
+  await scene.setAppearance({ optics });
   await scene.setOverlay(overlay ?? null);
   changePlan(scene, { camera });
 }

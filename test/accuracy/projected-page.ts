@@ -46,8 +46,8 @@ export async function compareProjected(
   changePlan(gpu, { picture: size });
   await gpu.prepare(volume, optics);
   gpu.setVolume(volume);
-  await gpu.setStyle(style);
-  await gpu.setOptics(optics);
+  await gpu.setAppearance({ style });
+  await gpu.setAppearance({ optics });
   changePlan(gpu, { camera });
   const control = new QualityControl();
   control.set(defaultTargets);

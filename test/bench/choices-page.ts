@@ -65,7 +65,7 @@ export async function compareChoices(size: number, turns: number, steps: number)
     };
     await scene.prepare(volume, optics);
     scene.setVolume(volume);
-    await scene.setOptics(optics);
+    await scene.setAppearance({ optics });
     changePlan(scene, { picture: { width: size, height: size } });
     const fieldOfView = Math.PI / 4;
     changePlan(scene, {

@@ -170,11 +170,13 @@ async function measureErrors(
   await scene.prepare(volume);
   scene.setVolume(volume);
   const stops = await resolveTransferFunction(transferFunction, volume.window ?? windowFromHistogram(volume.histogram));
-  await scene.setOptics({
-    transferFunction: stops,
-    referenceLength: defaultReferenceLength(volume),
-    opacityFactor: 1,
-    lightFactor: 1,
+  await scene.setAppearance({
+    optics: {
+      transferFunction: stops,
+      referenceLength: defaultReferenceLength(volume),
+      opacityFactor: 1,
+      lightFactor: 1,
+    },
   });
   const errors: number[] = [];
   for (let i = 0; i < judged; i++) {

@@ -63,7 +63,7 @@ async function compareScene(
   const volume = await loadScan(url);
   const transferFunction = await resolveTransferFunction(appearance ?? 'gray', volume.range);
   const { scene, dispose } = await openTurnScene({ volume, transferFunction, referenceLength: 0.01, size });
-  await scene.setStyle(appearance ? { surfaces } : { surfaces, clear: true });
+  await scene.setAppearance({ style: appearance ? { surfaces } : { surfaces, clear: true } });
   const steps = autoSteps(volume.grid);
   changePlan(scene, { substeps: cutSteps({ steps, substeps: 1 }, steps, 1) });
   const time = async (max: number): Promise<{ work: number; clock: number }> => {

@@ -58,7 +58,7 @@ async function compareScene(bench: LitScene, { size, steps, turns, variants, ove
       referenceLength: bench.referenceLength,
       size,
     });
-    if (style) await scene.setStyle(style);
+    if (style) await scene.setAppearance({ style });
     if (overlay) await scene.setOverlay(overlay);
     if (labels) await scene.setLabels(labels);
     const draw = async (): Promise<void> => {

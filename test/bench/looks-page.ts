@@ -189,7 +189,7 @@ async function drawOurs(seen: Seen, size: number): Promise<Cell[]> {
   };
   await scene.prepare(volume, optics);
   scene.setVolume(volume);
-  await scene.setOptics(optics);
+  await scene.setAppearance({ optics });
   changePlan(scene, { picture: { width: size, height: size } });
   changePlan(scene, { camera });
   const { surface } = subject;
@@ -200,7 +200,7 @@ async function drawOurs(seen: Seen, size: number): Promise<Cell[]> {
   ];
   const cells: Cell[] = [];
   for (const [name, style] of styles) {
-    await scene.setStyle(style);
+    await scene.setAppearance({ style });
     await scene.finished();
     // As at rest: edges of surfaces have more rays.
     const steps = autoSteps(volume.grid);

@@ -76,11 +76,13 @@ async function compareScene(bench: LitScene, size: number): Promise<MotionRow[]>
   const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
   await scene.prepare(volume);
   scene.setVolume(volume);
-  await scene.setOptics({
-    transferFunction: await resolveTransferFunction(bench.look, volume.range),
-    referenceLength: bench.referenceLength * radius,
-    opacityFactor: 1,
-    lightFactor: 1,
+  await scene.setAppearance({
+    optics: {
+      transferFunction: await resolveTransferFunction(bench.look, volume.range),
+      referenceLength: bench.referenceLength * radius,
+      opacityFactor: 1,
+      lightFactor: 1,
+    },
   });
   const draw = (
     [degrees, zoom]: readonly [number, number],

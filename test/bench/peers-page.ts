@@ -174,13 +174,15 @@ async function startOurs(
   const scene = await VolumeScene.create(host, host, () => {});
   await scene.prepare(volume);
   scene.setVolume(volume);
-  await scene.setOptics({
-    transferFunction,
-    referenceLength: defaultReferenceLength(volume),
-    opacityFactor: 1,
-    lightFactor: 1,
+  await scene.setAppearance({
+    optics: {
+      transferFunction,
+      referenceLength: defaultReferenceLength(volume),
+      opacityFactor: 1,
+      lightFactor: 1,
+    },
   });
-  if (isLit) await scene.setStyle({ lit: true });
+  if (isLit) await scene.setAppearance({ style: { lit: true } });
   await scene.finished();
   return {
     gl: scene.canvas.getContext('webgl2')!,

@@ -99,7 +99,9 @@ export async function compareResamplings(
   const show = async (shown: Volume): Promise<void> => {
     await scene.prepare(shown);
     scene.setVolume(shown);
-    await scene.setOptics({ transferFunction, referenceLength: 4000, opacityFactor: 1, lightFactor: 1 });
+    await scene.setAppearance({
+      optics: { transferFunction, referenceLength: 4000, opacityFactor: 1, lightFactor: 1 },
+    });
     changePlan(scene, { camera });
     drawAt(scene, stepLengths.shown);
     await scene.finished();

@@ -186,7 +186,7 @@ async function compareScene(
       await scene.prepare(volume, optics);
       changePlan(scene, { picture: { width: size, height: size } });
       scene.setVolume(volume);
-      await scene.setOptics(optics);
+      await scene.setAppearance({ optics });
       changePlan(scene, { ground: { lines } });
       changePlan(scene, { slices, cuts });
       if (labels) await scene.setLabels(labels);

@@ -36,7 +36,7 @@ export async function openTurnScene({
   const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
   await scene.prepare(volume, optics);
   scene.setVolume(volume);
-  await scene.setOptics(optics);
+  await scene.setAppearance({ optics });
   changePlan(scene, { picture: { width: size, height: size } });
   changePlan(scene, {
     camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: framingDistance(radius, 0.5, 1) }, center, 0.5),

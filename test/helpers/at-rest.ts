@@ -90,8 +90,7 @@ export async function drawAtRest(gpu: VolumeScene, scene: RestScene): Promise<Om
   const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1, ...others };
   await gpu.prepare(volume, optics);
   gpu.setVolume(volume);
-  await gpu.setStyle(style);
-  await gpu.setOptics(optics);
+  await gpu.setAppearance({ optics, style });
   if (overlay) await gpu.setOverlay(overlay);
   await set?.(gpu);
   changePlan(gpu, { camera });

@@ -115,8 +115,8 @@ async function createScene(host: Element, container: Element, options: SceneOpti
   try {
     const scene = await VolumeScene.create(host, container, options.needsFrame ?? (() => {}), fieldProviders);
     await Promise.all([askTwoByteFilter(scene.device), loadCartesianChunks()]); // Load now, because tests set volumes without `prepare`.
-    await scene.setOptics({ ...plainOptics, transferFunction: jump });
-    await scene.setOptics(plainOptics);
+    await scene.setAppearance({ optics: { ...plainOptics, transferFunction: jump } });
+    await scene.setAppearance({ optics: plainOptics });
     scene.apply({ ...scene.plan, picture: { width, height } });
     return scene;
   } finally {
@@ -141,7 +141,7 @@ export interface View {
   readonly planes?: readonly PlaneSlice[];
   /** The cuts of the volume. */
   readonly clips?: Clips;
-  /** The projection of the reference; the test has to set it in the scene with `setStyle`. */
+  /** The projection of the reference; the test has to set it in the scene with `setAppearance`. */
   readonly projection?: ProjectionKind | null;
   /** See `RayStyle.intensityThreshold`. */
   readonly intensityThreshold?: number;
@@ -151,7 +151,7 @@ export interface View {
   readonly overlay?: ShownOverlay | null;
   /** The part of the volume that is shown; the whole volume if absent. */
   readonly region?: GridFrame | null;
-  /** More modules of the reference; the test has to set them in the scene with `setModules`, or with `setStyle` if they belong to a style. */
+  /** More modules of the reference; the test has to set them in the scene with `setModules`, or with `setAppearance` if they belong to a style. */
   readonly modules?: readonly RayModule[];
   /** The maximum substeps of a step. If absent: the general maximum in the reference, and the scene's own setting in the picture. */
   readonly maxSubsteps?: number;
@@ -185,7 +185,7 @@ export function walksIn<T>(version: 1 | 2, index: number, walks: readonly T[]): 
 export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
   const { volume, camera, stepLength, optics = plainOptics, slices = [], region = null, maxSubsteps } = view;
   scene.setVolume(volume);
-  void scene.setOptics(optics); // It resolves at once: `createScene` has loaded all parts that optics may need.
+  void scene.setAppearance({ optics }); // It resolves at once: `createScene` has loaded all parts that optics may need.
   const substeps = maxSubsteps ? { ...allSubsteps, max: maxSubsteps } : scene.plan.substeps;
   scene.apply({ ...scene.plan, camera, stepLength, substeps, slices, cuts: cutsOf(view), region });
   scene.draw();
@@ -235,14 +235,14 @@ async function prepareLayer(): Promise<VolumeLayer> {
 export function stagesOfView(view: View, surfaceT?: (ray: Ray) => number): RayStages {
   const { volume, optics = plainOptics, slices = [], stepLength, maxSubsteps: max = maxSubsteps } = view;
   quiet.set(volume);
-  void quiet.setOptics(optics); // It resolves at once: all parts that optics may need are loaded.
+  void quiet.setAppearance({ optics }); // It resolves at once: all parts that optics may need are loaded.
   quiet.plan = { ...quiet.plan, slices, cuts: cutsOf(view) };
   quiet.setModules(attachedModules(view));
   const frame = { volume, optics, rays: raysOf(view), placesOnly: false, ...(surfaceT && { shapeT: surfaceT }) };
   return composeTwins(quiet.twins(surfaceT !== undefined, max > 1)!, frame, { stepLength, maxSubsteps: max });
 }
 
-/** The modules of `setLabels`, `setOverlay` and `setStyle`: these calls are asynchronous, so the quiet layer can't use them. */
+/** The modules of `setLabels`, `setOverlay` and `setAppearance`: these calls are asynchronous, so the quiet layer can't use them. */
 function attachedModules({ labels, overlay, projection, intensityThreshold, modules = [] }: View): RayModule[] {
   const functions = (!projection && labels?.functions) || null;
   const layer = overlay && overlayTwins(overlay, isPolar(overlay.volume) ? sameGates : undefined);

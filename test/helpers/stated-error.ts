@@ -37,7 +37,7 @@ function show(
 ): void {
   changePlan(gpu, { picture: size });
   gpu.setVolume(volume);
-  void gpu.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+  void gpu.setAppearance({ optics: { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 } });
   changePlan(gpu, { camera });
   drawAt(gpu, stepLengthOf(volume.grid, steps));
 }

@@ -127,11 +127,13 @@ async function applyTo(scene: VolumeScene, shown: Shown): Promise<number> {
   await scene.prepare(volume);
   changePlan(scene, { picture: { width: shown.width, height: shown.height } });
   scene.setVolume(volume);
-  await scene.setOptics({
-    transferFunction: shown.stops,
-    referenceLength: shown.referenceLength * diagonal,
-    opacityFactor: shown.opacityFactor ?? 1,
-    lightFactor: shown.lightFactor ?? 1,
+  await scene.setAppearance({
+    optics: {
+      transferFunction: shown.stops,
+      referenceLength: shown.referenceLength * diagonal,
+      opacityFactor: shown.opacityFactor ?? 1,
+      lightFactor: shown.lightFactor ?? 1,
+    },
   });
   changePlan(scene, { slices: (shown.cuts ?? []).map(toSlice), cuts: [] });
   changePlan(scene, { region: shown.region ? cutRegion(volume.grid, shown.region) : null });

@@ -1,3 +1,4 @@
+import { isSameStyle } from '../../optics/rays/ray-style.ts';
 import type { ProjectedRays, RayStyle } from '../../optics/rays/ray-style.ts';
 import { loadPart } from '../../core/load-part.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
@@ -28,6 +29,7 @@ import { cartesianProvider, loadCartesianChunks, prepareCartesian } from '../ray
 import { createComposite } from '../ray/modules/composite.ts';
 import { createTransferFunction } from '../ray/modules/transfer-function.ts';
 import type {
+  Appearance,
   FieldModule,
   FieldProvider,
   Optics,
@@ -60,13 +62,14 @@ export class VolumeLayer {
   #discrete: FieldProvider | null = null;
   #slices: SliceModule | null = null;
   #style: StyleModules | null = null;
+  #shownStyle: RayStyle | null = null;
+  /** The last appearance that was set: what of it has to be loaded is shown later. */
+  #asked: Partial<Appearance> = {};
   /** The grid of the last volume for which code was loaded: it is set, or will be. */
   #prepared: Pick<VolumeData, 'grid'> | null = null;
-  #styleCalls = 0;
   #attached: AttachedLayers | null = null;
   #classifiers: Classifiers | null = null;
   #optics: Optics | null = null;
-  #opticsCalls = 0;
   #given: readonly RayModule[] = [];
   readonly #seen = new SeenInLayer();
   /** How the rays of the next picture are cast, and what cuts them. */
@@ -102,33 +105,35 @@ export class VolumeLayer {
   }
 
   /**
-   * Set the volume's appearance. Some transfer functions need a part of the package, which the first of them loads.
-   * @returns resolves when the next picture will show it; a later call replaces this one. It resolves at once if nothing has to be loaded
+   * Set how the volume is shown; what is not given stays. Some transfer functions and all styles need a part of the package, which the first of them loads.
+   * All of a call is shown by the same picture.
+   * @returns resolves when the next picture will show it; a later call shows what it gives in addition. It resolves at once if nothing has to be loaded
    * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing
    */
-  async setOptics(optics: Optics): Promise<void> {
-    const call = ++this.#opticsCalls;
-    if (!this.#classifiers && !this.#isUsual(optics)) await this.#loadClassifiers();
-    if (call === this.#opticsCalls) this.#optics = optics;
+  async setAppearance(given: Partial<Appearance>): Promise<void> {
+    const asked = (this.#asked = { ...this.#asked, ...given });
+    const { optics, style = null } = asked;
+    const made = isSameStyle(style, this.#shownStyle) ? this.#style : await this.#makeStyle(style);
+    if (optics && !this.#classifiers && !this.#isUsual(optics)) await this.#loadClassifiers();
+    const isNew = made !== this.#style;
+    if (asked !== this.#asked) {
+      if (isNew) made?.dispose();
+      return;
+    }
+    this.#optics = optics ?? null;
+    if (!isNew) return;
+    this.#style?.dispose();
+    [this.#style, this.#shownStyle] = [made, style];
   }
 
-  /**
-   * Show one value of each ray, see optics/rays/projection.ts, or light, see optics/rays/lit.ts; null for emission and absorption.
-   * @returns resolves when the next picture will show it; a later call replaces this one
-   * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing
-   */
-  async setStyle(style: RayStyle | null): Promise<void> {
-    const call = ++this.#styleCalls;
-    const made =
-      style &&
-      (await loadPart(
-        import('../ray/styles/styles.ts').then(({ createStyle }) => createStyle(style, this)),
-        'draws projections and light',
-      ));
-    if (made) await this.#prepareStyle(made);
-    if (call !== this.#styleCalls) return made?.dispose();
-    this.#style?.dispose();
-    this.#style = made;
+  async #makeStyle(style: RayStyle | null): Promise<StyleModules | null> {
+    if (!style) return null;
+    const made = await loadPart(
+      import('../ray/styles/styles.ts').then(({ createStyle }) => createStyle(style, this)),
+      'draws projections and light',
+    );
+    await this.#prepareStyle(made);
+    return made;
   }
 
   async #prepareStyle(style: StyleModules): Promise<void> {

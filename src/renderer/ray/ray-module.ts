@@ -36,6 +36,7 @@
  * `visible`, the share of it that reaches the eye.
  */
 import type { DeviceRectangle } from '../../optics/cells/bound-seen-cells.ts';
+import type { RayStyle } from '../../optics/rays/ray-style.ts';
 import type { Pixels } from '../../optics/rays/between-pixels.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
@@ -210,6 +211,13 @@ export interface Optics extends OpticalFactors {
   readonly transferFunction: TransferFunction;
   /** World length over which a stop's opacity holds. */
   readonly referenceLength: number;
+}
+
+/** How a volume is shown. */
+export interface Appearance {
+  readonly optics: Optics;
+  /** Null for emission and absorption alone. */
+  readonly style: RayStyle | null;
 }
 
 /** The depths of opaque shapes in a picture. */

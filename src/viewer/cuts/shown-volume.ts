@@ -1,4 +1,3 @@
-import { isSameStyle } from '../../optics/rays/ray-style.ts';
 import type { RayStyle } from '../../optics/rays/ray-style.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import type { Volume } from '../../volume/volume.ts';
@@ -31,13 +30,6 @@ export class ShownVolume {
   /** Whether there is enough to draw a picture. */
   get isReady(): boolean {
     return this.volume !== null && this.optics !== null;
-  }
-
-  /** @returns whether rays must now be drawn in another style */
-  apply(optics: VolumeOptics): boolean {
-    const { style } = this;
-    this.optics = optics;
-    return !isSameStyle(style, this.style);
   }
 
   /** How rays are drawn, if not by emission and absorption alone; null for that. */

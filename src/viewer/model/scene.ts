@@ -1,5 +1,4 @@
 import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
-import type { RayStyle } from '../../optics/rays/ray-style.ts';
 import type { Pixels } from '../../optics/rays/between-pixels.ts';
 import type { Camera } from '../../optics/rays/camera.ts';
 import type { PixelLattice, RaySetup } from '../../optics/rays/rays.ts';
@@ -7,7 +6,7 @@ import type { SceneLights } from '../../optics/transfer/lights.ts';
 import type { ViewpointFrame } from '../../optics/rays/viewpoint-frame.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import type { ProjectedRays } from '../../optics/rays/ray-style.ts';
-import type { Optics } from '../../renderer/ray/ray-module.ts';
+import type { Appearance, Optics } from '../../renderer/ray/ray-module.ts';
 import type { RayPlan } from '../../renderer/ray/ray-plan.ts';
 import type { AmongShapes } from '../../quality/adaptive-sampling.ts';
 import type { RayTwins } from '../../renderer/ray/ray-twin.ts';
@@ -61,15 +60,11 @@ export interface Scene {
    */
   bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean>;
   /**
+   * Set the optics, the style, or both in the same picture; what is not given stays.
    * @returns resolves when the next picture shows them: at once where no code has to be loaded.
    * @throws {VolumeViewError} `format/unsupported`
    */
-  setOptics(optics: Optics): Promise<void>;
-  /**
-   * Show the largest, the smallest or the mean value along each ray, or light the volume; null for emission and absorption.
-   * @returns resolves when the next picture shows it @throws {VolumeViewError} `format/unsupported`
-   */
-  setStyle(style: RayStyle | null): Promise<void>;
+  setAppearance(appearance: Partial<Appearance>): Promise<void>;
   /**
    * Show labels of the volume, on its own grid; a volume with other dimensions does not show them. Null removes them. The first
    * call loads the code that draws labels, so callers pass null only where there were labels.

@@ -52,7 +52,7 @@ async function fillScene(scene: Scene, contents: SceneContents, put: (scene: Sce
   for (;;) {
     const [volume, optics, version] = [contents.volume!, contents.optics!, socket.version];
     await scene.prepare(volume, optics);
-    await scene.setStyle(styleOf(optics));
+    await scene.setAppearance({ optics, style: styleOf(optics) });
     await socket.applyTo(scene);
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
     const isSame = volume === contents.volume && optics === contents.optics && version === socket.version;

@@ -25,9 +25,8 @@ export function precompile(viewer: Viewer | null, foretold: Foretold): void {
 
 async function draw(scene: Scene, { volume, optics, cuts }: Foretold): Promise<void> {
   await scene.prepare(volume, optics);
-  await scene.setStyle(styleOf(optics));
+  await scene.setAppearance({ optics, style: styleOf(optics) });
   if (!(await scene.bringVolume(volume, () => false))) return;
-  await scene.setOptics(optics);
   const quality = { scale: 1, steps: 1, substeps: wholeSteps, sampling: allRays };
   // From any direction: an author's viewpoint stays as it is.
   const plan = planFrame({ shown: { grid: volume.grid, cuts }, quality, size: { width: 1, height: 1 }, camera: null });

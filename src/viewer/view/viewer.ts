@@ -158,9 +158,9 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
 
   async #apply(optics: VolumeOptics): Promise<void> {
     const { scene } = this.controller;
-    if (this.shown.apply(optics)) await scene?.setStyle(this.shown.style);
+    this.shown.optics = optics;
+    await scene?.setAppearance({ optics, style: this.shown.style });
     if (scene !== this.controller.scene) return; // A new scene already has them.
-    await scene?.setOptics(this.shown.optics!);
     this.#quality.forgetProbes();
     this.invalidate();
   }
@@ -338,7 +338,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   }
 
   applyTo(scene: Scene): void {
-    void scene.setOptics(this.shown.optics!); // At once: what the optics need is loaded.
+    void scene.setAppearance({ optics: this.shown.optics!, style: this.shown.style }); // At once: what they need is loaded.
   }
 
   entered(scene: Scene): void {

@@ -244,7 +244,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
     for (const volume of [head, named, storm]) {
       await layer.prepare(volume);
       layer.set(volume);
-      await layer.setOptics({ ...plain, transferFunction: oneColor });
+      await layer.setAppearance({ optics: { ...plain, transferFunction: oneColor } });
       for (const style of [
         null,
         { lit: true } as const,
@@ -254,15 +254,17 @@ async function listModules(): Promise<Map<string, RayModule>> {
         { surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 1 }] } as const,
         ...projectionKinds.map((projection) => ({ projection })),
       ]) {
-        await layer.setStyle(style);
+        await layer.setAppearance({ style });
         for (const module of layer.modules(true)) found.set(module.name, module);
       }
-      await layer.setStyle(null);
-      await layer.setOptics({ ...plain, transferFunction: [oneColor[0], { ...oneColor[1], value: 0 }] });
+      await layer.setAppearance({ style: null });
+      await layer.setAppearance({
+        optics: { ...plain, transferFunction: [oneColor[0], { ...oneColor[1], value: 0 }] },
+      });
       for (const module of layer.modules(true)) found.set(module.name, module);
     }
     layer.set(head);
-    await layer.setOptics({ ...plain, transferFunction: opaque });
+    await layer.setAppearance({ optics: { ...plain, transferFunction: opaque } });
     for (const module of layer.modules(true, true)) found.set(module.name, module);
     await layer.setAttached((attached) => attached.setLabels(mixedGroups(things.map)));
     for (const module of layer.modules(true)) found.set(module.name, module);

@@ -16,7 +16,7 @@ function drawOn(scene: VolumeScene): DrawPicture {
   return ({ volume, transferFunction, referenceLength, camera, stepLength, maxSubsteps, width, height }) => {
     changePlan(scene, { picture: { width, height } });
     scene.setVolume(volume);
-    void scene.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
+    void scene.setAppearance({ optics: { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 } });
     changePlan(scene, { camera });
     changePlan(scene, { substeps: { ...allSubsteps, max: maxSubsteps } });
     drawAt(scene, fewSteps); // Only a view that was drawn can be probed.

@@ -61,7 +61,7 @@ async function withShapes(
     changePlan(scene, { picture: size });
     await scene.prepare(volume);
     scene.setVolume(volume);
-    await scene.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
+    await scene.setAppearance({ optics: { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 } });
     changePlan(scene, { camera });
     use({
       scene,

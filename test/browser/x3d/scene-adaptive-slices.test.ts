@@ -53,19 +53,21 @@ async function show(
   changePlan(scene, { picture: size });
   await scene.prepare(volume);
   scene.setVolume(volume);
-  await scene.setOptics({
-    transferFunction: isPolar(volume)
-      ? [
-          { value: 0, color: [0.1, 0.3, 1], opacity: 0 },
-          { value: 70, color: [1, 0.4, 0.1], opacity: 0.3 },
-        ]
-      : [
-          { value: 0.2, color: [0, 0, 0.4], opacity: 0 },
-          { value: 0.8, color: [1, 1, 0.8], opacity: 0.05 },
-        ],
-    referenceLength: boundingSphere(volume.grid).radius / 20,
-    opacityFactor: 1,
-    lightFactor: 1,
+  await scene.setAppearance({
+    optics: {
+      transferFunction: isPolar(volume)
+        ? [
+            { value: 0, color: [0.1, 0.3, 1], opacity: 0 },
+            { value: 70, color: [1, 0.4, 0.1], opacity: 0.3 },
+          ]
+        : [
+            { value: 0.2, color: [0, 0, 0.4], opacity: 0 },
+            { value: 0.8, color: [1, 1, 0.8], opacity: 0.05 },
+          ],
+      referenceLength: boundingSphere(volume.grid).radius / 20,
+      opacityFactor: 1,
+      lightFactor: 1,
+    },
   });
   changePlan(scene, { slices, cuts });
   changePlan(scene, { camera });

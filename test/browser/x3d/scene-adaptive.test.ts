@@ -18,7 +18,7 @@ async function withShells(webgl1: boolean, use: (scene: VolumeScene) => void): P
   await withScene({ webgl1 }, (scene) => {
     changePlan(scene, { picture: size });
     scene.setVolume(volume);
-    void scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+    void scene.setAppearance({ optics: { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 } });
     changePlan(scene, { camera });
     use(scene);
   });

@@ -99,13 +99,13 @@ for (const version of [2, 1] as const) {
         this.timeout(120_000);
         for (const { view, expected, uncutMap } of expectationOf(one)) {
           await scene().prepare(view.volume);
-          await scene().setStyle(style);
+          await scene().setAppearance({ style });
           const got = drawPicture(scene(), view);
           const { worst, rmse } = comparePictures(got, expected);
           expect(comparePictures(got, drawPicture(scene(), view)).worst, 'drawn again').to.equal(0);
-          await scene().setStyle({ lit: true });
+          await scene().setAppearance({ style: { lit: true } });
           const lit = comparePictures(got, drawPicture(scene(), view));
-          await scene().setStyle(style);
+          await scene().setAppearance({ style });
           expect(comparePictures(got, drawPicture(scene(), view)).worst, 'set again').to.equal(0);
           console.log(
             `WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the lit picture ${lit.worst} and ${lit.rmse.toFixed(1)}`,
@@ -121,7 +121,7 @@ for (const version of [2, 1] as const) {
     it('follows the transfer function and the opacity, and comes back to the same picture', async () => {
       const view = cartesian({});
       await scene().prepare(view.volume);
-      await scene().setStyle(style);
+      await scene().setAppearance({ style });
       const first = drawPicture(scene(), view);
       const dense = drawPicture(scene(), { ...view, optics: { ...plainOptics, opacityFactor: 20 } });
       expect(comparePictures(first, dense).worst).to.be.above(10);
@@ -133,9 +133,9 @@ for (const version of [2, 1] as const) {
       const optics = { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 };
       const view: View = { volume, camera: cloudCamera, stepLength: 300, optics };
       await scene().prepare(volume);
-      await scene().setStyle(style);
+      await scene().setAppearance({ style });
       const got = drawPicture(scene(), view);
-      await scene().setStyle({ lit: true });
+      await scene().setAppearance({ style: { lit: true } });
       expect(comparePictures(got, drawPicture(scene(), view)).worst).to.equal(0);
       expect(Math.max(...got.filter((_, i) => i % 4 < 3))).to.be.above(50);
     });

@@ -217,7 +217,7 @@ describe('viewpoints of the author', () => {
       '<orthoviewpoint position="0 0 50" orientation="0 0 1 0" fieldOfView="-16 -12 16 12"></orthoviewpoint>';
     return withScene({ children: parallel }, (scene) => {
       scene.setVolume(view.volume);
-      void scene.setOptics(plainOptics);
+      void scene.setAppearance({ optics: plainOptics });
       drawAt(scene, view.stepLength);
       const identityAt50 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -50, 0, 0, 0, 1];
       const rays = setUpRays(view.volume.grid, identityAt50, [

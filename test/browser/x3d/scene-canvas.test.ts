@@ -84,9 +84,11 @@ describe('the canvas', () => {
       const first = drawPicture(scene, view);
       drawAt(scene, view.stepLength);
       expect(comparePictures(readPixels(scene), first).worst).to.equal(0);
-      void scene.setOptics({
-        ...plainOptics,
-        transferFunction: shells.map((stop) => ({ ...stop, color: [0, 1, 0] as const })),
+      void scene.setAppearance({
+        optics: {
+          ...plainOptics,
+          transferFunction: shells.map((stop) => ({ ...stop, color: [0, 1, 0] as const })),
+        },
       });
       drawAt(scene, view.stepLength);
       const green = readPixels(scene);
@@ -104,7 +106,7 @@ describe('the canvas', () => {
     const container = document.createElement('div');
     document.body.append(container);
     const scene = await VolumeScene.create(container, container, () => {});
-    await scene.setOptics(plainOptics);
+    await scene.setAppearance({ optics: plainOptics });
     changePlan(scene, { picture: { width, height } });
     drawPicture(scene, view);
     const gl = contextOf(scene);
@@ -120,7 +122,7 @@ describe('the canvas', () => {
     const hosts = Array.from({ length: 8 }, () => document.body.appendChild(document.createElement('div')));
     const scenes = await Promise.all(hosts.map((host) => VolumeScene.create(host, host, () => {})));
     try {
-      await Promise.all(scenes.map((scene) => scene.setOptics(plainOptics)));
+      await Promise.all(scenes.map((scene) => scene.setAppearance({ optics: plainOptics })));
       for (const scene of scenes) changePlan(scene, { picture: { width, height } });
       for (const scene of scenes) drawPicture(scene, view);
       for (const scene of scenes) {

@@ -197,7 +197,7 @@ for (const webgl1 of [false, true]) {
 
     if (takesAll || !webgl1)
       it('what is cut off up to a face of the volume leaves nothing for a projection to find', async () => {
-        await scene().setStyle({ projection: 'max' });
+        await scene().setAppearance({ style: { projection: 'max' } });
         const straight = syntheticVolume({
           dimensions: [16, 14, 12],
           spacing: [1.1, 0.9, 1.3],
@@ -223,15 +223,15 @@ for (const webgl1 of [false, true]) {
             expect(comparePictures(picture, drawReference(view)).worst).to.be.below(2.01);
           }
         }
-        await scene().setStyle(null);
+        await scene().setAppearance({ style: null });
       });
 
     for (const projection of casesIn(webgl1 ? 1 : 2, projected, (_, i) => i === 0)) {
       it(`${projection} of both pieces of a ray: the same as in float64`, async () => {
-        await scene().setStyle({ projection });
+        await scene().setAppearance({ style: { projection } });
         for (const view of walksOf(viewOf({ ...cases[2], more: { projection } }), projected.indexOf(projection)))
           compare(view);
-        await scene().setStyle(null);
+        await scene().setAppearance({ style: null });
       });
     }
 

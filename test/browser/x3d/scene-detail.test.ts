@@ -35,7 +35,7 @@ describe('cells that are sampled as finely as they need', () => {
         const stepLength = stepLengthOf(volume.grid, oneAVoxel);
         changePlan(scene, { picture: { width, height } });
         scene.setVolume(volume);
-        await scene.setOptics(optics);
+        await scene.setAppearance({ optics });
         changePlan(scene, { camera });
         const draw = (substeps: Substeps): Uint8ClampedArray => {
           changePlan(scene, { substeps });

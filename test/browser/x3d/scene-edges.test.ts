@@ -111,7 +111,7 @@ for (const webgl1 of [false, true]) {
         withScene({ webgl1 }, async (scene) => {
           const view = one.view();
           await scene.prepare(view.volume);
-          await scene.setStyle(one.style);
+          await scene.setAppearance({ style: one.style });
           const plain = draw(scene, view, Infinity);
           const quads = turned(findEdges(scene.readPicture(), max));
           expect(quads.length, 'quads with edges').to.be.within(20, (width * height) / 8);
@@ -154,7 +154,7 @@ for (const webgl1 of [false, true]) {
       withScene({ webgl1 }, async (scene) => {
         const view = cartesian();
         for (const style of [null, { lit: true } as const]) {
-          await scene.setStyle(style);
+          await scene.setAppearance({ style });
           const plain = draw(scene, view, Infinity);
           expect(comparePictures(draw(scene, view, 1), plain).worst).to.equal(0);
           expect(scene.startGathering({}, { width, height })).to.have.length(1);

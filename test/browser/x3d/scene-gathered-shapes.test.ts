@@ -39,7 +39,9 @@ describe('a picture in pieces, with shapes in it', () => {
         withScene({ webgl1, children }, (scene) => {
           scene.setVolume(volume);
           changePlan(scene, { maxCurvature: 0, edgeCurvature: 30 }); // As at rest.
-          void scene.setOptics({ transferFunction: veil, referenceLength: 4, opacityFactor: 1, lightFactor: 1 });
+          void scene.setAppearance({
+            optics: { transferFunction: veil, referenceLength: 4, opacityFactor: 1, lightFactor: 1 },
+          });
           for (const theta of [0.3, 2]) {
             changePlan(scene, { camera: orbitCamera({ theta, phi: 1.1, radius: 1.5 * diagonal }, [0, 0, 0], 0.8) });
             changePlan(scene, { picture: size });

@@ -24,7 +24,9 @@ describe('a picture in pieces', () => {
       await withScene({ webgl1 }, (scene) => {
         const diagonal = longestDiagonal(volume.grid);
         scene.setVolume(volume);
-        void scene.setOptics({ transferFunction: veil, referenceLength: 4, opacityFactor: 1, lightFactor: 1 });
+        void scene.setAppearance({
+          optics: { transferFunction: veil, referenceLength: 4, opacityFactor: 1, lightFactor: 1 },
+        });
         expect(scene.gatherable, 'before the first picture').to.equal(false);
         for (const theta of [0.3, 2]) {
           changePlan(scene, { camera: orbitCamera({ theta, phi: 1.1, radius: 1.5 * diagonal }, [0, 0, 0], 0.8) });

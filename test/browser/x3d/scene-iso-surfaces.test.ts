@@ -190,7 +190,7 @@ for (const version of [2, 1] as const) {
         this.timeout(180_000);
         for (const { view, labels, expected } of expectationOf(one)) {
           await scene().prepare(view.volume);
-          await scene().setStyle(one.style);
+          await scene().setAppearance({ style: one.style });
           if (labels) await scene().setLabels(labels);
           scene().layers[0].lights = () => one.lights ?? null;
           const got = drawPicture(scene(), view);
@@ -198,7 +198,7 @@ for (const version of [2, 1] as const) {
           const off = new Set<number>();
           got.forEach((x, i) => Math.abs(x - expected[i]) > 2 && off.add(i >> 2));
           const { worst, rmse } = comparePictures(got, expected, (pixel) => off.has(pixel));
-          await scene().setStyle(null);
+          await scene().setAppearance({ style: null });
           const without = comparePictures(got, drawPicture(scene(), view));
           console.log(
             `WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${off.size} grazing pixels; to the picture without ${without.worst} and ${without.rmse.toFixed(1)}`,
@@ -206,7 +206,7 @@ for (const version of [2, 1] as const) {
           expect(rmse, 'RMSE').to.be.at.most(0.5);
           expect(off.size, 'pixels that differ').to.be.at.most(2);
           expect(without.worst, 'it is another picture than without surfaces').to.be.above(20);
-          await scene().setStyle(one.style);
+          await scene().setAppearance({ style: one.style });
           scene().layers[0].skipping = false;
           expect(comparePictures(got, drawPicture(scene(), view)).worst, 'skipping').to.equal(0);
           scene().layers[0].skipping = true;
@@ -227,7 +227,9 @@ describe('specks of one voxel that stand above a value', () => {
       });
       const { center, radius } = boundingSphere(volume.grid);
       changePlan(scene, { picture: { width: 120, height: 90 } });
-      await scene.setStyle({ clear: true, plain: true, surfaces: [{ value: 0.75, color: [1, 1, 1], opacity: 1 }] });
+      await scene.setAppearance({
+        style: { clear: true, plain: true, surfaces: [{ value: 0.75, color: [1, 1, 1], opacity: 1 }] },
+      });
       const one = autoSteps(volume.grid);
       const area = (steps: number, substeps: Substeps): number => {
         changePlan(scene, { substeps });

@@ -107,13 +107,13 @@ for (const version of [2, 1] as const) {
         const labels = mixedAppearances(blocks(dimensions, 9));
         for (const projection of ['max', 'average'] as ProjectionKind[]) {
           await scene().setLabels(null);
-          await scene().setStyle({ projection });
+          await scene().setAppearance({ style: { projection } });
           const before = drawPicture(scene(), view);
           await scene().setLabels(labels);
           const got = compareWithTwin(scene(), { ...view, labels, projection }, `WebGL ${version} ${projection}`);
           expect(comparePictures(got, before).worst).to.be.above(20);
         }
-        await scene().setStyle(null);
+        await scene().setAppearance({ style: null });
       });
 
     if (takesAll || version === 2)

@@ -125,11 +125,11 @@ for (const version of [2, 1] as const) {
         this.timeout(120_000);
         for (const { view, expected } of expectationOf(one)) {
           await scene().prepare(view.volume);
-          await scene().setStyle({ lit: true });
+          await scene().setAppearance({ style: { lit: true } });
           scene().layers[0].lights = () => one.lights ?? null;
           const got = drawPicture(scene(), view);
           const { worst, rmse } = comparePictures(got, expected);
-          await scene().setStyle(null);
+          await scene().setAppearance({ style: null });
           const unlit = comparePictures(got, drawPicture(scene(), view));
           console.log(
             `WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the unlit picture ${unlit.worst} and ${unlit.rmse.toFixed(1)}`,
@@ -137,7 +137,7 @@ for (const version of [2, 1] as const) {
           expect(worst, 'worst pixel').to.be.at.most(2);
           expect(rmse, 'RMSE').to.be.at.most(0.5);
           expect(unlit.worst, 'it is another picture than without light').to.be.above(15);
-          await scene().setStyle({ lit: true });
+          await scene().setAppearance({ style: { lit: true } });
           scene().layers[0].skipping = false;
           expect(comparePictures(got, drawPicture(scene(), view)).worst, 'skipping').to.equal(0);
           scene().layers[0].skipping = true;
@@ -154,7 +154,7 @@ describe('next to what cuts rays', () => {
       const { grid } = whole.volume;
       const kept = [keep(grid, [1, -0.4, 0.3], -3)];
       const cutout = cutBox(grid, [2, -4, -3], [9, 4, 20]);
-      await scene.setStyle({ lit: true });
+      await scene.setAppearance({ style: { lit: true } });
       for (const view of bothWalks({ ...whole, clips: { kept, cutout } })) {
         const got = drawPicture(scene, view);
         const lit = (cuts: CutFaces) =>

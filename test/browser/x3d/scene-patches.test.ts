@@ -173,9 +173,9 @@ for (const version of [2, 1] as const) {
           expected,
         } of expectationsOf(name)) {
           await scene().prepare(view.volume);
-          await scene().setStyle(null);
+          await scene().setAppearance({ style: null });
           const plain = drawPicture(scene(), view);
-          await scene().setStyle({ patches, ...more });
+          await scene().setAppearance({ style: { patches, ...more } });
           const got = drawPicture(scene(), view);
           if (!more) keys.add(programKey(layer.program(false)));
           const { worst, rmse } = comparePictures(got, expected);

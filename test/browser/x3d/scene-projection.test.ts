@@ -154,7 +154,7 @@ for (const version of [2, 1] as const) {
     const drawn = cases.flatMap((one, i) => projectionKinds.map((kind) => ({ one, i, kind })));
     for (const { one, i, kind } of casesIn(version, drawn, isDrawnInWebGl1)) {
       it(`${kind}: ${one.name}; and skipping changes no byte`, async () => {
-        await scene().setStyle({ projection: kind });
+        await scene().setAppearance({ style: { projection: kind } });
         for (const { view, expected } of walksIn(version, i, expectationOf(one)(kind))) {
           await scene().prepare(view.volume);
           const got = drawPicture(scene(), view);
@@ -192,7 +192,7 @@ for (const version of [2, 1] as const) {
           ['min', 0.45],
         ] as const) {
           const view = cartesian({ kind: 'float32', field: lumps }, () => ({ projection, intensityThreshold }), 120);
-          await scene.setStyle({ projection, intensityThreshold });
+          await scene.setAppearance({ style: { projection, intensityThreshold } });
           for (const one of bothWalks(view)) {
             const [got, expected] = [drawPicture(scene, one), drawReference(one)];
             // Where a lump just reaches the threshold it may be seen here and not there.
@@ -239,7 +239,7 @@ for (const version of [2, 1] as const) {
               maxSubsteps: 1,
             };
             const diagonal = longestDiagonal(view.volume.grid);
-            await scene.setStyle({ projection: kind });
+            await scene.setAppearance({ style: { projection: kind } });
             drawPicture(scene, { ...view, optics: { ...plainOptics, transferFunction: gray } });
             // Rays in the middle of the picture, which go through two opposite faces.
             const lattice = { stride: 1, first: [width / 2 - 7, height / 2 - 7] as const, width: 15, height: 15 };
@@ -269,7 +269,7 @@ for (const version of [2, 1] as const) {
       return withScene({ webgl1: version === 1, children: box }, async (scene) => {
         for (const view of projectionKinds.flatMap((projection, i) => walksOf({ ...cartesian({}), projection }, i))) {
           const projection = view.projection!;
-          await scene.setStyle({ projection });
+          await scene.setAppearance({ style: { projection } });
           const got = drawPicture(scene, view);
           const surfaceT = (ray: Ray): number => meetBox(view.volume, ray, { center, size });
           const front = drawReference(view, surfaceT);
@@ -314,7 +314,7 @@ for (const version of [2, 1] as const) {
         const view = polar(folds, { optics: { ...plainOptics, transferFunction } });
         await scene.prepare(view.volume);
         for (const kind of ['max', 'min'] as const) {
-          await scene.setStyle({ projection: kind });
+          await scene.setAppearance({ style: { projection: kind } });
           expect(Math.max(...drawPicture(scene, view)), kind).to.equal(0);
         }
         const seen = transferFunction.map((stop) => ({ ...stop, opacity: 1 }));
@@ -327,7 +327,7 @@ for (const version of [2, 1] as const) {
       it('casts fewer rays where it is smooth, as for any picture', () =>
         withScene({ webgl1: version === 1 }, async (scene) => {
           const view = cartesian({ dimensions: [40, 36, 32] });
-          await scene.setStyle({ projection: 'max' });
+          await scene.setAppearance({ style: { projection: 'max' } });
           changePlan(scene, { picture: { width: 181, height: 137 } });
           const all = drawPicture(scene, view);
           expect(scene.adaptive).to.equal(true);
@@ -345,14 +345,14 @@ describe('a scene that projects', () => {
       const view = cartesian({});
       const before = drawPicture(scene, view);
       const settings = [
-        scene.setStyle({ projection: 'max' }),
-        scene.setStyle({ projection: 'min' }),
-        scene.setStyle({ projection: 'average' }),
+        scene.setAppearance({ style: { projection: 'max' } }),
+        scene.setAppearance({ style: { projection: 'min' } }),
+        scene.setAppearance({ style: { projection: 'average' } }),
       ];
       await Promise.all(settings);
       const average = drawPicture(scene, view);
       expect(comparePictures(average, drawReference({ ...view, projection: 'average' })).worst).to.be.at.most(2);
-      await scene.setStyle(null);
+      await scene.setAppearance({ style: null });
       expect(comparePictures(drawPicture(scene, view), before).worst).to.equal(0);
       expect(comparePictures(average, before).worst).to.be.above(20);
     }));

@@ -45,12 +45,14 @@ describe('skipping empty space', () => {
     await withScene({}, async (scene) => {
       changePlan(scene, { picture: { width: 48, height: 36 } });
       scene.setVolume(volume);
-      await scene.setStyle({ patches });
-      void scene.setOptics({
-        transferFunction: outlinePatches(patches, volume.range),
-        referenceLength: 1,
-        opacityFactor: 1,
-        lightFactor: 1,
+      await scene.setAppearance({ style: { patches } });
+      void scene.setAppearance({
+        optics: {
+          transferFunction: outlinePatches(patches, volume.range),
+          referenceLength: 1,
+          opacityFactor: 1,
+          lightFactor: 1,
+        },
       });
       let brightest = 0;
       for (const [theta, phi, distance] of [
@@ -84,7 +86,9 @@ describe('skipping empty space', () => {
         await withScene({ webgl1 }, (scene) => {
           changePlan(scene, { picture: { width: 48, height: 36 } });
           scene.setVolume(volume);
-          void scene.setOptics({ transferFunction: peak, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+          void scene.setAppearance({
+            optics: { transferFunction: peak, referenceLength: 1, opacityFactor: 1, lightFactor: 1 },
+          });
           let brightest = 0;
           for (const [theta, phi, distance] of [
             [0, Math.PI / 2, 1.4],

@@ -146,9 +146,9 @@ for (const version of [2, 1] as const) {
           await scene().prepare(view.volume);
           const keys = new Set<string>();
           for (const appearance of casesIn(version, shown, (one) => ['all of them', 'two blended'].includes(one))) {
-            await scene().setStyle(null);
+            await scene().setAppearance({ style: null });
             const plain = drawPicture(scene(), view);
-            await scene().setStyle({ styles: looks[appearance] });
+            await scene().setAppearance({ style: { styles: looks[appearance] } });
             const got = drawPicture(scene(), view);
             keys.add(programKey(layer.program(false)));
             const { worst, rmse } = comparePictures(got, expectationOf(view)(appearance));

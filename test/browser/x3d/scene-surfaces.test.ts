@@ -49,7 +49,7 @@ async function show(scene: VolumeScene, shown: readonly ShownSurface[]): Promise
 }
 
 async function draw(scene: VolumeScene): Promise<Uint8Array> {
-  await scene.setOptics(plainOptics);
+  await scene.setAppearance({ optics: plainOptics });
   changePlan(scene, { picture: { width, height } });
   scene.setVolume(volume);
   changePlan(scene, { camera });

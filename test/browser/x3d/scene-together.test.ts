@@ -173,7 +173,7 @@ for (const version of [2, 1] as const) {
         for (const { view, stages, expected } of expectationOf(name)) {
           await scene().prepare(view.volume);
           scene().setVolume(view.volume);
-          await scene().setStyle(cases[name].style);
+          await scene().setAppearance({ style: cases[name].style });
           await scene().setLabels(view.labels ?? null);
           await scene().setOverlay(view.overlay ?? null);
           const got = drawPicture(scene(), view);
@@ -203,7 +203,7 @@ describe('in WebGL 1', () => {
 
   it('styles have the room of a layer that is left out', async () => {
     scene().setVolume(whole);
-    await scene().setStyle(styles);
+    await scene().setAppearance({ style: styles });
     await scene().setLabels(mixedGroups(blocks(dimensions, 12)));
     await scene().setOverlay(mixed);
     const names = scene()

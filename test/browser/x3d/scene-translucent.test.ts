@@ -91,7 +91,9 @@ for (const webgl1 of [false, true]) {
       // Through the plane at its middle column, turned by half a radian.
       const sheet = `<transform rotation="0 0 1 0.5"><shape>${material('0 0 1', 0.25)}<indexedfaceset solid="false" coordIndex="0 1 2 3 -1"><coordinate point="-9 0 -6 9 0 -6 9 0 6 -9 0 6"></coordinate></indexedfaceset></shape></transform>`;
       await withScene({ webgl1, children: sheet }, async (scene) => {
-        await scene.setStyle({ clear: true, plain: true, surfaces: [{ value: 0.5, color: [1, 0.5, 0], opacity: 1 }] });
+        await scene.setAppearance({
+          style: { clear: true, plain: true, surfaces: [{ value: 0.5, color: [1, 0.5, 0], opacity: 1 }] },
+        });
         for (const maxCurvature of [0, 4]) {
           changePlan(scene, { maxCurvature, edgeCurvature: Infinity });
           const got = drawPicture(scene, plane);
@@ -118,7 +120,7 @@ for (const webgl1 of [false, true]) {
       const children = boxOf(glass, '0 0 1', translucency) + boxOf(stone, '0 1 0', 0);
       const expected = expectBoxes(fog, surfaceStages(fog.volume, three, referenceOf(fog).transferFunction));
       await withScene({ webgl1, children }, async (scene) => {
-        await scene.setStyle(three);
+        await scene.setAppearance({ style: three });
         const got = drawPicture(scene, fog);
         let [worst, count, grazing] = [0, 0, 0];
         expected.forEach((wanted, i) => {

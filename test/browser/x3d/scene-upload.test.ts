@@ -43,7 +43,7 @@ const large = remember((kind: keyof typeof makeOf) => makeOf[kind]());
 
 function draw(scene: VolumeScene, volume: Volume): Uint8ClampedArray {
   const diagonal = longestDiagonal(volume.grid);
-  void scene.setOptics({ ...plainOptics, referenceLength: diagonal / 50 });
+  void scene.setAppearance({ optics: { ...plainOptics, referenceLength: diagonal / 50 } });
   changePlan(scene, { camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.6 * diagonal }, [0, 0, 0], 0.6) });
   drawAt(scene, diagonal / 60);
   return readPixels(scene);

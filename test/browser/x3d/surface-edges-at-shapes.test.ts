@@ -77,7 +77,7 @@ describe('lines where shapes cut surfaces', function () {
   for (const webgl1 of [false, true]) {
     it(`are smooth at rest in WebGL ${webgl1 ? 1 : 2}`, () =>
       withScene({ webgl1, children }, async (scene) => {
-        await scene.setStyle(style);
+        await scene.setAppearance({ style });
         const [once, atRest] = [Infinity, 1].map((edgeCurvature) => {
           changePlan(scene, { maxCurvature: 0, edgeCurvature });
           const picture = drawPicture(scene, view);

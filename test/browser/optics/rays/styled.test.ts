@@ -442,7 +442,7 @@ async function pickedStages(
   await layer.prepare(ball, optics);
   layer.set(ball);
   layer.plan = { ...layer.plan, cuts };
-  await Promise.all([layer.setOptics(optics), layer.setStyle(style)]);
+  await layer.setAppearance({ optics, style });
   const twins = layer.twins(false, true)!;
   const frame = { volume: ball, optics, rays: setup, placesOnly: true };
   await loadTwins(twins, frame);

@@ -121,7 +121,7 @@ for (const version of [1, 2] as const) {
     it("grows with the picture and is within the clock's, where this browser has timer queries; null where it has none", () =>
       withScene({ webgl1: version === 1 }, async (scene) => {
         scene.setVolume(volume);
-        void scene.setOptics(plainOptics);
+        void scene.setAppearance({ optics: plainOptics });
         const measure = async (pixels: number, steps: number) => {
           changePlan(scene, { picture: { width: pixels, height: pixels } });
           const began = performance.now();

@@ -45,7 +45,7 @@ async function layerOf(volume: Volume, optics: Optics): Promise<VolumeLayer> {
   const layer = createQuietLayer();
   await layer.prepare(volume, optics);
   layer.set(volume);
-  await layer.setOptics(optics);
+  await layer.setAppearance({ optics });
   return layer;
 }
 

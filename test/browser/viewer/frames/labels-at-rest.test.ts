@@ -152,7 +152,9 @@ describe('labels in the picture at rest', () => {
       );
       changePlan(scene(), { picture: { width: size, height: size } });
       scene().setVolume(volume);
-      await scene().setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+      await scene().setAppearance({
+        optics: { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 },
+      });
       await scene().setLabels(labels);
       changePlan(scene(), { camera });
       const control = new QualityControl();

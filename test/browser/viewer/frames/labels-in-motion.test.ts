@@ -46,7 +46,7 @@ describe('labels in motion', () => {
   before(async () => {
     changePlan(scene(), { picture: { width, height } });
     scene().setVolume(volume);
-    await scene().setOptics({ ...plainOptics, transferFunction: white });
+    await scene().setAppearance({ optics: { ...plainOptics, transferFunction: white } });
     await scene().setLabels({ map, styles });
     changePlan(scene(), {
       camera: orbitCamera(

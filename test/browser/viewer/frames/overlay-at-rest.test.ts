@@ -93,11 +93,13 @@ describe('a second field in the picture at rest', () => {
       const camera = orbitCamera({ theta: 0.7, phi: 1.1, radius: size / 1.3 / (2 * Math.tan(0.15)) }, center, 0.3);
       changePlan(scene(), { picture: { width: size, height: size } });
       scene().setVolume(volume);
-      await scene().setOptics({
-        transferFunction: parseTransferFunction(colors, [0, 1]),
-        referenceLength: 1,
-        opacityFactor: 1,
-        lightFactor: 1,
+      await scene().setAppearance({
+        optics: {
+          transferFunction: parseTransferFunction(colors, [0, 1]),
+          referenceLength: 1,
+          opacityFactor: 1,
+          lightFactor: 1,
+        },
       });
       await scene().setOverlay(overlay);
       changePlan(scene(), { camera });

@@ -26,7 +26,9 @@ async function withShells(use: (scene: VolumeScene) => void | Promise<void>, sho
   await withScene({}, async (scene) => {
     changePlan(scene, { picture: size });
     scene.setVolume(volume);
-    void scene.setOptics({ transferFunction: shown, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+    void scene.setAppearance({
+      optics: { transferFunction: shown, referenceLength: 1, opacityFactor: 1, lightFactor: 1 },
+    });
     changePlan(scene, { camera });
     await use(scene);
   });

@@ -64,7 +64,7 @@ async function show(scene: VolumeScene, volume: PolarVolume, camera: Camera): Pr
   changePlan(scene, { picture: { width: size, height: size } });
   await scene.prepare(volume, optics);
   scene.setVolume(volume);
-  await scene.setOptics(optics);
+  await scene.setAppearance({ optics });
   changePlan(scene, { camera });
 }
 

@@ -55,7 +55,7 @@ describe('a volume that is cut', function () {
     const scene = shared();
     changePlan(scene, { picture: size });
     scene.setVolume(volume);
-    void scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+    void scene.setAppearance({ optics: { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 } });
     changePlan(scene, { slices: [], cuts: cuts[name] });
     changePlan(scene, { camera: orbitCamera({ theta: 0.7, phi: 1, radius: 1.6 * reach }, [0, 0, 0], 0.6) });
     changePlan(scene, { substeps: allSubsteps });

@@ -18,7 +18,7 @@ describe('the error that a lit picture states', () => {
     const scenes = errorScenes().filter((_, i) => i % 4 === 0 || i % 4 === 3);
     let ratios: number[] = [];
     await withScene({}, async (gpu) => {
-      await gpu.setStyle({ lit: true });
+      await gpu.setAppearance({ style: { lit: true } });
       // The GPU draws what the twin does: see scene-lit.test.ts.
       const lattice = { stride: every, first: [2, 3], width: size.width / every, height: size.height / every } as const;
       ratios = scenes.map((scene) => compareStated(gpu, scene, { size, lattice, times: 16 }));
@@ -33,7 +33,7 @@ describe('the error that a lit picture states', () => {
     const scenes = errorScenes().filter((_, i) => i % 4 === 1);
     let ratios: number[] = [];
     await withScene({}, async (gpu) => {
-      await gpu.setStyle({ lit: 'ambient-occlusion' });
+      await gpu.setAppearance({ style: { lit: 'ambient-occlusion' } });
       // The GPU draws what the twin does: see scene-ambient.test.ts.
       const lattice = { stride: every, first: [2, 3], width: size.width / every, height: size.height / every } as const;
       ratios = scenes.map((scene) => compareStated(gpu, scene, { size, lattice, times: 16 }));

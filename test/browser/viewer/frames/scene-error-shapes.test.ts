@@ -25,7 +25,9 @@ describe('the error that a picture with shapes states', () => {
       await withScene({ children }, (scene) => {
         changePlan(scene, { picture: { width, height } });
         scene.setVolume(volume);
-        void scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+        void scene.setAppearance({
+          optics: { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 },
+        });
         changePlan(scene, { camera });
         changePlan(scene, { substeps: allSubsteps });
         drawAt(scene, stepLengthOf(volume.grid, steps));

@@ -23,12 +23,14 @@ describe('the error that a picture of surfaces states', () => {
           Math.min(volume.range[1], Math.max(volume.range[0], value)),
         );
         const at = (share: number): number => low + share * (high - low);
-        await gpu.setStyle({
-          surfaces: [
-            { value: at(0.35), color: [1, 0.6, 0.4], opacity: 0.4 },
-            { value: at(0.7), color: [0.8, 0.9, 1], opacity: 1 },
-          ],
-          ...(i % 2 === 0 && { clear: true }),
+        await gpu.setAppearance({
+          style: {
+            surfaces: [
+              { value: at(0.35), color: [1, 0.6, 0.4], opacity: 0.4 },
+              { value: at(0.7), color: [0.8, 0.9, 1], opacity: 1 },
+            ],
+            ...(i % 2 === 0 && { clear: true }),
+          },
         });
         // All pixels: those few at which a ray passes a surface here and not there make most of the error.
         ratios.push(compareStated(gpu, scene, { size, times: 10 }));

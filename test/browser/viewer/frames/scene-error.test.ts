@@ -55,11 +55,13 @@ describe('the error that a picture states', () => {
       for (const scene of scenes) {
         changePlan(gpu, { picture: { width, height } });
         gpu.setVolume(scene.volume);
-        void gpu.setOptics({
-          transferFunction: scene.transferFunction,
-          referenceLength: 1,
-          opacityFactor: 1,
-          lightFactor: 1,
+        void gpu.setAppearance({
+          optics: {
+            transferFunction: scene.transferFunction,
+            referenceLength: 1,
+            opacityFactor: 1,
+            lightFactor: 1,
+          },
         });
         changePlan(gpu, { camera: scene.camera });
         changePlan(gpu, { substeps: allSubsteps });

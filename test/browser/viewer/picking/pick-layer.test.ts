@@ -36,8 +36,7 @@ async function pickAt(
   const quiet = createQuietLayer();
   quiet.set(volume);
   await Promise.all([
-    quiet.setOptics(optics),
-    quiet.setStyle(styleOf(optics)),
+    quiet.setAppearance({ optics, style: styleOf(optics) }),
     quiet.setAttached((attached) => attached.setOverlay(overlay.shown)),
   ]);
   const view = {

@@ -27,7 +27,7 @@ function keep(refusals = 0): {
     return fakeScene({
       canvas,
       prepare: async () => {},
-      setStyle: async () => {},
+      setAppearance: async () => {},
       bringVolume: async () => (reported.push('filled'), true),
       dispose: notify('gone'),
     });

@@ -52,7 +52,7 @@ async function draw(scene: VolumeScene): Promise<ReturnType<typeof readPixels>> 
   const { camera, stepLength } = viewFromAbove(volume);
   await scene.prepare(volume, optics);
   scene.setVolume(volume);
-  await scene.setOptics(optics);
+  await scene.setAppearance({ optics });
   scene.apply({
     ...scene.plan,
     picture: { width: 60, height: 44 },

@@ -56,12 +56,12 @@ class FakeScene {
     return true;
   }
 
-  async setOptics(): Promise<void> {}
   projections: (string | null)[] = [];
 
-  async setStyle(style: RayStyle | null): Promise<void> {
+  async setAppearance({ style }: { style?: RayStyle | null }): Promise<void> {
     await Promise.resolve();
-    this.projections.push(style?.projection ?? null);
+    const projection = style?.projection ?? null;
+    if (projection !== this.projections.at(-1)) this.projections.push(projection);
   }
   async setLabels(): Promise<void> {}
   loadLines(): Promise<null> {

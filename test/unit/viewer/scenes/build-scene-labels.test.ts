@@ -23,7 +23,7 @@ it('a new scene, such as one after a lost context, gets the labels, and what bec
   const reported: unknown[] = [];
   const scene = fakeScene({
     prepare: async () => {},
-    setStyle: async () => {},
+    setAppearance: async () => {},
     setLabels: async (labels: unknown) => void reported.push(labels),
     bringVolume: async () => {
       await target.show(second);
