@@ -88,7 +88,10 @@ describe('the largest error that a picture at rest states', () => {
       const { volume, style, transferFunction, camera, size, saysMean } = make();
       changePlan(gpu, { picture: size });
       gpu.setVolume(volume);
-      await gpu.setAppearance({ style, optics: { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 } });
+      await gpu.setAppearance({
+        style,
+        optics: { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 },
+      });
       changePlan(gpu, { camera });
       const control = new QualityControl();
       await settle(control, gpu, { volume, size });
