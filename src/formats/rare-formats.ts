@@ -1,4 +1,5 @@
 import type { VolumeFormat } from './base/format.ts';
+import { afni } from './afni/afni-format.ts';
 import { analyze } from './analyze/analyze-format.ts';
 import { dicom } from './dicom/dicom-format.ts';
 import { mgh } from './mgh/mgh-format.ts';
@@ -9,4 +10,4 @@ import { vti } from './vti/vti-format.ts';
  * Formats that few pages have. Their descriptions are loaded only for a file that is of none of the usual formats, so
  * that pages with other files do not pay for them.
  */
-export const rareFormats: readonly VolumeFormat[] = [mgh, analyze, npy, vti, dicom];
+export const rareFormats: readonly VolumeFormat[] = [mgh, analyze, npy, vti, afni, dicom];

@@ -9,7 +9,7 @@ import { netcdf3 } from './grammars/netcdf3.ts';
 import { nexrad } from './grammars/nexrad.ts';
 import { nifti } from './grammars/nifti.ts';
 import { png } from './grammars/png.ts';
-import { analyze, mgh, npy, vti } from './grammars/rare-formats.ts';
+import { afni, analyze, mgh, npy, vti } from './grammars/rare-formats.ts';
 
 /** All that can be fuzzed, by the names that `npm run fuzz` takes. */
 export const grammars: Readonly<Record<string, Grammar>> = {
@@ -26,6 +26,7 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   analyze,
   npy,
   vti,
+  afni,
   dicom,
   manifest,
   attributes,

@@ -42,9 +42,18 @@ export async function fetchPartner(
     if (!isMissing(cause)) throw cause;
     throw new VolumeViewError(
       'source/not-found',
-      `${nameOf(url)} is one of the two files of ${what}, and the other is missing: neither ${nameOf(first)} nor ${nameOf(second)} was found. Put both into one folder, or choose both`,
+      `${readName(url)} is one of the two files of ${what}, and the other is missing: neither ${readName(first)} nor ${readName(second)} was found. Put both into one folder, or choose both`,
       { cause },
     );
+  }
+}
+
+/** A name without the percent signs of URLs: AFNI's names have a "+". */
+function readName(url: string): string {
+  try {
+    return decodeURIComponent(nameOf(url));
+  } catch {
+    return nameOf(url);
   }
 }
 

@@ -102,7 +102,7 @@ export const sweeps: Check<readonly ManifestSweep[]> = (value) => {
 };
 
 /** The known fields of an object; others are ignored. */
-function readFields<T extends object>(
+export function readFields<T extends object>(
   value: unknown,
   checks: { readonly [K in keyof T]-?: Check<NonNullable<T[K]>> },
 ): T {

@@ -20,6 +20,8 @@ import {
 import type { Check } from './manifest-checks.ts';
 import { angles, azimuthPair, positive, rangePair, site, sweeps, utcTime } from './manifest-radar.ts';
 import type { ManifestSite, ManifestSweep } from '../base/radar-settings.ts';
+import type { RawLayout } from '../raw/raw-layout.ts';
+import { raw } from './manifest-raw.ts';
 
 /** A JSON manifest, checked. Documented by schema/manifest.json; a test compares that with this file. */
 export interface Manifest {
@@ -27,6 +29,8 @@ export interface Manifest {
   readonly image?: string;
   /** URLs of a stack, the files of one volume in their order: images, one slice each, or a header and its data. */
   readonly files?: readonly string[];
+  /** Set if the files have no header: how their numbers lie. */
+  readonly raw?: RawLayout;
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   readonly slices?: number;
   /** How the image's channels make one number. */
@@ -129,6 +133,7 @@ function checkSource({ image, files }: Partial<Manifest>, where = ''): void {
 const checks: { readonly [Name in Exclude<keyof Manifest, 'scans'>]: Check<NonNullable<Manifest[Name]>> } = {
   image: filledText,
   files: filledTexts,
+  raw,
   mosaic: mosaicText,
   slices: count,
   channels: channelUse,

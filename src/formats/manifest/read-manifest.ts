@@ -4,9 +4,11 @@ import { checkFileCount } from '../base/check-file-count.ts';
 import { chooseScan } from '../base/choose-scan.ts';
 import { isRadar } from '../base/decoded-volume.ts';
 import type { DecodedVolume, DecodeSettings } from '../base/decoded-volume.ts';
-import type { FormatReader } from '../base/format.ts';
+import type { FormatReader, ReadContext } from '../base/format.ts';
+import { loadReader } from '../base/load-reader.ts';
 import { readManifest } from './manifest.ts';
 import type { Manifest } from './manifest.ts';
+import type { RawLayout } from '../raw/raw-layout.ts';
 import { nameOf } from '../base/name-of.ts';
 
 /** Memory per character while a manifest is parsed: in `[[],[],` every three characters make a list. */
@@ -39,11 +41,26 @@ export const readManifestVolume: FormatReader = async (input, settings, context)
   const urls = resolveFiles(manifest, input.url);
   const merged = mergeSettings(settings, manifest);
   if (isRadar(merged)) context.onRadar?.();
-  const first = await context.fetchFile(urls[0]);
-  const volume = await context.decode(first, manifest.files && urls, merged);
+  const volume = manifest.raw
+    ? await readRawFiles(manifest.raw, urls, merged, context)
+    : await context.decode(await context.fetchFile(urls[0]), manifest.files && urls, merged);
   // The reader of a radar's mosaic has applied slope and intercept already.
   return describeVolume(volume, isPolar(volume) ? { ...manifest, slope: 1, intercept: 0 } : manifest);
 };
+
+async function readRawFiles(
+  raw: RawLayout,
+  urls: readonly string[],
+  settings: DecodeSettings,
+  context: ReadContext,
+): Promise<DecodedVolume> {
+  if (isRadar(settings))
+    throw new VolumeViewError(
+      'manifest/invalid',
+      'the manifest\'s "raw" got the numbers of a radar, with "elevations"; expected a mosaic image there, or none of the radar\'s fields',
+    );
+  return (await loadReader(() => import('../raw/read-raw.ts'))).readRaw(raw, urls, settings, context);
+}
 
 function resolveFiles({ image, files }: Manifest, base: string): string[] {
   if (!files) return [resolveFile('image', image ?? '', base)];

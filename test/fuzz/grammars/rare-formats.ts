@@ -154,3 +154,41 @@ export const vti: Grammar = (random) => {
     : [];
   return oneFile(random.or('a.vti', 'a'), damage(random, concat([latin1(xml), ...appended, latin1('</VTKFile>')])));
 };
+
+/** AFNI: attributes that lie, are missing or come twice; samples in another file. Source: AFNI, README.attributes */
+export const afni: Grammar = (random) => {
+  const [code, bytes] = random.pick([
+    [0, 1],
+    [1, 2],
+    [3, 4],
+    [5, 8],
+  ] as const);
+  const size = [random.int(1, 7), random.int(1, 7), random.int(1, 7)];
+  const volumes = random.pick([1, 1, 3]);
+  const list = (values: readonly number[]): string => ` ${values.join(' ')}`;
+  const place = [1.5, 0, 0, -5, 0, 1.5, 0, -5, 0, 0, 2, -5].map((entry) => random.number(entry));
+  const attributes = random.shuffle([
+    ['integer', 'DATASET_DIMENSIONS', list(size.map((n) => random.size(n)))],
+    ['integer', 'DATASET_RANK', list([3, random.size(volumes)])],
+    ['integer', 'BRICK_TYPES', list([random.or<number>(code, 2, 4, 6, 99)])],
+    ['float', 'BRICK_FLOAT_FACS', list([random.number(random.pick([0, 0.5]))])],
+    ['string', 'BYTEORDER_STRING', `'${random.or('LSB_FIRST', 'MSB_FIRST')}~`],
+    random.chance(0.7)
+      ? ['float', 'IJK_TO_DICOM_REAL', list(place)]
+      : ['integer', 'ORIENT_SPECIFIC', list([random.or(0, 9), 3, 4])],
+    ['float', 'ORIGIN', list([random.number(1), 2, 3])],
+    ['float', 'DELTA', list([random.number(1), 2, 3])],
+  ]);
+  const text = attributes
+    .map(([kind, name, value]) => `\ntype = ${kind}-attribute\nname = ${name}\ncount = ${random.size(3)}\n${value}\n`)
+    .join('');
+  const header = {
+    name: random.or('a+orig.HEAD', 'a'),
+    bytes: damage(random, latin1(text + random.or('', ' 1'.repeat(50_000)))),
+  };
+  const samples = {
+    name: random.or('a+orig.BRIK', 'b.BRIK'),
+    bytes: damage(random, random.bytes(bytes * volumes * product(size))),
+  };
+  return { files: random.chance(0.6) ? [header, samples] : [samples, header] };
+};
