@@ -1,4 +1,5 @@
 import type { VolumeFormat } from '../base/format.ts';
+import { isAfniHeader } from './is-afni-header.ts';
 
 export const afni: VolumeFormat = {
   name: 'AFNI',
@@ -6,7 +7,7 @@ export const afni: VolumeFormat = {
   endings: ['head', 'brik'],
   // A file of samples has no mark.
   beginning: null,
-  matches: ({ text }) => /^type\s*=\s*(?:string|integer|float)-attribute\s/.test(text),
+  matches: ({ text }) => isAfniHeader(text),
   takesFiles: true,
   load: async () => (await import('#rare/formats/afni/read-afni.ts')).readAfni,
 };

@@ -13,9 +13,9 @@ import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
 import { fetchPartner } from '../grid-files/fetch-partner.ts';
-import { afni } from './afni-format.ts';
 import { numbersOf, readAfniHeader, what } from './afni-header.ts';
 import type { AfniHeader } from './afni-header.ts';
+import { isAfniHeader } from './is-afni-header.ts';
 
 /** Source: AFNI, 3ddata.h and mrilib.h, MRI_byte and so on. */
 const types = new Map<number, NumberType>([
@@ -83,7 +83,7 @@ async function findPair(
   context: ReadContext,
 ): Promise<{ header: AfniHeader; samples: Uint8Array<ArrayBuffer> }> {
   const isHeader = (bytes: Uint8Array): boolean =>
-    afni.matches({ bytes, unpacked: null, text: new TextDecoder().decode(bytes.subarray(0, 512)).trimStart() });
+    isAfniHeader(new TextDecoder().decode(bytes.subarray(0, 512)).trimStart());
   if (isHeader(input.bytes)) {
     const { bytes } = await fetchPartner('an AFNI volume', input, ['head', 'brik'], context);
     return { header: readAfniHeader(input.bytes), samples: bytes };
