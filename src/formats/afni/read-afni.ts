@@ -127,7 +127,7 @@ function readOrientation(header: AfniHeader): number[] {
   const [codes, origin, delta] = ['ORIENT_SPECIFIC', 'ORIGIN', 'DELTA'].map((name) => numbersOf(header, name, 3));
   // 0 and 1 lie along x, 2 and 3 along y, 4 and 5 along z; the step has the sign.
   const rows = codes?.slice(0, 3).map((code) => Math.floor(code / 2)) ?? [];
-  if (!origin || !delta || String([...rows].sort()) !== '0,1,2')
+  if (!origin || !delta || ![0, 1, 2].every((row) => rows.includes(row)))
     throw corruptFile(
       what,
       'lacks the place of its voxels; expected IJK_TO_DICOM_REAL, or ORIENT_SPECIFIC, ORIGIN and DELTA',

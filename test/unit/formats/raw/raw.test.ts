@@ -59,7 +59,7 @@ describe('plain numbers, by a manifest', () => {
       it(`${type}, ${endian}-endian, after 5 bytes, packed or not`, async () => {
         const bytes = rawBytes(type, endian === 'little', 5);
         const manifest = { image: 'a.raw', raw: { type, endian, dimensions: [3, 2, 2], offset: 5 } };
-        for (const file of [bytes, gzipSync(bytes) as Uint8Array<ArrayBuffer>]) {
+        for (const file of [bytes, gzipSync(bytes)]) {
           const volume = await load(manifest, { 'a.raw': file });
           expect(valuesOf(volume)).to.deep.equal(expected);
           expect(volume.format).to.equal(`Raw ${type}`);
