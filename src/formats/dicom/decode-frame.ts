@@ -4,6 +4,7 @@ import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { hostIsLittleEndian, swapBytes } from '../base/number-types.ts';
 import type { Picture, StoredType } from './picture.ts';
 import { unpackRle } from './rle.ts';
+import { unpackJpeg } from './unpack-jpeg.ts';
 
 export type FrameNumbers =
   | Uint8Array
@@ -26,14 +27,17 @@ export const arrayOf = {
   float64: Float64Array,
 } as const satisfies Record<StoredType, unknown>;
 
+/** What is unpacked here. */
+const readable = { none: true, RLE: true, JPEG: true, 'lossless JPEG': true, 'JPEG-LS': true };
+
 /** Checks that all frames of a picture are there, before memory is used for them. @throws {VolumeViewError} `format/corrupt`, `format/unsupported` */
 export function checkFrames(picture: Picture): void {
   const { what, pixels, frames, syntax } = picture;
   const { packing } = syntax;
-  if (packing !== 'none' && packing !== 'RLE') {
+  if (!(packing in readable)) {
     throw unsupportedFile(
       what,
-      `is packed with ${packing === 'unknown' ? 'a method of its own' : packing}, which volume-view does not read yet; unpack all files of the series: ${packing === 'JPEG' || packing === 'lossless JPEG' ? 'dcmdjpeg in.dcm out.dcm' : 'gdcmconv --raw in.dcm out.dcm'}`,
+      `is packed with ${packing === 'unknown' ? 'a method of its own' : packing}, which volume-view does not read; unpack all files of the series: gdcmconv --raw in.dcm out.dcm`,
     );
   }
   if (!pixels.bytes) {
@@ -62,25 +66,29 @@ function frameBytes({ rows, columns, bitsAllocated }: Picture): number {
  * @param frame - from 0
  */
 export function decodeFrame(picture: Picture, frame: number, budget: Budget): FrameNumbers {
-  const { type, pixels, bitsAllocated, what } = picture;
+  const { type, pixels, bitsAllocated, syntax, what } = picture;
   const size = frameBytes(picture);
+  budget.take(3 * size, what); // The frame, and what unpacking it takes.
   const bytes = new Uint8Array(size);
+  const numbers = new arrayOf[type](bytes.buffer, 0, picture.rows * picture.columns);
   const packed = pixels.bytes ? pixels.bytes.subarray(frame * size, (frame + 1) * size) : joinFragments(picture, frame);
-  if (picture.syntax.packing === 'RLE') {
-    budget.step(size / 16, what);
+  if (syntax.packing === 'none') copyNumbers(packed, bytes, picture);
+  else if (syntax.packing === 'RLE') {
     unpackRle(packed, bytes, bitsAllocated / 8, what);
     if (!hostIsLittleEndian) swapBytes(bytes, bitsAllocated / 8);
-  } else {
-    if (packed.length < size)
-      throw corruptFile(what, `ends early: got ${packed.length} bytes of a frame; expected ${size}`);
-    bytes.set(packed.subarray(0, size));
-    // Bytes in words of 16 bits have the byte order of words.
-    const word = bitsAllocated === 8 && pixels.vr === 'OW' && !pixels.littleEndian ? 2 : bitsAllocated / 8;
-    if (word > 1 && (bitsAllocated === 8 || pixels.littleEndian !== hostIsLittleEndian)) swapBytes(bytes, word);
-  }
-  const numbers = new arrayOf[type](bytes.buffer, 0, picture.rows * picture.columns);
+  } else numbers.set(unpackJpeg(packed, picture, what));
   trimBits(numbers, picture);
+  budget.giveBack(3 * size);
   return numbers;
+}
+
+function copyNumbers(from: Uint8Array, bytes: Uint8Array, { pixels, bitsAllocated, what }: Picture): void {
+  if (from.length < bytes.length)
+    throw corruptFile(what, `ends early: got ${from.length} bytes of a frame; expected ${bytes.length}`);
+  bytes.set(from.subarray(0, bytes.length));
+  // Bytes in words of 16 bits have the byte order of words.
+  const word = bitsAllocated === 8 && pixels.vr === 'OW' && !pixels.littleEndian ? 2 : bitsAllocated / 8;
+  if (word > 1 && (bitsAllocated === 8 || pixels.littleEndian !== hostIsLittleEndian)) swapBytes(bytes, word);
 }
 
 /** A frame may lie in several pieces: where it begins is said in bytes, or there is one piece for each frame, or one frame. */

@@ -5,7 +5,8 @@ export const dicom: VolumeFormat = {
   name: 'DICOM',
   words: 'DICOM (.dcm)',
   endings: ['dcm', 'dicom', 'ima'],
-  beginning: 'a DICOM header',
+  // The reader itself refuses other files: the usual words for it have the name of the file.
+  beginning: null,
   matches: ({ bytes }) => isDicom(bytes),
   takesFiles: true,
   isSlice: true,

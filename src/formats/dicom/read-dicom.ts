@@ -48,7 +48,8 @@ async function readFrames(input: DecodeInput, context: ReadContext, files: numbe
   const read = ({ bytes }: DecodeInput): void => {
     const what = files > 1 ? `file ${++place} of ${files}` : 'the DICOM file';
     try {
-      if (!isDicom(bytes)) throw unsupportedFile(what, 'is no DICOM file; expected the files of a series');
+      if (!isDicom(bytes))
+        throw unsupportedFile(what, 'does not begin as DICOM does: it is damaged, cut short, or of another kind');
       const picture = readOne(bytes, budget, what);
       if (picture) frames.push(...listFrames(picture));
       else withoutPixels++;

@@ -1,5 +1,6 @@
 import { ctSlice, dicomBytes, packRle, syntaxes } from '../../helpers/dicom-bytes.ts';
 import type { DicomFields, DicomForm, RawElement } from '../../helpers/dicom-bytes.ts';
+import { jpegStreams } from '../../helpers/jpeg-streams.ts';
 import { damage } from '../fuzz-case.ts';
 import type { Grammar } from '../fuzz-case.ts';
 import type { Random } from '../random.ts';
@@ -86,6 +87,7 @@ function writeFile(random: Random, { place, step, form, hasFrames }: FileWish): 
   };
   const raw = listRaw(random);
   if (!isPacked) return dicomBytes(fields, { ...form, raw });
+  if (random.chance(0.6)) return writeJpeg(random, fields, frames, { ...form, raw });
   const size = rows * columns;
   const packed = Array.from({ length: frames }, (_, i) =>
     damage(random, packRle(numbers.subarray(i * size, (i + 1) * size))),
@@ -98,6 +100,24 @@ function writeFile(random: Random, { place, step, form, hasFrames }: FileWish): 
     fragments: packed,
     offsets,
   });
+}
+
+/** Frames of 10 x 9 pixels that other programs packed, some with a byte or two that are wrong. */
+function writeJpeg(random: Random, fields: DicomFields, frames: number, form: DicomForm): Uint8Array<ArrayBuffer> {
+  const { stream, bits } = random.pick(jpegStreams);
+  const fragments = Array.from({ length: frames }, () => {
+    const bytes = Uint8Array.from(atob(stream), (c) => c.charCodeAt(0));
+    if (!random.isSound && random.chance(0.4)) bytes[random.int(0, bytes.length - 1)] = random.int(0, 255);
+    return damage(random, bytes);
+  });
+  const size = {
+    Rows: [random.size(9) & 0xffff],
+    Columns: [random.size(10) & 0xffff],
+    BitsAllocated: [random.or(bits > 8 ? 16 : 8, 8, 16, 32)],
+    BitsStored: [random.or(bits, 8, 16)],
+    HighBit: [bits - 1],
+  };
+  return dicomBytes({ ...fields, ...size }, { ...form, syntax: '1.2.840.10008.1.2.4.80', fragments });
 }
 
 /** Elements that readers pass over, with lengths that lie. */

@@ -65,7 +65,12 @@ describe('damaged DICOM files are refused in words', () => {
     ['a deep sequence with marks', { MREchoSequence: nested(40) }, { hasMarks: true }, ['more than 32 deep']],
     ['an unknown syntax', {}, { syntax: '1.2.3' }, ['transfer syntax', 'gdcmconv']],
     ['packed pixels that are not', {}, { syntax: '1.2.840.10008.1.2.5' }, ['packed with RLE']],
-    ['JPEG', {}, { syntax: '1.2.840.10008.1.2.4.50', fragments: [new Uint8Array(8)] }, ['JPEG', 'dcmdjpeg']],
+    [
+      'JPEG that is none',
+      {},
+      { syntax: '1.2.840.10008.1.2.4.50', fragments: [new Uint8Array(8)] },
+      ['JPEG', 'damaged'],
+    ],
     ['JPEG 2000', {}, { syntax: '1.2.840.10008.1.2.4.90', fragments: [new Uint8Array(8)] }, ['JPEG 2000', 'gdcmconv']],
     ['a video', {}, { syntax: '1.2.840.10008.1.2.4.102', fragments: [new Uint8Array(8)] }, ['video']],
     [

@@ -1,0 +1,190 @@
+// A picture of 10 x 9 pixels in the ways of packing of the JPEG family, each packed by another program, with the numbers that the same program
+// unpacks.
+
+export interface JpegStream {
+  readonly name: string;
+  /** The program that packed and unpacked it. */
+  readonly by: string;
+  /** Bits of a number. */
+  readonly bits: number;
+  /** Base64. */
+  readonly stream: string;
+  readonly values: readonly number[];
+}
+
+const values1 = [
+  0, 26, 44, 70, 91, 113, 139, 161, 183, 205, 21, 38, 92, 109, 146, 180, 204, 181, 213, 246, 35, 73, 114, 160, 127, 172,
+  227, 189, 230, 20, 48, 103, 39, 45, 34, 43, 38, 43, 5, 66, 72, 125, 38, 38, 47, 38, 36, 40, 37, 22, 83, 151, 41, 41,
+  31, 46, 40, 35, 56, 63, 99, 182, 196, 200, 226, 232, 249, 9, 85, 97, 118, 143, 163, 190, 211, 234, 3, 22, 47, 70, 136,
+  167, 201, 231, 8, 41, 72, 41, 73, 105,
+];
+
+const values2 = [
+  20, 24, 42, 71, 95, 113, 136, 158, 162, 186, 14, 38, 80, 122, 152, 172, 195, 214, 255, 255, 39, 74, 117, 144, 158,
+  170, 184, 194, 88, 54, 37, 58, 65, 46, 29, 31, 38, 37, 92, 71, 118, 122, 95, 48, 28, 41, 46, 33, 2, 13, 70, 76, 55,
+  23, 32, 63, 51, 8, 30, 57, 172, 196, 203, 205, 238, 255, 195, 102, 82, 93, 93, 131, 159, 180, 217, 211, 96, 0, 53, 44,
+  133, 169, 207, 220, 16, 44, 62, 53, 72, 100,
+];
+
+const values3 = [
+  2, 364, 741, 1104, 1471, 1842, 2202, 2577, 2946, 3312, 269, 787, 1289, 1809, 2320, 2839, 3347, 2853, 3360, 3881, 544,
+  1207, 1860, 2515, 2164, 2815, 3473, 3120, 3782, 338, 815, 1617, 650, 640, 644, 639, 640, 648, 97, 892, 1090, 2034,
+  635, 649, 636, 645, 644, 636, 519, 451, 1361, 2452, 644, 632, 644, 639, 637, 648, 922, 1008, 1630, 2866, 3090, 3312,
+  3539, 3768, 3984, 110, 1350, 1571, 1905, 2273, 2645, 3009, 3384, 3736, 22, 388, 752, 1125, 2176, 2691, 3202, 3715,
+  130, 641, 1154, 657, 1172, 1683,
+];
+
+const values4 = [
+  0, 368, 736, 1104, 1472, 1840, 2208, 2576, 2944, 3312, 272, 785, 1298, 1811, 2324, 2832, 3345, 2850, 3363, 3876, 544,
+  1202, 1860, 2513, 2163, 2816, 3474, 3124, 3777, 339, 816, 1619, 641, 644, 642, 640, 643, 641, 100, 898, 1088, 2036,
+  643, 642, 641, 640, 644, 643, 514, 449, 1360, 2448, 640, 640, 640, 640, 640, 640, 928, 1008, 1632, 2865, 3090, 3315,
+  3540, 3760, 3985, 114, 1347, 1572, 1904, 2274, 2644, 3009, 3379, 3744, 18, 388, 753, 1123, 2176, 2691, 3201, 3716,
+  130, 640, 1155, 657, 1172, 1682,
+];
+
+const values5 = [
+  0, 371, 735, 1107, 1473, 1840, 2208, 2577, 2947, 3311, 273, 784, 1295, 1814, 2327, 2834, 3342, 2850, 3361, 3879, 546,
+  1199, 1859, 2515, 2164, 2818, 3473, 3121, 3777, 338, 813, 1616, 639, 644, 644, 640, 643, 643, 100, 896, 1088, 2036,
+  646, 639, 639, 640, 647, 640, 513, 449, 1357, 2450, 640, 640, 640, 640, 640, 640, 926, 1009, 1634, 2865, 3092, 3317,
+  3543, 3763, 3984, 113, 1344, 1575, 1905, 2277, 2645, 3012, 3381, 3741, 21, 385, 755, 1126, 2177, 2688, 3203, 3719,
+  127, 638, 1156, 659, 1174, 1685,
+];
+
+const values6 = [
+  0, 23, 46, 69, 92, 115, 138, 161, 184, 207, 17, 49, 81, 113, 145, 177, 209, 178, 210, 242, 34, 75, 116, 157, 135, 176,
+  217, 195, 236, 21, 51, 101, 40, 40, 40, 40, 40, 40, 6, 56, 68, 127, 40, 40, 40, 40, 40, 40, 32, 28, 85, 153, 40, 40,
+  40, 40, 40, 40, 58, 63, 102, 179, 193, 207, 221, 235, 249, 7, 84, 98, 119, 142, 165, 188, 211, 234, 1, 24, 47, 70,
+  136, 168, 200, 232, 8, 40, 72, 41, 73, 105,
+];
+
+const values7 = [
+  7, 5527, 11047, 16567, 22087, 27607, 33127, 38647, 44167, 49687, 4087, 11782, 19477, 27172, 34867, 42487, 50182,
+  42757, 50452, 58147, 8167, 18037, 27907, 37702, 32452, 42247, 52117, 46867, 56662, 5092, 12247, 24292, 9622, 9667,
+  9637, 9607, 9652, 9622, 1507, 13477, 16327, 30547, 9652, 9637, 9622, 9607, 9667, 9652, 7717, 6742, 20407, 36727, 9607,
+  9607, 9607, 9607, 9607, 9607, 13927, 15127, 24487, 42982, 46357, 49732, 53107, 56407, 59782, 1717, 20212, 23587,
+  28567, 34117, 39667, 45142, 50692, 56167, 277, 5827, 11302, 16852, 32647, 40372, 48022, 55747, 1957, 9607, 17332,
+  9862, 17587, 25237,
+];
+
+export const jpegStreams: readonly JpegStream[] = [
+  {
+    name: 'JPEG of 8 bits',
+    by: 'Pillow 13.0',
+    bits: 8,
+    stream:
+      '/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAMCAgMCAgMDAwMEAwMEBQgFBQQEBQoHBwYIDAoMDAsKCwsNDhIQDQ4RDgsLEBYQERMUFRUVDA8XGBYUGBIUFRT/wAALCAAJAAoBAREA/8QAHwAAAQUBAQEBAQEAAAAAAAAAAAECAwQFBgcICQoL/8QAtRAAAgEDAwIEAwUFBAQAAAF9AQIDAAQRBRIhMUEGE1FhByJxFDKBkaEII0KxwRVS0fAkM2JyggkKFhcYGRolJicoKSo0NTY3ODk6Q0RFRkdISUpTVFVWV1hZWmNkZWZnaGlqc3R1dnd4eXqDhIWGh4iJipKTlJWWl5iZmqKjpKWmp6ipqrKztLW2t7i5usLDxMXGx8jJytLT1NXW19jZ2uHi4+Tl5ufo6erx8vP09fb3+Pn6/9oACAEBAAA/APOPCvhj4h/AHwbeeJdD8F+FLzwlpenpcXGsaxcwBhvjTI2m5R/MEjFERV3MxVQGJUGGb9rD4+Xk0k9v4q0ewt5WLx2lpY6YYYVPIRPMtnfaBwN7u2AMsxyT0f7bH/IrfBf/AK8tf/8AQLGsHSf+QVZf9cU/9BFf/9k=',
+    values: values1,
+  },
+  {
+    name: 'JPEG of 8 bits with marks to start again',
+    by: 'Pillow 13.0',
+    bits: 8,
+    stream:
+      '/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAMCAgMCAgMDAwMEAwMEBQgFBQQEBQoHBwYIDAoMDAsKCwsNDhIQDQ4RDgsLEBYQERMUFRUVDA8XGBYUGBIUFRT/wAALCAAJAAoBAREA/8QAHwAAAQUBAQEBAQEAAAAAAAAAAAECAwQFBgcICQoL/8QAtRAAAgEDAwIEAwUFBAQAAAF9AQIDAAQRBRIhMUEGE1FhByJxFDKBkaEII0KxwRVS0fAkM2JyggkKFhcYGRolJicoKSo0NTY3ODk6Q0RFRkdISUpTVFVWV1hZWmNkZWZnaGlqc3R1dnd4eXqDhIWGh4iJipKTlJWWl5iZmqKjpKWmp6ipqrKztLW2t7i5usLDxMXGx8jJytLT1NXW19jZ2uHi4+Tl5ufo6erx8vP09fb3+Pn6/90ABAAB/9oACAEBAAA/APOPCvhj4h/AHwbeeJdD8F+FLzwlpenpcXGsaxcwBhvjTI2m5R/MEjFERV3MxVQGJUH/0PMpv2sPj5eTST2/irR7C3lYvHaWljphhhU8hE8y2d9oHA3u7YAyzHJP/9Hlf22P+RW+C/8A15a//wCgWNf/0vN9J/5BVl/1xT/0EV//2Q==',
+    values: values1,
+  },
+  {
+    name: 'JPEG of 8 bits, coarse',
+    by: 'Pillow 13.0',
+    bits: 8,
+    stream:
+      '/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDACgcHiMeGSgjISMtKygwPGRBPDc3PHtYXUlkkYCZlo+AjIqgtObDoKrarYqMyP/L2u71////m8H////6/+b9//j/wAALCAAJAAoBAREA/8QAHwAAAQUBAQEBAQEAAAAAAAAAAAECAwQFBgcICQoL/8QAtRAAAgEDAwIEAwUFBAQAAAF9AQIDAAQRBRIhMUEGE1FhByJxFDKBkaEII0KxwRVS0fAkM2JyggkKFhcYGRolJicoKSo0NTY3ODk6Q0RFRkdISUpTVFVWV1hZWmNkZWZnaGlqc3R1dnd4eXqDhIWGh4iJipKTlJWWl5iZmqKjpKWmp6ipqrKztLW2t7i5usLDxMXGx8jJytLT1NXW19jZ2uHi4+Tl5ufo6erx8vP09fb3+Pn6/9oACAEBAAA/AIkSa3jLpHGUUZLMR/jSfbLs8iRQPQBeP0p9/wDct/o39Kav3R9K/9k=',
+    values: values2,
+  },
+  {
+    name: 'JPEG of 12 bits',
+    by: 'imagecodecs 2026.3.6',
+    bits: 12,
+    stream:
+      '/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAMCAgMCAgMDAwMEAwMEBQgFBQQEBQoHBwYIDAoMDAsKCwsNDhIQDQ4RDgsLEBYQERMUFRUVDA8XGBYUGBIUFRT/wQALDAAJAAoBAREA/8QAFwAAAwEAAAAAAAAAAAAAAAAABwkKC//EACYQAAEDAwMDBQEAAAAAAAAAAAYEBQgHCQoCAwsAAQw5Ond4tbb/2gAIAQEAAD8Azm8V3GK5CngIMNuY2SXZAwxcUiXeJfbGgMD17kJeDu/ySoqiImvUU07D9p0buw44SQDi/dOktQX9UGCYoOjuklIiVeyszO2ETs6s6ZSHqyeV88+RL6rxxXeP+U1aCgjQaqL6uN6fRXidCW2ippBRocclGtY1hYRu1HjsbG+4NM6Tf2G5t1lxgUkGpEjTd3Yge1/dS5KqJPNgva1cL19Nb+X8RBrpE1p30sob/DIb+Gj6/9k=',
+    values: values3,
+  },
+  {
+    name: 'JPEG-LS of 12 bits',
+    by: 'pyjpegls 1.5.1',
+    bits: 12,
+    stream:
+      '/9j/9wALDAAJAAoBAREA/9oACAEBAAAAAIAF8AF87q21srXWqtNaIBgAAQgAAhEAP+fk/p84ogAAQgDAz4lwxBY4YgwhiZsS4R5nQceAAAVIYAABdMcghqAj8jgACCAB9iQoMGCBdODI0JqAB+gwwyIAAHsMJGGegAAAAA/wdj1/R9WAhAAAAAxAIRFgAALoYiWJ4MQYQAAATFQhiIozj+n/H8KTgAA4v4s6f4D/2Q==',
+    values: values4,
+  },
+  {
+    name: 'JPEG-LS of 12 bits, near-lossless',
+    by: 'pyjpegls 1.5.1',
+    bits: 12,
+    stream:
+      '/9j/9wALDAAJAAoBAREA/9oACAEBAAMAAIDIFxSzs7Ozs7KHgFgBIqFIoFAmuwAoHnYwLrlNGTDsYCx2N0AGoAA2eoNYYy4BcBWMIQyAW/yx1AYngCplOdQAAAAAK/fvv2EgAA8EkwAL1GjQYOgAAAEM5hMdEkkkhVgAAFEe7JL/2Q==',
+    values: values5,
+  },
+  {
+    name: 'JPEG-LS of 8 bits',
+    by: 'pyjpegls 1.5.1',
+    bits: 8,
+    stream:
+      '/9j/9wALCAAJAAoBAREA/9oACAEBAAAAAIAFABTalOlRofwDAAIAAEfPHTgnEgAAgBmD4obhgoZcSEFgIQAADQAAAphBkJ3gAOAAnoAHcuCIlwTCtLwH1dObgIAAAC6gIwAABQxAYgKAAACWk4ZZV47dK4AAMK1BAP/Z',
+    values: values6,
+  },
+  {
+    name: 'JPEG-LS of 16 bits',
+    by: 'pyjpegls 1.5.1',
+    bits: 16,
+    stream:
+      '/9j/9wALEAAJAAoBAREA//gADQH//wASAEMBFABA/9oACAEBAAAAAEDQA4+AHHzY6bG1YyrF1YqrE1YiA/AABN4cHHg08GHcA8FHQaxEAABB7/UYaBDmFjopFwn8E/Qn8wchDAf5jDIC7xAGFUOwBmGWX0OQr5j2H/ygAAALZAAlDDyD0AIOwdAAiR0n/2QBCCABKKAEAQAjxAAACQYT9/xhDVAAAABx30m9JfNn0jgAGXhdfdL3+ISr+H5gyYfGHsBH2bZiW3ogX+MwwndM8OjuixBQCqM6f2Hw7wj/2Q==',
+    values: values7,
+  },
+  {
+    name: 'lossless JPEG, predictor 1',
+    by: 'imagecodecs 2026.3.6',
+    bits: 16,
+    stream:
+      '/9j/4AAQSkZJRgABAQAAAQABAAD/wwALEAAJAAoBAREA/8QAHgAAAgEFAQEBAAAAAAAAAAAACQoIAAECCwwHAxD/2gAIAQEAAQAA/FwLgXAuBcC4FwLgXAiDALALALAJ/GAQIMAsAkQaSaSaNFC0a0kKFo3ikSIORoW54454rxOPEQe01R1rW+lo/efEQ2IGjvqqqiQeoEQ2aM4Zwzhm5OHg4NmjOEiBci5FtLkW3hcS5FtLkRBgM/zAfD+n+YDAawGf7//Z',
+    values: values4,
+  },
+  {
+    name: 'lossless JPEG, predictor 2',
+    by: 'imagecodecs 2026.3.6',
+    bits: 12,
+    stream:
+      '/9j/4AAQSkZJRgABAQAAAQABAAD/wwALDAAJAAoBAREA/8QAHQABAAICAwEBAAAAAAAAAAAACQoMAgsAAQgFA//aAAgBAQACAACv/rguC4LguC4LguC4Ig0MjKWHNUnwbHFEmjkaIg0MjKV95e+f6BRJnqRciDQ6zzRZag6u/wBTwrJlGikXog0OWPXO8meD5EGcwx65+eDPSL0QaGzJWnO2qXDC6Ix8WjkaIhGwEEzfL3z6EAiUa0PkQaGRbLDpp1Pf2OKGtHIv/9k=',
+    values: values4,
+  },
+  {
+    name: 'lossless JPEG, predictor 3',
+    by: 'imagecodecs 2026.3.6',
+    bits: 16,
+    stream:
+      '/9j/4AAQSkZJRgABAQAAAQABAAD/wwALEAAJAAoBAREA/8QAHgAAAgICAwEBAAAAAAAAAAAACQoLDAIIAAEHAxD/2gAIAQEAAwAA/FwLgXAuBcC4FwLgXAiDiL0UhnJiSqEvC0E4m9IRB6KQzkvywHsaC0iefqF5EJDNc6M/gsIgyvBVO6oX1MAiEmIhf3hj9OeAFdIhKoRReGPXPmR09xEJeFoK0521S4YXRFfFsNoQiDQWkXl3oG5lFho+TP8Ao+RBxN5+QwqYFVMq8TP7iD0P/9k=',
+    values: values4,
+  },
+  {
+    name: 'lossless JPEG, predictor 4',
+    by: 'imagecodecs 2026.3.6',
+    bits: 12,
+    stream:
+      '/9j/4AAQSkZJRgABAQAAAQABAAD/wwALDAAJAAoBAREA/8QAGwABAQACAwEAAAAAAAAAAAAACAkBCgsMDQP/2gAIAQEABAAA6/8A1wrhXCuFcK4VwrhXCiCRSKRSKMSOlAkUjRBIpFGaUCRSKRRnQkKIJHhm9XWrmrhq4Vc41X0IyiCRjB885zmzmlBRBGRgznPzzaFI0QSPP4uFwtxw9Dg3sUjRDSgSKMSKR6Eh6EjpNpGiCRRiW6EWkfQkdJtLIz//2Q==',
+    values: values4,
+  },
+  {
+    name: 'lossless JPEG, predictor 5',
+    by: 'imagecodecs 2026.3.6',
+    bits: 16,
+    stream:
+      '/9j/4AAQSkZJRgABAQAAAQABAAD/wwALEAAJAAoBAREA/8QAHQABAAICAwEBAAAAAAAAAAAACQgKAQwAAgsHEP/aAAgBAQAFAAD8uC4LguC4LguC4LgiCkqSpKkqIpNVhSVJRBkmSY2tCx7JfGWN0ZFEHa8uQvJWluXMraTmzqohYjo79ec78kcF6IWZvOoznPXKw/cUQtY+jTOGcM3Jw6HB6IMuUQgSgU/UCn/ogOyBQEQJEFKUVTdFEUjZSqqimqL/AP/Z',
+    values: values4,
+  },
+  {
+    name: 'lossless JPEG, predictor 6',
+    by: 'imagecodecs 2026.3.6',
+    bits: 12,
+    stream:
+      '/9j/4AAQSkZJRgABAQAAAQABAAD/wwALDAAJAAoBAREA/8QAHgABAAICAgMBAAAAAAAAAAAACQsMCAoAAQIDBwT/2gAIAQEABgAAr/64LguC4LguC4LguCIIysTVPnsbbQJso0saIIysTS6//wBByJzSRWivogjMTZGKa2sTxCYR6lZ8sryIIzhj4c778md1b0QRTC7nO/X00CwIgjNjClqphuaGm+a7TtVLGiGpRjT8s/P9BoRFjS1JMZ0QRlXWto9sRxagTUR1Xv/Z',
+    values: values4,
+  },
+  {
+    name: 'lossless JPEG, predictor 7',
+    by: 'imagecodecs 2026.3.6',
+    bits: 16,
+    stream:
+      '/9j/4AAQSkZJRgABAQAAAQABAAD/wwALEAAJAAoBAREA/8QAHwAAAgEEAwEBAAAAAAAAAAAACQoLAAEHDAIGCAUQ/9oACAEBAAcAAPxcC4FwLgXAuBcC4FwIgdFhpmJqtu5znCJ0mGyIMNMxNTeACfmK6ywtpMBEGYo7VFpQaO+ieYyXXwmpyINVqkWtXO/o8fxEG7kdrVXGxXygEQc5lOpaqYbmhpvnXaXOjFkQwj1n72afV+h8lCwb1giB0mFmY9Kmi7nOsGnTYX//2Q==',
+    values: values4,
+  },
+];

@@ -1,0 +1,92 @@
+import { expect } from '@esm-bundle/chai';
+import { VolumeViewError } from '../../../../src/core/errors.ts';
+import { ctSlice, dicomBytes } from '../../../helpers/dicom-bytes.ts';
+import type { DicomFields } from '../../../helpers/dicom-bytes.ts';
+import { decodeSeries } from '../../../helpers/dicom-series.ts';
+import type { Scan } from '../../../helpers/dicom-series.ts';
+import { expectError, valuesOf } from '../../../helpers/decode.ts';
+import { jpegStreams } from '../../../helpers/jpeg-streams.ts';
+import type { JpegStream } from '../../../helpers/jpeg-streams.ts';
+
+const bytesOf = (stream: string): Uint8Array<ArrayBuffer> => Uint8Array.from(atob(stream), (c) => c.charCodeAt(0));
+const change = (bytes: Uint8Array<ArrayBuffer>, at: number, byte: number): Uint8Array<ArrayBuffer> =>
+  bytes.map((before, i) => (i === at ? byte : before));
+const syntaxOf = (name: string): string =>
+  `1.2.840.10008.1.2.4.${name.startsWith('lossless') ? 57 : name.startsWith('JPEG-LS') ? 81 : 51}`;
+
+/** Decodes a file with the streams as its frames. */
+function decode({ name, bits }: JpegStream, fragments: readonly Uint8Array[], fields: DicomFields = {}): Promise<Scan> {
+  const allocated = bits > 8 ? 16 : 8;
+  const all: DicomFields = {
+    ...ctSlice(0),
+    Modality: 'MR',
+    RescaleSlope: undefined,
+    RescaleIntercept: undefined,
+    Rows: [9],
+    Columns: [10],
+    BitsAllocated: [allocated],
+    BitsStored: [bits],
+    HighBit: [bits - 1],
+    NumberOfFrames: String(fragments.length),
+    ...fields,
+  };
+  return decodeSeries([dicomBytes(all, { syntax: syntaxOf(name), fragments })]);
+}
+
+describe('pixels packed by other programs', () => {
+  for (const one of jpegStreams) {
+    // Of the lossy ones, decoders may round the sum of cosines up or down.
+    const within = one.name.startsWith('JPEG of') ? 1 : 0;
+    it(`${one.name} (${one.by})`, async () => {
+      const stream = bytesOf(one.stream);
+      const values = valuesOf(await decode(one, [stream, stream]));
+      expect(values).to.have.length(180);
+      for (const [i, value] of [...one.values, ...one.values].entries())
+        expect(values[i], `pixel ${i}`).to.be.closeTo(value, within);
+    });
+  }
+
+  it('that are damaged give a volume or an error in words', async () => {
+    let errors = 0;
+    for (const one of jpegStreams) {
+      const whole = bytesOf(one.stream);
+      for (let at = 2; at < whole.length; at += 7) {
+        for (const damaged of [whole.slice(0, at), change(whole, at, whole[at] ^ 0x55), change(whole, at, 0xff)]) {
+          const error = await decode(one, [damaged]).then(
+            () => null,
+            (thrown: unknown) => thrown,
+          );
+          if (error === null) continue;
+          errors++;
+          expect(error, `${one.name} at ${at}`).to.be.instanceOf(VolumeViewError);
+          expect((error as VolumeViewError).code).to.match(/^format\/(corrupt|unsupported)$/);
+        }
+      }
+    }
+    expect(errors).to.be.greaterThan(100);
+  });
+
+  it('that end early are refused', async () => {
+    for (const one of jpegStreams) {
+      const whole = bytesOf(one.stream);
+      const error = await expectError(decode(one, [whole.slice(0, whole.length - 24)]));
+      expect(error.message, one.name).to.contain('the DICOM file has packed pixels');
+    }
+  });
+
+  it('of another size than the file says are refused', async () => {
+    const [first] = jpegStreams;
+    const error = await expectError(decode(first, [bytesOf(first.stream)], { Rows: [8] }));
+    expect(error.message).to.contain('10 x 9 with 8 bits; expected 10 x 8');
+  });
+
+  it('progressive ones, and JPEG 2000, are refused with a program that helps', async () => {
+    const [first] = jpegStreams;
+    const bytes = bytesOf(first.stream);
+    const frame = bytes.findIndex((byte, i) => byte === 0xff && bytes[i + 1] === 0xc0);
+    bytes[frame + 1] = 0xc2;
+    const error = await expectError(decode(first, [bytes]));
+    expect(error.code).to.equal('format/unsupported');
+    expect(error.message).to.contain('progressive').and.to.contain('dcmdjpeg');
+  });
+});
