@@ -56,6 +56,9 @@ export type { SliceCursorDetail } from './volume-slice-view-parts.ts';
  * @csspart value - the value at the crosshair
  * @csspart side - each letter of a patient's side
  * @csspart crosshair - each of its two lines
+ * @csspart note-pin - the pin of a `<volume-note>` of its view
+ * @csspart note - the name of a note
+ * @csspart note-text - the text of a note that opens
  * @csspart slider - moves through the slices
  * @csspart hint - the text where there is no volume
  * @csspart notice-sign - the sign that a part of the file of `src` is not in the picture, or is shown differently
@@ -222,7 +225,12 @@ export class VolumeSliceView extends ReflectingElement {
 
   constructor() {
     super();
-    void socketOf(this).join({ key: 'volume-slice-view', element: this, labelTarget: this.#labelTarget });
+    void socketOf(this).join({
+      key: 'volume-slice-view',
+      element: this,
+      labelTarget: this.#labelTarget,
+      redraw: () => this.#presenter.redraw(),
+    });
   }
 
   override connectedCallback(): void {

@@ -368,3 +368,89 @@ test.describe('notes', () => {
     expect((await seventh.boundingBox())!.width).toBeGreaterThan(50);
   });
 });
+
+const inPanes = (notes: string, more = ''): string =>
+  `<main><h1>A volume</h1>${view(notes, {}, 'id="seen"')}
+  <volume-slice-view id="axial" for="seen" thickness="3" style="width: 300px" ${more}></volume-slice-view>
+  <volume-slice-view id="oblique" for="seen" type="oblique" normal="1 2 0.5" thickness="3" style="width: 300px"></volume-slice-view></main>`;
+
+const inPane = `<volume-note id="one" position="-4 3 2" label="First"><p>Text of the first</p></volume-note>
+  <volume-note id="two" position="5 1 2.5" label="Second"><p>Text of the second</p></volume-note>
+  <volume-note id="far" position="1 1 -9" label="Far away"><p>x</p></volume-note>`;
+
+/** How far the pin of a note is from the crosshair of a pane, CSS pixels of the screen. */
+const missOf = (page: Page, pane: string, name: string): Promise<number> =>
+  page.locator(pane).evaluate((host, name) => {
+    const root = host.shadowRoot!;
+    const pin = [...root.querySelectorAll<HTMLElement>('.pin')].find((one) => one.ariaLabel === name && !one.hidden);
+    if (!pin) return Infinity;
+    const [{ x, y }, across, up] = [pin, root.querySelector('.across')!, root.querySelector('.up')!].map((one) =>
+      one.getBoundingClientRect(),
+    );
+    return Math.hypot(up.x + up.width / 2 - x, across.y + across.height / 2 - y);
+  }, name);
+
+test.describe('notes in panes of slices', () => {
+  test('are where the crosshair is when it is at their place, within a pixel, also in a page with zoom', async ({
+    page,
+  }) => {
+    await open(page, inPanes(inPane, 'cursor="-4 3 2"'));
+    await rest(page);
+    for (const zoom of ['1', '2', '0.75']) {
+      await page.evaluate((zoom) => (document.body.style.zoom = zoom), zoom);
+      for (const pane of ['#axial', '#oblique'])
+        await expect.poll(() => missOf(page, pane, 'First'), `${pane} at ${zoom}`).toBeLessThan(Number(zoom));
+    }
+    await page.evaluate(() => (document.body.style.zoom = ''));
+  });
+
+  test('open there, in one place, and the view shows which note it is', async ({ page }) => {
+    await open(page, inPanes(inPane, 'cursor="-4 3 2"'));
+    await rest(page);
+    const axial = page.locator('#axial');
+    // Those in the slice are buttons; others are not: they are in the view.
+    await expect(axial.getByRole('group', { name: 'Notes' })).toMatchAriaSnapshot(`
+      - group "Notes":
+        - button "First"
+        - button "Second"
+    `);
+    await expect(axial.getByRole('button', { name: 'Far away' })).toHaveCount(0);
+    await axial.getByRole('button', { name: 'Second' }).click();
+    await expect(axial.getByText('Text of the second')).toBeVisible();
+    await expect(page.locator('#two')).toHaveAttribute('open', '');
+    await expect(page.locator('#oblique').getByText('Text of the second')).toHaveCount(0);
+    await expect(page.locator('#two p')).toBeHidden();
+    await expect(page.locator('#seen .note.active')).toHaveText(/Second/);
+    expect(await findFaults(page)).toEqual([]);
+    await page.keyboard.press('Escape');
+    await expect(axial.getByText('Text of the second')).toHaveCount(0);
+    await expect(page.locator('#two')).not.toHaveAttribute('open');
+    await axial.getByRole('button', { name: 'First' }).focus();
+    await page.keyboard.press('Enter');
+    await expect(axial.getByText('Text of the first')).toBeVisible();
+    await page.locator('h1').click();
+    await expect(axial.getByText('Text of the first')).toHaveCount(0);
+    // The view's own button opens the text over the view's picture.
+    await page.locator('#seen').getByRole('button', { name: 'First' }).click();
+    await expect(page.locator('#one p')).toBeVisible();
+    await expect(axial.getByText('Text of the first')).toHaveCount(0);
+  });
+
+  test('follow the slice, and go with the notes', async ({ page }) => {
+    await open(page, inPanes(inPane, 'cursor="-4 3 2"'));
+    await rest(page);
+    const first = page.locator('#axial').getByRole('button', { name: 'First' });
+    await expect(first).toBeVisible();
+    await first.focus();
+    await page.locator('#axial').evaluate((pane) => pane.setAttribute('cursor', '0 0 -9'));
+    await expect(first).toHaveCount(0);
+    await expect(page.locator('#axial').getByRole('button', { name: 'Far away' })).toBeVisible();
+    // What had the focus has left the slice: the picture has it now.
+    await expect(page.locator('#axial [part=picture]')).toBeFocused();
+    await page.evaluate(() => {
+      for (const one of document.querySelectorAll('volume-note')) one.remove();
+    });
+    await expect(page.locator('#axial .notes')).toHaveCount(0);
+    await expect(page.locator('#oblique .notes')).toHaveCount(0);
+  });
+});

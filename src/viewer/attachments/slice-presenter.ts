@@ -11,6 +11,8 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { readSliceAttributes, refuseNoSlices, resolveSliceAppearance } from './slice-appearance.ts';
 import type { SharedAppearance, SliceAttributes } from './slice-appearance.ts';
+import { socketOf } from '../model/view-socket.ts';
+import type { ViewPart } from '../model/view-socket.ts';
 import { ViewJoiner } from './view-joiner.ts';
 
 /** What a pane must show. */
@@ -48,7 +50,11 @@ export class SlicePresenter {
   #attributes: SliceAttributes | null = null;
   #input: PaneInput | null = null;
   #ignore: () => void = () => {};
-  #picture: Element | null = null;
+  #picture: HTMLElement | null = null;
+  /** The view to which the pane belongs. */
+  #shared: HTMLElement | null = null;
+  /** The parts of the view that show something over this pane. */
+  #parts: readonly ViewPart[] = [];
   readonly #inView = new ViewJoiner({
     color: () => colorOf(this.#picture),
     failed: (error) => this.fail(error),
@@ -95,6 +101,7 @@ export class SlicePresenter {
     this.#input = null;
     this.#ignore();
     this.#inView.leave();
+    this.#placeParts([]);
     this.#run++;
     this.pane.painter.stop();
     cancelAnimationFrame(this.#frame);
@@ -124,6 +131,7 @@ export class SlicePresenter {
     this.#frame = requestAnimationFrame(() => {
       this.#frame = 0;
       this.pane.draw();
+      this.#placeParts(this.#shared ? socketOf(this.#shared).parts : []);
       this.#settleDrawing();
       this.host.changed();
       this.#notify();
@@ -149,6 +157,7 @@ export class SlicePresenter {
     pane.labels = labels?.(attributes.labelOpacity) ?? null;
     if (volume) this.#place(attributes, (name) => isOther || changed(name));
     this.#inView.join(shared && owner, pane.crosshair);
+    this.#shared = shared && (owner as HTMLElement);
     this.#error = null;
     this.redraw();
   }
@@ -163,6 +172,13 @@ export class SlicePresenter {
     this.#ignore();
     this.pane.crosshair = findCrosshair(group, owner);
     this.#ignore = this.pane.crosshair.listen(() => this.redraw());
+  }
+
+  #placeParts(parts: readonly ViewPart[]): void {
+    const picture = this.#picture!;
+    for (const part of this.#parts) if (!parts.includes(part)) part.leavePane?.(picture);
+    this.#parts = parts.filter((part) => part.placeInPane);
+    for (const part of this.#parts) part.placeInPane!(picture, this.pane);
   }
 
   #notify(): void {

@@ -1,5 +1,6 @@
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { PaneLabels } from '../../panes/pane-labels.ts';
+import type { SlicePane } from '../../panes/slice-pane.ts';
 import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
@@ -53,6 +54,12 @@ export interface ViewPart {
   place?(view: View): void;
   /** What the part shows over the grey values of a pane of the volume; null for nothing. @param opacity - 0..1 */
   inPane?(volume: Volume | null, opacity: number): PaneLabels | null;
+  /** Move what the part shows over a pane of the view to its place: called after each picture of the pane. @param picture - its element */
+  placeInPane?(picture: HTMLElement, pane: SlicePane): void;
+  /** The pane belongs to this view no longer. */
+  leavePane?(picture: HTMLElement): void;
+  /** Draw the pane again. */
+  readonly redraw?: () => void;
   /** The place of the view's `cursor`; null where the part does not know it. */
   readonly cursor?: Vector3 | null;
 

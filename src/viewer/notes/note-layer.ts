@@ -2,6 +2,7 @@
 import type { VolumeViewError } from '../../core/errors.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { projectInView } from '../camera/project-place.ts';
+import type { SlicePane } from '../../panes/slice-pane.ts';
 import type { Pixel } from '../camera/drag-place.ts';
 import type { View } from '../model/scene.ts';
 import { socketOf } from '../model/view-socket.ts';
@@ -12,6 +13,7 @@ import { arrangeNotes, columnsOf, margin, placeNotes } from './layout-notes.ts';
 import type { NoteOrder, NoteRoom, PlacedNote } from './layout-notes.ts';
 import { NoteMark } from './note-mark.ts';
 import type { NoteOwner } from './note-mark.ts';
+import { PaneNotes } from './pane-notes.ts';
 import { noteStyles } from './note-styles.ts';
 import { seePlaces, sightOf } from './see-places.ts';
 
@@ -47,6 +49,10 @@ export class NoteLayer implements ViewPart {
   readonly #problems = new Map<NoteOwner, VolumeViewError>();
   #reported: VolumeViewError | null = null;
   #marks: readonly NoteMark[] = [];
+  /** The notes in panes of slices, by the picture of the pane. */
+  readonly #panes = new Map<HTMLElement, PaneNotes>();
+  /** The note that a person has opened in a pane, and the picture of the pane: its text is there, not over this picture. */
+  #openIn: readonly [NoteOwner, HTMLElement] | null = null;
   #order: NoteOrder | null = null;
   #tops = new Map<number, number>();
   #anchors: readonly (Pixel | null)[] = [];
@@ -144,6 +150,7 @@ export class NoteLayer implements ViewPart {
     void socketOf(this.view).leave(this);
     this.#element.remove();
     for (const mark of this.#marks) mark.remove();
+    for (const picture of [...this.#panes.keys()]) this.leavePane(picture);
     const root = this.view.shadowRoot!;
     root.adoptedStyleSheets = root.adoptedStyleSheets.filter((one) => one !== this.#sheet && one !== this.#aspect);
   }
@@ -157,8 +164,9 @@ export class NoteLayer implements ViewPart {
     this.#marks = owners.map((owner) => known.get(owner) ?? new NoteMark(owner, this.view.ownerDocument));
     for (const [owner, mark] of known) if (!this.#owners.has(owner)) mark.remove();
     let after: Element = this.#pins;
+    if (!this.#openIn?.[0].isOpen) this.#openIn = null;
     this.#marks.forEach((mark, i) => {
-      mark.write(i + 1);
+      mark.write(i + 1, this.#openIn?.[0] === mark.owner);
       if (after.nextElementSibling !== mark.text) after.after(mark.text, mark.panel);
       after = mark.panel;
       if (mark.line.parentNode !== this.#drawing) this.#drawing.append(mark.line);
@@ -172,6 +180,45 @@ export class NoteLayer implements ViewPart {
       this.#stopRest();
     }
     if (this.#view) this.place(this.#view);
+    for (const [picture, pane] of this.#panes) {
+      pane.open(this.#openIn?.[1] === picture ? this.#openIn[0] : null);
+      pane.place();
+    }
+    if (before.length === 0)
+      for (const { element } of socketOf(this.view).parts) if (element) socketOf(element).last('redraw')?.();
+  }
+
+  placeInPane(picture: HTMLElement, pane: SlicePane): void {
+    if (this.#marks.length === 0) return;
+    if (!this.#panes.has(picture)) this.#panes.set(picture, this.#joinPane(picture, pane));
+    this.#panes.get(picture)!.place();
+  }
+
+  leavePane(picture: HTMLElement): void {
+    const notes = this.#panes.get(picture);
+    this.#panes.delete(picture);
+    notes?.remove();
+  }
+
+  #joinPane(picture: HTMLElement, pane: SlicePane): PaneNotes {
+    const owners = (): readonly NoteOwner[] => this.#marks.map(({ owner }) => owner);
+    return new PaneNotes(picture, pane, {
+      get owners() {
+        return owners();
+      },
+      toggle: (owner) => {
+        const isHere = this.#openIn?.[0] === owner && this.#openIn[1] === picture && owner.isOpen;
+        this.#openIn = isHere ? null : [owner, picture];
+        // Other panes show the place too.
+        if (!isHere && owner.at) pane.crosshair.moveTo(owner.at);
+        owner.toggle(owner.around ? !isHere : !owner.isOpen);
+        this.changed();
+      },
+      point: (owner, isPointed) => {
+        this.highlight(owner, isPointed || owner.isOpen);
+        owner.pointed(isPointed);
+      },
+    });
   }
 
   place(view: View): void {
@@ -336,7 +383,8 @@ export class NoteLayer implements ViewPart {
     if (!isKey && moved > slop) return;
     for (const mark of this.#marks) {
       const own: unknown[] = [mark.text, mark.panel, mark.pin, mark.owner.element];
-      if (mark.owner.isOpen && !path.some((part) => own.includes(part))) mark.owner.toggle(false);
+      const isInPane = [...this.#panes.values()].some((pane) => pane.has(path, mark.owner));
+      if (mark.owner.isOpen && !isInPane && !path.some((part) => own.includes(part))) mark.owner.toggle(false);
     }
   }
 

@@ -127,8 +127,12 @@ export class NoteMark {
     return this.owner.element.contains(activeElement) || this.panel.matches(':focus-within');
   }
 
-  /** Write what the note says. @param number - among the notes of the view, from 1 */
-  write(number: number): void {
+  /**
+   * Write what the note says.
+   * @param number - among the notes of the view, from 1
+   * @param isElsewhere - whether its text is open in a pane
+   */
+  write(number: number, isElsewhere = false): void {
     const { element, label, isOpen, hasText, messages, around } = this.owner;
     this.#number.textContent = this.pin.dataset.number = String(number);
     this.#label.textContent = label;
@@ -137,11 +141,11 @@ export class NoteMark {
     // Else the name is what the text shows.
     this.text.ariaLabel = label ? null : name;
     this.panel.ariaLabel = name;
-    this.text.ariaExpanded = hasText && around ? String(isOpen) : null;
+    this.text.ariaExpanded = hasText && around ? String(isOpen && !isElsewhere) : null;
     this.text.ariaPressed = around ? null : String(isOpen);
     // A note in the text of the page has its text there.
     this.text.classList.toggle('linked', !around);
-    this.panel.hidden = !(isOpen && hasText && around);
+    this.panel.hidden = !(isOpen && hasText && around && !isElsewhere);
     this.panel.tabIndex = this.panel.hidden ? -1 : 0;
     if (this.panel.hidden) this.panel.removeAttribute('tabindex');
     const style = getComputedStyle(element);
