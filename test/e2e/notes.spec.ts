@@ -177,6 +177,33 @@ test.describe('notes', () => {
     await expect(inside).toHaveAccessibleDescription('');
   });
 
+  test('are looked at while the camera moves and never rests', async ({ page }) => {
+    const solid = { 'transfer-function': '0 #fff 0.99, 1 #fff 0.99', 'camera-orbit': '0deg 90deg 90' };
+    await open(page, view('<volume-note position="0 -9 0" label="Outer"><p>x</p></volume-note>', solid));
+    await rest(page);
+    const transmittance = (): Promise<number> =>
+      page.evaluate(() => document.querySelector('volume-note')!.transmittance ?? NaN);
+    const first = await transmittance();
+    // The picture moves a little all the time, so that the camera never rests for long, as when it turns by itself.
+    const stop = await page.evaluateHandle(() => {
+      const host = document.querySelector('volume-view')! as unknown as Record<symbol, unknown>;
+      const socket = host[Symbol.for('volume-view.socket')] as {
+        place(view: object): void;
+        view: { viewer: { scene: { getView(): { view: number[]; projection: number[] } } } };
+      };
+      let n = 0;
+      return setInterval(() => {
+        const { view, projection } = socket.view.viewer.scene.getView();
+        const moved = [...projection];
+        moved[8] += ++n % 2 ? 0.01 : -0.01;
+        socket.place({ view, projection: moved });
+      }, 20);
+    });
+    await page.evaluate(() => document.querySelector('volume-view')!.setAttribute('camera-orbit', '180deg 90deg 90'));
+    await expect.poll(async () => Math.abs((await transmittance()) - first)).toBeGreaterThan(0.5);
+    await stop.evaluate((timer) => clearInterval(timer as unknown as number));
+  });
+
   test('measure what the picture shows: the opacity where the volume is cut behind the place', async ({ page }) => {
     // Seen along y from the front; the region ends at the height of the note.
     const attributes = { 'camera-orbit': '0deg 90deg 90', 'transfer-function': '0 #fff 1%, 1 #fff 4%', steps: 'auto' };
@@ -384,10 +411,10 @@ const missOf = (page: Page, pane: string, name: string): Promise<number> =>
     const root = host.shadowRoot!;
     const pin = [...root.querySelectorAll<HTMLElement>('.pin')].find((one) => one.ariaLabel === name && !one.hidden);
     if (!pin) return Infinity;
-    const [{ x, y }, across, up] = [pin, root.querySelector('.across')!, root.querySelector('.up')!].map((one) =>
+    const [at, across, up] = [pin, root.querySelector('.across')!, root.querySelector('.up')!].map((one) =>
       one.getBoundingClientRect(),
     );
-    return Math.hypot(up.x + up.width / 2 - x, across.y + across.height / 2 - y);
+    return Math.hypot(up.x + (up.width - at.width) / 2 - at.x, across.y + (across.height - at.height) / 2 - at.y);
   }, name);
 
 test.describe('notes in panes of slices', () => {

@@ -158,6 +158,51 @@ function deal(notes: readonly number[], counts: readonly number[]): number[][] {
   return columns;
 }
 
+/**
+ * The order while the camera moves, when other notes are shown than before: those that stay keep column and order, those that are new
+ * stand where there is room.
+ * @param shown - whether a note is shown now
+ */
+export function updateOrder(
+  before: NoteOrder,
+  notes: readonly PlacedNote[],
+  room: NoteRoom,
+  shown: (note: number) => boolean,
+): NoteOrder {
+  const columns = before.columns.map((column) => ({ ...column, notes: column.notes.filter(shown) }));
+  const known = new Set(columns.flatMap(({ notes: members }) => members));
+  const rows = countRows(room);
+  const { maxWidth, left: edge } = columnsOf(room);
+  notes.forEach(({ anchor, width }, i) => {
+    if (!anchor || known.has(i) || !shown(i)) return;
+    const isRight = anchor[0] > room.width / 2;
+    const own = before.isShort ? room.line : Math.min(width, maxWidth);
+    const free = columns.filter((one) => one.isRight === isRight && one.notes.length < rows);
+    let column = free.reduce<(typeof columns)[number] | undefined>(
+      (best, one) => (best && best.notes.length <= one.notes.length ? best : one),
+      undefined,
+    );
+    if (!column && rows > 0 && !columns.some((one) => one.isRight === isRight)) {
+      const from = before.isShort ? margin : edge;
+      column = { left: isRight ? room.width - from - own : from, width: own, isRight, notes: [] };
+      columns.push(column);
+    }
+    if (!column) return;
+    const at = column.notes.findIndex((one) => (notes[one].anchor?.[1] ?? 0) > anchor[1]);
+    const members = [...column.notes];
+    members.splice(at < 0 ? members.length : at, 0, i);
+    const wide = Math.max(column.width, own);
+    const wider = {
+      ...column,
+      width: wide,
+      left: isRight ? column.left + column.width - wide : column.left,
+      notes: members,
+    };
+    columns[columns.indexOf(column)] = wider;
+  });
+  return { ...before, columns };
+}
+
 /** The notes of the left side and those of the right one, at most `max` of them. */
 function divide(
   shown: readonly number[],
@@ -245,7 +290,7 @@ function aim(
 /**
  * The top of each text, by the number of its note: as near to the height of its place as the others and the pins allow.
  * @param before - the tops in the last picture, and the places there: then no text moves farther than its place by more than `maxStep`, and
- * may cover a pin that passes it
+ * may cover a pin that passes it. A text without a last top has none until the others have made room for it
  */
 export function placeNotes(
   order: NoteOrder,
@@ -267,9 +312,12 @@ export function placeNotes(
       const moved = now && then ? Math.hypot(now[0] - then[0], now[1] - then[1]) : 0;
       return Math.min(least, (moved + maxStep) / Math.max(moved + maxStep, Math.abs(targets[at] - last)));
     }, 1);
-    members.forEach((i, at) =>
-      tops.set(i, from[at] === undefined ? targets[at] : from[at] + share * (targets[at] - from[at])),
-    );
+    members.forEach((i, at) => {
+      const last = from[at];
+      if (last !== undefined) tops.set(i, last + share * (targets[at] - last));
+      // A new text comes when the others have made room for it.
+      else if (share === 1) tops.set(i, targets[at]);
+    });
   }
   return tops;
 }

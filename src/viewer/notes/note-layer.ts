@@ -9,13 +9,14 @@ import { socketOf } from '../model/view-socket.ts';
 import type { ViewPart } from '../model/view-socket.ts';
 import { prefersLessMotion } from '../scenes/page-watcher.ts';
 import type { Viewer } from '../view/viewer.ts';
-import { arrangeNotes, columnsOf, margin, placeNotes } from './layout-notes.ts';
+import { arrangeNotes, columnsOf, margin, placeNotes, updateOrder } from './layout-notes.ts';
 import type { NoteOrder, NoteRoom, PlacedNote } from './layout-notes.ts';
 import { NoteMark } from './note-mark.ts';
 import type { NoteOwner } from './note-mark.ts';
 import { PaneNotes } from './pane-notes.ts';
 import { noteStyles } from './note-styles.ts';
 import { seePlaces, sightOf } from './see-places.ts';
+import { SightTurns } from './sight-turns.ts';
 
 /** Maximum number of notes of a view. */
 export const maxNotes = 1000;
@@ -65,6 +66,8 @@ export class NoteLayer implements ViewPart {
   #frame = 0;
   /** Identifies the last work on sights; earlier work is given up. */
   #seeing: object | null = null;
+  readonly #turns = new SightTurns<NoteMark>();
+  #isGlancing = false;
 
   private constructor(
     readonly view: HTMLElement,
@@ -233,9 +236,11 @@ export class NoteLayer implements ViewPart {
     const notes = this.#notes(anchors);
     if (!this.#order) this.#arrange(anchors);
     this.#tops = placeNotes(this.#order!, notes, this.#room, { tops: this.#tops, anchors: this.#anchors });
+    const moves = anchors.some((anchor, i) => String(anchor) !== String(this.#anchors[i]));
     this.#anchors = anchors;
     this.#show(this.#lefts(), this.#tops);
     this.#stopRest();
+    if (moves) void this.#glance();
     this.#timer = window.setTimeout(() => void this.#rest(), restMs);
   }
 
@@ -327,9 +332,50 @@ export class NoteLayer implements ViewPart {
     });
   }
 
+  get #viewer(): Viewer | null {
+    return (socketOf(this.view).view?.viewer as Viewer | null | undefined) ?? null;
+  }
+
+  /** While the camera moves: look how well the next places are seen. A view that turns for long never rests. */
+  async #glance(): Promise<void> {
+    const viewer = this.#viewer;
+    const marks = this.#turns.next(this.#marks.filter(({ owner }) => owner.at));
+    if (this.#isGlancing || !viewer || marks.length === 0) return;
+    this.#isGlancing = true;
+    // Work that begins when the camera rests knows more.
+    const isWanted = (): boolean => this.#seeing === null && !this.#abort.signal.aborted;
+    try {
+      const seen = await seePlaces(
+        viewer,
+        marks.map(({ owner }) => owner.at!),
+        isWanted,
+      );
+      if (seen && isWanted()) this.#takeSights(marks, seen);
+    } catch {
+      // A part of the package could not be loaded: the rest says it.
+    } finally {
+      this.#isGlancing = false;
+    }
+  }
+
+  #takeSights(marks: readonly NoteMark[], seen: readonly (number | null)[]): void {
+    this.#turns.seen(marks);
+    let isOther = false;
+    marks.forEach((mark, i) => {
+      if (!this.#marks.includes(mark)) return; // It has gone meanwhile.
+      const wasAway = mark.isAway;
+      mark.setSight(seen[i], sightOf(seen[i]));
+      isOther ||= mark.isAway !== wasAway;
+    });
+    if (!this.#order || !isOther) return;
+    const isShown = (i: number): boolean => this.#isInside(this.#anchors[i]) && !this.#marks[i].isAway;
+    this.#order = updateOrder(this.#order, this.#notes(this.#anchors), this.#room, isShown);
+    for (const i of this.#tops.keys()) if (!isShown(i)) this.#tops.delete(i);
+  }
+
   /** The camera rests: look how well the places are seen, and put the texts in order. */
   async #rest(): Promise<void> {
-    const viewer = socketOf(this.view).view?.viewer as Viewer | null | undefined;
+    const viewer = this.#viewer;
     const places = this.#marks.flatMap((mark) => (mark.owner.at ? [{ mark, at: mark.owner.at }] : []));
     const work = (this.#seeing = {});
     const isWanted = (): boolean => this.#seeing === work;
@@ -341,7 +387,10 @@ export class NoteLayer implements ViewPart {
           isWanted,
         );
         if (!isWanted()) return;
-        if (seen) places.forEach(({ mark }, i) => mark.setSight(seen[i], sightOf(seen[i])));
+        if (seen) {
+          this.#turns.seen(places.map(({ mark }) => mark));
+          places.forEach(({ mark }, i) => mark.setSight(seen[i], sightOf(seen[i])));
+        }
       } catch (error) {
         console.warn(error); // A part of the package could not be loaded: the notes stay as they are.
         if (!isWanted()) return;

@@ -13,9 +13,10 @@ export const paneNoteStyles = `
 .pin {
   position: absolute;
   inset: 0 auto auto 0;
-  inline-size: 0;
-  block-size: 0;
-  margin: 0;
+  inline-size: 10px;
+  block-size: 10px;
+  min-block-size: 0;
+  margin: -5px 0 0 -5px;
   border: 0;
   padding: 0;
   background: none;
@@ -28,7 +29,7 @@ export const paneNoteStyles = `
 .pin::before {
   content: '';
   position: absolute;
-  inset: -5px;
+  inset: 0;
   box-sizing: border-box;
   border: 1.5px solid #fff;
   border-radius: 50%;
@@ -39,13 +40,13 @@ export const paneNoteStyles = `
 .pin::after {
   content: '';
   position: absolute;
-  inset: -12px;
+  inset: -7px;
   border-radius: 50%;
   pointer-events: auto;
 }
 .pin bdi {
   position: absolute;
-  inset-block-start: -10px;
+  inset-block-start: -5px;
   max-inline-size: 16em;
   overflow: hidden;
   padding: 0 6px;

@@ -5,8 +5,8 @@ import type { NoteOwner } from './note-mark.ts';
 import { paneNoteStyles } from './pane-note-styles.ts';
 import { placeInPane, placeNames } from './place-in-pane.ts';
 
-/** Height of a name, CSS pixels. */
-const line = 20;
+/** Height of a name, and width and height of a pin, CSS pixels: as in the styles. */
+const [line, pinSize] = [20, 10];
 
 /** A note in a pane. */
 interface PaneMark {
@@ -122,7 +122,8 @@ export class PaneNotes {
       pin.ariaHidden = isOn ? null : 'true';
       pin.style.transform = `translate(${x.toFixed(2)}px, ${y.toFixed(2)}px)`;
       const left = lefts[i] ?? (x + 10 + width > size.width ? x - 10 - width : x + 10);
-      name.style.left = `${(Math.max(0, left) - x).toFixed(1)}px`;
+      // From the left edge of the button, half of which is left of the place.
+      name.style.left = `${(Math.max(0, left) - x + pinSize / 2).toFixed(1)}px`;
     });
     const open = shown.find(({ owner }) => owner === this.#opened);
     this.#element.append(this.#panel);

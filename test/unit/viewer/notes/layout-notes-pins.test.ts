@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import type { Pixel } from '../../../../src/viewer/camera/drag-place.ts';
 import { avoidPins, countFree } from '../../../../src/viewer/notes/avoid-pins.ts';
-import { arrangeNotes, maxStep, placeNotes } from '../../../../src/viewer/notes/layout-notes.ts';
+import { arrangeNotes, maxStep, placeNotes, updateOrder } from '../../../../src/viewer/notes/layout-notes.ts';
 import type { NoteOrder, NoteRoom, PlacedNote } from '../../../../src/viewer/notes/layout-notes.ts';
 import { findCoveredPins, findProblems, textBoxes } from '../../../helpers/note-boxes.ts';
 import { randomNumbers } from '../../../helpers/synthetic.ts';
@@ -112,6 +112,56 @@ describe('texts of notes and pins', () => {
     }
     // Each place goes down and up four times in these frames.
     expect(turns).to.be.below(8 * 10);
+  });
+});
+
+describe('notes that come and go while the camera moves', () => {
+  it('move no other text farther than its place by more than 2 px, cover none, and come when there is room', () => {
+    const room: NoteRoom = { width: 640, height: 360, line: 24 };
+    for (const seed of [1, 2, 3]) {
+      const random = randomNumbers(seed);
+      const all = scatter(random, 14, room);
+      let shown = all.map(() => random() < 0.5);
+      let before = all.map((note, i): PlacedNote => ({ ...note, anchor: shown[i] ? note.anchor : null }));
+      let order = arrangeNotes(before, room);
+      let tops = placeNotes(order, before, room);
+      let came = 0;
+      for (let frame = 1; frame <= 900; frame++) {
+        const now = all.map(({ anchor, width }, i): PlacedNote => {
+          const [x, y] = anchor!;
+          return {
+            width,
+            anchor: [x + 40 * Math.sin(frame / 80 + i), y + 20 * Math.sin(frame / 110 + 2 * i)],
+            hasNoPin: !shown[i],
+          };
+        });
+        if (frame % 20 === 0) {
+          const one = Math.floor(all.length * random());
+          shown = shown.map((is, i) => (i === one ? !is : is));
+          order = updateOrder(order, now, room, (i) => shown[i]);
+          tops = new Map([...tops].filter(([i]) => shown[i]));
+        }
+        const next = placeNotes(order, now, room, { tops, anchors: before.map(({ anchor }) => anchor) });
+        for (const [i, top] of next) {
+          const last = tops.get(i);
+          if (last === undefined) came++;
+          else {
+            const moved = Math.hypot(
+              ...[0, 1].map((axis) => now[i].anchor![axis] - (before[i].anchor ?? now[i].anchor!)[axis]),
+            );
+            expect(Math.abs(top - last)).to.be.at.most(moved + maxStep + 1e-9);
+          }
+        }
+        for (const i of tops.keys()) expect(next.has(i)).to.equal(true);
+        const placed = {
+          ...order,
+          columns: order.columns.map((one) => ({ ...one, notes: one.notes.filter((i) => next.has(i)) })),
+        };
+        expect(findProblems(textBoxes(placed, next, now, room), room)).to.deep.equal([]);
+        [tops, before] = [next, now];
+      }
+      expect(came).to.be.above(10);
+    }
   });
 });
 

@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../../../src/optics/rays/camera.ts';
 import { rayThrough, setUpRays } from '../../../../src/optics/rays/rays.ts';
 import { rayToPlace } from '../../../../src/optics/transmittance.ts';
-import { unitToLocal } from '../../../../src/radar/polar-geometry.ts';
+import { beamToLocal, unitToLocal } from '../../../../src/radar/polar-geometry.ts';
 import { projectInView } from '../../../../src/viewer/camera/project-place.ts';
 import { locateNote } from '../../../../src/viewer/notes/note-place.ts';
 import { describePlace } from '../../../../src/viewer/picking/pick-radar.ts';
@@ -97,5 +97,51 @@ describe('the pin of a note is at its voxel, within a pixel', () => {
     expect(found.latitude).to.be.closeTo(wanted.latitude, 1e-9);
     expect(found.longitude).to.be.closeTo(wanted.longitude, 1e-9);
     expect(found.heightAboveSea).to.be.closeTo(wanted.height, 1e-6);
+  });
+
+  it('of latitude, longitude and height is in the gate that sees this place over an Earth of 4/3 radius', () => {
+    const radar = radarVolume(unequalSweeps, { verticalExaggeration: 2 });
+    const site = { latitude: 48.2, longitude: 11.6, height: 520 };
+    const volume = { ...radar, radar: { ...radar.radar, site } } as PolarVolume;
+    // Range, elevation, azimuth; the place by pyproj 3.7.2, Geod(a=6371000, b=6371000).fwd along the arc s of Doviak & Zrnić 1993, eq. 2.28b
+    // and c: h = sqrt(r^2 + (4/3 a)^2 + 2 r (4/3 a) sin e) - 4/3 a above the antenna, s = 4/3 a asin(r cos e / (4/3 a + h)).
+    const beams = [
+      [20_000, 0.5, 30, 48.35567842, 11.7353289, 718.073],
+      [100_000, 1.5, 135, 47.56064641, 12.54171163, 3725.695],
+      [180_000, 0.5, 222.5, 46.99562691, 9.99716388, 3997.144],
+      [230_000, 4.5, 301, 49.22838171, 8.89937031, 21653.023],
+      [60_000, 19.5, 359, 48.70736075, 11.58658002, 20736.253],
+    ];
+    let worst = 0;
+    for (const [range, elevation, azimuth, latitude, longitude, height] of beams) {
+      const place = { kind: 'earth', latitude, longitude, height } as const;
+      const at = locateNote(place, { volume, labels: null, labelsMayCome: false })!;
+      const local = unitToLocal(volume.grid.box, transformPoint(invertAffine(unitToWorld(volume.grid))!, at));
+      const expected = beamToLocal({ range, elevation, azimuth }, volume.grid.earthRadius);
+      worst = Math.max(worst, length(subtract(local, expected)));
+    }
+    // A gate is 250 m long.
+    console.log(`notes of latitude and longitude: at most ${worst.toFixed(3)} m from pyproj's place of the gate`);
+    expect(worst).to.be.below(250);
+    expect(worst).to.be.below(1);
+  });
+
+  it('stays in every scan of a series, whatever the range of the scan', () => {
+    const at = locateNote(
+      { kind: 'world', at: [4000, -2500, 900] },
+      { volume: radarVolume(unequalSweeps), labels: null, labelsMayCome: false },
+    )!;
+    const shorter = unequalSweeps.sweeps.map((sweep) => ({ ...sweep, gates: Math.ceil(sweep.gates! / 3) }));
+    for (const sweeps of [unequalSweeps.sweeps, shorter, shorter.slice(0, 4)]) {
+      const volume = radarVolume({ ...unequalSweeps, sweeps });
+      const now = locateNote(
+        { kind: 'world', at: [4000, -2500, 900] },
+        { volume, labels: null, labelsMayCome: false },
+      )!;
+      expect(now).to.deep.equal(at);
+      const { worst, cameras: seen } = findWorst(volume.grid, now, null);
+      expect(seen).to.be.at.least(30);
+      expect(worst).to.be.below(1e-6);
+    }
   });
 });
