@@ -23,6 +23,7 @@ const programs = [
   'edges',
   'choices',
   'motion',
+  'notes',
   'gpu',
   'default-look',
 ];
