@@ -179,7 +179,7 @@ test.describe('notes', () => {
 
   test('are looked at while the camera moves and never rests', async ({ page }) => {
     const solid = { 'transfer-function': '0 #fff 0.99, 1 #fff 0.99', 'camera-orbit': '0deg 90deg 90' };
-    await open(page, view('<volume-note position="0 -9 0" label="Outer"><p>x</p></volume-note>', solid));
+    await open(page, view('<volume-note position="0 -40 0" label="Outer"><p>x</p></volume-note>', solid));
     await rest(page);
     const transmittance = (): Promise<number> =>
       page.evaluate(() => document.querySelector('volume-note')!.transmittance ?? NaN);

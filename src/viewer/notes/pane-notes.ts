@@ -79,7 +79,10 @@ export class PaneNotes {
     const isShown = owner !== null && owner.hasText && owner.around !== null;
     this.#panel.hidden = !isShown;
     this.#panel.replaceChildren(...(isShown ? [...owner.element.childNodes].map((node) => node.cloneNode(true)) : []));
-    if (isShown) this.#panel.ariaLabel = this.#nameOf(owner);
+    if (isShown) {
+      this.#panel.ariaLabel = this.#nameOf(owner);
+      this.#panel.dir = getComputedStyle(owner.element).direction;
+    }
     this.place();
   }
 
