@@ -23,7 +23,6 @@ const programs = [
   'edges',
   'choices',
   'motion',
-  'notes',
   'gpu',
   'default-look',
 ];
