@@ -126,6 +126,7 @@ export const FOLDERS = {
     'tools',
     'notes',
     'tours',
+    'questions',
     'session',
   ],
 };

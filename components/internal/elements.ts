@@ -11,6 +11,7 @@ export const elements: Readonly<Record<string, () => Promise<unknown>>> = {
   'volume-legend': () => import('../volume-legend/define.ts'),
   'volume-measure': () => import('../volume-measure/define.ts'),
   'volume-note': () => import('../volume-note/define.ts'),
+  'volume-question': () => import('../volume-question/define.ts'),
   'volume-readout': () => import('../volume-readout/define.ts'),
   'volume-slice': () => import('../volume-slice/define.ts'),
   'volume-slice-view': () => import('../volume-slice-view/define.ts'),

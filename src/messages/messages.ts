@@ -7,6 +7,7 @@ import type { MeasureMessages } from './measure-messages.ts';
 import type { NoteMessages } from './note-messages.ts';
 import type { NoticeMessages } from './notice-messages.ts';
 import type { PlaneMessages } from './plane-messages.ts';
+import type { QuestionMessages } from './question-messages.ts';
 import type { ReadoutMessages } from './readout-messages.ts';
 import type { TourMessages } from './tour-messages.ts';
 
@@ -44,6 +45,7 @@ export type Messages = ViewMessages &
   NoteMessages &
   NoticeMessages &
   PlaneMessages &
+  QuestionMessages &
   TourMessages &
   BlankMessages;
 

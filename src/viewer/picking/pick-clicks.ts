@@ -29,6 +29,7 @@ export function isOnPicture(event: Event): boolean {
 /** See `clicksOn`. */
 export class PickClicks {
   #holders = 0;
+  readonly #takers = new Set<(event: MouseEvent) => void>();
   /** Where the present press began; null if it has become a drag. */
   #press: Place | null = null;
 
@@ -44,8 +45,9 @@ export class PickClicks {
     view.addEventListener('click', (event) => {
       const press = this.#press;
       this.#press = null;
-      if (press && isOnPicture(event) && (view.pickable || this.#holders > 0))
-        void this.fire(placeInElement(view, event));
+      if (!press || !isOnPicture(event)) return;
+      for (const take of this.#takers) take(event);
+      if (view.pickable || this.#holders > 0) void this.fire(placeInElement(view, event));
     });
   }
 
@@ -53,6 +55,12 @@ export class PickClicks {
   hold(): () => void {
     this.#holders++;
     return () => void this.#holders--;
+  }
+
+  /** Let a listener have the clicks too. @returns a function that ends it */
+  take(listener: (event: MouseEvent) => void): () => void {
+    this.#takers.add(listener);
+    return () => void this.#takers.delete(listener);
   }
 
   /** Notify the page what is at a place. */

@@ -10,6 +10,7 @@ import { english as measure } from '../../../src/messages/english-measure.ts';
 import { english as notices } from '../../../src/messages/english-notices.ts';
 import { english as notes } from '../../../src/messages/english-notes.ts';
 import { english as plane } from '../../../src/messages/english-plane.ts';
+import { english as questions } from '../../../src/messages/english-questions.ts';
 import { english as readout } from '../../../src/messages/english-readout.ts';
 import { english as slices } from '../../../src/messages/english-slices.ts';
 import { english as tours } from '../../../src/messages/english-tours.ts';
@@ -27,6 +28,7 @@ const english: Record<string, unknown> = {
   ...notes,
   ...notices,
   ...plane,
+  ...questions,
   ...readout,
   ...slices,
   ...tours,
