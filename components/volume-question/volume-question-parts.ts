@@ -78,7 +78,8 @@ function renderTask(question: Question, { choices, unit, answering, locale: { me
     }
     case 'find':
       return isDone ? nothing : html`<p class="task">${messages.questionFind}</p>`;
-    default:
+    case 'label':
+    case 'value':
       return html`<div class="field" part="field">
         <input type="text" inputmode=${question.type === 'value' ? 'decimal' : 'text'} maxlength=${maxText} aria-labelledby="text" aria-describedby=${unit && question.type === 'value' ? 'unit' : nothing} spellcheck="false" autocapitalize="off" .value=${result?.response ?? ''} ?disabled=${isDone} />
         ${question.type === 'value' && unit ? html`<span id="unit">${unit}</span>` : nothing}

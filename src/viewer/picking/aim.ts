@@ -117,7 +117,7 @@ export class Aim implements ViewPart {
 
   /** The one of a view. @param picture - the part of the view that holds its picture */
   static of(view: AimedView, picture: HTMLElement): Aim {
-    return (socketOf(view).parts.find((part) => part instanceof Aim) as Aim | undefined) ?? new Aim(view, picture);
+    return socketOf(view).parts.find((part) => part instanceof Aim) ?? new Aim(view, picture);
   }
 
   add(owner: AimOwner): void {
@@ -157,9 +157,9 @@ export class Aim implements ViewPart {
 
   /** Who gets a click: the one with the crosshair, else the first one of the page that waits. */
   #findOwner(): AimOwner | null {
-    const [first = null] = [...this.#owners]
-      .filter(({ isWaiting }) => isWaiting)
-      .sort((a, b) => (a.element.compareDocumentPosition(b.element) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1));
+    const waiting = [...this.#owners].filter(({ isWaiting }) => isWaiting);
+    waiting.sort((a, b) => (a.element.compareDocumentPosition(b.element) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1));
+    const [first = null] = waiting;
     return this.#holder ?? first;
   }
 
