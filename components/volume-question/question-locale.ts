@@ -1,3 +1,4 @@
+import type { ReactiveControllerHost } from 'lit';
 import { english as companions } from '../../src/messages/english-companions.ts';
 import { english as notes } from '../../src/messages/english-notes.ts';
 import { english as questions } from '../../src/messages/english-questions.ts';
@@ -5,11 +6,11 @@ import { LocaleController } from '../../src/messages/locale-controller.ts';
 import type { CompanionMessages } from '../../src/messages/messages.ts';
 import type { NoteMessages } from '../../src/messages/note-messages.ts';
 import type { QuestionMessages } from '../../src/messages/question-messages.ts';
-import type { VolumeQuestion } from './volume-question.ts';
+import type { AnswerDetail } from '../../src/viewer/questions/answering.ts';
 
 /** The sentences of a question. */
 export class QuestionLocale extends LocaleController<CompanionMessages & NoteMessages & QuestionMessages> {
-  constructor(host: VolumeQuestion) {
+  constructor(host: ReactiveControllerHost & HTMLElement) {
     super(host, { ...companions, ...notes, ...questions });
   }
 
@@ -31,9 +32,11 @@ export class QuestionLocale extends LocaleController<CompanionMessages & NoteMes
   }
 
   /** How many questions of the tour around it are answered right, else of the page; empty where it is the only one. */
-  sayScore(question: VolumeQuestion): string {
+  sayScore(question: HTMLElement): string {
     const scope = question.closest('volume-tour') ?? (question.getRootNode() as Document | ShadowRoot);
-    const all = [...scope.querySelectorAll('volume-question')];
+    const all = [
+      ...scope.querySelectorAll<HTMLElement & { readonly result?: AnswerDetail | null }>(question.localName),
+    ];
     const right = all.filter(({ result }) => result?.correct);
     return all.length > 1 ? this.messages.questionScore(this.number(right.length), this.number(all.length)) : '';
   }
