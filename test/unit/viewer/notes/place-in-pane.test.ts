@@ -8,7 +8,6 @@ import type { SliceType } from '../../../../src/panes/slice-plane.ts';
 import { toPlane } from '../../../../src/panes/slice-plane.ts';
 import { placeInPane, placeNames } from '../../../../src/viewer/notes/place-in-pane.ts';
 import { cartesianGrid } from '../../../../src/volume/grid.ts';
-import type { CartesianGrid } from '../../../../src/volume/grid.ts';
 import { add, scale, transformPoint } from '../../../../src/volume/matrix.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
 import type { Volume } from '../../../../src/volume/volume.ts';
@@ -21,7 +20,7 @@ const size = { width: 300, height: 220 };
 
 function paneOf(type: SliceType, thickness = 0, normal: Vector3 = [1, 2, 0.5]): SlicePane {
   const pane = new SlicePane(new Crosshair());
-  pane.setVolume(new SlicedVolume(volume, grid as CartesianGrid));
+  pane.setVolume(new SlicedVolume(volume, grid));
   pane.setSize(size, 2);
   pane.setLook({
     type,
