@@ -39,6 +39,9 @@ await build({
   },
 });
 
+/** How many of the slowest tests are named at the end. */
+const longestShown = 12;
+
 const mocha = new Mocha({
   ui: 'bdd',
   timeout: 120_000,
@@ -50,9 +53,16 @@ const mocha = new Mocha({
 for (const file of files) mocha.addFile(join(bundled, `${nameOf(file)}.mjs`));
 await import('./test-fast-setup.mjs');
 if (files.length === 1) await mocha.loadFilesAsync();
+/** @type {{ title: string, ms: number }[]} */
+const times = [];
 const runner = mocha.run((failures) => {
   const { passes = 0 } = runner.stats ?? {};
+  times.sort((a, b) => b.ms - a.ms);
+  if (files.length > 1)
+    for (const { title, ms } of times.slice(0, longestShown))
+      console.log(`${(ms / 1000).toFixed(1).padStart(6)} s ${title}`);
   console.log(`${passes} passed, ${failures} failed`);
   process.exit(failures > 0 ? 1 : 0); // Some tests leave a timer or a worker running.
 });
+runner.on('pass', (test) => times.push({ title: test.fullTitle(), ms: test.duration ?? 0 }));
 runner.on('fail', (test) => console.log(`FAILED: ${test.fullTitle()}`));
