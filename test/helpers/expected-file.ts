@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import type { Volume } from '../../src/volume/volume.ts';
-import { fetchFixture, valuesOf } from './decode.ts';
+import { fetchFixture } from './decode.ts';
 
 /** The data that another program reads from a file: its place, and its values. The programs in test/fixtures write it. */
 export interface ExpectedFile {
@@ -24,7 +24,8 @@ export async function readExpected<T extends ExpectedFile>(name: string): Promis
  * magnitude. That is at most half the range if an offset is subtracted, else the largest end of the range.
  */
 function toleranceOf(volume: Volume): number {
-  const farthest = Array.from(volume.samples).reduce((max, sample) => Math.max(max, Math.abs(sample) || 0), 0);
+  let farthest = 0;
+  for (const sample of volume.samples) if (Math.abs(sample) > farthest) farthest = Math.abs(sample);
   const stored = volume.samples instanceof Float32Array ? Math.abs(volume.slope) * farthest * 2 ** -24 : 0;
   // The rounding of doubles of this size, twice: in the other program and in ours.
   return stored + 4 * Math.max(Math.abs(volume.range[0]), Math.abs(volume.range[1])) * Number.EPSILON;
@@ -33,16 +34,23 @@ function toleranceOf(volume: Volume): number {
 /** Compare a volume's size and values with the expected ones. */
 export function compareValues(volume: Volume, { dimensions, range, sum, noData = 0, samples }: ExpectedFile): void {
   expect(volume.grid.dimensions).to.deep.equal(dimensions);
-  const values = valuesOf(volume);
+  const valueOf = (sample: number): number => volume.slope * sample + volume.intercept;
   const tolerance = toleranceOf(volume);
+  expect(volume.samples.length).to.equal(dimensions.reduce((product, count) => product * count, 1));
   for (const [i, value] of samples) {
-    if (value === null) expect(Number.isNaN(values[i]), `sample ${i}: ${values[i]}`).to.equal(true);
-    else expect(Math.abs(values[i] - Number(value)), `sample ${i}: ${values[i]} for ${value}`).to.be.at.most(tolerance);
+    const got = valueOf(volume.samples[i]);
+    if (value === null) expect(Number.isNaN(got), `sample ${i}: ${got}`).to.equal(true);
+    else expect(Math.abs(got - Number(value)), `sample ${i}: ${got} for ${value}`).to.be.at.most(tolerance);
   }
-  const valid = values.filter((value) => !Number.isNaN(value));
-  expect(values.length - valid.length).to.equal(noData);
+  // Millions of voxels: a loop takes a tenth of the time of lists.
+  let [total, without] = [0, 0];
+  for (const sample of volume.samples) {
+    const value = valueOf(sample);
+    if (Number.isNaN(value)) without++;
+    else total += value;
+  }
+  expect(without).to.equal(noData);
   expect(volume.hasNoData).to.equal(noData > 0);
   range.forEach((end, i) => expect(Math.abs(volume.range[i] - end), `end ${i} of the range`).to.be.at.most(tolerance));
-  const total = valid.reduce((so, value) => so + value, 0);
-  expect(Math.abs(total - sum)).to.be.at.most(tolerance * values.length + 1e-9 * Math.abs(sum));
+  expect(Math.abs(total - sum)).to.be.at.most(tolerance * volume.samples.length + 1e-9 * Math.abs(sum));
 }

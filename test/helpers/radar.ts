@@ -34,11 +34,13 @@ export async function readExpected(name: string): Promise<readonly ExpectedRadar
 }
 
 /** Data values in double precision; NaN where there is no data. */
-export function gateValues({ samples, slope, intercept }: SweepData): Float64Array {
+export function gateValues(data: SweepData): Float64Array {
+  return Float64Array.from(data.samples, (sample) => valueOf(data, sample));
+}
+
+function valueOf({ samples, slope, intercept }: SweepData, sample: number): number {
   const empty = samples instanceof Float32Array ? NaN : 0;
-  return Float64Array.from(samples, (sample) =>
-    sample === empty || Number.isNaN(sample) ? NaN : slope * sample + intercept,
-  );
+  return sample === empty || Number.isNaN(sample) ? NaN : slope * sample + intercept;
 }
 
 /** Half a unit of the seventh digit, to which the expected numbers are rounded, and the rounding of float32. */
@@ -84,7 +86,6 @@ function compareValues(
   values: readonly (number | null)[],
 ): void {
   const data = radar.sweeps.map((sweep) => sweep.read(moment));
-  const numbers = data.map((sweep) => sweep && gateValues(sweep));
   for (const [i, sweep] of data.entries()) {
     expect(sweep !== null, `${moment}, sweep ${i}`).to.equal(radar.sweeps[i].moments.includes(moment));
     if (!sweep) continue;
@@ -97,7 +98,8 @@ function compareValues(
   const places = expected.gates;
   for (const [n, value] of values.entries()) {
     const [sweep, ray, gate] = places.slice(3 * n, 3 * n + 3);
-    const got = numbers[sweep]?.[ray * data[sweep]!.gates + gate] ?? NaN;
+    const read = data[sweep];
+    const got = read ? valueOf(read, read.samples[ray * read.gates + gate]) : NaN;
     const where = `${moment}, sweep ${sweep}, ray ${ray}, gate ${gate}: ${got} for ${value}`;
     if (value === null) {
       expect(Number.isNaN(got), where).to.equal(true);

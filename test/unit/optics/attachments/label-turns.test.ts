@@ -13,6 +13,7 @@ import type { LabelMap } from '../../../../src/volume/labels.ts';
 import { add, scale, subtract } from '../../../../src/volume/matrix.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
 import { blocks, labelMap, plainAppearance } from '../../../helpers/labels.ts';
+import { remember } from '../../../helpers/remember.ts';
 import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const looks = 400;
@@ -96,6 +97,15 @@ describe('rays that graze the corner of a thing in what is opaque at once', () =
     return hits;
   };
 
+  /** Rays, and what they hit: both kinds of labels look along the same ones. */
+  const looked = remember((count: number) => {
+    const random = randomNumbers(3);
+    return Array.from({ length: count }, () => {
+      const ray = rayThrough(rays, 1.4 * random() - 0.7, 1.4 * random() - 0.7);
+      return { ray, hits: countHits(ray, 3000) };
+    });
+  });
+
   /** @param style - of the labels whose places are clear */
   const compare = (
     style: Partial<typeof plainAppearance & { group: number }>,
@@ -118,11 +128,8 @@ describe('rays that graze the corner of a thing in what is opaque at once', () =
     };
     const stages = stagesOf({ ...scene, moreFields: [field] }, rays);
     const before = stagesOf({ ...scene, moreFields: [(place, known) => field(place, known)] }, rays);
-    const random = randomNumbers(3);
     let [wrong, wrongBefore] = [0, 0];
-    for (let n = 0; n < 2500; n++) {
-      const ray = rayThrough(rays, 1.4 * random() - 0.7, 1.4 * random() - 0.7);
-      const hits = countHits(ray, 3000);
+    for (const { ray, hits } of looked(2500)) {
       // Of so few places it is not sure.
       if (hits === 1 || hits === 2) continue;
       const isOff = (of: typeof stages): number => {
