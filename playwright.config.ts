@@ -40,6 +40,12 @@ const onePage = [
   ...['slice-view', 'slices', 'source', 'styles', 'surfaces', 'timeline', 'x3dom-scenes'],
 ].map((name) => `**/${name}.spec.ts`);
 
+/**
+ * V8 optimises only functions that run for long (by default, after 67,584 units of its counter). Most pages of tests end before optimised code
+ * has repaid the work of its compilation.
+ */
+const lateOptimisation = '--js-flags=--interrupt-budget=1000000';
+
 export default defineConfig({
   testDir: 'test/e2e',
   testMatch: '**/*.spec.ts',
@@ -56,7 +62,7 @@ export default defineConfig({
     browserName: 'chromium',
     baseURL: process.env.VOLUME_VIEW_URL, // Set by the global setup, before the workers start.
     viewport: { width: 900, height: 700 },
-    launchOptions: { executablePath: await findBrowser(), args: listTestArgs() },
+    launchOptions: { executablePath: await findBrowser(), args: [...listTestArgs(), lateOptimisation] },
   },
   projects: [
     { name: 'one page', testMatch: onePage, use: { reuseContext: true } },
