@@ -4,7 +4,6 @@ import type { ErrorCode } from '../core/errors.ts';
 import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import type { LocalFiles } from '../formats/base/load-request.ts';
 import { nameOf } from '../formats/base/name-of.ts';
-import { pathOf } from './byte-store.ts';
 import type { ByteStore, ReadOptions } from './byte-store.ts';
 import { findVolume } from './find-volume.ts';
 import type { FindOptions, FoundVolume } from './find-volume.ts';
@@ -38,7 +37,8 @@ export async function openFiles(given: DecodeInput | LocalFiles, options: FindOp
       'files got no files; expected a FileList, or an array of File objects.',
     );
   const { bytes } = await store.read(only, { range: { start: 0, end: 4 } });
-  if (others.length === 0 && isZip(bytes)) return openZip(store, only, pathOf(only), options);
+  // It may be called after a patient.
+  if (others.length === 0 && isZip(bytes)) return openZip(store, only, 'that was chosen', options);
   return openStore(store, `the choice of ${others.length + 1} files`, given.base, options);
 }
 

@@ -83,6 +83,11 @@ describe('files that a person chose', () => {
     expect((await read(first, {})).bytes).to.deep.equal(await fetchFixture('nifti/v1-le-i2.nii'));
   });
 
+  it('of an archive are refused without its name, which may be that of a patient', async () => {
+    const { message } = await expectError(local([await fileOf('zip/none.zip', 'Doe_John.zip')]));
+    expect(message).to.contain('the ZIP archive that was chosen holds 2 files').and.not.to.contain('Doe');
+  });
+
   it('are a header and its data, in any order', async () => {
     const { first, read } = await local([await fileOf('metaimage/data.raw'), await fileOf('metaimage/detached.mhd')]);
     expect(first).to.equal(`${base}detached.mhd`);

@@ -248,4 +248,66 @@ describe('files with several frames', () => {
     expect(at(volume, [0, 0, 0])).to.deep.equal([10 - 0.5 * 2, 20 - 0.75 * 1.5, 7]);
     expect(at(volume, [0, 0, 2])[2]).to.equal(15);
   });
+
+  // dcm2niix 1.0.20260724 puts the first pixels of the tiles at these places, for files with the same numbers.
+  const normal = [-0.18597052, 0.18063714, 0.96580808];
+  for (const [what, sign, second] of [
+    ['up', 1, [22.9045, 23.6133, -6.4663]],
+    ['down', -1, [21.0448, 25.4197, -16.1244]],
+  ] as const) {
+    it(`as tiles of a mosaic run ${what} where the header of Siemens says so`, async () => {
+      const tiles = Uint16Array.from({ length: 1024 }, (_, i) => 2 * Math.floor(i / 512) + ((i % 32) >> 4));
+      const fields: DicomFields = {
+        ...slice(0, 0, pixelFields(tiles)),
+        Modality: 'MR',
+        RescaleSlope: undefined,
+        RescaleIntercept: undefined,
+        ImageType: 'ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC',
+        Rows: [32],
+        Columns: [32],
+        PixelSpacing: [3, 2.5],
+        SpacingBetweenSlices: [5],
+        ImagePositionPatient: [-40, -50, -10],
+        ImageOrientationPatient: [0.98034318, 0.10003502, 0.17005953, -0.06589557, 0.97844941, -0.19568988],
+        SiemensImageHeader: siemensHeader({
+          NumberOfImagesInMosaic: ['3'],
+          SliceNormalVector: normal.map((x) => (sign * x).toFixed(8)),
+        }),
+      };
+      const volume = await decodeFields([fields]);
+      expect(volume.grid.dimensions).to.deep.equal([16, 16, 3]);
+      const values = valuesOf(volume);
+      for (const [value, place] of [
+        [0, [21.9746, 24.5165, -11.2954]],
+        [1, second],
+      ] as const) {
+        const k = values.indexOf(value) / 256;
+        transformPoint(volume.grid.indexToWorld, [0, 0, k]).forEach((x, axis) =>
+          expect(x).to.be.closeTo(place[axis], 1e-4),
+        );
+      }
+    });
+  }
 });
+
+/** The header of Siemens' scanners: fields of texts. */
+function siemensHeader(fields: Readonly<Record<string, readonly string[]>>): Uint8Array {
+  const number = (value: number): number[] => [value & 0xff, value >> 8, 0, 0];
+  const padded = (text: string, bytes: number): number[] =>
+    Array.from({ length: bytes }, (_, i) => (i < text.length ? text.charCodeAt(i) : 0));
+  const written = Object.entries(fields).flatMap(([name, values]) => [
+    ...padded(name, 64),
+    ...[1, 0, 0, values.length, 77].flatMap(number),
+    ...values.flatMap((text) => [
+      ...[text.length, text.length, 77, text.length].flatMap(number),
+      ...padded(text, 4 * Math.ceil(text.length / 4)),
+    ]),
+  ]);
+  return Uint8Array.from([
+    ...padded('SV10', 4),
+    ...[4, 3, 2, 1],
+    ...number(Object.keys(fields).length),
+    ...number(77),
+    ...written,
+  ]);
+}
