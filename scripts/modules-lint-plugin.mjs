@@ -91,6 +91,7 @@ export const FOLDERS = {
     'appearance',
     'grid-files',
     'hdf5',
+    'minc',
     'netcdf',
     'raw',
     'manifest',

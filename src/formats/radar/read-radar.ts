@@ -3,15 +3,23 @@ import type { GrayImage } from '../../volume/mosaic.ts';
 import type { Budget } from '../base/budget.ts';
 import type { DecodedVolume, DecodeSettings } from '../base/decoded-volume.ts';
 import type { FormatReader } from '../base/format.ts';
+import { isMinc } from '../minc/is-minc.ts';
 import { buildPolarVolume } from './build-polar-volume.ts';
 import type { RadarFile } from './radar-file.ts';
 
 /** Radar files; HDF5 may hold ODIM_H5 or CfRadial. */
 export type RadarKind = 'hdf5' | 'netcdf3' | 'nexrad';
 
-/** Reads a radar file and converts the chosen moment to a volume on its polar grid. */
+/**
+ * Reads a radar file and converts the chosen moment to a volume on its polar grid. An HDF5 file may also be MINC 2, which
+ * is read as such.
+ */
 export function radarReader(kind: RadarKind): FormatReader {
-  return async ({ bytes }, settings, { onProgress, onRadar, budget }) => {
+  return async (input, settings, context) => {
+    const { bytes } = input;
+    const { onProgress, onRadar, budget } = context;
+    if (kind === 'hdf5' && isMinc(bytes))
+      return (await import('../minc/read-minc.ts')).readMinc(input, settings, context);
     onRadar?.();
     onProgress(0, bytes.length);
     return buildPolarVolume(await openRadar(kind, bytes, budget), settings, budget);

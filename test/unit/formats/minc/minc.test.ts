@@ -1,0 +1,48 @@
+import { expect } from '@esm-bundle/chai';
+import { decodeBytes, expectError, fetchFixture } from '../../../helpers/decode.ts';
+import { compareFormatFile, filesLike, readFormatFile } from '../../../helpers/format-files.ts';
+
+describe('MINC 2 against nibabel', () => {
+  for (const file of filesLike(/\.mnc$/)) {
+    it(file.path, async () => {
+      const volume = await compareFormatFile(file);
+      expect(volume.format).to.match(/^MINC 2/);
+      expect(volume.anatomical).to.equal(true);
+    });
+  }
+});
+
+describe('MINC 2', () => {
+  it('says which volumes are not shown', async () => {
+    expect((await readFormatFile('minc-time.mnc')).left).to.deep.equal(['volumes 2 to 3 of the file']);
+  });
+
+  it('keeps small whole numbers of one scale as they are', async () => {
+    expect((await readFormatFile('minc-u1.mnc')).samples).to.be.instanceOf(Uint8Array);
+  });
+
+  it('is refused in words with uneven slices', async () => {
+    const error = await expectError(decodeBytes(await fetchFixture('formats/minc-irregular.bad'), 'x.mnc'));
+    expect(error.code).to.equal('format/unsupported');
+    expect(error.message).to.match(/uneven distances along zspace.*mincresample/);
+  });
+
+  it('is refused in words with other axes than those of space', async () => {
+    const bytes = await fetchFixture('formats/minc-u1.mnc');
+    const at = new TextDecoder('latin1').decode(bytes).indexOf('zspace,yspace,xspace');
+    bytes.set(new TextEncoder().encode('zspace,yspace,vector'), at);
+    const error = await expectError(decodeBytes(bytes, 'x.mnc'));
+    expect(error.code).to.equal('format/unsupported');
+    expect(error.message).to.match(/"zspace,yspace,vector"; expected xspace, yspace and zspace/);
+  });
+
+  it('damaged anywhere is an error in words, or a volume', async () => {
+    const bytes = await fetchFixture('formats/minc-slices.mnc');
+    for (let at = 0; at < bytes.length; at += 37) {
+      const damaged = bytes.slice();
+      damaged[at] ^= 0xff;
+      const result = await decodeBytes(damaged, 'x.mnc').catch((error: unknown) => error);
+      expect(String((result as { code?: string }).code ?? 'format/'), `byte ${at}`).to.match(/^format\//);
+    }
+  });
+});
