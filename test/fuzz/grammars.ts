@@ -2,7 +2,7 @@ import type { Grammar } from './fuzz-case.ts';
 import { attributes } from './grammars/attributes.ts';
 import { dicom } from './grammars/dicom.ts';
 import { metaImage, nrrd } from './grammars/grid-files.ts';
-import { hdf5 } from './grammars/hdf5.ts';
+import { hdf5, minc } from './grammars/hdf5.ts';
 import { jpeg, webp } from './grammars/image-headers.ts';
 import { manifest } from './grammars/manifest.ts';
 import { netcdf3 } from './grammars/netcdf3.ts';
@@ -27,6 +27,7 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   npy,
   vti,
   afni,
+  minc,
   dicom,
   manifest,
   attributes,

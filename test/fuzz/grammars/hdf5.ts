@@ -4,7 +4,7 @@ import type { Grammar } from '../fuzz-case.ts';
 import { Hdf5Writer } from './hdf5-writer.ts';
 import type { Message } from './hdf5-writer.ts';
 import type { Random } from '../random.ts';
-import { makeCfradial1, makeCfradial2, makeOdim } from './radar-trees.ts';
+import { makeCfradial1, makeCfradial2, makeMinc, makeOdim } from './radar-trees.ts';
 import type { TreeGroup } from './radar-trees.ts';
 
 /** Radar scans in HDF5: links to other parts, parts that overlap, counts at the ends of types, chunks and filters that lie. */
@@ -17,6 +17,13 @@ export const hdf5: Grammar = (random) => {
     damage(random, file.finish(root)),
     random.isWild() ? { moment: 'DBZH' } : {},
   );
+};
+
+/** MINC 2, which is HDF5 too. */
+export const minc: Grammar = (random) => {
+  const file = new Hdf5Writer(random);
+  const root = writeGroup(file, makeMinc(random));
+  return oneFile(random.or('a.mnc', 'a'), damage(random, file.finish(root)));
 };
 
 function writeGroup(file: Hdf5Writer, { attributes, groups, arrays }: TreeGroup): number {

@@ -63,7 +63,7 @@ export const manifest: Grammar = (random) => {
 
 function makeObject(random: Random, kind: string): unknown {
   const shared = {
-    ...chooseFields(random, root, ['image', 'files', 'scans', 'mosaic', 'elevations', 'sweeps']),
+    ...chooseFields(random, root, ['image', 'files', 'scans', 'raw', 'mosaic', 'elevations', 'sweeps']),
     mosaic: random.or('3x2', '1x1', '99999x99999', '12x12'),
   };
   const image = random.or(
@@ -79,13 +79,22 @@ function makeObject(random: Random, kind: string): unknown {
   );
   if (kind === 'files') return { ...shared, mosaic: undefined, files: repeat(random, 'image.png') };
   if (kind === 'scans') return { ...shared, scans: repeat(random, { image, time: '2018-12-20T06:06:28Z' }) };
-  if (kind === 'image') return { ...shared, image };
+  // A picture's bytes are numbers too.
+  if (kind === 'image') return random.chance(0.2) ? { ...shared, image, raw: makeRaw(random) } : { ...shared, image };
   const tiles = random.int(1, 6);
   const elevations = Array.from({ length: tiles }, (_, i) => random.number(0.5 + i));
   const sweeps = random.chance(0.5)
     ? Array.from({ length: random.size(tiles) % 50 }, () => makeSweep(random))
     : undefined;
   return { ...shared, image, elevations, range: [random.number(250), random.number(500)], sweeps };
+}
+
+function makeRaw(random: Random): unknown {
+  return {
+    type: random.or('uint8', 'int16', 'float64', 'x'),
+    dimensions: [4, 3, 2].map((n) => random.size(n)),
+    ...(random.chance(0.5) ? { offset: random.size(8), endian: random.or('little', 'big', 'x') } : {}),
+  };
 }
 
 /** A tile of the image has 4 x 6 pixels. */

@@ -271,3 +271,44 @@ export function makeCfradial2(random: Random): TreeGroup {
     },
   );
 }
+
+/** A MINC 2 volume: sizes, scales, axes and places that lie. Source: "MINC 2.0 File Format Reference" */
+export function makeMinc(random: Random): TreeGroup {
+  const type = random.pick(['i1', 'u1', 'i2', 'u2', 'i4', 'f4', 'f8'] as const);
+  const size = [random.int(1, 5), random.int(1, 5), random.int(1, 5)];
+  const names = random.or(['zspace', 'yspace', 'xspace'], ['time', 'zspace', 'yspace'], ['xspace']);
+  const scaled = size.slice(0, random.pick([0, 1, 2]));
+  const product = (lengths: readonly number[]): number => lengths.reduce((all, n) => all * n, 1);
+  const scale = (start: number): TreeArray => ({
+    type: 'f8',
+    shape: scaled.map((n) => random.or(n, n + 1)),
+    numbers: count(product(scaled), (i) => random.number(start + i)),
+    attributes: {},
+  });
+  const axis = (name: string): TreeArray => ({
+    type: 'i4',
+    shape: [],
+    numbers: [0],
+    attributes: {
+      start: real(random.number(5)),
+      step: real(random.number(1.5)),
+      spacing: random.or('regular__', 'irregular'),
+      direction_cosines: {
+        type: 'f8',
+        numbers: ['xspace', 'yspace', 'zspace'].map((one) => random.number(one === name ? 1 : 0)),
+      },
+    },
+  });
+  const image: TreeArray = {
+    type,
+    shape: size,
+    numbers: count(product(size), (i) => (i * 37) % 100),
+    attributes: {
+      dimorder: random.or(names.join(','), 'vector_dimension', ''),
+      ...(random.chance(0.3) ? { valid_range: { type: 'f8', numbers: [random.number(0), random.number(99)] } } : {}),
+    },
+  };
+  const folder = group({}, {}, { image, 'image-max': scale(100), 'image-min': scale(-20) });
+  const axes = Object.fromEntries(names.map((name) => [name, axis(name)]));
+  return group({}, { 'minc-2.0': group({}, { image: group({}, { '0': folder }), dimensions: group({}, {}, axes) }) });
+}
