@@ -42,7 +42,7 @@ describe('MINC 2', () => {
       const damaged = bytes.slice();
       damaged[at] ^= 0xff;
       const result = await decodeBytes(damaged, 'x.mnc').catch((error: unknown) => error);
-      expect(String((result as { code?: string }).code ?? 'format/'), `byte ${at}`).to.match(/^format\//);
+      expect((result as { code?: string }).code ?? 'format/', `byte ${at}`).to.match(/^format\//);
     }
   });
 });
