@@ -220,6 +220,31 @@ await check("a click picks the same place in an author's shadow root that CSS tu
   }
 });
 
+await check('a note stands where a pick finds its place, opens, and goes', async () => {
+  const { world } = await element.pick(60, 45);
+  const note = document.createElement('volume-note');
+  for (const [name, value] of Object.entries({ position: world.join(' '), label: 'There', hide: 'never' }))
+    note.setAttribute(name, value);
+  note.append(Object.assign(document.createElement('p'), { textContent: 'What it says' }));
+  element.append(note);
+  const find = (selector) => element.shadowRoot.querySelector(selector);
+  const wait = async (condition) => {
+    for (let i = 0; i < 200 && !condition(); i++) await new Promise((resolve) => void setTimeout(resolve, 25));
+  };
+  await wait(() => find('.pin:not(.out)'));
+  expect(find('.pin:not(.out)'), 'it has no pin');
+  const [pin, box] = [find('.pin'), element].map((one) => one.getBoundingClientRect());
+  const off = Math.hypot(pin.x + pin.width / 2 - box.x - 60, pin.y + pin.height / 2 - box.y - 45);
+  expect(off < 1, `its pin is ${off.toFixed(2)} pixels off`);
+  find('button.note').click();
+  const text = () => note.firstElementChild.getBoundingClientRect().height;
+  await wait(() => text() > 0);
+  expect(note.open && text() > 0, 'its text does not open');
+  note.remove();
+  await wait(() => !find('.notes'));
+  expect(!find('.notes'), 'it leaves something');
+});
+
 await check('a drag with Shift moves what is seen, and a pinch on a trackpad zooms to the pointer', async () => {
   point('pointerdown', [60, 45], { pointerType: 'mouse', shiftKey: true });
   point('pointermove', [70, 45], { pointerType: 'mouse', shiftKey: true, buttons: 1 });
