@@ -243,11 +243,17 @@ const guides = {
   'volume-readout': [['Pointing', 'guide/pointing.md']],
   'volume-slice': [['Slices', 'guide/slices.md']],
   'volume-slice-view': [['Slices', 'guide/slices.md']],
-  'volume-step': [['Write a lesson', 'guide/tours.md']],
+  'volume-step': [
+    ['Write a lesson', 'guide/lesson.md'],
+    ['Tours', 'guide/tours.md'],
+  ],
   'volume-surface': [['Surfaces and terrain', 'guide/surfaces.md']],
   'volume-terrain': [['Surfaces and terrain', 'guide/surfaces.md']],
   'volume-timeline': [['Scans in time', 'guide/scans-in-time.md']],
-  'volume-tour': [['Write a lesson', 'guide/tours.md']],
+  'volume-tour': [
+    ['Write a lesson', 'guide/lesson.md'],
+    ['Tours', 'guide/tours.md'],
+  ],
   'volume-transfer-function': [['Companions', 'guide/companions.md#volume-transfer-function']],
   'volume-workspace': [['Companions', 'guide/companions.md']],
 };

@@ -2,6 +2,7 @@ import { css, html } from 'lit';
 import { state } from 'lit/decorators.js';
 import { CustomStates } from '../internal/custom-states.ts';
 import { reportIfLost } from '../internal/lost-element.ts';
+import { number } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 
 /**
@@ -14,6 +15,7 @@ import { property, ReflectingElement } from '../internal/reflecting-element.ts';
  *
  * @tag volume-step
  * @slot - the text of the step; its first heading is its name
+ * @slot poster - what the picture shows in this step, an `<img>` for instance: it appears on paper, and without scripts
  * @fires {CustomEvent<ErrorDetail>} error - there is no `<volume-tour>` around it
  */
 export class VolumeStep extends ReflectingElement {
@@ -35,10 +37,27 @@ export class VolumeStep extends ReflectingElement {
       margin-block-end: 0;
     }
 
+    ::slotted([slot='poster']) {
+      display: block;
+      box-sizing: border-box;
+      max-inline-size: 100%;
+      block-size: auto;
+    }
+
+    @media not print {
+      slot[name='poster'] {
+        display: none;
+      }
+    }
+
     /* On paper there is room for all of them. */
     @media print {
       .step[hidden] {
         display: block;
+      }
+
+      .step {
+        break-inside: avoid;
       }
 
       :host {
@@ -59,6 +78,9 @@ export class VolumeStep extends ReflectingElement {
    */
   @property() labels!: string | null;
 
+  /** How long it stays open while the tour plays, seconds, 1 to 3600. By default as the `<volume-tour>` says. */
+  @property({ kind: number }) dwell!: number | null;
+
   /** Type and position of the first `<volume-slice>` in the view, `axial 20`; `none` hides it. */
   @property() slice!: string | null;
 
@@ -70,14 +92,14 @@ export class VolumeStep extends ReflectingElement {
     reportIfLost(this, 'volume-tour');
   }
 
-  /** Show the text, or hide it. @internal */
-  setOpen(isOpen: boolean): void {
-    this._closed = !isOpen;
+  /** The step is open, or closed. @param isVisible - whether the text of a closed step is visible too @internal */
+  setOpen(isOpen: boolean, isVisible = false): void {
+    this._closed = !isOpen && !isVisible;
     this.#states.set('open', isOpen);
   }
 
   protected override render(): unknown {
-    return html`<div class="step" ?hidden=${this._closed}><slot></slot></div>`;
+    return html`<div class="step" ?hidden=${this._closed}><slot></slot><slot name="poster"></slot></div>`;
   }
 }
 

@@ -108,6 +108,23 @@ export const styles = css`
     border-color: var(--volume-tour-color, currentColor);
   }
 
+  /* Each text has the middle of the page for itself; CSS of the page overrides it. */
+  @media screen {
+    :host([by='scroll' i]) ::slotted(volume-step) {
+      margin-block-end: 60vh;
+    }
+
+    :host([by='scroll' i]) .back {
+      position: sticky;
+      inset-block-end: 12px;
+    }
+  }
+
+  .back button {
+    background: Canvas;
+    color: CanvasText;
+  }
+
   .leave {
     margin-inline-start: auto;
   }

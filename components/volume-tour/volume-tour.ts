@@ -2,24 +2,23 @@ import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
 import { invalidAttribute } from '../../src/core/errors.ts';
 import type { VolumeViewError } from '../../src/core/errors.ts';
-import { english as companions } from '../../src/messages/english-companions.ts';
-import { english as tours } from '../../src/messages/english-tours.ts';
-import { LocaleController } from '../../src/messages/locale-controller.ts';
-import type { CompanionMessages } from '../../src/messages/messages.ts';
-import type { TourMessages } from '../../src/messages/tour-messages.ts';
+import { TourLocale } from '../../src/messages/tour-locale.ts';
 import { childrenOf } from '../../src/page/page-children.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
 import { readStep } from '../../src/viewer/tours/step-value.ts';
 import type { StepValue } from '../../src/viewer/tours/step-value.ts';
 import { findTargets, TourGuide, usualDuration } from '../../src/viewer/tours/tour-guide.ts';
-import { number } from '../internal/property-kinds.ts';
+import { readDwell, usualDwell } from '../../src/viewer/tours/tour-player.ts';
+import { flag, number } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { spokenStyles } from '../internal/spoken-styles.ts';
 import { companionGap } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 import { emit } from '../internal/volume-view-events.ts';
 import type { VolumeStep } from '../volume-step/volume-step.ts';
+import { TourAutoplay } from './tour-autoplay.ts';
+import { TourScroll } from './tour-scroll.ts';
 import { styles } from './volume-tour-styles.ts';
 
 /** Detail of `step-change`. */
@@ -33,7 +32,18 @@ export interface StepChangeDetail {
 }
 
 /** Paths in a box of 24 by 24. */
-const icons = { previous: 'M15 5l-7 7 7 7', next: 'M9 5l7 7-7 7', leave: 'M6 6l12 12M18 6L6 18' };
+const icons = {
+  play: 'M8 5l11 7-11 7z',
+  pause: 'M9 5v14M15 5v14',
+  previous: 'M15 5l-7 7 7 7',
+  next: 'M9 5l7 7-7 7',
+  leave: 'M6 6l12 12M18 6L6 18',
+};
+
+/** What a person does before the picture turns. */
+const uses = ['pointerdown', 'pointermove', 'wheel', 'keydown'] as const;
+
+const classes = { play: 'play', pause: 'play', previous: 'turns', next: 'turns', leave: 'leave' };
 
 /**
  * A way through a volume in steps: each `<volume-step>` has a text, and attributes that the `<volume-view>` gets while the step is open.
@@ -74,8 +84,36 @@ export class VolumeTour extends ReflectingElement {
    */
   @property({ kind: number }) duration!: number | null;
 
+  /**
+   * Opens one step after the other without a person, and starts again after the last. It waits while a person uses the tour or the view, and
+   * there is a button that pauses it. If a person has asked their system for less motion, it waits for `play()` or this button.
+   */
+  @property({ kind: flag }) autoplay!: boolean;
+
+  /**
+   * How long a step stays open while the tour plays, seconds, 1 to 3600. A `<volume-step>` may have its own.
+   * @default 10
+   */
+  @property({ kind: number }) dwell!: number | null;
+
+  /**
+   * `scroll`: all texts are visible, and the step whose text is in the middle of the page is open. There are no buttons then, and no
+   * `autoplay`.
+   */
+  @property() by!: string | null;
+
   readonly #link = new VolumeLink(this, () => this.requestUpdate(), []);
-  readonly #locale = new LocaleController<CompanionMessages & TourMessages>(this, { ...companions, ...tours });
+  readonly #locale = new TourLocale(this);
+  readonly #player = new TourAutoplay(
+    this,
+    () => this.#advance(),
+    () => this.requestUpdate(),
+  );
+  readonly #scroll = new TourScroll(this, (step, isInside) => {
+    // Another tour of the view may be open, elsewhere in the page.
+    if (step === this.#number || (this.#number === 0 && !isInside)) return;
+    this.#reached = this.step = step;
+  });
   /** Through this the view gets the speed of its camera. */
   readonly #part: ViewPart = {
     key: 'tour',
@@ -89,6 +127,14 @@ export class VolumeTour extends ReflectingElement {
   #number = 0;
   /** Duration of a move, ms. */
   #time = usualDuration;
+  /** How long the open step stays open while the tour plays, ms. */
+  #dwell = usualDwell;
+  /** Whether the tour follows the page as a person scrolls. */
+  #isScrolled = false;
+  /** The step to which the page was scrolled; null before that. */
+  #reached: number | null = null;
+  /** Whether the tour has opened the step by itself. */
+  #isPlayed = false;
   #problem: VolumeViewError | null = null;
   #guide: TourGuide | null = null;
   /** What the view got last; empty for nothing. */
@@ -99,6 +145,8 @@ export class VolumeTour extends ReflectingElement {
   #isComplete = false;
   /** Whether a person has turned the picture since the step opened. */
   #isTurned = false;
+  /** Whether a person has used the view since then. The event of a picture that glides after a turn may come late. */
+  #isUsed = false;
   /** Whether a person has chosen the step, and the focus follows. */
   #takesFocus = false;
   #said = '';
@@ -125,6 +173,21 @@ export class VolumeTour extends ReflectingElement {
     return this.#number > 1 && this.#go(this.#number - 1);
   }
 
+  /** Open one step after the other, as `autoplay` does. */
+  play(): void {
+    this.#player.ask(true);
+  }
+
+  /** The open step stays. */
+  pause(): void {
+    this.#player.ask(false);
+  }
+
+  /** Whether it does not play, as nobody wants it to. A tour that plays may wait for a person who uses it. */
+  get paused(): boolean {
+    return this.#player.paused;
+  }
+
   /** Close the open step: the view is as before the tour. */
   leave(): void {
     this.#leaveView();
@@ -137,19 +200,23 @@ export class VolumeTour extends ReflectingElement {
     const targets = view && findTargets(view);
     this.#steps = childrenOf(this, 'volume-step', 'volume-tour') as VolumeStep[];
     this.#values = targets ? this.#steps.map(({ attributes }) => readStep(attributes, targets)) : [];
-    let problem = this.#values.find((value) => value.problem)?.problem ?? null;
-    for (const name of ['duration', 'step'] as const) {
+    const problems = this.#values.flatMap((value) => value.problem ?? []);
+    const attempt = (read: () => void): void => {
       try {
-        if (name === 'duration') this.#time = this.#readTime();
-        else this.#number = this.#readNumber();
+        read();
       } catch (error) {
-        problem = error as VolumeViewError;
+        problems.unshift(error as VolumeViewError);
       }
-    }
+    };
+    attempt(() => (this.#time = this.#readTime()));
+    attempt(() => (this.#isScrolled = this.#readBy()));
+    attempt(() => (this.#number = this.#readNumber()));
     this.#number = Math.min(this.#number, this.#steps.length); // Steps may have been removed.
+    attempt(() => (this.#dwell = this.#readDwell()));
     if (document.readyState === 'loading') return;
-    this.#report(problem);
-    if (this.#known !== null && this.#known !== this.#number) this.#said = this.#describe();
+    this.#report(problems[0] ?? null);
+    if (this.#known !== null && this.#known !== this.#number)
+      this.#said = this.#isPlayed || this.#isScrolled ? '' : this.#describe();
   }
 
   /** @throws {VolumeViewError} `attribute/invalid` */
@@ -159,6 +226,23 @@ export class VolumeTour extends ReflectingElement {
     const time = number.read(text);
     if (time !== null && time >= 0) return time;
     throw invalidAttribute('duration of <volume-tour>', text, 'milliseconds, 0 or more');
+  }
+
+  /** @throws {VolumeViewError} `attribute/invalid` */
+  #readBy(): boolean {
+    const text = this.readText('by')?.trim().toLowerCase() ?? '';
+    if (text === '' || text === 'scroll') return text === 'scroll';
+    throw invalidAttribute('by of <volume-tour>', text, 'scroll');
+  }
+
+  /** @throws {VolumeViewError} `attribute/invalid` */
+  #readDwell(): number {
+    const own = this.#steps[this.#number - 1]?.getAttribute('dwell') ?? null;
+    return (
+      readDwell(own, 'dwell of <volume-step>') ??
+      readDwell(this.readText('dwell'), 'dwell of <volume-tour>') ??
+      usualDwell
+    );
   }
 
   /** @throws {VolumeViewError} `attribute/invalid`; the open step then stays */
@@ -180,13 +264,31 @@ export class VolumeTour extends ReflectingElement {
   protected override updated(): void {
     if (document.readyState === 'loading') return;
     // A step may not be defined yet; then all of its text is there.
-    this.#steps.forEach((step, i) => step.setOpen?.(i + 1 === this.#number));
+    this.#steps.forEach((step, i) => step.setOpen?.(i + 1 === this.#number, this.#isScrolled));
     const { view } = this.#link;
     const value = this.#values.at(this.#number - 1);
     if (!view || this.#number === 0 || !value || this.#guide?.view !== view) this.#leaveView();
     if (view && this.#number > 0 && value) this.#show(view, value);
+    this.#move(view);
     this.#notify();
     if (this.#takesFocus) void this.#moveFocus();
+  }
+
+  /** What leads on without a choice: time, or the page that a person scrolls. */
+  #move(view: HTMLElement | null): void {
+    this.#isPlayed = false;
+    const autoplay = this.autoplay && !this.#isScrolled;
+    this.#player.follow({ view: this.isConnected ? view : null, step: this.#number, dwell: this.#dwell, autoplay });
+    this.#scroll.follow(this.#isScrolled && this.isConnected ? this.#steps : [], view);
+    if (this.#isScrolled && this.#number !== this.#reached) {
+      if (this.#known !== null && this.#number > 0) this.#scroll.show(this.#number);
+      this.#reached = this.#number;
+    }
+  }
+
+  #advance(): void {
+    this.#isPlayed = true;
+    this.step = (this.#number % this.#steps.length) + 1;
   }
 
   /** Show a step in the view, unless it is there. */
@@ -198,12 +300,14 @@ export class VolumeTour extends ReflectingElement {
         if (key === this.localName && element !== this) (element as VolumeTour).leave();
       this.#guide = new TourGuide(view);
       void socketOf(view).join(this.#part);
+      for (const type of uses) view.addEventListener(type, this.#onUse, { capture: true, passive: true });
       view.addEventListener('camera-change', this.#onTurn);
     }
     this.#given = given;
     if (this.#isTurned) this.requestUpdate(); // The button goes.
     this.#isTurned = false;
     this.#guide.open(value, this.#values, this.#time);
+    this.#isUsed = false;
   }
 
   #leaveView(): void {
@@ -211,6 +315,7 @@ export class VolumeTour extends ReflectingElement {
     this.#given = '';
     this.#isTurned = false;
     if (!view) return;
+    for (const type of uses) view.removeEventListener(type, this.#onUse, { capture: true });
     view.removeEventListener('camera-change', this.#onTurn);
     void socketOf(view).leave(this.#part);
     this.#guide!.leave();
@@ -247,11 +352,15 @@ export class VolumeTour extends ReflectingElement {
     else this.step = step;
   }
 
+  readonly #onUse = (event: Event): void => {
+    if (event.type !== 'pointermove' || (event as PointerEvent).buttons > 0) this.#isUsed = true;
+  };
+
   readonly #onTurn = (): void => {
     const isPlaced = this.#values.some(({ settings }) =>
       settings.some(({ name }) => name.startsWith('camera-') || name === 'field-of-view'),
     );
-    if (this.#isTurned || !isPlaced) return;
+    if (this.#isTurned || !this.#isUsed || !isPlaced) return;
     this.#isTurned = true;
     this.requestUpdate();
   };
@@ -266,6 +375,7 @@ export class VolumeTour extends ReflectingElement {
   #onKey(event: KeyboardEvent): void {
     const [from] = event.composedPath() as HTMLElement[];
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || this.#number === 0) return;
+    if (this.#isScrolled) return;
     if (from.matches('input, textarea, select, [contenteditable]')) return;
     const isOwn = this.shadowRoot!.contains(from) || from === this.#headingOf(this.#number);
     const isRtl = getComputedStyle(this).direction === 'rtl';
@@ -297,7 +407,7 @@ export class VolumeTour extends ReflectingElement {
     const heading = this.#headingOf(this.#number);
     await step.updateComplete;
     if (!heading.hasAttribute('tabindex')) heading.tabIndex = -1;
-    heading.focus();
+    heading.focus({ preventScroll: this.#isScrolled });
   }
 
   #titleOf(step: number): string {
@@ -322,19 +432,27 @@ export class VolumeTour extends ReflectingElement {
     const isLoading = document.readyState === 'loading';
     return html`${this.#problem ? html`<p class="error" part="error" role="alert" lang="en">${this.#problem.message}</p>` : nothing}
       ${this.#link.view || isLoading ? nothing : html`<p class="hint" part="hint">${messages.noView(this.htmlFor)}</p>`}
-      ${this.#steps.length === 0 ? nothing : html`<div class="bar" part="bar" role="group" aria-label=${messages.tour}>${this.#number === 0 ? this.#renderWords(messages.tourStart, () => this.#choose(1)) : this.#renderButtons()}</div>`}
+      ${this.#steps.length === 0 || this.#isScrolled ? nothing : html`<div class="bar" part="bar" role="group" aria-label=${messages.tour}>${this.#number === 0 ? this.#renderWords(messages.tourStart, () => this.#choose(1)) : this.#renderButtons()}</div>`}
       <slot></slot>
-      ${this.#isTurned ? html`<div class="bar">${this.#renderWords(messages.tourBack, this.#onBack)}</div>` : nothing}
+      ${this.#isTurned ? html`<div class="bar back">${this.#renderWords(messages.tourBack, this.#onBack)}</div>` : nothing}
       <div class="spoken" role="status">${this.#said}</div>`;
   }
 
   #renderButtons(): unknown {
     const { messages } = this.#locale;
     const [step, count] = [this.#number, this.#steps.length];
-    return html`${this.#renderIcon('previous', messages.tourPrevious, step === 1, () => this.#choose(step - 1))}
+    return html`${this.#renderPlay()}
+      ${this.#renderIcon('previous', messages.tourPrevious, step === 1, () => this.#choose(step - 1))}
       <ol class="dots">${this.#steps.map((_, i) => this.#renderDot(i + 1))}</ol>
       ${this.#renderIcon('next', messages.tourNext, step === count, () => this.#choose(step + 1))}
       ${this.#renderIcon('leave', messages.tourLeave, false, () => this.#choose(0))}`;
+  }
+
+  #renderPlay(): unknown {
+    const { play, pause } = this.#locale.messages;
+    const { paused } = this;
+    if (paused && !this.autoplay) return nothing;
+    return this.#renderIcon(paused ? 'play' : 'pause', paused ? play : pause, false, () => this.#player.ask(paused));
   }
 
   #renderDot(step: number): unknown {
@@ -343,7 +461,7 @@ export class VolumeTour extends ReflectingElement {
   }
 
   #renderIcon(icon: keyof typeof icons, label: string, isDisabled: boolean, act: () => void): unknown {
-    return html`<button type="button" class=${icon === 'leave' ? 'leave' : 'turns'} part="button" title=${label} aria-label=${label} ?disabled=${isDisabled} @click=${act}>
+    return html`<button type="button" class=${classes[icon]} part="button" title=${label} aria-label=${label} ?disabled=${isDisabled} @click=${act}>
       <svg viewBox="0 0 24 24" aria-hidden="true"><path d=${icons[icon]}></path></svg>
     </button>`;
   }

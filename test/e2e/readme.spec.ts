@@ -1,4 +1,4 @@
-// The way of a new user: what the README, docs/guide/first-steps.md and docs/guide/embedding.md print, copied into a folder of its own, word by word.
+// The way of a new user: what the README, first-steps.md, embedding.md and lesson.md of docs/guide print, copied into a folder of its own, word by word.
 import { spawnSync } from 'node:child_process';
 import { cpSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -22,6 +22,7 @@ const frames = [
   ...tags.filter((block) => block.startsWith('<iframe')),
   ...readBlocks('docs/guide/embedding.md', 'html'),
 ];
+const lesson = readBlocks('docs/guide/lesson.md', 'html');
 const script = tags.find((block) => block.includes('<script'))!.replace(/\n\n[^]*/, '\n');
 
 /** A folder as a new user has it who follows the README: the build, and the files to try. */
@@ -40,7 +41,9 @@ function makeFolder(folder: string): string {
 async function openBlock(page: Page, folder: string, block: string): Promise<() => void> {
   writeFileSync(
     join(folder, 'page.html'),
-    `<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>Mine</title></head><body>\n${block}\n</body></html>\n`,
+    block.startsWith('<!doctype')
+      ? block
+      : `<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>Mine</title></head><body>\n${block}\n</body></html>\n`,
   );
   const server = await startStaticServer({ root: folder });
   await page.goto(`${server.url}/page.html`);
@@ -63,6 +66,27 @@ async function shareShown(frame: Page | Frame): Promise<number> {
 }
 
 test.use({ viewport: { width: 320, height: 560 } });
+
+test('the lesson has pages and tags to copy, up to five steps', () => {
+  expect(lesson.map((block) => block.split('<volume-step').length - 1)).toEqual([0, 1, 3, 2, 5]);
+});
+
+for (const [index, block] of lesson.entries()) {
+  test(`the lesson, ${index + 1}: each step as printed`, async ({ page }, testInfo) => {
+    const isPage = block.startsWith('<!doctype');
+    const close = await openBlock(page, makeFolder(testInfo.outputPath('mine')), isPage ? block : script + block);
+    expect(await shareShown(page)).toBeGreaterThan(0.01);
+    const titles = await page.locator('volume-step h2').allTextContents();
+    for (const [i, name] of titles.entries()) {
+      if (i > 0) await page.getByRole('button', { name: 'Next step' }).click();
+      await expect(page.getByRole('heading', { name, level: 2 })).toBeVisible();
+      await expect(page.getByRole('button', { name: `${i + 1}. ${name}` })).toHaveAttribute('aria-current', 'step');
+      expect(await shareShown(page)).toBeGreaterThan(0.01);
+    }
+    await expect(page.locator('volume-tour [part=error]')).toHaveCount(0);
+    close();
+  });
+}
 
 test('the README and the first steps have a page, tags and a frame to copy', () => {
   expect(readBlocks('README.md', 'html')[0]).toContain('<script');

@@ -41,6 +41,9 @@ const tourOf = (more = '', steps = settings): string =>
   `<volume-tour for="seen" ${more}>${steps.map((step, i) => `<volume-step id="step-${i + 1}" ${write(step)}><h2>${names[i]}</h2><p>Text ${i + 1}</p></volume-step>`).join('')}</volume-tour>`;
 const lesson = (more = '', steps = settings): string => `${view('seen')}${tourOf(more, steps)}`;
 
+const poster =
+  '<img slot="poster" alt="Half a field on paper" width="40" height="30" src="data:image/gif;base64,R0lGODlhAQABAAAAACwAAAAAAQABAAA=">';
+
 const button = (page: Page, name: string): Locator =>
   page.locator('volume-tour').getByRole('button', { name, exact: true });
 
@@ -496,27 +499,238 @@ test.describe('tours', () => {
     await expect(page.locator('volume-tour [part=error]')).toHaveCount(0);
   });
 
-  test('are headings and texts on paper', async ({ page }) => {
-    await open(page, lesson());
+  test('are headings, texts and pictures on paper', async ({ page }) => {
+    await open(page, lesson().replace('<p>Text 2</p>', `<p>Text 2</p>${poster}`));
     await settle(page);
+    const picture = page.getByRole('img', { name: 'Half a field on paper' });
+    await button(page, 'Next step').click();
+    await expect(picture).toHaveCount(0);
     await page.emulateMedia({ media: 'print' });
     for (const [i, name] of names.entries()) {
       await expect(page.getByRole('heading', { name })).toBeVisible();
       await expect(page.getByText(`Text ${i + 1}`)).toBeVisible();
     }
+    await expect(picture).toBeVisible();
     await expect(button(page, 'Next step')).toBeHidden();
     await page.emulateMedia({ media: null });
+    await expect(picture).toHaveCount(0);
   });
 });
 
-test.describe('tours without scripts', () => {
-  test('are headings and texts', async ({ browser }) => {
-    const page = await browser.newPage({ javaScriptEnabled: false });
-    await page.setContent(`<!doctype html><title>Test</title>${lesson()}`);
+/** Where no element is: a pointer over the view or the tour holds a tour that plays. */
+const moveAway = (page: Page): Promise<void> => page.mouse.move(1200, 700);
+
+test.describe('tours that play', () => {
+  const playing = (more: string): string => lesson(`${more} duration="0"`);
+  const stepNow = (page: Page): Promise<number | null> =>
+    page.evaluate(() => document.querySelector('volume-tour')!.step);
+  /** Whether another step opens within the time of one and a half. */
+  const goesOn = async (page: Page): Promise<boolean> => {
+    const before = await stepNow(page);
+    return page
+      .waitForFunction((before) => document.querySelector('volume-tour')!.step !== before, before, { timeout: 1700 })
+      .then(
+        () => true,
+        () => false,
+      );
+  };
+
+  test('open one step after the other and begin again, quietly; a button pauses them', async ({ page }) => {
+    await moveAway(page);
+    await open(page, `<main><h1>A lesson</h1>${playing('autoplay dwell="1"')}</main>`);
+    await settle(page);
+    const heard = await listen(page);
+    await expect.poll(() => stepNow(page)).toBe(4);
+    await expect.poll(() => stepNow(page)).toBe(1);
+    expect(await heard()).toContainEqual(['tour-complete', null]);
+    // A person did not ask for it: no sentence interrupts a screen reader, and the focus stays.
+    await expect(page.locator('volume-tour').getByRole('status')).toBeEmpty();
+    await expect(page.locator('body')).toBeFocused();
+    await button(page, 'Pause').click();
+    await moveAway(page);
+    expect(await goesOn(page)).toBe(false);
+    expect(await page.evaluate(() => document.querySelector('volume-tour')!.paused)).toBe(true);
+    expect(await findFaults(page)).toEqual([]);
+    await button(page, 'Play').click();
+    // The pointer and the focus are still at the button.
+    expect(await goesOn(page)).toBe(true);
+    await button(page, 'Leave the tour').click();
+    await moveAway(page);
+    expect(await goesOn(page)).toBe(false);
+    await button(page, 'Start the tour').click();
+    await moveAway(page);
+    expect(await goesOn(page)).toBe(true);
+  });
+
+  test('wait while a person uses the view or the tour', async ({ page }) => {
+    await moveAway(page);
+    await open(page, playing('autoplay dwell="1"'));
+    await settle(page);
+    await page.locator('volume-view').hover();
+    expect(await goesOn(page), 'pointer over the view').toBe(false);
+    await moveAway(page);
+    expect(await goesOn(page), 'pointer elsewhere').toBe(true);
+    await button(page, 'Pause').focus();
+    await page.keyboard.press('Tab');
+    expect(await goesOn(page), 'keys in the tour').toBe(false);
+    await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+    expect(await goesOn(page), 'keys elsewhere').toBe(true);
+    await page.locator('volume-tour').hover({ position: { x: 200, y: 5 } });
+    expect(await goesOn(page), 'pointer over the tour').toBe(false);
+    await moveAway(page);
+    await page.evaluate(() => (document.querySelector('volume-view')!.style.marginTop = '4000px'));
+    await expect.poll(() => goesOn(page), 'the view is out of sight').toBe(false);
+    await page.evaluate(() => (document.querySelector('volume-view')!.style.marginTop = ''));
+    expect(await goesOn(page), 'the view is in sight').toBe(true);
+    await page.evaluate(() => document.querySelector('volume-view')!.remove());
+    expect(await goesOn(page), 'no view').toBe(false);
+  });
+
+  test('wait for a person who wants less motion', async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await moveAway(page);
+    await open(page, playing('autoplay dwell="1"'));
+    await settle(page);
+    expect(await goesOn(page)).toBe(false);
+    await button(page, 'Play').click();
+    await moveAway(page);
+    expect(await goesOn(page)).toBe(true);
+    await page.emulateMedia({ reducedMotion: null });
+    expect(await goesOn(page)).toBe(true);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await expect(button(page, 'Play')).toBeVisible();
+    expect(await goesOn(page)).toBe(false);
+    await page.emulateMedia({ reducedMotion: null });
+    await expect(button(page, 'Pause')).toBeVisible();
+  });
+
+  test('play for scripts, each step for its own time, and say which time they can not read', async ({ page }) => {
+    await moveAway(page);
+    await open(page, playing('dwell="1"').replace('id="step-2"', 'id="step-2" dwell="30"'));
+    await settle(page);
+    await expect(button(page, 'Play')).toHaveCount(0);
+    expect(await goesOn(page)).toBe(false);
+    await page.evaluate(() => document.querySelector('volume-tour')!.play());
+    await expect(button(page, 'Pause')).toBeVisible();
+    expect(await goesOn(page)).toBe(true);
+    expect(await goesOn(page), 'a step with a time of its own').toBe(false);
+    await page.evaluate(() => document.querySelector('volume-tour')!.pause());
+    await expect(button(page, 'Pause')).toHaveCount(0);
+    await page.evaluate(() => document.querySelector('#step-2')!.setAttribute('dwell', '8000'));
+    await expect(page.locator('volume-tour [part=error]')).toHaveText(
+      'dwell of <volume-step> got "8000"; expected seconds, 1 to 3600.',
+    );
+  });
+});
+
+test.describe('tours that follow the page', () => {
+  const article = (steps = settings): string =>
+    `<style>.article { display: grid; grid-template-columns: 1fr 1fr } .article volume-view { position: sticky; top: 10px }
+     @media (max-width: 600px) { .article { display: block } .article volume-view { top: 0; background: white } }</style>
+     <main><h1>An article</h1><div class="article">${view('seen')}${tourOf('by="scroll" duration="0"', steps)}</div></main>`;
+  /** Scroll until a text is at a share of the window's height. */
+  const bring = (page: Page, text: string, share: number): Promise<void> =>
+    page.getByText(text, { exact: true }).evaluate((element, share) => {
+      const { top, height } = element.getBoundingClientRect();
+      scrollBy(0, top + height / 2 - share * innerHeight);
+    }, share);
+
+  test('show all texts, and the step whose text is in the middle; they never scroll by themselves', async ({
+    page,
+  }) => {
+    await open(page, article());
+    await settle(page);
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(1));
     for (const [i, name] of names.entries()) {
       await expect(page.getByRole('heading', { name })).toBeVisible();
       await expect(page.getByText(`Text ${i + 1}`)).toBeVisible();
     }
+    await expect(page.locator('volume-tour').getByRole('button')).toHaveCount(0);
+    for (const step of [2, 3, 4, 2, 1]) {
+      await bring(page, `Text ${step}`, 0.5);
+      const before = await page.evaluate(() => scrollY);
+      await expect.poll(() => stateOf(page)).toEqual(stateIn(step));
+      await expect(page.locator(`#step-${step}:state(open)`)).toHaveCount(1);
+      expect(await page.evaluate(() => scrollY)).toBe(before);
+    }
+    await expect(page.locator('volume-tour').getByRole('status')).toBeEmpty();
+    await page.evaluate(() => scrollTo(0, 1e6)); // Past the middle of the last one.
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(4));
+    expect(await findFaults(page)).toEqual([]);
+  });
+
+  test('take the middle of what a view over the text leaves free, on a phone', async ({ page }) => {
+    await page.setViewportSize({ width: 390, height: 800 });
+    await open(page, article());
+    await settle(page);
+    // The view is 240 high: the middle of the rest is at 520, of 800.
+    await bring(page, 'Text 2', 0.65);
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(2));
+    await bring(page, 'Text 3', 0.65);
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(3));
+    await page.setViewportSize({ width: 390, height: 500 });
+    await bring(page, 'Text 2', 0.74);
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(2));
+    await page.setViewportSize({ width: 1280, height: 720 });
+  });
+
+  test('scroll to the step that a script opens, and bring back a view that a person has turned', async ({ page }) => {
+    await open(page, article());
+    await settle(page);
+    await page.evaluate(() => {
+      document.querySelector('volume-tour')!.step = 4;
+    });
+    await expect(page.getByText('Text 4')).toBeInViewport();
+    await expect.poll(() => stateOf(page)).toEqual(stateIn(4));
+    const { x, y } = (await page.locator('volume-view').boundingBox())!;
+    await page.mouse.move(x + 160, y + 200);
+    await page.mouse.down();
+    await page.mouse.move(x + 230, y + 205, { steps: 4 });
+    await page.mouse.up();
+    await expect(button(page, 'Back to this step')).toBeInViewport();
+    const before = await page.evaluate(() => scrollY);
+    await button(page, 'Back to this step').click();
+    await expect(button(page, 'Back to this step')).toHaveCount(0);
+    await settle(page);
+    expect(await page.evaluate(() => document.querySelector('volume-view')!.cameraOrbit)).toBe(
+      settings[3]['camera-orbit'],
+    );
+    expect(await page.evaluate(() => scrollY)).toBe(before);
+    await page.evaluate(() => document.querySelector('volume-tour')!.setAttribute('by', 'wheel'));
+    await expect(page.locator('volume-tour [part=error]')).toHaveText(
+      'by of <volume-tour> got "wheel"; expected scroll.',
+    );
+  });
+});
+
+test.describe('tours without scripts', () => {
+  const css = readFileSync(join(projectRoot, 'scripts/zip/volume-view.css'), 'utf8');
+
+  test('are headings, texts and pictures', async ({ browser }) => {
+    const page = await browser.newPage({ javaScriptEnabled: false });
+    await page.setContent(
+      `<!doctype html><title>Test</title><style>${css}</style>${lesson().replace('<p>Text 2</p>', `<p>Text 2</p>${poster}`)}`,
+    );
+    for (const [i, name] of names.entries()) {
+      await expect(page.getByRole('heading', { name })).toBeVisible();
+      await expect(page.getByText(`Text ${i + 1}`)).toBeVisible();
+    }
+    await expect(page.getByRole('img', { name: 'Half a field on paper' })).toBeVisible();
+    await page.close();
+  });
+
+  test('show their first step before the script has come, with the picture to come; all texts if they follow the page', async ({
+    browser,
+  }) => {
+    const page = await browser.newPage();
+    const html = (more: string): string =>
+      `<!doctype html><title>Test</title><style>${css}</style>${lesson(more).replace('<p>Text 1</p>', `<p>Text 1</p>${poster}`)}`;
+    await page.setContent(html(''));
+    await expect(page.getByText('Text 1')).toBeVisible();
+    await expect(page.getByText('Text 2')).toBeHidden();
+    await expect(page.getByRole('img', { name: 'Half a field on paper' })).toHaveCount(0);
+    await page.setContent(html('by="scroll"'));
+    await expect(page.getByText('Text 4')).toBeVisible();
     await page.close();
   });
 });

@@ -26,7 +26,7 @@ export interface StepValue<Target> {
 }
 
 /** Attributes of the step itself. */
-const own = new Set(['label', 'labels', 'notes', 'slice']);
+const own = new Set(['dwell', 'label', 'labels', 'notes', 'slice']);
 
 /** Attributes that every element of HTML may have. */
 const global = new Set(
@@ -66,6 +66,11 @@ export function readStep<Target>(
 /** @throws {VolumeViewError} `attribute/invalid` where a step can't have such an attribute */
 function check(name: string): void {
   if (own.has(name) || global.has(name) || foreign.test(name)) return;
+  if (name === 'poster')
+    throw new VolumeViewError(
+      'attribute/invalid',
+      '<volume-step> got the attribute poster; expected a picture between its tags, <img slot="poster" src="…" alt="…">.',
+    );
   const reason = notInSteps.includes(name)
     ? `it belongs on the <volume-view>, and is the same in all steps`
     : `expected an attribute of <volume-view>, or labels, notes, slice, label`;

@@ -180,6 +180,7 @@ const companionRows: Record<string, Row[]> = {
   ],
   'volume-step': [
     ['label', 'label', 'Heart', 'Heart'],
+    ['dwell', 'dwell', 12, '12'],
     ['labels', 'labels', '17 18', '17 18'],
     ['notes', 'notes', 'lad rca', 'lad rca'],
     ['slice', 'slice', 'axial 20', 'axial 20'],
@@ -192,6 +193,9 @@ const companionRows: Record<string, Row[]> = {
     ['htmlFor', 'for', 'a', 'a'],
     ['step', 'step', 2, '2'],
     ['duration', 'duration', 900, '900'],
+    ['autoplay', 'autoplay', true, ''],
+    ['dwell', 'dwell', 12, '12'],
+    ['by', 'by', 'scroll', 'scroll'],
   ],
   'volume-transfer-function': [
     ['htmlFor', 'for', 'a', 'a'],
