@@ -128,6 +128,7 @@ export const FOLDERS = {
     'notes',
     'tours',
     'questions',
+    'links',
     'session',
   ],
 };

@@ -1,5 +1,6 @@
 import type { LitElement } from 'lit';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { CameraState } from '../../src/viewer/view/write-camera.ts';
 
 /** What the controls need from the element that they are drawn over. */
@@ -8,8 +9,11 @@ export interface ControlledView extends LitElement {
   readonly autoRotate: boolean;
   readonly orientationMarker: boolean;
   readonly camera: CameraState | null;
+  readonly cameraOrbit: string | null;
+  readonly cameraTarget: Vector3 | null;
   readonly src: string | null;
   readonly files: readonly unknown[] | null;
+  readonly linkState: boolean;
   readonly controlslist: string | null;
   readonly interaction: string | null;
   readonly volume: VolumeInfo | null;
@@ -19,4 +23,5 @@ export interface ControlledView extends LitElement {
   pause(): void;
   toBlob(): Promise<Blob>;
   getView(): Record<string, string>;
+  getLink(): Promise<string>;
 }

@@ -141,9 +141,15 @@ export class PictureAttributes extends ViewAttributes {
 
   /**
    * Which of the `controls` are left out, separated by blanks: `noplay`, `norotate`, `noviews`, `nozoom`, `noreset`, `nofullscreen`,
-   * `nosave`, `nocopy`, `noembed`, `nohelp`, `nohint`.
+   * `nosave`, `nocopy`, `nolink`, `noembed`, `nohelp`, `nohint`.
    */
   @property() controlslist!: string | null;
+
+  /**
+   * The view opens what a link to it says: an address that ends with `#`, the `id` of the view, `?` and attributes, as `getLink()` and
+   * "Copy a link" of the `controls` write it. A link can change where the view is seen from and how it looks, never its data.
+   */
+  @property({ attribute: 'link-state', kind: flag }) linkState!: boolean;
 
   /**
    * A click or a tap on the picture fires `volume-pick`, with the value at that place. A `<volume-readout>` or a `<volume-slice-view>` for

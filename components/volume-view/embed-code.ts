@@ -4,7 +4,7 @@ import type { ControlledView } from '../internal/controlled-view.ts';
 import { findCompanion } from '../internal/find-companion.ts';
 
 /** Attributes that are not written to the address of the iframe: they are for scripts, or for the page around. */
-const left = new Set(['crosshair', 'cursor', 'height', 'pickable', 'poster', 'width', 'loading']);
+const left = new Set(['crosshair', 'cursor', 'height', 'link-state', 'pickable', 'poster', 'width', 'loading']);
 
 /** Gap between the parts of the iframe, CSS pixels. */
 const gap = 16;
@@ -27,7 +27,7 @@ export async function writeEmbedCode(
   if (!isThere) return { missing: page.href };
   const given = new Map<string, string>();
   for (const { name, value } of view.attributes) if (isOwn(view, name)) given.set(name, value);
-  for (const [name, value] of Object.entries(view.getView())) given.set(name, value);
+  for (const [name, value] of Object.entries(view.getView())) if (!left.has(name)) given.set(name, value);
   given.set(
     'src',
     view

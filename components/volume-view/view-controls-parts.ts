@@ -12,6 +12,7 @@ export type ControlName =
   | 'fullscreen'
   | 'save'
   | 'copy'
+  | 'link'
   | 'embed'
   | 'help'
   | 'hint';
@@ -64,7 +65,7 @@ export function renderBar(
     aria-expanded=${action === 'views' || action === 'more' ? String(open === action || (action === 'more' && open !== null && open !== 'views')) : nothing}
     @click=${() => act(action)}
   ><svg viewBox="0 0 24 24" aria-hidden="true"><path d=${icons[icon]}></path></svg></button>`;
-  const hasMore = has('save') || has('copy') || has('embed') || has('help');
+  const hasMore = has('save') || has('copy') || has('link') || has('embed') || has('help');
   // Where there is no room for these buttons, they are under "More".
   const more = hasMore ? 'wide' : '';
   return html`<div class="bar" part="controls-bar">
@@ -95,7 +96,7 @@ export function renderMore(messages: ControlMessages, has: (name: ControlName) =
       : nothing;
   return html`<div class="panel" part="controls-panel" role="group" aria-label=${messages.more}>
     ${entry('zoom', messages.zoomIn, 'zoomin', 'narrow')}${entry('zoom', messages.zoomOut, 'zoomout', 'narrow')}${entry('reset', messages.resetView, 'reset', 'narrow')}
-    ${entry('save', messages.savePicture)}${entry('copy', messages.copyView)}${entry('embed', messages.copyEmbed)}${entry('help', messages.help)}
+    ${entry('save', messages.savePicture)}${entry('copy', messages.copyView)}${entry('link', messages.copyLink)}${entry('embed', messages.copyEmbed)}${entry('help', messages.help)}
   </div>`;
 }
 

@@ -19,6 +19,9 @@ import type { ControlledView } from '../internal/controlled-view.ts';
 /** The panel that is open above the bar. */
 type Panel = 'views' | 'more' | 'help' | 'copied' | 'failed';
 
+/** The attributes of the appearance that a person can change. */
+const edited = ['transfer-function', 'transfer-function-2d', 'opacity-factor', 'light-factor', 'shading'];
+
 /** The factor by which one press of a zoom button changes the distance. */
 const zoomPerPress = 1.25;
 
@@ -94,6 +97,7 @@ export class ViewControls {
   #has(name: ControlName): boolean {
     if (this.#left.has(`no${name}`)) return false;
     if (!this.view.controls) return name === 'rotate';
+    if (name === 'link') return this.view.linkState && this.view.id !== '';
     return name !== 'embed' || isEmbeddable(this.view);
   }
 
@@ -169,6 +173,8 @@ export class ViewControls {
         return void this.#save();
       case 'copy':
         return void this.#copy();
+      case 'link':
+        return void this.#copyLink();
       case 'embed':
         return void this.#embed();
       case 'hint':
@@ -213,11 +219,30 @@ export class ViewControls {
   }
 
   async #copy(): Promise<void> {
-    const text = Object.entries(this.view.getView())
+    const { view } = this;
+    const { cameraOrbit, cameraTarget } = view;
+    const text = Object.entries({
+      ...(cameraOrbit && { 'camera-orbit': cameraOrbit }),
+      ...(cameraTarget && { 'camera-target': cameraTarget.join(' ') }),
+      ...Object.fromEntries(
+        ['field-of-view', ...edited].flatMap((name) => {
+          const given = view.getAttribute(name);
+          return given === null ? [] : [[name, given]];
+        }),
+      ),
+      ...view.getView(),
+    })
       .map(([name, value]) => `${name}="${value}"`)
       .join(' ');
     const { copied, copyByHand } = this.#locale.messages;
     await this.#offer(text, copied, copyByHand);
+  }
+
+  async #copyLink(): Promise<void> {
+    const { copiedLink, copyLinkByHand, linkFailed } = this.#locale.messages;
+    const link = await this.view.getLink().catch(() => null);
+    if (link === null) this.#fail(linkFailed);
+    else await this.#offer(link, copiedLink, copyLinkByHand);
   }
 
   async #embed(): Promise<void> {

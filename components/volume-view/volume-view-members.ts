@@ -5,6 +5,7 @@ import type { LocalFiles } from '../../src/formats/base/load-request.ts';
 import type { VolumeInfo, VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import type { PickOptions, VolumePick, VolumePosition } from '../../src/viewer/model/volume-pick.ts';
 import type { VolumeSession } from '../../src/viewer/session/volume-session.ts';
+import type * as Links from '../../src/viewer/links/link-state.ts';
 import type { CameraState } from '../../src/viewer/view/write-camera.ts';
 import { warnOfOldName } from '../internal/deprecated.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
@@ -20,6 +21,8 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
   }
 
   protected _local?: LocalFiles;
+  /** The texts of the attributes that the tag had at first. */
+  protected _tag?: Readonly<Record<string, string>>;
   /** @internal */
   abstract readonly _session: VolumeSession;
 
@@ -58,11 +61,28 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
   }
 
   /**
-   * The attributes that restore this view, by their names: those of the camera, those of the editor, and `time` where there are several
-   * scans; empty before there is a picture.
+   * All that differs from the tag, as texts of attributes by their names: what a person has changed (the camera, the scan, the crosshair), and
+   * what an editor, a tour or a script has written. The same tag with these attributes shows the same view.
    */
   getView(): Record<string, string> {
-    return this._session.interaction?.writeView(this, (name) => this.readText(name)) ?? {};
+    const read = (name: string): string | null => this.readText(name);
+    const live = this._session.interaction?.writeLive(this._session, read);
+    const view: Record<string, string> = {};
+    for (const name of (this.constructor as typeof VolumeViewMembers).observedAttributes) {
+      const text = live?.[name] ?? read(name);
+      if (text !== null && text !== this._tag?.[name]) view[name] = text;
+    }
+    return view;
+  }
+
+  /** The address of this page with the present view: a page with `link-state` opens it there. It is not put into the address bar. */
+  async getLink(): Promise<string> {
+    return (await this._links()).linkOf(this, this._tag ?? {});
+  }
+
+  /** @internal */
+  _links(): Promise<typeof Links> {
+    return import('../../src/viewer/links/link-state.ts');
   }
 
   /** Statistics of the last drawn frame; null before the first one. */

@@ -115,6 +115,11 @@ export interface ControlMessages {
   readonly copied: string;
   /** Above a text that the browser did not allow to be copied. */
   readonly copyByHand: string;
+  /** The address of the page with the present view. */
+  readonly copyLink: string;
+  readonly copiedLink: string;
+  readonly copyLinkByHand: string;
+  readonly linkFailed: string;
   /** The code of an iframe that shows the view in another page. */
   readonly copyEmbed: string;
   readonly copiedEmbed: string;

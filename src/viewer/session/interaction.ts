@@ -3,4 +3,4 @@ export { CameraInput } from '../camera/camera-input.ts';
 export { checkIn } from '../picking/lazy-check.ts';
 export { follow } from './follow-view.ts';
 export { pickIn, positionIn } from '../picking/lazy-pick.ts';
-export { writeCamera, writeView } from '../view/write-camera.ts';
+export { writeCamera, writeLive } from '../view/write-camera.ts';

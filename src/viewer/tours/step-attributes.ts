@@ -52,6 +52,7 @@ export const notInSteps: readonly string[] = [
   'height',
   'interaction',
   'interpolation-decay',
+  'link-state',
   'loading',
   'max-camera-orbit',
   'max-error',

@@ -36,7 +36,7 @@ export class TourGuide {
   #write(settings: readonly Setting<Element>[], duration: number): void {
     cancelAnimationFrame(this.#frame);
     const isLook = ({ target, name }: Setting<Element>): boolean => target === this.view && looks.includes(name);
-    for (const setting of settings) if (!isLook(setting)) write(setting, this.view);
+    for (const setting of settings) if (!isLook(setting)) writeSetting(setting, this.view);
     this.#changeLook(settings.filter(isLook), duration);
   }
 
@@ -44,7 +44,7 @@ export class TourGuide {
   #changeLook(settings: readonly Setting<Element>[], duration: number): void {
     const changes = settings.filter(({ name, text }) => this.view.getAttribute(name) !== text);
     if (changes.length === 0) return;
-    const end = (): void => changes.forEach((setting) => write(setting, this.view));
+    const end = (): void => changes.forEach((setting) => writeSetting(setting, this.view));
     const hasPicture = Boolean(socketOf(this.view).view?.viewer?.scene);
     if (!(duration > 0) || prefersLessMotion() || !hasPicture) return end();
     const [{ name, text }] = changes;
@@ -61,7 +61,8 @@ export class TourGuide {
   }
 }
 
-function write({ target, name, text }: Setting<Element>, view: Element): void {
+/** Give an element the text of an attribute. @param view - of the tour */
+export function writeSetting({ target, name, text }: Setting<Element>, view: Element): void {
   // A person may have moved the camera, or chosen another scan or other labels: only an attribute that is set again takes that back.
   const isPlace = target === view ? places.includes(name) : name === 'only';
   if (!isPlace && target.getAttribute(name) === text) return;

@@ -1,10 +1,16 @@
 import type { Camera, Orbit } from '../../optics/rays/camera.ts';
 import { length, scale, subtract } from '../../volume/matrix.ts';
 import type { TimeChangeDetail } from '../loading/scan-player.ts';
+import { socketOf } from '../model/view-socket.ts';
 
-/** A view: its camera and its scan. */
-export interface SeenView {
-  readonly camera: CameraState | null;
+/** A view as far as a person changes it. */
+export interface LiveView {
+  readonly host: HTMLElement;
+  readonly viewer: {
+    /** Whether the camera is not where the attributes place it. */
+    readonly leftAttributes: boolean;
+    readonly camera: CameraState | null;
+  } | null;
   readonly scan: TimeChangeDetail | null;
 }
 
@@ -39,24 +45,18 @@ export function writeCamera({ eye, target, up, fieldOfView }: Camera): CameraTex
   };
 }
 
-/** The attributes of the appearance that a person can change. */
-const edited: readonly string[] = [
-  'transfer-function',
-  'transfer-function-2d',
-  'opacity-factor',
-  'light-factor',
-  'shading',
-];
-
-/** The attributes that restore a view. @param read - returns the present text of an attribute; null where it is absent */
-export function writeView(
-  { camera, scan }: SeenView,
+/**
+ * What a person has changed without a change of an attribute: the place of the camera, the scan, the crosshair of panes.
+ * @param read - returns the present text of an attribute; null where it is absent
+ */
+export function writeLive(
+  { viewer, scan, host }: LiveView,
   read: (attribute: string) => string | null,
 ): Record<string, string> {
-  const looks = edited.map((name) => [name, read(name)]).filter(([, text]) => text !== null);
+  const camera = viewer?.leftAttributes ? viewer.camera : null;
   return {
     ...(camera && writeCamera(camera)),
-    ...(Object.fromEntries(looks) as Record<string, string>),
-    ...(scan && scan.count > 1 ? { time: `${scan.index}` } : {}),
+    ...(scan && scan.count > 1 && (scan.index > 0 || read('time') !== null) ? { time: `${scan.index}` } : {}),
+    ...socketOf(host).last('live'),
   };
 }

@@ -74,6 +74,7 @@ const viewRows: Row[] = [
   ['interaction', 'interaction', 'none', 'none'],
   ['controls', 'controls', true, ''],
   ['controlslist', 'controlslist', 'nosave', 'nosave'],
+  ['linkState', 'link-state', true, ''],
   ['pickable', 'pickable', true, ''],
   ['selfCheck', 'self-check', true, ''],
   ['cursor', 'cursor', [1, 2, 3], '1 2 3'],
