@@ -65,11 +65,10 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
    * what an editor, a tour or a script has written. The same tag with these attributes shows the same view.
    */
   getView(): Record<string, string> {
-    const read = (name: string): string | null => this.readText(name);
-    const live = this._session.interaction?.writeLive(this._session, read);
+    const live = this._session.interaction?.writeLive(this._session);
     const view: Record<string, string> = {};
     for (const name of (this.constructor as typeof VolumeViewMembers).observedAttributes) {
-      const text = live?.[name] ?? read(name);
+      const text = live?.[name] ?? this.readText(name);
       if (text !== null && text !== this._tag?.[name]) view[name] = text;
     }
     return view;
@@ -77,7 +76,7 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
 
   /** The address of this page with the present view: a page with `link-state` opens it there. It is not put into the address bar. */
   async getLink(): Promise<string> {
-    return (await this._links()).linkOf(this, this._tag ?? {});
+    return (await this._links()).linkOf(this, this._tag);
   }
 
   /** @internal */

@@ -148,7 +148,7 @@ export class VolumeView extends VolumeViewMembers {
     this.#controls.follow(this.controls || this.autoRotate || this.orientationMarker);
     this.#notices.follow(presenter.hasNotices);
     if (changed.size === 0) return; // The update shows a change in the session; no attribute has changed.
-    const tag = (this._tag ??= this.getView());
+    this._tag ??= this.getView();
     const { given } = this;
     this.#size.set(this.shadowRoot!, given.width, given.height);
     this._session.apply(
@@ -156,7 +156,7 @@ export class VolumeView extends VolumeViewMembers {
       (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)),
     );
     if (changed.has('time')) loader.showTime();
-    if (changed.has('linkState')) void this._links().then(({ follow }) => follow(this, tag), console.warn);
+    if (changed.has('linkState')) void this._links().then(({ follow }) => follow(this, this._tag), console.warn);
     if (this.isConnected) this.#enter();
   }
 

@@ -41,19 +41,13 @@ test('a fresh tag with what differs gives the same picture, and the same differe
   expect(await getView(page), 'before the first picture').toEqual({});
   await settle(page);
   expect(await getView(page), 'nothing has changed').toEqual({});
+  await setAttributes(page, { region: '-500 -2 -500 500 500 500', projection: 'max' });
   await page.locator('.picture').press('ArrowRight');
   await page.locator('.picture').press('Shift+ArrowUp');
   await settle(page);
-  await setAttributes(page, { region: '-500 -2 -500 500 500 500', projection: 'max' });
   const seen = await takePicture(page);
   const changed = await getView(page);
-  expect(Object.keys(changed).toSorted()).toEqual([
-    'camera-orbit',
-    'camera-target',
-    'field-of-view',
-    'projection',
-    'region',
-  ]);
+  expect(new Set(Object.keys(changed))).toEqual(new Set(['camera-orbit', 'camera-target', 'projection', 'region']));
   await open(page, view());
   await settle(page);
   expect(compare(await takePicture(page), seen).worst).toBeGreaterThan(20);
@@ -67,9 +61,9 @@ test('a link shows the view to somebody who follows it, and writes no address by
   await settle(page);
   const address = page.url();
   const length = await page.evaluate(() => history.length);
+  await setAttributes(page, { region: '-500 -2 -500 500 500 500' });
   await page.locator('.picture').press('ArrowRight');
   await settle(page);
-  await setAttributes(page, { region: '-500 -2 -500 500 500 500', src: fieldUrl });
   const seen = await takePicture(page);
   const link = await withElement(page, (element) => element.getLink());
   expect(link.startsWith(`${address}#heart?`)).toBe(true);
@@ -102,7 +96,7 @@ test.describe('a link with something wrong', () => {
     const errors = (): Promise<string[]> => page.evaluate(() => (window as unknown as { errors: string[] }).errors);
     await go(page, 'heart?region=1%202&transfer-function=javascript:alert(1)&light-factor=2');
     await expect.poll(async () => (await errors()).length).toBe(2);
-    expect((await errors()).map((one) => one.split(' ')[0])).toEqual(['region', 'transfer-function']);
+    expect((await errors()).map((one) => one.split(/[ :]/)[0])).toEqual(['region', 'transfer-function']);
     expect(await attributesNow(page)).toEqual({ ...tag, 'light-factor': '2' });
     await go(page, 'heart?');
     await expect.poll(() => attributesNow(page)).toEqual(tag);
@@ -145,7 +139,7 @@ test('a link opens the step of a tour, and what differs from it', async ({ page 
   await settle(page);
   const seen = await takePicture(page);
   const turned = new URL(await withElement(page, (element) => element.getLink())).hash;
-  expect(turned).toMatch(/^#heart\?step=2&camera-orbit=-87\.5deg\+90deg\+90&/);
+  expect(turned).toMatch(/^#heart\?step=2&camera-orbit=-87\.5deg\+90deg\+90$/);
   await follow(page, turned);
   await expect(page.getByRole('heading', { name: 'Two' })).toBeVisible();
   await expect.poll(async () => (await attributesNow(page)).projection).toBe('max');

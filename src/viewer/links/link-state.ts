@@ -26,7 +26,7 @@ const followed = new WeakMap<LinkedView, LinkState>();
  * Open what the address of the page says, now and whenever it changes, as long as the view has `link-state`.
  * @param tag - the texts of the attributes that the tag had at first
  */
-export function follow(view: LinkedView, tag: Texts): void {
+export function follow(view: LinkedView, tag?: Texts): void {
   if (view.hasAttribute('link-state') && !followed.has(view)) followed.set(view, new LinkState(view, tag));
 }
 
@@ -37,7 +37,7 @@ class LinkState {
 
   constructor(
     readonly view: LinkedView,
-    readonly tag: Texts,
+    readonly tag: Texts = {},
   ) {
     const held = new WeakRef<LinkState>(this); // A view that has gone is not kept.
     addEventListener('hashchange', () => void held.deref()?.open());
@@ -81,7 +81,7 @@ class LinkState {
  * @param tag - the texts of the attributes that the tag had at first
  * @throws {VolumeViewError} `attribute/invalid` where the view has no id
  */
-export function linkOf(view: LinkedView, tag: Texts): string {
+export function linkOf(view: LinkedView, tag: Texts = {}): string {
   if (view.id === '')
     throw new VolumeViewError(
       'attribute/invalid',

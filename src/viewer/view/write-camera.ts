@@ -45,18 +45,12 @@ export function writeCamera({ eye, target, up, fieldOfView }: Camera): CameraTex
   };
 }
 
-/**
- * What a person has changed without a change of an attribute: the place of the camera, the scan, the crosshair of panes.
- * @param read - returns the present text of an attribute; null where it is absent
- */
-export function writeLive(
-  { viewer, scan, host }: LiveView,
-  read: (attribute: string) => string | null,
-): Record<string, string> {
+/** What a person has changed without a change of an attribute: the place of the camera, the scan, the crosshair of panes. */
+export function writeLive({ viewer, scan, host }: LiveView): Record<string, string> {
   const camera = viewer?.leftAttributes ? viewer.camera : null;
   return {
     ...(camera && writeCamera(camera)),
-    ...(scan && scan.count > 1 && (scan.index > 0 || read('time') !== null) ? { time: `${scan.index}` } : {}),
+    ...(scan && scan.count > 1 && (scan.index > 0 || host.hasAttribute('time')) ? { time: `${scan.index}` } : {}),
     ...socketOf(host).last('live'),
   };
 }
