@@ -8,6 +8,12 @@ import type { Aspect } from '../model/error-state.ts';
 /** The readings of the settings that a link can change, and the name under which a view shows their errors. */
 const readings = { time: 'time', look: 'optics', camera: 'camera', region: 'region', rings: 'rings' } as const;
 
+/** The error of an attribute, and what it is about. */
+export interface AttributeProblem {
+  readonly aspect: Aspect;
+  readonly error: unknown;
+}
+
 /** Stands for a volume that has not been loaded: a CT, for which all looks are known. */
 const anyVolume = {
   unit: 'HU',
@@ -22,13 +28,13 @@ const anyVolume = {
 /**
  * Read the text of one attribute as the view does, before the view has it: so a bad text of a link does not replace a good one of the tag.
  * @param volume - of the view; null where it is not known yet
- * @returns the error of the attribute, and what it is about; null where the text can be read
+ * @returns null where the text can be read
  */
 export async function checkAttribute(
   name: string,
   text: string,
   volume: ScanModel | null,
-): Promise<{ readonly aspect: Aspect; readonly error: unknown } | null> {
+): Promise<AttributeProblem | null> {
   const property = name.replace(/-(\w)/g, (_, letter: string) => letter.toUpperCase());
   const given = new Proxy({}, { get: (_, key) => (key === property ? text : null) }) as GivenAttributes;
   const settings = readSettings(given);

@@ -3,7 +3,9 @@ import { VolumeViewError } from '../../core/errors.ts';
 import { readStep } from '../tours/step-value.ts';
 import { findTargets, writeSetting } from '../tours/tour-guide.ts';
 import { socketOf } from '../model/view-socket.ts';
+import type { Aspect } from '../model/error-state.ts';
 import { checkAttribute } from './check-attribute.ts';
+import type { AttributeProblem } from './check-attribute.ts';
 import { readLink, writeLink } from './link-address.ts';
 import type { ViewLink } from './link-address.ts';
 import { linkAttributes } from './link-attributes.ts';
@@ -34,6 +36,8 @@ export function follow(view: LinkedView, tag?: Texts): void {
 class LinkState {
   /** Counts the links, so that only the last one opens. */
   #run = 0;
+  /** What the errors of the last link are about. */
+  #reported: readonly Aspect[] = [];
 
   constructor(
     readonly view: LinkedView,
@@ -54,7 +58,7 @@ class LinkState {
     const run = ++this.#run;
     if (!link) return;
     view.scrollIntoView({ block: 'nearest' });
-    const problems: Awaited<ReturnType<typeof checkAttribute>>[] = [];
+    const problems: AttributeProblem[] = [];
     const good = new Map<string, string>();
     for (const [name, text] of link.attributes) {
       const problem = await checkAttribute(name, text, socketOf(view).volume);
@@ -72,7 +76,9 @@ class LinkState {
       writeSetting({ target: view, name, text }, view);
     }
     const { errors } = socketOf(view).view ?? {};
-    for (const problem of problems) errors?.report(problem!.aspect, problem!.error);
+    for (const aspect of this.#reported) errors?.clear(aspect);
+    this.#reported = problems.map(({ aspect }) => aspect);
+    for (const { aspect, error } of problems) errors?.report(aspect, error);
   }
 }
 
