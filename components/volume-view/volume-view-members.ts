@@ -5,7 +5,6 @@ import type { LocalFiles } from '../../src/formats/base/load-request.ts';
 import type { VolumeInfo, VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import type { PickOptions, VolumePick, VolumePosition } from '../../src/viewer/model/volume-pick.ts';
 import type { VolumeSession } from '../../src/viewer/session/volume-session.ts';
-import type * as Links from '../../src/viewer/links/link-state.ts';
 import type { CameraState } from '../../src/viewer/view/write-camera.ts';
 import { warnOfOldName } from '../internal/deprecated.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
@@ -76,12 +75,7 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
 
   /** The address of this page with the present view: a page with `link-state` opens it there. It is not put into the address bar. */
   async getLink(): Promise<string> {
-    return (await this._links()).linkOf(this, this._tag);
-  }
-
-  /** @internal */
-  _links(): Promise<typeof Links> {
-    return import('../../src/viewer/links/link-state.ts');
+    return (await import('../../src/viewer/links/link-state.ts')).linkOf(this, this._tag);
   }
 
   /** Statistics of the last drawn frame; null before the first one. */

@@ -156,7 +156,7 @@ export class VolumeView extends VolumeViewMembers {
       (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)),
     );
     if (changed.has('time')) loader.showTime();
-    if (changed.has('linkState')) void this._links().then(({ follow }) => follow(this, this._tag), console.warn);
+    if (changed.has('linkState')) this.getLink().catch(console.warn); // The code for links follows the address from now on.
     if (this.isConnected) this.#enter();
   }
 

@@ -24,15 +24,7 @@ type Texts = Readonly<Record<string, string>>;
 /** The views that follow the address. */
 const followed = new WeakMap<LinkedView, LinkState>();
 
-/**
- * Open what the address of the page says, now and whenever it changes, as long as the view has `link-state`.
- * @param tag - the texts of the attributes that the tag had at first
- */
-export function follow(view: LinkedView, tag?: Texts): void {
-  if (view.hasAttribute('link-state') && !followed.has(view)) followed.set(view, new LinkState(view, tag));
-}
-
-/** It never writes the address. */
+/** Opens what the address of the page says, now and whenever it changes, as long as the view has `link-state`. It never writes the address. */
 class LinkState {
   /** Counts the links, so that only the last one opens. */
   #run = 0;
@@ -41,7 +33,7 @@ class LinkState {
 
   constructor(
     readonly view: LinkedView,
-    readonly tag: Texts = {},
+    readonly tag: Texts,
   ) {
     const held = new WeakRef<LinkState>(this); // A view that has gone is not kept.
     addEventListener('hashchange', () => void held.deref()?.open());
@@ -83,11 +75,12 @@ class LinkState {
 }
 
 /**
- * The address of the page with the present view.
+ * The address of the page with the present view. A view with `link-state` follows the address from then on.
  * @param tag - the texts of the attributes that the tag had at first
  * @throws {VolumeViewError} `attribute/invalid` where the view has no id
  */
 export function linkOf(view: LinkedView, tag: Texts = {}): string {
+  if (view.hasAttribute('link-state') && !followed.has(view)) followed.set(view, new LinkState(view, tag));
   if (view.id === '')
     throw new VolumeViewError(
       'attribute/invalid',
