@@ -50,7 +50,7 @@ export function writeLive({ viewer, scan, host }: LiveView): Record<string, stri
   const camera = viewer?.leftAttributes ? viewer.camera : null;
   return {
     ...(camera && writeCamera(camera)),
-    ...(scan && scan.count > 1 && (scan.index > 0 || host.hasAttribute('time')) ? { time: `${scan.index}` } : {}),
+    ...(scan && scan.count > 1 && { time: `${scan.index}` }),
     ...socketOf(host).last('live'),
   };
 }
