@@ -60,7 +60,7 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
   }
 
   /**
-   * All that differs from the tag, as texts of attributes by their names: what a person has changed (the camera, the scan, the crosshair), and
+   * All that differs from the tag, as texts of attributes by their names: what a person has changed (the camera, the scan), and
    * what an editor, a tour or a script has written. The same tag with these attributes shows the same view.
    */
   getView(): Record<string, string> {

@@ -72,11 +72,6 @@ class CrosshairInView implements ViewPart {
     return this.#panes.at(-1)?.crosshair.place ?? (volume ? middleOf(volume.grid) : null);
   }
 
-  get live(): Readonly<Record<string, string>> | null {
-    const place = this.#panes.at(-1)?.crosshair.place;
-    return place ? { cursor: place.join(' ') } : null;
-  }
-
   join(pane: JoiningPane): () => void {
     this.#panes.push(pane);
     if (!this.#abort) this.#enter();

@@ -65,8 +65,6 @@ export interface ViewPart {
 
   // Members for companions and for the view itself.
 
-  /** What a person has changed of it, as texts of attributes of the view; null for nothing. */
-  readonly live?: Readonly<Record<string, string>> | null;
   /** Turns the camera without interaction. The view calls `follow` when attributes, or the viewer, may have changed. */
   readonly rotation?: { readonly stopped: boolean; toggle(): void; follow(): void };
   /** Show or hide one label. Other hidden labels stay hidden. */

@@ -1,11 +1,9 @@
 import type { Camera, Orbit } from '../../optics/rays/camera.ts';
 import { length, scale, subtract } from '../../volume/matrix.ts';
 import type { TimeChangeDetail } from '../loading/scan-player.ts';
-import { socketOf } from '../model/view-socket.ts';
 
 /** A view as far as a person changes it. */
 export interface LiveView {
-  readonly host: HTMLElement;
   readonly viewer: {
     /** Whether the camera is not where the attributes place it. */
     readonly leftAttributes: boolean;
@@ -45,12 +43,11 @@ export function writeCamera({ eye, target, up, fieldOfView }: Camera): CameraTex
   };
 }
 
-/** What a person has changed without a change of an attribute: the place of the camera, the scan, the crosshair of panes. */
-export function writeLive({ viewer, scan, host }: LiveView): Record<string, string> {
+/** What a person has changed without a change of an attribute: the place of the camera, and the scan. */
+export function writeLive({ viewer, scan }: LiveView): Record<string, string> {
   const camera = viewer?.leftAttributes ? viewer.camera : null;
   return {
     ...(camera && writeCamera(camera)),
     ...(scan && scan.count > 1 && { time: `${scan.index}` }),
-    ...socketOf(host).last('live'),
   };
 }
