@@ -243,6 +243,7 @@ const guides = {
   'volume-readout': [['Pointing', 'guide/pointing.md']],
   'volume-slice': [['Slices', 'guide/slices.md']],
   'volume-slice-view': [['Slices', 'guide/slices.md']],
+  'volume-compare': [['Compare two volumes', 'guide/compare.md']],
   'volume-step': [
     ['Write a lesson', 'guide/lesson.md'],
     ['Tours', 'guide/tours.md'],

@@ -129,6 +129,7 @@ export const FOLDERS = {
     'tours',
     'questions',
     'links',
+    'compare',
     'session',
   ],
 };

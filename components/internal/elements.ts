@@ -4,6 +4,7 @@
 /** Functions that fetch and define an element, by its tag name. */
 export const elements: Readonly<Record<string, () => Promise<unknown>>> = {
   'volume-clip': () => import('../volume-clip/define.ts'),
+  'volume-compare': () => import('../volume-compare/define.ts'),
   'volume-label': () => import('../volume-label/define.ts'),
   'volume-label-list': () => import('../volume-label-list/define.ts'),
   'volume-labels': () => import('../volume-labels/define.ts'),

@@ -1,6 +1,7 @@
 import type { ErrorCode } from '../core/errors.ts';
 import type { BlankMessages } from './blank-messages.ts';
 import type { ClipMessages } from './clip-messages.ts';
+import type { CompareMessages } from './compare-messages.ts';
 import type { HandleMessages } from './handle-messages.ts';
 import type { LabelMessages } from './label-messages.ts';
 import type { MeasureMessages } from './measure-messages.ts';
@@ -47,6 +48,7 @@ export type Messages = ViewMessages &
   PlaneMessages &
   QuestionMessages &
   TourMessages &
+  CompareMessages &
   BlankMessages;
 
 /** The messages of <volume-view>. */

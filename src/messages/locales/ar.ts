@@ -246,6 +246,8 @@ export const messages: Messages = {
   questionYours: 'إجابتك',
   questionSolutionPlace: 'الموضع الصحيح',
 
+  compareDivider: 'الفاصل بين الصورتين',
+
   labelList: 'التسميات',
   findLabel: 'البحث عن تسمية',
   allLabels: 'عرض الكل',

@@ -260,6 +260,8 @@ export const messages: Messages = {
   questionYours: 'Deine Antwort',
   questionSolutionPlace: 'Richtige Stelle',
 
+  compareDivider: 'Trennlinie zwischen den beiden Bildern',
+
   labelList: 'Beschriftungen',
   findLabel: 'Beschriftung suchen',
   allLabels: 'Alle zeigen',

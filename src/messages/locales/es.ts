@@ -248,6 +248,8 @@ export const messages: Messages = {
   questionYours: 'Su respuesta',
   questionSolutionPlace: 'Lugar correcto',
 
+  compareDivider: 'Separador entre las dos imágenes',
+
   labelList: 'Etiquetas',
   findLabel: 'Buscar una etiqueta',
   allLabels: 'Mostrar todas',

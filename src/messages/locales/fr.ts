@@ -249,6 +249,8 @@ export const messages: Messages = {
   questionYours: 'Votre réponse',
   questionSolutionPlace: 'Le bon endroit',
 
+  compareDivider: 'Séparateur entre les deux images',
+
   labelList: 'Étiquettes',
   findLabel: 'Chercher une étiquette',
   allLabels: 'Tout afficher',

@@ -246,6 +246,8 @@ export const messages: Messages = {
   questionYours: 'あなたの答え',
   questionSolutionPlace: '正しい場所',
 
+  compareDivider: '2 つの画像の境界',
+
   labelList: 'ラベル',
   findLabel: 'ラベルを探す',
   allLabels: 'すべて表示',

@@ -248,6 +248,8 @@ export const messages: Messages = {
   questionYours: 'Sua resposta',
   questionSolutionPlace: 'Lugar certo',
 
+  compareDivider: 'Divisor entre as duas imagens',
+
   labelList: 'Rótulos',
   findLabel: 'Procurar um rótulo',
   allLabels: 'Mostrar todos',

@@ -245,6 +245,8 @@ export const messages: Messages = {
   questionYours: '你的答案',
   questionSolutionPlace: '正确位置',
 
+  compareDivider: '两幅图像之间的分隔线',
+
   labelList: '标签',
   findLabel: '查找标签',
   allLabels: '全部显示',

@@ -28,6 +28,16 @@ export function orbitCamera(orbit: Orbit, target: Vector3, fieldOfView: number):
   return { eye: add(target, scale(toEye, radius)), target, up, fieldOfView };
 }
 
+/** The orbit of an upright camera: the inverse of `orbitCamera`. */
+export function orbitOf({ eye, target, up }: Camera): Orbit {
+  const radius = length(subtract(eye, target));
+  const [x, y, z] = scale(subtract(eye, target), 1 / radius);
+  // Straight above and below, only the up vector gives the angle around the axis: this combination of both vectors works
+  // everywhere.
+  const flat = Math.hypot(x, y);
+  return { theta: Math.atan2(up[0] * z - x * flat, y * flat - up[1] * z), phi: Math.atan2(flat, z), radius };
+}
+
 /** Row-major world-to-eye matrix. The eye looks along -z, and y is up. */
 export function viewMatrix({ eye, target, up }: Camera): Matrix4 {
   const backward = normalize(subtract(eye, target));

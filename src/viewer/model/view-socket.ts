@@ -1,3 +1,4 @@
+import type { Camera, Orbit } from '../../optics/rays/camera.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { PaneLabels } from '../../panes/pane-labels.ts';
 import type { SlicePane } from '../../panes/slice-pane.ts';
@@ -105,6 +106,25 @@ export interface SocketView extends NoticePlace {
   replace(volume: Volume): Promise<void>;
 }
 
+/** A place of the camera: its orbit around a target. */
+export interface SocketPose extends Orbit {
+  /** World coordinates. */
+  readonly target: Vector3;
+  /** Vertical, radians. */
+  readonly fieldOfView: number;
+}
+
+/** The camera of a view. */
+export interface SocketRig {
+  /** The place to which it is going. */
+  readonly goal: SocketPose;
+  cameraAt(pose: SocketPose): Camera;
+  /** Go to a side of the world, by the shorter way, radians. */
+  turnTo(theta: number, phi: number): void;
+  /** Go to a place, as far as its limits allow. @param touched - whether a person moved it there */
+  aim(goal: SocketPose, touched: boolean): void;
+}
+
 export interface SocketViewer {
   /** The volume in the pictures. */
   readonly volume: Volume | null;
@@ -115,6 +135,8 @@ export interface SocketViewer {
   };
   /** The scene in use; null while there is none. */
   readonly scene: Scene | null;
+  /** Where the camera is going. */
+  readonly rig: SocketRig;
   /** Draw soon. */
   invalidate(): void;
   /** Frame the subject again, if there is no picture yet and nobody has moved the camera. */

@@ -1,5 +1,5 @@
+import { orbitOf } from '../../optics/rays/camera.ts';
 import type { Camera, Orbit } from '../../optics/rays/camera.ts';
-import { length, scale, subtract } from '../../volume/matrix.ts';
 import type { TimeChangeDetail } from '../loading/scan-player.ts';
 
 /** A view as far as a person changes it. */
@@ -26,18 +26,14 @@ export interface CameraTexts {
 }
 
 /** A camera as attributes: to a thousandth of a degree, and a millionth of its distance. */
-export function writeCamera({ eye, target, up, fieldOfView }: Camera): CameraTexts {
-  const radius = length(subtract(eye, target));
-  const [x, y, z] = scale(subtract(eye, target), 1 / radius);
-  // Straight above and below, only the up vector gives the angle around the axis: this combination of both vectors works
-  // everywhere.
-  const flat = Math.hypot(x, y);
-  const theta = Math.atan2(up[0] * z - x * flat, y * flat - up[1] * z);
+export function writeCamera(camera: Camera): CameraTexts {
+  const { target, fieldOfView } = camera;
+  const { theta, phi, radius } = orbitOf(camera);
   const digits = Math.min(100, Math.max(0, 6 - Math.floor(Math.log10(radius))));
   const write = (number: number, decimals = digits): number => Number(number.toFixed(decimals));
   const writeAngle = (angle: number): string => `${write((angle * 180) / Math.PI, 3)}deg`;
   return {
-    'camera-orbit': `${writeAngle(theta)} ${writeAngle(Math.atan2(flat, z))} ${write(radius)}`,
+    'camera-orbit': `${writeAngle(theta)} ${writeAngle(phi)} ${write(radius)}`,
     'camera-target': target.map((one) => write(one)).join(' '),
     'field-of-view': writeAngle(fieldOfView),
   };

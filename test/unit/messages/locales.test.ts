@@ -13,6 +13,7 @@ import { english as plane } from '../../../src/messages/english-plane.ts';
 import { english as questions } from '../../../src/messages/english-questions.ts';
 import { english as readout } from '../../../src/messages/english-readout.ts';
 import { english as slices } from '../../../src/messages/english-slices.ts';
+import { english as compare } from '../../../src/messages/english-compare.ts';
 import { english as tours } from '../../../src/messages/english-tours.ts';
 import { english as view } from '../../../src/messages/english-view.ts';
 import { loadLanguage } from '../../../src/messages/load-language.ts';
@@ -32,6 +33,7 @@ const english: Record<string, unknown> = {
   ...readout,
   ...slices,
   ...tours,
+  ...compare,
   ...view,
 };
 const codes = ['ar', 'de', 'es', 'fr', 'ja', 'pt', 'zh'];

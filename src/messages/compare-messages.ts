@@ -1,0 +1,5 @@
+/** The messages of <volume-compare>. */
+export interface CompareMessages {
+  /** Name of the divider between two pictures. */
+  readonly compareDivider: string;
+}
