@@ -72,7 +72,13 @@ describe('the camera of two views', () => {
     seats[0].camera = at(0);
     seats[1].camera = at(1);
     draw();
-    for (const [index, theta] of [[1, 2], [0, -1], [0, -2], [1, 3]] as const) { // prettier-ignore
+    for (const [index, theta] of [
+      [1, 2],
+      [0, -1],
+      [0, -2],
+      [1, 3],
+    ] as const) {
+      // prettier-ignore
       seats[index].camera = at(theta, 50, [1, 2, 3]);
       const before = seats[0].follows + seats[1].follows;
       draw();
