@@ -1,4 +1,4 @@
-import { add, cross, dot, normalize, scale, subtract } from '../../volume/matrix.ts';
+import { add, cross, dot, normalize, scale, subtract, length } from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 
 /** A pinhole camera in world coordinates. */
