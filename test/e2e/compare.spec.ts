@@ -236,7 +236,8 @@ test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, colorScheme: 'dark' });
 
   test('two views are one below the other, as wide as the page', async ({ page }) => {
-    await open(page, compareOf().replace('inline-size: 320px', 'inline-size: auto'));
+    const body = compareOf().replace('inline-size: 320px', 'inline-size: auto');
+    await open(page, `<main><h1>Compared</h1>${body}</main>`);
     await ready(page);
     const [one, two] = [await page.locator('#first').boundingBox(), await page.locator('#second').boundingBox()];
     expect([one!.width, two!.width]).toEqual([390, 390]);
