@@ -14,8 +14,7 @@ import { withScene } from '../../../helpers/picture.ts';
 const { volume, transferFunction, camera } = errorScenes().find(({ name }) => name.startsWith('shells, peaks'))!;
 const soft = errorScenes().find(({ name }) => name.startsWith('shells, smooth'))!.transferFunction;
 
-/** So large that not all pixels are probed. */
-const size = { width: 160, height: 120 };
+const size = { width: 240, height: 180 };
 const pixels = size.width * size.height;
 
 /** All pixels at full size, each with its own ray. */
