@@ -14,8 +14,7 @@ const bin = (path) => join(projectRoot, 'node_modules', path);
  * @property {string[]} args - of node
  * @property {boolean} counts - whether it prints how many tests passed and failed
  * @property {string} [after] - the part whose files it reads, or which reads files that it changes
- * @property {boolean} [browser] - whether it runs several pages at a time, which keep all cores busy
- * @property {boolean} [last] - whether it comes after these: it runs one browser at a time, and waits for it as often as it works
+ * @property {boolean} [browser] - whether it runs a browser, which keeps all cores busy
  */
 
 /** @type {Part[]} */
@@ -63,7 +62,7 @@ const parts = [
   },
 ];
 if (process.argv.includes('--engines')) {
-  parts.push({ title: 'Smoke test in three engines', args: ['test/engines/run.mjs'], counts: true, last: true });
+  parts.push({ title: 'Smoke test in three engines', args: ['test/engines/run.mjs'], counts: true, browser: true });
 }
 
 if (process.argv.includes('--bundlers')) {
@@ -71,7 +70,7 @@ if (process.argv.includes('--bundlers')) {
     title: 'Apps of bundlers and frameworks',
     args: ['test/bundlers/run.mjs'],
     counts: true,
-    last: true,
+    browser: true,
   });
 }
 
@@ -131,16 +130,12 @@ async function runParts(waiting, atOnce) {
 
 // Parts without a browser mostly use one thread: run two at a time.
 await runParts(
-  parts.filter(({ browser, last }) => !browser && !last),
+  parts.filter(({ browser }) => !browser),
   2,
 );
 await runParts(
   parts.filter(({ browser }) => browser),
   1,
-);
-await runParts(
-  parts.filter(({ last }) => last),
-  2,
 );
 
 let passed = 0;

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from '@playwright/test';
-import { findBrowser, listTestArgs } from '../../scripts/find-browser.mjs';
+import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { startStaticServer } from '../../scripts/static-server.mjs';
 
@@ -15,7 +15,7 @@ export const made = { '/volume.nii.gz': () => volume };
 // A remark of the GL driver on the cost of a readPixels.
 const DRIVER_HINT = /GL Driver Message \(OpenGL, Performance/;
 
-const browser = await chromium.launch({ executablePath: await findBrowser(), args: listTestArgs() });
+const browser = await chromium.launch({ executablePath: await findBrowser(), args: listLaunchArgs() });
 export const closeBrowser = () => browser.close();
 
 /**
@@ -34,7 +34,7 @@ export const closeBrowser = () => browser.close();
  * @param {(page: import('@playwright/test').Page) => Promise<void>} [prepare]
  */
 export async function openUrl(url, use, prepare) {
-  const page = await browser.newPage({ viewport: { width: 360, height: 300 } });
+  const page = await browser.newPage({ viewport: { width: 640, height: 480 } });
   /** @type {OpenApp} */
   const app = { page, troubles: [], paths: [], workers: [] };
   page.on('console', (message) => {
