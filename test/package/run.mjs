@@ -343,11 +343,11 @@ await check('our own code for a page with a NIfTI file is below 67.7 kB gzipped'
 });
 
 await check(
-  'the classic script for a page with a NIfTI file is below 80.5 kB gzipped: few parts of it come at once',
+  'the classic script for a page with a NIfTI file is below 80.6 kB gzipped: few parts of it come at once',
   () => {
     const [atOnce, worker] = measureClassic();
     const bytes = atOnce.gzipped + worker.gzipped;
-    assert.ok(bytes < 80_500, `${bytes} bytes`);
+    assert.ok(bytes < 80_600, `${bytes} bytes`);
     return `${bytes} bytes`;
   },
 );
