@@ -67,12 +67,16 @@ export class VolumeCompare extends ReflectingElement {
   #end: (() => void) | null = null;
   #problem: VolumeViewError | null = null;
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.#observer.observe(this, { childList: true });
+  constructor() {
+    super();
     // The second view may come after the first one.
     if (document.readyState === 'loading')
       document.addEventListener('DOMContentLoaded', () => this.#follow(), { once: true });
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#observer.observe(this, { childList: true });
     this.#follow();
   }
 

@@ -190,9 +190,7 @@ const companionRows: Record<string, Row[]> = {
     ['htmlFor', 'for', 'a', 'a'],
     ['timeZone', 'time-zone', 'Europe/Brussels', 'Europe/Brussels'],
   ],
-  'volume-compare': [
-    ['layout', 'layout', 'slider', 'slider'],
-  ],
+  'volume-compare': [['layout', 'layout', 'slider', 'slider']],
   'volume-tour': [
     ['htmlFor', 'for', 'a', 'a'],
     ['step', 'step', 2, '2'],
