@@ -147,10 +147,9 @@ export function isRight(question: Question, response: Response, place: Vector3 |
     return place !== null && Math.hypot(...place.map((x, i) => x - response.position[i])) <= radius;
   }
   if (type === 'label') return answers.some((one) => foldText(one) === foldText(response.text));
-  const value = readNumber(response.text);
   // A tolerance of 0.1 includes 0.3 of 0.2: what rounding adds does not count.
   const slack = 1e-9 * Math.max(Math.abs(Number(answers[0])), tolerance);
-  return value !== null && Math.abs(value - Number(answers[0])) <= tolerance + slack;
+  return readNumbers(response.text).some((value) => Math.abs(value - Number(answers[0])) <= tolerance + slack);
 }
 
 /** Whether several answers of a list are right: then a reader chooses all of them. */
@@ -170,17 +169,25 @@ export function foldText(text: string): string {
     .normalize('NFC');
 }
 
-/** The number in a text as people write it: also with a decimal comma, other digits, and a unit after it; null for none. */
-export function readNumber(text: string): number | null {
+/**
+ * What a number means as people write it: also with a decimal comma, other digits, and a unit after it. Empty for no number. "1,000" and "1.000" have two
+ * meanings, as one language divides thousands by what another one writes before the decimals.
+ */
+export function readNumbers(text: string): number[] {
   const plain = text
     .slice(0, maxText)
     .replace(/[٠-٩]/g, (digit) => String(digit.charCodeAt(0) - 0x660))
     .replace(/[۰-۹]/g, (digit) => String(digit.charCodeAt(0) - 0x6f0))
     .normalize('NFKC')
     .replace(/[−–]/g, '-')
-    .replace(/[,٫]/g, '.')
     .trim();
-  const [, number, rest] = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(.*)$/i.exec(plain) ?? [];
-  if (number === undefined || /(^|\s)[+-]?[.\d]/.test(rest)) return null;
-  return Number.isFinite(Number(number)) ? Number(number) : null;
+  const grouped = /^[+-]?[1-9]\d{0,2}(?:([,.٬'’\s])\d{3}(?:\1\d{3})*)(?!\d)/.exec(plain);
+  const whole = grouped && plain.slice(0, grouped[0].length).replace(/[^\d+-]/g, '') + plain.slice(grouped[0].length);
+  return [plain, whole].flatMap((one) => readPlain(one?.replace(/[,٫]/g, '.') ?? ''));
+}
+
+function readPlain(text: string): number[] {
+  const [, number, rest] = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(.*)$/i.exec(text) ?? [];
+  if (number === undefined || /(^|\s)[+-]?[.\d]/.test(rest)) return [];
+  return Number.isFinite(Number(number)) ? [Number(number)] : [];
 }

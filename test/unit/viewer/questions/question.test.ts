@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import {
   foldText,
   isRight,
-  readNumber,
+  readNumbers,
   readQuestion,
   takesSeveral,
 } from '../../../../src/viewer/questions/question.ts';
@@ -78,7 +78,19 @@ describe('a question', () => {
     expect(right.filter((text) => !isRight(question, { text }, null))).to.deep.equal([]);
     const wrong = ['0.41', '-0.3', 'a third', '', '0.3 0.3', '1e999'];
     expect(wrong.filter((text) => isRight(question, { text }, null))).to.deep.equal([]);
-    expect(readNumber('−12,5')).to.equal(-12.5);
+    expect(readNumbers('−12,5')).to.deep.equal([-12.5]);
+    const thousands: [string, number[]][] = [
+      ['1,000', [1, 1000]],
+      ['1.000 m', [1, 1000]],
+      ['1 000', [1000]],
+      ['12.345.678', [12345678]],
+      ['1,234.5', [1234.5]],
+      ['1.234,5', [1234.5]],
+      ['0,500', [0.5]],
+      ['1,0000', [1]],
+      ['1000', [1000]],
+    ];
+    for (const [text, numbers] of thousands) expect([text, readNumbers(text)]).to.deep.equal([text, numbers]);
     expect(isRight(read({ type: 'value', answer: '45' }), { text: '45.0' }, null)).to.equal(true);
   });
 
