@@ -457,6 +457,50 @@ async function photographTour(page) {
 }
 
 /**
+ * The card of the lesson on a storm: its second step, with a question below the picture.
+ * @param {import('@playwright/test').Page} page
+ */
+async function photographStormLesson(page) {
+  await page.setViewportSize({ width: 640, height: 480 });
+  await page.setContent(`<!doctype html><title>Lesson</title><script type="module" src="/src/index.ts"></script>
+    <style>body { margin: 0; background: #0f1217; color: #e8edf4; font: 20px/1.4 system-ui, sans-serif; color-scheme: dark } volume-view { width: 640px; height: 300px } ::part(note) { font-size: 16px } volume-question { margin: 12px 24px } ul { list-style: none } h2 { margin: 0; font-size: 26px } ::part(answers) { grid-template-columns: 1fr 1fr; }</style>
+    <volume-view id="storm" src="/demos/data/storm-radar.json" vertical-exaggeration="3" camera-target="-20000 -50000 6000" camera-orbit="190deg 62deg 26%" rings="none"><volume-note position="-36000 -58000 5000" label="Hail core"></volume-note></volume-view>
+    <volume-question for="storm"><h2>What does a red echo mean?</h2><ul><li>Warm air</li><li correct>Heavy rain, or hail</li></ul></volume-question>`);
+  await page.evaluate(() =>
+    Promise.all(['volume-view', 'volume-note', 'volume-question'].map((name) => customElements.whenDefined(name))).then(
+      () => undefined,
+    ),
+  );
+  await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
+  await page.waitForTimeout(1500);
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
+ * The card of the page with two volumes under a divider.
+ * @param {import('@playwright/test').Page} page
+ */
+async function photographCompare(page) {
+  await page.setViewportSize({ width: 640, height: 480 });
+  await page.setContent(`<!doctype html><title>Compare</title><script type="module" src="/src/index.ts"></script>
+    <style>body { margin: 0; background: #0f1217 } volume-compare { inline-size: 640px } volume-view { width: 640px; height: 480px; max-height: none }</style>
+    <volume-compare layout="slider"><volume-view src="/demos/data/colin27-t1.nii.gz" look="textbook" camera-orbit="40deg 60deg auto"></volume-view><volume-view src="${mri.src}" look="textbook"></volume-view></volume-compare>`);
+  await page.evaluate(() =>
+    Promise.all(['volume-view', 'volume-compare'].map((name) => customElements.whenDefined(name))).then(
+      () => undefined,
+    ),
+  );
+  await page.evaluate(() =>
+    Promise.all([...document.querySelectorAll('volume-view')].map((view) => view.whenRendered())),
+  );
+  await page.waitForTimeout(1500);
+  await page.evaluate(() =>
+    Promise.all([...document.querySelectorAll('volume-view')].map((view) => view.whenRendered())),
+  );
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
  * In a page: a PNG as WebP.
  * @param {{ png: string, quality: number }} picture - in base64
  */
@@ -497,6 +541,8 @@ const photographs = new Map([
   [card('measure', []), photographMeasure],
   [card('notes', []), photographNotes],
   [card('tour', []), photographTour],
+  [card('storm-lesson', []), photographStormLesson],
+  [card('compare', []), photographCompare],
   ...guidePictures.map(photographFor),
 ]);
 pictures.push(...photographs.keys());

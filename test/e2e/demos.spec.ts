@@ -51,6 +51,61 @@ test.describe('on a phone', () => {
   }
 });
 
+test('the lesson on a storm can be answered: its numbers are those of the picture', async ({ page }) => {
+  await openDemo(page, 'storm-lesson.html', 'volume-view { inline-size: 240px !important }');
+  const step = async (number: number): Promise<void> => {
+    await page.locator('volume-tour').evaluate((tour, to) => tour.setAttribute('step', `${to}`), number);
+    await settle(page, '#storm');
+  };
+  const results = () =>
+    page
+      .locator('volume-question')
+      .evaluateAll((all) =>
+        all.map((one) => (one as HTMLElement & { result: { correct: boolean } | null }).result?.correct),
+      );
+  await settle(page, '#storm');
+  await page.getByText('Heavy rain, or hail').click();
+  await page.locator('#strength').getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(results).toEqual([true, undefined, undefined, undefined]);
+
+  await step(2);
+  const value = await page.locator('#storm').evaluate(async (view) => {
+    const pin = view.shadowRoot!.querySelector('[part~="note-pin"]')!.getBoundingClientRect();
+    const { positionFromPoint } = view as unknown as {
+      positionFromPoint(x: number, y: number): Promise<{ value: number } | null>;
+    };
+    return (await positionFromPoint.call(view, pin.x + pin.width / 2, pin.y + pin.height / 2))!.value;
+  });
+  await page.locator('#value').getByRole('textbox').fill(value.toFixed(1));
+  await page.locator('#value').getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(results).toEqual([true, true, undefined, undefined]);
+
+  await step(3);
+  // The place of the strongest echo among points of the picture: what a reader is asked to look for.
+  const [x, y] = await page.locator('#storm').evaluate(async (view) => {
+    const { left, top, width, height } = view.getBoundingClientRect();
+    const { positionFromPoint } = view as unknown as {
+      positionFromPoint(x: number, y: number): Promise<{ value: number } | null>;
+    };
+    let [best, strongest] = [[left, top] as [number, number], -Infinity];
+    for (let i = 0.1; i < 0.95; i += 0.05)
+      for (let j = 0.1; j < 0.95; j += 0.05) {
+        const at = [left + i * width, top + j * height] as [number, number];
+        const found = await positionFromPoint.call(view, ...at);
+        if (found && found.value > strongest) [best, strongest] = [at, found.value];
+      }
+    return best;
+  });
+  await page.mouse.click(x, y);
+  await expect.poll(results).toEqual([true, true, true, undefined]);
+
+  await step(4);
+  await page.locator('#name').getByRole('textbox').fill('Anvil');
+  await page.locator('#name').getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(results).toEqual([true, true, true, true]);
+  await expect(page.locator('#name').locator('[part=score]')).toContainText('4 of 4');
+});
+
 test('the projections are four pictures, and none is black', async ({ page }) => {
   await openDemo(page, 'projection.html', small);
   const pictures = [];
