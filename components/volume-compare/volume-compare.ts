@@ -46,18 +46,10 @@ export class VolumeCompare extends ReflectingElement {
   @property() layout!: string | null;
 
   /**
-   * Where the divider is, per cent of the width from the first view's side. Setting it moves the divider; reading it returns the
-   * present position.
+   * Where the divider is at first, per cent of the width from the first view's side. A change moves the divider.
    * @default 50
    */
-  @property({ kind: number })
-  get position(): number | null {
-    return this.#at;
-  }
-
-  set position(position: number | null) {
-    this.writeText('position', number.write(position));
-  }
+  @property({ kind: number }) position!: number | null;
 
   readonly #locale = new LocaleController<CompareMessages>(this, english);
   readonly #observer = new MutationObserver(() => this.#follow());
@@ -72,6 +64,11 @@ export class VolumeCompare extends ReflectingElement {
     // The second view may come after the first one.
     if (document.readyState === 'loading')
       document.addEventListener('DOMContentLoaded', () => this.#follow(), { once: true });
+  }
+
+  /** Where the divider is now, per cent of the width: a reader moves it. */
+  get currentPosition(): number {
+    return this.#at;
   }
 
   override connectedCallback(): void {

@@ -95,10 +95,10 @@ const faults: Record<string, Fault> = {
     message: /10000 x 10000 x 10000|1,?000,?000,?000,?000|e\+?12/,
   },
   'a cut PNG': { attributes: { src: 'cut.png', mosaic: '4x4' }, code: 'format/corrupt', message: /PNG|png/ },
-  'a header apart from its data': {
+  'a header without its data': {
     attributes: { src: 'pair.hdr' },
-    code: 'format/unsupported',
-    message: /header of a NIfTI-1 pair, whose data lie in an \.img file/,
+    code: 'source/not-found',
+    message: /pair\.hdr is one of the two files of .*neither pair\.img nor pair\.img\.gz was found/,
   },
   'a datatype of colours': {
     attributes: { src: 'colours.nii' },

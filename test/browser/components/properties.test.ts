@@ -190,7 +190,10 @@ const companionRows: Record<string, Row[]> = {
     ['htmlFor', 'for', 'a', 'a'],
     ['timeZone', 'time-zone', 'Europe/Brussels', 'Europe/Brussels'],
   ],
-  'volume-compare': [['layout', 'layout', 'slider', 'slider']],
+  'volume-compare': [
+    ['layout', 'layout', 'slider', 'slider'],
+    ['position', 'position', 30, '30'],
+  ],
   'volume-tour': [
     ['htmlFor', 'for', 'a', 'a'],
     ['step', 'step', 2, '2'],
