@@ -4,6 +4,7 @@ import { invalidAttribute, VolumeViewError } from '../../src/core/errors.ts';
 import type { CompareMessages } from '../../src/messages/compare-messages.ts';
 import { english } from '../../src/messages/english-compare.ts';
 import { LocaleController } from '../../src/messages/locale-controller.ts';
+import { placeInElement } from '../../src/page/pointer-place.ts';
 import { pair } from '../../src/viewer/compare/pair.ts';
 import type { PairedView } from '../../src/viewer/compare/pair.ts';
 import { parseWord } from '../../src/viewer/model/parse-attributes.ts';
@@ -141,8 +142,8 @@ export class VolumeCompare extends ReflectingElement {
       divider.setPointerCapture(event.pointerId);
       divider.focus({ preventScroll: true });
     } else if (divider.hasPointerCapture(event.pointerId)) {
-      const { left, width } = divider.parentElement!.getBoundingClientRect();
-      const share = (event.clientX - left) / width;
+      const stage = divider.parentElement!;
+      const share = placeInElement(stage, event)[0] / stage.clientWidth;
       this.#move(100 * (this.#isRtl ? 1 - share : share));
     }
   };

@@ -46,8 +46,13 @@ export function placeInElement(element: HTMLElement, { clientX, clientY }: PageP
  * are already pixels of the element.
  */
 export function middleInElement(element: HTMLElement, part: Element): ElementPlace {
+  return placeInElement(element, middleInPage(part));
+}
+
+/** Where a page shows the middle of a small element. */
+export function middleInPage(part: Element): PagePoint {
   const { left, top, width, height } = part.getBoundingClientRect();
-  return placeInElement(element, { clientX: left + width / 2, clientY: top + height / 2 });
+  return { clientX: left + width / 2, clientY: top + height / 2 };
 }
 
 /**

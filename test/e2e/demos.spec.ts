@@ -64,7 +64,7 @@ test('the lesson on a storm can be answered: its numbers are those of the pictur
         all.map((one) => (one as HTMLElement & { result: { correct: boolean } | null }).result?.correct),
       );
   await settle(page, '#storm');
-  await page.getByText('Heavy rain, or hail').click();
+  await page.getByRole('radiogroup').getByText('Heavy rain, or hail').click();
   await page.locator('#strength').getByRole('button', { name: 'Answer' }).click();
   await expect.poll(results).toEqual([true, undefined, undefined, undefined]);
 
@@ -81,6 +81,7 @@ test('the lesson on a storm can be answered: its numbers are those of the pictur
   await expect.poll(results).toEqual([true, true, undefined, undefined]);
 
   await step(3);
+  await page.locator('#storm').scrollIntoViewIfNeeded();
   // The place of the strongest echo among points of the picture: what a reader is asked to look for.
   const [x, y] = await page.locator('#storm').evaluate(async (view) => {
     const { left, top, width, height } = view.getBoundingClientRect();

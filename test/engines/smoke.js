@@ -265,7 +265,8 @@ await check('a finger whose page scrolls leaves the camera as it was', async () 
   for (let i = 1; i < 6; i++) point('pointermove', [60 + 4 * i, 45 - 12 * i], { buttons: 1 });
   point('pointercancel', [80, 0]);
   await element.whenRendered();
-  expect(element.getView()['camera-orbit'] === '35deg 65deg 90', element.getView()['camera-orbit']);
+  const orbit = element.getView()['camera-orbit'];
+  expect(orbit === undefined, `the camera went to ${orbit}`); // getView() gives what differs from the tag.
 });
 
 await check('two fingers that pinch zoom, and bring back', async () => {

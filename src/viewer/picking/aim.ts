@@ -2,6 +2,7 @@
 import { socketOf } from '../model/view-socket.ts';
 import type { ViewPart } from '../model/view-socket.ts';
 import type { VolumePosition } from '../model/volume-pick.ts';
+import { middleInPage } from '../../page/pointer-place.ts';
 import { applySheet } from '../overlays/apply-sheet.ts';
 import { clicksOn } from './pick-clicks.ts';
 import type { PickedView } from './pick-clicks.ts';
@@ -196,8 +197,10 @@ export class Aim implements ViewPart {
         Math.min(1, Math.max(0, share + (arrows[key][axis] * step) / Math.max(1, room[axis]))),
       );
       this.#move([across, down]);
-    } else if (key === 'Enter') void this.#take(this.#holder!, ...this.#middle());
-    else if (key === 'Escape') this.#end(true);
+    } else if (key === 'Enter') {
+      const { clientX, clientY } = middleInPage(this.#crosshair!);
+      void this.#take(this.#holder!, clientX, clientY);
+    } else if (key === 'Escape') this.#end(true);
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -211,16 +214,11 @@ export class Aim implements ViewPart {
     this.#timer = window.setTimeout(() => void this.#say(), restMs);
   }
 
-  /** The middle of the crosshair in the page. */
-  #middle(): [clientX: number, clientY: number] {
-    const { left, top, width, height } = this.#crosshair!.getBoundingClientRect();
-    return [left + width / 2, top + height / 2];
-  }
-
   async #say(): Promise<void> {
     const [holder, at] = [this.#holder, this.#at];
     if (!holder) return;
-    const found = await this.#look(...this.#middle());
+    const { clientX, clientY } = middleInPage(this.#crosshair!);
+    const found = await this.#look(clientX, clientY);
     if (found !== undefined && this.#holder === holder && this.#at === at)
       this.#status.textContent = holder.describe(found, ...at);
   }

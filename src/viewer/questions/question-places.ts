@@ -51,9 +51,13 @@ export class QuestionPlaces implements AimOwner {
     this.#given = new QuestionMark(element, messages, () => {});
   }
 
+  /** False in a closed step. */
+  get #isLaidOut(): boolean {
+    return this.element.offsetWidth > 0;
+  }
+
   get isWaiting(): boolean {
-    // In a closed step it has no box.
-    return this.#question?.type === 'find' && !this.answering.isDone && this.element.getClientRects().length > 0;
+    return this.#question?.type === 'find' && !this.answering.isDone && this.#isLaidOut;
   }
 
   get crosshair(): string {
@@ -102,7 +106,7 @@ export class QuestionPlaces implements AimOwner {
     const stretch = volume ? stretchOf(volume.grid) : 1;
     const [x, y, z] = this.#locate(view) ?? [NaN, NaN, NaN];
     if (Number.isFinite(x)) this.place = [x, y, z / stretch];
-    const isSeen = volume !== null && this.element.getClientRects().length > 0;
+    const isSeen = volume !== null && this.#isLaidOut;
     const { messages } = this.locale;
     const { isDone, position, result } = this.answering;
     // The place to find is shown after the last try.
