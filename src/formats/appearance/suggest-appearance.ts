@@ -46,7 +46,7 @@ export async function suggestAppearance(
   const { low, counts } = histogram;
   const high = counts.subarray(counts.length / 8).reduce((sum, count) => sum + count);
   const isUnusual =
-    unit === '' &&
+    (unit === '' || decoded.isUptake) &&
     (decoded.isLabels ||
       decoded.intent ||
       decoded.indexed ||

@@ -14,6 +14,7 @@ export function findUnusualAppearance(
   decoded: DecodedCartesianVolume,
   histogram: Histogram,
 ): SuggestedAppearance | null {
+  if (decoded.isUptake) return longTailAppearance(decoded, histogram);
   if (isCt(histogram)) return { transferFunction: presetOfUnit('HU') };
   if (statistics.includes(decoded.intent ?? 0)) return statisticAppearance(decoded, histogram);
   return decoded.isLabels || areLabels(decoded)

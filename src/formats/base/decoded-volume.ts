@@ -20,6 +20,8 @@ export type DecodedCartesianVolume = Decoded & {
   readonly grid: CartesianGrid;
   /** Whether the file says that its values are labels: whole numbers that stand for things. */
   readonly isLabels?: boolean;
+  /** Whether the file says that its values are the uptake of a tracer, as PET shows it. */
+  readonly isUptake?: boolean;
   /** NIfTI's intent code: what the values are. */
   readonly intent?: number;
 };

@@ -5,6 +5,7 @@ import type { DataSet } from './data-set.ts';
 import type { Frame, Plane } from './frame.ts';
 import type { Picture } from './picture.ts';
 import { findMosaic } from './siemens-mosaic.ts';
+import { findSuvFactor } from './suv.ts';
 import { sequences, tags } from './tags.ts';
 import type { Tag } from './tags.ts';
 
@@ -118,14 +119,16 @@ function readValues(
 ): Pick<Frame, 'slope' | 'intercept' | 'unit' | 'window'> {
   const { set, isInverted, isSigned, bitsStored } = picture;
   const rescale = find(sequences.pixelTransformation, tags.slope);
-  const slope = (modality === 'RTDOSE' ? set.number(tags.doseScaling) : rescale.number(tags.slope)) || 1;
-  const intercept = rescale.number(tags.intercept) ?? 0;
-  const unit = readUnit(set, rescale, modality, imageType);
+  const stated = readUnit(set, rescale, modality, imageType);
+  const suv = modality === 'PT' && stated === 'Bq/ml' ? findSuvFactor(set) : null;
+  const [unit, factor] = suv ? ['SUV', suv] : [stated, 1];
+  const slope = factor * ((modality === 'RTDOSE' ? set.number(tags.doseScaling) : rescale.number(tags.slope)) || 1);
+  const intercept = factor * (rescale.number(tags.intercept) ?? 0);
   const frameWindow = find(sequences.frameWindow, tags.windowCenter);
   const [center, width] = [frameWindow.number(tags.windowCenter), frameWindow.number(tags.windowWidth)];
   const window =
     center !== undefined && width !== undefined && width > 0
-      ? ([center - width / 2, center + width / 2] as const)
+      ? ([factor * (center - width / 2), factor * (center + width / 2)] as const)
       : null;
   // Where values have a unit, white for the smallest one is only a way to show them.
   if (!isInverted || unit !== '') return { slope, intercept, unit, window };
@@ -154,7 +157,10 @@ function readUnit(set: DataSet, rescale: DataSet, modality: string, imageType: r
     const isScaled = rescale.has(tags.intercept) && !imageType.includes('LOCALIZER');
     return isScaled && (type === '' || type === 'HU') ? 'HU' : '';
   }
-  if (modality === 'PT') return petUnits[set.text(tags.units).toUpperCase()] ?? '';
+  if (modality === 'PT') {
+    const units = set.text(tags.units).toUpperCase();
+    return units === 'GML' && /^(BW)?$/i.test(set.text(tags.suvType)) ? 'SUV' : (petUnits[units] ?? '');
+  }
   if (modality === 'RTDOSE') return set.text(tags.doseUnits).toUpperCase() === 'GY' ? 'Gy' : '';
   return '';
 }

@@ -109,6 +109,7 @@ async function joinFrames(
     ...stack.left,
   ];
   const slices = stack.resample?.length ?? stack.slices.length;
+  const modality = picture.set.text(tags.modality).toUpperCase();
   return {
     grid: cartesianGrid([columns, rows, slices], stack.indexToWorld),
     anatomical: stack.anatomical,
@@ -118,9 +119,10 @@ async function joinFrames(
     ...(isAsStored ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
     unkept: stored.unkept,
     unit,
-    format: ['DICOM', ...kinds.filter((kind) => kind === picture.set.text(tags.modality).toUpperCase())].join(', '),
+    format: ['DICOM', ...kinds.filter((kind) => kind === modality)].join(', '),
     ...(all.length > 0 ? { left: all } : {}),
     ...(window ? { window } : {}),
+    isUptake: modality === 'PT',
   };
 }
 
