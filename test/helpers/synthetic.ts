@@ -11,6 +11,10 @@ export function smoothField(x: number, y: number, z: number): number {
   return Math.min(1, Math.max(0, 0.25 + 0.25 * wave + 0.5 * ball));
 }
 
+/** The same field with a ball without data in it. */
+export const fieldWithHole = (x: number, y: number, z: number): number =>
+  Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z);
+
 export type SampleKind = 'uint8' | 'uint16' | 'float32';
 
 export interface SyntheticOptions {

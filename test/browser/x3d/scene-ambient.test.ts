@@ -24,9 +24,8 @@ import {
 import type { View } from '../../helpers/picture.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../../helpers/polar-cloud.ts';
 import { remember } from '../../helpers/remember.ts';
-import { smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
-import type { SyntheticOptions } from '../../helpers/synthetic.ts';
-import { viewFromAbove } from '../../helpers/views.ts';
+import { smallView } from '../../helpers/views.ts';
+import { fieldWithHole } from '../../helpers/synthetic.ts';
 
 interface Case {
   readonly name: string;
@@ -36,19 +35,13 @@ interface Case {
 
 const style = { lit: 'ambient-occlusion' } as const;
 
-const cartesian = (data: Partial<SyntheticOptions>, more?: Partial<View>): View =>
-  viewFromAbove(syntheticVolume({ dimensions: [24, 20, 16], ...data }), more);
-
-const hole = (x: number, y: number, z: number): number =>
-  Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z);
-
 const cases: Case[] = [
-  { name: '8 bit', view: () => cartesian({}) },
-  { name: 'floats with a hole', view: () => cartesian({ kind: 'float32', field: hole }) },
+  { name: '8 bit', view: () => smallView({}) },
+  { name: 'floats with a hole', view: () => smallView({ kind: 'float32', field: fieldWithHole }) },
   {
     name: 'a region of 16 bit, with more cells than the map',
     view: () => {
-      const view = cartesian({ kind: 'uint16', dimensions: [80, 40, 20], spacing: [0.3, 0.5, 0.8] });
+      const view = smallView({ kind: 'uint16', dimensions: [80, 40, 20], spacing: [0.3, 0.5, 0.8] });
       return { ...view, region: cutRegion(view.volume.grid, [-8, -6, -9, 9, 7, 6]) };
     },
     cuts: ({ volume, region }) => ({
@@ -59,7 +52,7 @@ const cases: Case[] = [
   {
     name: 'a plane and a box that is cut out',
     view: () => {
-      const view = cartesian({});
+      const view = smallView({});
       const { grid } = view.volume;
       return {
         ...view,
@@ -119,7 +112,7 @@ for (const version of [2, 1] as const) {
     }
 
     it('follows the transfer function and the opacity, and comes back to the same picture', async () => {
-      const view = cartesian({});
+      const view = smallView({});
       await scene().prepare(view.volume);
       await scene().setAppearance({ style });
       const first = drawPicture(scene(), view);

@@ -4,7 +4,6 @@ import { edgeOffsets, findEdges, meanAtEdges } from '../../../src/optics/rays/ed
 import { raysOfLattice } from '../../../src/optics/rays/rays.ts';
 import type { RayStyle } from '../../../src/optics/rays/ray-style.ts';
 import { renderReference } from '../../../src/optics/reference.ts';
-import { longestDiagonal } from '../../../src/volume/grid.ts';
 import type { VolumeScene } from '../../../src/x3d/scene.ts';
 import { casesIn } from '../../helpers/cases.ts';
 import { changePlan } from '../../helpers/change-plan.ts';
@@ -19,11 +18,10 @@ import {
   withScene,
 } from '../../helpers/picture.ts';
 import type { View } from '../../helpers/picture.ts';
-import { cloudCamera, cloudColors, cloudVolume } from '../../helpers/polar-cloud.ts';
 import { remember } from '../../helpers/remember.ts';
 import { surfaceStages } from '../../helpers/surfaces.ts';
-import { smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
-import { viewFromAbove } from '../../helpers/views.ts';
+import { fieldWithHole, syntheticVolume } from '../../helpers/synthetic.ts';
+import { viewOfCloud, viewFromAbove } from '../../helpers/views.ts';
 
 /** At `max-error` 1. */
 const max = 8 * Math.sqrt(12);
@@ -34,9 +32,7 @@ interface Case {
   readonly style: RayStyle;
 }
 
-const hole = (x: number, y: number, z: number): number =>
-  Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z);
-const cartesian = (field?: typeof hole): View =>
+const cartesian = (field?: typeof fieldWithHole): View =>
   viewFromAbove(syntheticVolume({ dimensions: [24, 20, 16], ...(field && { kind: 'float32', field }) }));
 
 const cases: readonly Case[] = [
@@ -47,7 +43,7 @@ const cases: readonly Case[] = [
   },
   {
     name: 'two in fog with a hole',
-    view: () => cartesian(hole),
+    view: () => cartesian(fieldWithHole),
     style: {
       surfaces: [
         { value: 0.35, color: [1, 0.4, 0.2], opacity: 0.4 },
@@ -64,15 +60,7 @@ const cases: readonly Case[] = [
         { value: 0.6, color: [1, 0.6, 0.2], opacity: 1 },
       ],
     },
-    view: () => {
-      const volume = cloudVolume(1);
-      return {
-        volume,
-        camera: cloudCamera,
-        stepLength: longestDiagonal(volume.grid) / 100,
-        optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 },
-      };
-    },
+    view: viewOfCloud,
   },
 ];
 

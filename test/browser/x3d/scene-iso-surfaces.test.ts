@@ -10,13 +10,13 @@ import { allSubsteps } from '../../../src/optics/cells/substeps.ts';
 import type { Substeps } from '../../../src/optics/cells/substeps.ts';
 import { cutSteps } from '../../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../../src/quality/steps.ts';
-import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
+import { boundingSphere } from '../../../src/volume/grid.ts';
 import type { ShownLabels } from '../../../src/volume/labels.ts';
 import { casesIn } from '../../helpers/cases.ts';
 import { changePlan } from '../../helpers/change-plan.ts';
 import { cutBox, keep } from '../../helpers/clips.ts';
 import { blocks, mixedAppearances } from '../../helpers/labels.ts';
-import { litStages } from '../../helpers/lit.ts';
+import { lamp, litStages } from '../../helpers/lit.ts';
 import {
   comparePictures,
   drawPicture,
@@ -30,12 +30,10 @@ import {
   walksOf,
 } from '../../helpers/picture.ts';
 import type { View } from '../../helpers/picture.ts';
-import { cloudCamera, cloudColors, cloudVolume } from '../../helpers/polar-cloud.ts';
 import { remember } from '../../helpers/remember.ts';
 import { surfaceStages } from '../../helpers/surfaces.ts';
-import { randomNumbers, smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
-import type { SyntheticOptions } from '../../helpers/synthetic.ts';
-import { viewFromAbove } from '../../helpers/views.ts';
+import { fieldWithHole, randomNumbers, smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
+import { viewOfCloud, smallView } from '../../helpers/views.ts';
 
 interface Case {
   readonly name: string;
@@ -45,9 +43,6 @@ interface Case {
   readonly labels?: (view: View) => ShownLabels;
 }
 
-const cartesian = (data: Partial<SyntheticOptions>, more?: Partial<View>): View =>
-  viewFromAbove(syntheticVolume({ dimensions: [24, 20, 16], ...data }), more);
-
 const three: RayStyle = {
   surfaces: [
     { value: 0.35, color: [1, 0.4, 0.2], opacity: 0.3 },
@@ -56,37 +51,22 @@ const three: RayStyle = {
   ],
 };
 const shell: RayStyle = { clear: true, surfaces: [{ value: 0.45, color: [1, 0.8, 0.6], opacity: 1 }] };
-const hole = (x: number, y: number, z: number): number =>
-  Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z);
 /** Oblique to the lattice. */
 const mask = (x: number, y: number, z: number): number =>
   0.5 * x + 0.3 * y + 0.8 * z < 0.9 ? smoothField(x, y, z) : 0;
 const sun: SceneLights = {
   headlight: false,
-  lights: [
-    {
-      kind: 'directional',
-      color: [1, 0.9, 0.7],
-      intensity: 0.8,
-      ambientIntensity: 0.1,
-      direction: [-0.6, 0.64, -0.48],
-      location: [0, 0, 0],
-      attenuation: [1, 0, 0],
-      radius: Infinity,
-      beamWidth: 0.2,
-      cutOffAngle: 0.6,
-    },
-  ],
+  lights: [lamp],
 };
 
 const cases: Case[] = [
-  { name: 'one alone, 8 bit', view: () => cartesian({}), style: shell },
+  { name: 'one alone, 8 bit', view: () => smallView({}), style: shell },
   {
     name: 'three in lit fog of 16 bit, with a lamp, cut',
     lights: sun,
     style: { ...three, lit: true },
     view: () => {
-      const view = cartesian({ kind: 'uint16', spacing: [1, 0.8, 1.5], slope: 1 });
+      const view = smallView({ kind: 'uint16', spacing: [1, 0.8, 1.5], slope: 1 });
       const { grid } = view.volume;
       return {
         ...view,
@@ -97,18 +77,21 @@ const cases: Case[] = [
   {
     name: 'three in their own colours, floats with a hole, brightened',
     style: { ...three, clear: true, plain: true },
-    view: () => ({ ...cartesian({ kind: 'float32', field: hole }), optics: { ...plainOptics, lightFactor: 1.5 } }),
+    view: () => ({
+      ...smallView({ kind: 'float32', field: fieldWithHole }),
+      optics: { ...plainOptics, lightFactor: 1.5 },
+    }),
   },
   {
     name: 'one beside a mask of zeros',
-    view: () => cartesian({ field: mask }),
+    view: () => smallView({ field: mask }),
     style: { clear: true, surfaces: [{ value: 0.5, color: [1, 0.8, 0.6], opacity: 1 }] },
   },
   {
     name: "in X3D's styles, with a lamp, cut",
     lights: sun,
     view: () => {
-      const view = cartesian({ spacing: [1, 0.8, 1.5] });
+      const view = smallView({ spacing: [1, 0.8, 1.5] });
       return { ...view, clips: { kept: [keep(view.volume.grid, [1, -0.4, 0.3], -3)] } };
     },
     style: {
@@ -134,7 +117,7 @@ const cases: Case[] = [
   {
     name: 'labelled',
     style: { ...three, clear: true },
-    view: () => cartesian({}),
+    view: () => smallView({}),
     labels: ({ volume }) => mixedAppearances(blocks(volume.grid.dimensions, 6)),
   },
   {
@@ -146,15 +129,7 @@ const cases: Case[] = [
         { value: 0.6, color: [1, 0.6, 0.2], opacity: 1 },
       ],
     },
-    view: () => {
-      const volume = cloudVolume(1);
-      return {
-        volume,
-        camera: cloudCamera,
-        stepLength: longestDiagonal(volume.grid) / 100,
-        optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 },
-      };
-    },
+    view: viewOfCloud,
   },
 ];
 

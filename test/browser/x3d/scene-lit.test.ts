@@ -2,14 +2,14 @@
 import { expect } from '@esm-bundle/chai';
 import { uncut } from '../../../src/optics/rays/cut-fade.ts';
 import type { CutFaces } from '../../../src/optics/rays/cut-fade.ts';
-import type { SceneLight, SceneLights } from '../../../src/optics/transfer/lights.ts';
+import type { SceneLights } from '../../../src/optics/transfer/lights.ts';
 import { renderReference } from '../../../src/optics/reference.ts';
-import { longestDiagonal, unitToWorld } from '../../../src/volume/grid.ts';
+import { unitToWorld } from '../../../src/volume/grid.ts';
 import { invertAffine, multiply } from '../../../src/volume/matrix.ts';
 import { cutRegion } from '../../../src/volume/region.ts';
 import { casesIn } from '../../helpers/cases.ts';
 import { cutBox, keep } from '../../helpers/clips.ts';
-import { litStages } from '../../helpers/lit.ts';
+import { lamp, litStages } from '../../helpers/lit.ts';
 import {
   bothWalks,
   comparePictures,
@@ -24,11 +24,9 @@ import {
   walksOf,
 } from '../../helpers/picture.ts';
 import type { View } from '../../helpers/picture.ts';
-import { cloudCamera, cloudColors, cloudVolume } from '../../helpers/polar-cloud.ts';
 import { remember } from '../../helpers/remember.ts';
-import { smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
-import type { SyntheticOptions } from '../../helpers/synthetic.ts';
-import { viewFromAbove } from '../../helpers/views.ts';
+import { viewOfCloud, smallView } from '../../helpers/views.ts';
+import { fieldWithHole } from '../../helpers/synthetic.ts';
 
 interface Case {
   readonly name: string;
@@ -36,27 +34,12 @@ interface Case {
   readonly lights?: SceneLights;
 }
 
-const cartesian = (data: Partial<SyntheticOptions>, more?: Partial<View>): View =>
-  viewFromAbove(syntheticVolume({ dimensions: [24, 20, 16], ...data }), more);
-
-const light: SceneLight = {
-  kind: 'directional',
-  color: [1, 0.9, 0.7],
-  intensity: 0.8,
-  ambientIntensity: 0.1,
-  direction: [-0.6, 0.64, -0.48],
-  location: [0, 0, 0],
-  attenuation: [1, 0, 0],
-  radius: Infinity,
-  beamWidth: 0.2,
-  cutOffAngle: 0.6,
-};
 const many: SceneLights = {
   headlight: false,
   lights: [
-    light,
+    lamp,
     {
-      ...light,
+      ...lamp,
       kind: 'point',
       location: [9, -12, 8],
       color: [0.3, 1, 0.4],
@@ -64,7 +47,7 @@ const many: SceneLights = {
       radius: 22,
     },
     {
-      ...light,
+      ...lamp,
       kind: 'spot',
       location: [2, -25, 12],
       direction: [0, 0.9, -0.436],
@@ -73,32 +56,20 @@ const many: SceneLights = {
     },
   ],
 };
-const hole = (x: number, y: number, z: number): number =>
-  Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z);
-const cloud = cloudVolume(1);
-
 const cases: Case[] = [
-  { name: '8 bit', view: () => cartesian({}) },
+  { name: '8 bit', view: () => smallView({}) },
   {
     name: 'a region of 16 bit, with three lights',
     lights: many,
     view: () => {
-      const view = cartesian({ kind: 'uint16', spacing: [1, 0.8, 1.5] });
+      const view = smallView({ kind: 'uint16', spacing: [1, 0.8, 1.5] });
       return { ...view, region: cutRegion(view.volume.grid, [-8, -6, -9, 9, 5, 7]) };
     },
   },
-  { name: 'floats with a hole', view: () => cartesian({ kind: 'float32', field: hole }) },
+  { name: 'floats with a hole', view: () => smallView({ kind: 'float32', field: fieldWithHole }) },
   {
     name: 'polar',
-    view: () => {
-      const volume = cloud;
-      return {
-        volume,
-        camera: cloudCamera,
-        stepLength: longestDiagonal(volume.grid) / 100,
-        optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 },
-      };
-    },
+    view: viewOfCloud,
   },
 ];
 
@@ -150,7 +121,7 @@ for (const version of [2, 1] as const) {
 describe('next to what cuts rays', () => {
   it("light fades as the twin's does, at planes and around a box that is cut out", () =>
     withScene({}, async (scene) => {
-      const whole = cartesian({});
+      const whole = smallView({});
       const { grid } = whole.volume;
       const kept = [keep(grid, [1, -0.4, 0.3], -3)];
       const cutout = cutBox(grid, [2, -4, -3], [9, 4, 20]);
@@ -183,7 +154,7 @@ describe('the lights of a scene', () => {
 
   it("are the author's, where they stand; without a radius they reach everywhere", () =>
     withScene({ children }, (scene, host) => {
-      drawPicture(scene, cartesian({}));
+      drawPicture(scene, smallView({}));
       const { headlight, lights } = scene.layers[0].lights()!;
       expect(headlight).to.equal(false);
       expect(lights.map(({ kind }) => kind)).to.deep.equal(['point', 'directional', 'spot']);

@@ -32,7 +32,7 @@ import {
 import type { View } from '../../helpers/picture.ts';
 import { isEdge, listOff, rayAt } from '../../helpers/edges.ts';
 import { remember } from '../../helpers/remember.ts';
-import { smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
+import { fieldWithHole, syntheticVolume } from '../../helpers/synthetic.ts';
 import type { SyntheticOptions } from '../../helpers/synthetic.ts';
 import { evenAzimuths, radarVolume } from '../../helpers/synthetic-radar.ts';
 import type { RadarOptions, SweepOptions } from '../../helpers/synthetic-radar.ts';
@@ -96,8 +96,6 @@ function polar(options: RadarOptions, more: Partial<View> = {}): View {
   return { volume, camera, stepLength: diagonal / 150, optics: { ...plainOptics, transferFunction }, ...more };
 }
 
-const hole = (x: number, y: number, z: number): number =>
-  Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z);
 const slices: readonly Slice[] = [
   { kind: 'upright', from: [0, 0], direction: [Math.SQRT1_2, -Math.SQRT1_2], length: Infinity },
   { kind: 'cone', sweep: 1 },
@@ -110,7 +108,7 @@ const waves =
 const cases: Case[] = [
   { name: '8 bit', view: () => cartesian({}) },
   { name: '16 bit, half the steps of a voxel', view: () => cartesian({ kind: 'uint16' }, undefined, 20) },
-  { name: 'floats with a hole', view: () => cartesian({ kind: 'float32', field: hole }) },
+  { name: 'floats with a hole', view: () => cartesian({ kind: 'float32', field: fieldWithHole }) },
   { name: 'a region', view: () => cartesian({}, ({ grid }) => ({ region: cutRegion(grid, [-5, -6, -4, 9, 5, 3]) })) },
   {
     name: 'a window in the middle',

@@ -10,7 +10,7 @@ import { hasRoom } from '../../../src/renderer/ray/modules/styled.ts';
 import type { RayText } from '../../../src/renderer/ray/ray-module.ts';
 import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
 import { casesIn, takesAll } from '../../helpers/cases.ts';
-import { styledStages } from '../../helpers/lit.ts';
+import { lamp, styledStages } from '../../helpers/lit.ts';
 import {
   bothWalks,
   comparePictures,
@@ -23,9 +23,9 @@ import {
   width,
 } from '../../helpers/picture.ts';
 import type { View } from '../../helpers/picture.ts';
-import { cloudCamera, cloudColors, cloudVolume } from '../../helpers/polar-cloud.ts';
 import { remember } from '../../helpers/remember.ts';
 import { syntheticVolume } from '../../helpers/synthetic.ts';
+import { viewOfCloud } from '../../helpers/views.ts';
 
 const boundary: VolumeStyle = { kind: 'boundary', retained: 0.2, boundary: 0.9, power: 2 };
 const silhouette: VolumeStyle = { kind: 'silhouette', retained: 0.3, boundary: 1.2, sharpness: 2 };
@@ -80,20 +80,7 @@ const looks: Record<string, readonly StyleChain[]> = {
 
 const sun: SceneLights = {
   headlight: true,
-  lights: [
-    {
-      kind: 'directional',
-      color: [1, 0.9, 0.7],
-      intensity: 0.8,
-      ambientIntensity: 0.1,
-      direction: [-0.6, 0.64, -0.48],
-      location: [0, 0, 0],
-      attenuation: [1, 0, 0],
-      radius: Infinity,
-      beamWidth: 0.2,
-      cutOffAngle: 0.6,
-    },
-  ],
+  lights: [lamp],
 };
 
 const views: Record<string, () => View> = {
@@ -107,15 +94,7 @@ const views: Record<string, () => View> = {
       optics: { ...plainOptics, opacityFactor: 0.8 },
     };
   },
-  polar: () => {
-    const volume = cloudVolume(1);
-    return {
-      volume,
-      camera: cloudCamera,
-      stepLength: longestDiagonal(volume.grid) / 100,
-      optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 },
-    };
-  },
+  polar: viewOfCloud,
 };
 
 const viewsOf = remember((name: string) => bothWalks(views[name]()));

@@ -10,58 +10,16 @@ import type { GivenAttributes } from '../../../../src/viewer/model/settings.ts';
 import { parseMosaicSize } from '../../../../src/volume/mosaic-size.ts';
 import { readSlices } from '../../../../src/viewer/cuts/read-cuts.ts';
 import * as kinds from '../../../../components/internal/property-kinds.ts';
+import { noAttributes } from '../../../helpers/view-settings.ts';
 import { cloudVolume } from '../../../helpers/polar-cloud.ts';
 
 /** For a megabyte, ms: what grows with the square would take an hour, and a busy machine is not to fail it. */
 const longest = 20_000;
 const megabyte = 2 ** 20;
 
-const given: GivenAttributes = {
-  src: null,
-  stack: null,
-  mosaic: null,
-  slices: null,
-  spacing: null,
-  coordinates: null,
-  elevations: null,
-  range: null,
-  azimuth: null,
-  moment: null,
-  beamModel: null,
-  verticalExaggeration: null,
-  clean: null,
-  time: null,
-  autoplay: null,
-  playSpeed: null,
-  look: null,
-  transferFunction: null,
-  valueWindow: null,
-  referenceLength: null,
-  opacityFactor: null,
-  lightFactor: null,
-  projection: null,
-  shading: null,
-  surfaceValues: null,
-  gradientOpacity: null,
-  transferFunction2d: null,
-  steps: null,
-  maxError: null,
-  targetFps: null,
-  region: null,
-  rings: null,
-  cameraOrbit: null,
-  cameraTarget: null,
-  minCameraOrbit: null,
-  maxCameraOrbit: null,
-  interpolationDecay: null,
-  fieldOfView: null,
-  interaction: null,
-  loading: null,
-};
-
 /** All that is read of one attribute. @returns what was wrong with it, if anything */
 function read(name: keyof GivenAttributes, text: string): VolumeViewError | null {
-  const settings = readSettings({ ...given, [name]: text });
+  const settings = readSettings({ ...noAttributes, [name]: text });
   const { look: appearance, camera, quality, region, rings, time, playSpeed } = settings;
   const wrong = [appearance, camera, quality, region, rings, time, playSpeed].find(({ error }) => error)?.error ?? null;
   if (wrong || !settings.source) return wrong as VolumeViewError | null;
@@ -101,7 +59,7 @@ function within(what: string, run: () => void): void {
 }
 
 describe('attributes of strangers', () => {
-  const names = Object.keys(given) as (keyof GivenAttributes)[];
+  const names = Object.keys(noAttributes) as (keyof GivenAttributes)[];
 
   for (const name of names) {
     it(`${name}: a megabyte is read, and not by the square`, () => {

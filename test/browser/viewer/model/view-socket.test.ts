@@ -5,27 +5,14 @@ import { ErrorState } from '../../../../src/viewer/model/error-state.ts';
 import type { Scene, View } from '../../../../src/viewer/model/scene.ts';
 import { socketOf, standIn, ViewSocket } from '../../../../src/viewer/model/view-socket.ts';
 import type { ViewPart } from '../../../../src/viewer/model/view-socket.ts';
-import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
 import type { ShownSurface } from '../../../../src/renderer/layers/shown-surfaces.ts';
 import { VolumePresenter } from '../../../../src/viewer/view/volume-presenter.ts';
 import type { PresenterHost } from '../../../../src/viewer/view/volume-presenter.ts';
 import { Viewer } from '../../../../src/viewer/view/viewer.ts';
 import { fakeOf, fakePlace } from '../../../helpers/fake.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';
+import { greyOptics as optics } from '../../../helpers/view-settings.ts';
 
-const optics: VolumeOptics = {
-  window: [0, 1],
-  projection: null,
-  shading: 'unlit',
-  surfaces: null,
-  transferFunction: [
-    { value: 0, color: [0, 0, 0], opacity: 0 },
-    { value: 1, color: [1, 1, 1], opacity: 1 },
-  ],
-  referenceLength: 1,
-  opacityFactor: 1,
-  lightFactor: 1,
-};
 const volume = syntheticVolume({ dimensions: [8, 8, 8] });
 const wait = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 

@@ -5,24 +5,11 @@ import type { AuthorCamera, Scene } from '../../../../src/viewer/model/scene.ts'
 import { SourceLoader } from '../../../../src/viewer/session/source-loader.ts';
 import type { LoaderHost, LoaderParts } from '../../../../src/viewer/session/source-loader.ts';
 import { Viewer } from '../../../../src/viewer/view/viewer.ts';
-import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
 import type { Volume } from '../../../../src/volume/volume.ts';
 import { fakeOf, fakePlace, fakeScene } from '../../../helpers/fake.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';
+import { greyOptics as optics } from '../../../helpers/view-settings.ts';
 
-const optics: VolumeOptics = {
-  window: [0, 1],
-  projection: null,
-  shading: 'unlit',
-  surfaces: null,
-  transferFunction: [
-    { value: 0, color: [0, 0, 0], opacity: 0 },
-    { value: 1, color: [1, 1, 1], opacity: 1 },
-  ],
-  referenceLength: 1,
-  opacityFactor: 1,
-  lightFactor: 1,
-};
 const coarse: Volume = { ...syntheticVolume({ dimensions: [4, 4, 4] }), coarse: true };
 const whole = syntheticVolume({ dimensions: [8, 8, 8] });
 

@@ -6,26 +6,13 @@ import type { RayStyle } from '../../../../src/optics/rays/ray-style.ts';
 import type { FramePlan } from '../../../../src/viewer/model/frame-plan.ts';
 import type { RenderStats } from '../../../../src/viewer/model/render-stats.ts';
 import type { Scene, SceneFactory } from '../../../../src/viewer/model/scene.ts';
-import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
 import { noCuts } from '../../../../src/viewer/cuts/cuts.ts';
 import { Viewer } from '../../../../src/viewer/view/viewer.ts';
 import type { Volume } from '../../../../src/volume/volume.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';
+import { greyOptics as optics } from '../../../helpers/view-settings.ts';
 
 const volume = syntheticVolume({ dimensions: [8, 8, 8] });
-const optics: VolumeOptics = {
-  window: [0, 1],
-  projection: null,
-  shading: 'unlit',
-  surfaces: null,
-  transferFunction: [
-    { value: 0, color: [0, 0, 0], opacity: 0 },
-    { value: 1, color: [1, 1, 1], opacity: 1 },
-  ],
-  referenceLength: 1,
-  opacityFactor: 1,
-  lightFactor: 1,
-};
 
 /** A scene without a picture, which counts what it is told. */
 class FakeScene {

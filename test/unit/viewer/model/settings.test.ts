@@ -4,51 +4,10 @@ import { ErrorState } from '../../../../src/viewer/model/error-state.ts';
 import type { Aspect } from '../../../../src/viewer/model/error-state.ts';
 import { isSameReading, readSettings } from '../../../../src/viewer/model/settings.ts';
 import { readSource } from '../../../../src/viewer/loading/read-source.ts';
+import { noAttributes } from '../../../helpers/view-settings.ts';
 import type { GivenAttributes, Reading, Settings } from '../../../../src/viewer/model/settings.ts';
 
-const nothing: GivenAttributes = {
-  src: null,
-  stack: null,
-  mosaic: null,
-  slices: null,
-  spacing: null,
-  coordinates: null,
-  elevations: null,
-  range: null,
-  azimuth: null,
-  moment: null,
-  beamModel: null,
-  verticalExaggeration: null,
-  clean: null,
-  time: null,
-  autoplay: null,
-  playSpeed: null,
-  look: null,
-  transferFunction: null,
-  valueWindow: null,
-  referenceLength: null,
-  opacityFactor: null,
-  lightFactor: null,
-  projection: null,
-  shading: null,
-  surfaceValues: null,
-  gradientOpacity: null,
-  transferFunction2d: null,
-  steps: null,
-  maxError: null,
-  targetFps: null,
-  region: null,
-  rings: null,
-  cameraOrbit: null,
-  cameraTarget: null,
-  minCameraOrbit: null,
-  maxCameraOrbit: null,
-  interpolationDecay: null,
-  fieldOfView: null,
-  interaction: null,
-  loading: null,
-};
-const read = (given: Partial<GivenAttributes>): Settings => readSettings({ ...nothing, ...given });
+const read = (given: Partial<GivenAttributes>): Settings => readSettings({ ...noAttributes, ...given });
 
 type Part = { [K in keyof Settings]: Settings[K] extends Reading<unknown> ? K : never }[keyof Settings];
 

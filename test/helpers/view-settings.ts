@@ -1,0 +1,61 @@
+import type { GivenAttributes } from '../../src/viewer/model/settings.ts';
+import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
+
+/** A view whose tag has no attribute. */
+export const noAttributes: GivenAttributes = {
+  src: null,
+  stack: null,
+  mosaic: null,
+  slices: null,
+  spacing: null,
+  coordinates: null,
+  elevations: null,
+  range: null,
+  azimuth: null,
+  moment: null,
+  beamModel: null,
+  verticalExaggeration: null,
+  clean: null,
+  time: null,
+  autoplay: null,
+  playSpeed: null,
+  look: null,
+  transferFunction: null,
+  valueWindow: null,
+  referenceLength: null,
+  opacityFactor: null,
+  lightFactor: null,
+  projection: null,
+  shading: null,
+  surfaceValues: null,
+  gradientOpacity: null,
+  transferFunction2d: null,
+  steps: null,
+  maxError: null,
+  targetFps: null,
+  region: null,
+  rings: null,
+  cameraOrbit: null,
+  cameraTarget: null,
+  minCameraOrbit: null,
+  maxCameraOrbit: null,
+  interpolationDecay: null,
+  fieldOfView: null,
+  interaction: null,
+  loading: null,
+};
+
+/** From black to white, without light. */
+export const greyOptics: VolumeOptics = {
+  window: [0, 1],
+  projection: null,
+  shading: 'unlit',
+  surfaces: null,
+  transferFunction: [
+    { value: 0, color: [0, 0, 0], opacity: 0 },
+    { value: 1, color: [1, 1, 1], opacity: 1 },
+  ],
+  referenceLength: 1,
+  opacityFactor: 1,
+  lightFactor: 1,
+};
