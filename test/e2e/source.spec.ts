@@ -1,4 +1,5 @@
 // Another src: what is fetched, what is shown meanwhile, what ends.
+import type { Page } from '@playwright/test';
 import { files } from './helpers/data.ts';
 import { plain } from './helpers/green-shape.ts';
 import {
@@ -153,5 +154,27 @@ test.describe('another src', () => {
     await settle(page);
     expectSamePicture(await takePicture(page), drawReference({ volume: ball }));
     server.close();
+  });
+});
+
+test.describe('while the file is on its way', () => {
+  /** Open a view whose file never comes whole, and list the requests for the code of light. */
+  const requestsOf = async (page: Page, attributes: string): Promise<string[]> => {
+    const server = await serveSlowly(files['field.nii'], 0.5);
+    const urls: string[] = [];
+    page.on('request', (request) => urls.push(new URL(request.url()).pathname));
+    await open(page, `<volume-view src="${server.url}" ${attributes} alt="A field"></volume-view>`);
+    await page.waitForFunction(() => window.__seen.some(({ detail }) => (detail as { loaded: number }).loaded > 0));
+    await expect.poll(() => urls.some((url) => url.includes('/x3dom'))).toBe(true);
+    server.close();
+    return urls.filter((url) => /\/chunks\/(styles|light)-/.test(url));
+  };
+
+  newPageTest('the code for light loads too, where the scan may be lit', async ({ page }) => {
+    expect(await requestsOf(page, '')).toHaveLength(2);
+  });
+
+  newPageTest('it does not where the author wants another picture', async ({ page }) => {
+    expect(await requestsOf(page, 'projection="max"')).toEqual([]);
   });
 });

@@ -26,13 +26,21 @@ export function litLook(kind: keyof typeof litFactors): Pick<AppearanceSettings,
   return { opacityFactor: litFactors[kind], shading: 'lit' };
 }
 
+/** Whether the settings leave the appearance open. */
+function isOpen(said: AppearanceSettings): boolean {
+  const { window: _window, referenceLength: _length, lightFactor: _light, ...rest } = said;
+  return Object.values(rest).every((value) => value === null);
+}
+
+/** Whether a volume with these settings is lit, or is if it is a scan of matter. */
+export const mayBeLit = (said: AppearanceSettings): boolean => said.shading === 'lit' || isOpen(said);
+
 /**
  * The author's settings; where they leave the appearance open, completed by that of a lit scan. Window and reference length don't
  * decide it: people change the window while they look.
  */
 export function withDefaultLook(said: AppearanceSettings, volume: ScanModel): AppearanceSettings {
-  const { window: _window, referenceLength: _length, lightFactor: _light, ...rest } = said;
-  const kind = Object.values(rest).every((value) => value === null) && scanKindOf(volume);
+  const kind = isOpen(said) && scanKindOf(volume);
   return kind ? { ...said, ...litLook(kind) } : said;
 }
 

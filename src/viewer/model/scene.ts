@@ -174,6 +174,6 @@ export interface SceneFactory {
    * @throws {VolumeViewError} `x3dom/unavailable`, `webgl/unavailable` or `webgl/unsupported`
    */
   create(host: Element, container: Element, needsFrame: () => void): Promise<Scene>;
-  /** Start to load what scenes need; a failure is reported when the part is needed. @param isRadar - whether to load what radars need */
-  warmUp(isRadar?: boolean): void;
+  /** Start to load what scenes need; a failure is reported when the part is needed. @param kind - of the picture; only if it is known */
+  warmUp(kind?: 'lit' | 'radar'): void;
 }

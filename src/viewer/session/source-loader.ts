@@ -9,6 +9,7 @@ import { probeDevice } from '../../renderer/probes/probe-device.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ErrorState } from '../model/error-state.ts';
+import { mayBeLit } from '../appearance/default-look.ts';
 import { loads } from '../loading/load-queue.ts';
 import { openSource } from '../loading/open-source.ts';
 import type { Source, SourceRequest } from '../loading/open-source.ts';
@@ -117,7 +118,8 @@ export class SourceLoader {
       this.#putOff = () => this.load();
       return;
     }
-    this.host.scenes.warmUp(); // This code loads at the same time as the data.
+    const look = this.host.settings.look.value;
+    this.host.scenes.warmUp(look && mayBeLit(look) ? 'lit' : undefined); // This code loads at the same time as the data.
     this.#readTime();
     this.#begin((wanted, signal, onProgress) => {
       this.#setProgress({ loaded: 0, total: 0, phase: 'fetch' });
@@ -270,7 +272,7 @@ export class SourceLoader {
         onCoarse: (coarse) =>
           coarse
             ? void (this.#standIn = this.parts.presenter.showCoarse(coarse, signal))
-            : this.host.scenes.warmUp(true),
+            : this.host.scenes.warmUp('radar'),
       },
     );
   }
