@@ -477,6 +477,35 @@ async function photographStormLesson(page) {
 }
 
 /**
+ * A step of a lesson: its picture on paper, or the card of its page.
+ * @param {import('@playwright/test').Page} page
+ * @param {string} lesson - name of its page
+ * @param {number} step - from 1
+ * @param {'print' | 'card'} use - on white, or on the dark ground of the cards
+ */
+async function photographStep(page, lesson, step, use) {
+  await page.setViewportSize(use === 'card' ? { width: 640, height: 480 } : { width: 480, height: 360 });
+  await page.goto(new URL(`/demos/${lesson}.html`, page.url()).href);
+  const ground = use === 'card' ? '#0f1217' : '#fff';
+  await page.addStyleTag({
+    content: `body { margin: 0 } volume-view { position: fixed !important; inset: 0 !important; z-index: 9 !important; inline-size: 100vw !important; block-size: 100vh !important; max-block-size: none !important; border-radius: 0 !important; background: ${ground} !important }`,
+  });
+  await page.evaluate(
+    (to) =>
+      customElements.whenDefined('volume-tour').then(() => {
+        const tour = /** @type {HTMLElementTagNameMap['volume-tour']} */ (document.querySelector('volume-tour'));
+        [tour.duration, tour.step] = [0, to];
+      }),
+    step,
+  );
+  for (let i = 0; i < 2; i++) {
+    await page.waitForTimeout(1500); // The labels and the marks come after the volume.
+    await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
+  }
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
  * The card of the page with two volumes under a divider.
  * @param {import('@playwright/test').Page} page
  */
@@ -534,6 +563,12 @@ const photographFor = (guide) => [
   { file: `docs/images/${guide.file}.webp`, size: guide.size, parts: [] },
   (one) => photographGuide(one, guide),
 ];
+/** @type {(lesson: string, count: number) => [Picture, Photographer][]} */
+const postersOf = (lesson, count) =>
+  Array.from({ length: count }, (_, i) => [
+    { file: `demos/images/${lesson}-${i + 1}.webp`, size: [480, 360], parts: [] },
+    (one) => photographStep(one, lesson, i + 1, 'print'),
+  ]);
 /** @type {Map<Picture, Photographer>} */
 const photographs = new Map([
   [card('companions', []), photographCompanions],
@@ -544,6 +579,8 @@ const photographs = new Map([
   [card('storm-lesson', []), photographStormLesson],
   [card('compare', []), photographCompare],
   ...guidePictures.map(photographFor),
+  [card('brain-lesson', []), (one) => photographStep(one, 'brain-lesson', 6, 'card')],
+  ...postersOf('brain-lesson', 7),
 ]);
 pictures.push(...photographs.keys());
 for (const picture of pictures) {

@@ -1,6 +1,7 @@
 // The pages of the demos, with the built package in the place of their sources, and small pictures.
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
+import type { Page } from '@playwright/test';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { findFaults } from './helpers/axe.ts';
 import { openDemo } from './helpers/demo.ts';
@@ -51,59 +52,149 @@ test.describe('on a phone', () => {
   }
 });
 
-test('the lesson on a storm can be answered: its numbers are those of the picture', async ({ page }) => {
-  await openDemo(page, 'storm-lesson.html', 'volume-view { inline-size: 240px !important }');
-  const step = async (number: number): Promise<void> => {
-    await page.locator('volume-tour').evaluate((tour, to) => tour.setAttribute('step', `${to}`), number);
-    await settle(page, '#storm');
-  };
+/** Open a lesson with small pictures. @param id - of its view */
+async function openLesson(page: Page, name: string, id: string) {
+  await openDemo(page, name, 'volume-view { inline-size: 240px !important }');
+  await settle(page, id);
+  /** For each question in the order of the page: whether the last answer is right, undefined before there is one. */
   const results = () =>
     page
       .locator('volume-question')
       .evaluateAll((all) =>
         all.map((one) => (one as HTMLElement & { result: { correct: boolean } | null }).result?.correct),
       );
-  await settle(page, '#storm');
-  await page.getByRole('radiogroup').getByText('Heavy rain, or hail').click();
-  await page.locator('#strength').getByRole('button', { name: 'Answer' }).click();
-  await expect.poll(results).toEqual([true, undefined, undefined, undefined]);
+  return {
+    async go(number: number): Promise<void> {
+      await page.locator('volume-tour').evaluate((tour, to) => tour.setAttribute('step', `${to}`), number);
+      await settle(page, id);
+      await page.locator(id).scrollIntoViewIfNeeded();
+    },
+    /** Until as many questions as this are answered, and all of them right. */
+    async expectRight(count: number): Promise<void> {
+      await expect.poll(async () => (await results()).slice(0, count)).toEqual(Array(count).fill(true));
+      expect((await results()).slice(count)).toEqual(Array((await results()).length - count).fill(undefined));
+    },
+    async choose(question: string, text: string): Promise<void> {
+      await page.locator(question).getByRole('radiogroup').getByText(text).click();
+      await page.locator(question).getByRole('button', { name: 'Answer' }).click();
+    },
+    async write(question: string, text: string): Promise<void> {
+      await page.locator(question).getByRole('textbox').fill(text);
+      await page.locator(question).getByRole('button', { name: 'Answer' }).click();
+    },
+    /** What is seen at points all over the picture. */
+    seen(): Promise<Seen[]> {
+      return page.locator(id).evaluate(async (view) => {
+        const { left, top, width, height } = view.getBoundingClientRect();
+        const { positionFromPoint } = view as unknown as {
+          positionFromPoint(x: number, y: number): Promise<Omit<Seen, 'at'> | null>;
+        };
+        const all: Seen[] = [];
+        for (let i = 0.06; i < 0.95; i += 0.04)
+          for (let j = 0.06; j < 0.95; j += 0.04) {
+            const at = [left + i * width, top + j * height] as [number, number];
+            const found = await positionFromPoint.call(view, ...at);
+            if (found) all.push({ ...found, at });
+          }
+        return all;
+      });
+    },
+    /** The value at the pin of a question. */
+    valueAtPin(): Promise<number> {
+      return page.locator(id).evaluate(async (view) => {
+        const pin = view.shadowRoot!.querySelector('[part~="note-pin"]')!.getBoundingClientRect();
+        const { positionFromPoint } = view as unknown as {
+          positionFromPoint(x: number, y: number): Promise<Seen | null>;
+        };
+        return (await positionFromPoint.call(view, pin.x + pin.width / 2, pin.y + pin.height / 2))!.value;
+      });
+    },
+  };
+}
 
-  await step(2);
-  const value = await page.locator('#storm').evaluate(async (view) => {
-    const pin = view.shadowRoot!.querySelector('[part~="note-pin"]')!.getBoundingClientRect();
-    const { positionFromPoint } = view as unknown as {
-      positionFromPoint(x: number, y: number): Promise<{ value: number } | null>;
-    };
-    return (await positionFromPoint.call(view, pin.x + pin.width / 2, pin.y + pin.height / 2))!.value;
+/** A point of the page, and what is there. */
+interface Seen {
+  readonly at: readonly [x: number, y: number];
+  readonly position: readonly [number, number, number];
+  readonly value: number;
+  readonly label?: string;
+}
+
+/** The one with the largest number. */
+const first = <T>(all: readonly T[], numberOf: (one: T) => number): T =>
+  all.reduce((best, one) => (numberOf(one) > numberOf(best) ? one : best));
+
+test('the lesson on a brain can be answered: what it asks for is in the picture', async ({ page }) => {
+  const lesson = await openLesson(page, 'brain-lesson.html', '#brain');
+  // From the front: what is on the left of the picture is on the side of positive x, the right of the body.
+  const left = first(await lesson.seen(), ({ at: [x] }) => -x);
+  expect(left.position[0]).toBeGreaterThan(20);
+  await lesson.choose('#left', 'The right half');
+  await lesson.expectRight(1);
+
+  await lesson.go(2);
+  // White matter of this template has values around 215, grey matter around 150.
+  await expect.poll(() => lesson.valueAtPin()).toBeGreaterThan(195);
+  await lesson.write('#matter', 'White matter');
+  await lesson.expectRight(2);
+
+  await lesson.go(3);
+  // The hint: below the back of the large brain. In this picture that is the corner at the right, below.
+  await page.mouse.click(...first(await lesson.seen(), ({ at: [x, y] }) => x + y).at);
+  await lesson.expectRight(3);
+
+  await lesson.go(4);
+  // Of the motor cortex on the right of the picture, the middle between its ends.
+  const middle = await page.locator('#brain').evaluate((view) => {
+    const { x, width } = view.getBoundingClientRect();
+    return x + width / 2;
   });
-  await page.locator('#value').getByRole('textbox').fill(value.toFixed(1));
-  await page.locator('#value').getByRole('button', { name: 'Answer' }).click();
-  await expect.poll(results).toEqual([true, true, undefined, undefined]);
+  const motor = (await lesson.seen()).filter(({ at: [x], label }) => label === '4' && x > middle);
+  const sides = motor.map(({ at: [x] }) => x);
+  const half = (Math.min(...sides) + Math.max(...sides)) / 2;
+  expect(motor.every(({ position: [x] }) => x < 0)).toBe(true);
+  await page.mouse.click(...first(motor, ({ at: [x] }) => -Math.abs(x - half)).at);
+  await lesson.expectRight(4);
 
-  await step(3);
-  await page.locator('#storm').scrollIntoViewIfNeeded();
+  await lesson.go(5);
+  const areas = (await lesson.seen()).filter(({ label }) => ['17', '18', '19'].includes(label ?? ''));
+  const of = (label: string): Seen[] => areas.filter((one) => one.label === label);
+  expect(Math.min(of('17').length, of('18').length, of('19').length)).toBeGreaterThan(2);
+  const heart = of('17').map(({ at }) => at[1]);
+  const around = [...of('18'), ...of('19')].map(({ at }) => at[1]);
+  expect(Math.min(...around)).toBeLessThan(Math.min(...heart)); // Area 17 is inside the others, as its hint says.
+  expect(Math.max(...around)).toBeGreaterThanOrEqual(Math.max(...heart));
+  await page.mouse.click(...of('17')[Math.floor(heart.length / 2)].at);
+  await lesson.expectRight(5);
+
+  await lesson.go(6);
+  const pin = (await page.locator('#brain').locator('[part~="note-pin"]').boundingBox())!;
+  const place = [pin.x + pin.width / 2, pin.y + pin.height / 2];
+  const nearest = first(await lesson.seen(), ({ at: [x, y] }) => -Math.hypot(x - place[0], y - place[1]));
+  expect(['44', '45']).toContain(nearest.label); // Broca's area
+  expect(nearest.position[0]).toBeLessThan(0); // on the left
+  await lesson.write('#speech', 'Broca’s area');
+  await lesson.expectRight(6);
+  await expect(page.locator('#speech').locator('[part=score]')).toContainText('6 of 6');
+});
+
+test('the lesson on a storm can be answered: its numbers are those of the picture', async ({ page }) => {
+  const lesson = await openLesson(page, 'storm-lesson.html', '#storm');
+  await lesson.choose('#strength', 'Heavy rain, or hail');
+  await lesson.expectRight(1);
+
+  await lesson.go(2);
+  await lesson.write('#value', (await lesson.valueAtPin()).toFixed(1));
+  await lesson.expectRight(2);
+
+  await lesson.go(3);
   // The place of the strongest echo among points of the picture: what a reader is asked to look for.
-  const [x, y] = await page.locator('#storm').evaluate(async (view) => {
-    const { left, top, width, height } = view.getBoundingClientRect();
-    const { positionFromPoint } = view as unknown as {
-      positionFromPoint(x: number, y: number): Promise<{ value: number } | null>;
-    };
-    let [best, strongest] = [[left, top] as [number, number], -Infinity];
-    for (let i = 0.1; i < 0.95; i += 0.05)
-      for (let j = 0.1; j < 0.95; j += 0.05) {
-        const at = [left + i * width, top + j * height] as [number, number];
-        const found = await positionFromPoint.call(view, ...at);
-        if (found && found.value > strongest) [best, strongest] = [at, found.value];
-      }
-    return best;
-  });
-  await page.mouse.click(x, y);
-  await expect.poll(results).toEqual([true, true, true, undefined]);
+  await page.mouse.click(...first(await lesson.seen(), ({ value }) => value).at);
+  await lesson.expectRight(3);
 
-  await step(4);
-  await page.locator('#name').getByRole('textbox').fill('Anvil');
-  await page.locator('#name').getByRole('button', { name: 'Answer' }).click();
-  await expect.poll(results).toEqual([true, true, true, true]);
+  await lesson.go(4);
+  await lesson.write('#name', 'Anvil');
+  await lesson.expectRight(4);
   await expect(page.locator('#name').locator('[part=score]')).toContainText('4 of 4');
 });
 
