@@ -60,6 +60,11 @@ export class VolumeStep extends ReflectingElement {
         break-inside: avoid;
       }
 
+      /* What follows the open step has nothing to show of a closed one. */
+      .step[hidden] ::slotted(:is(volume-slice-view, volume-readout, volume-label-list, volume-timeline)) {
+        display: none;
+      }
+
       :host {
         margin-block-end: 1em;
       }

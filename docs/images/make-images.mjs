@@ -581,6 +581,7 @@ const photographs = new Map([
   ...guidePictures.map(photographFor),
   [card('brain-lesson', []), (one) => photographStep(one, 'brain-lesson', 6, 'card')],
   ...postersOf('brain-lesson', 7),
+  ...postersOf('storm-lesson', 4),
 ]);
 pictures.push(...photographs.keys());
 for (const picture of pictures) {
