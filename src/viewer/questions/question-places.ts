@@ -11,7 +11,7 @@ import { Aim } from '../picking/aim.ts';
 import type { AimedView, AimOwner } from '../picking/aim.ts';
 import type { Answering } from './answering.ts';
 import type { Question, Response } from './question.ts';
-import { QuestionMark } from './question-mark.ts';
+import { PlaceMark } from '../notes/place-mark.ts';
 
 /** The sentences that it uses. */
 export interface PlaceLocale {
@@ -34,8 +34,8 @@ export interface PlaceListeners {
 export class QuestionPlaces implements AimOwner {
   /** Where the place of the question is, as `position` has it; null where it is not known. */
   place: Vector3 | null = null;
-  readonly #asked: QuestionMark;
-  readonly #given: QuestionMark;
+  readonly #asked: PlaceMark;
+  readonly #given: PlaceMark;
   #question: Question | null = null;
   #view: AimedView | null = null;
   #aim: Aim | null = null;
@@ -47,8 +47,8 @@ export class QuestionPlaces implements AimOwner {
     readonly listeners: PlaceListeners,
   ) {
     const messages = (): NoteMessages => locale.messages;
-    this.#asked = new QuestionMark(element, messages, listeners.pressed);
-    this.#given = new QuestionMark(element, messages, () => {});
+    this.#asked = new PlaceMark(element, messages, listeners.pressed);
+    this.#given = new PlaceMark(element, messages, () => {});
   }
 
   /** False in a closed step. */

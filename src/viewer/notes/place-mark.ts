@@ -1,8 +1,8 @@
-// A place that a question marks in the picture: a pin with a name, as a note has.
+// A place that is marked in the picture, by a question or for an author: a pin with a name, as a note has.
 import type { NoteMessages } from '../../messages/note-messages.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import { NoteLayer } from '../notes/note-layer.ts';
-import type { NoteOwner } from '../notes/note-mark.ts';
+import { NoteLayer } from './note-layer.ts';
+import type { NoteOwner } from './note-mark.ts';
 
 /** What a mark shows. */
 export interface MarkedPlace {
@@ -12,7 +12,7 @@ export interface MarkedPlace {
 }
 
 /** The mark is there while `show` was called last with a place. */
-export class QuestionMark implements NoteOwner {
+export class PlaceMark implements NoteOwner {
   readonly hide = 'never';
   readonly isOpen = false;
   readonly hasText = false;
@@ -50,14 +50,14 @@ export class QuestionMark implements NoteOwner {
   }
 
   pointed(): void {
-    // The text of the question stays as it is.
+    // What it belongs to stays as it is.
   }
 
   seen(): void {
-    // Where it is seen, or not, is the reader's task.
+    // It is never hidden.
   }
 
   numbered(): void {
-    // A question has no number.
+    // Nothing else shows its number.
   }
 }
