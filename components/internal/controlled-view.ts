@@ -1,10 +1,12 @@
 import type { LitElement } from 'lit';
+import type { AimedView } from '../../src/viewer/picking/aim.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { CameraState } from '../../src/viewer/view/write-camera.ts';
 
 /** What the controls need from the element that they are drawn over. */
-export interface ControlledView extends LitElement {
+export interface ControlledView extends LitElement, AimedView {
+  readonly authoring: boolean;
   readonly controls: boolean;
   readonly autoRotate: boolean;
   readonly orientationMarker: boolean;

@@ -158,6 +158,12 @@ export class PictureAttributes extends ViewAttributes {
   @property({ kind: flag }) pickable!: boolean;
 
   /**
+   * For the author of a page, while it is written: a click, a tap or the crosshair of keys chooses a place, and a panel over the picture has
+   * the tag of a `<volume-note>` there, to copy into the page.
+   */
+  @property({ kind: flag }) authoring!: boolean;
+
+  /**
    * Checks each picture at rest: some of its rays are computed on the CPU too, in 64 bits. If the GPU draws something different, an `error`
    * with the code `webgl/inaccurate` is fired; `picture-check` fires in any case.
    */

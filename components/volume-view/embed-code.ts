@@ -4,7 +4,17 @@ import type { ControlledView } from '../internal/controlled-view.ts';
 import { findCompanion } from '../internal/find-companion.ts';
 
 /** Attributes that are not written to the address of the iframe: they are for scripts, or for the page around. */
-const left = new Set(['crosshair', 'cursor', 'height', 'link-state', 'pickable', 'poster', 'width', 'loading']);
+const left = new Set([
+  'authoring',
+  'crosshair',
+  'cursor',
+  'height',
+  'link-state',
+  'pickable',
+  'poster',
+  'width',
+  'loading',
+]);
 
 /** Gap between the parts of the iframe, CSS pixels. */
 const gap = 16;

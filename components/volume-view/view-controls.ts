@@ -8,6 +8,7 @@ import type { ControlMessages } from '../../src/messages/messages.ts';
 import { LocaleController } from '../../src/messages/locale-controller.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { readControls } from '../../src/viewer/model/settings.ts';
+import { LazyPart } from '../internal/lazy-part.ts';
 import { findCompanion } from '../internal/find-companion.ts';
 import type * as MarkerPart from './orientation-marker.ts';
 import { renderBar, renderCopied, renderHelp, renderHint, renderMore, renderViews } from './view-controls-parts.ts';
@@ -32,8 +33,8 @@ const longestSource = 8000;
 let isHintNeeded = true;
 
 /**
- * The controls over a picture. The element draws them as a part of itself. The code is loaded when an element has `controls`, or one of two
- * attributes that need a part of them: `auto-rotate`, which a person has to be able to stop, or `orientation-marker`.
+ * The controls over a picture. The element draws them as a part of itself. The code is loaded when an element has `controls`, or one of the
+ * attributes that need a part of them: `auto-rotate`, which a person has to be able to stop, `orientation-marker`, or `authoring`.
  */
 export class ViewControls {
   readonly #locale: LocaleController<ControlMessages>;
@@ -42,6 +43,7 @@ export class ViewControls {
   /** The contents of the open panel: a sentence, and a text that a person may copy by hand. */
   #message = { sentence: '', text: '' };
   #marker: typeof MarkerPart | null = null;
+  readonly #authoring: LazyPart;
 
   /** @param hand - the viewer whose camera the buttons move; null while there is no picture */
   constructor(
@@ -49,6 +51,8 @@ export class ViewControls {
     readonly hand: () => Pick<Viewer, 'resetCamera' | 'turnTo' | 'invalidate' | 'rig'> | null,
   ) {
     this.#locale = new LocaleController(view, english);
+    this.#authoring = new LazyPart(view, async () => new (await import('./view-authoring.ts')).ViewAuthoring(view));
+    view.addController(this);
     const root = view.renderRoot as ShadowRoot;
     root.adoptedStyleSheets = [...root.adoptedStyleSheets, ...sheets];
     const { signal } = this.#abort;
@@ -69,13 +73,19 @@ export class ViewControls {
   /** Called when the attribute has been removed. */
   dispose(): void {
     this.#abort.abort();
+    this.#authoring.follow(false);
+    this.view.removeController(this);
     const root = this.view.renderRoot as ShadowRoot;
     root.adoptedStyleSheets = root.adoptedStyleSheets.filter((sheet) => !sheets.includes(sheet));
     this.view.removeController(this.#locale);
   }
 
+  hostUpdated(): void {
+    this.#authoring.follow(this.view.authoring);
+  }
+
   render(): unknown {
-    return html`${this.#renderMarker()}${this.view.controls || (this.view.autoRotate && this.#has('rotate')) ? this.#renderControls() : nothing}`;
+    return html`${this.#renderMarker()}${this.#authoring.render()}${this.view.controls || (this.view.autoRotate && this.#has('rotate')) ? this.#renderControls() : nothing}`;
   }
 
   #renderMarker(): unknown {

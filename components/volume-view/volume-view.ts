@@ -38,6 +38,7 @@ import { keepScenesFromX3dom } from '../../src/x3d/own-scenes.ts';
  * @csspart control - each button of the controls
  * @csspart marker - the box around the letters of `orientation-marker`
  * @csspart marker-side - each letter
+ * @csspart authoring - the panel of `authoring`
  * @csspart blank - the text over a picture at rest in which nothing is visible
  * @csspart notice-sign - the sign that a part of a file is not in the picture, or is shown differently
  * @csspart notice-text - its text, shown when the sign is pointed at, has the focus or is pressed
@@ -145,7 +146,7 @@ export class VolumeView extends VolumeViewMembers {
     this.#states.set('loading', loader.progress !== null && !errors.first);
     this.#states.set('error', errors.first !== null);
     this.#states.set('playing', !playback.paused);
-    this.#controls.follow(this.controls || this.autoRotate || this.orientationMarker);
+    this.#controls.follow(this.controls || this.autoRotate || this.orientationMarker || this.authoring);
     this.#notices.follow(presenter.hasNotices);
     if (changed.size === 0) return; // The update shows a change in the session; no attribute has changed.
     this._tag ??= this.getView();

@@ -1,4 +1,5 @@
 import type { ErrorCode } from '../core/errors.ts';
+import type { AuthoringMessages } from './authoring-messages.ts';
 import type { BlankMessages } from './blank-messages.ts';
 import type { ClipMessages } from './clip-messages.ts';
 import type { CompareMessages } from './compare-messages.ts';
@@ -44,6 +45,7 @@ export type Messages = ViewMessages &
   LabelMessages &
   MeasureMessages &
   NoteMessages &
+  AuthoringMessages &
   NoticeMessages &
   PlaneMessages &
   QuestionMessages &

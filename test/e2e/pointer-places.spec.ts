@@ -482,6 +482,7 @@ const placeless: Readonly<Record<string, string>> = {
   'components/volume-transfer-function/volume-transfer-function.ts': 'hands its events to stop-input.ts',
   'components/volume-view/volume-view-parts.ts': 'a button',
   'components/volume-view/view-controls-parts.ts': 'buttons',
+  'components/volume-view/view-authoring.ts': 'buttons, and whether a finger has pressed',
   'components/volume-label-list/volume-label-list.ts': 'buttons',
   'components/volume-note/volume-note.ts': 'a button, and whether the mouse is over the text',
   'src/viewer/notes/note-layer.ts':

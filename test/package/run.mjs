@@ -331,7 +331,7 @@ await check(
       .map(({ name }) => name);
     assert.deepEqual(
       new Set(others),
-      new Set(['crosshair', 'cursor', 'height', 'link-state', 'pickable', 'poster', 'width']),
+      new Set(['authoring', 'crosshair', 'cursor', 'height', 'link-state', 'pickable', 'poster', 'width']),
     );
   },
 );

@@ -246,6 +246,22 @@ export const messages: Messages = {
   questionYours: 'إجابتك',
   questionSolutionPlace: 'الموضع الصحيح',
 
+  authoring: 'مكان ملاحظة',
+  authoringClick: 'انقر مكان الملاحظة في الصورة',
+  authoringCrosshair: 'علامة التصويب',
+  authoringKeys: 'تحرّك مفاتيح الأسهم علامة التصويب، ومع Shift لمسافة أبعد. يأخذ مفتاح Enter المكان، وينهي مفتاح Esc.',
+  authoringUnder: (position, value) => `المكان ${position}، القيمة ${value}`,
+  authoringNothing: 'لا يُرى شيء هناك',
+  authoringPlaced: (position) => `المكان: ${position}`,
+  authoringSlices: 'علامة تصويب المقاطع',
+  authoringName: 'الاسم',
+  authoringMiddle: (label) => `في وسط الوسم ${label}`,
+  authoringTag: 'الشيفرة',
+  authoringCopy: 'نسخ',
+  authoringCopied: 'تم النسخ. يوضع النص بين الوسمين.',
+  authoringByHand: 'لا يسمح المتصفح بالنسخ. الشيفرة محددة: انسخها.',
+  authoringRemove: 'إزالة المكان',
+
   compareDivider: 'الفاصل بين الصورتين',
 
   labelList: 'التسميات',

@@ -260,6 +260,23 @@ export const messages: Messages = {
   questionYours: 'Deine Antwort',
   questionSolutionPlace: 'Richtige Stelle',
 
+  authoring: 'Stelle einer Notiz',
+  authoringClick: 'Auf die Stelle einer Notiz im Bild klicken',
+  authoringCrosshair: 'Fadenkreuz',
+  authoringKeys:
+    'Pfeiltasten bewegen das Fadenkreuz, mit Umschalttaste weiter. Eingabe übernimmt die Stelle, Esc beendet.',
+  authoringUnder: (position, value) => `Stelle ${position}, Wert ${value}`,
+  authoringNothing: 'Dort ist nichts zu sehen',
+  authoringPlaced: (position) => `Stelle: ${position}`,
+  authoringSlices: 'Fadenkreuz der Schnitte',
+  authoringName: 'Name',
+  authoringMiddle: (label) => `In der Mitte von Label ${label}`,
+  authoringTag: 'Tag',
+  authoringCopy: 'Kopieren',
+  authoringCopied: 'Kopiert. Der Text kommt zwischen die Tags.',
+  authoringByHand: 'Der Browser erlaubt das Kopieren nicht. Das Tag ist markiert: bitte kopieren.',
+  authoringRemove: 'Stelle entfernen',
+
   compareDivider: 'Trennlinie zwischen den beiden Bildern',
 
   labelList: 'Beschriftungen',

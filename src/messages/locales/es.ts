@@ -248,6 +248,22 @@ export const messages: Messages = {
   questionYours: 'Su respuesta',
   questionSolutionPlace: 'Lugar correcto',
 
+  authoring: 'Lugar de una nota',
+  authoringClick: 'Haga clic en el lugar de una nota en la imagen',
+  authoringCrosshair: 'Retícula',
+  authoringKeys: 'Las flechas mueven la retícula, con Mayús más lejos. Intro toma el lugar, Esc termina.',
+  authoringUnder: (position, value) => `Lugar ${position}, valor ${value}`,
+  authoringNothing: 'Ahí no se ve nada',
+  authoringPlaced: (position) => `Lugar: ${position}`,
+  authoringSlices: 'Retícula de los cortes',
+  authoringName: 'Nombre',
+  authoringMiddle: (label) => `En el centro de la etiqueta ${label}`,
+  authoringTag: 'Código',
+  authoringCopy: 'Copiar',
+  authoringCopied: 'Copiado. El texto va entre las etiquetas.',
+  authoringByHand: 'El navegador no permite copiar. El código está seleccionado: cópielo.',
+  authoringRemove: 'Quitar el lugar',
+
   compareDivider: 'Separador entre las dos imágenes',
 
   labelList: 'Etiquetas',

@@ -249,6 +249,22 @@ export const messages: Messages = {
   questionYours: 'Votre réponse',
   questionSolutionPlace: 'Le bon endroit',
 
+  authoring: 'Emplacement d’une note',
+  authoringClick: 'Cliquer dans l’image sur l’emplacement d’une note',
+  authoringCrosshair: 'Viseur',
+  authoringKeys: 'Les flèches déplacent le viseur, avec Maj plus loin. Entrée prend l’emplacement, Échap termine.',
+  authoringUnder: (position, value) => `Emplacement ${position}, valeur ${value}`,
+  authoringNothing: 'On n’y voit rien',
+  authoringPlaced: (position) => `Emplacement : ${position}`,
+  authoringSlices: 'Viseur des coupes',
+  authoringName: 'Nom',
+  authoringMiddle: (label) => `Au milieu de l’étiquette ${label}`,
+  authoringTag: 'Balise',
+  authoringCopy: 'Copier',
+  authoringCopied: 'Copié. Le texte va entre les balises.',
+  authoringByHand: 'Le navigateur ne permet pas de copier. La balise est sélectionnée : copiez-la.',
+  authoringRemove: 'Retirer l’emplacement',
+
   compareDivider: 'Séparateur entre les deux images',
 
   labelList: 'Étiquettes',

@@ -246,6 +246,22 @@ export const messages: Messages = {
   questionYours: 'あなたの答え',
   questionSolutionPlace: '正しい場所',
 
+  authoring: '注記の位置',
+  authoringClick: '画像の中で注記の位置をクリックしてください',
+  authoringCrosshair: '十字カーソル',
+  authoringKeys: '矢印キーで十字カーソルが動き、Shiftを押すと大きく動きます。Enterで位置を決め、Escで終了します。',
+  authoringUnder: (position, value) => `位置 ${position}、値 ${value}`,
+  authoringNothing: 'そこには何も見えません',
+  authoringPlaced: (position) => `位置: ${position}`,
+  authoringSlices: '断面の十字カーソル',
+  authoringName: '名前',
+  authoringMiddle: (label) => `ラベル ${label} の中央`,
+  authoringTag: 'タグ',
+  authoringCopy: 'コピー',
+  authoringCopied: 'コピーしました。文章はタグの間に書きます。',
+  authoringByHand: 'ブラウザーがコピーを許可していません。タグは選択されています。コピーしてください。',
+  authoringRemove: '位置を消す',
+
   compareDivider: '2 つの画像の境界',
 
   labelList: 'ラベル',

@@ -248,6 +248,22 @@ export const messages: Messages = {
   questionYours: 'Sua resposta',
   questionSolutionPlace: 'Lugar certo',
 
+  authoring: 'Lugar de uma nota',
+  authoringClick: 'Clique no lugar de uma nota na imagem',
+  authoringCrosshair: 'Mira',
+  authoringKeys: 'As setas movem a mira, com Shift mais longe. Enter toma o lugar, Esc termina.',
+  authoringUnder: (position, value) => `Lugar ${position}, valor ${value}`,
+  authoringNothing: 'Nada se vê ali',
+  authoringPlaced: (position) => `Lugar: ${position}`,
+  authoringSlices: 'Mira dos cortes',
+  authoringName: 'Nome',
+  authoringMiddle: (label) => `No meio do rótulo ${label}`,
+  authoringTag: 'Código',
+  authoringCopy: 'Copiar',
+  authoringCopied: 'Copiado. O texto vai entre as tags.',
+  authoringByHand: 'O navegador não permite copiar. O código está selecionado: copie-o.',
+  authoringRemove: 'Remover o lugar',
+
   compareDivider: 'Divisor entre as duas imagens',
 
   labelList: 'Rótulos',

@@ -245,6 +245,22 @@ export const messages: Messages = {
   questionYours: '你的答案',
   questionSolutionPlace: '正确位置',
 
+  authoring: '注释的位置',
+  authoringClick: '请在图像中点击注释的位置',
+  authoringCrosshair: '十字光标',
+  authoringKeys: '方向键移动十字光标，按住 Shift 移动更远。回车键确定位置，Esc 键结束。',
+  authoringUnder: (position, value) => `位置 ${position}，数值 ${value}`,
+  authoringNothing: '那里什么也看不到',
+  authoringPlaced: (position) => `位置：${position}`,
+  authoringSlices: '切片的十字光标',
+  authoringName: '名称',
+  authoringMiddle: (label) => `在标签 ${label} 的中央`,
+  authoringTag: '标记',
+  authoringCopy: '复制',
+  authoringCopied: '已复制。文字写在标记之间。',
+  authoringByHand: '浏览器不允许复制。标记已选中，请自行复制。',
+  authoringRemove: '移除位置',
+
   compareDivider: '两幅图像之间的分隔线',
 
   labelList: '标签',

@@ -161,7 +161,7 @@ export class NoteLayer implements ViewPart {
   /** Bring the marks in line with the notes, in the order of the page. */
   #build(): void {
     const owners = [...this.#owners];
-    owners.sort((a, b) => (a.element.compareDocumentPosition(b.element) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1));
+    owners.sort((a, b) => (isBefore(a.element, b.element) ? -1 : 1));
     const before = this.#marks;
     const known = new Map(before.map((mark) => [mark.owner, mark]));
     this.#marks = owners.map((owner) => known.get(owner) ?? new NoteMark(owner, this.view.ownerDocument));
@@ -447,4 +447,9 @@ export class NoteLayer implements ViewPart {
       mark.owner.toggle(false);
     }
   }
+}
+
+/** The order of the page; a mark of the view itself comes after the notes between its tags. */
+function isBefore(a: Element, b: Element): boolean {
+  return !a.contains(b) && (b.contains(a) || (a.compareDocumentPosition(b) & Node.DOCUMENT_POSITION_FOLLOWING) > 0);
 }

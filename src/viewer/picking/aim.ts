@@ -156,12 +156,12 @@ export class Aim implements ViewPart {
     crosshair.focus({ preventScroll: true });
   }
 
-  /** Who gets a click: the one with the crosshair, else the first one of the page that waits. */
+  /** Who gets a click: the one with the crosshair, else the view itself for its author, else the first one of the page that waits. */
   #findOwner(): AimOwner | null {
     const waiting = [...this.#owners].filter(({ isWaiting }) => isWaiting);
     waiting.sort((a, b) => (a.element.compareDocumentPosition(b.element) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1));
     const [first = null] = waiting;
-    return this.#holder ?? first;
+    return this.#holder ?? waiting.find(({ element }) => element === this.view) ?? first;
   }
 
   #click({ clientX, clientY }: MouseEvent): void {

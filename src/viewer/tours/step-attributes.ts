@@ -43,6 +43,7 @@ export const stepAttributes: readonly string[] = [
 
 /** Attributes of the view that stay the same in all steps: its data, its room in the page, how a person uses it, its quality. */
 export const notInSteps: readonly string[] = [
+  'authoring',
   'azimuth',
   'beam-model',
   'controls',

@@ -76,6 +76,7 @@ const viewRows: Row[] = [
   ['controlslist', 'controlslist', 'nosave', 'nosave'],
   ['linkState', 'link-state', true, ''],
   ['pickable', 'pickable', true, ''],
+  ['authoring', 'authoring', true, ''],
   ['selfCheck', 'self-check', true, ''],
   ['cursor', 'cursor', [1, 2, 3], '1 2 3'],
   ['crosshair', 'crosshair', 'none', 'none'],

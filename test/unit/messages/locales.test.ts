@@ -1,5 +1,6 @@
 // The languages that come with the package: each says all that English says, with all that is put into it.
 import { expect } from '@esm-bundle/chai';
+import { english as authoring } from '../../../src/messages/english-authoring.ts';
 import { english as blank } from '../../../src/messages/english-blank.ts';
 import { english as clip } from '../../../src/messages/english-clip.ts';
 import { english as companions } from '../../../src/messages/english-companions.ts';
@@ -19,6 +20,7 @@ import { english as view } from '../../../src/messages/english-view.ts';
 import { loadLanguage } from '../../../src/messages/load-language.ts';
 
 const english: Record<string, unknown> = {
+  ...authoring,
   ...blank,
   ...clip,
   ...companions,
