@@ -220,6 +220,12 @@ await check("a click picks the same place in an author's shadow root that CSS tu
   }
 });
 
+/** Wait up to 10 s. @returns whether the condition came true */
+async function until(condition) {
+  for (let i = 0; i < 400 && !condition(); i++) await new Promise((resolve) => void setTimeout(resolve, 25));
+  return Boolean(condition());
+}
+
 await check('a note stands where a pick finds its place, opens, and goes', async () => {
   const { world } = await element.pick(60, 45);
   const note = document.createElement('volume-note');
@@ -228,21 +234,138 @@ await check('a note stands where a pick finds its place, opens, and goes', async
   note.append(Object.assign(document.createElement('p'), { textContent: 'What it says' }));
   element.append(note);
   const find = (selector) => element.shadowRoot.querySelector(selector);
-  const wait = async (condition) => {
-    for (let i = 0; i < 200 && !condition(); i++) await new Promise((resolve) => void setTimeout(resolve, 25));
-  };
-  await wait(() => find('.pin:not(.out)'));
+  await until(() => find('.pin:not(.out)'));
   expect(find('.pin:not(.out)'), 'it has no pin');
   const [pin, box] = [find('.pin'), element].map((one) => one.getBoundingClientRect());
   const off = Math.hypot(pin.x + pin.width / 2 - box.x - 60, pin.y + pin.height / 2 - box.y - 45);
   expect(off < 1, `its pin is ${off.toFixed(2)} pixels off`);
   find('button.note').click();
   const text = () => note.firstElementChild.getBoundingClientRect().height;
-  await wait(() => text() > 0);
+  await until(() => text() > 0);
   expect(note.open && text() > 0, 'its text does not open');
   note.remove();
-  await wait(() => !find('.notes'));
+  await until(() => !find('.notes'));
   expect(!find('.notes'), 'it leaves something');
+});
+
+/** A click of a mouse on the picture, CSS pixels from its left and top edge. */
+function clickOn(view, [x, y]) {
+  const { left, top } = view.getBoundingClientRect();
+  const at = { clientX: left + x, clientY: top + y, bubbles: true, composed: true };
+  const picture = view.shadowRoot.querySelector('.picture');
+  picture.setPointerCapture = () => {}; // There is no such pointer.
+  const mouse = { ...at, pointerId: 1, pointerType: 'mouse', isPrimary: true };
+  picture.dispatchEvent(new PointerEvent('pointerdown', mouse));
+  picture.dispatchEvent(new PointerEvent('pointerup', mouse));
+  picture.dispatchEvent(new MouseEvent('click', at));
+}
+
+await check('authors get the tag of a note at the place that they click, and it stands there', async () => {
+  const inside = (selector) => element.shadowRoot.querySelector(selector);
+  element.toggleAttribute('authoring', true);
+  expect(await until(() => inside('.authoring')), 'no panel came');
+  clickOn(element, [60, 45]);
+  expect(await until(() => inside('.authoring textarea')), 'a click gives no tag');
+  const field = inside('.authoring input');
+  field.value = 'A "name" & <b>';
+  field.dispatchEvent(new Event('input', { bubbles: true }));
+  await element.updateComplete;
+  const [note, ...others] = new DOMParser()
+    .parseFromString(inside('.authoring textarea').value, 'text/html')
+    .body.querySelectorAll('*');
+  expect(note.localName === 'volume-note' && others.length === 0, inside('.authoring textarea').value);
+  expect(note.getAttribute('label') === field.value, `its name is ${note.getAttribute('label')}`);
+  const { left, top } = element.getBoundingClientRect();
+  const { position } = await element.positionFromPoint(left + 60, top + 45);
+  const off = Math.max(
+    ...note
+      .getAttribute('position')
+      .split(' ')
+      .map((x, i) => Math.abs(x - position[i])),
+  );
+  expect(off < 0.06, `${note.getAttribute('position')}, and not ${position}`);
+  expect(await until(() => inside('.pin:not(.out)')), 'its preview has no pin');
+  element.toggleAttribute('authoring', false);
+  expect(await until(() => !inside('.authoring') && !inside('.aim') && !inside('.pin')), 'it leaves something');
+});
+
+/** A question about the element, in the page. */
+function ask(attributes, html) {
+  const question = document.createElement('volume-question');
+  element.id = 'asked';
+  for (const [name, value] of Object.entries({ for: 'asked', ...attributes })) question.setAttribute(name, value);
+  question.innerHTML = html;
+  element.after(question);
+  return question;
+}
+
+await check('a question takes a place that is clicked, and one that keys choose', async () => {
+  const { left, top } = element.getBoundingClientRect();
+  const { position } = await element.positionFromPoint(left + 60, top + 45);
+  const question = ask({ type: 'find', position: position.join(' '), radius: '0.5' }, '<p>Where?</p>');
+  try {
+    const button = () => question.shadowRoot?.querySelector('.aiming');
+    expect(await until(button), 'it has no button');
+    // The code that picks has to load first.
+    expect(
+      await until(() => {
+        if (!question.result) clickOn(element, [90, 45]);
+        return question.result;
+      }),
+      'a click is no answer',
+    );
+    expect(!question.result.correct, 'a wrong place is right');
+    await until(() => element.shadowRoot.querySelector('.pin:not(.out)'));
+    button().click();
+    const crosshair = element.shadowRoot.querySelector('.aim [role=application]');
+    expect(crosshair && element.shadowRoot.activeElement === crosshair, 'the crosshair has no focus');
+    crosshair.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
+    expect(await until(() => question.done), 'Enter is no answer');
+    expect(question.result.correct, `the middle is wrong: ${question.result.response}`);
+  } finally {
+    question.remove();
+  }
+  expect(await until(() => !element.shadowRoot.querySelector('.pin, .aim')), 'it leaves something');
+});
+
+await check('a question takes a choice, and says so', async () => {
+  const question = ask({}, '<p>Which?</p><ul><li>This</li><li correct>That <em>one</em></li></ul>');
+  try {
+    const inputs = () => question.shadowRoot?.querySelectorAll('input') ?? [];
+    expect(await until(() => inputs().length === 2), `${inputs().length} answers`);
+    inputs()[1].click();
+    question.shadowRoot.querySelector('form button').click();
+    expect(await until(() => question.done), 'it is not answered');
+    const { response, correct } = question.result;
+    expect(correct && response === 'That one', `${response}: ${correct}`);
+    expect(await until(() => question.shadowRoot.querySelector('[part=feedback]')), 'it says nothing');
+  } finally {
+    question.remove();
+  }
+});
+
+await check('two views that are compared have one camera, and keys move what divides them', async () => {
+  const compare = document.createElement('volume-compare');
+  compare.setAttribute('layout', 'slider');
+  const views = ['field.nii.gz', 'ball.nii'].map((name) => makeElement({ src: `${data}/${name}`, alt: name }));
+  compare.append(...views);
+  compare.style.cssText = 'width: 120px';
+  document.body.append(compare);
+  try {
+    for (const view of views) await view.whenRendered();
+    const divider = () => compare.shadowRoot?.querySelector('[role=slider]');
+    expect(await until(divider), 'nothing divides them');
+    divider().dispatchEvent(new KeyboardEvent('keydown', { key: 'End', bubbles: true, composed: true }));
+    expect(
+      await until(() => divider().getAttribute('aria-valuenow') === '100'),
+      `it is at ${divider().getAttribute('aria-valuenow')}`,
+    );
+    await pressKey(views[0], 'ArrowRight');
+    const eyes = () => views.map(({ camera }) => camera.eye.map((x) => x.toFixed(3)).join(' '));
+    expect(await until(() => eyes()[0] === eyes()[1]), eyes().join(', and '));
+  } finally {
+    compare.remove();
+  }
 });
 
 await check('a drag with Shift moves what is seen, and a pinch on a trackpad zooms to the pointer', async () => {
@@ -287,9 +410,6 @@ await check('two fingers that pinch zoom, and bring back', async () => {
 
 await check('controls are loaded when they are asked for, turn the picture, and go', async () => {
   const inside = (selector) => element.shadowRoot.querySelector(selector);
-  const until = async (is) => {
-    for (let i = 0; i < 600 && !is(); i++) await new Promise(requestAnimationFrame);
-  };
   const controls = () => inside('.controls');
   element.toggleAttribute('controls', true);
   await until(controls);
