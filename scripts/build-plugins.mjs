@@ -41,3 +41,12 @@ export function provideBuilt(modules) {
 
 /** @param {string} name - of a module that the build makes */
 const pathOf = (name) => join(projectRoot, 'src', `${name.replace(':', '/')}.js`);
+
+/** What libraries made by Emscripten ask Node for is never used: they are given their bytes. */
+export const leaveNodeOut = /** @type {import('vite').Plugin} */ ({
+  name: 'volume-view-leave-node-out',
+  enforce: 'pre',
+  resolveId: (id, importer) =>
+    (id === 'fs' || id === 'path') && importer?.includes('codec-openjpeg') ? '\0volume-view-no-node' : null,
+  load: (id) => (id === '\0volume-view-no-node' ? 'export default {};' : null),
+});

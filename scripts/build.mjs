@@ -23,7 +23,7 @@ import { join } from 'node:path';
 import { build, defaultClientConditions, normalizePath } from 'vite';
 import { buildPrepare } from '../packages/prepare/build.mjs';
 import { AT_ONCE, atOnce } from './at-once.mjs';
-import { exportText, provideBuilt, stripTexts } from './build-plugins.mjs';
+import { exportText, leaveNodeOut, provideBuilt, stripTexts } from './build-plugins.mjs';
 import { writeClassic } from './classic/build-classic.mjs';
 import { projectRoot } from './shared-data.mjs';
 import { listImports } from './list-imports.mjs';
@@ -65,8 +65,9 @@ const packages = Object.keys(JSON.parse(readFileSync(join(projectRoot, 'package.
 
 /**
  * Conditions of the field `imports` in package.json. `dist`: the files of dist that are modules. `for-bundlers`: of them, those that the
- * package's users bundle. `classic`: the classic script. `usual-files`: the worker without rare parts.
- * @typedef {'dist' | 'for-bundlers' | 'classic' | 'usual-files'} Condition
+ * package's users bundle. `classic`: the classic script. `usual-files`: the worker without rare parts. `without-codecs`: the worker without
+ * large libraries. `as-text`: any worker that is a text.
+ * @typedef {'dist' | 'for-bundlers' | 'classic' | 'usual-files' | 'without-codecs' | 'as-text'} Condition
  */
 
 /** A chunk that defines an element is called after it. @param {{ facadeModuleId: string | null, name: string }} chunk */
@@ -95,7 +96,7 @@ async function bundle({ entry, format, output, extra, conditions = ['dist'], bui
     resolve: { conditions: [...conditions, ...defaultClientConditions] },
     // Vite would replace an expression with the real name by an address of the source.
     define: { OWN_URL: 'import.meta.url' },
-    plugins: [provideBuilt(built), stripTexts],
+    plugins: [provideBuilt(built), stripTexts, leaveNodeOut],
     build: {
       outDir: dist,
       emptyOutDir: false,
@@ -123,15 +124,20 @@ async function buildText(entry, format, conditions) {
   return output[0].code;
 }
 
-/** @param {string} workerText - the worker with all readers, as one classic script */
-async function buildUnbundled(workerText) {
+/** @param {Record<string, string>} workers - modules with a worker as one classic script: with all readers, and with their large libraries too */
+async function buildUnbundled(workers) {
+  const [wasm, js] = await Promise.all(
+    ['wasm', 'js'].map((name) => buildText(join(projectRoot, `src/formats/codecs/openjpeg-${name}.ts`), 'es')),
+  );
   await bundle({
     entry: [main, ...definitions, besideBundle['x3dom-beside-page']],
     format: 'es',
     conditions: ['dist', 'for-bundlers'],
     built: {
-      'built:worker': exportText(workerText),
+      ...workers,
       'built:x3dom': exportText(readX3dom()),
+      'built:openjpeg-wasm': wasm,
+      'built:openjpeg-js': js,
       'built:culori': await buildText(join(projectRoot, 'src/optics/transfer/culori.ts'), 'es'),
     },
     extra: {
@@ -206,7 +212,9 @@ function writeLicences() {
     Object.keys(manifest.dependencies ?? {}).forEach(visit);
   };
   const manifest = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
-  [...Object.keys(manifest.dependencies), 'culori'].forEach(visit);
+  [...Object.keys(manifest.dependencies), 'culori', '@cornerstonejs/codec-openjpeg'].forEach(visit);
+  // That package names its licence only, and contains another library.
+  texts.set('openjpeg', readFileSync(join(projectRoot, 'scripts/licences/openjpeg.txt'), 'utf8').trim());
   const rule = `\n\n${'-'.repeat(78)}\n\n`;
   writeFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), `${[...texts.values()].join(rule)}\n`);
 }
@@ -244,8 +252,11 @@ function replaceServed() {
 process.on('exit', () => rmSync(dist, { recursive: true, force: true }));
 rmSync(dist, { recursive: true, force: true });
 mkdirSync(dist, { recursive: true });
-const workerText = await buildText(worker, 'iife');
-await buildUnbundled(workerText);
+const workers = {
+  'built:worker': exportText(await buildText(worker, 'iife', ['as-text', 'without-codecs'])),
+  'built:whole-worker': exportText(await buildText(worker, 'iife', ['as-text'])),
+};
+await buildUnbundled(workers);
 await bundle({
   entry: main,
   format: 'es',
@@ -278,8 +289,8 @@ await writeClassic(dist, async (output) => {
     format: 'cjs',
     conditions: ['classic'],
     built: {
-      'built:worker': exportText(workerText),
-      'built:usual-worker': exportText(await buildText(worker, 'iife', ['usual-files'])),
+      ...workers,
+      'built:usual-worker': exportText(await buildText(worker, 'iife', ['as-text', 'without-codecs', 'usual-files'])),
     },
     output: { ...output, ...AT_ONCE },
     extra: { write: false },

@@ -1,7 +1,12 @@
 // Modules that scripts/build.mjs makes: their imports are in files that only a build contains.
 
-/** The worker with all readers, as one classic script. */
+/** The worker with all readers, and without large libraries, as one classic script. */
 declare module 'built:worker' {
+  export const text: string;
+}
+
+/** The same with large libraries, which few files need. */
+declare module 'built:whole-worker' {
   export const text: string;
 }
 

@@ -2,8 +2,10 @@
 import type { Budget } from '../base/budget.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { hostIsLittleEndian, swapBytes } from '../base/number-types.ts';
+import type { UnpackJ2k } from '../codecs/openjpeg.ts';
 import type { Picture, StoredType } from './picture.ts';
 import { unpackRle } from './rle.ts';
+import { unpackJ2k } from './unpack-j2k.ts';
 import { unpackJpeg } from './unpack-jpeg.ts';
 
 export type FrameNumbers =
@@ -27,8 +29,20 @@ export const arrayOf = {
   float64: Float64Array,
 } as const satisfies Record<StoredType, unknown>;
 
-/** What is unpacked here. */
-const readable = { none: true, RLE: true, JPEG: true, 'lossless JPEG': true, 'JPEG-LS': true };
+/** What is unpacked here: by own code, or by a library that is loaded for it. */
+const readable = {
+  none: 'own',
+  RLE: 'own',
+  JPEG: 'own',
+  'lossless JPEG': 'own',
+  'JPEG-LS': 'own',
+  'JPEG 2000': 'library',
+  HTJ2K: 'library',
+} as const;
+
+/** Whether a picture is packed with JPEG 2000, for which a library is needed. */
+export const isJ2k = ({ syntax: { packing } }: Picture): boolean =>
+  packing in readable && readable[packing as keyof typeof readable] === 'library';
 
 /** Checks that all frames of a picture are there, before memory is used for them. @throws {VolumeViewError} `format/corrupt`, `format/unsupported` */
 export function checkFrames(picture: Picture): void {
@@ -64,11 +78,18 @@ function frameBytes({ rows, columns, bitsAllocated }: Picture): number {
 /**
  * The stored numbers of a frame, row by row, in memory of their own.
  * @param frame - from 0
+ * @param library - for JPEG 2000; null where no picture has it
  */
-export function decodeFrame(picture: Picture, frame: number, budget: Budget): FrameNumbers {
+export function decodeFrame(
+  picture: Picture,
+  frame: number,
+  budget: Budget,
+  library: UnpackJ2k | null = null,
+): FrameNumbers {
   const { type, pixels, bitsAllocated, syntax, what } = picture;
   const size = frameBytes(picture);
-  budget.take(3 * size, what); // The frame, and what unpacking it takes.
+  const taken = (isJ2k(picture) ? 16 : 3) * size; // The frame, and what unpacking it takes.
+  budget.take(taken, what);
   const bytes = new Uint8Array(size);
   const numbers = new arrayOf[type](bytes.buffer, 0, picture.rows * picture.columns);
   const packed = pixels.bytes ? pixels.bytes.subarray(frame * size, (frame + 1) * size) : joinFragments(picture, frame);
@@ -76,9 +97,10 @@ export function decodeFrame(picture: Picture, frame: number, budget: Budget): Fr
   else if (syntax.packing === 'RLE') {
     unpackRle(packed, bytes, bitsAllocated / 8, what);
     if (!hostIsLittleEndian) swapBytes(bytes, bitsAllocated / 8);
-  } else numbers.set(unpackJpeg(packed, picture, what));
+  } else if (library && isJ2k(picture)) numbers.set(unpackJ2k(packed, picture, library));
+  else numbers.set(unpackJpeg(packed, picture, what));
   trimBits(numbers, picture);
-  budget.giveBack(3 * size);
+  budget.giveBack(taken);
   return numbers;
 }
 

@@ -2,8 +2,10 @@
 import type { Budget } from '../base/budget.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { ProgressListener } from '../base/decoded-volume.ts';
+import { loadReader } from '../base/load-reader.ts';
 import { numberTypes } from '../base/number-types.ts';
-import { arrayOf, checkFrames, decodeFrame } from './decode-frame.ts';
+import type { UnpackJ2k } from '../codecs/openjpeg.ts';
+import { arrayOf, checkFrames, decodeFrame, isJ2k } from './decode-frame.ts';
 import type { FrameNumbers } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
 import type { StoredType } from './picture.ts';
@@ -24,9 +26,14 @@ const what = 'the DICOM series';
  * one. Missing slices and padding are NaN.
  * @throws {VolumeViewError} `format/too-large`, `format/corrupt`, `format/unsupported`, before memory is taken
  */
-export function gatherSamples({ slices, resample }: Stack, budget: Budget, onProgress: ProgressListener): Gathered {
+export async function gatherSamples(
+  { slices, resample }: Stack,
+  budget: Budget,
+  onProgress: ProgressListener,
+): Promise<Gathered> {
   const frames = slices.filter((slice) => slice !== null);
   new Set(frames.map(({ picture }) => picture)).forEach(checkFrames);
+  const library = frames.some(({ picture }) => isJ2k(picture)) ? await loadLibrary() : null;
   const [{ columns, rows, ...first }] = frames;
   const isOneScale = frames.every(
     ({ slope, intercept, picture }) =>
@@ -43,7 +50,7 @@ export function gatherSamples({ slices, resample }: Stack, budget: Budget, onPro
     if (!frame) return void all.fill(NaN, start, start + columns * rows);
     // Tiles of a mosaic share their picture.
     if (last?.frame.picture !== frame.picture || last.frame.index !== frame.index)
-      last = { frame, numbers: decodeFrame(frame.picture, frame.index, budget) };
+      last = { frame, numbers: decodeFrame(frame.picture, frame.index, budget, library) };
     const numbers = cutTile(last.numbers, frame);
     const {
       slope,
@@ -78,6 +85,10 @@ export function gatherSamples({ slices, resample }: Stack, budget: Budget, onPro
     numbers: all,
     ...(isOneScale ? { slope: first.slope, intercept: first.intercept } : { slope: 1, intercept: 0 }),
   };
+}
+
+async function loadLibrary(): Promise<UnpackJ2k> {
+  return (await loadReader(() => import('../codecs/openjpeg.ts'))).loadOpenJpeg();
 }
 
 function allocate(type: StoredType, voxels: number, lengths: readonly number[], budget: Budget): FrameNumbers {

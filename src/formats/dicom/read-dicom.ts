@@ -88,7 +88,7 @@ async function joinFrames(
   { budget, onProgress }: ReadContext,
 ): Promise<DecodedCartesianVolume> {
   const stack = stackFrames(frames);
-  const { type, numbers, slope, intercept } = gatherSamples(stack, budget, onProgress);
+  const { type, numbers, slope, intercept } = await gatherSamples(stack, budget, onProgress);
   const stored = storeSamples(new Uint8Array(numbers.buffer as ArrayBuffer), numberTypes[type], hostIsLittleEndian, {
     slope,
     intercept,

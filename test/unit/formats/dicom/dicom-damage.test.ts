@@ -71,7 +71,7 @@ describe('damaged DICOM files are refused in words', () => {
       { syntax: '1.2.840.10008.1.2.4.50', fragments: [new Uint8Array(8)] },
       ['JPEG', 'damaged'],
     ],
-    ['JPEG 2000', {}, { syntax: '1.2.840.10008.1.2.4.90', fragments: [new Uint8Array(8)] }, ['JPEG 2000', 'gdcmconv']],
+    ['JPEG XL', {}, { syntax: '1.2.840.10008.1.2.4.110', fragments: [new Uint8Array(8)] }, ['JPEG XL', 'gdcmconv']],
     ['a video', {}, { syntax: '1.2.840.10008.1.2.4.102', fragments: [new Uint8Array(8)] }, ['video']],
     [
       'runs that end early',

@@ -1,0 +1,72 @@
+import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
+import type { UnpackJ2k } from '../codecs/openjpeg.ts';
+import type { Picture } from './picture.ts';
+
+/** What a stream of JPEG 2000 says of itself. */
+interface J2kSize {
+  readonly columns: number;
+  readonly rows: number;
+  readonly components: number;
+  readonly precision: number;
+  readonly isSigned: boolean;
+}
+
+/**
+ * Unpacks a frame of JPEG 2000 or HTJ2K.
+ * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, before the library takes memory
+ */
+export function unpackJ2k(
+  packed: Uint8Array,
+  {
+    columns,
+    rows,
+    bitsAllocated,
+    isSigned,
+    what,
+  }: Pick<Picture, 'columns' | 'rows' | 'bitsAllocated' | 'isSigned' | 'what'>,
+  unpack: UnpackJ2k,
+): ArrayLike<number> {
+  const size = readSize(packed);
+  const damaged = (): Error => corruptFile(what, 'has packed pixels (JPEG 2000) that are damaged; copy the file again');
+  if (!size) throw damaged();
+  if (size.components !== 1)
+    throw unsupportedFile(
+      what,
+      `has packed pixels (JPEG 2000) of ${size.components} numbers each; expected gray values`,
+    );
+  if (size.columns !== columns || size.rows !== rows || size.precision > Math.min(16, bitsAllocated))
+    throw corruptFile(
+      what,
+      `has packed pixels of ${size.columns} x ${size.rows} with ${size.precision} bits; expected ${columns} x ${rows} with at most ${Math.min(16, bitsAllocated)}`,
+    );
+  const picture = unpack(packed);
+  if (!picture || picture.numbers.length !== columns * rows) throw damaged();
+  const { numbers } = picture;
+  // Some programs pack signed numbers as if they had no sign.
+  const above = 32 - size.precision;
+  if (isSigned && !size.isSigned && above > 0) return Int32Array.from(numbers, (number) => (number << above) >> above);
+  return numbers;
+}
+
+/** Reads the size before anything is unpacked. Source: ITU-T T.800, A.5.1 */
+function readSize(bytes: Uint8Array): J2kSize | null {
+  const start = findStart(bytes);
+  if (start < 0 || start + 45 > bytes.length) return null;
+  const view = new DataView(bytes.buffer, bytes.byteOffset + start, bytes.byteLength - start);
+  const [right, bottom, left, top] = [8, 12, 16, 20].map((at) => view.getUint32(at));
+  const depth = view.getUint8(42);
+  return {
+    columns: right - left,
+    rows: bottom - top,
+    components: view.getUint16(40),
+    precision: (depth & 0x7f) + 1,
+    isSigned: depth >= 0x80,
+  };
+}
+
+/** Where the stream begins: at once, or in boxes of a JP2 file, which some programs write. */
+function findStart(bytes: Uint8Array): number {
+  for (let at = 0; at + 4 <= Math.min(bytes.length, 4096); at++)
+    if (bytes[at] === 0xff && bytes[at + 1] === 0x4f && bytes[at + 2] === 0xff && bytes[at + 3] === 0x51) return at;
+  return -1;
+}

@@ -1,0 +1,101 @@
+import { expect } from '@esm-bundle/chai';
+import { VolumeViewError } from '../../../../src/core/errors.ts';
+import { ctSlice, dicomBytes } from '../../../helpers/dicom-bytes.ts';
+import type { DicomFields } from '../../../helpers/dicom-bytes.ts';
+import { decodeSeries } from '../../../helpers/dicom-series.ts';
+import type { Scan } from '../../../helpers/dicom-series.ts';
+import { expectError, valuesOf } from '../../../helpers/decode.ts';
+import { j2kStreams } from '../../../helpers/j2k-streams.ts';
+import type { J2kStream } from '../../../helpers/j2k-streams.ts';
+
+const bytesOf = (stream: string): Uint8Array<ArrayBuffer> => Uint8Array.from(atob(stream), (c) => c.charCodeAt(0));
+
+/** Decodes a file with the streams as its frames. */
+function decode(
+  { bits, isSigned, isHt }: Omit<J2kStream, 'values'>,
+  fragments: readonly Uint8Array[],
+  fields: DicomFields = {},
+): Promise<Scan> {
+  const all: DicomFields = {
+    ...ctSlice(0),
+    Modality: 'MR',
+    RescaleSlope: undefined,
+    RescaleIntercept: undefined,
+    Rows: [9],
+    Columns: [10],
+    BitsAllocated: [bits > 8 ? 16 : 8],
+    BitsStored: [bits],
+    HighBit: [bits - 1],
+    PixelRepresentation: [isSigned ? 1 : 0],
+    NumberOfFrames: String(fragments.length),
+    ...fields,
+  };
+  return decodeSeries([dicomBytes(all, { syntax: `1.2.840.10008.1.2.4.${isHt ? 203 : 91}`, fragments })]);
+}
+
+/** Runs a task as on a page whose policy does not allow WebAssembly. */
+async function withoutWasm<T>(task: () => Promise<T>): Promise<T> {
+  const native = WebAssembly.Module;
+  const refuse = function () {
+    throw new WebAssembly.CompileError('refused by the policy');
+  };
+  WebAssembly.Module = refuse as unknown as typeof WebAssembly.Module;
+  try {
+    return await task();
+  } finally {
+    WebAssembly.Module = native;
+  }
+}
+
+describe('JPEG 2000 and HTJ2K', () => {
+  for (const one of j2kStreams) {
+    // Of lossy ones the sums of floats may be rounded up or down.
+    const within = one.name.endsWith('lossy') ? 1 : 0;
+    const check = (values: readonly number[]): void => {
+      expect(values).to.have.length(180);
+      for (const [i, value] of [...one.values, ...one.values].entries())
+        expect(values[i], `pixel ${i}`).to.be.closeTo(value, within);
+    };
+    const stream = bytesOf(one.stream);
+    it(`${one.name} (${one.by})`, async () => check(valuesOf(await decode(one, [stream, stream]))));
+
+    it(`${one.name}, without WebAssembly`, async () =>
+      check(valuesOf(await withoutWasm(() => decode(one, [stream, stream])))));
+  }
+
+  it('damaged ones give a volume or an error in words', async () => {
+    let errors = 0;
+    for (const one of j2kStreams.slice(0, 7)) {
+      const whole = bytesOf(one.stream);
+      for (let at = 2; at < whole.length; at += 61) {
+        const changed = whole.slice();
+        changed[at] ^= 0x55;
+        for (const damaged of [whole.slice(0, at), changed]) {
+          const error = await decode(one, [damaged]).then(
+            () => null,
+            (thrown: unknown) => thrown,
+          );
+          if (error === null) continue;
+          errors++;
+          expect(error).to.be.instanceOf(VolumeViewError);
+          expect((error as VolumeViewError).code).to.match(/^format\/(corrupt|unsupported)$/);
+        }
+      }
+    }
+    expect(errors).to.be.above(20);
+  });
+
+  const [first] = j2kStreams;
+  const refused: readonly (readonly [string, J2kStream, Uint8Array, DicomFields, string])[] = [
+    ['of another size', first, bytesOf(first.stream), { Columns: [9] }, '10 x 9 with 8 bits; expected 9 x 9'],
+    ['of more bits than a number has', { ...j2kStreams[1], bits: 8 }, bytesOf(j2kStreams[1].stream), {}, '12 bits'],
+    ['that is none', first, new Uint8Array(100), {}, 'damaged'],
+  ];
+  for (const [what, stream, bytes, fields, words] of refused) {
+    it(`${what} is refused in words`, async () => {
+      const error = await expectError(decode(stream, [bytes], fields));
+      expect(error.code).to.equal('format/corrupt');
+      expect(error.message).to.contain('the DICOM file').and.to.contain(words);
+    });
+  }
+});
