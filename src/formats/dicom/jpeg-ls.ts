@@ -2,6 +2,7 @@
 // standard. Source: ITU-T T.87, annex A
 import { corruptFile } from '../base/file-problem.ts';
 import type { JpegParts } from './jpeg-parts.ts';
+import { PackedBits } from './packed-bits.ts';
 
 /** Bits of the lengths of runs. Source: T.87, A.2.1 */
 const J = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 9, 10, 11, 12, 13, 14, 15];
@@ -189,24 +190,10 @@ function chooseThresholds([, T1, T2, T3]: readonly number[], near: number, maxva
   return [first, second, T3 || clamp(usual(21, 4, 7), second)];
 }
 
-/** Reads bits. After a byte of 255 the next one has seven, and a larger one ends the bits. Behind their end are zeros. */
-class LsBits {
-  #bits = 0;
-  #count = 0;
-  #added = 0;
-  #isAfterFull = false;
-
-  constructor(
-    readonly bytes: Uint8Array,
-    private at: number,
-    private readonly what: string,
-  ) {}
-
-  /** Up to 16 bits. */
-  read(count: number): number {
-    if (this.#count < count) this.#fill();
-    this.#count -= count;
-    return (this.#bits >>> this.#count) & (2 ** count - 1);
+/** Reads the codes of a JPEG-LS stream. */
+class LsBits extends PackedBits {
+  constructor(bytes: Uint8Array, at: number, what: string) {
+    super(bytes, at, 1, what);
   }
 
   /** A number in a code with a limited length. Source: T.87, A.5.3 */
@@ -215,26 +202,5 @@ class LsBits {
     while (zeros < limit && this.read(1) === 0) zeros++;
     if (zeros >= limit - qbpp - 1) return this.read(qbpp) + 1;
     return zeros * 2 ** k + (k > 16 ? this.read(k - 16) * 65536 + this.read(16) : this.read(k));
-  }
-
-  /** @throws {VolumeViewError} `format/corrupt` if bits were read that are not in the stream */
-  check(): void {
-    if (this.#added > this.#count)
-      throw corruptFile(this.what, 'has packed pixels (JPEG-LS) that end early; copy the file again');
-  }
-
-  #fill(): void {
-    while (this.#count <= 16) {
-      const byte = this.bytes[this.at];
-      const isEnd = byte === undefined || (this.#isAfterFull && byte > 0x7f);
-      const size = this.#isAfterFull ? 7 : 8;
-      if (isEnd) this.#added += size;
-      else {
-        this.at++;
-        this.#isAfterFull = byte === 0xff;
-      }
-      this.#bits = (this.#bits << size) | (isEnd ? 0 : byte);
-      this.#count += size;
-    }
   }
 }
