@@ -42,11 +42,18 @@ export function provideBuilt(modules) {
 /** @param {string} name - of a module that the build makes */
 const pathOf = (name) => join(projectRoot, 'src', `${name.replace(':', '/')}.js`);
 
-/** What libraries made by Emscripten ask Node for is never used: they are given their bytes. */
+const isEmscripten = (/** @type {string} */ id) => id.includes('/codec-openjpeg/');
+
+/**
+ * A library made by Emscripten looks whether it runs in Node, and would then ask for files. Here it never does: it is given its bytes. Some
+ * bundlers refuse its questions.
+ */
 export const leaveNodeOut = /** @type {import('vite').Plugin} */ ({
   name: 'volume-view-leave-node-out',
   enforce: 'pre',
   resolveId: (id, importer) =>
-    (id === 'fs' || id === 'path') && importer?.includes('codec-openjpeg') ? '\0volume-view-no-node' : null,
+    (id === 'fs' || id === 'path') && importer && isEmscripten(importer) ? '\0volume-view-no-node' : null,
   load: (id) => (id === '\0volume-view-no-node' ? 'export default {};' : null),
+  transform: (code, id) =>
+    isEmscripten(id) && /\.js$/.test(id) ? { code: `var process, __filename, __dirname;${code}`, map: null } : null,
 });

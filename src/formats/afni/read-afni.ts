@@ -3,6 +3,7 @@ import { invertAffine } from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { DecodeInput } from '../base/decoded-volume.ts';
+import { checkLengths } from '../base/check-lengths.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import type { FormatReader, ReadContext } from '../base/format.ts';
 import { listLeft } from '../base/list-left.ts';
@@ -35,8 +36,7 @@ export const readAfni: FormatReader = async (input, settings, context) => {
   const { header, samples: packed } = await findPair(input, context);
   const [nx, ny, nz] = numbersOf(header, 'DATASET_DIMENSIONS', 3) ?? [];
   const dimensions: Vector3 = [nx, ny, nz];
-  if (!dimensions.every((n) => Number.isSafeInteger(n) && n >= 1))
-    throw corruptFile(what, `got DATASET_DIMENSIONS ${dimensions.join(' x ')}; expected whole numbers from 1`);
+  checkLengths(what, 'DATASET_DIMENSIONS', dimensions);
   const volumes = numbersOf(header, 'DATASET_RANK', 2)?.[1] ?? 1;
   const type = readType(header);
   const slope = numbersOf(header, 'BRICK_FLOAT_FACS', 1)?.[0] || 1;

@@ -7,6 +7,7 @@ import type { FormatReader, ReadContext } from '../base/format.ts';
 import { hostIsLittleEndian, numberTypes } from '../base/number-types.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
+import { checkFrames } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
 import { gatherSamples } from './gather-samples.ts';
 import { chooseFrames, count } from './group-frames.ts';
@@ -76,10 +77,15 @@ async function readFrames(input: DecodeInput, context: ReadContext, files: numbe
   );
 }
 
+/** Memory for what is known of one frame: a small file may have thousands. */
+const describingBytes = 1500;
+
 /** Memory that the file takes stays taken where it has pixels. */
 function readOne(bytes: Uint8Array<ArrayBuffer>, budget: Budget, what: string): ReturnType<typeof readPicture> {
   const picture = readPicture(readDicomFile(bytes, budget, what), what);
-  if (picture) budget.take(bytes.length, what);
+  if (!picture) return null;
+  if (picture.frames > 1) checkFrames(picture);
+  budget.take(bytes.length + describingBytes * picture.frames, what);
   return picture;
 }
 

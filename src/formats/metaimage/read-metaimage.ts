@@ -4,6 +4,7 @@ import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { DecodeInput } from '../base/decoded-volume.ts';
 import type { FormatReader, ReadContext } from '../base/format.ts';
 import { completeAxes } from '../grid-files/complete-axes.ts';
+import { checkLengths } from '../base/check-lengths.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { findDataFiles, shareBytes } from '../grid-files/find-data-files.ts';
 import { listDataFiles } from '../grid-files/list-data-files.ts';
@@ -62,8 +63,7 @@ function readSizes(header: MetaImageHeader): number[] {
     throw corruptFile(what, `got ${axes} axes; expected 1 to 10`);
   needField(header, 'DimSize');
   const sizes = readNumbers(header, 'DimSize', axes) ?? [];
-  if (!sizes.every((n) => Number.isSafeInteger(n) && n >= 1))
-    throw corruptFile(what, `got DimSize ${sizes.join(' ')}; expected whole numbers from 1`);
+  checkLengths(what, 'DimSize', sizes);
   const [channels] = readNumbers(header, 'ElementNumberOfChannels', 1) ?? [1];
   if (channels !== 1)
     throw unsupportedFile(

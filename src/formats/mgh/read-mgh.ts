@@ -2,6 +2,7 @@ import { cartesianGrid } from '../../volume/grid.ts';
 import { invertAffine } from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
+import { checkLengths } from '../base/check-lengths.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import type { FormatReader } from '../base/format.ts';
 import { listLeft } from '../base/list-left.ts';
@@ -101,8 +102,8 @@ function readHeader(bytes: Uint8Array): MghHeader {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const [nx, ny, nz, frames, code] = [4, 8, 12, 16, 20].map((at) => view.getInt32(at));
   const dimensions: Vector3 = [nx, ny, nz];
-  if (!dimensions.every((n) => n >= 1) || frames < 1)
-    throw corruptFile(what, `got dimensions ${nx} x ${ny} x ${nz} and ${frames} frames; expected whole numbers from 1`);
+  checkLengths(what, 'dimensions', dimensions);
+  checkLengths(what, 'frames', [frames]);
   const anatomical = view.getInt16(28) > 0;
   return {
     dimensions,

@@ -5,6 +5,7 @@ import type { Budget } from '../base/budget.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import { countElements, numberOf, readAll, textOf } from '../base/data-tree.ts';
 import type { DataArray, DataGroup, Numbers } from '../base/data-tree.ts';
+import { checkLengths } from '../base/check-lengths.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import type { FormatReader } from '../base/format.ts';
 import { listLeft } from '../base/list-left.ts';
@@ -74,8 +75,7 @@ function readAxes({ shape, attributes }: DataArray): { names: readonly string[];
       what,
       `has the axes "${order.join(',').slice(0, 80)}"; expected xspace, yspace and zspace in any order, with time before them: mincreshape and mincconvert make such a file`,
     );
-  if (!shape.every((n) => Number.isSafeInteger(n) && n >= 1))
-    throw corruptFile(what, `got dimensions ${shape.join(' x ')}; expected whole numbers from 1`);
+  checkLengths(what, 'dimensions', shape);
   return { names, volumes: shape.length > 3 ? shape[0] : 1 };
 }
 

@@ -1,3 +1,4 @@
+import { checkLengths } from '../base/check-lengths.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { floats, numberTypes, viewAs } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
@@ -57,8 +58,9 @@ function readDescription(text: string): Omit<NpyHeader, 'end'> {
     .map((one) => one.replace('L', '').trim())
     .filter((one) => one !== '')
     .map(Number);
-  if (lengths.length > maxAxes || !lengths.every((n) => Number.isSafeInteger(n) && n >= 1))
-    throw corruptFile(what, `got the shape (${shape.trim().slice(0, 80)}); expected whole numbers from 1`);
+  if (lengths.length > maxAxes)
+    throw corruptFile(what, `got a shape of ${lengths.length} axes; expected at most ${maxAxes}`);
+  checkLengths(what, 'the shape', lengths);
   return { ...readType(descr[1]), isFortran: order === 'True', shape: lengths };
 }
 

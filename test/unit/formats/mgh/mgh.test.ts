@@ -68,7 +68,7 @@ describe('MGH files that are refused', () => {
     for (const [fields, code, words] of [
       [{ version: 3 }, 'format/corrupt', /does not begin with the version 1/],
       [{ dimensions: [0, 2, 2] }, 'format/corrupt', /dimensions 0 x 2 x 2/],
-      [{ frames: -1 }, 'format/corrupt', /-1 frames/],
+      [{ frames: -1 }, 'format/corrupt', /frames -1/],
       [{ type: 77 }, 'format/corrupt', /type 77; expected one of 0, 1, 3, 4, 10/],
       [{ type: 9 }, 'format/unsupported', /colours \(RGB\).*mri_convert/],
       [{ type: 6 }, 'format/unsupported', /tensors/],
