@@ -25,6 +25,7 @@ const programs = [
   'motion',
   'gpu',
   'default-look',
+  'codecs',
 ];
 
 /** What measures nothing runs only where it is named. */
