@@ -1,3 +1,3 @@
-// In place of all modules that are imported as `#rare/…`, in the worker for usual files, and of large libraries in all workers but one:
-// importing them fails, and the page starts the next worker, or does the work itself.
+// In place of all modules that are imported as `#rare/…`, in the worker for usual files: importing them fails, and the page starts the
+// worker that has all readers.
 throw new Error('left out of this worker');

@@ -118,13 +118,13 @@ async function bundleOwn() {
 }
 
 async function loadLibraries() {
-  const require = createRequire(join(peers, 'any.js'));
-  const start = (/** @type {string} */ name) => require(name)({ print: () => undefined });
+  const load = createRequire(join(peers, 'any.js'));
+  const start = (/** @type {string} */ name) => load(name)({ print: () => undefined });
   const [charls, turbo] = await Promise.all([
     start('@cornerstonejs/codec-charls/decodewasmjs'),
     start('@cornerstonejs/codec-libjpeg-turbo-8bit/wasmjs'),
   ]);
-  const { Decoder } = require('jpeg-lossless-decoder-js');
+  const { Decoder } = load('jpeg-lossless-decoder-js');
   const sizeOf = (/** @type {string[]} */ ...paths) =>
     paths.reduce((sum, path) => sum + gzipSync(readFileSync(join(peers, path)), { level: 9 }).length, 0);
   const nameWith = (/** @type {string} */ name, /** @type {number} */ bytes) =>

@@ -2,6 +2,7 @@
 import type { Budget } from '../base/budget.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { hostIsLittleEndian, swapBytes } from '../base/number-types.ts';
+import { applyPalette, samplesPerPixel, writeLuma } from './colors.ts';
 import type { UnpackJ2k } from '../codecs/openjpeg.ts';
 import type { Picture, StoredType } from './picture.ts';
 import { unpackRle } from './rle.ts';
@@ -71,8 +72,9 @@ export function checkFrames(picture: Picture): void {
   );
 }
 
-function frameBytes({ rows, columns, bitsAllocated }: Picture): number {
-  return (rows * columns * bitsAllocated) / 8;
+/** @returns bytes of a frame that is not packed; of pairs of pixels, which share colours, a row has an even number */
+function frameBytes({ rows, columns, bitsAllocated, colors }: Picture): number {
+  return (rows * columns * samplesPerPixel(colors) * bitsAllocated) / 8;
 }
 
 /**
@@ -86,13 +88,24 @@ export function decodeFrame(
   budget: Budget,
   library: UnpackJ2k | null = null,
 ): FrameNumbers {
-  const { type, pixels, bitsAllocated, syntax, what } = picture;
+  const { type, pixels, bitsAllocated, syntax, what, colors } = picture;
   const size = frameBytes(picture);
   const taken = (isJ2k(picture) ? 16 : 3) * size; // The frame, and what unpacking it takes.
   budget.take(taken, what);
   const bytes = new Uint8Array(size);
-  const numbers = new arrayOf[type](bytes.buffer, 0, picture.rows * picture.columns);
   const packed = pixels.bytes ? pixels.bytes.subarray(frame * size, (frame + 1) * size) : joinFragments(picture, frame);
+  if (colors && colors.kind !== 'palette') {
+    const gray = new Uint8Array(picture.rows * picture.columns);
+    const isRle = syntax.packing === 'RLE';
+    if (syntax.packing === 'none') copyNumbers(packed, bytes, picture);
+    else if (isRle) unpackRle(packed, bytes, samplesPerPixel(colors), what);
+    else if (library) bytes.set(unpackJ2k(packed, picture, library));
+    // Runs are those of one colour after the other, and the unpacker puts the first one last.
+    writeLuma(bytes, colors, gray, isRle);
+    budget.giveBack(taken);
+    return gray;
+  }
+  const numbers = new arrayOf[type](bytes.buffer, 0, picture.rows * picture.columns);
   if (syntax.packing === 'none') copyNumbers(packed, bytes, picture);
   else if (syntax.packing === 'RLE') {
     unpackRle(packed, bytes, bitsAllocated / 8, what);
@@ -100,6 +113,7 @@ export function decodeFrame(
   } else if (library && isJ2k(picture)) numbers.set(unpackJ2k(packed, picture, library));
   else numbers.set(unpackJpeg(packed, picture, what));
   trimBits(numbers, picture);
+  if (colors) applyPalette(numbers, colors);
   budget.giveBack(taken);
   return numbers;
 }

@@ -20,7 +20,11 @@ export function chooseFrames(all: readonly Frame[], budget: Budget): ChosenFrame
   const groups = groupFrames(all, budget);
   const scans = groups.filter((group) => !group.every(({ isLocalizer }) => isLocalizer));
   const candidates = (scans.length > 0 ? scans : groups).map((group) => ({ group, ...takeOnePerPlace(group) }));
-  const chosen = candidates.reduce((best, one) => (countVoxels(one.frames) > countVoxels(best.frames) ? one : best));
+  // Pictures in colours are mostly reports of a scan, or pictures of it.
+  const gray = candidates.filter(({ group: [{ picture }] }) => !picture.colors);
+  const chosen = (gray.length > 0 ? gray : candidates).reduce((best, one) =>
+    countVoxels(one.frames) > countVoxels(best.frames) ? one : best,
+  );
   const localizers = groups.filter((group) => scans.length > 0 && !scans.includes(group)).flat().length;
   const others = candidates.filter((one) => one !== chosen).map(({ group }) => group.length);
   return {
@@ -29,7 +33,7 @@ export function chooseFrames(all: readonly Frame[], budget: Budget): ChosenFrame
       ...chosen.left,
       ...(others.length > 0
         ? [
-            `${others.length > 1 ? `${others.length} other series, or parts of other orientation or size` : 'another series, or a part of another orientation or size'}, with ${listCounts(others)}: the one with the most voxels is shown`,
+            `${others.length > 1 ? `${others.length} other series, or parts of other orientation or size` : 'another series, or a part of another orientation or size'}, with ${listCounts(others)}: the one with the most voxels${gray.length > 0 && gray.length < candidates.length ? ' that is in gray' : ''} is shown`,
           ]
         : []),
       ...(localizers > 0
@@ -59,9 +63,8 @@ function groupFrames(all: readonly Frame[], budget: Budget): Frame[][] {
   const groups: Frame[][] = [];
   const byKey = new Map<string, Frame[][]>();
   for (const frame of all) {
-    const key = [frame.series, frame.columns, frame.rows, frame.unit, frame.isLocalizer, frame.position !== null].join(
-      '\n',
-    );
+    const { series, columns, rows, unit, isLocalizer, position, picture } = frame;
+    const key = [series, columns, rows, unit, isLocalizer, position !== null, picture.colors !== null].join('\n');
     const alike = byKey.get(key) ?? [];
     byKey.set(key, alike);
     budget.step(alike.length, 'the DICOM files');

@@ -117,7 +117,8 @@ function readValues(
   modality: string,
   imageType: readonly string[],
 ): Pick<Frame, 'slope' | 'intercept' | 'unit' | 'window'> {
-  const { set, isInverted, isSigned, bitsStored } = picture;
+  const { set, isInverted, isSigned, bitsStored, colors } = picture;
+  if (colors) return { slope: 1, intercept: 0, unit: '', window: null };
   const rescale = find(sequences.pixelTransformation, tags.slope);
   const stated = readUnit(set, rescale, modality, imageType);
   const suv = modality === 'PT' && stated === 'Bq/ml' ? findSuvFactor(set) : null;

@@ -1,5 +1,7 @@
 // What one file says of its pixels: their size, their numbers, and how they are packed.
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
+import { readColors } from './colors.ts';
+import type { Colors } from './colors.ts';
 import type { DataSet } from './data-set.ts';
 import type { DicomFile } from './read-file.ts';
 import type { PixelElement } from './read-elements.ts';
@@ -27,6 +29,8 @@ export interface Picture {
   readonly isSigned: boolean;
   /** Whether the smallest number is white. */
   readonly isInverted: boolean;
+  /** Of a picture in colours, whose brightness is its numbers; null for gray. */
+  readonly colors: Colors | null;
   /** Stored numbers from the first to the second one are no data. */
   readonly padding: readonly [number, number] | null;
 }
@@ -55,10 +59,15 @@ export function readPicture({ set, pixels, syntax }: DicomFile, what: string): P
     );
   const photometric = set.text(tags.photometric).toUpperCase() || 'MONOCHROME2';
   const samples = whole(tags.samplesPerPixel, 1);
-  if (samples !== 1 || !/^MONOCHROME[12]$/.test(photometric))
+  const isGray = samples === 1 && /^MONOCHROME[12]$/.test(photometric);
+  const isJ2k = syntax.packing === 'JPEG 2000' || syntax.packing === 'HTJ2K';
+  const isReadable = isJ2k || syntax.packing === 'none' || syntax.packing === 'RLE' || photometric === 'PALETTE COLOR';
+  const colors = isGray || !isReadable ? null : readColors(set, photometric, samples, isJ2k);
+  const bits = set.number(tags.bitsAllocated);
+  if (!isGray && (!colors || (bits !== 8 && colors.kind !== 'palette')))
     throw unsupportedFile(
       what,
-      `is in colours (${/^(RGB|PALETTE COLOR|YBR_[A-Z]{1,7}(_42[02])?)$/.test(photometric) ? photometric : `${say(samples)} numbers per pixel`}), and a volume has one number per voxel; expected gray values. Convert it to a stack of PNG images: dcm2img, ImageMagick`,
+      `is in colours (${/^(RGB|PALETTE COLOR|YBR_[A-Z]{1,7}(_42[02])?)$/.test(photometric) ? photometric : `${say(samples)} numbers per pixel`}) in a form that is not read; expected gray values, or colours of 8 bits that are not packed with JPEG. Unpack it: dcmdjpeg in.dcm out.dcm`,
     );
   const frames = set.number(tags.frames) ?? 1;
   if (!(Number.isInteger(frames) && frames >= 1 && frames <= maxFrames))
@@ -77,7 +86,8 @@ export function readPicture({ set, pixels, syntax }: DicomFile, what: string): P
     frames,
     ...numbers,
     isInverted: photometric === 'MONOCHROME1',
-    padding: readPadding(set, numbers),
+    colors,
+    padding: colors ? null : readPadding(set, numbers),
   };
 }
 

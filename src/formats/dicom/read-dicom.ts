@@ -7,6 +7,7 @@ import type { FormatReader, ReadContext } from '../base/format.ts';
 import { hostIsLittleEndian, numberTypes } from '../base/number-types.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
+import { lostColors } from './colors.ts';
 import { checkFrames } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
 import { gatherSamples } from './gather-samples.ts';
@@ -111,6 +112,7 @@ async function joinFrames(
           'WARNING: the file says that words are written into its pixels (BurnedInAnnotation), which may be a name: look before you show it to others',
         ]
       : []),
+    ...(picture.colors ? [lostColors] : []),
     ...left,
     ...stack.left,
   ];

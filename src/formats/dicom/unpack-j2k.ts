@@ -1,5 +1,6 @@
-import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
+import { corruptFile } from '../base/file-problem.ts';
 import type { UnpackJ2k } from '../codecs/openjpeg.ts';
+import { samplesPerPixel } from './colors.ts';
 import type { Picture } from './picture.ts';
 
 /** What a stream of JPEG 2000 says of itself. */
@@ -22,25 +23,24 @@ export function unpackJ2k(
     rows,
     bitsAllocated,
     isSigned,
+    colors,
     what,
-  }: Pick<Picture, 'columns' | 'rows' | 'bitsAllocated' | 'isSigned' | 'what'>,
+  }: Pick<Picture, 'columns' | 'rows' | 'bitsAllocated' | 'isSigned' | 'colors' | 'what'>,
   unpack: UnpackJ2k,
 ): ArrayLike<number> {
   const size = readSize(packed);
   const damaged = (): Error => corruptFile(what, 'has packed pixels (JPEG 2000) that are damaged; copy the file again');
   if (!size) throw damaged();
-  if (size.components !== 1)
-    throw unsupportedFile(
-      what,
-      `has packed pixels (JPEG 2000) of ${size.components} numbers each; expected gray values`,
-    );
+  const components = samplesPerPixel(colors);
+  if (size.components !== components)
+    throw corruptFile(what, `has packed pixels (JPEG 2000) of ${size.components} numbers each; expected ${components}`);
   if (size.columns !== columns || size.rows !== rows || size.precision > Math.min(16, bitsAllocated))
     throw corruptFile(
       what,
       `has packed pixels of ${size.columns} x ${size.rows} with ${size.precision} bits; expected ${columns} x ${rows} with at most ${Math.min(16, bitsAllocated)}`,
     );
   const picture = unpack(packed);
-  if (!picture || picture.numbers.length !== columns * rows) throw damaged();
+  if (!picture || picture.numbers.length !== columns * rows * components) throw damaged();
   const { numbers } = picture;
   // Some programs pack signed numbers as if they had no sign.
   const above = 32 - size.precision;

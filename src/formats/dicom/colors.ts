@@ -1,0 +1,100 @@
+// Pictures in colours. A volume has one number per voxel: their brightness. Sources: DICOM PS3.3, C.7.6.3.1.2, C.7.6.3.1.3, C.7.6.3.1.5
+import type { DataSet } from './data-set.ts';
+import { tags } from './tags.ts';
+
+/** How the colours of a pixel are written. */
+export type Colors =
+  | { readonly kind: 'RGB' | 'YBR'; /** Whether all numbers of one kind come first. */ readonly isPlanar: boolean }
+  /** Of two pixels: both brightnesses, and two numbers that they share. */
+  | { readonly kind: 'YBR pairs' }
+  /** A number of a pixel, minus `first`, is the place of its brightness in the table. */
+  | { readonly kind: 'palette'; readonly first: number; readonly table: Uint8Array };
+
+/** What is lost, in words. */
+export const lostColors = 'the colours of the pictures: their brightness is shown (luma, Rec. ITU-R BT.709)';
+
+/** Numbers of a pixel, as they lie in the file. */
+export function samplesPerPixel(colors: Colors | null): number {
+  return !colors || colors.kind === 'palette' ? 1 : colors.kind === 'YBR pairs' ? 2 : 3;
+}
+
+/** @returns null where this is no form of colours that is read */
+export function readColors(set: DataSet, photometric: string, samples: number, isJ2k: boolean): Colors | null {
+  if (photometric === 'PALETTE COLOR') return samples === 1 ? readPalette(set) : null;
+  if (samples !== 3) return null;
+  const isPlanar = set.number(tags.planar) === 1 && !isJ2k;
+  // The library for JPEG 2000 turns these two back.
+  if (photometric === 'RGB' || (isJ2k && /^YBR_(RCT|ICT)$/.test(photometric))) return { kind: 'RGB', isPlanar };
+  if (photometric === 'YBR_FULL') return { kind: 'YBR', isPlanar };
+  return photometric === 'YBR_FULL_422' && !isJ2k ? { kind: 'YBR pairs' } : null;
+}
+
+function readPalette(set: DataSet): Colors | null {
+  const [count, first, bits] = set.numbers(tags.redDescriptor);
+  const entries = count || 2 ** 16;
+  const data = [tags.redTable, tags.greenTable, tags.blueTable].map((tag) => set.bytesOf(tag));
+  if (!(entries > 0 && entries <= 2 ** 16 && (bits === 8 || bits === 16))) return null;
+  if (!data.every(({ length }) => length >= entries * (bits / 8))) return null;
+  const table = new Uint8Array(entries);
+  for (let i = 0; i < entries; i++) {
+    const [red, green, blue] = data.map((bytes) => readEntry(bytes, i, { entries, bits, little: set.littleEndian }));
+    table[i] = luma(red, green, blue);
+  }
+  return { kind: 'palette', first, table };
+}
+
+/** An entry of a table, 0 to 255. Entries of 8 bits may stand in words of 16. */
+function readEntry(
+  bytes: Uint8Array,
+  i: number,
+  { entries, bits, little }: { entries: number; bits: number; little: boolean },
+): number {
+  if (bytes.length < 2 * entries) return bytes[little ? i : i ^ 1];
+  const [low, high] = little ? [bytes[2 * i], bytes[2 * i + 1]] : [bytes[2 * i + 1], bytes[2 * i]];
+  return bits === 8 ? low : (256 * high + low) / 257;
+}
+
+/** Rec. ITU-R BT.709 weights on the values as they are written, as for images. */
+function luma(red: number, green: number, blue: number): number {
+  return Math.floor(0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.5);
+}
+
+/** Source: PS3.3, C.7.6.3.1.2, YBR_FULL */
+function lumaOfYbr(y: number, cb: number, cr: number): number {
+  const clamp = (value: number): number => Math.max(0, Math.min(255, Math.round(value)));
+  const red = y + 1.402 * (cr - 128);
+  const green = y - 0.344136 * (cb - 128) - 0.714136 * (cr - 128);
+  return luma(clamp(red), clamp(green), clamp(y + 1.772 * (cb - 128)));
+}
+
+/**
+ * The brightness of all pixels.
+ * @param bytes - the numbers of a frame in three colours, as they lie in the file
+ * @param gray - to be written
+ * @param isTurned - whether the three numbers of a pixel lie together, the first one last
+ */
+export function writeLuma(
+  bytes: Uint8Array,
+  colors: Exclude<Colors, { kind: 'palette' }>,
+  gray: Uint8Array,
+  isTurned: boolean,
+): void {
+  const pixels = gray.length;
+  if (colors.kind === 'YBR pairs') {
+    for (let i = 0, at = 0; i < pixels; i++, at = 4 * (i >> 1))
+      gray[i] = lumaOfYbr(bytes[at + (i & 1)], bytes[at + 2], bytes[at + 3]);
+    return;
+  }
+  const convert = colors.kind === 'RGB' ? luma : lumaOfYbr;
+  const [first, step, apart] = isTurned ? [2, 3, -1] : colors.isPlanar ? [0, 1, pixels] : [0, 3, 1];
+  for (let i = 0, at = first; i < pixels; i++, at += step)
+    gray[i] = convert(bytes[at], bytes[at + apart], bytes[at + 2 * apart]);
+}
+
+/** Puts the brightness of the table in the place of each number. */
+export function applyPalette(numbers: { [at: number]: number; readonly length: number }, colors: Colors): void {
+  if (colors.kind !== 'palette') return;
+  const { first, table } = colors;
+  for (let i = 0; i < numbers.length; i++)
+    numbers[i] = table[Math.max(0, Math.min(table.length - 1, numbers[i] - first))];
+}

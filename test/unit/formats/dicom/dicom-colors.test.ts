@@ -1,0 +1,139 @@
+import { expect } from '@esm-bundle/chai';
+import { ctSlice, dicomBytes, packRle, pixelFields, syntaxes } from '../../../helpers/dicom-bytes.ts';
+import type { DicomFields, DicomForm } from '../../../helpers/dicom-bytes.ts';
+import { decodeFields, decodeSeries } from '../../../helpers/dicom-series.ts';
+import { expectError, valuesOf } from '../../../helpers/decode.ts';
+
+/** 4 x 3 pixels of three colours. */
+const rgb = Uint8Array.from([
+  207, 21, 45, 60, 46, 205, 222, 149, 10, 24, 85, 110, 159, 122, 67, 40, 177, 188, 8, 29, 115, 100, 227, 132, 107, 110,
+  170, 150, 44, 188, 193, 244, 201, 72, 81, 166,
+]);
+/** Their brightness: 0.2126 red + 0.7152 green + 0.0722 blue, in NumPy. */
+const ofRgb = [62, 60, 154, 74, 126, 149, 31, 193, 114, 77, 230, 85];
+/** That of the same bytes as YBR_FULL: NumPy, of what convert_color_space of pydicom 3.0.2 makes of them. */
+const ofYbr = [203, 59, 213, 37, 173, 36, 36, 86, 100, 147, 145, 70];
+/** The same colours as JPEG 2000, by OpenJPEG 2.5.4 with its reversible transformation of colours. */
+const j2k =
+  '/0//UQAvAAAAAAAEAAAAAwAAAAAAAAAAAAAABAAAAAMAAAAAAAAAAAADBwEBBwEBBwEB/1IADAAAAAEBAAQEAAH/XAAEQED/ZAAlAAFDcmVhdGVkIGJ5IE9wZW5KUEVHIHZlcnNpb24gMi41LjT/kAAKAAAAAABCAAH/k8+0NBiERlCFaeJ8Xoi2MO/fgHgPMd4RWJmapz7cR4DRK5ffgHgDDJJadN7TxemN12ui7UH/2Q==';
+
+const planesOf = (bytes: Uint8Array): Uint8Array<ArrayBuffer> =>
+  Uint8Array.from([0, 1, 2].flatMap((plane) => [...bytes.filter((_byte, i) => i % 3 === plane)]));
+
+/** Three segments, one for each colour. */
+function packColors(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
+  const segments = [0, 1, 2].map((plane) => packRle(bytes.filter((_byte, i) => i % 3 === plane)).slice(64));
+  const head = new DataView(new ArrayBuffer(64));
+  head.setUint32(0, 3, true);
+  let at = 64;
+  segments.forEach((segment, i) => {
+    head.setUint32(4 + 4 * i, at, true);
+    at += segment.length;
+  });
+  return Uint8Array.from([...new Uint8Array(head.buffer), ...segments.flatMap((segment) => [...segment])]);
+}
+
+const inColors = (photometric: string, data: Uint8Array, fields: DicomFields = {}): DicomFields =>
+  ctSlice(0, {
+    ...pixelFields(new Uint8Array(12)),
+    Modality: 'US',
+    SamplesPerPixel: [3],
+    PhotometricInterpretation: photometric,
+    PlanarConfiguration: [0],
+    PixelData: data,
+    ...fields,
+  });
+
+/** Numbers and tables of colours: red rises, green falls, blue stays. */
+const indices = Uint8Array.from([0, 1, 2, 3, 9, 10, 11, 12, 13, 14, 255, 11]);
+const tableOf = (bits: number, color: (i: number) => number): Uint8Array =>
+  bits === 8
+    ? Uint8Array.from({ length: 4 }, (_, i) => color(i))
+    : new Uint8Array(Uint16Array.from({ length: 4 }, (_, i) => 257 * color(i)).buffer);
+const palette = (bits: number): DicomFields => ({
+  SamplesPerPixel: [1],
+  RedPaletteColorLookupTableDescriptor: [4, 10, bits],
+  RedPaletteColorLookupTableData: tableOf(bits, (i) => 80 * i),
+  GreenPaletteColorLookupTableData: tableOf(bits, (i) => 240 - 80 * i),
+  BluePaletteColorLookupTableData: tableOf(bits, () => 100),
+});
+/** Of the entries 0 to 3: numbers below 10 have the first one, those above 13 the last one. */
+const ofTable = [179, 139, 98, 58];
+const ofPalette = [0, 0, 0, 0, 0, 0, 1, 2, 3, 3, 3, 1].map((entry) => ofTable[entry]);
+
+/** Two pixels share their colours: Y, Y, Cb, Cr. */
+const pairs = Uint8Array.from(
+  [0, 2, 4, 6, 8, 10].flatMap((i) => [rgb[3 * i], rgb[3 * i + 3], rgb[3 * i + 1], rgb[3 * i + 2]]),
+);
+
+describe('DICOM in colours', () => {
+  const cases: Readonly<Record<string, readonly [fields: DicomFields, form: DicomForm, values: readonly number[]]>> = {
+    RGB: [inColors('RGB', rgb), {}, ofRgb],
+    'RGB in planes': [inColors('RGB', planesOf(rgb), { PlanarConfiguration: [1] }), {}, ofRgb],
+    'RGB in runs': [
+      inColors('RGB', rgb, { PlanarConfiguration: [1] }),
+      { syntax: syntaxes.rle, fragments: [packColors(rgb)] },
+      ofRgb,
+    ],
+    'YBR_RCT in JPEG 2000': [
+      inColors('YBR_RCT', rgb),
+      { syntax: '1.2.840.10008.1.2.4.90', fragments: [Uint8Array.from(atob(j2k), (c) => c.charCodeAt(0))] },
+      ofRgb,
+    ],
+    YBR_FULL: [inColors('YBR_FULL', rgb), {}, ofYbr],
+    'YBR_FULL in planes': [inColors('YBR_FULL', planesOf(rgb), { PlanarConfiguration: [1] }), {}, ofYbr],
+    'a palette of 8 bits': [inColors('PALETTE COLOR', indices, palette(8)), {}, ofPalette],
+    'a palette of 16 bits': [inColors('PALETTE COLOR', indices, palette(16)), {}, ofPalette],
+    'a palette in runs': [
+      inColors('PALETTE COLOR', indices, palette(16)),
+      { syntax: syntaxes.rle, fragments: [packRle(indices)] },
+      ofPalette,
+    ],
+  };
+  for (const [name, [fields, form, values]] of Object.entries(cases)) {
+    it(`${name} are shown by their brightness, which is said`, async () => {
+      const volume = await decodeFields([fields], form);
+      expect(valuesOf(volume)).to.deep.equal(values);
+      expect(volume.unit).to.equal('');
+      expect(volume.left).to.deep.equal([
+        'the colours of the pictures: their brightness is shown (luma, Rec. ITU-R BT.709)',
+      ]);
+    });
+  }
+
+  it('YBR_FULL_422 has the colours of two pixels once', async () => {
+    const volume = await decodeFields([inColors('YBR_FULL_422', pairs)]);
+    // The first of two has the same three numbers as in YBR_FULL.
+    expect(valuesOf(volume).filter((_value, i) => i % 2 === 0)).to.deep.equal(ofYbr.filter((_value, i) => i % 2 === 0));
+  });
+
+  it('leaves pictures in colours out where a scan is in gray', async () => {
+    const files = [0, 5].map((z) => dicomBytes(ctSlice(z)));
+    const report = dicomBytes(
+      inColors('RGB', new Uint8Array(300), { Rows: [10], Columns: [10], SeriesInstanceUID: '1.2.9' }),
+    );
+    const volume = await decodeSeries([report, ...files]);
+    expect(volume.grid.dimensions).to.deep.equal([4, 3, 2]);
+    expect(volume.left).to.have.length(1);
+    expect(volume.left![0]).to.contain('the one with the most voxels that is in gray is shown');
+  });
+
+  for (const [what, fields, form] of [
+    ['packed with JPEG', inColors('YBR_FULL_422', rgb), { syntax: '1.2.840.10008.1.2.4.50', fragments: [rgb] }],
+    ['of 16 bits', inColors('RGB', new Uint8Array(72), { BitsAllocated: [16], BitsStored: [16], HighBit: [15] }), {}],
+    ['in another form', inColors('CMYK', rgb), {}],
+    ['with a palette that is not there', inColors('PALETTE COLOR', indices, { SamplesPerPixel: [1] }), {}],
+  ] as const satisfies readonly (readonly [string, DicomFields, DicomForm])[]) {
+    it(`${what} is refused in words`, async () => {
+      const error = await expectError(decodeFields([fields], form));
+      expect(error.code).to.equal('format/unsupported');
+      expect(error.message).to.contain('is in colours').and.to.contain('dcmdjpeg');
+    });
+  }
+
+  it('that end early are an error in words', async () => {
+    const error = await expectError(decodeFields([inColors('RGB', rgb.slice(0, 30))]));
+    expect(error.code).to.equal('format/corrupt');
+    expect(error.message).to.contain('got 30 bytes').and.to.contain('need 36');
+  });
+});
