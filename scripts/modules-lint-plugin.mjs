@@ -105,6 +105,7 @@ export const FOLDERS = {
     'analyze',
     'afni',
     'npy',
+    'packed',
     'vti',
     'meshes',
     'terrain',

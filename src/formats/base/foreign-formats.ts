@@ -67,7 +67,6 @@ const foreign: readonly ForeignFormat[] = [
     advice: 'into the file that it holds: gzip -d file.Z',
     matches: begins('\x1f\x9d'),
   },
-  { name: 'a file packed by bzip2', advice: 'into the file that it holds: bzip2 -d file.bz2', matches: begins('BZh') },
   { name: 'a file packed by xz', advice: 'into the file that it holds: xz -d file.xz', matches: begins('\xfd7zXZ\0') },
   {
     name: 'a file packed by Zstandard',
