@@ -55,5 +55,5 @@ export const leaveNodeOut = /** @type {import('vite').Plugin} */ ({
     (id === 'fs' || id === 'path') && importer && isEmscripten(importer) ? '\0volume-view-no-node' : null,
   load: (id) => (id === '\0volume-view-no-node' ? 'export default {};' : null),
   transform: (code, id) =>
-    isEmscripten(id) && /\.js$/.test(id) ? { code: `var process, __filename, __dirname;${code}`, map: null } : null,
+    isEmscripten(id) && id.endsWith('.js') ? { code: `var process, __filename, __dirname;${code}`, map: null } : null,
 });
