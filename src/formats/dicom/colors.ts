@@ -1,6 +1,7 @@
 // Pictures in colours. A volume has one number per voxel: their brightness. Sources: DICOM PS3.3, C.7.6.3.1.2, C.7.6.3.1.3, C.7.6.3.1.5
 import type { DataSet } from './data-set.ts';
 import { tags } from './tags.ts';
+import type { TransferSyntax } from './transfer-syntax.ts';
 
 /** How the colours of a pixel are written. */
 export type Colors =
@@ -19,14 +20,20 @@ export function samplesPerPixel(colors: Colors | null): number {
 }
 
 /** @returns null where this is no form of colours that is read */
-export function readColors(set: DataSet, photometric: string, samples: number, isJ2k: boolean): Colors | null {
+export function readColors(
+  set: DataSet,
+  photometric: string,
+  samples: number,
+  packing: TransferSyntax['packing'],
+): Colors | null {
   if (photometric === 'PALETTE COLOR') return samples === 1 ? readPalette(set) : null;
-  if (samples !== 3) return null;
+  const isJ2k = packing === 'JPEG 2000' || packing === 'HTJ2K';
+  if (samples !== 3 || !(isJ2k || packing === 'none' || packing === 'RLE')) return null;
   const isPlanar = set.number(tags.planar) === 1 && !isJ2k;
   // The library for JPEG 2000 turns these two back.
   if (photometric === 'RGB' || (isJ2k && /^YBR_(RCT|ICT)$/.test(photometric))) return { kind: 'RGB', isPlanar };
   if (photometric === 'YBR_FULL') return { kind: 'YBR', isPlanar };
-  return photometric === 'YBR_FULL_422' && !isJ2k ? { kind: 'YBR pairs' } : null;
+  return photometric === 'YBR_FULL_422' && packing === 'none' ? { kind: 'YBR pairs' } : null;
 }
 
 function readPalette(set: DataSet): Colors | null {

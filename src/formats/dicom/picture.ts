@@ -60,9 +60,7 @@ export function readPicture({ set, pixels, syntax }: DicomFile, what: string): P
   const photometric = set.text(tags.photometric).toUpperCase() || 'MONOCHROME2';
   const samples = whole(tags.samplesPerPixel, 1);
   const isGray = samples === 1 && /^MONOCHROME[12]$/.test(photometric);
-  const isJ2k = syntax.packing === 'JPEG 2000' || syntax.packing === 'HTJ2K';
-  const isReadable = isJ2k || syntax.packing === 'none' || syntax.packing === 'RLE' || photometric === 'PALETTE COLOR';
-  const colors = isGray || !isReadable ? null : readColors(set, photometric, samples, isJ2k);
+  const colors = isGray ? null : readColors(set, photometric, samples, syntax.packing);
   const bits = set.number(tags.bitsAllocated);
   if (!isGray && (!colors || (bits !== 8 && colors.kind !== 'palette')))
     throw unsupportedFile(

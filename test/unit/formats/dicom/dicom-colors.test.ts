@@ -120,6 +120,7 @@ describe('DICOM in colours', () => {
 
   for (const [what, fields, form] of [
     ['packed with JPEG', inColors('YBR_FULL_422', rgb), { syntax: '1.2.840.10008.1.2.4.50', fragments: [rgb] }],
+    ['of pairs in runs', inColors('YBR_FULL_422', pairs), { syntax: syntaxes.rle, fragments: [packColors(rgb)] }],
     ['of 16 bits', inColors('RGB', new Uint8Array(72), { BitsAllocated: [16], BitsStored: [16], HighBit: [15] }), {}],
     ['in another form', inColors('CMYK', rgb), {}],
     ['with a palette that is not there', inColors('PALETTE COLOR', indices, { SamplesPerPixel: [1] }), {}],
