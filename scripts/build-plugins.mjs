@@ -42,18 +42,17 @@ export function provideBuilt(modules) {
 /** @param {string} name - of a module that the build makes */
 const pathOf = (name) => join(projectRoot, 'src', `${name.replace(':', '/')}.js`);
 
-const isEmscripten = (/** @type {string} */ id) => id.includes('/codec-openjpeg/');
-
 /**
- * A library made by Emscripten looks whether it runs in Node, and would then ask for files. Here it never does: it is given its bytes. Some
- * bundlers refuse its questions.
+ * OpenJPEG, made by Emscripten, as a module: as CommonJS, its bundler's helpers for that would be part of every page. It looks whether it runs
+ * in Node, and would then ask for files; here it never does, as it is given its bytes, and some bundlers refuse its questions.
  */
-export const leaveNodeOut = /** @type {import('vite').Plugin} */ ({
-  name: 'volume-view-leave-node-out',
+export const makeOpenJpegModule = /** @type {import('vite').Plugin} */ ({
+  name: 'volume-view-openjpeg',
   enforce: 'pre',
-  resolveId: (id, importer) =>
-    (id === 'fs' || id === 'path') && importer && isEmscripten(importer) ? '\0volume-view-no-node' : null,
-  load: (id) => (id === '\0volume-view-no-node' ? 'export default {};' : null),
-  transform: (code, id) =>
-    isEmscripten(id) && id.endsWith('.js') ? { code: `var process, __filename, __dirname;${code}`, map: null } : null,
+  transform(code, id) {
+    const [, name] = (id.includes('/codec-openjpeg/') && /^\s*var (\w+) = /.exec(code)) || [];
+    if (!name) return null;
+    const unused = 'var process, require, module, exports, define, __filename, __dirname;';
+    return { code: `${unused}${code}\nexport default ${name};`, map: null };
+  },
 });

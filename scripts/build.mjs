@@ -23,7 +23,7 @@ import { join } from 'node:path';
 import { build, defaultClientConditions, normalizePath } from 'vite';
 import { buildPrepare } from '../packages/prepare/build.mjs';
 import { AT_ONCE, atOnce } from './at-once.mjs';
-import { exportText, leaveNodeOut, provideBuilt, stripTexts } from './build-plugins.mjs';
+import { exportText, makeOpenJpegModule, provideBuilt, stripTexts } from './build-plugins.mjs';
 import { writeClassic } from './classic/build-classic.mjs';
 import { projectRoot } from './shared-data.mjs';
 import { listImports } from './list-imports.mjs';
@@ -96,7 +96,7 @@ async function bundle({ entry, format, output, extra, conditions = ['dist'], bui
     resolve: { conditions: [...conditions, ...defaultClientConditions] },
     // Vite would replace an expression with the real name by an address of the source.
     define: { OWN_URL: 'import.meta.url' },
-    plugins: [provideBuilt(built), stripTexts, leaveNodeOut],
+    plugins: [provideBuilt(built), stripTexts, makeOpenJpegModule],
     build: {
       outDir: dist,
       emptyOutDir: false,
