@@ -89,6 +89,7 @@ export const FOLDERS = {
     'base',
     'codecs',
     'appearance',
+    'series',
     'grid-files',
     'hdf5',
     'minc',

@@ -8,7 +8,8 @@ export class SourceAttributes extends LookAttributes {
   /**
    * URL of the data: a NIfTI, NRRD or MetaImage file or one of more formats, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II), a JSON
    * manifest, or a ZIP archive that holds one volume.
-   * Several URLs, separated by blanks, are scans in the order of time; a blank within a URL is written `%20`.
+   * Several URLs, separated by blanks, are scans in the order of time, and so are the volumes of one file that holds several; a blank
+   * within a URL is written `%20`.
    */
   @property() src!: string | null;
 
@@ -67,7 +68,7 @@ export class SourceAttributes extends LookAttributes {
 
   /**
    * Which of several scans is shown: a zero-based index, or a time in UTC, `2018-12-20T06:06:28Z`, for the latest scan at or before it (the
-   * first one if all are later). By default the first. Setting it shows that scan, even if `next`, `previous`, `play` or a person chose
+   * first one if all are later); `12.5 s` where a file counts from its start. By default the first. Setting it shows that scan, even if `next`, `previous`, `play` or a person chose
    * another one since; `scan` says which one is shown.
    * @default 0
    */

@@ -3,7 +3,7 @@ import type { PropertyValues } from 'lit';
 import { invalidAttribute } from '../../src/core/errors.ts';
 import type { VolumeViewError } from '../../src/core/errors.ts';
 import { Language } from '../../src/messages/language.ts';
-import { describeScan, scanLabeller } from '../../src/messages/name-scans.ts';
+import { describeScan, isClock, scanLabeller } from '../../src/messages/name-scans.ts';
 import { CompanionLocale } from '../../src/messages/companion-locale.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { styles } from './volume-timeline-styles.ts';
@@ -150,7 +150,7 @@ function renderButton(icon: keyof typeof icons, label: string, disabled: boolean
 function renderTime(times: readonly (string | null)[], index: number, language: Language): unknown {
   const time = times[index];
   return html`<span class="clock">${scanLabeller(times, language)(index)}</span>
-    ${time ? html`<span class="day">${language.zone(time)} · ${language.day(time)}</span>` : nothing}
+    ${isClock(time) ? html`<span class="day">${language.zone(time)} · ${language.day(time)}</span>` : nothing}
     <span class="count"><bdi dir="ltr">${language.number(index + 1)} / ${language.number(times.length)}</bdi></span>`;
 }
 

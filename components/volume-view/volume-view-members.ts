@@ -83,7 +83,10 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
     return this._session.stats;
   }
 
-  /** When the scans of the source began, ISO 8601 in UTC, one for each scan; null where the time is not known, or not yet. */
+  /**
+   * When the scans of the source began, one for each scan: ISO 8601 in UTC, or a number with its unit, `12.5 s`, where a file counts from
+   * its start; null where the time is not known, or not yet.
+   */
   get times(): readonly (string | null)[] {
     return this._session.times;
   }

@@ -62,7 +62,7 @@ function withBudget(
   count(input);
   return {
     budget,
-    fetchFile: async (url) => count(await fetchFile(url)),
+    fetchFile: async (url, range) => count(await fetchFile(url, range)),
     async *fetchFiles(urls) {
       for await (const file of fetchFiles(urls)) yield count(file);
     },

@@ -19,6 +19,8 @@ export interface ReadOptions {
   readonly maxBytes?: number;
   readonly signal?: AbortSignal;
   readonly onProgress?: ProgressListener;
+  /** Whether the start of a file is enough. Stores that read any part of a file quickly stop there. */
+  readonly isEnough?: (start: Uint8Array) => boolean;
 }
 
 /**

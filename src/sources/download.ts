@@ -18,6 +18,11 @@ export interface FetchOptions {
   readonly credentials?: RequestCredentials;
   /** Maximum bytes of a file. */
   readonly maxBytes?: number;
+  /**
+   * Whether the start of a file is enough, of which its server can send parts. It may get zeros in place of bytes that have not
+   * arrived.
+   */
+  readonly isEnough?: (start: Uint8Array) => boolean;
   /** `total` is 0 if it is unknown. */
   readonly onProgress: ProgressListener;
 }
@@ -50,6 +55,8 @@ export class Download {
   /** @param isRest - whether the response continues the bytes that were received before */
   async read(response: Response, isRest = false): Promise<DecodeInput> {
     const reader = response.body?.getReader();
+    const { headers } = response;
+    let isCut = false;
     try {
       if (!response.ok) throw new Error(`status ${response.status}`);
       if (!isRest) this.#begin(response);
@@ -59,13 +66,23 @@ export class Download {
         if (done || !value) break;
         this.#add(value);
         this.report();
+        isCut =
+          this.loaded < this.#announced &&
+          headers.get('accept-ranges') === 'bytes' &&
+          this.options.isEnough?.(this.#room) === true;
+        if (isCut) break;
       }
     } finally {
       reader?.cancel().catch(() => undefined);
     }
     // A response to a blob: URL has lost its fragment, which messages use as the file's name.
     const url = this.url.startsWith('blob:') ? this.url : response.url || this.url;
-    return { bytes: this.#join(), url, contentType: response.headers.get('content-type') ?? '' };
+    return {
+      bytes: this.#join(),
+      url,
+      contentType: headers.get('content-type') ?? '',
+      wholeBytes: isCut ? this.#announced : undefined,
+    };
   }
 
   /** Reports the progress. */

@@ -30,14 +30,16 @@ export class LocalStore implements ByteStore {
 
   async read(
     url: string,
-    { range, maxBytes, signal, onProgress = () => undefined }: ReadOptions = {},
+    { range, maxBytes, signal, isEnough, onProgress = () => undefined }: ReadOptions = {},
   ): Promise<DecodeInput> {
     const file = this.#find(url);
     const part = range ? file.slice(range.start, range.end) : file;
-    const download = new Download(url, { signal, maxBytes, pageOrigin: '', onProgress });
+    const download = new Download(url, { signal, maxBytes, pageOrigin: '', isEnough, onProgress });
     try {
       return await download.read(
-        new Response(part, { headers: { 'content-length': String(part.size), 'content-type': file.type } }),
+        new Response(part, {
+          headers: { 'content-length': String(part.size), 'content-type': file.type, 'accept-ranges': 'bytes' },
+        }),
       );
     } catch (cause) {
       signal?.throwIfAborted();

@@ -2,10 +2,12 @@ import type { Volume } from '../volume/volume.ts';
 import { Budget } from '../formats/base/budget.ts';
 import { decodeFile, explain } from '../formats/decode.ts';
 import type { DecodeContext } from '../formats/decode.ts';
-import type { DecodeInput } from '../formats/base/decoded-volume.ts';
+import type { DecodeInput, ProgressListener } from '../formats/base/decoded-volume.ts';
+import { startsSeries } from '../formats/nifti/nifti-header.ts';
+import type { ByteRange } from '../sources/byte-store.ts';
 import { maxFileBytes } from '../sources/download.ts';
+import type { FetchOptions } from '../sources/download.ts';
 import { fetchBytes } from '../sources/fetch-bytes.ts';
-import type { FetchOne } from '../sources/fetch-files.ts';
 import { isZip } from '../sources/is-zip.ts';
 import type { OpenedFiles } from '../sources/open-files.ts';
 import { finishVolume } from '../formats/finish-volume.ts';
@@ -54,45 +56,64 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     signal?.throwIfAborted(); // Long work on the main thread passes here often.
     onProgress({ loaded, total, phase });
   };
-  const fetchOne: FetchOne = (url, onProgress) => {
-    const read = opened?.read ?? fetchBytes;
-    return read(url, {
+  const fetchOne = async (
+    url: string,
+    onProgress: ProgressListener,
+    range?: ByteRange,
+    isEnough?: FetchOptions['isEnough'],
+  ): Promise<DecodeInput> => {
+    const options = {
       signal,
       pageOrigin,
       credentials: request.files?.includes(url) ? undefined : named,
       maxBytes: Math.min(maxFileBytes, budget.deviceBytes),
       onProgress,
-    });
+      isEnough,
+    };
+    if (range)
+      return (await loadReader(() => import('#rare/sources/fetch-range.ts'))).fetchRange(
+        url,
+        { ...options, range },
+        request.local,
+      );
+    return (opened?.read ?? fetchBytes)(url, options);
   };
-  const fetchFile = (url: string) => fetchOne(url, report('fetch'));
+  const fetchFile: DecodeContext['fetchFile'] = (url, range) => fetchOne(url, report('fetch'), range);
   const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
     const { fetchInOrder } = await loadReader(() => import('#rare/sources/fetch-files.ts'));
     yield* fetchInOrder(urls, fetchOne, report('fetch'));
   };
+  // Of a file of several volumes, those that are shown are fetched.
+  const fetchFirst = (url: string) =>
+    fetchOne(url, report('fetch'), undefined, request.scan && !files ? startsSeries : undefined);
   const start = async (): Promise<DecodeInput> => {
-    let first = request.local ? null : await fetchFile(url);
+    let first = request.local ? null : await fetchFirst(url);
     // A file from another server chooses what else is fetched: that must not use the reader's cookies and logins.
     if (first?.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
     if (!first || (isZip(first.bytes) && !files?.[1])) {
       const { openFiles } = await loadReader(() => import('#rare/sources/open-files.ts'));
       opened = await openFiles(first ?? request.local!, { isStack: files !== undefined, signal });
       ({ files } = opened);
-      first = await fetchFile(opened.first);
+      first = await fetchFirst(opened.first);
     }
     await breathe?.();
     return first;
   };
   try {
     // Only the decoder holds the file, so that its memory can be freed during the next steps.
-    const decoded = await decodeFile(await start(), settings, {
-      fetchFile,
-      fetchFiles,
-      files,
-      onProgress: report('decode'),
-      onScans,
-      onRadar: () => onCoarse?.(null),
-      budget,
-    });
+    const decoded = request.data
+      ? await (
+          await loadReader(() => import('#rare/formats/series/read-scan.ts'))
+        ).readPlacedScan(request.data, settings, { fetchFile, budget })
+      : await decodeFile(await start(), settings, {
+          fetchFile,
+          fetchFiles,
+          files,
+          onProgress: report('decode'),
+          onScans,
+          onRadar: () => onCoarse?.(null),
+          budget,
+        });
     await breathe?.();
     signal?.throwIfAborted();
     return await finishVolume(decoded, await request.limits, onCoarse, settings.clean);

@@ -113,7 +113,7 @@ function loadInWorker(
           size = Math.max(size, data.progress.loaded);
           return onProgress(data.progress);
         case 'scans':
-          return onScans?.(data.times);
+          return onScans?.(data.times, data.data);
         case 'coarse':
           return onCoarse?.(data.coarse);
         case 'done':

@@ -60,7 +60,7 @@ async function runOrder(
       { ...request, limits },
       {
         ...environment,
-        onScans: (times) => report({ type: 'scans', times }),
+        onScans: (times, data) => report({ type: 'scans', times, data }),
         onCoarse: (coarse) => report({ type: 'coarse', coarse }, coarse ? listBuffers(coarse.volume) : undefined),
       },
     );

@@ -2,6 +2,7 @@ import type { ErrorCode } from '../core/errors.ts';
 import type { Surface } from '../volume/surface.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ScanTimes } from '../formats/base/choose-scan.ts';
+import type { ScanData } from '../formats/base/scan-data.ts';
 import type { CoarseVolume, DeviceLimits, LoadProgress, LoadRequest } from '../formats/base/load-request.ts';
 import type { SurfaceRequest } from './surface-request.ts';
 
@@ -28,7 +29,7 @@ export interface WorkerStop {
 export type WorkerReport =
   | { readonly type: 'ready' }
   | { readonly type: 'progress'; readonly progress: LoadProgress }
-  | { readonly type: 'scans'; readonly times: ScanTimes }
+  | { readonly type: 'scans'; readonly times: ScanTimes; readonly data?: readonly ScanData[] }
   | { readonly type: 'coarse'; readonly coarse: CoarseVolume | null }
   | { readonly type: 'done'; readonly volume: Volume | Surface }
   | { readonly type: 'failed'; readonly code: ErrorCode; readonly message: string; readonly cause?: string }

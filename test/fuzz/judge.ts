@@ -41,7 +41,12 @@ async function load({ files, stack, settings = {} }: FilesCase): Promise<Finding
   const urls = files.map(({ name }) => `https://example.test/${encodeURIComponent(name)}`);
   const context: DecodeContext = {
     fetchFile,
-    fetchFiles: (urls) => fetchInOrder(urls, fetchFile, () => undefined),
+    fetchFiles: (urls) =>
+      fetchInOrder(
+        urls,
+        (url) => fetchFile(url),
+        () => undefined,
+      ),
     onProgress: () => undefined,
     ...(stack ? { files: urls } : {}),
   };

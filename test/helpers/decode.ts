@@ -46,7 +46,12 @@ export function fixtureContext(): DecodeContext {
   return {
     onProgress: () => undefined,
     fetchFile,
-    fetchFiles: (urls) => fetchInOrder(urls, fetchFile, () => undefined),
+    fetchFiles: (urls) =>
+      fetchInOrder(
+        urls,
+        (url) => fetchFile(url),
+        () => undefined,
+      ),
   };
 }
 

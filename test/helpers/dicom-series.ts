@@ -26,7 +26,12 @@ export async function decodeSeries(
   const context: DecodeContext = {
     onProgress: () => undefined,
     fetchFile,
-    fetchFiles: (some) => fetchInOrder(some, fetchFile, () => undefined),
+    fetchFiles: (some) =>
+      fetchInOrder(
+        some,
+        (url) => fetchFile(url),
+        () => undefined,
+      ),
     ...(files.length > 1 ? { files: urls } : {}),
   };
   return (await finishVolume(await decodeFile(await fetchFile(urls[0]), settings, context), roomyLimits)) as Scan;

@@ -31,7 +31,7 @@ export type DecodedPolarVolume = Decoded & { readonly grid: PolarGrid; readonly 
 
 /** What attributes or a manifest say about a file's data. */
 export interface DecodeSettings extends SourceSettings {
-  /** Which scan of a manifest to load; the first if undefined. */
+  /** Which scan of a manifest, or of a file of several volumes, to load; the first if undefined. */
   readonly scan?: ScanTarget;
   /** How an image's channels make one number; gray if undefined. */
   readonly channels?: ChannelUse;
@@ -51,6 +51,8 @@ export interface DecodeInput {
   readonly contentType: string;
   /** Bytes that the file takes where it lies, if it was unpacked on its way here: what a load may hold depends on them. */
   readonly packedBytes?: number;
+  /** Set where `bytes` are only its start, and its server can send parts of it: the bytes of the whole. */
+  readonly wholeBytes?: number;
 }
 
 export type ProgressListener = (loaded: number, total: number) => void;

@@ -18,8 +18,8 @@ export interface FileStart {
 
 /** How a reader fetches other files. Both methods throw {VolumeViewError} as fetchBytes does. */
 export interface FileAccess {
-  /** @param url - absolute */
-  fetchFile(url: string): Promise<DecodeInput>;
+  /** @param url - absolute @param range - the bytes from `start` up to `end`; the whole file if undefined */
+  fetchFile(url: string, range?: { readonly start: number; readonly end: number }): Promise<DecodeInput>;
   /** Fetches several files and yields them in their order; a few are fetched ahead. */
   fetchFiles(urls: readonly string[]): AsyncIterable<DecodeInput>;
 }

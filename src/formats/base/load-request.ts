@@ -1,6 +1,7 @@
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ScanTimes, ScanTarget } from './choose-scan.ts';
+import type { ScanData } from './scan-data.ts';
 import type { SourceSettings } from './source-settings.ts';
 
 export type { DeviceLimits };
@@ -26,8 +27,10 @@ export interface LoadRequest {
   readonly local?: LocalFiles;
   /** How to read it. */
   readonly settings?: SourceSettings;
-  /** Of a manifest with scans: which one; the first where undefined. */
+  /** Of a manifest with scans, or a file of several volumes: which one. Where undefined it is the first, and a file is not opened as scans. */
   readonly scan?: ScanTarget;
+  /** Set once the file is open: where that scan lies. */
+  readonly data?: ScanData;
   /**
    * The device's limits, which the volume must fit. Asking the device takes a while: the file is fetched and decoded
    * meanwhile.
@@ -52,8 +55,11 @@ export interface LoadProgress {
 
 export type LoadProgressListener = (progress: LoadProgress) => void;
 
-/** Receives the scans that a manifest lists, before one of them is loaded. */
-export type ScansListener = (times: ScanTimes) => void;
+/**
+ * Receives the scans that a manifest or a file of several volumes holds, before one of them is loaded.
+ * @param data - where they lie; undefined for a manifest
+ */
+export type ScansListener = (times: ScanTimes, data?: readonly ScanData[]) => void;
 
 /**
  * A small volume that stands in for a large one until that is ready. For a radar it has everything except the

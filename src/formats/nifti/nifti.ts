@@ -2,8 +2,8 @@ import { VolumeViewError } from '../../core/errors.ts';
 import { cartesianGrid } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
-import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
-import type { FormatReader } from '../base/format.ts';
+import type { DecodedCartesianVolume, DecodeInput, DecodeSettings } from '../base/decoded-volume.ts';
+import type { FormatReader, ReadContext } from '../base/format.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
 import { listLeft } from '../base/list-left.ts';
 import { loadReader } from '../base/load-reader.ts';
@@ -20,15 +20,28 @@ import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 export interface NiftiSource extends StreamSource {
   /** The file's bytes, unpacked, in pieces. */
   readonly pieces: AsyncIterable<Uint8Array<ArrayBuffer>>;
+  /** Set where several volumes are opened as scans. */
+  readonly scans?: {
+    readonly input: DecodeInput;
+    readonly settings: DecodeSettings;
+    readonly context: ReadContext;
+  };
 }
 
 /** Reads a NIfTI file, packed with gzip or not. */
-export const readNiftiFile: FormatReader = async ({ bytes }, settings, { onProgress, budget }) => {
+export const readNiftiFile: FormatReader = async (input, settings, context) => {
+  const { bytes } = input;
+  const { onProgress, budget } = context;
   onProgress(0, bytes.length);
   const isPacked = isGzip(bytes);
-  const pieces = isPacked ? gunzip(bytes) : yieldOnce(bytes);
   return placeVolume(
-    await readNifti({ pieces, atMost: isPacked ? bytes.length * maxDeflateRatio : bytes.length, onProgress, budget }),
+    await readNifti({
+      pieces: isPacked ? gunzip(bytes) : yieldOnce(bytes),
+      atMost: isPacked ? bytes.length * maxDeflateRatio : bytes.length,
+      onProgress,
+      budget,
+      scans: settings.scan && !context.isPart ? { input, settings, context } : undefined,
+    }),
     settings,
   );
 };
@@ -56,38 +69,48 @@ async function readVolume(
   const { dimensions, volumes, numbers } = readDimensions(header);
   const type = await readType(header);
   const rescale = readRescale(header);
-  const bytes = await readSpan(reader, source, {
+  const span = {
     what: 'NIfTI',
     offset: header.offset,
     bytes: countSampleBytes('the NIfTI header', dimensions, type),
     isPart: volumes * numbers > 1,
-  });
+  };
+  const { indexToWorld, anatomical } = resolveAffine(header, dimensions);
+  const info = {
+    grid: cartesianGrid(dimensions, indexToWorld),
+    anatomical,
+    unit: '',
+    format: `NIfTI-${header.version}`,
+    isLabels: header.intent === 1002,
+    intent: header.intent,
+    ...readWindow(header),
+  };
+  const omitted = [
+    numbers > 1 ? `number${numbers > 2 ? 's 2 to' : ''} ${numbers} of each voxel` : null,
+    type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null,
+  ];
+  if (volumes > 1 && source.scans) {
+    const { openNiftiScans } = await loadReader(() => import('#rare/formats/nifti/nifti-scans.ts'));
+    const opened = await openNiftiScans(reader, source, { header, span, type, rescale, info, volumes, omitted });
+    if (opened) return opened;
+  }
+  const bytes = await readSpan(reader, source, span);
   const stored = storeSamples(bytes, type, header.littleEndian, {
     ...rescale,
     budget: source.budget,
     chooseWhole: await wholeNumbersOf(type),
   });
   const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : rescale;
-  const { indexToWorld, anatomical } = resolveAffine(header, dimensions);
   return {
-    grid: cartesianGrid(dimensions, indexToWorld),
-    anatomical,
+    ...info,
     samples: stored.samples,
     slope: slope * stored.scale,
     intercept: slope * stored.offset + intercept,
     // Nobody expects all digits of scaled numbers.
     ...(slope === 1 && intercept === 0 ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
     unkept: stored.unkept,
-    unit: '',
-    format: `NIfTI-${header.version}${volumes * numbers > 1 ? `, volume 1 of ${volumes * numbers}` : ''}`,
-    ...listLeft(
-      volumes,
-      numbers > 1 ? `number${numbers > 2 ? 's 2 to' : ''} ${numbers} of each voxel` : null,
-      type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null,
-    ),
-    isLabels: header.intent === 1002,
-    intent: header.intent,
-    ...readWindow(header),
+    format: `${info.format}${span.isPart ? `, volume 1 of ${volumes * numbers}` : ''}`,
+    ...listLeft(volumes, ...omitted),
   };
 }
 

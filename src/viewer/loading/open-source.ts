@@ -1,13 +1,18 @@
-import type { ScanTimes, ScanTarget } from '../../formats/base/choose-scan.ts';
+import type { ScanTarget } from '../../formats/base/choose-scan.ts';
 import type { LoadOptions } from '../../worker/load.ts';
-import type { CoarseListener, LoadProgressListener, LoadRequest } from '../../formats/base/load-request.ts';
+import type {
+  CoarseListener,
+  LoadProgressListener,
+  LoadRequest,
+  ScansListener,
+} from '../../formats/base/load-request.ts';
 import { loadPart } from '../../core/load-part.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ScanHost, ScanPlayer } from './scan-player.ts';
 import type { ScanSource } from './scan-sequence.ts';
 
 /** A file, or several files of one volume, and which scan of a manifest. */
-export type SourceRequest = Pick<LoadRequest, 'url' | 'files' | 'scan'>;
+export type SourceRequest = Pick<LoadRequest, 'url' | 'files' | 'scan' | 'data'>;
 
 /** What an author says about the source. */
 export interface Source {
@@ -48,9 +53,9 @@ export async function openSource({ src, stack }: Source, host: SourceHost, openi
   const [url] = urls;
   const files = stack ? urls : undefined;
   let starting: Promise<ScanPlayer> | null = null;
-  const onScans = (times: ScanTimes): void => {
+  const onScans: ScansListener = (times, data) => {
     starting = startPlayer(
-      times.map((time, index) => ({ url, index, time })),
+      times.map((time, index) => ({ url, index, time, data: data?.[index] })),
       host,
       signal,
     ).then((one) => one.aim(wanted));

@@ -9,7 +9,7 @@ import type { LoadScan, ScanSource } from './scan-sequence.ts';
 export interface TimeChangeDetail {
   /** Its number, from 0. */
   readonly index: number;
-  /** When it began, ISO 8601 in UTC; null where it is not known. */
+  /** When it began, ISO 8601 in UTC, or a number with its unit, `12.5 s`; null where it is not known. */
   readonly time: string | null;
   /** Number of all scans. */
   readonly count: number;

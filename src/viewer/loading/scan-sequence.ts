@@ -1,17 +1,20 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import { chooseScan } from '../../formats/base/choose-scan.ts';
 import type { ScanTimes, ScanTarget } from '../../formats/base/choose-scan.ts';
+import type { ScanData } from '../../formats/base/scan-data.ts';
 import type { LoadProgressListener, LoadRequest } from '../../formats/base/load-request.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { VolumeCache } from '../model/volume-cache.ts';
 
-/** One of several scans: a file of its own, or an entry of a manifest. */
+/** One of several scans: a file of its own, an entry of a manifest, or a volume of a file that holds several. */
 export interface ScanSource {
   readonly url: string;
-  /** Its number in the manifest. */
+  /** Its number in the manifest, or in the file. */
   readonly index?: number;
   /** ISO 8601, if it is known before the scan is loaded. */
   readonly time?: string | null;
+  /** Where it lies in a file that holds several. */
+  readonly data?: ScanData;
 }
 
 /** The number of scans that a manifest may list. */
@@ -19,7 +22,7 @@ const maxScans = 10_000;
 
 /** Loads one scan. */
 export type LoadScan = (
-  source: Pick<LoadRequest, 'url' | 'scan'>,
+  source: Pick<LoadRequest, 'url' | 'scan' | 'data'>,
   signal: AbortSignal,
   onProgress: LoadProgressListener,
 ) => Promise<Volume>;
@@ -147,8 +150,8 @@ export class ScanSequence {
   }
 
   async #run(index: number, signal: AbortSignal): Promise<Volume> {
-    const { url, index: number } = this.#sources[index];
-    const request = number === undefined ? { url } : { url, scan: { index: number } };
+    const { url, index: number, data } = this.#sources[index];
+    const request = number === undefined ? { url } : { url, scan: { index: number }, data };
     const volume = await this.#load(request, signal, (progress) => this.#running.get(index)?.onProgress(progress));
     signal.throwIfAborted();
     this.keep(index, volume);

@@ -66,9 +66,9 @@ export class SharedVolumes {
       signal: options.signal,
       onProgress: (progress) => onProgress.forEach((notify) => notify(progress)),
       onCoarse: (coarse) => onCoarse.forEach((notify) => notify(coarse)),
-      onScans: (times) => {
+      onScans: (times, data) => {
         this.#unshared.add(key);
-        options.onScans?.(times);
+        options.onScans?.(times, data);
       },
     });
     const volume = loading.then(

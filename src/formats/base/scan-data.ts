@@ -1,0 +1,28 @@
+import type { DecodedCartesianVolume } from './decoded-volume.ts';
+
+/** Where the numbers of one volume lie: kept by the browser outside of a page's own memory, or a part of a file. */
+export type ScanBytes = Blob | { readonly url: string; readonly start: number; readonly end: number };
+
+/** What all volumes of a file have in common: everything but their values. */
+export type SeriesInfo = Omit<
+  DecodedCartesianVolume,
+  'samples' | 'slope' | 'intercept' | 'indexed' | 'rounded' | 'unkept'
+>;
+
+/**
+ * One volume of a file that holds several, as it is kept until it is shown. Readers make it when the file is opened, and a page sends it
+ * back to the worker, so it is plain data.
+ */
+export interface ScanData {
+  readonly from: ScanBytes;
+  /** Name of the type of its numbers: 'int16'. */
+  readonly type: string;
+  readonly littleEndian: boolean;
+  /** Value = slope * number + intercept. */
+  readonly slope: number;
+  readonly intercept: number;
+  /** With its place in the file: 'NIfTI-1, volume 3 of 20'. */
+  readonly format: string;
+  /** The same object for all volumes of a file. */
+  readonly series: SeriesInfo;
+}

@@ -1,0 +1,68 @@
+import { summarize } from '../../volume/histogram.ts';
+import type { ScanData, SeriesInfo } from '../base/scan-data.ts';
+import { storeSamples } from '../base/store-samples.ts';
+import { suggestAppearance } from '../appearance/suggest-appearance.ts';
+import { countBytes, readPart } from './read-scan.ts';
+import type { ScanAccess } from './read-scan.ts';
+import { scanTypes } from './scan-types.ts';
+
+/** How many scans are looked at, evenly over the file. */
+const lookedAt = 5;
+
+/** Of a larger scan, so many parts of so many bytes are read. */
+const [parts, partBytes] = [4, 2 ** 18];
+
+/**
+ * One window and one set of colours for all scans, from some values of some of them: which scan is shown first does not matter.
+ * What the file itself says stays.
+ */
+export async function suggestForAll(scans: readonly ScanData[], access: ScanAccess): Promise<SeriesInfo> {
+  const [{ series }] = scans;
+  const values = await sampleValues(scans, access);
+  const { histogram } = summarize(values, 1, 0);
+  const { isDiscrete, window, transferFunction } = await suggestAppearance(
+    { ...series, samples: values, slope: 1, intercept: 0 },
+    histogram,
+  );
+  if (isDiscrete) return series;
+  return { ...series, window, transferFunction, intent: undefined };
+}
+
+/** Values of the first, the last and some other scans. */
+async function sampleValues(scans: readonly ScanData[], access: ScanAccess): Promise<Float32Array<ArrayBuffer>> {
+  const last = scans.length - 1;
+  const chosen = new Set(Array.from({ length: lookedAt }, (_, i) => Math.round((i * last) / (lookedAt - 1))));
+  const reads = [...chosen].flatMap((i) => listParts(scans[i]).map((start) => ({ scan: scans[i], start })));
+  const all: Float32Array[] = [];
+  for (const { scan, start } of reads) {
+    const end = Math.min(start + sizeOfPart(scan), countBytes(scan));
+    const type = scanTypes.get(scan.type)!;
+    const { samples, scale, offset } = storeSamples(await readPart(scan, start, end, access), type, scan.littleEndian, {
+      ...scan,
+      budget: access.budget,
+    });
+    const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : scan;
+    all.push(Float32Array.from(samples, (sample) => slope * (scale * sample + offset) + intercept));
+    access.budget.giveBack(end - start);
+  }
+  const values = new Float32Array(all.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const one of all) {
+    values.set(one, at);
+    at += one.length;
+  }
+  return values;
+}
+
+const sizeOfPart = (scan: ScanData): number => (countBytes(scan) > parts * partBytes ? partBytes : countBytes(scan));
+
+/** Where the parts of a scan begin that are read: the whole of a small one. */
+function listParts(scan: ScanData): number[] {
+  const bytes = countBytes(scan);
+  if (sizeOfPart(scan) === bytes) return [0];
+  const { bytesPerSample } = scanTypes.get(scan.type)!;
+  return Array.from({ length: parts }, (_, i) => {
+    const start = ((i + 0.5) / parts) * bytes - partBytes / 2;
+    return Math.floor(start / bytesPerSample) * bytesPerSample;
+  });
+}

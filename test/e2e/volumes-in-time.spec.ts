@@ -1,0 +1,85 @@
+// A file of several volumes: its scans, its times, and which bytes of it are fetched.
+import { readFileSync } from 'node:fs';
+import { gzipSync } from 'node:zlib';
+import type { Page } from '@playwright/test';
+import { expect, keptTest as test, open, withElement } from './helpers/harness.ts';
+import { expectShown } from './helpers/scans.ts';
+
+const functional = readFileSync(new URL('../../demos/data/functional.nii', import.meta.url));
+const look = 'value-window="3000 5000" style="width: 200px; height: 150px"';
+
+/** The same volumes again and again: 2,000 times, 4 MB. */
+const long = Buffer.concat([
+  functional.subarray(0, 352),
+  ...Array.from({ length: 100 }, () => functional.subarray(352)),
+]);
+long.writeInt16LE(2000, 48);
+
+/** Serves the file, packed or not; returns the ranges that were asked for, '' for the whole file. */
+async function serve(page: Page, name: string, { ranges }: { ranges: boolean }): Promise<string[]> {
+  const asked: string[] = [];
+  const body = ranges ? long : name.endsWith('.gz') ? gzipSync(functional) : functional;
+  await page.route(`**/${name}`, async (route) => {
+    const { range = '' } = route.request().headers();
+    asked.push(range);
+    const [, start, end] = /bytes=(\d+)-(\d+)/.exec(range) ?? [];
+    const isPart = ranges && start !== undefined;
+    const part = isPart ? body.subarray(Number(start), Number(end) + 1) : body;
+    await route.fulfill({
+      status: isPart ? 206 : 200,
+      body: part,
+      headers: {
+        'content-type': 'application/octet-stream',
+        'content-length': String(part.length),
+        ...(ranges && { 'accept-ranges': 'bytes' }),
+        ...(isPart && { 'content-range': `bytes ${start}-${Number(end)}/${body.length}` }),
+      },
+    });
+  });
+  return asked;
+}
+
+const formatOf = (page: Page): Promise<string | undefined> => withElement(page, (element) => element.volume?.format);
+
+test.describe('a NIfTI file of several times', () => {
+  for (const [name, ranges] of [
+    ['packed.nii.gz', false],
+    ['plain.nii', false],
+  ] as const) {
+    test(`${name} is fetched once; its volumes are scans`, async ({ page }) => {
+      const asked = await serve(page, name, { ranges });
+      await open(
+        page,
+        `<volume-view src="/${name}" ${look} time="8 s" alt="Scans"></volume-view><volume-timeline></volume-timeline>`,
+      );
+      await expectShown(page, 4);
+      expect(await withElement(page, (element) => element.times.slice(0, 3))).toEqual(['0 s', '2 s', '4 s']);
+      expect(await formatOf(page)).toBe('NIfTI-1, volume 5 of 20');
+      await expect(page.locator('volume-timeline').locator('.clock')).toHaveText('8 s');
+      await expect(page.getByRole('slider', { name: 'Scan' })).toHaveAttribute('aria-valuetext', '8 s, scan 5 of 20');
+      for (const index of [19, 0, 5]) {
+        await withElement(page, (element, at) => element.showScan(at), { argument: index });
+        await expectShown(page, index);
+        expect(await formatOf(page)).toBe(`NIfTI-1, volume ${index + 1} of 20`);
+      }
+      expect(asked).toEqual(['']);
+    });
+  }
+
+  test('is fetched in ranges from a server that has them', async ({ page }) => {
+    const asked = await serve(page, 'ranges.nii', { ranges: true });
+    await open(page, `<volume-view src="/ranges.nii" ${look} alt="Scans"></volume-view>`);
+    await expectShown(page, 0);
+    await withElement(page, (element) => element.showScan(1999));
+    await expectShown(page, 1999);
+    expect(await formatOf(page)).toBe('NIfTI-1, volume 2000 of 2000');
+    expect(asked.filter((range) => range === '').length).toBe(1);
+    expect(asked).toContain(`bytes=${352 + 1999 * 2142}-${352 + 2000 * 2142 - 1}`);
+  });
+
+  test('has a time that is none of its own refused in words', async ({ page }) => {
+    await serve(page, 'plain.nii', { ranges: false });
+    await open(page, `<volume-view src="/plain.nii" ${look} time="12 Hz" alt="Scans"></volume-view>`);
+    await expect(page.getByText('time got "12 Hz"')).toBeVisible();
+  });
+});
