@@ -18,10 +18,7 @@ export interface FetchOptions {
   readonly credentials?: RequestCredentials;
   /** Maximum bytes of a file. */
   readonly maxBytes?: number;
-  /**
-   * Whether the start of a file is enough, of which its server can send parts. It may get zeros in place of bytes that have not
-   * arrived.
-   */
+  /** Whether the start of a file is enough, of which its server can send parts. It may get zeros in place of bytes that have not arrived. */
   readonly isEnough?: (start: Uint8Array) => boolean;
   /** `total` is 0 if it is unknown. */
   readonly onProgress: ProgressListener;
@@ -56,7 +53,6 @@ export class Download {
   async read(response: Response, isRest = false): Promise<DecodeInput> {
     const reader = response.body?.getReader();
     const { headers } = response;
-    let isCut = false;
     try {
       if (!response.ok) throw new Error(`status ${response.status}`);
       if (!isRest) this.#begin(response);
@@ -66,11 +62,7 @@ export class Download {
         if (done || !value) break;
         this.#add(value);
         this.report();
-        isCut =
-          this.loaded < this.#announced &&
-          headers.get('accept-ranges') === 'bytes' &&
-          this.options.isEnough?.(this.#room) === true;
-        if (isCut) break;
+        if (this.options.isEnough?.(this.#room) && headers.get('accept-ranges') === 'bytes') break;
       }
     } finally {
       reader?.cancel().catch(() => undefined);
@@ -81,7 +73,7 @@ export class Download {
       bytes: this.#join(),
       url,
       contentType: headers.get('content-type') ?? '',
-      wholeBytes: isCut ? this.#announced : undefined,
+      missing: this.#announced - this.loaded,
     };
   }
 

@@ -2,12 +2,11 @@ import type { Volume } from '../volume/volume.ts';
 import { Budget } from '../formats/base/budget.ts';
 import { decodeFile, explain } from '../formats/decode.ts';
 import type { DecodeContext } from '../formats/decode.ts';
-import type { DecodeInput, ProgressListener } from '../formats/base/decoded-volume.ts';
+import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import { startsSeries } from '../formats/nifti/nifti-header.ts';
-import type { ByteRange } from '../sources/byte-store.ts';
 import { maxFileBytes } from '../sources/download.ts';
-import type { FetchOptions } from '../sources/download.ts';
 import { fetchBytes } from '../sources/fetch-bytes.ts';
+import type { FetchOne } from '../sources/fetch-files.ts';
 import { isZip } from '../sources/is-zip.ts';
 import type { OpenedFiles } from '../sources/open-files.ts';
 import { finishVolume } from '../formats/finish-volume.ts';
@@ -51,69 +50,62 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   let named: RequestCredentials | undefined;
   let opened: OpenedFiles | undefined;
   let { files } = request;
+  // Of a file of several volumes, those that are shown are fetched.
+  let isEnough = request.scan && !files ? startsSeries : undefined;
   const settings = { ...request.settings, scan: request.scan };
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
     signal?.throwIfAborted(); // Long work on the main thread passes here often.
     onProgress({ loaded, total, phase });
   };
-  const fetchOne = async (
-    url: string,
-    onProgress: ProgressListener,
-    range?: ByteRange,
-    isEnough?: FetchOptions['isEnough'],
-  ): Promise<DecodeInput> => {
-    const options = {
+  const fetchOne: FetchOne = (url, onProgress) => {
+    const read = opened?.read ?? fetchBytes;
+    return read(url, {
       signal,
       pageOrigin,
       credentials: request.files?.includes(url) ? undefined : named,
       maxBytes: Math.min(maxFileBytes, budget.deviceBytes),
-      onProgress,
       isEnough,
-    };
-    if (range)
-      return (await loadReader(() => import('#rare/sources/fetch-range.ts'))).fetchRange(
-        url,
-        { ...options, range },
-        request.local,
-      );
-    return (opened?.read ?? fetchBytes)(url, options);
+      onProgress,
+    });
   };
-  const fetchFile: DecodeContext['fetchFile'] = (url, range) => fetchOne(url, report('fetch'), range);
+  const fetchFile = (url: string) => fetchOne(url, report('fetch'));
   const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
     const { fetchInOrder } = await loadReader(() => import('#rare/sources/fetch-files.ts'));
     yield* fetchInOrder(urls, fetchOne, report('fetch'));
   };
-  // Of a file of several volumes, those that are shown are fetched.
-  const fetchFirst = (url: string) =>
-    fetchOne(url, report('fetch'), undefined, request.scan && !files ? startsSeries : undefined);
   const start = async (): Promise<DecodeInput> => {
-    let first = request.local ? null : await fetchFirst(url);
+    let first = request.local ? null : await fetchFile(url);
     // A file from another server chooses what else is fetched: that must not use the reader's cookies and logins.
     if (first?.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
     if (!first || (isZip(first.bytes) && !files?.[1])) {
       const { openFiles } = await loadReader(() => import('#rare/sources/open-files.ts'));
       opened = await openFiles(first ?? request.local!, { isStack: files !== undefined, signal });
       ({ files } = opened);
-      first = await fetchFirst(opened.first);
+      first = await fetchFile(opened.first);
     }
+    isEnough = undefined;
     await breathe?.();
     return first;
   };
+  const decode = async (first: DecodeInput | null) => {
+    const isWhole = first && !(first.missing! > 0);
+    const read = isWhole ? decodeFile : (await loadReader(() => import('#rare/worker/decode-scan.ts'))).decodeScan;
+    return read(first!, settings, {
+      fetchFile,
+      fetchFiles,
+      files,
+      onProgress: report('decode'),
+      onScans,
+      onRadar: () => onCoarse?.(null),
+      budget,
+      request,
+      signal,
+      pageOrigin,
+    });
+  };
   try {
     // Only the decoder holds the file, so that its memory can be freed during the next steps.
-    const decoded = request.data
-      ? await (
-          await loadReader(() => import('#rare/formats/series/read-scan.ts'))
-        ).readPlacedScan(request.data, settings, { fetchFile, budget })
-      : await decodeFile(await start(), settings, {
-          fetchFile,
-          fetchFiles,
-          files,
-          onProgress: report('decode'),
-          onScans,
-          onRadar: () => onCoarse?.(null),
-          budget,
-        });
+    const decoded = await decode(request.data ? null : await start());
     await breathe?.();
     signal?.throwIfAborted();
     return await finishVolume(decoded, await request.limits, onCoarse, settings.clean);

@@ -51,8 +51,8 @@ export interface DecodeInput {
   readonly contentType: string;
   /** Bytes that the file takes where it lies, if it was unpacked on its way here: what a load may hold depends on them. */
   readonly packedBytes?: number;
-  /** Set where `bytes` are only its start, and its server can send parts of it: the bytes of the whole. */
-  readonly wholeBytes?: number;
+  /** Where it is above 0, so many bytes of the file are missing after `bytes`, and its server can send parts of it. */
+  readonly missing?: number;
 }
 
 export type ProgressListener = (loaded: number, total: number) => void;

@@ -60,11 +60,6 @@ export class PieceReader {
     return bytes.subarray(0, Math.max(0, Math.min(length, at - offset)));
   }
 
-  /** All bytes of the file, from its start on; nothing else can be read with it afterwards. */
-  async *readAll(): AsyncGenerator<Uint8Array<ArrayBuffer>> {
-    for (let piece: Uint8Array<ArrayBuffer> | null = this.#start; piece; piece = await this.#next()) yield piece;
-  }
-
   /** Reads to the end, but at most about `maxBytes` bytes. */
   async drain(maxBytes: number): Promise<void> {
     const end = this.total + maxBytes;

@@ -61,14 +61,11 @@ export function detectNifti(bytes: Uint8Array): NiftiStart | null {
 }
 
 /**
- * Whether a file begins here that has several volumes of one of the usual types. Of some it is not seen: they are fetched as a
- * whole, which is right too.
+ * Whether a file of version 1 in little-endian begins here that has several volumes, of one of the usual types. Other files are fetched
+ * as a whole, which is right too.
  */
 export function startsSeries(bytes: Uint8Array): boolean {
-  const start = detectNifti(bytes);
-  if (!start?.littleEndian || start.magic[1] !== '+') return false;
-  const [axes, type] = start.version === 1 ? [40, 71] : [16, 13];
-  return bytes[axes] > 3 && bytes[type] < 5 && viewOf(bytes).getInt16(48, true) > 1;
+  return bytes[0] === 92 && bytes[345] === 43 && bytes[40] > 3 && bytes[71] < 5 && bytes[48] + bytes[49] > 1;
 }
 
 /** Reads a header of version 1. */

@@ -5,7 +5,6 @@ import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { DecodedCartesianVolume, DecodeInput, DecodeSettings } from '../base/decoded-volume.ts';
 import type { FormatReader, ReadContext } from '../base/format.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
-import { listLeft } from '../base/list-left.ts';
 import { loadReader } from '../base/load-reader.ts';
 import { resolveAffine } from './nifti-affine.ts';
 import { detectNifti, headerSizes, niftiHeaderBytes, readVersion1 } from './nifti-header.ts';
@@ -28,15 +27,30 @@ export interface NiftiSource extends StreamSource {
   };
 }
 
+/** What a header says of the numbers. */
+export interface NiftiParts {
+  readonly header: NiftiHeader;
+  readonly dimensions: Vector3;
+  readonly volumes: number;
+  /** Of each voxel. */
+  readonly numbers: number;
+  readonly type: NumberType;
+  readonly rescale: { readonly slope: number; readonly intercept: number };
+  readonly window?: readonly [number, number];
+  /** Of one volume. */
+  readonly bytes: number;
+}
+
 /** Reads a NIfTI file, packed with gzip or not. */
 export const readNiftiFile: FormatReader = async (input, settings, context) => {
   const { bytes } = input;
   const { onProgress, budget } = context;
   onProgress(0, bytes.length);
   const isPacked = isGzip(bytes);
+  const pieces = isPacked ? gunzip(bytes) : yieldOnce(bytes);
   return placeVolume(
     await readNifti({
-      pieces: isPacked ? gunzip(bytes) : yieldOnce(bytes),
+      pieces,
       atMost: isPacked ? bytes.length * maxDeflateRatio : bytes.length,
       onProgress,
       budget,
@@ -47,7 +61,7 @@ export const readNiftiFile: FormatReader = async (input, settings, context) => {
 };
 
 /**
- * Reads a NIfTI-1 or -2 file: of a series, its first volume.
+ * Reads a NIfTI-1 or -2 file: of a series, its first volume, or the one that is wanted of its scans.
  * @param header - of another file, if the source has only the samples
  * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`, `format/too-large`
  */
@@ -69,48 +83,49 @@ async function readVolume(
   const { dimensions, volumes, numbers } = readDimensions(header);
   const type = await readType(header);
   const rescale = readRescale(header);
-  const span = {
-    what: 'NIfTI',
-    offset: header.offset,
+  const parts: NiftiParts = {
+    header,
+    dimensions,
+    volumes,
+    numbers,
+    type,
+    rescale,
     bytes: countSampleBytes('the NIfTI header', dimensions, type),
-    isPart: volumes * numbers > 1,
-  };
-  const { indexToWorld, anatomical } = resolveAffine(header, dimensions);
-  const info = {
-    grid: cartesianGrid(dimensions, indexToWorld),
-    anatomical,
-    unit: '',
-    format: `NIfTI-${header.version}`,
-    isLabels: header.intent === 1002,
-    intent: header.intent,
     ...readWindow(header),
   };
-  const omitted = [
-    numbers > 1 ? `number${numbers > 2 ? 's 2 to' : ''} ${numbers} of each voxel` : null,
-    type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null,
-  ];
-  if (volumes > 1 && source.scans) {
-    const { openNiftiScans } = await loadReader(() => import('#rare/formats/nifti/nifti-scans.ts'));
-    const opened = await openNiftiScans(reader, source, { header, span, type, rescale, info, volumes, omitted });
-    if (opened) return opened;
-  }
-  const bytes = await readSpan(reader, source, span);
+  const isPart = volumes * numbers > 1;
+  const several =
+    isPart || type.complex ? await loadReader(() => import('#rare/formats/nifti/nifti-several.ts')) : null;
+  const opened = await several?.openNiftiScans(source, parts);
+  if (opened) return opened;
+  const bytes = await readSpan(reader, source, {
+    what: 'NIfTI',
+    offset: header.offset,
+    bytes: parts.bytes,
+    isPart,
+  });
   const stored = storeSamples(bytes, type, header.littleEndian, {
     ...rescale,
     budget: source.budget,
     chooseWhole: await wholeNumbersOf(type),
   });
   const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : rescale;
+  const { indexToWorld, anatomical } = resolveAffine(header, dimensions);
   return {
-    ...info,
+    grid: cartesianGrid(dimensions, indexToWorld),
+    anatomical,
     samples: stored.samples,
     slope: slope * stored.scale,
     intercept: slope * stored.offset + intercept,
     // Nobody expects all digits of scaled numbers.
     ...(slope === 1 && intercept === 0 ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
     unkept: stored.unkept,
-    format: `${info.format}${span.isPart ? `, volume 1 of ${volumes * numbers}` : ''}`,
-    ...listLeft(volumes, ...omitted),
+    unit: '',
+    format: `NIfTI-${header.version}`,
+    isLabels: header.intent === 1002,
+    intent: header.intent,
+    window: parts.window,
+    ...several?.describeFirst(parts),
   };
 }
 

@@ -1,7 +1,8 @@
 import { corruptFile } from '../base/file-problem.ts';
 import type { Budget } from '../base/budget.ts';
 import { maxTrailingBytes } from '../base/piece-reader.ts';
-import type { PieceReader, StreamSource } from '../base/piece-reader.ts';
+import type { StreamSource } from '../base/piece-reader.ts';
+import type { DecodeInput } from '../base/decoded-volume.ts';
 import type { ScanBytes } from '../base/scan-data.ts';
 
 /** Maximum bytes of the volumes of one file that are kept, unpacked. */
@@ -28,6 +29,8 @@ export interface SeriesSpan {
 export interface KeptVolumes {
   readonly volumes: readonly ScanBytes[];
   readonly left: string | null;
+  /** The unpacked file, or its start. */
+  readonly file: Blob;
 }
 
 /** How many volumes can be kept; at least one. Half of the memory that is left stays free to read them. */
@@ -48,9 +51,12 @@ export function describeKept(kept: number, count: number): string | null {
  * Unpacks a file once, and gives its volumes to the browser to keep.
  * @throws {VolumeViewError} `format/corrupt` where the file has fewer bytes than its header says, `format/too-large`
  */
-export async function keepVolumes(reader: PieceReader, source: StreamSource, span: SeriesSpan): Promise<KeptVolumes> {
+export async function keepVolumes(
+  unpacked: AsyncIterable<Uint8Array<ArrayBuffer>>,
+  span: SeriesSpan,
+  { atMost, budget, onProgress }: StreamSource,
+): Promise<KeptVolumes> {
   const { what, offset, bytes, count } = span;
-  const { atMost, budget, onProgress } = source;
   checkEnd(span, atMost, `at most ${atMost} bytes`);
   const kept = countKept(span, budget);
   budget.take(kept * bytes, what);
@@ -63,28 +69,31 @@ export async function keepVolumes(reader: PieceReader, source: StreamSource, spa
     pieces = [];
     held = 0;
   };
-  for await (const piece of reader.readAll()) {
-    pieces.push(piece);
+  for await (const piece of unpacked) {
+    if (size < end) {
+      pieces.push(piece);
+      held += piece.length;
+    }
     size += piece.length;
-    held += piece.length;
     onProgress(Math.min(size, end), end);
     if (held >= pieceBytes) pass();
-    if (size >= end) break;
+    // The end of a gzip file holds the checksum.
+    if (size >= end + (kept === count ? maxTrailingBytes : 0)) break;
   }
   pass();
   if (size < end) checkEnd(span, size, `${size} bytes`);
-  // The end of a gzip file holds the checksum.
-  if (kept === count) await reader.drain(maxTrailingBytes);
   const all = new Blob(parts);
   return {
     volumes: Array.from({ length: kept }, (_, i) => all.slice(offset + i * bytes, offset + (i + 1) * bytes)),
     left: describeKept(kept, count),
+    file: all,
   };
 }
 
-/** Volumes in a file of which the server sends parts. @param size - of the file, bytes */
-export function listRanges(url: string, size: number, span: SeriesSpan): KeptVolumes {
+/** Volumes in a file of which the server sends parts. @param missing - bytes of the file after its start */
+export function listRanges({ url, bytes: start }: DecodeInput, missing: number, span: SeriesSpan): KeptVolumes {
   const { offset, bytes, count } = span;
+  const size = start.length + missing;
   checkEnd(span, size, `${size} bytes`);
   const shown = Math.min(count, maxScans);
   return {
@@ -94,6 +103,7 @@ export function listRanges(url: string, size: number, span: SeriesSpan): KeptVol
       end: offset + (i + 1) * bytes,
     })),
     left: describeKept(shown, count),
+    file: new Blob([start]),
   };
 }
 

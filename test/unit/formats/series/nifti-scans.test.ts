@@ -98,7 +98,7 @@ describe('a NIfTI file of several times', () => {
     const asked: (readonly [number, number])[] = [];
     const { first, read } = await openScans(whole.slice(0, 400), 'x.nii', {
       scan: { index: 4 },
-      input: { wholeBytes: whole.length },
+      input: { missing: whole.length - 400 },
       fetchFile: async (url, range) => {
         asked.push([range!.start, range!.end]);
         return { bytes: whole.slice(range!.start, range!.end), url, contentType: '' };
@@ -156,7 +156,7 @@ describe('a NIfTI file of several times', () => {
     expect((await expectError(openScans(broken, 'x.nii.gz'))).code).to.equal('format/corrupt');
     new DataView(bytes.buffer).setInt16(48, 32_000, true);
     expect((await expectError(openScans(bytes.slice(), 'x.nii'))).message).to.include('32,000 volumes of 48');
-    const served = openScans(bytes.slice(0, 400), 'x.nii', { input: { wholeBytes: 592 } });
+    const served = openScans(bytes.slice(0, 400), 'x.nii', { input: { missing: 192 } });
     expect((await expectError(served)).message).to.include('ends early: got 592 bytes');
   });
 

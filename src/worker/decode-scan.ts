@@ -1,0 +1,31 @@
+// Reads a volume of a file that holds several, by a part of that file. Loaded when it is needed.
+import type { DecodedVolume, DecodeInput, DecodeSettings } from '../formats/base/decoded-volume.ts';
+import type { Budget } from '../formats/base/budget.ts';
+import { decodeFile } from '../formats/decode.ts';
+import type { DecodeContext } from '../formats/decode.ts';
+import type { LoadRequest } from '../formats/base/load-request.ts';
+import { readPlacedScan } from '../formats/series/read-scan.ts';
+import type { FetchOptions } from '../sources/download.ts';
+import { HttpStore } from '../sources/http-store.ts';
+import { LocalStore } from '../sources/local-store.ts';
+
+/**
+ * @param first - the start of the file, where it is opened; null where the page knows where the volume lies
+ * @throws {VolumeViewError} `format/…`, `source/…`
+ */
+export async function decodeScan(
+  first: DecodeInput | null,
+  settings: DecodeSettings,
+  options: DecodeContext &
+    Pick<FetchOptions, 'signal' | 'pageOrigin'> & { readonly request: LoadRequest; readonly budget: Budget },
+): Promise<DecodedVolume> {
+  const fetchFile: DecodeContext['fetchFile'] = async (url, range) => {
+    const { local } = options.request;
+    const store =
+      local && url.startsWith(local.base) ? new LocalStore(local.files, local.base) : new HttpStore(options);
+    return store.read(url, { range, signal: options.signal });
+  };
+  return first
+    ? decodeFile(first, settings, { ...options, fetchFile })
+    : readPlacedScan(options.request.data!, settings, { fetchFile, budget: options.budget });
+}
