@@ -20,7 +20,7 @@ export interface ReadOptions {
   readonly signal?: AbortSignal;
   readonly onProgress?: ProgressListener;
   /** Whether the start of a file is enough. Stores that read any part of a file quickly stop there. */
-  readonly isEnough?: (start: Uint8Array) => boolean;
+  readonly isEnough?: ((start: Uint8Array) => boolean) | null;
 }
 
 /**

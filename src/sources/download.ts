@@ -19,7 +19,7 @@ export interface FetchOptions {
   /** Maximum bytes of a file. */
   readonly maxBytes?: number;
   /** Whether the start of a file is enough, of which its server can send parts. It may get zeros in place of bytes that have not arrived. */
-  readonly isEnough?: (start: Uint8Array) => boolean;
+  readonly isEnough?: ((start: Uint8Array) => boolean) | null;
   /** `total` is 0 if it is unknown. */
   readonly onProgress: ProgressListener;
 }
@@ -62,7 +62,7 @@ export class Download {
         if (done || !value) break;
         this.#add(value);
         this.report();
-        if (this.options.isEnough?.(this.#room) && headers.get('accept-ranges') === 'bytes') break;
+        if (this.options.isEnough?.(this.#room) && headers.has('accept-ranges')) break;
       }
     } finally {
       reader?.cancel().catch(() => undefined);

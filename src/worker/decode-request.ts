@@ -51,7 +51,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   let opened: OpenedFiles | undefined;
   let { files } = request;
   // Of a file of several volumes, those that are shown are fetched.
-  let isEnough = request.scan && !files ? startsSeries : undefined;
+  let isEnough = request.scan && !files ? startsSeries : null;
   const settings = { ...request.settings, scan: request.scan };
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
     signal?.throwIfAborted(); // Long work on the main thread passes here often.
@@ -83,13 +83,15 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
       ({ files } = opened);
       first = await fetchFile(opened.first);
     }
-    isEnough = undefined;
+    isEnough = null;
     await breathe?.();
     return first;
   };
   const decode = async (first: DecodeInput | null) => {
-    const isWhole = first && !(first.missing! > 0);
-    const read = isWhole ? decodeFile : (await loadReader(() => import('#rare/worker/decode-scan.ts'))).decodeScan;
+    const read =
+      first && !(first.missing! > 0)
+        ? decodeFile
+        : (await loadReader(() => import('#rare/worker/decode-scan.ts'))).decodeScan;
     return read(first!, settings, {
       fetchFile,
       fetchFiles,

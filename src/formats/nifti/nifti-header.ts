@@ -1,3 +1,5 @@
+import type { Vector3 } from '../../volume/matrix.ts';
+
 /**
  * The fields of a NIfTI-1 or -2 header that a picture depends on, as they stand in the file.
  * Sources: nifti1.h and nifti2.h, https://nifti.nimh.nih.gov.
@@ -100,4 +102,22 @@ export function list(length: number, read: (i: number) => number): number[] {
 
 export function viewOf(bytes: Uint8Array): DataView {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+}
+
+/**
+ * Lengths along i, j, k; missing axes have length 1. The fourth axis, time, makes a series, and so do those from the
+ * sixth on; along the fifth lie the numbers of a voxel (nifti1.h).
+ */
+export function readDimensions({ dim }: NiftiHeader): { dimensions: Vector3; volumes: number; numbers: number } {
+  const [nx, ny = 1, nz = 1, time = 1, numbers = 1, ...series] = dim.slice(1, 1 + dim[0]);
+  return {
+    dimensions: [nx, ny, nz],
+    volumes: [time, ...series].reduce((product, n) => product * Math.max(1, n), 1),
+    numbers: Math.max(1, numbers),
+  };
+}
+
+/** The range of values that the file wants to be shown, if it says one. */
+export function readWindow({ calMin, calMax }: NiftiHeader): { window?: [number, number] } {
+  return calMax > calMin && Number.isFinite(calMax - calMin) ? { window: [calMin, calMax] } : {};
 }

@@ -2,6 +2,7 @@
 import { cartesianGrid } from '../../volume/grid.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { listLeft } from '../base/list-left.ts';
+import type { NumberType } from '../base/number-types.ts';
 import { yieldOnce } from '../base/piece-reader.ts';
 import { gunzip, isGzip } from '../codecs/gunzip.ts';
 import { keepVolumes, listRanges } from '../series/keep-volumes.ts';
@@ -10,21 +11,21 @@ import { shortest, timeAt } from '../series/scan-times.ts';
 import type { TimeSteps } from '../series/scan-times.ts';
 import { scanTypes } from '../series/scan-types.ts';
 import { resolveAffine } from './nifti-affine.ts';
-import { niftiHeaderBytes } from './nifti-header.ts';
+import { niftiHeaderBytes, readDimensions, readWindow } from './nifti-header.ts';
 import type { NiftiHeader } from './nifti-header.ts';
-import type { NiftiParts, NiftiSource } from './nifti.ts';
+import type { NiftiSource } from './nifti.ts';
 
 /** What of a file is left out where its first volume is shown, and which one it is. */
-export function describeFirst(parts: NiftiParts): Pick<DecodedCartesianVolume, 'format' | 'left'> {
-  const { header, volumes, numbers } = parts;
+export function describe(header: NiftiHeader, type: NumberType): Pick<DecodedCartesianVolume, 'format' | 'left'> {
+  const { volumes, numbers } = readDimensions(header);
   const count = volumes * numbers;
   return {
     format: `NIfTI-${header.version}${count > 1 ? `, volume 1 of ${count}` : ''}`,
-    ...listLeft(volumes, ...listOmitted(parts)),
+    ...listLeft(volumes, ...listOmitted(numbers, type)),
   };
 }
 
-function listOmitted({ numbers, type }: NiftiParts): (string | null)[] {
+function listOmitted(numbers: number, type: NumberType): (string | null)[] {
   return [
     numbers > 1 ? `number${numbers > 2 ? 's 2 to' : ''} ${numbers} of each voxel` : null,
     type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null,
@@ -34,18 +35,23 @@ function listOmitted({ numbers, type }: NiftiParts): (string | null)[] {
 /**
  * Opens the volumes of a file as scans. Along the fourth axis lie times; where a voxel has several numbers, the scans are those of
  * the first number.
+ * @param bytes - of one volume
  * @returns null where only the first volume is wanted, or its numbers are of a type that only single volumes have
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, and what fetching throws
  */
-export async function openNiftiScans(
+export async function openScans(
   { scans, atMost, onProgress, budget }: NiftiSource,
-  parts: NiftiParts,
+  header: NiftiHeader,
+  type: NumberType,
+  rescale: { readonly slope: number; readonly intercept: number },
+  bytes: number,
 ): Promise<DecodedCartesianVolume | null> {
-  const { header, dimensions, volumes, numbers, type, rescale, window, bytes } = parts;
+  const { dimensions, volumes, numbers } = readDimensions(header);
   const [, , , , times = 1] = header.dim.slice(0, 1 + header.dim[0]);
   const count = numbers > 1 ? times : volumes;
-  if (!scans || !scanTypes.has(type.name) || !(count > 1)) return null;
-  const { input, settings, context } = scans;
+  const [input, settings, context] = scans ?? [];
+  if (!settings?.scan || !input || !context || context.isPart) return null;
+  if (!scanTypes.has(type.name) || !(count > 1)) return null;
   const span = { what: 'the NIfTI file', offset: header.offset, bytes, count };
   const { missing = 0 } = input;
   const kept =
@@ -67,12 +73,12 @@ export async function openNiftiScans(
         format: `NIfTI-${header.version}`,
         isLabels: header.intent === 1002,
         intent: header.intent,
-        window,
+        ...readWindow(header),
         ...listLeft(
           1,
           kept.left,
           numbers > 1 && volumes > count ? 'volumes along the sixth and the seventh axis' : null,
-          ...listOmitted(parts),
+          ...listOmitted(numbers, type),
         ),
       },
       volumes: kept.volumes,

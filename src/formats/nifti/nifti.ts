@@ -1,13 +1,18 @@
-import { VolumeViewError } from '../../core/errors.ts';
 import { cartesianGrid } from '../../volume/grid.ts';
-import type { Vector3 } from '../../volume/matrix.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { DecodedCartesianVolume, DecodeInput, DecodeSettings } from '../base/decoded-volume.ts';
 import type { FormatReader, ReadContext } from '../base/format.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
 import { loadReader } from '../base/load-reader.ts';
 import { resolveAffine } from './nifti-affine.ts';
-import { detectNifti, headerSizes, niftiHeaderBytes, readVersion1 } from './nifti-header.ts';
+import {
+  detectNifti,
+  headerSizes,
+  niftiHeaderBytes,
+  readDimensions,
+  readVersion1,
+  readWindow,
+} from './nifti-header.ts';
 import type { NiftiHeader } from './nifti-header.ts';
 import { niftiTypes } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
@@ -19,26 +24,8 @@ import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 export interface NiftiSource extends StreamSource {
   /** The file's bytes, unpacked, in pieces. */
   readonly pieces: AsyncIterable<Uint8Array<ArrayBuffer>>;
-  /** Set where several volumes are opened as scans. */
-  readonly scans?: {
-    readonly input: DecodeInput;
-    readonly settings: DecodeSettings;
-    readonly context: ReadContext;
-  };
-}
-
-/** What a header says of the numbers. */
-export interface NiftiParts {
-  readonly header: NiftiHeader;
-  readonly dimensions: Vector3;
-  readonly volumes: number;
-  /** Of each voxel. */
-  readonly numbers: number;
-  readonly type: NumberType;
-  readonly rescale: { readonly slope: number; readonly intercept: number };
-  readonly window?: readonly [number, number];
-  /** Of one volume. */
-  readonly bytes: number;
+  /** Set where several volumes may be opened as scans. */
+  readonly scans?: readonly [input: DecodeInput, settings: DecodeSettings, context: ReadContext];
 }
 
 /** Reads a NIfTI file, packed with gzip or not. */
@@ -54,7 +41,7 @@ export const readNiftiFile: FormatReader = async (input, settings, context) => {
       atMost: isPacked ? bytes.length * maxDeflateRatio : bytes.length,
       onProgress,
       budget,
-      scans: settings.scan && !context.isPart ? { input, settings, context } : undefined,
+      scans: [input, settings, context],
     }),
     settings,
   );
@@ -80,28 +67,28 @@ async function readVolume(
   source: NiftiSource,
   header: NiftiHeader,
 ): Promise<DecodedCartesianVolume> {
+  const { slope: scale, intercept: shift } = header;
+  const isScaled = scale !== 0 && Number.isFinite(scale);
+  const [axes, ...lengths] = header.dim;
+  if (
+    !(axes >= 1 && axes <= 7 && lengths.slice(0, Math.min(3, axes)).every((n) => n >= 1)) ||
+    (isScaled && !Number.isFinite(shift))
+  )
+    throw (await loadReader(() => import('#rare/formats/nifti/nifti-problems.ts'))).refuseHeader(header);
   const { dimensions, volumes, numbers } = readDimensions(header);
   const type = await readType(header);
-  const rescale = readRescale(header);
-  const parts: NiftiParts = {
-    header,
-    dimensions,
-    volumes,
-    numbers,
-    type,
-    rescale,
-    bytes: countSampleBytes('the NIfTI header', dimensions, type),
-    ...readWindow(header),
-  };
+  // Slope 0, or none, means that the stored numbers are the data (nifti1.h).
+  const rescale = isScaled ? { slope: scale, intercept: shift } : { slope: 1, intercept: 0 };
+  const bytesOfOne = countSampleBytes('the NIfTI header', dimensions, type);
   const isPart = volumes * numbers > 1;
   const several =
     isPart || type.complex ? await loadReader(() => import('#rare/formats/nifti/nifti-several.ts')) : null;
-  const opened = await several?.openNiftiScans(source, parts);
+  const opened = await several?.openScans(source, header, type, rescale, bytesOfOne);
   if (opened) return opened;
   const bytes = await readSpan(reader, source, {
     what: 'NIfTI',
     offset: header.offset,
-    bytes: parts.bytes,
+    bytes: bytesOfOne,
     isPart,
   });
   const stored = storeSamples(bytes, type, header.littleEndian, {
@@ -124,8 +111,8 @@ async function readVolume(
     format: `NIfTI-${header.version}`,
     isLabels: header.intent === 1002,
     intent: header.intent,
-    window: parts.window,
-    ...several?.describeFirst(parts),
+    ...readWindow(header),
+    ...several?.describe(header, type),
   };
 }
 
@@ -141,50 +128,9 @@ async function readHeader(bytes: Uint8Array): Promise<NiftiHeader> {
   return { ...header, offset: header.offset >= minOffset ? Math.trunc(header.offset) : minOffset };
 }
 
-/**
- * Lengths along i, j, k; missing axes have length 1. The fourth axis, time, makes a series, and so do those from the
- * sixth on; along the fifth lie the numbers of a voxel (nifti1.h).
- */
-function readDimensions(header: NiftiHeader): { dimensions: Vector3; volumes: number; numbers: number } {
-  const axes = header.dim[0];
-  if (!(axes >= 1 && axes <= 7)) {
-    throw new VolumeViewError('format/corrupt', `the NIfTI header got ${axes} axes; expected 1 to 7`);
-  }
-  const lengths = header.dim.slice(1, 1 + axes);
-  if (lengths.slice(0, 3).some((n) => !(n >= 1))) {
-    throw new VolumeViewError(
-      'format/corrupt',
-      `the NIfTI header got dimensions ${lengths.join(' x ')}; expected whole numbers from 1`,
-    );
-  }
-  const [nx, ny = 1, nz = 1, time = 1, numbers = 1, ...series] = lengths;
-  return {
-    dimensions: [nx, ny, nz],
-    volumes: [time, ...series].reduce((product, n) => product * Math.max(1, n), 1),
-    numbers: Math.max(1, numbers),
-  };
-}
-
 async function readType({ datatype }: NiftiHeader): Promise<NumberType> {
   const type = niftiTypes.get(datatype);
   if (type) return type;
   const { readRareType } = await loadReader(() => import('#rare/formats/nifti/nifti-rare-types.ts'));
   return readRareType(datatype);
-}
-
-/** Slope 0, or none, means that the stored numbers are the data (nifti1.h). */
-function readRescale(header: NiftiHeader): { slope: number; intercept: number } {
-  const { slope, intercept } = header;
-  if (slope === 0 || !Number.isFinite(slope)) return { slope: 1, intercept: 0 };
-  if (!Number.isFinite(intercept)) {
-    throw new VolumeViewError(
-      'format/corrupt',
-      `the NIfTI header got scl_slope ${slope} with scl_inter ${intercept}; expected a finite number`,
-    );
-  }
-  return { slope, intercept };
-}
-
-function readWindow({ calMin, calMax }: NiftiHeader): { window?: [number, number] } {
-  return calMax > calMin && Number.isFinite(calMax - calMin) ? { window: [calMin, calMax] } : {};
 }

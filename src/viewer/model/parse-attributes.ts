@@ -154,7 +154,7 @@ export function parseRings(text: string): RingSetting {
 export function parseTime(text: string): ScanTarget {
   const word = text.trim();
   if (/^\d{1,9}$/.test(word)) return { index: Number(word) };
-  if (/^-?[\d.]+ ?[a-z/]+$/i.test(word)) return { time: word };
+  if (/^[\d.]+ ?[a-z]+$/i.test(word)) return { time: word };
   const time = /^\d{4}-\d\d-\d\dT\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:\d\d)$/i.test(word) ? Date.parse(word) : NaN;
   if (Number.isNaN(time))
     throw invalid('time', text, 'a scan\'s number from 0, or a time in UTC, like "2018-12-20T06:06:28Z"');

@@ -94,4 +94,14 @@ describe('a plain NIfTI file of several times', () => {
         'sent 192 bytes of NIfTI-1, volume 1 of 20',
       );
     }));
+
+  it('from the disk is read in parts too, without a server', async () => {
+    const base = 'https://chosen.invalid/1/';
+    const local = { base, files: [new File([await fetchFile('/demos/data/functional.nii')], 'x.nii')] };
+    const first = await read({ url: base, local, scan: { index: 0 } });
+    expect(data.length).to.equal(20);
+    const last = await read({ url: base, local, scan: { index: 19 }, data: data[19] });
+    expect(last.format).to.equal('NIfTI-1, volume 20 of 20');
+    expect(valuesOf(last)).to.not.deep.equal(valuesOf(first));
+  });
 });

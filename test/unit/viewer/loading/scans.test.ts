@@ -38,6 +38,20 @@ describe('chooseScan', () => {
     expect(() => chooseScan(times, { index: 4 })).to.throw('time got "4"; expected the number of a scan, from 0 to 3');
   });
 
+  it('takes a time with the unit of the file, in seconds or milliseconds, and refuses another unit', () => {
+    const times = ['0 s', '2 s', '4.5 s'];
+    for (const [time, index] of [
+      ['2 s', 1],
+      ['4499 ms', 1],
+      ['4.5s', 2],
+      ['99 s', 2],
+      ['0 s', 0],
+    ] as const)
+      expect(chooseScan(times, { time })).to.deep.equal({ index, certain: true });
+    for (const time of ['2 Hz', 'noon', ms(0)])
+      expect(() => chooseScan(times, { time })).to.throw(`time got "${time}"; expected the number of a scan`);
+  });
+
   it('asks for as few unknown times as halving takes, and never for one that can not matter', () => {
     const truth = Array.from({ length: 50 }, (_, i) => at(i));
     for (const minute of [-1, 0, 17.5, 32, 48, 49]) {
@@ -194,6 +208,8 @@ describe('words of the timeline', () => {
     expect(language.day(at(0))).to.equal('20 Dec 2018');
     expect(describeScan([at(6), at(12)], 1, language)).to.equal('06:12 UTC, 20 Dec 2018, scan 2 of 2');
     expect(describeScan([null, null], 0, language)).to.equal('scan 1 of 2');
+    expect(labelScans(['0 s', '12.5 s'], language)).to.deep.equal(['0 s', '12.5 s']);
+    expect(describeScan(['0 s', '12.5 s'], 1, language)).to.equal('12.5 s, scan 2 of 2');
     // Sydney has daylight saving time in December: 11 hours before UTC. So it is the next day there.
     const sydney = new Language('en-GB', english, 'Australia/Sydney');
     expect(describeScan([at(6), '2018-12-20T16:30:00Z'], 1, sydney)).to.match(

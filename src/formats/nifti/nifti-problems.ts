@@ -1,0 +1,14 @@
+import { corruptFile } from '../base/file-problem.ts';
+import type { NiftiHeader } from './nifti-header.ts';
+
+const what = 'the NIfTI header';
+
+/** The error for a header that `isSound` refuses. */
+export function refuseHeader({ dim, slope, intercept }: NiftiHeader): Error {
+  const [axes] = dim;
+  if (!(axes >= 1 && axes <= 7)) return corruptFile(what, `got ${axes} axes; expected 1 to 7`);
+  const lengths = dim.slice(1, 1 + axes);
+  if (lengths.slice(0, 3).some((n) => !(n >= 1)))
+    return corruptFile(what, `got dimensions ${lengths.join(' x ')}; expected whole numbers from 1`);
+  return corruptFile(what, `got scl_slope ${slope} with scl_inter ${intercept}; expected a finite number`);
+}
