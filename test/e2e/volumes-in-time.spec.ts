@@ -1,5 +1,7 @@
 // A file of several volumes: its scans, its times, and which bytes of it are fetched.
 import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
 import { gzipSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import { expect, keptTest as test, open, withElement } from './helpers/harness.ts';
@@ -15,39 +17,44 @@ const long = Buffer.concat([
 ]);
 long.writeInt16LE(2000, 48);
 
-/** Serves the file, packed or not; returns the ranges that were asked for, '' for the whole file. */
-async function serve(page: Page, name: string, { ranges }: { ranges: boolean }): Promise<string[]> {
+/** Serves the file as a whole, packed or not; returns how often it was asked for. */
+async function serve(page: Page, name: string): Promise<string[]> {
   const asked: string[] = [];
-  const body = ranges ? long : name.endsWith('.gz') ? gzipSync(functional) : functional;
+  const body = name.endsWith('.gz') ? gzipSync(functional) : functional;
   await page.route(`**/${name}`, async (route) => {
-    const { range = '' } = route.request().headers();
-    asked.push(range);
-    const [, start, end] = /bytes=(\d+)-(\d+)/.exec(range) ?? [];
-    const isPart = ranges && start !== undefined;
-    const part = isPart ? body.subarray(Number(start), Number(end) + 1) : body;
-    await route.fulfill({
-      status: isPart ? 206 : 200,
-      body: part,
-      headers: {
-        'content-type': 'application/octet-stream',
-        'content-length': String(part.length),
-        ...(ranges && { 'accept-ranges': 'bytes' }),
-        ...(isPart && { 'content-range': `bytes ${start}-${Number(end)}/${body.length}` }),
-      },
-    });
+    asked.push(route.request().headers().range ?? '');
+    await route.fulfill({ body, contentType: 'application/octet-stream' });
   });
   return asked;
+}
+
+/** A server of another origin that sends parts, and says so. */
+async function startServer(): Promise<{ readonly url: string; readonly asked: string[]; close: () => void }> {
+  const asked: string[] = [];
+  const server = createServer(({ headers: { range = '' } }, response) => {
+    asked.push(range);
+    const [, start, end] = /bytes=(\d+)-(\d+)/.exec(range)?.map(Number) ?? [0, 0, long.length - 1];
+    const part = long.subarray(start, end + 1);
+    response.writeHead(range ? 206 : 200, {
+      'content-length': part.length,
+      'accept-ranges': 'bytes',
+      'access-control-allow-origin': '*',
+      'access-control-expose-headers': 'accept-ranges',
+      ...(range && { 'content-range': `bytes ${start}-${end}/${long.length}` }),
+    });
+    response.end(part);
+  });
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const { port } = server.address() as AddressInfo;
+  return { url: `http://127.0.0.1:${port}/ranges.nii`, asked, close: () => server.close() };
 }
 
 const formatOf = (page: Page): Promise<string | undefined> => withElement(page, (element) => element.volume?.format);
 
 test.describe('a NIfTI file of several times', () => {
-  for (const [name, ranges] of [
-    ['packed.nii.gz', false],
-    ['plain.nii', false],
-  ] as const) {
+  for (const name of ['packed.nii.gz', 'plain.nii']) {
     test(`${name} is fetched once; its volumes are scans`, async ({ page }) => {
-      const asked = await serve(page, name, { ranges });
+      const asked = await serve(page, name);
       await open(
         page,
         `<volume-view src="/${name}" ${look} time="8 s" alt="Scans"></volume-view><volume-timeline></volume-timeline>`,
@@ -67,18 +74,22 @@ test.describe('a NIfTI file of several times', () => {
   }
 
   test('is fetched in ranges from a server that has them', async ({ page }) => {
-    const asked = await serve(page, 'ranges.nii', { ranges: true });
-    await open(page, `<volume-view src="/ranges.nii" ${look} alt="Scans"></volume-view>`);
-    await expectShown(page, 0);
-    await withElement(page, (element) => element.showScan(1999));
-    await expectShown(page, 1999);
-    expect(await formatOf(page)).toBe('NIfTI-1, volume 2000 of 2000');
-    expect(asked.filter((range) => range === '').length).toBe(1);
-    expect(asked).toContain(`bytes=${352 + 1999 * 2142}-${352 + 2000 * 2142 - 1}`);
+    const { url, asked, close } = await startServer();
+    try {
+      await open(page, `<volume-view src="${url}" ${look} alt="Scans"></volume-view>`);
+      await expectShown(page, 0);
+      await withElement(page, (element) => element.showScan(1999));
+      await expectShown(page, 1999);
+      expect(await formatOf(page)).toBe('NIfTI-1, volume 2000 of 2000');
+      expect(asked.filter((range) => range === '').length).toBe(1);
+      expect(asked).toContain(`bytes=${352 + 1999 * 2142}-${352 + 2000 * 2142 - 1}`);
+    } finally {
+      close();
+    }
   });
 
   test('has a time that is none of its own refused in words', async ({ page }) => {
-    await serve(page, 'plain.nii', { ranges: false });
+    await serve(page, 'plain.nii');
     await open(page, `<volume-view src="/plain.nii" ${look} time="12 Hz" alt="Scans"></volume-view>`);
     await expect(page.getByText('time got "12 Hz"')).toBeVisible();
   });

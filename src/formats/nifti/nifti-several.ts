@@ -13,7 +13,7 @@ import { scanTypes } from '../series/scan-types.ts';
 import { resolveAffine } from './nifti-affine.ts';
 import { niftiHeaderBytes, readDimensions, readWindow } from './nifti-header.ts';
 import type { NiftiHeader } from './nifti-header.ts';
-import type { NiftiSource } from './nifti.ts';
+import type { NiftiSource } from './nifti-source.ts';
 
 /** What of a file is left out where its first volume is shown, and which one it is. */
 export function describe(header: NiftiHeader, type: NumberType): Pick<DecodedCartesianVolume, 'format' | 'left'> {

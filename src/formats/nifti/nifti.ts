@@ -1,7 +1,7 @@
 import { cartesianGrid } from '../../volume/grid.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
-import type { DecodedCartesianVolume, DecodeInput, DecodeSettings } from '../base/decoded-volume.ts';
-import type { FormatReader, ReadContext } from '../base/format.ts';
+import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
+import type { FormatReader } from '../base/format.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
 import { loadReader } from '../base/load-reader.ts';
 import { resolveAffine } from './nifti-affine.ts';
@@ -14,19 +14,12 @@ import {
   readWindow,
 } from './nifti-header.ts';
 import type { NiftiHeader } from './nifti-header.ts';
+import type { NiftiSource } from './nifti-source.ts';
 import { niftiTypes } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
 import { PieceReader, readSpan, yieldOnce } from '../base/piece-reader.ts';
-import type { StreamSource } from '../base/piece-reader.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
-
-export interface NiftiSource extends StreamSource {
-  /** The file's bytes, unpacked, in pieces. */
-  readonly pieces: AsyncIterable<Uint8Array<ArrayBuffer>>;
-  /** Set where several volumes may be opened as scans. */
-  readonly scans?: readonly [input: DecodeInput, settings: DecodeSettings, context: ReadContext];
-}
 
 /** Reads a NIfTI file, packed with gzip or not. */
 export const readNiftiFile: FormatReader = async (input, settings, context) => {
