@@ -16,7 +16,7 @@ import type { NiftiHeader } from './nifti-header.ts';
 import type { NiftiSource } from './nifti-source.ts';
 
 /** What of a file is left out where its first volume is shown, and which one it is. */
-export function describe(header: NiftiHeader, type: NumberType): Pick<DecodedCartesianVolume, 'format' | 'left'> {
+function describeFirst(header: NiftiHeader, type: NumberType): Pick<DecodedCartesianVolume, 'format' | 'left'> {
   const { volumes, numbers } = readDimensions(header);
   const count = volumes * numbers;
   return {
@@ -36,7 +36,7 @@ function listOmitted(numbers: number, type: NumberType): (string | null)[] {
  * Opens the volumes of a file as scans. Along the fourth axis lie times; where a voxel has several numbers, the scans are those of
  * the first number.
  * @param bytes - of one volume
- * @returns null where only the first volume is wanted, or its numbers are of a type that only single volumes have
+ * @returns what is to be said of the first volume where only that is wanted, or its numbers are of a type that scans can't have
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, and what fetching throws
  */
 export async function openScans(
@@ -45,13 +45,13 @@ export async function openScans(
   type: NumberType,
   rescale: { readonly slope: number; readonly intercept: number },
   bytes: number,
-): Promise<DecodedCartesianVolume | null> {
+): Promise<DecodedCartesianVolume | Pick<DecodedCartesianVolume, 'format' | 'left'>> {
   const { dimensions, volumes, numbers } = readDimensions(header);
   const [, , , , times = 1] = header.dim.slice(0, 1 + header.dim[0]);
   const count = numbers > 1 ? times : volumes;
   const [input, settings, context] = scans ?? [];
-  if (!settings?.scan || !input || !context || context.isPart) return null;
-  if (!scanTypes.has(type.name) || !(count > 1)) return null;
+  if (!settings?.scan || !input || !context || context.isPart) return describeFirst(header, type);
+  if (!scanTypes.has(type.name) || !(count > 1)) return describeFirst(header, type);
   const span = { what: 'the NIfTI file', offset: header.offset, bytes, count };
   const { missing = 0 } = input;
   const kept =

@@ -76,8 +76,8 @@ async function readVolume(
   const isPart = volumes * numbers > 1;
   const several =
     isPart || type.complex ? await loadReader(() => import('#rare/formats/nifti/nifti-several.ts')) : null;
-  const opened = await several?.openScans(source, header, type, rescale, bytesOfOne);
-  if (opened) return opened;
+  const more = await several?.openScans(source, header, type, rescale, bytesOfOne);
+  if (more && 'samples' in more) return more;
   const bytes = await readSpan(reader, source, {
     what: 'NIfTI',
     offset: header.offset,
@@ -105,7 +105,7 @@ async function readVolume(
     isLabels: header.intent === 1002,
     intent: header.intent,
     ...readWindow(header),
-    ...several?.describe(header, type),
+    ...more,
   };
 }
 
