@@ -15,6 +15,13 @@ import { niftiHeaderBytes, readDimensions, readWindow } from './nifti-header.ts'
 import type { NiftiHeader } from './nifti-header.ts';
 import type { NiftiSource } from './nifti-source.ts';
 
+/** The numbers of one volume. */
+interface VolumeNumbers {
+  readonly type: NumberType;
+  readonly rescale: { readonly slope: number; readonly intercept: number };
+  readonly bytes: number;
+}
+
 /** What of a file is left out where its first volume is shown, and which one it is. */
 function describeFirst(header: NiftiHeader, type: NumberType): Pick<DecodedCartesianVolume, 'format' | 'left'> {
   const { volumes, numbers } = readDimensions(header);
@@ -35,16 +42,13 @@ function listOmitted(numbers: number, type: NumberType): (string | null)[] {
 /**
  * Opens the volumes of a file as scans. Along the fourth axis lie times; where a voxel has several numbers, the scans are those of
  * the first number.
- * @param bytes - of one volume
  * @returns what is to be said of the first volume where only that is wanted, or its numbers are of a type that scans can't have
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, and what fetching throws
  */
 export async function openScans(
   { scans, atMost, onProgress, budget }: NiftiSource,
   header: NiftiHeader,
-  type: NumberType,
-  rescale: { readonly slope: number; readonly intercept: number },
-  bytes: number,
+  { type, rescale, bytes }: VolumeNumbers,
 ): Promise<DecodedCartesianVolume | Pick<DecodedCartesianVolume, 'format' | 'left'>> {
   const { dimensions, volumes, numbers } = readDimensions(header);
   const [, , , , times = 1] = header.dim.slice(0, 1 + header.dim[0]);

@@ -72,19 +72,19 @@ async function readVolume(
   const type = await readType(header);
   // Slope 0, or none, means that the stored numbers are the data (nifti1.h).
   const rescale = isScaled ? { slope: scale, intercept: shift } : { slope: 1, intercept: 0 };
-  const bytesOfOne = countSampleBytes('the NIfTI header', dimensions, type);
+  const bytes = countSampleBytes('the NIfTI header', dimensions, type);
   const isPart = volumes * numbers > 1;
   const several =
     isPart || type.complex ? await loadReader(() => import('#rare/formats/nifti/nifti-several.ts')) : null;
-  const more = await several?.openScans(source, header, type, rescale, bytesOfOne);
+  const more = await several?.openScans(source, header, { type, rescale, bytes });
   if (more && 'samples' in more) return more;
-  const bytes = await readSpan(reader, source, {
+  const content = await readSpan(reader, source, {
     what: 'NIfTI',
     offset: header.offset,
-    bytes: bytesOfOne,
+    bytes,
     isPart,
   });
-  const stored = storeSamples(bytes, type, header.littleEndian, {
+  const stored = storeSamples(content, type, header.littleEndian, {
     ...rescale,
     budget: source.budget,
     chooseWhole: await wholeNumbersOf(type),

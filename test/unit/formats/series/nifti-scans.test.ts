@@ -67,7 +67,7 @@ const voxels = (t: number): number[] => Array.from({ length: 24 }, (_, i) => 100
 describe('a NIfTI file of several times', () => {
   it("has every voxel of every time as nibabel reads it, packed or not, and the header's window for all", async () => {
     const bytes = await fetchFile('/demos/data/functional.nii');
-    for (const file of [bytes.slice(), gzipSync(bytes, { level: 1 }) as Uint8Array<ArrayBuffer>]) {
+    for (const file of [bytes.slice(), gzipSync(bytes, { level: 1 })]) {
       const { first, times, read } = await openScans(file, 'functional.nii', { scan: { index: 3 } });
       expect(times).to.deep.equal(Array.from({ length: 20 }, (_, t) => `${2 * t} s`));
       expect(await digest(first)).to.equal(functional[3][0]);
@@ -149,9 +149,9 @@ describe('a NIfTI file of several times', () => {
     expect(cut.message).to.equal(
       'the NIfTI file ends early: got at most 480 bytes; its header asks for 592 bytes, 5 volumes of 48',
     );
-    const packed = gzipSync(bytes.slice(0, 480)) as Uint8Array<ArrayBuffer>;
+    const packed = gzipSync(bytes.slice(0, 480));
     expect((await expectError(openScans(packed, 'x.nii.gz'))).message).to.include('ends early: got 480 bytes');
-    const broken = gzipSync(bytes) as Uint8Array<ArrayBuffer>;
+    const broken = gzipSync(bytes);
     broken[broken.length - 8] ^= 1;
     expect((await expectError(openScans(broken, 'x.nii.gz'))).code).to.equal('format/corrupt');
     new DataView(bytes.buffer).setInt16(48, 32_000, true);
@@ -173,7 +173,7 @@ describe('a NIfTI file of several times', () => {
   });
 
   it('keeps as many volumes as memory allows, and says which ones are left out', async () => {
-    const packed = gzipSync(series([300])) as Uint8Array<ArrayBuffer>;
+    const packed = gzipSync(series([300]));
     const { data, first } = await openScans(packed, 'x.nii.gz', { budget: new Budget(4800) });
     expect(data.length).to.equal(50);
     expect(first.left![0]).to.match(/^volumes 51 to 300 of the file: unpacked, they take more memory/);
