@@ -244,6 +244,8 @@ const guides = {
   'volume-slice': [['Slices', 'guide/slices.md']],
   'volume-slice-view': [['Slices', 'guide/slices.md']],
   'volume-compare': [['Compare two volumes', 'guide/compare.md']],
+  'volume-drop': [['Files of a reader', 'guide/open-files.md']],
+  'volume-series': [['Files of a reader', 'guide/open-files.md']],
   'volume-step': [
     ['Write a lesson', 'guide/lesson.md'],
     ['Tours', 'guide/tours.md'],

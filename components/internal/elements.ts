@@ -5,6 +5,7 @@
 export const elements: Readonly<Record<string, () => Promise<unknown>>> = {
   'volume-clip': () => import('../volume-clip/define.ts'),
   'volume-compare': () => import('../volume-compare/define.ts'),
+  'volume-drop': () => import('../volume-drop/define.ts'),
   'volume-label': () => import('../volume-label/define.ts'),
   'volume-label-list': () => import('../volume-label-list/define.ts'),
   'volume-labels': () => import('../volume-labels/define.ts'),
@@ -14,6 +15,7 @@ export const elements: Readonly<Record<string, () => Promise<unknown>>> = {
   'volume-note': () => import('../volume-note/define.ts'),
   'volume-question': () => import('../volume-question/define.ts'),
   'volume-readout': () => import('../volume-readout/define.ts'),
+  'volume-series': () => import('../volume-series/define.ts'),
   'volume-slice': () => import('../volume-slice/define.ts'),
   'volume-slice-view': () => import('../volume-slice-view/define.ts'),
   'volume-step': () => import('../volume-step/define.ts'),

@@ -44,6 +44,12 @@ export class SourceAttributes extends LookAttributes {
   @property({ kind: pair }) azimuth!: readonly [first: number, step: number] | null;
 
   /**
+   * Which series is shown where the files hold several, as a folder of DICOM may: a number from 1, in the order of `volume.series`. By
+   * default the one with the most voxels.
+   */
+  @property({ kind: number }) series!: number | null;
+
+  /**
    * Hides isolated parts, such as a head rest or specks. It looks at all voxels above a value. A part is hidden if no voxel faces connect
    * it to the largest part or to a part of at least a tenth of its size. By default the value is where the volume begins to be visible. You
    * can set the value, `clean="150"`, for instance if your `transfer-function` shows lower values. Picks, slices and statistics ignore

@@ -311,8 +311,8 @@ async function toggleFullscreen(view: ControlledView): Promise<void> {
 }
 
 /** The name of a file without its extension, with characters that all systems allow. */
-function nameOfPicture({ src }: ControlledView): string {
-  const path = (src ?? '')
+function nameOfPicture({ src, files }: ControlledView): string {
+  const path = (files ? '' : (src ?? ''))
     .trim()
     .split(/\s+/)[0]
     .replace(/[?#].*$/, '');

@@ -26,15 +26,18 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
   abstract readonly _session: VolumeSession;
 
   /**
-   * Files of the reader's disk, of one volume: a `FileList` of `<input type="file">`, or an array of `File`. While it is set, `src` is not
-   * used; null where it is not set. Nothing is sent to a server.
+   * Files of the reader's disk, of one volume: a `FileList` of `<input type="file">`, an array of `File`, or the handle of a folder, of
+   * which all files are read. While it is set, `src` is not used; null where it is not set. Nothing is sent to a server, and no message
+   * has the name of a file.
    */
-  get files(): readonly File[] | null {
+  get files(): readonly (File | FileSystemDirectoryHandle)[] | null {
     return (this._local?.files as readonly File[] | undefined) ?? null;
   }
 
-  set files(files: FileList | readonly File[] | null) {
-    const copy = files?.length === 0 ? null : files && Array.from(files, (file) => file instanceof Blob && file);
+  set files(files: FileList | readonly File[] | FileSystemDirectoryHandle | null) {
+    const given = (files && 'name' in Object(files) ? [files] : files) as readonly { readonly kind?: string }[] | null;
+    const copy =
+      given?.length === 0 ? null : given && Array.from(given, (file) => (file instanceof Blob || file?.kind) && file);
     this._local = copy ? { base: `https://local-${++choices}.invalid/`, files: copy } : undefined;
     this.requestUpdate('files');
   }

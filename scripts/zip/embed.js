@@ -14,6 +14,7 @@
     'moment',
     'color-moment',
     'beam-model',
+    'series',
     'vertical-exaggeration',
     'clean',
     'time',

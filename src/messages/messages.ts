@@ -3,6 +3,7 @@ import type { AuthoringMessages } from './authoring-messages.ts';
 import type { BlankMessages } from './blank-messages.ts';
 import type { ClipMessages } from './clip-messages.ts';
 import type { CompareMessages } from './compare-messages.ts';
+import type { DropMessages } from './drop-messages.ts';
 import type { HandleMessages } from './handle-messages.ts';
 import type { LabelMessages } from './label-messages.ts';
 import type { MeasureMessages } from './measure-messages.ts';
@@ -51,6 +52,7 @@ export type Messages = ViewMessages &
   QuestionMessages &
   TourMessages &
   CompareMessages &
+  DropMessages &
   BlankMessages;
 
 /** The messages of <volume-view>. */

@@ -85,7 +85,7 @@ async function sniffKind(store: ByteStore, url: string, start: FileStart): Promi
 }
 
 /** What systems add to archives and folders by themselves. */
-function isLitter(url: string): boolean {
+export function isLitter(url: string): boolean {
   return /(^|\/)(__MACOSX\/|\.[^/]*$|Thumbs\.db$|desktop\.ini$)/i.test(pathOf(url));
 }
 

@@ -17,7 +17,13 @@ export class LocalStore implements ByteStore {
    * @throws {VolumeViewError} `attribute/invalid` where one of them is no file
    */
   constructor(files: readonly unknown[], base: string) {
-    this.#files = new Map(files.map((file, i) => [urlInStore(base, nameFile(file, i)), file as Blob]));
+    const named = new Map<string, Blob>();
+    for (const [i, file] of files.entries()) {
+      const url = urlInStore(base, nameFile(file, i));
+      // Files of several folders may have the same name, where the browser does not say their folders.
+      named.set(named.has(url) ? urlInStore(`${base}${i + 1}/`, nameFile(file, i)) : url, file as Blob);
+    }
+    this.#files = named;
   }
 
   async list(): Promise<readonly string[]> {

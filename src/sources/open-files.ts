@@ -1,20 +1,23 @@
 // Opens what holds files: a ZIP archive, or the files that a person chose. Loaded when it is needed.
 import { VolumeViewError } from '../core/errors.ts';
-import type { ErrorCode } from '../core/errors.ts';
-import type { DecodeInput } from '../formats/base/decoded-volume.ts';
+import type { DecodedVolume, DecodeInput } from '../formats/base/decoded-volume.ts';
 import type { LocalFiles } from '../formats/base/load-request.ts';
 import { nameOf } from '../formats/base/name-of.ts';
 import type { ByteStore, ReadOptions } from './byte-store.ts';
-import { findVolume } from './find-volume.ts';
+import { findVolume, isLitter } from './find-volume.ts';
 import type { FindOptions, FoundVolume } from './find-volume.ts';
 import { HttpStore } from './http-store.ts';
 import { LocalStore } from './local-store.ts';
 import { MemoryStore } from './memory-store.ts';
+import { openHandles } from './open-handles.ts';
+import { PrivateStore, reasonOf } from './private-store.ts';
 import { isZip } from './is-zip.ts';
 import { ZipStore } from './zip-store.ts';
 
 /** The volume in an archive, or in chosen files. */
 export interface OpenedFiles extends FoundVolume {
+  /** Their kind and number, without a name. */
+  readonly source: NonNullable<DecodedVolume['source']>;
   /** Reads any file that belongs to it; it needs no `this`. @throws {VolumeViewError} as ByteStore says, and `source/not-found` for files of other places */
   read(url: string, options: ReadOptions): Promise<DecodeInput>;
 }
@@ -29,7 +32,8 @@ const archiveBase = 'https://archive.invalid/';
  */
 export async function openFiles(given: DecodeInput | LocalFiles, options: FindOptions): Promise<OpenedFiles> {
   if ('bytes' in given) return openZip(new MemoryStore(given), given.url, nameOf(given.url), options);
-  const store = new LocalStore(given.files, given.base);
+  const files = await openHandles(given.files);
+  const store = await PrivateStore.of(new LocalStore(files, given.base), given.base, isLitter);
   const [only, ...others] = await store.list();
   if (!only)
     throw new VolumeViewError(
@@ -37,9 +41,21 @@ export async function openFiles(given: DecodeInput | LocalFiles, options: FindOp
       'files got no files; expected a FileList, or an array of File objects.',
     );
   const { bytes } = await store.read(only, { range: { start: 0, end: 4 } });
-  // It may be called after a patient.
-  if (others.length === 0 && isZip(bytes)) return openZip(store, only, 'that was chosen', options);
-  return openStore(store, `the choice of ${others.length + 1} files`, given.base, options);
+  if (others.length > 0 || !isZip(bytes))
+    return openStore(
+      store,
+      others.length > 0 ? `the choice of ${others.length + 1} files` : 'the chosen file',
+      given.base,
+      options,
+    );
+  // Its name, and those in it, may be those of patients.
+  const zip = await ZipStore.open(store, only, archiveBase, 'that was chosen');
+  return openStore(
+    await PrivateStore.of(zip, archiveBase, isLitter),
+    'the ZIP archive that was chosen',
+    archiveBase,
+    options,
+  );
 }
 
 async function openZip(store: ByteStore, url: string, name: string, options: FindOptions): Promise<OpenedFiles> {
@@ -51,6 +67,7 @@ async function openStore(store: ByteStore, what: string, base: string, options: 
   const found = await findVolume(store, what, options);
   return {
     ...found,
+    source: { kind: base === archiveBase ? 'archive' : 'files', count: (await store.list())?.length ?? 0 },
     async read(url, reading) {
       if (url.startsWith(base))
         return found.isPrivate ? readPrivate(store, url, found, reading) : store.read(url, reading);
@@ -78,14 +95,7 @@ async function readPrivate(
     if (!(cause instanceof VolumeViewError)) throw cause;
     throw new VolumeViewError(
       cause.code,
-      `file ${files.indexOf(url) + 1} of ${files.length} (in the order of their names) can not be read: ${reasons[cause.code] ?? 'it is damaged; fetch or pack the files again'}`,
+      `file ${files.indexOf(url) + 1} of ${files.length} (in the order of their names) can not be read: ${reasonOf(cause)}`,
     );
   }
 }
-
-/** Why a file of a store is not read, without its name. */
-const reasons: Partial<Record<ErrorCode, string>> = {
-  'source/not-found': 'it was moved, changed or removed since it was chosen; choose the files again',
-  'format/too-large': 'it is too large',
-  'format/unsupported': 'it is encrypted, or packed with another method than Deflate; pack the files again',
-};

@@ -51,6 +51,36 @@ export interface VolumeData {
   readonly unkept?: Unkept;
 }
 
+/** One of the series in the files that a volume comes from. Nothing of it says whose it is. */
+export interface SeriesInfo {
+  /** From 1: the attribute `series` of this number shows it. */
+  readonly number: number;
+  /** Whether it is the one that is shown. */
+  readonly shown: boolean;
+  /** DICOM's code of the kind of device, 'CT' or 'MR' for instance; '' where it is not known. */
+  readonly modality: string;
+  /** The number that the scanner gave it; absent where there is none. */
+  readonly seriesNumber?: number;
+  /** Voxels of a row, of a column, and slices. */
+  readonly dimensions: Vector3;
+  /** Its middle slice, made small: brightness from 0 to 255, row by row from the top; absent where it could not be made. */
+  readonly picture?: {
+    readonly width: number;
+    readonly height: number;
+    /** Width of the slice through its height, in the world. */
+    readonly aspect: number;
+    readonly pixels: Uint8ClampedArray;
+  };
+}
+
+/** Files, or an archive, that a volume was found in. */
+export interface SourceInfo {
+  /** `files` of the reader's disk, or an `archive`. */
+  readonly kind: 'files' | 'archive';
+  /** Number of files, those without a volume included. */
+  readonly count: number;
+}
+
 /** Where a volume comes from: what its file says about it, and what was changed on its way. */
 export interface Provenance {
   /** The format of the file: 'NIfTI-1', 'PNG mosaic', ... */
@@ -59,6 +89,10 @@ export interface Provenance {
   readonly anatomical?: boolean;
   /** Set for volumes from radar files: what the file says about the scan. */
   readonly radar?: RadarInfo;
+  /** Set where its files hold several series. */
+  readonly series?: readonly SeriesInfo[];
+  /** Set where it comes from the reader's files, or from an archive. */
+  readonly source?: SourceInfo;
   readonly title?: string;
   readonly credit?: string;
   /** What the file itself says about its labels. */

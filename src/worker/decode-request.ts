@@ -110,7 +110,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     const decoded = await decode(request.data ? null : await start());
     await breathe?.();
     signal?.throwIfAborted();
-    return await finishVolume(decoded, await request.limits, onCoarse, settings.clean);
+    return await finishVolume({ ...decoded, source: opened?.source }, await request.limits, onCoarse, settings.clean);
   } catch (cause) {
     throw await explain(cause, url);
   }

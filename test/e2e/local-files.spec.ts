@@ -171,7 +171,8 @@ test.describe('view.files', () => {
     await choose(page, [fileOf('letter.txt', Buffer.from('Dear Sir'))]);
     const { detail } = await waitForEvent(page, 'error');
     expect(detail).toMatchObject({ code: 'format/unknown' });
-    expect((detail as Error).message).toContain('letter.txt');
+    expect((detail as Error).message).toContain('file-1.txt');
+    expect((detail as Error).message).not.toContain('letter');
   });
 
   test('of no files is as if it were not set', async ({ page }) => {

@@ -35,6 +35,7 @@ const dictionary = {
   NumberOfImagesInMosaic: [0x0019100a, 'US'],
   StudyInstanceUID: [0x0020000d, 'UI'],
   SeriesInstanceUID: [0x0020000e, 'UI'],
+  SeriesNumber: [0x00200011, 'IS'],
   AcquisitionNumber: [0x00200012, 'IS'],
   InstanceNumber: [0x00200013, 'IS'],
   ImagePositionPatient: [0x00200032, 'DS'],

@@ -16,6 +16,7 @@ export const noAttributes: GivenAttributes = {
   beamModel: null,
   verticalExaggeration: null,
   clean: null,
+  series: null,
   time: null,
   autoplay: null,
   playSpeed: null,

@@ -13,6 +13,8 @@ export interface MosaicSettings {
 export interface SourceSettings extends MosaicSettings, RadarSettings {
   /** World units per voxel of the file, per pixel (i, j) and slice (k) of a mosaic. */
   readonly spacing?: Vector3;
+  /** Which of several series, from 1; the one with the most voxels where undefined. */
+  readonly series?: number;
   /** Hide parts that touch nothing, see clean-volume.ts; all is shown where undefined. */
   readonly clean?: Cleaning;
 }

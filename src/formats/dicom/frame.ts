@@ -12,6 +12,8 @@ export interface Frame {
   readonly corner: readonly [number, number];
   /** Of its series; it never leaves the reader. */
   readonly series: string;
+  /** That the scanner gave the series. */
+  readonly seriesNumber: number | undefined;
   readonly isLocalizer: boolean;
   /** Centre of its first pixel in mm, in DICOM's world (LPS); null where the file does not say it. */
   readonly position: Vector3 | null;

@@ -114,7 +114,8 @@ function floatOf(type: StoredType): 'float32' | 'float64' {
   return /32|64/.test(type) && type !== 'float32' ? 'float64' : 'float32';
 }
 
-function cutTile(numbers: FrameNumbers, { columns, rows, corner: [i, j], picture }: Frame): FrameNumbers {
+/** The part of a picture's numbers that a frame is. */
+export function cutTile(numbers: FrameNumbers, { columns, rows, corner: [i, j], picture }: Frame): FrameNumbers {
   if (columns === picture.columns && rows === picture.rows) return numbers;
   const tile = new arrayOf[picture.type](columns * rows);
   for (let row = 0; row < rows; row++) {

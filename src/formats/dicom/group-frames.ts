@@ -1,4 +1,5 @@
 // Which frames make the volume: those of one series, orientation, pixel spacing and size, one at each place.
+import { invalidAttribute } from '../../core/errors.ts';
 import { dot } from '../../volume/matrix.ts';
 import type { Budget } from '../base/budget.ts';
 import type { Frame, Plane } from './frame.ts';
@@ -15,25 +16,50 @@ const sameSpacing = 1e-3; // Share of the spacing.
 /** Places closer together than this share of a pixel are one. */
 const samePlace = 0.01;
 
-/** Chooses the largest group of frames, and of those one at each place. */
-export function chooseFrames(all: readonly Frame[], budget: Budget): ChosenFrames {
+/** Frames of which one series is chosen. */
+export interface ChosenSeries extends ChosenFrames {
+  /** Of each series its frames; in the order of the scanner's numbers, and those that only show where slices lie last. */
+  readonly series: readonly (readonly Frame[])[];
+}
+
+/**
+ * Chooses a group of frames, and of those one at each place.
+ * @param wanted - which one, from 1; the one with the most voxels where undefined
+ * @throws {VolumeViewError} `attribute/invalid` where there are fewer
+ */
+export function chooseFrames(all: readonly Frame[], budget: Budget, wanted?: number): ChosenSeries {
   const groups = groupFrames(all, budget);
-  const scans = groups.filter((group) => !group.every(({ isLocalizer }) => isLocalizer));
-  const candidates = (scans.length > 0 ? scans : groups).map((group) => ({ group, ...takeOnePerPlace(group) }));
+  const isScan = (group: readonly Frame[]): boolean => !group.every(({ isLocalizer }) => isLocalizer);
+  groups.sort((a, b) => Number(isScan(b)) - Number(isScan(a)) || compareNumbers(a[0].seriesNumber, b[0].seriesNumber));
+  const scans = groups.filter(isScan);
+  const series = groups.map((group) => ({ group, ...takeOnePerPlace(group) }));
+  const candidates = scans.length > 0 ? series.slice(0, scans.length) : series;
+  if (wanted !== undefined && wanted > series.length)
+    throw invalidAttribute(
+      'series',
+      String(wanted),
+      series.length > 1
+        ? `a number from 1 to ${series.length}, as the files hold ${series.length} series`
+        : '1, as the files hold one series',
+    );
   // Pictures in colours are mostly reports of a scan, or pictures of it.
   const gray = candidates.filter(({ group: [{ picture }] }) => !picture.colors);
-  const chosen = (gray.length > 0 ? gray : candidates).reduce((best, one) =>
-    countVoxels(one.frames) > countVoxels(best.frames) ? one : best,
-  );
-  const localizers = groups.filter((group) => scans.length > 0 && !scans.includes(group)).flat().length;
-  const others = candidates.filter((one) => one !== chosen).map(({ group }) => group.length);
+  const chosen = wanted
+    ? series[wanted - 1]
+    : (gray.length > 0 ? gray : candidates).reduce((best, one) =>
+        countVoxels(one.frames) > countVoxels(best.frames) ? one : best,
+      );
+  const isCandidate = candidates.includes(chosen);
+  const localizers = isCandidate ? series.slice(candidates.length).flatMap(({ group }) => group).length : 0;
+  const others = (isCandidate ? candidates : series).filter((one) => one !== chosen).map(({ group }) => group.length);
   return {
     frames: chosen.frames,
+    series: series.map(({ frames }) => frames),
     left: [
       ...chosen.left,
       ...(others.length > 0
         ? [
-            `${others.length > 1 ? `${others.length} other series, or parts of other orientation or size` : 'another series, or a part of another orientation or size'}, with ${listCounts(others)}: the one with the most voxels${gray.length > 0 && gray.length < candidates.length ? ' that is in gray' : ''} is shown`,
+            `${others.length > 1 ? `${others.length} other series, or parts of other orientation or size` : 'another series, or a part of another orientation or size'}, with ${listCounts(others)}: ${wanted ? `number ${wanted}` : `the one with the most voxels${gray.length > 0 && gray.length < candidates.length ? ' that is in gray' : ''}`} is shown`,
           ]
         : []),
       ...(localizers > 0
@@ -48,6 +74,11 @@ export function chooseFrames(all: readonly Frame[], budget: Budget): ChosenFrame
 /** The number of a thing, with an s where there are several. */
 export function count(n: number, what: string): string {
   return `${n.toLocaleString('en')} ${what}${n === 1 ? '' : 's'}`;
+}
+
+/** Those without a number come last. */
+function compareNumbers(a = Infinity, b = Infinity): number {
+  return a === b ? 0 : a - b;
 }
 
 function listCounts(counts: readonly number[]): string {

@@ -70,6 +70,7 @@ function describeFrame(picture: Picture, index: number): Frame {
     rows,
     corner: [0, 0],
     series: set.text(tags.series),
+    seriesNumber: readSeriesNumber(set),
     isLocalizer: imageType.includes('LOCALIZER'),
     position: readVector(find(sequences.planePosition, tags.position).numbers(tags.position)),
     plane: readPlane(find(sequences.planeOrientation, tags.orientation).numbers(tags.orientation)),
@@ -79,6 +80,12 @@ function describeFrame(picture: Picture, index: number): Frame {
     ...values,
     traits: readTraits(find, imageType),
   };
+}
+
+/** Scanners count from 1. A larger number may be anything, such as a date of birth. */
+function readSeriesNumber(set: DataSet): number | undefined {
+  const number = set.number(tags.seriesNumber);
+  return number !== undefined && Number.isInteger(number) && number >= 0 && number < 1e5 ? number : undefined;
 }
 
 function readVector([x, y, z]: readonly number[]): Vector3 | null {

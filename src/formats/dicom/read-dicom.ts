@@ -11,12 +11,14 @@ import { lostColors } from './colors.ts';
 import { checkFrames } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
 import { gatherSamples } from './gather-samples.ts';
+import { modalityOf } from './modality.ts';
 import { chooseFrames, count } from './group-frames.ts';
 import type { ChosenFrames } from './group-frames.ts';
 import { listFrames } from './list-frames.ts';
 import { readPicture } from './picture.ts';
 import { isDicom } from './is-dicom.ts';
 import { readDicomFile } from './read-file.ts';
+import { describeSeries } from './describe-series.ts';
 import { stackFrames } from './stack-frames.ts';
 import { tags } from './tags.ts';
 
@@ -29,8 +31,10 @@ export const readDicom: FormatReader = async (input, settings, context) => {
   const files = 1 + context.further.length;
   try {
     const { frames, left } = await readFrames(input, context, files);
-    const chosen = chooseFrames(frames, context.budget);
-    return placeVolume(await joinFrames({ frames: chosen.frames, left: [...left, ...chosen.left] }, context), settings);
+    const chosen = chooseFrames(frames, context.budget, settings.series);
+    const series = chosen.series.length > 1 ? describeSeries(chosen, context.budget) : undefined;
+    const volume = await joinFrames({ frames: chosen.frames, left: [...left, ...chosen.left] }, context);
+    return placeVolume({ ...volume, series }, settings);
   } catch (cause) {
     // The usual words for such an error have the name of the file.
     if (!(cause instanceof RangeError || cause instanceof TypeError)) throw cause;
@@ -117,7 +121,7 @@ async function joinFrames(
     ...stack.left,
   ];
   const slices = stack.resample?.length ?? stack.slices.length;
-  const modality = picture.set.text(tags.modality).toUpperCase();
+  const modality = modalityOf(picture.set);
   return {
     grid: cartesianGrid([columns, rows, slices], stack.indexToWorld),
     anatomical: stack.anatomical,
@@ -127,28 +131,9 @@ async function joinFrames(
     ...(isAsStored ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
     unkept: stored.unkept,
     unit,
-    format: ['DICOM', ...kinds.filter((kind) => kind === modality)].join(', '),
+    format: ['DICOM', modality].filter(Boolean).join(', '),
     ...(all.length > 0 ? { left: all } : {}),
     ...(window ? { window } : {}),
     isUptake: modality === 'PT',
   };
 }
-
-/** What may stand in the name of the format: any other text may be anything. Source: PS3.3, C.7.3.1.1.1 */
-const kinds: readonly string[] = [
-  'CR',
-  'CT',
-  'DX',
-  'MG',
-  'MR',
-  'NM',
-  'OCT',
-  'OPT',
-  'PT',
-  'RF',
-  'RTDOSE',
-  'RTIMAGE',
-  'SC',
-  'US',
-  'XA',
-];

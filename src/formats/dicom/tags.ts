@@ -42,6 +42,7 @@ export const tags = {
   siemensBValue: tag(0x0019100c, 'IS'),
   series: tag(0x0020000e, 'UI'),
   acquisition: tag(0x00200012, 'IS'),
+  seriesNumber: tag(0x00200011, 'IS'),
   instance: tag(0x00200013, 'IS'),
   position: tag(0x00200032, 'DS'),
   orientation: tag(0x00200037, 'DS'),

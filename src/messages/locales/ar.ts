@@ -264,6 +264,17 @@ export const messages: Messages = {
 
   compareDivider: 'الفاصل بين الصورتين',
 
+  openFiles: 'فتح ملفات…',
+  openFolder: 'فتح مجلد…',
+  dropHint: 'أو أفلت ملفات أو مجلدًا على الصورة، أو ألصقها. تبقى على هذا الجهاز: لا يُرفع شيء.',
+  dropHere: 'أفلت للفتح',
+  dropReading: 'جارٍ القراءة…',
+  dropEmpty: 'لا ملفات فيه.',
+  dropRead: (format, size, count) => `${format}، ${size} فوكسل. الملفات: ${count}.`,
+  seriesList: 'السلاسل',
+  seriesNumber: (number) => `السلسلة ${number}`,
+  seriesSlices: (count) => `الشرائح: ${count}`,
+
   labelList: 'التسميات',
   findLabel: 'البحث عن تسمية',
   allLabels: 'عرض الكل',

@@ -279,6 +279,18 @@ export const messages: Messages = {
 
   compareDivider: 'Trennlinie zwischen den beiden Bildern',
 
+  openFiles: 'Dateien öffnen …',
+  openFolder: 'Ordner öffnen …',
+  dropHint:
+    'Oder Dateien oder einen Ordner auf das Bild ziehen oder einfügen. Sie bleiben auf diesem Gerät: nichts wird hochgeladen.',
+  dropHere: 'Zum Öffnen loslassen',
+  dropReading: 'Wird gelesen …',
+  dropEmpty: 'Darin sind keine Dateien.',
+  dropRead: (format, size, count) => `${format}, ${size} Voxel. Dateien: ${count}.`,
+  seriesList: 'Serien',
+  seriesNumber: (number) => `Serie ${number}`,
+  seriesSlices: (count) => `Schichten: ${count}`,
+
   labelList: 'Beschriftungen',
   findLabel: 'Beschriftung suchen',
   allLabels: 'Alle zeigen',

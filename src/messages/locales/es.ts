@@ -266,6 +266,18 @@ export const messages: Messages = {
 
   compareDivider: 'Separador entre las dos imágenes',
 
+  openFiles: 'Abrir archivos…',
+  openFolder: 'Abrir una carpeta…',
+  dropHint:
+    'O arrastre archivos o una carpeta sobre la imagen, o péguelos. Se quedan en este dispositivo: no se sube nada.',
+  dropHere: 'Suelte para abrir',
+  dropReading: 'Leyendo…',
+  dropEmpty: 'No contiene archivos.',
+  dropRead: (format, size, count) => `${format}, ${size} vóxeles. Archivos: ${count}.`,
+  seriesList: 'Series',
+  seriesNumber: (number) => `Serie ${number}`,
+  seriesSlices: (count) => `Cortes: ${count}`,
+
   labelList: 'Etiquetas',
   findLabel: 'Buscar una etiqueta',
   allLabels: 'Mostrar todas',

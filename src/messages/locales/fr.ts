@@ -267,6 +267,18 @@ export const messages: Messages = {
 
   compareDivider: 'Séparateur entre les deux images',
 
+  openFiles: 'Ouvrir des fichiers…',
+  openFolder: 'Ouvrir un dossier…',
+  dropHint:
+    'Ou déposez des fichiers ou un dossier sur l’image, ou collez-les. Ils restent sur cet appareil : rien n’est envoyé.',
+  dropHere: 'Déposer pour ouvrir',
+  dropReading: 'Lecture…',
+  dropEmpty: 'Aucun fichier à l’intérieur.',
+  dropRead: (format, size, count) => `${format}, ${size} voxels. Fichiers : ${count}.`,
+  seriesList: 'Séries',
+  seriesNumber: (number) => `Série ${number}`,
+  seriesSlices: (count) => `Coupes : ${count}`,
+
   labelList: 'Étiquettes',
   findLabel: 'Chercher une étiquette',
   allLabels: 'Tout afficher',

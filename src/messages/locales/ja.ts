@@ -264,6 +264,17 @@ export const messages: Messages = {
 
   compareDivider: '2 つの画像の境界',
 
+  openFiles: 'ファイルを開く…',
+  openFolder: 'フォルダーを開く…',
+  dropHint: 'ファイルやフォルダーを画像にドロップするか、貼り付けてください。データはこの端末に残り、送信されません。',
+  dropHere: 'ドロップして開く',
+  dropReading: '読み込み中…',
+  dropEmpty: 'ファイルがありません。',
+  dropRead: (format, size, count) => `${format}、${size} ボクセル。ファイル数: ${count}。`,
+  seriesList: 'シリーズ',
+  seriesNumber: (number) => `シリーズ ${number}`,
+  seriesSlices: (count) => `スライス数: ${count}`,
+
   labelList: 'ラベル',
   findLabel: 'ラベルを探す',
   allLabels: 'すべて表示',

@@ -266,6 +266,17 @@ export const messages: Messages = {
 
   compareDivider: 'Divisor entre as duas imagens',
 
+  openFiles: 'Abrir arquivos…',
+  openFolder: 'Abrir uma pasta…',
+  dropHint: 'Ou arraste arquivos ou uma pasta para a imagem, ou cole-os. Eles ficam neste dispositivo: nada é enviado.',
+  dropHere: 'Solte para abrir',
+  dropReading: 'Lendo…',
+  dropEmpty: 'Não contém arquivos.',
+  dropRead: (format, size, count) => `${format}, ${size} vóxeis. Arquivos: ${count}.`,
+  seriesList: 'Séries',
+  seriesNumber: (number) => `Série ${number}`,
+  seriesSlices: (count) => `Cortes: ${count}`,
+
   labelList: 'Rótulos',
   findLabel: 'Procurar um rótulo',
   allLabels: 'Mostrar todos',

@@ -263,6 +263,17 @@ export const messages: Messages = {
 
   compareDivider: '两幅图像之间的分隔线',
 
+  openFiles: '打开文件…',
+  openFolder: '打开文件夹…',
+  dropHint: '也可以把文件或文件夹拖到图像上，或粘贴。文件留在本设备上：不会上传任何内容。',
+  dropHere: '松开即可打开',
+  dropReading: '正在读取…',
+  dropEmpty: '其中没有文件。',
+  dropRead: (format, size, count) => `${format}，${size} 体素。文件数：${count}。`,
+  seriesList: '序列',
+  seriesNumber: (number) => `序列 ${number}`,
+  seriesSlices: (count) => `切片数：${count}`,
+
   labelList: '标签',
   findLabel: '查找标签',
   allLabels: '全部显示',

@@ -25,6 +25,7 @@ export function readSource(given: GivenSource): SourceSettings {
     beamModel,
     verticalExaggeration,
     clean,
+    series,
   } = given;
   return {
     spherical:
@@ -48,6 +49,7 @@ export function readSource(given: GivenSource): SourceSettings {
     slices: slices === null ? undefined : parseCount('slices', slices),
     spacing: spacing === null ? undefined : parseSpacing(spacing),
     clean: clean === null ? undefined : parseClean(clean),
+    series: series === null ? undefined : parseCount('series', series),
   };
 }
 

@@ -10,6 +10,7 @@ const names = [
   'beamModel',
   'verticalExaggeration',
   'clean',
+  'series',
 ] as const;
 
 /** An attribute that says how a file is to be read, by property. */

@@ -3,7 +3,7 @@ import type { Patch } from '../../optics/transfer/patches.ts';
 import type { StyleChain } from '../../optics/transfer/volume-styles.ts';
 import type { Stop } from '../../optics/transfer/transfer-function.ts';
 import type { Histogram } from '../../volume/histogram.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { SeriesInfo, SourceInfo, Volume } from '../../volume/volume.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 
 /** What a page can get of a loaded volume: everything except its samples. */
@@ -22,6 +22,10 @@ export interface VolumeInfo {
   readonly format: string;
   /** Row-major 4 x 4: voxel index, whole numbers at voxel centres, to world. */
   readonly indexToWorld: Matrix4;
+  /** The series of its files, where they hold several; the attribute `series` chooses one. */
+  readonly series?: readonly SeriesInfo[];
+  /** Where it comes from, if from the reader's files or from an archive: their kind and number, and no name. */
+  readonly source?: SourceInfo;
   /** The title of the volume, if its manifest has one. */
   readonly title?: string;
   /** Whether the world's axes are those of a patient, as its file says: x to the right, y to the front, z to the head. */
@@ -106,7 +110,7 @@ export function styleOf({
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {
-  const { grid, unit, range, histogram, format, title, anatomical, credit, reduced, radar } = volume;
+  const { grid, unit, range, histogram, format, series, source, title, anatomical, credit, reduced, radar } = volume;
   const { dimensions, spacing, indexToWorld } = grid;
   const { moment, moments, site, time, partial, sweeps, left: notices = volume.left, details = [] } = radar ?? {};
   const left = notices && [...notices, ...details];
@@ -118,6 +122,8 @@ export function describeVolume(volume: Volume): VolumeInfo {
     histogram,
     format,
     indexToWorld,
+    series,
+    source,
     title,
     anatomical,
     credit,

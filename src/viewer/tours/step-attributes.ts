@@ -38,6 +38,7 @@ export const stepAttributes: readonly string[] = [
   'region',
   'rings',
   'rotation-per-second',
+  'series',
   'vertical-exaggeration',
 ];
 

@@ -35,6 +35,7 @@ const viewRows: Row[] = [
   ['colorMoment', 'color-moment', 'VRADH', 'VRADH'],
   ['beamModel', 'beam-model', 'straight', 'straight'],
   ['verticalExaggeration', 'vertical-exaggeration', 3, '3'],
+  ['series', 'series', 2, '2'],
   ['clean', 'clean', true, ''],
   ['clean', 'clean', -400, '-400'],
   ['time', 'time', 2, '2'],
@@ -195,6 +196,8 @@ const companionRows: Record<string, Row[]> = {
     ['layout', 'layout', 'slider', 'slider'],
     ['position', 'position', 30, '30'],
   ],
+  'volume-drop': [['htmlFor', 'for', 'a', 'a']],
+  'volume-series': [['htmlFor', 'for', 'a', 'a']],
   'volume-tour': [
     ['htmlFor', 'for', 'a', 'a'],
     ['step', 'step', 2, '2'],

@@ -15,6 +15,7 @@ import { english as questions } from '../../../src/messages/english-questions.ts
 import { english as readout } from '../../../src/messages/english-readout.ts';
 import { english as slices } from '../../../src/messages/english-slices.ts';
 import { english as compare } from '../../../src/messages/english-compare.ts';
+import { english as drop } from '../../../src/messages/english-drop.ts';
 import { english as tours } from '../../../src/messages/english-tours.ts';
 import { english as view } from '../../../src/messages/english-view.ts';
 import { loadLanguage } from '../../../src/messages/load-language.ts';
@@ -36,6 +37,7 @@ const english: Record<string, unknown> = {
   ...slices,
   ...tours,
   ...compare,
+  ...drop,
   ...view,
 };
 const codes = ['ar', 'de', 'es', 'fr', 'ja', 'pt', 'zh'];

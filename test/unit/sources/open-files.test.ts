@@ -1,6 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { openFiles } from '../../../src/sources/open-files.ts';
 import type { OpenedFiles } from '../../../src/sources/open-files.ts';
+import { LocalStore } from '../../../src/sources/local-store.ts';
+import { PrivateStore } from '../../../src/sources/private-store.ts';
 import { expectError, fetchFixture } from '../../helpers/decode.ts';
 
 const base = 'https://local-1.invalid/';
@@ -70,7 +72,7 @@ describe('the volume of an archive', () => {
 describe('files that a person chose', () => {
   it('are one volume by its file', async () => {
     const { first, read } = await local([await fileOf('nifti/v1-le-i2.nii', 'Häuser 1.nii')]);
-    expect(first).to.equal(`${base}H%C3%A4user%201.nii`);
+    expect(first).to.equal(`${base}file-1.nii`);
     const reports: number[][] = [];
     const { bytes } = await read(first, { onProgress: (...report) => reports.push(report) });
     expect(bytes).to.deep.equal(await fetchFixture('nifti/v1-le-i2.nii'));
@@ -79,7 +81,7 @@ describe('files that a person chose', () => {
 
   it('are an archive', async () => {
     const { first, read } = await local([await fileOf('zip/one.zip')]);
-    expect(first).to.equal(archive('study/scan.nii'));
+    expect(first).to.equal(archive('folder-1/file-2.nii'));
     expect((await read(first, {})).bytes).to.deep.equal(await fetchFixture('nifti/v1-le-i2.nii'));
   });
 
@@ -90,11 +92,11 @@ describe('files that a person chose', () => {
 
   it('are a header and its data, in any order', async () => {
     const { first, read } = await local([await fileOf('metaimage/data.raw'), await fileOf('metaimage/detached.mhd')]);
-    expect(first).to.equal(`${base}detached.mhd`);
+    expect(first).to.equal(`${base}file-2.mhd`);
     expect((await read(`${base}data.raw`, {})).bytes).to.deep.equal(await fetchFixture('metaimage/data.raw'));
-    const { code, message } = await expectError(read(`${base}other.raw`, {}));
+    const { code, message } = await expectError(read(`${base}Doe_John.raw`, {}));
     expect(code).to.equal('source/not-found');
-    expect(message).to.contain('other.raw').and.to.contain('choose it');
+    expect(message).to.contain('.raw').and.to.contain('choose it').and.not.to.contain('Doe');
   });
 
   it('are a folder, with its paths', async () => {
@@ -102,13 +104,13 @@ describe('files that a person chose', () => {
     const json = await fileOf('mosaic/gray-3x2.json', 'scan.json');
     Object.defineProperty(png, 'webkitRelativePath', { value: 'study/gray-3x2.png' });
     Object.defineProperty(json, 'webkitRelativePath', { value: 'study/scan.json' });
-    expect((await local([png, json])).first).to.equal(`${base}study/scan.json`);
+    expect((await local([png, json])).first).to.equal(`${base}folder-1/file-2.json`);
   });
 
   it('are refused where they hold several volumes, or are no files', async () => {
     const two = await expectError(local([await fileOf('nifti/v1-le-i2.nii'), await fileOf('nifti/v1-le-gz.nii.gz')]));
     expect(two.code).to.equal('format/unsupported');
-    expect(two.message).to.contain('2 volumes').and.to.contain('v1-le-i2.nii');
+    expect(two.message).to.contain('2 volumes').and.to.contain('file-2.nii').and.not.to.contain('v1-le');
     const none = await expectError(local([null]));
     expect(none.code).to.equal('attribute/invalid');
     expect(none.message).to.contain('FileList');
@@ -130,7 +132,7 @@ describe('files that a person chose', () => {
     try {
       const { code, message } = await expectError(read(first, {}));
       expect(code).to.equal('source/not-found');
-      expect(message).to.contain('can not be read from the disk');
+      expect(message).to.contain('the chosen file can not be read: it was moved');
     } finally {
       globalThis.Response = native;
     }
@@ -142,4 +144,73 @@ describe('files that a person chose', () => {
     expect(code).to.equal('format/too-large');
     expect(message).to.contain('the chosen file').and.not.to.contain('v1-le');
   });
+
+  it('are a folder by its handle, with all folders in it', async () => {
+    const inner = folderOf('Doe_John', [await fileOf('metaimage/data.raw')]);
+    const header = await fileOf('metaimage/detached.mhd', 'Doe.mhd');
+    const moved = new File([(await header.text()).replace('data.raw', 'Doe_John/data.raw')], 'Doe.mhd');
+    const { first, read } = await local([folderOf('study', [inner, moved])]);
+    expect(first).to.equal(`${base}folder-1/file-2.mhd`);
+    const data = await read(new URL('Doe_John/data.raw', first).href, {});
+    expect(data.bytes).to.deep.equal(await fetchFixture('metaimage/data.raw'));
+    expect(data.url).not.to.contain('folder-2'); // As it was asked for.
+  });
+
+  it('are refused where a folder can not be read', async () => {
+    const gone = {
+      kind: 'directory',
+      name: 'Doe_John',
+      values() {
+        throw new DOMException('Doe_John', 'NotFoundError');
+      },
+    };
+    const { code, message } = await expectError(local([gone]));
+    expect(code).to.equal('source/not-found');
+    expect(message).to.contain('the chosen folder').and.not.to.contain('Doe');
+  });
+
+  it('of one name in several folders are all there', async () => {
+    const [a, b] = [await fileOf('zip/dicom.zip'), await fileOf('zip/dicom.zip')];
+    const error = await expectError(local([a, b]));
+    expect(error.message).to.contain('the choice of 2 files');
+  });
+
+  it('that are called as messages call files are not mistaken', async () => {
+    const [raw, header] = [await fileOf('metaimage/data.raw', 'file-2.raw'), await fileOf('metaimage/detached.mhd')];
+    const named = new File([(await header.text()).replace('data.raw', 'file-2.raw')], 'b.mhd');
+    const other = new File(['other'], 'a.raw');
+    const { first, read } = await local([raw, named, other]);
+    expect((await read(new URL('file-2.raw', first).href, {})).bytes).to.deep.equal(
+      await fetchFixture('metaimage/data.raw'),
+    );
+  });
+
+  it('are a pair of which each is found by the name of the other', async () => {
+    const pair = ['Doe_John.HDR', 'Doe_John.IMG.gz'].map((name) => new File([name], name));
+    const { list, url } = await privately(pair);
+    expect(list).to.deep.equal(['file-1.HDR', 'file-1.IMG.gz'].map((name) => base + name));
+    expect(await url('file-1.IMG.gz')).to.equal('Doe_John.IMG.gz');
+  });
 });
+
+/** As a browser gives it. */
+function folderOf(name: string, inside: readonly (File | object)[]): object {
+  return {
+    kind: 'directory',
+    name,
+    async *values() {
+      for (const one of inside)
+        yield one instanceof File ? { kind: 'file', name: one.name, getFile: async () => one } : one;
+    },
+  };
+}
+
+async function privately(
+  files: readonly File[],
+): Promise<{ list: readonly string[]; url(path: string): Promise<string> }> {
+  const store = await PrivateStore.of(new LocalStore(files, base), base, () => false);
+  return {
+    list: await store.list(),
+    url: async (path) => new TextDecoder().decode((await store.read(base + path)).bytes),
+  };
+}

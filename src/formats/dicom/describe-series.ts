@@ -1,0 +1,59 @@
+// What a page gets of the series in files of DICOM, to choose one.
+import type { SeriesInfo } from '../../volume/volume.ts';
+import type { Budget } from '../base/budget.ts';
+import { checkFrames, decodeFrame } from './decode-frame.ts';
+import type { Frame } from './frame.ts';
+import { cutTile } from './gather-samples.ts';
+import type { ChosenSeries } from './group-frames.ts';
+import { modalityOf } from './modality.ts';
+
+/** Pixels of the larger side of a picture. */
+const pictureSize = 64;
+
+/** Only so many series have a picture: each takes the time of a slice. */
+const maxPictures = 32;
+
+/** Lists the series by numbers, kinds and sizes, with a small picture of each. */
+export function describeSeries({ series, frames: chosen }: ChosenSeries, budget: Budget): readonly SeriesInfo[] {
+  return series.map((frames, i) => {
+    const middle = frames[frames.length >> 1];
+    const { columns, rows, picture, seriesNumber } = middle;
+    return {
+      number: i + 1,
+      shown: frames === chosen,
+      modality: modalityOf(picture.set),
+      ...(seriesNumber === undefined ? {} : { seriesNumber }),
+      dimensions: [columns, rows, frames.length],
+      ...(i < maxPictures ? { picture: drawSmall(middle, budget) } : {}),
+    };
+  });
+}
+
+/** The nearest pixels of a slice, within its window or the range of its values; undefined where it can not be decoded. */
+function drawSmall(frame: Frame, budget: Budget): SeriesInfo['picture'] {
+  const { columns, rows, slope, intercept, window, spacing } = frame;
+  let numbers;
+  try {
+    checkFrames(frame.picture);
+    numbers = cutTile(decodeFrame(frame.picture, frame.index, budget), frame);
+  } catch {
+    return undefined; // The series itself says what is wrong with it, where it is chosen.
+  }
+  const scale = Math.min(1, pictureSize / Math.max(columns, rows));
+  const [width, height] = [columns, rows].map((n) => Math.max(1, Math.round(n * scale)));
+  const values = Float64Array.from({ length: width * height }, (_, i) => {
+    const [x, y] = [i % width, Math.floor(i / width)].map((at) => Math.floor((at + 0.5) / scale));
+    return slope * numbers[Math.min(rows - 1, y) * columns + Math.min(columns - 1, x)] + intercept;
+  });
+  const [low, high] = window ?? rangeOf(values);
+  const pixels = Uint8ClampedArray.from(values, (value) => (255 * (value - low)) / (high - low || 1));
+  const [dx, dy] = spacing ?? [1, 1];
+  return { width, height, aspect: (columns * dx) / (rows * dy), pixels };
+}
+
+/** Without the few brightest pixels. */
+function rangeOf(values: Float64Array): readonly [number, number] {
+  const sorted = values.filter(Number.isFinite);
+  sorted.sort();
+  return [sorted[0] ?? 0, sorted[Math.floor(0.99 * (sorted.length - 1))] ?? 1];
+}
