@@ -1,7 +1,7 @@
 // What a page gets of the series in files of DICOM, to choose one.
 import type { SeriesInfo } from '../../volume/volume.ts';
 import type { Budget } from '../base/budget.ts';
-import { checkFrames, decodeFrame } from './decode-frame.ts';
+import { checkFrames, decodeFrame, isJ2k } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
 import { cutTile } from './gather-samples.ts';
 import type { ChosenSeries } from './group-frames.ts';
@@ -32,6 +32,7 @@ export function describeSeries({ series, frames: chosen }: ChosenSeries, budget:
 /** The nearest pixels of a slice, within its window or the range of its values; undefined where it can not be decoded. */
 function drawSmall(frame: Frame, budget: Budget): SeriesInfo['picture'] {
   const { columns, rows, slope, intercept, window, spacing } = frame;
+  if (isJ2k(frame.picture)) return undefined; // Its library is loaded with the series itself.
   let numbers;
   try {
     checkFrames(frame.picture);
