@@ -14,7 +14,7 @@ export const authoringStyles = `
   gap: 6px;
   padding: 6px;
   border-radius: 10px;
-  background: var(--volume-view-controls-background, rgb(13 16 22 / 0.92));
+  background: var(--volume-view-controls-background, rgb(13 16 22 / 0.97));
   color: var(--volume-view-controls-color, #f2f5fa);
 }
 .authoring:has(textarea) {

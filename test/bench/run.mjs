@@ -19,6 +19,7 @@ const programs = [
   'pairs',
   'pick',
   'slices',
+  'notes',
   'lit',
   'edges',
   'choices',
