@@ -2,14 +2,7 @@ import { css } from 'lit';
 
 export const styles = css`
   :host {
-    display: block;
-    box-sizing: border-box;
-    min-inline-size: 0;
     container-type: inline-size;
-  }
-
-  :host([hidden]) {
-    display: none;
   }
 
   .stage {
@@ -23,19 +16,55 @@ export const styles = css`
     inline-size: 100%;
   }
 
+  .caption {
+    grid-area: caption-1;
+    margin-block-end: calc(4px - var(--volume-compare-gap, 8px));
+    font-weight: 600;
+    unicode-bidi: plaintext;
+    overflow-wrap: anywhere;
+  }
+
+  .caption + .caption {
+    grid-area: caption-2;
+  }
+
+  .named {
+    grid-template-areas: 'caption-1' 'view-1' 'caption-2' 'view-2';
+  }
+
+  .named ::slotted(volume-view) {
+    grid-area: view-1;
+  }
+
+  .named ::slotted(volume-view:nth-of-type(2)) {
+    grid-area: view-2;
+  }
+
   @container (inline-size >= 480px) {
     .stage {
       grid-template-columns: repeat(2, minmax(0, 1fr));
     }
+
+    .named {
+      grid-template-areas: 'caption-1 caption-2' 'view-1 view-2';
+    }
   }
 
   .stage.slider {
-    gap: 0;
-    grid-template-columns: minmax(0, 1fr);
+    gap: 0 8px;
+    grid-template: 'caption-1 caption-2' 'view view' / minmax(0, 1fr) minmax(0, 1fr);
   }
 
-  .slider ::slotted(volume-view) {
-    grid-area: 1 / 1;
+  .slider .caption {
+    margin-block-end: 4px;
+  }
+
+  .slider .caption + .caption {
+    text-align: end;
+  }
+
+  .slider ::slotted(volume-view:nth-of-type(n)) {
+    grid-area: view;
   }
 
   .slider ::slotted(volume-view:nth-of-type(2)) {
@@ -44,6 +73,7 @@ export const styles = css`
 
   .divider {
     position: absolute;
+    grid-area: view;
     z-index: 1;
     inset-block: 0;
     inset-inline-start: calc(var(--_at) - 22px);
@@ -96,14 +126,6 @@ export const styles = css`
     outline-offset: 2px;
   }
 
-  .error {
-    margin: 0 0 8px;
-    padding: 0.75em 1em;
-    background: var(--volume-view-error-background, rgb(60 14 14 / 0.94));
-    color: var(--volume-view-error-color, #fff1ee);
-    overflow-wrap: anywhere;
-  }
-
   @media (forced-colors: active) {
     .line {
       background: CanvasText;
@@ -116,11 +138,28 @@ export const styles = css`
     .stage,
     .stage.slider {
       gap: 8px;
-      grid-template-columns: repeat(2, minmax(0, 1fr));
+      grid-template: none / repeat(2, minmax(0, 1fr));
     }
 
-    .slider ::slotted(volume-view) {
+    .stage.named {
+      grid-template-areas: 'caption-1 caption-2' 'view-1 view-2';
+    }
+
+    .stage.named .caption {
+      margin-block-end: -4px;
+      text-align: start;
+    }
+
+    .slider:not(.named) ::slotted(volume-view:nth-of-type(n)) {
       grid-area: auto;
+    }
+
+    .named ::slotted(volume-view:nth-of-type(n)) {
+      grid-area: view-1;
+    }
+
+    .named ::slotted(volume-view:nth-of-type(2n)) {
+      grid-area: view-2;
     }
 
     .slider ::slotted(volume-view:nth-of-type(2)) {

@@ -8,12 +8,16 @@ import { placeInElement } from '../../src/page/pointer-place.ts';
 import { pair } from '../../src/viewer/compare/pair.ts';
 import type { PairedView } from '../../src/viewer/compare/pair.ts';
 import { parseWord } from '../../src/viewer/model/parse-attributes.ts';
+import { blockStyles } from '../internal/block-styles.ts';
 import { number } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { emit } from '../internal/volume-view-events.ts';
 import { styles } from './volume-compare-styles.ts';
 
 const layouts = ['side', 'slider'] as const;
+
+/** The longest caption, characters. */
+const maxCaption = 200;
 
 /** How far a key moves the divider, per cent. */
 const step = { arrow: 2, page: 10 };
@@ -24,12 +28,15 @@ const step = { arrow: 2, page: 10 };
  *
  * `<volume-compare layout="slider"><volume-view src="before.nii.gz" alt="Before"></volume-view><volume-view src="after.nii.gz" alt="After"></volume-view></volume-compare>`
  *
+ * A `caption="Before"` on a view is a short name, shown above its picture or its side.
+ *
  * Whichever view is turned, the other one turns too, to the same place of the world. Until then both are where the first view places
  * its camera. Without scripts and on paper both are side by side.
  *
  * @tag volume-compare
  * @slot - the two `<volume-view>`s
  * @csspart divider - the divider of the layout `slider`, which takes the focus
+ * @csspart caption - the caption of each view
  * @csspart error - the text where there are not two views, or an attribute can't be read
  * @fires {CustomEvent<ErrorDetail>} error - there are not two views, or an attribute can't be read
  * @cssproperty --volume-compare-gap - space between the views; 8px by default
@@ -38,7 +45,7 @@ const step = { arrow: 2, page: 10 };
  * @cssproperty --volume-view-focus-color - colour of the ring around the divider that has the focus
  */
 export class VolumeCompare extends ReflectingElement {
-  static override readonly styles = styles;
+  static override readonly styles = [blockStyles, styles];
 
   /**
    * `side`: side by side, and on a phone one below the other. `slider`: one over the other, with a divider.
@@ -57,6 +64,7 @@ export class VolumeCompare extends ReflectingElement {
   #at = 50;
   #layout: (typeof layouts)[number] = 'side';
   #views: readonly Element[] = [];
+  #captions: readonly string[] = [];
   #end: (() => void) | null = null;
   #problem: VolumeViewError | null = null;
 
@@ -74,7 +82,7 @@ export class VolumeCompare extends ReflectingElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#observer.observe(this, { childList: true });
+    this.#observe([]);
     this.#follow();
   }
 
@@ -90,6 +98,12 @@ export class VolumeCompare extends ReflectingElement {
     this.#views = [];
   }
 
+  #observe(views: readonly Element[]): void {
+    this.#observer.disconnect();
+    this.#observer.observe(this, { childList: true });
+    for (const view of views) this.#observer.observe(view, { attributeFilter: ['caption'] });
+  }
+
   /** Keep the two views together. */
   #follow(): void {
     if (!this.isConnected) return;
@@ -98,10 +112,14 @@ export class VolumeCompare extends ReflectingElement {
     if (views.length === this.#views.length && views.every((view, i) => view === this.#views[i])) return;
     this.#part();
     this.#views = views;
+    this.#observe(views);
+    for (const view of views) this.#observer.observe(view, { attributeFilter: ['caption'] });
     if (views.length === 2) this.#end = pair(views[0] as PairedView, views[1] as PairedView);
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
+    const captions = this.#views.map((view) => (view.getAttribute('caption') ?? '').trim().slice(0, maxCaption));
+    this.#captions = captions.some((caption) => caption !== '') ? captions : [];
     const before = this.#problem?.message;
     this.#problem = null;
     const count = this.#views.length;
@@ -169,8 +187,10 @@ export class VolumeCompare extends ReflectingElement {
   protected override render(): unknown {
     const isSlider = this.#layout === 'slider' && this.#views.length === 2;
     const clip = this.#isRtl ? `0 ${this.#at}% 0 0` : `0 0 0 ${this.#at}%`;
+    const kind = `stage${isSlider ? ' slider' : ''}${this.#captions.length === 2 ? ' named' : ''}`;
     return html`${this.#problem ? html`<p class="error" part="error" role="alert" lang="en">${this.#problem.message}</p>` : nothing}
-      <div class=${isSlider ? 'stage slider' : 'stage'} style=${isSlider ? `--_at: ${this.#at}%; --_clip: inset(${clip})` : nothing}>
+      <div class=${kind} style=${isSlider ? `--_at: ${this.#at}%; --_clip: inset(${clip})` : nothing}>
+        ${this.#captions.length === 2 ? this.#captions.map((caption) => html`<div class="caption" part="caption">${caption}</div>`) : nothing}
         <slot></slot>
         ${isSlider ? this.#renderDivider() : nothing}
       </div>`;

@@ -1,8 +1,8 @@
 // <volume-compare>: two views, one camera
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
-import { projectRoot } from '../../scripts/shared-data.mjs';
+import { findSharedData, projectRoot } from '../../scripts/shared-data.mjs';
 import { findFaults } from './helpers/axe.ts';
 import { decodePicture } from './helpers/pictures.ts';
 import type { Picture } from './helpers/pictures.ts';
@@ -110,6 +110,76 @@ test.describe('under a divider', () => {
     await page.emulateMedia({ media: null });
     expect(two!.x).toBeGreaterThanOrEqual(one!.x + one!.width);
     expect(two!.y).toBe(one!.y);
+  });
+});
+
+test.describe('captions', () => {
+  const named = (more = ''): string =>
+    compareOf(more)
+      .replace('id="first"', 'id="first" caption="Before"')
+      .replace('id="second"', 'id="second" caption="&lt;b>After"');
+  const boxes = (page: Page) =>
+    Promise.all(
+      [
+        page.getByText('Before'),
+        page.locator('[part=caption]').nth(1),
+        page.locator('#first'),
+        page.locator('#second'),
+      ].map(async (one) => (await one.boundingBox())!),
+    );
+
+  for (const dir of ['ltr', 'rtl'] as const)
+    test(`stand above the side that they name, ${dir}`, async ({ page }) => {
+      await open(page, `<main dir="${dir}"><h1>Compared</h1>${named('layout="slider"')}</main>`);
+      await ready(page);
+      const [before, after, first, second] = await boxes(page);
+      expect(first).toEqual(second);
+      expect(before.y + before.height).toBeLessThanOrEqual(first.y);
+      expect(after.y).toBe(before.y);
+      const [left, right] = dir === 'ltr' ? [before, after] : [after, before];
+      expect(left.x + left.width).toBeLessThan(right.x);
+      // The divider is over the pictures, not over the captions.
+      expect((await page.locator('[part=divider]').boundingBox())!.y).toBe(first.y);
+      await page.locator('volume-compare').evaluate((one) => one.setAttribute('layout', 'side'));
+      await expect.poll(async () => (await boxes(page))[3].y).toBeGreaterThan(first.y);
+      const [a, b, one, two] = await boxes(page); // 320 pixels: one below the other
+      const tops = [a, one, b, two].map(({ y }) => y);
+      expect(tops.every((top, i) => i === 0 || top > tops[i - 1])).toBe(true);
+      await page.locator('volume-compare').evaluate((one) => (one.style.inlineSize = '600px'));
+      await expect.poll(async () => (await boxes(page))[3].y).toBe(one.y);
+      const [c, d, three, four] = await boxes(page);
+      expect([c.x, d.x, c.y]).toEqual([three.x, four.x, d.y]);
+      expect(await findFaults(page)).toEqual([]);
+    });
+
+  test('are texts, follow the attribute, and leave no room where there are none', async ({ page }) => {
+    await open(page, named());
+    await ready(page);
+    await expect(page.locator('[part=caption]')).toHaveText(['Before', '<b>After']);
+    await page.locator('#second').evaluate((one) => one.setAttribute('caption', 'Later'));
+    await expect(page.locator('[part=caption]')).toHaveText(['Before', 'Later']);
+    await page.evaluate(() =>
+      document.querySelectorAll('volume-view').forEach((one) => one.removeAttribute('caption')),
+    );
+    await expect(page.locator('[part=caption]')).toHaveCount(0);
+    const [element, first] = [
+      await page.locator('volume-compare').boundingBox(),
+      await page.locator('#first').boundingBox(),
+    ];
+    expect(first!.y).toBe(element!.y);
+    await page.locator('#first').evaluate((one) => one.setAttribute('caption', 'Again'));
+    await expect(page.locator('[part=caption]')).toHaveText(['Again', '']);
+  });
+
+  test('are above their pictures on paper', async ({ page }) => {
+    await open(page, named('layout="slider"'));
+    await ready(page);
+    await page.emulateMedia({ media: 'print' });
+    const [before, after, first, second] = await boxes(page);
+    await page.emulateMedia({ media: null });
+    expect(second.x).toBeGreaterThanOrEqual(first.x + first.width);
+    expect([first.y, before.x, after.x]).toEqual([second.y, first.x, second.x]);
+    expect(before.y + before.height).toBeLessThanOrEqual(first.y);
   });
 });
 
@@ -245,6 +315,32 @@ test.describe('on a phone', () => {
     expect(await findFaults(page)).toEqual([]);
   });
 });
+
+/** Two radars that see the same rain. */
+const radars = ['behel', 'bewid'].map((name) => `/shared-data/radar/odim_belgium_20190606/${name}.pvol.hdf`);
+const areRadars = radars.every((file) => existsSync(findSharedData(file) ?? ''));
+if (!areRadars) console.log(`left out: two real radars compared (needs ${radars.join(' and ')} in ../shared/data)`);
+
+if (areRadars)
+  test('two real radars are seen from one place over the earth', async ({ page }) => {
+    const radar = (id: string, src: string, name: string): string =>
+      `<volume-view id="${id}" src="${src}" caption="${name}" vertical-exaggeration="4" steps="24" alt="Rain around ${name}"></volume-view>`;
+    await open(
+      page,
+      `${box}<volume-compare>${radar('first', radars[0], 'Helchteren')}${radar('second', radars[1], 'Wideumont')}</volume-compare>`,
+    );
+    await ready(page);
+    await expect(page.locator('[part=caption]')).toHaveText(['Helchteren', 'Wideumont']);
+    await page.locator('#first').evaluate((one) => one.setAttribute('camera-orbit', '200deg 40deg 300000'));
+    await settle(page, '#first');
+    // pyproj 3.7, aeqd around 51.069072 N 5.4064 E on a sphere of 6371 km: Wideumont (49.9143 N 5.5056 E) is 7103.4 m east, 128400.0 m south.
+    const shift = await page.evaluate(() => {
+      const [one, two] = [...document.querySelectorAll('volume-view')].map(({ camera }) => camera!.target);
+      return [one[0] - two[0], one[1] - two[1]];
+    });
+    expect(Math.abs(shift[0] - 7103.4)).toBeLessThan(1);
+    expect(Math.abs(shift[1] + 128400)).toBeLessThan(1);
+  });
 
 test('works as the guide writes it', async ({ page }) => {
   const guide = readFileSync(join(projectRoot, 'docs/guide/compare.md'), 'utf8');

@@ -6,6 +6,7 @@ import { projectRoot } from '../../scripts/shared-data.mjs';
 import { findFaults } from './helpers/axe.ts';
 import { attributesOf } from './helpers/reference.ts';
 import { expect, fieldUrl, open as openPage, settle, keptTest as test, test as freshTest } from './helpers/harness.ts';
+import { line, touch } from './helpers/touch.ts';
 
 const size = 'style="width: 320px; height: 240px"';
 const view = `<volume-view id="seen" src="${fieldUrl}" ${attributesOf({ 'transfer-function': '0.15 #003 0, 0.4 #c63 0.3, 0.8 #ffc 0.8' })} ${size} alt="A field"></volume-view>`;
@@ -75,6 +76,11 @@ test.describe('questions', () => {
     await expect(statusOf(page)).toHaveText('Not right. Tries left: 2. A hint Look again');
     await expect(page.getByText('Look again').first()).toBeVisible();
     await expect(page.getByText('Well done')).toBeHidden();
+    // The box has its own spaces, whatever the page gives to paragraphs.
+    const margins = [page.getByText('A hint').first(), page.getByText('Look again').first()].map((one) =>
+      one.evaluate((text) => getComputedStyle(text).marginBlock),
+    );
+    expect(await Promise.all(margins)).toEqual(['0px', '0px']);
     await page.keyboard.press('ArrowDown');
     await page.keyboard.press('Enter');
     await expect(statusOf(page)).toHaveText('Right. Well done');
@@ -242,6 +248,71 @@ test.describe('questions', () => {
     await expect(other.locator('[part=score]')).toHaveText('Right answers so far: 2 of 2');
   });
 
+  test('find a place of a radar by a click: its heights are those before the exaggeration', async ({ page }) => {
+    const radar = `<volume-view id="seen" src="/demos/data/storm-radar-island.json" vertical-exaggeration="4" rings="none" camera-target="-20000 -50000 6000" camera-orbit="190deg 62deg 30%" interaction="none" steps="60" ${size} alt="A storm"></volume-view>`;
+    await open(page, radar + ask('type="find" latitude="0" longitude="0" height="9000" radius="3000" tries="3"', said));
+    await settle(page);
+    const heard = await listen(page);
+    // The strongest echo, and the weakest one.
+    const [strong, weak] = await page.evaluate(async () => {
+      const element = document.querySelector('volume-view')!;
+      const { left, top, width, height } = element.getBoundingClientRect();
+      const all = [];
+      for (let x = left + 10; x < left + width; x += 10)
+        for (let y = top + 10; y < top + height; y += 10) {
+          const found = await element.positionFromPoint(x, y);
+          if (found) all.push({ x, y, value: found.value, position: [...found.position] });
+        }
+      all.sort((one, other) => other.value - one.value);
+      return [all[0], all.at(-1)!];
+    });
+    expect(strong.value).toBeGreaterThan(weak.value + 20);
+    const [east, north, up] = strong.position;
+    expect(up).toBeLessThan(18000);
+    // The radar stands at 0 degrees north and east, 450 m high, on a sphere of 6371 km: the azimuthal equidistant projection, backwards.
+    const [angle, azimuth] = [Math.hypot(east, north) / 6371000, Math.atan2(east, north)];
+    const degrees = 180 / Math.PI;
+    const latitude = degrees * Math.asin(Math.sin(angle) * Math.cos(azimuth));
+    const longitude = degrees * Math.atan2(Math.sin(angle) * Math.sin(azimuth), Math.cos(angle));
+    await page.evaluate(
+      ([latitude, longitude, height]) =>
+        Object.assign(document.querySelector('volume-question')!, { latitude, longitude, height }),
+      [latitude, longitude, up + 450],
+    );
+    await page.mouse.click(weak.x, weak.y);
+    await expect(statusOf(page)).toContainText('Not right. Tries left: 2.');
+    await page.mouse.click(strong.x, strong.y);
+    await expect(statusOf(page)).toHaveText('Right. Well done');
+    const [, { response }] = (await heard()) as [unknown, { response: string }];
+    // A pixel is 700 m wide there, and a click is at a whole one.
+    response.split(' ').forEach((text, i) => expect(Math.abs(Number(text) - strong.position[i])).toBeLessThan(700));
+    // The mark is where the reader has clicked: heights are exaggerated there.
+    const pin = (await page.locator('volume-view [part~="note-pin"]').boundingBox())!;
+    expect(Math.hypot(pin.x + pin.width / 2 - strong.x, pin.y + pin.height / 2 - strong.y)).toBeLessThan(2);
+  });
+
+  test('of a tour that follows the page: a click answers the one of the open step', async ({ page }) => {
+    const step = (id: string): string =>
+      `<volume-step style="display: block; min-block-size: 700px"><h2>${id}</h2>${ask('type="find" position="0 0 0" radius="100"', '', id)}${ask('type="label" position="0 0 0" answer="a"', '', `${id}-name`)}</volume-step>`;
+    await open(
+      page,
+      `<div style="display: grid; grid-template-columns: 340px 1fr">${view.replace('width:', 'position: sticky; top: 0; width:')}<volume-tour for="seen" by="scroll">${step('one')}${step('two')}</volume-tour></div>`,
+    );
+    await settle(page);
+    const marks = page.locator('volume-view').getByRole('button', { name: 'This place' });
+    await expect(marks).toHaveCount(1);
+    await page.locator('#two').evaluate((element) => element.scrollIntoView({ block: 'center' }));
+    await expect
+      .poll(() => page.locator('volume-tour').evaluate((tour) => (tour as HTMLElement & { step: number }).step))
+      .toBe(2);
+    await expect(marks).toHaveCount(1);
+    await marks.click();
+    await expect(question(page, 'two-name').getByRole('textbox')).toBeFocused();
+    await clickAt(page, 40, 20);
+    await expect(question(page, 'two').locator('[part=feedback]')).toBeVisible();
+    await expect(question(page, 'one').locator('[part=feedback]')).toHaveCount(0);
+  });
+
   test('do nothing that hostile texts ask for, and say in words what is wrong', async ({ page }) => {
     const evil = '&quot;&gt;&lt;img src=x onerror=&quot;window.hit=1&quot;&gt;';
     await open(
@@ -356,3 +427,28 @@ freshTest(
     await plain.close();
   },
 );
+
+freshTest.describe('questions on a phone', () => {
+  freshTest.use({ viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true });
+
+  freshTest('find a place by a tap, and neither by a turn nor by two fingers', async ({ page }) => {
+    await open(page, view + ask('type="find" position="0 0 0" radius="1" tries="3"', said));
+    await settle(page);
+    const heard = await listen(page);
+    await findMiddle(page);
+    const { x, y, width, height } = (await page.locator('volume-view').boundingBox())!;
+    const [across, down] = [x + width / 2, y + height / 2];
+    await touch(page, [line([across - 40, down], [across + 30, down])]);
+    await touch(page, [line([across - 20, down], [across - 50, down]), line([across + 20, down], [across + 50, down])]);
+    await settle(page);
+    expect(await heard()).toEqual([]);
+    await page.evaluate(() => document.querySelector('volume-view')!.setAttribute('camera-orbit', '35deg 65deg 90'));
+    await settle(page);
+    await page.touchscreen.tap(across + 40, down + 20);
+    await expect(statusOf(page)).toContainText('Not right. Tries left: 2.');
+    await page.touchscreen.tap(across, down);
+    await expect(statusOf(page)).toHaveText('Right. Well done');
+    await expect(question(page).locator('[part=feedback]')).toBeInViewport();
+    expect((await heard()).map((one) => (one as { correct: boolean }).correct)).toEqual([false, true]);
+  });
+});

@@ -51,13 +51,14 @@ export class QuestionPlaces implements AimOwner {
     this.#given = new PlaceMark(element, messages, () => {});
   }
 
-  /** False in a closed step. */
-  get #isLaidOut(): boolean {
-    return this.element.offsetWidth > 0;
+  /** False in a closed step, also where its text is visible: in a tour that follows the page. */
+  get #isAsked(): boolean {
+    const step = this.element.closest('volume-tour volume-step');
+    return this.element.offsetWidth > 0 && (!step || step.matches(':is(:state(open), [data-state-open])'));
   }
 
   get isWaiting(): boolean {
-    return this.#question?.type === 'find' && !this.answering.isDone && this.#isLaidOut;
+    return this.#question?.type === 'find' && !this.answering.isDone && this.#isAsked;
   }
 
   get crosshair(): string {
@@ -106,7 +107,7 @@ export class QuestionPlaces implements AimOwner {
     const stretch = volume ? stretchOf(volume.grid) : 1;
     const [x, y, z] = this.#locate(view) ?? [NaN, NaN, NaN];
     if (Number.isFinite(x)) this.place = [x, y, z / stretch];
-    const isSeen = volume !== null && this.#isLaidOut;
+    const isSeen = volume !== null && this.#isAsked;
     const { messages } = this.locale;
     const { isDone, position, result } = this.answering;
     // The place to find is shown after the last try.
