@@ -182,8 +182,17 @@ export const styles = css`
 
   .feedback > p + p,
   .feedback > slot {
-    display: block;
     margin-block-start: 6px;
+  }
+
+  /* In a box of ours, the space between the author's paragraphs is ours too. */
+  :is(.feedback, .hint) > slot {
+    display: grid;
+    gap: 6px;
+  }
+
+  ::slotted([slot]) {
+    margin-block: 0 !important;
   }
 
   .head::before {

@@ -114,6 +114,7 @@ export class VolumeQuestion extends ReflectingElement {
   #isHinted = false;
   #said = '';
   #root: Node | null = null;
+  #tour: Element | null = null;
 
   constructor() {
     super();
@@ -153,13 +154,16 @@ export class VolumeQuestion extends ReflectingElement {
     super.connectedCallback();
     this.#sizes.observe(this); // In a closed step it has no size.
     this.#root = this.getRootNode();
-    this.#root.addEventListener('answer', this.#onAnyAnswer);
+    this.#root.addEventListener('answer', this.#onChange);
+    this.#tour = this.closest('volume-tour');
+    this.#tour?.addEventListener('step-change', this.#onChange);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#sizes.disconnect();
-    this.#root?.removeEventListener('answer', this.#onAnyAnswer);
+    this.#root?.removeEventListener('answer', this.#onChange);
+    this.#tour?.removeEventListener('step-change', this.#onChange);
     queueMicrotask(() => {
       if (!this.isConnected) this.#places.leave();
     });
@@ -200,7 +204,7 @@ export class VolumeQuestion extends ReflectingElement {
     if (error && isNew) emit(this, 'error', { code: error.code, message: error.message, cause: error.cause });
   }
 
-  readonly #onAnyAnswer = (): void => this.requestUpdate();
+  readonly #onChange = (): void => this.requestUpdate();
 
   readonly #onSubmit = (event: Event): void => {
     event.preventDefault();
