@@ -21,3 +21,31 @@ export const blockStyles = css`
     overflow-wrap: anywhere;
   }
 `;
+
+/** Styles of buttons between the texts of a page: they have its colours. `--_line` is the colour of a thin line. */
+export const textButtonStyles = css`
+  :host {
+    --_line: color-mix(in srgb, currentColor 45%, transparent);
+  }
+
+  button {
+    box-sizing: border-box;
+    margin: 0;
+    border: 1px solid var(--_line);
+    border-radius: 8px;
+    background: transparent;
+    color: inherit;
+    font: inherit;
+    cursor: pointer;
+    touch-action: manipulation;
+  }
+
+  button:hover:enabled {
+    border-color: currentColor;
+  }
+
+  button:focus-visible {
+    outline: 2px solid var(--volume-view-focus-color, currentColor);
+    outline-offset: 2px;
+  }
+`;

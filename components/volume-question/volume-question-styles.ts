@@ -1,19 +1,9 @@
 import { css } from 'lit';
 
 export const styles = css`
-  :host {
-    --_line: color-mix(in srgb, currentColor 45%, transparent);
-
-    display: block;
-    box-sizing: border-box;
-    min-inline-size: 0;
-  }
-
-  :host([hidden]) {
-    display: none;
-  }
-
   form {
+    --_right: var(--volume-question-right-color, #2c9a4b);
+
     display: grid;
     gap: 12px;
     margin: 0;
@@ -40,6 +30,10 @@ export const styles = css`
   /* An author may hide a hint from pages without scripts. */
   ::slotted([slot][hidden]) {
     display: block !important;
+  }
+
+  .error {
+    margin: 0;
   }
 
   .answers {
@@ -132,40 +126,20 @@ export const styles = css`
   }
 
   button {
-    box-sizing: border-box;
     min-block-size: 44px;
-    margin: 0;
     padding: 8px 16px;
-    border: 1px solid var(--_line);
-    border-radius: 8px;
-    background: transparent;
-    color: inherit;
-    font: inherit;
-    cursor: pointer;
-    touch-action: manipulation;
   }
 
-  button:hover {
-    border-color: currentColor;
-  }
-
-  :is(button, .field input, .feedback):focus-visible {
+  :is(.field input, .feedback):focus-visible {
     outline: 2px solid var(--volume-view-focus-color, currentColor);
     outline-offset: 2px;
   }
 
   .feedback,
   .hint {
-    --_right: var(--volume-question-right-color, #2c9a4b);
-
-    padding: 4px 0 4px 14px;
     padding-block: 4px;
     padding-inline: 14px 0;
     border-inline-start: 4px solid var(--_line);
-  }
-
-  .answers {
-    --_right: var(--volume-question-right-color, #2c9a4b);
   }
 
   .feedback.is-right {
@@ -207,15 +181,6 @@ export const styles = css`
 
   .head {
     font-weight: 600;
-  }
-
-  .error {
-    margin: 0;
-    padding: 0.75em 1em;
-    background: var(--volume-view-error-background, rgb(60 14 14 / 0.94));
-    color: var(--volume-view-error-color, #fff1ee);
-    unicode-bidi: plaintext;
-    overflow-wrap: anywhere;
   }
 
   @media print {

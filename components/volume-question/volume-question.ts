@@ -7,6 +7,7 @@ import type { AnswerDetail } from '../../src/viewer/questions/answering.ts';
 import { readQuestion } from '../../src/viewer/questions/question.ts';
 import type { Question, Response } from '../../src/viewer/questions/question.ts';
 import { QuestionPlaces } from '../../src/viewer/questions/question-places.ts';
+import { blockStyles, textButtonStyles } from '../internal/block-styles.ts';
 import { flag, number, vector } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { spokenStyles } from '../internal/spoken-styles.ts';
@@ -47,7 +48,7 @@ import { styles } from './volume-question-styles.ts';
  * @fires {CustomEvent<ErrorDetail>} error - an attribute can't be read, or the place is not known
  */
 export class VolumeQuestion extends ReflectingElement {
-  static override readonly styles = [spokenStyles, styles];
+  static override readonly styles = [blockStyles, textButtonStyles, spokenStyles, styles];
 
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;

@@ -1,18 +1,6 @@
 import { css } from 'lit';
 
 export const styles = css`
-  :host {
-    --_line: color-mix(in srgb, currentColor 45%, transparent);
-
-    display: block;
-    box-sizing: border-box;
-    min-inline-size: 0;
-  }
-
-  :host([hidden]) {
-    display: none;
-  }
-
   .bar {
     display: flex;
     flex-wrap: wrap;
@@ -30,22 +18,9 @@ export const styles = css`
   button {
     display: grid;
     place-items: center;
-    box-sizing: border-box;
     min-inline-size: 40px;
     min-block-size: 40px;
-    margin: 0;
     padding: 0;
-    border: 1px solid var(--_line);
-    border-radius: 8px;
-    background: transparent;
-    color: inherit;
-    font: inherit;
-    cursor: pointer;
-    touch-action: manipulation;
-  }
-
-  button:hover:enabled {
-    border-color: currentColor;
   }
 
   button:disabled {
@@ -54,7 +29,6 @@ export const styles = css`
     cursor: default;
   }
 
-  button:focus-visible,
   ::slotted(:focus-visible) {
     outline: 2px solid var(--volume-view-focus-color, currentColor);
     outline-offset: 2px;
@@ -132,14 +106,11 @@ export const styles = css`
   .error,
   .hint {
     margin: 0 0 12px;
-    unicode-bidi: plaintext;
-    overflow-wrap: anywhere;
   }
 
-  .error {
-    padding: 0.75em 1em;
-    background: var(--volume-view-error-background, rgb(60 14 14 / 0.94));
-    color: var(--volume-view-error-color, #fff1ee);
+  .hint {
+    unicode-bidi: plaintext;
+    overflow-wrap: anywhere;
   }
 
   @media print {

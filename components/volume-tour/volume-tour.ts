@@ -1,15 +1,19 @@
-import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
-import { invalidAttribute } from '../../src/core/errors.ts';
 import type { VolumeViewError } from '../../src/core/errors.ts';
 import { TourLocale } from '../../src/messages/tour-locale.ts';
 import { childrenOf } from '../../src/page/page-children.ts';
-import { socketOf } from '../../src/viewer/model/view-socket.ts';
-import type { ViewPart } from '../../src/viewer/model/view-socket.ts';
 import { readStep } from '../../src/viewer/tours/step-value.ts';
 import type { StepValue } from '../../src/viewer/tours/step-value.ts';
-import { findTargets, TourGuide, usualDuration } from '../../src/viewer/tours/tour-guide.ts';
-import { readDwell, usualDwell } from '../../src/viewer/tours/tour-player.ts';
+import {
+  readBy,
+  readDuration,
+  readDwell,
+  readStepNumber,
+  usualDuration,
+  usualDwell,
+} from '../../src/viewer/tours/tour-attributes.ts';
+import { findTargets } from '../../src/viewer/tours/tour-guide.ts';
+import { blockStyles, textButtonStyles } from '../internal/block-styles.ts';
 import { flag, number } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { spokenStyles } from '../internal/spoken-styles.ts';
@@ -19,6 +23,8 @@ import { emit } from '../internal/volume-view-events.ts';
 import type { VolumeStep } from '../volume-step/volume-step.ts';
 import { TourAutoplay } from './tour-autoplay.ts';
 import { TourScroll } from './tour-scroll.ts';
+import { TourView } from './tour-view.ts';
+import { renderTour } from './volume-tour-parts.ts';
 import { styles } from './volume-tour-styles.ts';
 
 /** Detail of `step-change`. */
@@ -30,20 +36,6 @@ export interface StepChangeDetail {
   /** The id of the `<volume-step>`; empty where it has none. */
   readonly id: string;
 }
-
-/** Paths in a box of 24 by 24. */
-const icons = {
-  play: 'M8 5l11 7-11 7z',
-  pause: 'M9 5v14M15 5v14',
-  previous: 'M15 5l-7 7 7 7',
-  next: 'M9 5l7 7-7 7',
-  leave: 'M6 6l12 12M18 6L6 18',
-};
-
-/** What a person does before the picture turns. */
-const uses = ['pointerdown', 'pointermove', 'wheel', 'keydown'] as const;
-
-const classes = { play: 'play', pause: 'play', previous: 'turns', next: 'turns', leave: 'leave' };
 
 /**
  * A way through a volume in steps: each `<volume-step>` has a text, and attributes that the `<volume-view>` gets while the step is open.
@@ -67,7 +59,7 @@ const classes = { play: 'play', pause: 'play', previous: 'turns', next: 'turns',
  * @fires {CustomEvent<ErrorDetail>} error - an attribute of the tour, or of a step, can't be read; the attribute is ignored
  */
 export class VolumeTour extends ReflectingElement {
-  static override readonly styles = [companionGap, spokenStyles, styles];
+  static override readonly styles = [blockStyles, textButtonStyles, companionGap, spokenStyles, styles];
 
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
@@ -114,13 +106,7 @@ export class VolumeTour extends ReflectingElement {
     if (step === this.#number || (this.#number === 0 && !isInside)) return;
     this.#reached = this.step = step;
   });
-  /** Through this the view gets the speed of its camera. */
-  readonly #part: ViewPart = {
-    key: 'tour',
-    element: this,
-    // A camera is at its place after five times this time, by the eye: 99.3 % of the way.
-    attribute: (name) => (name === 'interpolationDecay' && this.hasAttribute('duration') ? `${this.#time / 5}` : null),
-  };
+  readonly #shown = new TourView(this, () => this.requestUpdate());
   #steps: readonly VolumeStep[] = [];
   #values: readonly StepValue<Element>[] = [];
   /** Number of the open step. */
@@ -136,17 +122,12 @@ export class VolumeTour extends ReflectingElement {
   /** Whether the tour has opened the step by itself. */
   #isPlayed = false;
   #problem: VolumeViewError | null = null;
-  #guide: TourGuide | null = null;
-  /** What the view got last; empty for nothing. */
-  #given = '';
-  /** The step of the last `step-change`; null before the first one. */
+  /** The number of the last `step-change`; null before the first one. */
   #known: number | null = null;
+  /** Its step; undefined for none. Where steps are added or removed, another one may have the same number. */
+  #knownStep: VolumeStep | undefined;
   readonly #seen = new Set<VolumeStep>();
   #isComplete = false;
-  /** Whether a person has turned the picture since the step opened. */
-  #isTurned = false;
-  /** Whether a person has used the view since then. The event of a picture that glides after a turn may come late. */
-  #isUsed = false;
   /** Whether a person has chosen the step, and the focus follows. */
   #takesFocus = false;
   #said = '';
@@ -190,7 +171,7 @@ export class VolumeTour extends ReflectingElement {
 
   /** Close the open step: the view is as before the tour. */
   leave(): void {
-    this.#leaveView();
+    this.#shown.leave();
     this.step = 0;
   }
 
@@ -208,31 +189,14 @@ export class VolumeTour extends ReflectingElement {
         problems.unshift(error as VolumeViewError);
       }
     };
-    attempt(() => (this.#time = this.#readTime()));
-    attempt(() => (this.#isScrolled = this.#readBy()));
-    attempt(() => (this.#number = this.#readNumber()));
+    attempt(() => (this.#time = readDuration(this.readText('duration'))));
+    attempt(() => (this.#isScrolled = readBy(this.readText('by'))));
+    attempt(() => (this.#number = readStepNumber(this.readText('step'), this.#steps.length)));
     this.#number = Math.min(this.#number, this.#steps.length); // Steps may have been removed.
     attempt(() => (this.#dwell = this.#readDwell()));
     if (document.readyState === 'loading') return;
     this.#report(problems[0] ?? null);
-    if (this.#known !== null && this.#known !== this.#number)
-      this.#said = this.#isPlayed || this.#isScrolled ? '' : this.#describe();
-  }
-
-  /** @throws {VolumeViewError} `attribute/invalid` */
-  #readTime(): number {
-    const text = this.readText('duration');
-    if (text === null) return usualDuration;
-    const time = number.read(text);
-    if (time !== null && time >= 0) return time;
-    throw invalidAttribute('duration of <volume-tour>', text, 'milliseconds, 0 or more');
-  }
-
-  /** @throws {VolumeViewError} `attribute/invalid` */
-  #readBy(): boolean {
-    const text = this.readText('by')?.trim().toLowerCase() ?? '';
-    if (text === '' || text === 'scroll') return text === 'scroll';
-    throw invalidAttribute('by of <volume-tour>', text, 'scroll');
+    if (this.#known !== null && this.#isOther) this.#said = this.#isPlayed || this.#isScrolled ? '' : this.#describe();
   }
 
   /** @throws {VolumeViewError} `attribute/invalid` */
@@ -243,15 +207,6 @@ export class VolumeTour extends ReflectingElement {
       readDwell(this.readText('dwell'), 'dwell of <volume-tour>') ??
       usualDwell
     );
-  }
-
-  /** @throws {VolumeViewError} `attribute/invalid`; the open step then stays */
-  #readNumber(): number {
-    const [text, count] = [this.readText('step'), this.#steps.length];
-    if (count === 0) return 0;
-    const given = text === null ? 1 : number.read(text);
-    if (given !== null && Number.isInteger(given) && given >= 0 && given <= count) return given;
-    throw invalidAttribute('step of <volume-tour>', text!, `the number of a step, 1 to ${count}, or 0 for none`);
   }
 
   /** Send an error to the page, unless it is the last one. */
@@ -267,8 +222,9 @@ export class VolumeTour extends ReflectingElement {
     this.#steps.forEach((step, i) => step.setOpen?.(i + 1 === this.#number, this.#isScrolled));
     const { view } = this.#link;
     const value = this.#values.at(this.#number - 1);
-    if (!view || this.#number === 0 || !value || this.#guide?.view !== view) this.#leaveView();
-    if (view && this.#number > 0 && value) this.#show(view, value);
+    if (!view || this.#number === 0 || !value || this.#shown.view !== view) this.#shown.leave();
+    if (view && this.#number > 0 && value)
+      this.#shown.show(view, { number: this.#number, value, all: this.#values, time: this.#time });
     this.#move(view);
     this.#notify();
     if (this.#takesFocus) void this.#moveFocus();
@@ -291,48 +247,25 @@ export class VolumeTour extends ReflectingElement {
     this.step = (this.#number % this.#steps.length) + 1;
   }
 
-  /** Show a step in the view, unless it is there. */
-  #show(view: HTMLElement, value: StepValue<Element>): void {
-    const given = JSON.stringify([this.#number, value.settings.map(({ name, text }) => [name, text])]);
-    if (given === this.#given) return;
-    if (!this.#guide) {
-      for (const { key, element } of socketOf(view).parts)
-        if (key === this.localName && element !== this) (element as VolumeTour).leave();
-      this.#guide = new TourGuide(view);
-      void socketOf(view).join(this.#part);
-      for (const type of uses) view.addEventListener(type, this.#onUse, { capture: true, passive: true });
-      view.addEventListener('camera-change', this.#onTurn);
-    }
-    this.#given = given;
-    if (this.#isTurned) this.requestUpdate(); // The button goes.
-    this.#isTurned = false;
-    this.#guide.open(value, this.#values, this.#time);
-    this.#isUsed = false;
+  get #openStep(): VolumeStep | undefined {
+    return this.#steps[this.#number - 1];
   }
 
-  #leaveView(): void {
-    const view = this.#guide?.view;
-    this.#given = '';
-    this.#isTurned = false;
-    if (!view) return;
-    for (const type of uses) view.removeEventListener(type, this.#onUse, { capture: true });
-    view.removeEventListener('camera-change', this.#onTurn);
-    void socketOf(view).leave(this.#part);
-    this.#guide!.leave();
-    this.#guide = null;
+  /** Whether it is another step than that of the last `step-change`. */
+  get #isOther(): boolean {
+    return this.#number !== this.#known || this.#openStep !== this.#knownStep;
   }
 
   /** Notify the page of another step. */
   #notify(): void {
-    const [step, count] = [this.#number, this.#steps.length];
-    if (count === 0 || step === this.#known) return;
+    const [step, count, open] = [this.#number, this.#steps.length, this.#openStep];
+    if (count === 0 || !this.#isOther) return;
     const isFirst = this.#known === null;
-    this.#known = step;
+    [this.#known, this.#knownStep] = [step, open];
     if (isFirst && step === 0) return;
-    const open = this.#steps.at(step - 1)!;
-    const detail: StepChangeDetail = { step, count, id: step > 0 ? open.id : '' };
+    const detail: StepChangeDetail = { step, count, id: open?.id ?? '' };
     emit(this, 'step-change', detail);
-    if (step > 0) this.#seen.add(open);
+    if (open) this.#seen.add(open);
     if (this.#isComplete || !this.#steps.every((one) => this.#seen.has(one))) return;
     this.#isComplete = true;
     emit(this, 'tour-complete', null);
@@ -352,22 +285,9 @@ export class VolumeTour extends ReflectingElement {
     else this.step = step;
   }
 
-  readonly #onUse = (event: Event): void => {
-    if (event.type !== 'pointermove' || (event as PointerEvent).buttons > 0) this.#isUsed = true;
-  };
-
-  readonly #onTurn = (): void => {
-    const isPlaced = this.#values.some(({ settings }) =>
-      settings.some(({ name }) => name.startsWith('camera-') || name === 'field-of-view'),
-    );
-    if (this.#isTurned || !this.#isUsed || !isPlaced) return;
-    this.#isTurned = true;
-    this.requestUpdate();
-  };
-
   /** Back to the open step, after a person has turned the picture. */
   readonly #onBack = (): void => {
-    this.#given = '';
+    this.#shown.forget();
     this.#takesFocus = true; // The button disappears.
     this.requestUpdate();
   };
@@ -429,45 +349,21 @@ export class VolumeTour extends ReflectingElement {
 
   protected override render(): unknown {
     const { messages } = this.#locale;
-    const isLoading = document.readyState === 'loading';
-    return html`${this.#problem ? html`<p class="error" part="error" role="alert" lang="en">${this.#problem.message}</p>` : nothing}
-      ${this.#link.view || isLoading ? nothing : html`<p class="hint" part="hint">${messages.noView(this.htmlFor)}</p>`}
-      ${this.#steps.length === 0 || this.#isScrolled ? nothing : html`<div class="bar" part="bar" role="group" aria-label=${messages.tour}>${this.#number === 0 ? this.#renderWords(messages.tourStart, () => this.#choose(1)) : this.#renderButtons()}</div>`}
-      <slot></slot>
-      ${this.#isTurned ? html`<div class="bar back">${this.#renderWords(messages.tourBack, this.#onBack)}</div>` : nothing}
-      <div class="spoken" role="status">${this.#said}</div>`;
-  }
-
-  #renderButtons(): unknown {
-    const { messages } = this.#locale;
-    const [step, count] = [this.#number, this.#steps.length];
-    return html`${this.#renderPlay()}
-      ${this.#renderIcon('previous', messages.tourPrevious, step === 1, () => this.#choose(step - 1))}
-      <ol class="dots">${this.#steps.map((_, i) => this.#renderDot(i + 1))}</ol>
-      ${this.#renderIcon('next', messages.tourNext, step === count, () => this.#choose(step + 1))}
-      ${this.#renderIcon('leave', messages.tourLeave, false, () => this.#choose(0))}`;
-  }
-
-  #renderPlay(): unknown {
-    const { play, pause } = this.#locale.messages;
     const { paused } = this;
-    if (paused && !this.autoplay) return nothing;
-    return this.#renderIcon(paused ? 'play' : 'pause', paused ? play : pause, false, () => this.#player.ask(paused));
-  }
-
-  #renderDot(step: number): unknown {
-    const title = this.#titleOf(step);
-    return html`<li><button type="button" part="dot" title=${title} aria-label=${`${this.#locale.number(step)}. ${title}`} aria-current=${step === this.#number ? 'step' : nothing} @click=${() => this.#choose(step)}></button></li>`;
-  }
-
-  #renderIcon(icon: keyof typeof icons, label: string, isDisabled: boolean, act: () => void): unknown {
-    return html`<button type="button" class=${classes[icon]} part="button" title=${label} aria-label=${label} ?disabled=${isDisabled} @click=${act}>
-      <svg viewBox="0 0 24 24" aria-hidden="true"><path d=${icons[icon]}></path></svg>
-    </button>`;
-  }
-
-  #renderWords(text: string, act: () => void): unknown {
-    return html`<button type="button" class="words" part="button" @click=${act}>${text}</button>`;
+    return renderTour({
+      messages,
+      step: this.#number,
+      titles: this.#isScrolled ? [] : this.#steps.map((_, i) => this.#titleOf(i + 1)),
+      number: (value) => this.#locale.number(value),
+      problem: this.#problem?.message ?? null,
+      lack: this.#link.view || document.readyState === 'loading' ? null : messages.noView(this.htmlFor),
+      player: paused && !this.autoplay ? null : paused ? 'play' : 'pause',
+      isTurned: this.#shown.isTurned,
+      said: this.#said,
+      choose: (step) => this.#choose(step),
+      play: (isOn) => this.#player.ask(isOn),
+      back: this.#onBack,
+    });
   }
 }
 

@@ -4,14 +4,7 @@ export const styles = css`
   :host {
     --_gap: var(--volume-workspace-gap, 8px);
 
-    display: block;
-    box-sizing: border-box;
-    min-inline-size: 0;
     container-type: inline-size;
-  }
-
-  :host([hidden]) {
-    display: none;
   }
 
   .workspace {
@@ -35,11 +28,7 @@ export const styles = css`
   }
 
   .error {
-    margin: 0 0 var(--_gap);
-    padding: 0.75em 1em;
-    background: var(--volume-view-error-background, rgb(60 14 14 / 0.94));
-    color: var(--volume-view-error-color, #fff1ee);
-    overflow-wrap: anywhere;
+    margin-block-end: var(--_gap);
   }
 
   .side {

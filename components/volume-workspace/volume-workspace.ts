@@ -3,6 +3,7 @@ import type { PropertyValues, TemplateResult } from 'lit';
 import { state } from 'lit/decorators.js';
 import { invalidAttribute } from '../../src/core/errors.ts';
 import type { VolumeViewError } from '../../src/core/errors.ts';
+import { blockStyles } from '../internal/block-styles.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import type { VolumeView } from '../volume-view/volume-view.ts';
 import { emit } from '../internal/volume-view-events.ts';
@@ -51,7 +52,7 @@ const events = ['load', 'scans-change', 'labels-change'];
  * @cssproperty --volume-workspace-gap - space between its parts; 8px by default
  */
 export class VolumeWorkspace extends ReflectingElement {
-  static override readonly styles = styles;
+  static override readonly styles = [blockStyles, styles];
 
   /**
    * Which panes are shown: a list of `axial`, `sagittal` and `coronal`, or `none`. A radar has none.

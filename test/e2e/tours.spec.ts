@@ -54,7 +54,7 @@ const stateOf = (page: Page, id = 'seen'): Promise<Record<string, string | boole
     const own = element.getAttributeNames().filter((name) => !['id', 'class', 'style', 'src'].includes(name));
     return {
       ...Object.fromEntries(own.map((name) => [name, element.getAttribute(name)!])),
-      isOpen: element.querySelector('volume-note')!.hasAttribute('open'),
+      isOpen: element.querySelector('volume-note')?.hasAttribute('open') ?? false,
     };
   }, id);
 
@@ -290,6 +290,37 @@ test.describe('tours', () => {
     await expect(page.getByText('Text 2')).toBeVisible();
   });
 
+  test('go on when a note, the open step or another one is removed in the middle of a move', async ({ page }) => {
+    await open(page, lesson('duration="800"'));
+    await settle(page);
+    const heard = await listen(page);
+    const expectState = (step: number) => expect.poll(() => stateOf(page)).toEqual({ ...stateIn(step), isOpen: false });
+    const remove = (selector: string) => page.evaluate((one) => document.querySelector(one)!.remove(), selector);
+    await button(page, 'Next step').click();
+    await remove('volume-note');
+    await expectState(2);
+    await button(page, '4. Fourth').click();
+    await remove('#step-4');
+    await expect(page.getByText('Text 3')).toBeVisible();
+    await expectState(3);
+    await button(page, '2. Second').click();
+    await remove('#step-1');
+    await expect(page.getByText('Text 3')).toBeVisible(); // It is the second one now.
+    await expectState(3);
+    await button(page, 'Leave the tour').click();
+    await page.waitForTimeout(900);
+    await expectState(0);
+    const changes = (await heard()) as [type: string, detail: { step: number; id: string } | null][];
+    expect(changes.flatMap(([type, detail]) => (type === 'step-change' ? [[detail!.step, detail!.id]] : []))).toEqual([
+      [2, 'step-2'],
+      [4, 'step-4'],
+      [3, 'step-3'],
+      [2, 'step-2'],
+      [2, 'step-3'],
+      [0, ''],
+    ]);
+  });
+
   test('outlive a lost context in the middle of a move, and a resize', async ({ page }) => {
     await open(page, lesson('duration="500"'));
     await settle(page);
@@ -500,7 +531,11 @@ test.describe('tours', () => {
   });
 
   test('are headings, texts and pictures on paper', async ({ page }) => {
-    await open(page, lesson().replace('<p>Text 2</p>', `<p>Text 2</p>${poster}`));
+    const pane = '<volume-slice-view for="seen" alt="A pane"></volume-slice-view>';
+    await open(
+      page,
+      lesson().replace('<p>Text 2</p>', `<p>Text 2</p>${poster}`).replace('<p>Text 3</p>', `<p>Text 3</p>${pane}`),
+    );
     await settle(page);
     const picture = page.getByRole('img', { name: 'Half a field on paper' });
     await button(page, 'Next step').click();
@@ -511,6 +546,7 @@ test.describe('tours', () => {
       await expect(page.getByText(`Text ${i + 1}`)).toBeVisible();
     }
     await expect(picture).toBeVisible();
+    await expect(page.locator('volume-slice-view')).toBeHidden(); // It has nothing to show of a closed step.
     await expect(button(page, 'Next step')).toBeHidden();
     await page.emulateMedia({ media: null });
     await expect(picture).toHaveCount(0);

@@ -1,3 +1,5 @@
+import { noteTextStyles } from './note-text-styles.ts';
+
 /** Styles of notes over a picture. They go into the shadow root of the view. */
 export const noteStyles = `
 .notes, .pins {
@@ -122,31 +124,9 @@ export const noteStyles = `
   outline: 3px solid var(--volume-view-focus-color, #7db4ff);
   outline-offset: 1px;
 }
-.note-text {
-  position: absolute;
-  inset: 0 auto auto 0;
-  z-index: 3;
-  box-sizing: border-box;
-  inline-size: max-content;
-  max-inline-size: min(22em, 100% - 16px);
-  max-block-size: 70%;
-  overflow: auto;
-  padding: 10px 14px;
-  border-radius: 10px;
-  background: var(--_panel, var(--volume-note-text-background, rgb(13 16 22 / 0.95)));
-  color: var(--_text, var(--volume-note-text-color, #f4f7fb));
-  box-shadow: 0 3px 16px rgb(0 0 0 / 0.4);
-  overflow-wrap: anywhere;
-  cursor: auto;
-  pointer-events: auto;
-  user-select: text;
-  -webkit-user-select: text;
-}
+${noteTextStyles}
 .note-text[hidden] {
   display: none;
-}
-.note-text:focus-visible {
-  outline: 3px solid var(--volume-view-focus-color, #7db4ff);
 }
 .note-text > :first-child, .note-text ::slotted(*) {
   margin-block: 0;

@@ -1,3 +1,5 @@
+import { noteTextStyles } from './note-text-styles.ts';
+
 /** Styles of notes in a pane of a slice. They go into the shadow root of the pane. */
 export const paneNoteStyles = `
 .notes {
@@ -84,27 +86,7 @@ export const paneNoteStyles = `
   outline: 3px solid var(--volume-view-focus-color, #7db4ff);
   outline-offset: 2px;
 }
-.note-text {
-  position: absolute;
-  inset: 0 auto auto 0;
-  z-index: 3;
-  box-sizing: border-box;
-  inline-size: max-content;
-  max-inline-size: min(20em, 100% - 16px);
-  max-block-size: 70%;
-  overflow: auto;
-  padding: 8px 12px;
-  border-radius: 10px;
-  background: var(--volume-note-text-background, rgb(13 16 22 / 0.95));
-  color: var(--volume-note-text-color, #f4f7fb);
-  font: 13px / 1.4 system-ui, sans-serif;
-  box-shadow: 0 3px 16px rgb(0 0 0 / 0.4);
-  overflow-wrap: anywhere;
-  pointer-events: auto;
-}
-.note-text:focus-visible {
-  outline: 3px solid var(--volume-view-focus-color, #7db4ff);
-}
+${noteTextStyles}
 .note-text > :first-child {
   margin-block-start: 0;
 }

@@ -5,9 +5,6 @@ import { lookAttributes, placeAttributes } from './step-attributes.ts';
 import type { Setting, StepTargets, StepValue } from './step-value.ts';
 import { TourState } from './tour-state.ts';
 
-/** How long a move from step to step takes, ms. */
-export const usualDuration = 600;
-
 const looks: readonly string[] = lookAttributes;
 const places: readonly string[] = placeAttributes;
 

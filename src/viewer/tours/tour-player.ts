@@ -1,22 +1,4 @@
-import { invalidAttribute } from '../../core/errors.ts';
-import { isNumber } from '../model/parse-attributes.ts';
-
-/** How long a step stays open, ms. */
-export const usualDwell = 10_000;
-
-/**
- * Read how long a step stays open.
- * @param text - seconds, 1 to 3600: text of the attribute; null where it is absent
- * @param name - of the attribute, for the message
- * @returns ms; null where it is absent
- * @throws {VolumeViewError} `attribute/invalid`
- */
-export function readDwell(text: string | null, name: string): number | null {
-  if (text === null) return null;
-  const seconds = isNumber(text.trim()) ? Number(text) : NaN;
-  if (seconds >= 1 && seconds <= 3600) return seconds * 1000;
-  throw invalidAttribute(name, text, 'seconds, 1 to 3600');
-}
+import { usualDwell } from './tour-attributes.ts';
 
 /** Plays a tour: opens the next step after a time, unless something holds it. It uses the words of media elements. */
 export class TourPlayer {

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { readDwell, TourPlayer } from '../../../../src/viewer/tours/tour-player.ts';
+import { readDwell } from '../../../../src/viewer/tours/tour-attributes.ts';
+import { TourPlayer } from '../../../../src/viewer/tours/tour-player.ts';
 import { errorOf } from '../../../helpers/error-of.ts';
 import { FakeTimers } from '../../../helpers/fake-timers.ts';
 
