@@ -1,5 +1,6 @@
 import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import type { RaySetup } from '../../src/optics/rays/rays.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { programKey } from '../../src/renderer/ray/compose-ray.ts';
@@ -126,11 +127,17 @@ export class StudyGl {
     return this.#read();
   }
 
-  /** Load what only some transfer functions need. `draw` does so by itself. */
-  prepare({ volume, transferFunction, referenceLength }: StudyPicture): Promise<void> {
-    return this.#layer(volume).setAppearance({
-      optics: { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 },
-    });
+  /** Load what only some transfer functions need. `draw` does so by itself. @param style - stays where absent */
+  prepare(
+    {
+      volume,
+      transferFunction,
+      referenceLength,
+    }: Pick<StudyPicture, 'volume' | 'transferFunction' | 'referenceLength'>,
+    style?: RayStyle | null,
+  ): Promise<void> {
+    const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
+    return this.#layer(volume).setAppearance(style === undefined ? { optics } : { optics, style });
   }
 
   /**

@@ -1,0 +1,124 @@
+// In the browser: how many pixels of a picture at rest need a ray, and what is lost where the others are interpolated.
+import { StudyGl } from '../../demos/accuracy/study-gl.ts';
+import { emptyQuad, interpolateQuad } from '../../src/optics/rays/between-pixels.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import { setUpRays } from '../../src/optics/rays/rays.ts';
+import { buildDefaultPreset } from '../../src/optics/transfer/default-preset.ts';
+import { readTransferFunction } from '../../src/optics/transfer/presets.ts';
+import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
+import { boundingSphere, edgeLengths, finestSpacing, longestDiagonal } from '../../src/volume/grid.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { measureThing, measureTrueError } from './compare-shown.ts';
+import type { KeptThing } from './compare-shown.ts';
+import { countScenes } from './count-scenes.ts';
+import type { CountScene } from './count-scenes.ts';
+import { findPixel } from './full-rays.ts';
+
+/** Pixels along each side. */
+const size = 256;
+
+/** The eye is so far away that voxels have almost the same size in all of the picture. */
+const fieldOfView = 0.12;
+
+/** Pixels are interpolated where the picture curves by at most this many times `max-error`. */
+const curvaturePerError = 2;
+
+/** Things count that stand out by this many times `max-error`. */
+const lostPerError = 8;
+
+export interface CountResult {
+  readonly name: string;
+  readonly pixelsPerVoxel: number;
+  readonly maxError: number;
+  /** Rays per pixel; above 1 where the coarser passes cost more than they spare. */
+  readonly share: number;
+  readonly e: number;
+  readonly max: number;
+  readonly things: readonly KeptThing[];
+}
+
+export function listCounted(): string[] {
+  return countScenes.map(({ name }) => name);
+}
+
+/** Where a voxel has so many pixels. The eye stays outside of the volume. */
+function cameraOf({ theta, phi }: CountScene, { grid }: Volume, pixelsPerVoxel: number): Camera {
+  const half = (size * finestSpacing(grid)) / pixelsPerVoxel / 2;
+  const radius = Math.max(half / Math.tan(fieldOfView / 2), longestDiagonal(grid));
+  const radians = (degrees: number): number => (degrees * Math.PI) / 180;
+  const orbit = { theta: radians(theta), phi: radians(phi), radius };
+  return orbitCamera(orbit, boundingSphere(grid).center, 2 * Math.atan(half / radius));
+}
+
+export async function countRays(
+  name: string,
+  sizes: readonly number[],
+  errors: readonly number[],
+): Promise<CountResult[]> {
+  const scene = countScenes.find((one) => one.name === name)!;
+  const { volume, bare, places } = await scene.make();
+  const gl = new StudyGl();
+  const window = windowFromHistogram(volume.histogram);
+  const { transferFunction: text, litFactor } = scene;
+  const appearance = {
+    transferFunction: text === null ? buildDefaultPreset(window) : await readTransferFunction(text, window),
+    referenceLength: (0.01 * Math.max(...edgeLengths(volume.grid))) / (litFactor ?? 1),
+  };
+  await gl.prepare({ volume, ...appearance }, litFactor ? { lit: true } : null);
+  const results: CountResult[] = [];
+  for (const pixelsPerVoxel of sizes) {
+    const camera = cameraOf(scene, volume, pixelsPerVoxel);
+    const view = { view: viewMatrix(camera), projection: projectionMatrix(camera.fieldOfView, 1, 1, 2) };
+    const draw = (shown: Volume): Promise<Float32Array> => {
+      const rays = setUpRays(shown.grid, view.view, view.projection)!;
+      const steps = Math.ceil((2 * longestDiagonal(shown.grid)) / finestSpacing(shown.grid));
+      const picture = { volume: shown, rays, ...appearance, method: 'shipped', steps } as const;
+      return gl.draw(picture, size, new AbortController().signal);
+    };
+    const full = await draw(volume);
+    const without = bare && (await draw(bare));
+    for (const maxError of errors) {
+      const { data, share } = interpolate(full, curvaturePerError * maxError);
+      const { e, max } = measureTrueError(data, full);
+      const reach = Math.max(1, scene.reach * pixelsPerVoxel);
+      const things = without
+        ? places.flatMap((place) => {
+            const around = findPixel(camera, place, size);
+            const thing = measureThing({ shown: data, full, bare: without, size }, around, reach);
+            return thing && thing.contrast >= lostPerError * maxError ? [thing] : [];
+          })
+        : [];
+      results.push({ name, pixelsPerVoxel, maxError, share, e, max, things });
+    }
+  }
+  gl.dispose();
+  return results;
+}
+
+/** The picture with rays at every fourth pixel and where it curves, as pictures in motion have them, made from one with all rays. */
+function interpolate(full: Float32Array, maxCurvature: number): { data: Uint8Array; share: number } {
+  const truth = Uint8Array.from(full, (x) => Math.round(255 * x));
+  const data = truth.slice();
+  const quad = emptyQuad();
+  let rays = (size / 4) ** 2;
+  for (const stride of [4, 2]) {
+    const source = { data: data.slice(), width: size, height: size };
+    const half = stride / 2;
+    for (let y = 0; y < size; y += stride) {
+      for (let x = 0; x < size; x += stride) {
+        interpolateQuad(source, stride, [x / stride, y / stride], quad);
+        const needsRays = quad.curvature > maxCurvature;
+        if (needsRays) rays += 4;
+        for (let i = 0; i < 4; i++) {
+          const at = 4 * ((y + half * (i >> 1)) * size + x + half * (i & 1));
+          for (let c = 0; c < 4; c++) {
+            const between = Math.min(255, Math.max(0, Math.round(quad.colors[4 * i + c])));
+            data[at + c] = needsRays ? truth[at + c] : between;
+          }
+        }
+      }
+    }
+  }
+  return { data, share: rays / size ** 2 };
+}

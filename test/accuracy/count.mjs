@@ -1,0 +1,53 @@
+// `npm run accuracy -- count`: how many pixels of a picture at rest need a ray, by the pixels of a voxel and `max-error`, and what is lost where the
+// others are interpolated. SCENES=mri,tips takes the scenes with these words in their names; SIZES=2,7
+// other pixels of a voxel than 8, ERRORS=1,8 other values of `max-error` than 1.
+import { formatTable } from '../bench/table.mjs';
+import { measureTables } from './measure-tables.mjs';
+
+const numbersOf = (/** @type {string} */ list) => list.split(',').map(Number);
+
+/** Pixels of a voxel, and `max-error`. */
+const { SIZES = '8', ERRORS = '1' } = process.env;
+
+/** Of a short run every so manieth scene is taken. */
+const few = 4;
+
+/** A thing is lost where less of it is kept. */
+const lost = 0.25;
+
+/** @param {{ quick: boolean }} options */
+export const run = ({ quick }) =>
+  measureTables({ quick }, async ({ page }) => {
+    const from = '/test/accuracy/count-page.ts';
+    const all = await page.evaluate(async (name) => /** @type {string[]} */ ((await import(name)).listCounted()), from);
+    const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
+    const rows = [];
+    for (const name of all) {
+      if (!words.some((word) => name.toLowerCase().includes(word)) || (quick && all.indexOf(name) % few > 0)) continue;
+      const results = await page.evaluate(
+        async ({ module, scene, sizes, errors }) => {
+          const { countRays } = /** @type {typeof import('./count-page.ts')} */ (await import(module));
+          /** @type {any} */ (window).sayProgress(scene);
+          return countRays(scene, sizes, errors);
+        },
+        { module: from, scene: name, sizes: numbersOf(SIZES), errors: numbersOf(ERRORS) },
+      );
+      rows.push(...results.map(describe));
+      if (process.env.ROWS === '1')
+        for (const row of rows.slice(-results.length)) console.log(Object.values(row).join(' | '));
+    }
+    return { 'counted-rays': formatTable(rows) };
+  });
+
+/** @param {import('./count-page.ts').CountResult} result */
+function describe({ name, pixelsPerVoxel, maxError, share, e, max, things }) {
+  return {
+    scene: name,
+    'pixels a voxel': pixelsPerVoxel,
+    'max-error': maxError,
+    rays: `${(100 * share).toFixed(0)} %`,
+    E: e.toFixed(2),
+    'largest error': max.toFixed(0),
+    'things lost': things.length > 0 ? `${things.filter(({ kept }) => kept < lost).length} of ${things.length}` : '',
+  };
+}
