@@ -75,10 +75,14 @@ const grid = (count: number, apart: number): Vector3[] =>
     middle + apart * (Math.floor(n / count) - Math.floor(count / 2)),
   ]);
 
+/** A scene that was made to break the choice of rays. */
+interface MadeScene extends Pick<CountScene, 'name' | 'transferFunction'> {
+  /** Degrees. */
+  readonly sight: readonly [theta: number, phi: number];
+}
+
 const made = (
-  name: string,
-  transferFunction: string,
-  [theta, phi]: readonly [number, number],
+  { name, transferFunction, sight: [theta, phi] }: MadeScene,
   value: (i: number, j: number, k: number) => number,
   places: readonly Vector3[] = [],
 ): CountScene => ({
@@ -109,21 +113,39 @@ export const countScenes: readonly CountScene[] = [
   ...['Specks of 1 voxel in a veil, large', 'Lesions', 'Wires', 'Plate of 1 voxel, almost', 'Threshold', 'Shells'].map(
     small,
   ),
-  made('Tips of specks', tips('60%'), [20, 80], (...at) => (isSpeck.has(String(at)) ? 200 : 0), grid(8, 3)),
-  made('Tips of a plate from its edge', tips('3%'), [0, 90], (i) => (i === middle ? 200 : 0), grid(3, 4).slice(3, 6)),
   made(
-    'Tips of wires from their ends',
-    tips('3%'),
-    [0, 90],
+    { name: 'Tips of specks', transferFunction: tips('60%'), sight: [20, 80] },
+    (...at) => (isSpeck.has(String(at)) ? 200 : 0),
+    grid(8, 3),
+  ),
+  made(
+    { name: 'Tips of a plate from its edge', transferFunction: tips('3%'), sight: [0, 90] },
+    (i) => (i === middle ? 200 : 0),
+    grid(3, 4).slice(3, 6),
+  ),
+  made(
+    { name: 'Tips of wires from their ends', transferFunction: tips('3%'), sight: [0, 90] },
     (i, _j, k) => (i % 4 === 0 && k % 4 === 0 ? 200 : 0),
     grid(6, 4),
   ),
   made(
-    'Thin shell of a ball',
-    '0 #fd8 0, 190 #fd8 0, 191 #fd8 20%, 192 #fd8 0, 255 #fd8 0',
-    [40, 70],
+    {
+      name: 'Thin shell of a ball',
+      transferFunction: '0 #fd8 0, 190 #fd8 0, 191 #fd8 20%, 192 #fd8 0, 255 #fd8 0',
+      sight: [40, 70],
+    },
     (...at) => 255 * Math.max(0, 1 - toMiddle(...at) / 24),
   ),
-  made('Noise', '0 #234 0, 30 #48c 2%, 140 #c96 5%, 255 white 10%', [40, 70], noiseAt),
-  made('Noise through a peak', '0 #fd8 0, 190 #fd8 0, 200 #fd8 20%, 210 #fd8 0, 255 #fd8 0', [40, 70], noiseAt),
+  made(
+    { name: 'Noise', transferFunction: '0 #234 0, 30 #48c 2%, 140 #c96 5%, 255 white 10%', sight: [40, 70] },
+    noiseAt,
+  ),
+  made(
+    {
+      name: 'Noise through a peak',
+      transferFunction: '0 #fd8 0, 190 #fd8 0, 200 #fd8 20%, 210 #fd8 0, 255 #fd8 0',
+      sight: [40, 70],
+    },
+    noiseAt,
+  ),
 ];
