@@ -30,8 +30,11 @@ const barHeight = 48;
 /** A press that moves farther is a drag, CSS pixels. */
 const slop = 6;
 
-/** The camera rests when it has not moved for this time, ms. */
+/** The camera rests when it has not moved for this time, ms; where pictures take long, for the time of two pictures. */
 const restMs = 120;
+
+/** Pictures that come at longer intervals are not of one movement, ms. */
+const maxInterval = 500;
 
 /** How long texts take to their places when the camera has come to rest, ms. */
 const glideMs = 180;
@@ -63,6 +66,8 @@ export class NoteLayer implements ViewPart {
   /** Where the pointer was pressed last. */
   #press: Pixel = [0, 0];
   #timer = 0;
+  /** When the last picture came. */
+  #placedAt = 0;
   #frame = 0;
   /** Identifies the last work on sights; earlier work is given up. */
   #seeing: object | null = null;
@@ -241,7 +246,15 @@ export class NoteLayer implements ViewPart {
     this.#show(this.#lefts(), this.#tops);
     this.#stopRest();
     if (moves) void this.#glance();
-    this.#timer = window.setTimeout(() => void this.#rest(), restMs);
+    this.#timer = window.setTimeout(() => void this.#rest(), this.#timeToRest());
+  }
+
+  /** How long to wait for another picture, ms: work that begins too early would make a movement slow. */
+  #timeToRest(): number {
+    const before = this.#placedAt;
+    this.#placedAt = performance.now();
+    const interval = this.#placedAt - before;
+    return interval > maxInterval ? restMs : Math.max(restMs, 2 * interval);
   }
 
   /** Give up the work that begins when the camera rests. */
@@ -349,6 +362,7 @@ export class NoteLayer implements ViewPart {
         viewer,
         marks.map(({ owner }) => owner.at!),
         isWanted,
+        true,
       );
       if (seen && isWanted()) this.#takeSights(marks, seen);
     } catch {

@@ -187,8 +187,10 @@ export class NoteMark {
   }
 
   setSight(transmittance: number | null, sight: NoteSight): void {
-    this.#sight = sight;
-    this.#update();
+    if (sight !== this.#sight) {
+      this.#sight = sight;
+      this.#update();
+    }
     this.owner.seen(transmittance, sight);
   }
 

@@ -26,6 +26,7 @@ export function sightOf(transmittance: number | null): NoteSight {
  * of anything: then it is 1. Shapes of X3D are left out.
  * @param places - in the world as it is drawn
  * @param isWanted - the work ends where it returns false
+ * @param isMoving - whether the camera moves: then steps are twice as long and not cut, and the result is close, but not exact
  * @returns null where it is not known: before there is a picture, or not wanted any longer. A place behind the eye has null
  * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
  */
@@ -33,6 +34,7 @@ export async function seePlaces(
   viewer: Viewer,
   places: readonly Vector3[],
   isWanted: () => boolean,
+  isMoving = false,
 ): Promise<(number | null)[] | null> {
   const { host } = viewer.place;
   const surfaces = socketOf(host).last('surface')
@@ -44,10 +46,8 @@ export async function seePlaces(
   const toWorld = unitToWorld(volume.grid);
   const toUnit = invertAffine(toWorld);
   if (!toUnit) return null;
-  const stages = rays.stages({
-    stepLength: Math.max(finestSpacing(volume.grid), longestDiagonal(viewer.shown.grid) / maxSteps),
-    maxSubsteps,
-  });
+  const stepLength = Math.max(finestSpacing(volume.grid), longestDiagonal(viewer.shown.grid) / maxSteps);
+  const stages = rays.stages(isMoving ? { stepLength: 2 * stepLength, maxSubsteps: 1 } : { stepLength, maxSubsteps });
   const see = (place: Vector3): number | null => {
     const unit = transformPoint(toUnit, place);
     const to = rayToPlace(setup, unit);
