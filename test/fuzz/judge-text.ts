@@ -1,5 +1,6 @@
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { readSource } from '../../src/viewer/loading/read-source.ts';
+import { sourceNames } from '../../src/viewer/model/given-source.ts';
 import { readSettings } from '../../src/viewer/model/settings.ts';
 import type { GivenAttributes, Reading } from '../../src/viewer/model/settings.ts';
 import { startCounting, stopCounting } from './count-memory.ts';
@@ -76,34 +77,20 @@ const settings = [
   'interaction',
   'loading',
 ] as const;
-/** Attributes that say how a file is to be read. */
-const sources = [
-  'mosaic',
-  'slices',
-  'spacing',
-  'coordinates',
-  'elevations',
-  'range',
-  'azimuth',
-  'moment',
-  'beamModel',
-  'verticalExaggeration',
-  'clean',
-] as const;
 /** All that can be pumped up. */
-export const attributes: readonly string[] = [...settings, ...sources, 'transferFunction', 'color'];
+export const attributes: readonly string[] = [...settings, ...sourceNames, 'transferFunction', 'color'];
 
 /** A colour stands in a stop of a transfer function alone. */
 const stopOf = (color: string): string => `0 ${color} 1`;
 
 const absent = Object.fromEntries(
-  [...settings, ...sources, 'stack', 'autoplay', 'transferFunction'].map((name) => [name, null]),
+  [...settings, ...sourceNames, 'stack', 'autoplay', 'transferFunction'].map((name) => [name, null]),
 ) as unknown as GivenAttributes;
 
 async function read(attribute: string, text: string): Promise<Finding | null> {
   if (attribute === 'color') await resolveTransferFunction(stopOf(text), [0, 100]);
   else if (attribute === 'transferFunction') await resolveTransferFunction(text, [0, 100]);
-  else if ((sources as readonly string[]).includes(attribute)) readSource({ ...absent, [attribute]: text });
+  else if ((sourceNames as readonly string[]).includes(attribute)) readSource({ ...absent, [attribute]: text });
   else for (const reading of Object.values(readSettings({ ...absent, [attribute]: text }))) throwAgain(reading);
   return null;
 }

@@ -1,4 +1,5 @@
-const names = [
+/** The attributes that say how a file is to be read, by property. */
+export const sourceNames = [
   'mosaic',
   'slices',
   'spacing',
@@ -13,13 +14,13 @@ const names = [
   'series',
 ] as const;
 
-/** An attribute that says how a file is to be read, by property. */
-export type SourceName = (typeof names)[number];
+/** One of them. */
+export type SourceName = (typeof sourceNames)[number];
 
 export type GivenSource = Readonly<Record<SourceName, string | null>>;
 
 /** The attributes that say how to read a file; null where the author gives none of them. */
 export function pickSource(given: GivenSource): GivenSource | null {
-  if (names.every((name) => given[name] === null)) return null;
-  return Object.fromEntries(names.map((name) => [name, given[name]])) as GivenSource;
+  if (sourceNames.every((name) => given[name] === null)) return null;
+  return Object.fromEntries(sourceNames.map((name) => [name, given[name]])) as GivenSource;
 }
