@@ -43,7 +43,8 @@ describe('AFNI', () => {
     );
     const error = await expectError(decodeChosen(['afni-packed+orig.HEAD']));
     expect(error.code).to.equal('source/not-found');
-    expect(error.message).to.contain('afni-packed+orig.BRIK');
+    // Chosen files are named by their number: people call files after patients.
+    expect(error.message).to.contain('file-1+orig.BRIK');
   });
 });
 

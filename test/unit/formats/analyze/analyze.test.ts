@@ -30,9 +30,10 @@ describe('a volume of two files', () => {
 
   it('says which file is missing', async () => {
     for (const [name, other] of [
-      ['analyze-le-i2.hdr', 'analyze-le-i2.img'],
-      ['analyze-le-i2.img', 'analyze-le-i2.hdr'],
+      ['analyze-le-i2.hdr', 'file-1.img'],
+      ['analyze-le-i2.img', 'file-1.hdr'],
     ]) {
+      // Chosen files are named by their number: people call files after patients.
       const error = await expectError(decodeChosen([name]));
       expect(error.code).to.equal('source/not-found');
       expect(error.message).to.contain(`neither ${other} nor ${other}.gz`);
