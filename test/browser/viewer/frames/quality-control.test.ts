@@ -162,8 +162,9 @@ describe('the control of quality', () => {
       expect(control.moving(volume.grid, pixels).substeps, 'where something else is seen').to.equal(wholeSteps);
     }));
 
-  it('chooses the same for a view whatever was seen before, and knows nothing of another volume', () =>
-    withShells(async (scene) => {
+  it('chooses the same for a view whatever was seen before, and knows nothing of another volume', function () {
+    this.timeout(120_000);
+    return withShells(async (scene) => {
       const chosen = [];
       for (const zooms of [[1], [0.7, 1.3, 1], [0.5, 1]]) {
         const control = new QualityControl();
@@ -180,7 +181,8 @@ describe('the control of quality', () => {
       control.took(moving(50), pixels, 10);
       control.forgetAll();
       expect(control.untimed).to.equal(true);
-    }));
+    });
+  });
 
   it('learns from a picture at rest where rays of pictures in motion may be spared', () =>
     withShells(async (scene) => {
