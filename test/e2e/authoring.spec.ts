@@ -134,7 +134,7 @@ test.describe('authoring', () => {
     await name(page).fill(evil);
     expect((await parse(page)).label).toBe(evil);
     const { position } = await parse(page);
-    await clickAt(page, 30, 20);
+    await clickAt(page, 20, 60); // Below the panel, which is high with a long name.
     await expect(async () => expect((await parse(page)).position).not.toBe(position)).toPass();
     expect((await parse(page)).label).toBe(evil);
     await expect(preview(page, evil)).toHaveCount(1);
