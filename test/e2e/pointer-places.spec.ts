@@ -490,7 +490,10 @@ const placeless: Readonly<Record<string, string>> = {
   'src/viewer/notes/note-mark.ts': 'buttons, and whether the mouse is over them',
   'src/viewer/notes/pane-notes.ts': 'buttons, and whether the mouse is over them',
   'components/volume-question/volume-question-parts.ts': 'buttons',
-  'components/volume-tour/volume-tour.ts': 'buttons',
+  'components/volume-tour/volume-tour-parts.ts': 'buttons',
+  'components/volume-tour/tour-view.ts': 'whether a hand has used the view',
+  'components/volume-drop/volume-drop.ts':
+    'where its frame and its view stand in the window, and whether files are dragged over them',
   'components/volume-view/volume-view-members.ts': 'hands points of the page to its pick',
   'components/volume-tour/tour-autoplay.ts': 'whether the mouse is over the tour or its view',
   'components/volume-tour/tour-scroll.ts': 'where its steps stand in the window',
@@ -498,7 +501,11 @@ const placeless: Readonly<Record<string, string>> = {
 };
 
 /** Files that ask where something stands in the window, not where a pointer is in an element. */
-const measuresWindow = ['src/page/pointer-place.ts', 'components/volume-tour/tour-scroll.ts'];
+const measuresWindow = [
+  'src/page/pointer-place.ts',
+  'components/volume-tour/tour-scroll.ts',
+  'components/volume-drop/volume-drop.ts',
+];
 
 /** Imports of what turns a pointer into a place, by itself or for a chart or a camera. */
 const asks = /from '[./\w]*\/(?:pointer-place|share-of-chart|camera-moves)\.ts'/;
