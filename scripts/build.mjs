@@ -126,9 +126,6 @@ async function buildText(entry, format, conditions) {
 
 /** @param {Record<string, string>} workers - modules with a worker as one classic script: with all readers, and with their large libraries too */
 async function buildUnbundled(workers) {
-  const [wasm, js] = await Promise.all(
-    ['wasm', 'js'].map((name) => buildText(join(projectRoot, `src/formats/codecs/openjpeg-${name}.ts`), 'es')),
-  );
   await bundle({
     entry: [main, ...definitions, besideBundle['x3dom-beside-page']],
     format: 'es',
@@ -136,8 +133,7 @@ async function buildUnbundled(workers) {
     built: {
       ...workers,
       'built:x3dom': exportText(readX3dom()),
-      'built:openjpeg-wasm': wasm,
-      'built:openjpeg-js': js,
+      'built:openjpeg-wasm': await buildText(join(projectRoot, 'src/formats/codecs/openjpeg-wasm.ts'), 'es'),
       'built:culori': await buildText(join(projectRoot, 'src/optics/transfer/culori.ts'), 'es'),
     },
     extra: {

@@ -47,8 +47,3 @@ declare module '@cornerstonejs/codec-openjpeg/decodewasm?url&inline' {
 declare module 'built:openjpeg-wasm' {
   export function startOpenJpeg(options: OpenJpegOptions): Promise<OpenJpegModule>;
 }
-
-/** openjpeg-js.ts with all that it imports. */
-declare module 'built:openjpeg-js' {
-  export function startOpenJpeg(options: OpenJpegOptions): Promise<OpenJpegModule>;
-}

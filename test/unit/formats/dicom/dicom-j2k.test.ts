@@ -99,3 +99,10 @@ describe('JPEG 2000 and HTJ2K', () => {
     });
   }
 });
+
+it('says what the policy lacks in an app of a bundler whose page has no library in plain JavaScript', async () => {
+  const { startOpenJpeg } = await import('../../../../src/formats/codecs/openjpeg-js-for-bundlers.ts');
+  const error = await expectError(startOpenJpeg());
+  expect(error).to.have.property('code', 'format/unsupported');
+  expect(error.message).to.contain("'wasm-unsafe-eval' to script-src");
+});
