@@ -15,8 +15,7 @@ import { NoteMark } from './note-mark.ts';
 import type { NoteOwner } from './note-mark.ts';
 import { PaneNotes } from './pane-notes.ts';
 import { noteStyles } from './note-styles.ts';
-import { seePlaces, sightOf } from './see-places.ts';
-import { SightTurns } from './sight-turns.ts';
+import { SightWatch } from './sight-watch.ts';
 
 /** Maximum number of notes of a view. */
 export const maxNotes = 1000;
@@ -29,12 +28,6 @@ const barHeight = 48;
 
 /** A press that moves farther is a drag, CSS pixels. */
 const slop = 6;
-
-/** The camera rests when it has not moved for this time, ms; where pictures take long, for the time of two pictures. */
-const restMs = 120;
-
-/** Pictures that come at longer intervals are not of one movement, ms. */
-const maxInterval = 500;
 
 /** How long texts take to their places when the camera has come to rest, ms. */
 const glideMs = 180;
@@ -65,14 +58,13 @@ export class NoteLayer implements ViewPart {
   #isBuilding = false;
   /** Where the pointer was pressed last. */
   #press: Pixel = [0, 0];
-  #timer = 0;
-  /** When the last picture came. */
-  #placedAt = 0;
   #frame = 0;
-  /** Identifies the last work on sights; earlier work is given up. */
-  #seeing: object | null = null;
-  readonly #turns = new SightTurns<NoteMark>();
-  #isGlancing = false;
+  readonly #sights = new SightWatch({
+    marks: () => this.#marks,
+    viewer: () => (socketOf(this.view).view?.viewer as Viewer | null | undefined) ?? null,
+    changed: () => this.#reorder(),
+    rested: () => this.#settle(),
+  });
 
   private constructor(
     readonly view: HTMLElement,
@@ -153,7 +145,7 @@ export class NoteLayer implements ViewPart {
 
   #dispose(): void {
     this.#abort.abort();
-    this.#stopRest();
+    this.#sights.dispose();
     cancelAnimationFrame(this.#frame);
     void socketOf(this.view).leave(this);
     this.#element.remove();
@@ -185,7 +177,7 @@ export class NoteLayer implements ViewPart {
     if (owners.some((owner, i) => owner !== before[i]?.owner) || owners.length !== before.length) {
       this.#order = null;
       this.#tops.clear();
-      this.#stopRest();
+      this.#sights.stop();
     }
     if (this.#view) this.place(this.#view);
     for (const [picture, pane] of this.#panes) {
@@ -244,23 +236,7 @@ export class NoteLayer implements ViewPart {
     const moves = anchors.some((anchor, i) => String(anchor) !== String(this.#anchors[i]));
     this.#anchors = anchors;
     this.#show(this.#lefts(), this.#tops);
-    this.#stopRest();
-    if (moves) void this.#glance();
-    this.#timer = window.setTimeout(() => void this.#rest(), this.#timeToRest());
-  }
-
-  /** How long to wait for another picture, ms: work that begins too early would make a movement slow. */
-  #timeToRest(): number {
-    const before = this.#placedAt;
-    this.#placedAt = performance.now();
-    const interval = this.#placedAt - before;
-    return interval > maxInterval ? restMs : Math.max(restMs, 2 * interval);
-  }
-
-  /** Give up the work that begins when the camera rests. */
-  #stopRest(): void {
-    clearTimeout(this.#timer);
-    this.#seeing = null;
+    this.#sights.follow(moves);
   }
 
   #resize(width: number, height: number): void {
@@ -345,71 +321,16 @@ export class NoteLayer implements ViewPart {
     });
   }
 
-  get #viewer(): Viewer | null {
-    return (socketOf(this.view).view?.viewer as Viewer | null | undefined) ?? null;
-  }
-
-  /** While the camera moves: look how well the next places are seen. A view that turns for long never rests. */
-  async #glance(): Promise<void> {
-    const viewer = this.#viewer;
-    const marks = this.#turns.next(this.#marks.filter(({ owner }) => owner.at));
-    if (this.#isGlancing || !viewer || marks.length === 0) return;
-    this.#isGlancing = true;
-    // Work that begins when the camera rests knows more.
-    const isWanted = (): boolean => this.#seeing === null && !this.#abort.signal.aborted;
-    try {
-      const seen = await seePlaces(
-        viewer,
-        marks.map(({ owner }) => owner.at!),
-        isWanted,
-        true,
-      );
-      if (seen && isWanted()) this.#takeSights(marks, seen);
-    } catch {
-      // A part of the package could not be loaded: the rest says it.
-    } finally {
-      this.#isGlancing = false;
-    }
-  }
-
-  #takeSights(marks: readonly NoteMark[], seen: readonly (number | null)[]): void {
-    this.#turns.seen(marks);
-    let isOther = false;
-    marks.forEach((mark, i) => {
-      if (!this.#marks.includes(mark)) return; // It has gone meanwhile.
-      const wasAway = mark.isAway;
-      mark.setSight(seen[i], sightOf(seen[i]));
-      isOther ||= mark.isAway !== wasAway;
-    });
-    if (!this.#order || !isOther) return;
+  /** The texts of marks that are seen otherwise now come or go; the others stay. */
+  #reorder(): void {
+    if (!this.#order) return;
     const isShown = (i: number): boolean => this.#isInside(this.#anchors[i]) && !this.#marks[i].isAway;
     this.#order = updateOrder(this.#order, this.#notes(this.#anchors), this.#room, isShown);
     for (const i of this.#tops.keys()) if (!isShown(i)) this.#tops.delete(i);
   }
 
-  /** The camera rests: look how well the places are seen, and put the texts in order. */
-  async #rest(): Promise<void> {
-    const viewer = this.#viewer;
-    const places = this.#marks.flatMap((mark) => (mark.owner.at ? [{ mark, at: mark.owner.at }] : []));
-    const work = (this.#seeing = {});
-    const isWanted = (): boolean => this.#seeing === work;
-    if (viewer && places.length > 0) {
-      try {
-        const seen = await seePlaces(
-          viewer,
-          places.map(({ at }) => at),
-          isWanted,
-        );
-        if (!isWanted()) return;
-        if (seen) {
-          this.#turns.seen(places.map(({ mark }) => mark));
-          places.forEach(({ mark }, i) => mark.setSight(seen[i], sightOf(seen[i])));
-        }
-      } catch (error) {
-        console.warn(error); // A part of the package could not be loaded: the notes stay as they are.
-        if (!isWanted()) return;
-      }
-    }
+  /** The camera rests: put the texts in order. */
+  #settle(): void {
     const [lefts, tops] = [this.#lefts(), this.#tops];
     this.#arrange(this.#anchors);
     this.#tops = placeNotes(this.#order!, this.#notes(this.#anchors), this.#room);
