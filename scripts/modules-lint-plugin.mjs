@@ -106,6 +106,7 @@ export const FOLDERS = {
     'analyze',
     'afni',
     'npy',
+    'tiff',
     'packed',
     'vti',
     'meshes',

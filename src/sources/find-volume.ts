@@ -80,6 +80,7 @@ async function sniffKind(store: ByteStore, url: string, start: FileStart): Promi
   if (!format) return 'other';
   if (format === manifest) return (await isManifest(store, url)) ? 'manifest' : 'other';
   if ('loadImage' in format) return 'image';
+  if (format.mayBeSlice) return 'image';
   if (format.isSlice) return 'slice';
   return (await isCertain(format, start)) ? 'volume' : 'packed';
 }

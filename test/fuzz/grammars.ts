@@ -10,6 +10,7 @@ import { nexrad } from './grammars/nexrad.ts';
 import { nifti } from './grammars/nifti.ts';
 import { png } from './grammars/png.ts';
 import { afni, analyze, mgh, npy, vti } from './grammars/rare-formats.ts';
+import { tiff } from './grammars/tiff.ts';
 
 /** All that can be fuzzed, by the names that `npm run fuzz` takes. */
 export const grammars: Readonly<Record<string, Grammar>> = {
@@ -25,6 +26,7 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   mgh,
   analyze,
   npy,
+  tiff,
   vti,
   afni,
   minc,

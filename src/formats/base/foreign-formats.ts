@@ -30,7 +30,6 @@ const foreign: readonly ForeignFormat[] = [
     advice: 'to NIfTI: dcm2niix -z y file.par',
     matches: ({ text }) => text.startsWith('# === DATA DESCRIPTION FILE'),
   },
-  { name: 'a TIFF image', advice: asPng, matches: begins('II*\0', 'MM\0*', 'II+\0', 'MM\0+') },
   {
     name: 'a GIF, BMP, JPEG 2000 or AVIF image',
     advice: asPng,

@@ -86,6 +86,8 @@ export interface VolumeFormat extends FormatBase {
   readonly takesFiles?: true;
   /** Whether each file is a part of a volume, mostly one slice: all such files of a folder belong together. */
   readonly isSlice?: true;
+  /** Whether each of several files may be a slice, as images are: then the attribute stack says it. */
+  readonly mayBeSlice?: true;
   load(): Promise<FormatReader>;
 }
 

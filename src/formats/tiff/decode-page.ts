@@ -1,0 +1,201 @@
+// The numbers of a page.
+import { combineChannels, describeLoss } from '../base/channels.ts';
+import { corruptFile } from '../base/file-problem.ts';
+import { countSampleBytes } from '../base/count-sample-bytes.ts';
+import { readHalfFloats } from '../npy/half-floats.ts';
+import { tags, what } from './tiff-file.ts';
+import type { TiffFile } from './tiff-file.ts';
+import type { TiffPage } from './tiff-page.ts';
+import { unpackBlock } from './unpack-block.ts';
+
+/** How the numbers of a page become one for each pixel. */
+export interface PageUse {
+  /** Whether numbers stand as they are where the page says that 0 is white, or has a table of colours. */
+  readonly isRaw: boolean;
+  /** What is lost is added here, in words. */
+  readonly left: Set<string>;
+}
+
+/** Bytes of the numbers that are made of a page. @throws {VolumeViewError} `format/too-large` */
+export const pageBytes = ({ columns, rows, type }: TiffPage): number => countSampleBytes(what, [columns, rows], type);
+
+/**
+ * Reads one number for each pixel.
+ * @param out - `pageBytes` long; in this machine's byte order
+ * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
+ */
+export function decodePage(file: TiffFile, page: TiffPage, out: Uint8Array<ArrayBuffer>, use: PageUse): void {
+  const { columns, rows, bits, samples, colors, isPlanar, blockColumns, blockRows } = page;
+  const step = isPlanar ? 1 : samples;
+  const planes = isPlanar && colors === 'RGB' ? 3 : 1;
+  const rowNumbers = blockColumns * step;
+  const rowBytes = Math.ceil((rowNumbers * bits) / 8);
+  const planeBytes = countSampleBytes(what, [rowBytes, blockRows], { name: 'bytes', bytesPerSample: 1 });
+  const [across, down] = [Math.ceil(columns / blockColumns), Math.ceil(rows / blockRows)];
+  const { offsets, lengths } = listBlocks(file, page, across * down * (isPlanar ? samples : 1));
+  // Up to four times as many bytes where small numbers become bytes, or colours lie apart.
+  const taken = 6 * planes * planeBytes;
+  file.budget.take(taken, 'a piece of a page');
+  const blocks = Array.from({ length: planes }, () => new Uint8Array(planeBytes));
+  const write = makeWriter(file, page, out, use);
+  for (let block = 0; block < across * down; block++) {
+    const [left, top] = [(block % across) * blockColumns, Math.floor(block / across) * blockRows];
+    const height = Math.min(blockRows, rows - top);
+    blocks.forEach((bytes, plane) => {
+      const at = block + plane * across * down;
+      // A piece without bytes is one of zeros, as GDAL writes it.
+      if (offsets[at] === 0 && lengths[at] === 0) return void bytes.fill(0);
+      const packed = file.slice(offsets[at] + (page.shift ?? 0), lengths[at], 'a piece of a page');
+      const got = unpackBlock(packed, bytes, { page, rowNumbers, step }, file);
+      if (got < height * rowBytes)
+        throw corruptFile(
+          what,
+          `ends early: got ${got.toLocaleString('en')} bytes of a piece of a page; expected ${(height * rowBytes).toLocaleString('en')}. Copy the file again`,
+        );
+    });
+    write(blocks, { left, top, width: Math.min(blockColumns, columns - left), height });
+  }
+  file.budget.giveBack(taken);
+}
+
+function listBlocks(
+  file: TiffFile,
+  { directory, isTiled, compression, rows, columns, bits, samples }: TiffPage,
+  count: number,
+): { offsets: number[]; lengths: number[] } {
+  const [offsetTag, lengthTag] = isTiled ? [tags.tileOffsets, tags.tileBytes] : [tags.stripOffsets, tags.stripBytes];
+  const offsets = file.numbers(directory, offsetTag);
+  let lengths = file.numbers(directory, lengthTag);
+  // Old programs leave out the length of a page that is one strip.
+  if (lengths.length === 0 && count === 1 && compression === 1)
+    lengths = [rows * Math.ceil((columns * bits * samples) / 8)];
+  if (offsets.length < count || lengths.length < count)
+    throw corruptFile(
+      what,
+      `lists ${Math.min(offsets.length, lengths.length).toLocaleString('en')} pieces of a page; expected ${count.toLocaleString('en')}`,
+    );
+  return { offsets, lengths };
+}
+
+interface BlockPlace {
+  readonly left: number;
+  readonly top: number;
+  /** Of the part that lies in the page. */
+  readonly width: number;
+  readonly height: number;
+}
+
+type Writer = (blocks: readonly Uint8Array<ArrayBuffer>[], place: BlockPlace) => void;
+
+/** What writes the numbers of a piece to their places. */
+function makeWriter(file: TiffFile, page: TiffPage, out: Uint8Array<ArrayBuffer>, use: PageUse): Writer {
+  const { columns, bits, samples, isPlanar, blockColumns, type } = page;
+  const size = type.bytesPerSample;
+  const convert = makeConverter(file, page, use);
+  const toOne = (blocks: readonly Uint8Array<ArrayBuffer>[]): Uint8Array => {
+    const numbers =
+      bits < 8 ? spreadBits(blocks[0], page) : bits === 16 && size === 4 ? toFloats(blocks[0]) : blocks[0];
+    return convert ? convert(bits < 8 ? [numbers] : blocks) : firstOf(numbers, isPlanar ? 1 : samples, size);
+  };
+  return (blocks, { left, top, width, height }) => {
+    const numbers = toOne(blocks);
+    for (let y = 0; y < height; y++) {
+      const start = y * blockColumns * size;
+      out.set(numbers.subarray(start, start + width * size), ((top + y) * columns + left) * size);
+    }
+  };
+}
+
+/** The first number of each pixel. */
+function firstOf(bytes: Uint8Array<ArrayBuffer>, step: number, size: number): Uint8Array {
+  if (step === 1) return bytes;
+  const first = new Uint8Array(bytes.length / step);
+  for (let to = 0, from = 0; to < first.length; to += size, from += step * size)
+    for (let byte = 0; byte < size; byte++) first[to + byte] = bytes[from + byte];
+  return first;
+}
+
+const toFloats = (bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> =>
+  new Uint8Array(readHalfFloats(bytes).buffer);
+
+/** A byte for each number of 1, 2 or 4 bits; each row begins with a byte of its own. */
+function spreadBits(
+  bytes: Uint8Array<ArrayBuffer>,
+  { bits, samples, isPlanar, blockColumns, blockRows }: TiffPage,
+): Uint8Array<ArrayBuffer> {
+  const rowNumbers = blockColumns * (isPlanar ? 1 : samples);
+  const rowBytes = Math.ceil((rowNumbers * bits) / 8);
+  const spread = new Uint8Array(rowNumbers * blockRows);
+  for (let y = 0, to = 0; y < blockRows; y++) {
+    for (let x = 0; x < rowNumbers; x++, to++) {
+      const bit = x * bits;
+      spread[to] = (bytes[y * rowBytes + (bit >> 3)] >> (8 - bits - (bit & 7))) & ((1 << bits) - 1);
+    }
+  }
+  return spread;
+}
+
+type Converter = (blocks: readonly Uint8Array<ArrayBuffer>[]) => Uint8Array;
+
+/** What makes brightness of a piece; null where its numbers stand as they are. */
+function makeConverter(file: TiffFile, page: TiffPage, { isRaw, left }: PageUse): Converter | null {
+  const { colors, samples, isPlanar, isInverted, type, bits } = page;
+  const isWide = type.bytesPerSample === 2;
+  const view = (bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> =>
+    isWide ? new Uint16Array(bytes.buffer, bytes.byteOffset, bytes.length / 2) : bytes;
+  const bytesOf = ({ buffer, byteOffset, byteLength }: ArrayBufferView): Uint8Array =>
+    new Uint8Array(buffer, byteOffset, byteLength);
+  if (colors === 'RGB')
+    return (blocks) => {
+      const numbers = isPlanar ? interleave(blocks, type.bytesPerSample) : blocks[0];
+      const channels = isPlanar ? 3 : samples;
+      // The highest byte of a number is enough to know colours from gray.
+      if (channels <= 4)
+        describeLoss(isWide ? numbers.subarray(1) : numbers, channels, type.bytesPerSample).forEach((one) =>
+          left.add(one),
+        );
+      return bytesOf(combineChannels(view(numbers), channels, 'gray'));
+    };
+  if (colors === 'palette') {
+    if (isRaw) {
+      left.add('the table of colours of the pages, which only gives them a look: their numbers are shown');
+      return null;
+    }
+    const table = readPalette(file, page);
+    left.add('the colours of the pages: their brightness is shown (luma, Rec. ITU-R BT.709)');
+    return ([bytes]) => {
+      const numbers = view(bytes);
+      return bytesOf(numbers.map((number) => table[number] ?? 0));
+    };
+  }
+  if (!isInverted || isRaw) return null;
+  const top = 2 ** bits - 1;
+  return ([bytes]) =>
+    firstOf(
+      new Uint8Array(bytesOf(view(bytes).map((number) => top - number))),
+      isPlanar ? 1 : samples,
+      type.bytesPerSample,
+    );
+}
+
+/** The brightness of each entry, 0 to 255. Source: TIFF 6.0, ColorMap: all reds come first, of 16 bits */
+function readPalette(file: TiffFile, { directory, bits }: TiffPage): Uint8Array {
+  const entries = 2 ** bits;
+  const map = file.numbers(directory, tags.colorMap);
+  if (map.length < 3 * entries)
+    throw corruptFile(what, `got a table of ${map.length} numbers for its colours; expected ${3 * entries}`);
+  // Some programs write numbers of 8 bits.
+  const unit = map.some((number) => number > 255) ? 257 : 1;
+  return Uint8Array.from({ length: entries }, (_, i) =>
+    Math.floor((0.2126 * map[i] + 0.7152 * map[entries + i] + 0.0722 * map[2 * entries + i]) / unit + 0.5),
+  );
+}
+
+function interleave(blocks: readonly Uint8Array<ArrayBuffer>[], size: number): Uint8Array<ArrayBuffer> {
+  const all = new Uint8Array(blocks.length * blocks[0].length);
+  blocks.forEach((bytes, plane) => {
+    for (let i = 0; i < bytes.length; i++)
+      all[Math.floor(i / size) * size * blocks.length + plane * size + (i % size)] = bytes[i];
+  });
+  return all;
+}

@@ -1,0 +1,52 @@
+import type { Vector3 } from '../../volume/matrix.ts';
+
+/** Which pages of a file are its slices, and where they lie. */
+export interface TiffLayout {
+  /** 'OME-TIFF' */
+  readonly format: string;
+  readonly slices: number;
+  readonly times: number;
+  /** The page of a slice: its index, or null where the file does not have it. */
+  pageOf(slice: number, time: number): number | null;
+  /** Distances of pixels and of slices, mm; null where the file does not say them. */
+  readonly spacing: Vector3 | null;
+  /** Seconds from one time to the next; null where the file does not say it. */
+  readonly timeStep: number | null;
+  /** What of the file is not shown, in words. */
+  readonly left: readonly string[];
+  readonly window?: readonly [number, number];
+}
+
+/** Millimetres of a unit of length; undefined for one that is none, such as a pixel. */
+export function millimetresOf(unit: string): number | undefined {
+  return lengths.get(unit.replace('\u03bc', '\u00b5').replace(/^um$/, '\u00b5m'));
+}
+
+/** Source: OME schema 2016-06, UnitsLength; ImageJ writes some of them as words */
+const lengths: ReadonlyMap<string, number> = new Map([
+  ['\u00c5', 1e-7],
+  ['nm', 1e-6],
+  ['pm', 1e-9],
+  ['\u00b5m', 1e-3],
+  ['micron', 1e-3],
+  ['microns', 1e-3],
+  ['micrometer', 1e-3],
+  ['mm', 1],
+  ['cm', 10],
+  ['dm', 100],
+  ['m', 1000],
+  ['in', 25.4],
+  ['inch', 25.4],
+  ['ft', 304.8],
+  ['pt', 25.4 / 72],
+]);
+
+/** 'channels 2 to 4 of the file' */
+export function nameRest(one: string, count: number): string | null {
+  if (count <= 1) return null;
+  return count > 2 ? `${one}s 2 to ${count} of the file` : `${one} 2 of the file`;
+}
+
+/** Where only the distance of slices is missing, it is said. */
+export const guessedDistance =
+  'the distance of the slices, which the file does not say: it is taken as that of the pixels';

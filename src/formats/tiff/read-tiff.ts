@@ -1,0 +1,168 @@
+import { axialIndexToWorld, cartesianGrid } from '../../volume/grid.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import { countSampleBytes } from '../base/count-sample-bytes.ts';
+import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
+import { corruptFile } from '../base/file-problem.ts';
+import type { FormatReader, ReadContext } from '../base/format.ts';
+import { listLeft } from '../base/list-left.ts';
+import { nameOf } from '../base/name-of.ts';
+import { hostIsLittleEndian } from '../base/number-types.ts';
+import { placeVolume } from '../base/place-volume.ts';
+import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
+import { gunzipAll } from '../codecs/gunzip-all.ts';
+import { isGzip } from '../codecs/gunzip.ts';
+import { countKept, describeKept } from '../series/keep-volumes.ts';
+import { openSeries } from '../series/open-series.ts';
+import { timeText } from '../series/scan-times.ts';
+import { decodePage, pageBytes } from './decode-page.ts';
+import { openTiff } from './open-tiff.ts';
+import type { TiffStack } from './open-tiff.ts';
+import { what } from './tiff-file.ts';
+
+/**
+ * Reads the pages of a file as the slices of a volume; of several files of a stack, the pages of all of them. The first channel is shown.
+ * Several times are scans.
+ */
+export const readTiff: FormatReader = async (input, settings, context) => {
+  const { budget } = context;
+  const open = async (bytes: Uint8Array<ArrayBuffer>): Promise<TiffStack> =>
+    openTiff(isGzip(bytes) ? await gunzipAll(bytes, budget, what) : bytes, budget);
+  const stack = await open(input.bytes);
+  if (stack.layout.times > 1 && context.further.length === 0 && settings.scan && !context.isPart)
+    return placeVolume(await openTimes(stack, settings, context), settings);
+  const parts = [decodeTime(stack, 0, context)];
+  for await (const { bytes, url } of context.fetchFiles(context.further)) {
+    const next = await open(bytes);
+    checkLike(stack, next, nameOf(url));
+    parts.push(decodeTime(next, 0, context));
+    next.use.left.forEach((one) => stack.use.left.add(one));
+  }
+  const { type } = stack.page;
+  const bytes = join(parts, context);
+  const stored = storeSamples(bytes, type, hostIsLittleEndian, {
+    slope: 1,
+    intercept: 0,
+    budget,
+    chooseWhole: await wholeNumbersOf(type),
+  });
+  const slices = bytes.length / pageBytes(stack.page);
+  const { times } = stack.layout;
+  return placeVolume(
+    {
+      ...describe(stack, slices),
+      ...listLeft(times, ...listOmitted(stack)),
+      samples: stored.samples,
+      slope: stored.scale,
+      intercept: stored.offset,
+      indexed: stored.indexed,
+      rounded: stored.rounded,
+      unkept: stored.unkept,
+    },
+    settings,
+  );
+};
+
+type Described = Pick<DecodedCartesianVolume, 'grid' | 'unit' | 'format' | 'window'>;
+
+function describe({ layout, page }: TiffStack, slices: number): Described {
+  const { format, times, spacing, window } = layout;
+  const dimensions: Vector3 = [page.columns, page.rows, slices];
+  return {
+    grid: cartesianGrid(dimensions, axialIndexToWorld(dimensions, spacing ?? [1, 1, 1])),
+    unit: '',
+    format: `${format}${times > 1 ? `, volume 1 of ${times}` : ''}`,
+    ...(window ? { window: [...window] as [number, number] } : {}),
+  };
+}
+
+function listOmitted({ layout, use, page }: TiffStack): (string | null)[] {
+  return [
+    ...layout.left,
+    ...use.left,
+    page.type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null,
+  ];
+}
+
+/** Steps for each slice, in addition to those of its pixels. */
+const stepsPerSlice = 64;
+
+/** All slices of a time; those that the file does not have are an error. The bytes stay taken from the budget. */
+function decodeTime(
+  { file, pages, layout, page, readPageAt, use }: TiffStack,
+  time: number,
+  { budget, onProgress }: ReadContext,
+): Uint8Array<ArrayBuffer> {
+  const size = pageBytes(page);
+  const all = countSampleBytes(what, [page.columns, page.rows, layout.slices], page.type);
+  budget.step(layout.slices * stepsPerSlice, 'the slices of the TIFF file');
+  let missing = 0;
+  for (; missing < layout.slices; missing++) if ((layout.pageOf(missing, time) ?? pages) >= pages) break;
+  if (missing < layout.slices)
+    throw corruptFile(
+      what,
+      `has ${pages.toLocaleString('en')} pages, and none for slice ${missing + 1} of ${layout.slices.toLocaleString('en')}; the file is cut short, or its description is that of another one`,
+    );
+  budget.take(all, what);
+  const bytes = new Uint8Array(all);
+  for (let k = 0; k < layout.slices; k++) {
+    onProgress(k, layout.slices);
+    decodePage(file, readPageAt(layout.pageOf(k, time)!), bytes.subarray(k * size, (k + 1) * size), use);
+  }
+  return bytes;
+}
+
+function checkLike({ page }: TiffStack, { page: next }: TiffStack, name: string): void {
+  const describe = ({ columns, rows, type }: TiffStack['page']): string =>
+    `${columns} x ${rows} pixels of ${type.name}`;
+  if (describe(page) !== describe(next))
+    throw corruptFile(
+      'the stack',
+      `got ${name} of ${describe(next)}; expected ${describe(page)} as in the first file: the slices of a volume are alike`,
+    );
+}
+
+/** @param parts - whose bytes are taken from the budget; one part is returned as it is */
+function join(parts: readonly Uint8Array<ArrayBuffer>[], { budget }: ReadContext): Uint8Array<ArrayBuffer> {
+  if (parts.length === 1) return parts[0];
+  const length = parts.reduce((sum, part) => sum + part.length, 0);
+  budget.take(length, 'the stack of TIFF files');
+  const all = new Uint8Array(length);
+  let at = 0;
+  for (const part of parts) {
+    all.set(part, at);
+    at += part.length;
+  }
+  budget.giveBack(length);
+  return all;
+}
+
+/** Several times: each is unpacked once, and kept by the browser. */
+async function openTimes(
+  stack: TiffStack,
+  settings: Parameters<FormatReader>[1],
+  context: ReadContext,
+): Promise<DecodedCartesianVolume> {
+  const { layout, page } = stack;
+  const { budget } = context;
+  const bytes = pageBytes(page) * layout.slices;
+  const kept = countKept({ bytes, count: layout.times }, budget);
+  const volumes: Blob[] = [];
+  for (let time = 0; time < kept; time++) {
+    const numbers = decodeTime(stack, time, context);
+    volumes.push(new Blob([numbers]));
+  }
+  const left = listLeft(1, describeKept(kept, layout.times), ...listOmitted(stack));
+  return openSeries(
+    {
+      info: { ...describe({ ...stack, layout: { ...layout, times: 1 } }, layout.slices), ...left },
+      volumes,
+      count: layout.times,
+      type: page.type.name,
+      littleEndian: hostIsLittleEndian,
+      scaleOf: () => ({ slope: 1, intercept: 0 }),
+      timeOf: (index) => (layout.timeStep === null ? null : timeText(index * layout.timeStep, 's')),
+    },
+    settings,
+    context,
+  );
+}
