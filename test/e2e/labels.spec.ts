@@ -1,6 +1,9 @@
 // <volume-labels>, <volume-label-list>: an atlas over a volume, in 3D and in a pane, by list, script and attributes.
 import type { Page } from '@playwright/test';
 import type { VolumeLabels } from '../../components/volume-labels/volume-labels.ts';
+import type { CartesianGrid } from '../../src/volume/grid.ts';
+import { dicomBytes } from '../helpers/dicom-bytes.ts';
+import { segment, segmentationFields } from '../helpers/dicom-segmentation.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import { atlas } from './helpers/atlas.ts';
 import { findFaults } from './helpers/axe.ts';
@@ -27,6 +30,38 @@ const files: Record<string, Buffer> = {
   ),
   'dseg.tsv': Buffer.from('index\tname\tcolor\n3\tRight side\t#ff0000\n7\tLeft side\t#0000ff\n7\tagain\t#00ff00\n'),
 };
+/** The same atlas as a segmentation of DICOM, whose world leads to the left and to the back. */
+files['atlas.dcm'] = (() => {
+  const {
+    grid: {
+      dimensions: [nx, ny, nz],
+      indexToWorld: m,
+    },
+    samples,
+  } = atlas as typeof atlas & { grid: CartesianGrid };
+  const axes = [0, 1, 2, 3].map((axis) => [-m[axis], -m[axis + 4], m[axis + 8]]);
+  const lengths = axes.map((axis) => Math.hypot(...axis));
+  const [i, j] = axes.map((axis, n) => axis.map((x) => x / lengths[n]));
+  const slices = Array.from({ length: nz }, (_, k) => [...samples.subarray(k * nx * ny, (k + 1) * nx * ny)]);
+  const ids = [3, 7];
+  return Buffer.from(
+    dicomBytes(
+      segmentationFields({
+        type: 'BINARY',
+        columns: nx,
+        rows: ny,
+        orientation: [...i, ...j],
+        spacing: [lengths[1], lengths[0], lengths[2]],
+        positionOf: (k) => axes[3].map((x, n) => x + k * axes[2][n]),
+        frames: ids.flatMap((id) =>
+          slices.map((pixels, slice) => ({ slice, segment: id, pixels: pixels.map((one) => Number(one === id)) })),
+        ),
+        // Red and blue of sRGB.
+        segments: [segment(3, 'Right side', [34885, 53485, 50171]), segment(7, 'Left side', [21169, 53252, 5176])],
+      }),
+    ),
+  );
+})();
 const folder = '/test/e2e/pages/data/labels';
 /** Software GL takes half a second for a picture of labels of the specs' usual size: these have a quarter of its pixels. */
 const small = 'style="width: 60px; height: 45px"';
@@ -59,6 +94,19 @@ function tintOf({ width, height, data }: Picture): [left: number, right: number]
   }
   return sums;
 }
+
+test('a segmentation of DICOM colours and names what it covers, at its own places', async ({ page }) => {
+  await serve(page);
+  await open(page, `${view(labels(`src="${folder}/atlas.dcm"`))}</main>`);
+  await settle(page);
+  const [left, right] = tintOf(await takePicture(page));
+  expect(left).toBeGreaterThan(1000);
+  expect(right).toBeLessThan(-1000);
+  expect(await pickNames(page)).toEqual([
+    ['3', 'Right side'],
+    ['7', 'Left side'],
+  ]);
+});
 
 test.describe('an atlas', () => {
   test.use({ allowedLines: twice });

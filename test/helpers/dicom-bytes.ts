@@ -3,6 +3,7 @@ import { deflateSync } from 'fflate';
 
 /** Elements by their keywords in PS3.6: their tag and value representation. */
 const dictionary = {
+  SpecificCharacterSet: [0x00080005, 'CS'],
   ImageType: [0x00080008, 'CS'],
   SOPClassUID: [0x00080016, 'UI'],
   SOPInstanceUID: [0x00080018, 'UI'],
@@ -67,6 +68,8 @@ const dictionary = {
   RescaleSlope: [0x00281053, 'DS'],
   RescaleType: [0x00281054, 'LO'],
   RedPaletteColorLookupTableDescriptor: [0x00281101, 'US'],
+  GreenPaletteColorLookupTableDescriptor: [0x00281102, 'US'],
+  BluePaletteColorLookupTableDescriptor: [0x00281103, 'US'],
   RedPaletteColorLookupTableData: [0x00281201, 'OW'],
   GreenPaletteColorLookupTableData: [0x00281202, 'OW'],
   BluePaletteColorLookupTableData: [0x00281203, 'OW'],
@@ -77,6 +80,16 @@ const dictionary = {
   Units: [0x00541001, 'CS'],
   SUVType: [0x00541006, 'CS'],
   DecayCorrection: [0x00541102, 'CS'],
+  SegmentationType: [0x00620001, 'CS'],
+  SegmentSequence: [0x00620002, 'SQ'],
+  SegmentNumber: [0x00620004, 'US'],
+  SegmentLabel: [0x00620005, 'LO'],
+  SegmentAlgorithmType: [0x00620008, 'CS'],
+  SegmentIdentificationSequence: [0x0062000a, 'SQ'],
+  ReferencedSegmentNumber: [0x0062000b, 'US'],
+  RecommendedDisplayCIELabValue: [0x0062000d, 'US'],
+  MaximumFractionalValue: [0x0062000e, 'US'],
+  SegmentationFractionalType: [0x00620010, 'CS'],
   GridFrameOffsetVector: [0x3004000c, 'DS'],
   DoseUnits: [0x30040002, 'CS'],
   DoseGridScaling: [0x3004000e, 'DS'],

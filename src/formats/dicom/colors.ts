@@ -37,17 +37,39 @@ export function readColors(
 }
 
 function readPalette(set: DataSet): Colors | null {
+  const read = readPaletteTables(set);
+  if (!read) return null;
+  const { first, entries, entry } = read;
+  const table = new Uint8Array(entries);
+  for (let i = 0; i < entries; i++) {
+    const [red, green, blue] = entry(i);
+    table[i] = luma(red, green, blue);
+  }
+  return { kind: 'palette', first, table };
+}
+
+/** The colours of a palette, 0 to 1, by number; null where it has none that can be read. */
+export function readPaletteColors(set: DataSet): ((number: number) => readonly [number, number, number]) | null {
+  const read = readPaletteTables(set);
+  if (!read) return null;
+  const { first, entries, entry } = read;
+  return (number) => {
+    const [red, green, blue] = entry(Math.max(0, Math.min(entries - 1, number - first)));
+    return [red / 255, green / 255, blue / 255];
+  };
+}
+
+/** The tables of a palette; an entry has red, green and blue, 0 to 255. */
+function readPaletteTables(
+  set: DataSet,
+): { readonly first: number; readonly entries: number; readonly entry: (i: number) => number[] } | null {
   const [count, first, bits] = set.numbers(tags.redDescriptor);
   const entries = count || 2 ** 16;
   const data = [tags.redTable, tags.greenTable, tags.blueTable].map((tag) => set.bytesOf(tag));
   if (!(entries > 0 && entries <= 2 ** 16 && (bits === 8 || bits === 16))) return null;
   if (!data.every(({ length }) => length >= entries * (bits / 8))) return null;
-  const table = new Uint8Array(entries);
-  for (let i = 0; i < entries; i++) {
-    const [red, green, blue] = data.map((bytes) => readEntry(bytes, i, { entries, bits, little: set.littleEndian }));
-    table[i] = luma(red, green, blue);
-  }
-  return { kind: 'palette', first, table };
+  const how = { entries, bits, little: set.littleEndian };
+  return { first, entries, entry: (i) => data.map((bytes) => readEntry(bytes, i, how)) };
 }
 
 /** An entry of a table, 0 to 255. Entries of 8 bits may stand in words of 16. */

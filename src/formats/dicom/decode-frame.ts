@@ -64,7 +64,7 @@ export function checkFrames(picture: Picture): void {
     return;
   }
   if (packing !== 'none') throw corruptFile(what, `says that it is packed with ${packing}, and its pixels are not`);
-  const wanted = frames * frameBytes(picture);
+  const wanted = Math.ceil(frames * frameBytes(picture));
   if (pixels.bytes.length >= wanted) return;
   throw corruptFile(
     what,

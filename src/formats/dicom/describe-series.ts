@@ -49,7 +49,8 @@ function drawSmall(frame: Frame, budget: Budget): SeriesInfo['picture'] {
   const [low, high] = window ?? rangeOf(values);
   const pixels = Uint8ClampedArray.from(values, (value) => (255 * (value - low)) / (high - low || 1));
   const [dx, dy] = spacing ?? [1, 1];
-  return { width, height, aspect: (columns * dx) / (rows * dy), pixels };
+  const aspect = (columns * dx) / (rows * dy);
+  return { width, height, aspect: aspect > 0 && Number.isFinite(aspect) ? aspect : width / height, pixels };
 }
 
 /** Without the few brightest pixels. */

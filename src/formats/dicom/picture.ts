@@ -38,8 +38,11 @@ export interface Picture {
 /** More than any scanner writes, and few enough to list. */
 const maxFrames = 2 ** 16;
 
-/** Media directories, segmentations and structures have no pixels, or others than values. Source: PS3.6, annex A */
+/** Segmentations, and those of label maps. Source: PS3.6, annex A */
 const segmentations = ['1.2.840.10008.5.1.4.1.1.66.4', '1.2.840.10008.5.1.4.1.1.66.7'];
+
+/** Whether the numbers of a file are labels, and no values. */
+export const isSegmentation = (set: DataSet): boolean => segmentations.includes(set.text(tags.sopClass));
 
 /**
  * Reads how the pixels of a file lie in it.
@@ -48,17 +51,13 @@ const segmentations = ['1.2.840.10008.5.1.4.1.1.66.4', '1.2.840.10008.5.1.4.1.1.
  */
 export function readPicture({ set, pixels, syntax }: DicomFile, what: string): Picture | null {
   if (!pixels) return null;
-  const whole = (tag: (typeof tags)['rows'], usual?: number): number => set.number(tag) ?? usual ?? NaN;
-  const [rows, columns] = [whole(tags.rows), whole(tags.columns)];
-  if (![rows, columns].every((n) => Number.isInteger(n) && n >= 1 && n <= 0xffff))
-    throw corruptFile(what, `got ${say(columns)} columns and ${say(rows)} rows; expected whole numbers from 1`);
-  if (segmentations.includes(set.text(tags.sopClass)))
+  if (isSegmentation(set))
     throw unsupportedFile(
       what,
-      'is a segmentation; expected a scan. Convert it for <volume-labels>: segimage2itkimage (dcmqi)',
+      'is a segmentation: its labels are shown over their scan by <volume-labels src="…">, in the <volume-view> of the scan',
     );
   const photometric = set.text(tags.photometric).toUpperCase() || 'MONOCHROME2';
-  const samples = whole(tags.samplesPerPixel, 1);
+  const samples = set.number(tags.samplesPerPixel) ?? 1;
   const isGray = samples === 1 && /^MONOCHROME[12]$/.test(photometric);
   const colors = isGray ? null : readColors(set, photometric, samples, syntax.packing);
   const bits = set.number(tags.bitsAllocated);
@@ -67,26 +66,52 @@ export function readPicture({ set, pixels, syntax }: DicomFile, what: string): P
       what,
       `is in colours (${/^(RGB|PALETTE COLOR|YBR_[A-Z]{1,7}(_42[02])?)$/.test(photometric) ? photometric : `${say(samples)} numbers per pixel`}) in a form that is not read; expected gray values, or colours of 8 bits that are not packed with JPEG. Unpack it: dcmdjpeg in.dcm out.dcm`,
     );
-  const frames = set.number(tags.frames) ?? 1;
-  if (!(Number.isInteger(frames) && frames >= 1 && frames <= maxFrames))
-    throw corruptFile(
-      what,
-      `got ${say(frames)} frames; expected a whole number from 1 to ${maxFrames.toLocaleString('en')}`,
-    );
   const numbers = readNumbers(set, pixels, what);
   return {
     what,
     set,
     syntax,
     pixels,
-    rows,
-    columns,
-    frames,
+    ...readSize(set, what),
     ...numbers,
     isInverted: photometric === 'MONOCHROME1',
     colors,
     padding: colors ? null : readPadding(set, numbers),
   };
+}
+
+/** The same for a segmentation, whose numbers are what they are, whatever colours it has for them. */
+export function readLabelPicture({ set, pixels, syntax }: DicomFile, what: string): Picture {
+  if (!pixels) throw corruptFile(what, 'is a segmentation without pixels; expected those of its segments');
+  const isBits = set.number(tags.bitsAllocated) === 1;
+  const numbers: Numbers = isBits
+    ? { type: 'uint8', bitsAllocated: 1, bitsStored: 1, shift: 0, isSigned: false }
+    : readNumbers(set, pixels, what);
+  return {
+    what,
+    set,
+    syntax,
+    pixels,
+    ...readSize(set, what),
+    ...numbers,
+    isInverted: false,
+    colors: null,
+    padding: isBits ? null : readPadding(set, numbers),
+  };
+}
+
+/** @throws {VolumeViewError} `format/corrupt` */
+function readSize(set: DataSet, what: string): Pick<Picture, 'rows' | 'columns' | 'frames'> {
+  const [rows, columns] = [tags.rows, tags.columns].map((tag) => set.number(tag) ?? NaN);
+  if (![rows, columns].every((n) => Number.isInteger(n) && n >= 1 && n <= 0xffff))
+    throw corruptFile(what, `got ${say(columns)} columns and ${say(rows)} rows; expected whole numbers from 1`);
+  const frames = set.number(tags.frames) ?? 1;
+  if (!(Number.isInteger(frames) && frames >= 1 && frames <= maxFrames))
+    throw corruptFile(
+      what,
+      `got ${say(frames)} frames; expected a whole number from 1 to ${maxFrames.toLocaleString('en')}`,
+    );
+  return { rows, columns, frames };
 }
 
 type Numbers = Pick<Picture, 'type' | 'bitsAllocated' | 'bitsStored' | 'shift' | 'isSigned'>;

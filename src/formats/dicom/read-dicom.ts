@@ -2,6 +2,7 @@ import { cartesianGrid } from '../../volume/grid.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { corruptFile } from '../base/file-problem.ts';
 import type { FormatReader, ReadContext } from '../base/format.ts';
+import { loadReader } from '../base/load-reader.ts';
 import { hostIsLittleEndian, numberTypes } from '../base/number-types.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
@@ -23,7 +24,11 @@ import { tags } from './tags.ts';
 export const readDicom: FormatReader = async (input, settings, context) => {
   const files = 1 + context.further.length;
   try {
-    const { frames, left } = await readFrames(input, context, files);
+    const { frames, left, segmentation } = await readFrames(input, context, files);
+    if (segmentation) {
+      const { readSegmentation } = await loadReader(() => import('./read-segmentation.ts'));
+      return placeVolume(await readSegmentation(segmentation, context), settings);
+    }
     const chosen = chooseFrames(frames, context.budget, settings.series);
     const series = chosen.series.length > 1 ? describeSeries(chosen, context.budget) : undefined;
     const volume = await joinFrames({ frames: chosen.frames, left: [...left, ...chosen.left] }, context);

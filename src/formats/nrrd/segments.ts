@@ -3,7 +3,9 @@ import { maxLabels, valueOf } from '../../volume/index-numbers.ts';
 import type { NamedLabel } from '../../volume/labels.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Samples } from '../../volume/samples.ts';
+import { cleanName } from '../base/clean-name.ts';
 import { unsupportedFile } from '../base/file-problem.ts';
+import { LabelPainter } from '../base/label-painter.ts';
 import type { NrrdAxis, NrrdLayout } from './nrrd-axes.ts';
 
 /** One segment, as the header's keys describe it. */
@@ -14,9 +16,6 @@ export interface Segment {
   readonly value: number;
   readonly layer: number;
 }
-
-/** Maximum length of a name. */
-const longest = 200;
 
 /**
  * The segments of a header, in the order of their numbers. Source: 3D Slicer 5, "Segmentation file format",
@@ -34,9 +33,7 @@ export function readSegments(keys: ReadonlyMap<string, string>, layers: number):
     const channels = text('Color').split(/\s+/).map(Number);
     const isColor = channels.length === 3 && channels.every((channel) => channel >= 0 && channel <= 1);
     return {
-      name: Array.from((text('Name') || text('ID')).replace(/[\p{Cc}\p{Zl}\p{Zp}\s]+/gu, ' '))
-        .slice(0, longest)
-        .join(''),
+      name: cleanName(text('Name') || text('ID')),
       color: isColor ? (channels as unknown as Vector3) : null,
       value: whole('LabelValue', layers > 1 ? 1 : number + 1),
       layer: whole('Layer', layers > 1 ? number : 0),
@@ -77,13 +74,10 @@ export class SegmentMerger {
   /** Id by layer and value. The id is the value, unless an earlier segment uses it. */
   readonly #ids = new Map<string, number>();
   readonly #named = new Map<number, NamedLabel>();
-  readonly #voxels = new Map<number, number>();
-  /** Number of hidden voxels, by the id below and the id above. */
-  readonly #hidden = new Map<number, Map<number, number>>();
-  #samples: Uint16Array<ArrayBuffer>;
+  readonly #painter: LabelPainter<Uint16Array<ArrayBuffer>>;
 
   constructor(segments: readonly Segment[], voxels: number) {
-    this.#samples = new Uint16Array(voxels);
+    this.#painter = new LabelPainter(new Uint16Array(voxels));
     for (const { layer, value, name, color } of segments) this.#idOf(layer, value, { name, color });
   }
 
@@ -105,7 +99,8 @@ export class SegmentMerger {
 
   add(layer: number, voxels: Layer): void {
     const ids = new Map<number, number>();
-    for (let i = 0; i < this.#samples.length; i++) {
+    const { length } = this.#painter.samples;
+    for (let i = 0; i < length; i++) {
       const stored = voxels.samples[i];
       let id = ids.get(stored);
       if (id === undefined) {
@@ -113,31 +108,17 @@ export class SegmentMerger {
         id = value === 0 || Number.isNaN(value) ? 0 : this.#idOf(layer, value);
         ids.set(stored, id);
       }
-      if (id === 0) continue;
-      const below = this.#samples[i];
-      if (below > 0) {
-        const above = this.#hidden.get(below) ?? new Map<number, number>();
-        this.#hidden.set(below, above.set(id, (above.get(id) ?? 0) + 1));
-      }
-      this.#voxels.set(id, (this.#voxels.get(id) ?? 0) + 1);
-      this.#samples[i] = id;
+      if (id > 0) this.#painter.paint(i, id);
     }
   }
 
   finish(): MergedSegments {
-    const called = (id: number): string => `"${this.#named.get(id)!.name || id}"`;
-    const left = Array.from(this.#hidden, ([below, above]) =>
-      Array.from(
-        above,
-        ([id, count]) =>
-          `${count.toLocaleString('en')} of the ${this.#voxels.get(below)!.toLocaleString('en')} voxels of the segment ${called(below)} are hidden by ${called(id)}, which overlaps it`,
-      ),
-    ).flat();
+    const { samples } = this.#painter;
     const isSmall = Math.max(0, ...this.#named.keys()) < 256;
     return {
-      samples: isSmall ? Uint8Array.from(this.#samples) : this.#samples,
+      samples: isSmall ? Uint8Array.from(samples) : samples,
       named: [...this.#named.values()],
-      left,
+      left: this.#painter.describeHidden((id) => `"${this.#named.get(id)!.name || id}"`, 'the segment '),
     };
   }
 }

@@ -176,7 +176,12 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
         'attribute/invalid',
         '<volume-labels> got neither src nor table; expected src="labels.nii.gz" with the labels, or table="names.tsv" with the names of those that the volume has.',
       );
-    const from = file ?? { ...labelsIn(volume, target.file), format: volume.format, named: volume.named };
+    const from = file ?? {
+      ...labelsIn(volume, target.file),
+      format: volume.format,
+      anatomical: volume.anatomical,
+      named: volume.named,
+    };
     if (!file && !volume.isDiscrete) return target.takeAsLabels(volume); // The target reports this volume too when it is there.
     const url = src ?? target.file;
     const map = await this.#placed.get(`${url} ${JSON.stringify(volume.grid)}`, signal, (stop) =>

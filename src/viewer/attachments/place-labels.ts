@@ -31,7 +31,7 @@ export async function placeLabels(
   const whole = wholeGrid(grid, volume.reduced);
   const unknown = [
     { ...volume, grid: whole },
-    { format: file.format, grid: file.voxels.grid },
+    { ...file, grid: file.voxels.grid },
   ].some((one) => !isPlaced(one));
   if (unknown && String(whole.dimensions) !== String(file.voxels.grid.dimensions)) {
     throw new VolumeViewError(
@@ -78,15 +78,13 @@ function isSameGrid(a: CartesianGrid, b: CartesianGrid): boolean {
   );
 }
 
-/** Whether a file has a place. An image has none, but its manifest may give one. */
+/** Whether a file has a place: that of a patient, or of its format. An image has none, but its manifest may give one. */
 export function isPlaced({
   format,
+  anatomical,
   grid: { dimensions, spacing, indexToWorld },
-}: {
-  readonly format: string;
-  readonly grid: CartesianGrid;
-}): boolean {
-  if (/^(nifti|nrrd|metaimage)/i.test(format)) return true;
+}: Pick<Volume, 'format' | 'anatomical'> & { readonly grid: CartesianGrid }): boolean {
+  if (anatomical || /^(nifti|nrrd|metaimage)/i.test(format)) return true;
   const usual = axialIndexToWorld(dimensions, spacing);
   return indexToWorld.some((entry, i) => Math.abs(entry - usual[i]) > 1e-6 * Math.max(...spacing));
 }

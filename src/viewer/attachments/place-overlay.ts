@@ -33,7 +33,7 @@ export function placeOverlay(volume: Volume, over: Volume, url: string): Volume 
   if (isPolar(volume)) throw refuse('is a radar scan', 'a volume of voxels, such as a PET or a map of statistics');
   const { grid } = over;
   const layer = volume.grid as CartesianGrid;
-  if (![over, volume].every((one) => isPlaced({ format: one.format, grid: one.grid as CartesianGrid }))) {
+  if (![over, volume].every((one) => isPlaced({ ...one, grid: one.grid as CartesianGrid }))) {
     const [whole, other] = [over.reduced?.from ?? grid.dimensions, volume.reduced?.from ?? layer.dimensions];
     if (String(whole) !== String(other)) {
       throw refuse(

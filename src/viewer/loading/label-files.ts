@@ -19,6 +19,8 @@ export interface LabelFile {
   /** What of the file is not shown, in words. */
   readonly left?: readonly string[];
   readonly format: string;
+  /** Whether its place is that of a patient. */
+  readonly anatomical?: boolean;
 }
 
 /** Labels are never made smaller by averaging: a file above these limits is refused. */
@@ -45,7 +47,8 @@ export async function labelFileOf(
   change: (volume: Volume) => Volume = (volume) => volume,
 ): Promise<LabelFile> {
   const volume = await loadAttachment({ ...request, limits }, signal);
-  return { ...labelsIn(change(volume), request.url), format: volume.format, named: volume.named, left: volume.left };
+  const { format, anatomical, named, left } = volume;
+  return { ...labelsIn(change(volume), request.url), format, anatomical, named, left };
 }
 
 /** A volume's values as labels. @throws {VolumeViewError} `format/unsupported`, `format/too-large` */

@@ -1,5 +1,6 @@
 import { ctSlice, dicomBytes, packRle, syntaxes } from '../../helpers/dicom-bytes.ts';
 import type { DicomFields, DicomForm, RawElement } from '../../helpers/dicom-bytes.ts';
+import { segment, segmentationFields } from '../../helpers/dicom-segmentation.ts';
 import { jpegStreams } from '../../helpers/jpeg-streams.ts';
 import { damage } from '../fuzz-case.ts';
 import type { Grammar } from '../fuzz-case.ts';
@@ -86,6 +87,7 @@ function writeFile(random: Random, { place, step, form, hasFrames }: FileWish): 
     PixelData: new Uint8Array(numbers.buffer),
   };
   const raw = listRaw(random);
+  if (random.chance(0.15)) return dicomBytes({ ...fields, ...writeSegmentation(random) }, { ...form, raw });
   if (!isPacked) return dicomBytes(fields, { ...form, raw });
   if (random.chance(0.6)) return writeJpeg(random, fields, frames, { ...form, raw });
   const size = rows * columns;
@@ -132,6 +134,36 @@ function listRaw(random: Random): RawElement[] {
       ...(random.isWild() ? { length: random.size(bytes.length) % 2 ** 32 } : {}),
     },
   ];
+}
+
+/** Segmentations of bits, bytes and words, with numbers, places and names that lie. */
+function writeSegmentation(random: Random): DicomFields {
+  const type = random.or('BINARY', 'FRACTIONAL', 'LABELMAP');
+  const frames = random.int(1, 5);
+  const step = random.or(1, 0, 1e-7, 1e7);
+  const fields = segmentationFields({
+    type,
+    columns: 5,
+    rows: 3,
+    frames: Array.from({ length: frames }, () => ({
+      slice: random.int(0, 4),
+      segment: random.size(1) & 0xffff,
+      pixels: [...random.bytes(15)],
+    })),
+    segments: [segment(random.size(1) & 0xffff, random.or('A', '\0\x1b$B', ''), [random.int(0, 65535), 1, 2])],
+    ...(random.isWild() ? { positionOf: (slice) => [random.number(0), 0, step * slice] } : {}),
+    bits: random.or(type === 'BINARY' ? 1 : 8, 16),
+  });
+  if (!random.isWild()) return fields;
+  return {
+    ...fields,
+    Rows: [random.size(3) & 0xffff],
+    Columns: [random.size(5) & 0xffff],
+    NumberOfFrames: String(random.size(frames)),
+    MaximumFractionalValue: [random.size(200) & 0xffff],
+    SpecificCharacterSet: random.or('ISO_IR 192', 'ISO 2022 IR 87', 'X'),
+    PixelPaddingValue: random.chance(0.2) ? [random.size(0) & 0xffff] : undefined,
+  };
 }
 
 function writeGroups(random: Random, frames: number): DicomFields {
