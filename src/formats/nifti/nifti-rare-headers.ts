@@ -1,6 +1,5 @@
 import { VolumeViewError } from '../../core/errors.ts';
-import { findForeign } from '../base/foreign-formats.ts';
-import { isGzip } from '../codecs/gunzip.ts';
+import { loadReader } from '../base/load-reader.ts';
 import { headerSizes, list, viewOf } from './nifti-header.ts';
 import type { NiftiHeader, NiftiStart } from './nifti-header.ts';
 
@@ -10,8 +9,8 @@ import type { NiftiHeader, NiftiStart } from './nifti-header.ts';
  * @param found - the kind of header; null if it is none
  * @throws {VolumeViewError} `format/unknown`, `format/unsupported`, `format/corrupt`
  */
-export function readRareHeader(bytes: Uint8Array, found: NiftiStart | null): NiftiHeader {
-  if (!found) throw notNifti(bytes);
+export async function readRareHeader(bytes: Uint8Array, found: NiftiStart | null): Promise<NiftiHeader> {
+  if (!found) throw (await loadReader(() => import('#rare/formats/nifti/refuse-packed.ts'))).refusePacked(bytes);
   const { version, littleEndian, magic } = found;
   checkMark(magic);
   if (bytes.length < headerSizes[version]) {
@@ -21,26 +20,6 @@ export function readRareHeader(bytes: Uint8Array, found: NiftiStart | null): Nif
     );
   }
   return readVersion2(viewOf(bytes), littleEndian);
-}
-
-/** The error for an unpacked gzip file that no format claims. */
-function notNifti(bytes: Uint8Array): VolumeViewError {
-  if (isGzip(bytes))
-    return new VolumeViewError(
-      'format/unsupported',
-      'what is packed is a gzip file again, of which volume-view reads one layer; unpack it once: gzip -d file.gz',
-    );
-  const foreign = findForeign({
-    bytes,
-    unpacked: null,
-    text: new TextDecoder().decode(bytes.subarray(0, 512)).trimStart(),
-  });
-  return foreign
-    ? new VolumeViewError(
-        'format/unsupported',
-        `what is packed is ${foreign.name}, which volume-view does not read; convert it ${foreign.advice}`,
-      )
-    : new VolumeViewError('format/unknown', 'the data do not begin with a NIfTI header');
 }
 
 function checkMark(magic: string): void {

@@ -281,7 +281,7 @@ describe('the first look', () => {
     expect(lines[0]).to.match(/spacing="X Y Z".*Z negative if they run from head to feet/);
   });
 
-  it('reads the intent of both versions of NIfTI', () => {
+  it('reads the intent of both versions of NIfTI', async () => {
     for (const [length, at, mark] of [
       [348, 68, 'n+1\0'],
       [540, 504, 'n+2\0\r\n\x1a\n'],
@@ -292,7 +292,7 @@ describe('the first look', () => {
       bytes.set(new TextEncoder().encode(mark), length === 348 ? 344 : 4);
       if (length === 348) view.setInt16(at, 1002, true);
       else view.setInt32(at, 1002, true);
-      const header = length === 348 ? readVersion1(bytes, true) : readRareHeader(bytes, detectNifti(bytes));
+      const header = length === 348 ? readVersion1(bytes, true) : await readRareHeader(bytes, detectNifti(bytes));
       expect(header.intent).to.equal(1002);
     }
   });
