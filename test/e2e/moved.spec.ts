@@ -68,9 +68,11 @@ async function look(page: Page): Promise<Shown> {
     const base64 = async (blob: Blob): Promise<string> =>
       btoa([...new Uint8Array(await blob.arrayBuffer())].map((byte) => String.fromCharCode(byte)).join(''));
     const canvas = pane.shadowRoot!.querySelector('canvas')!;
-    const words = ['volume-readout', 'volume-legend', 'volume-label-list'].map((name) =>
-      all.querySelector(name)!.shadowRoot!.textContent.replace(/\s+/g, ' ').trim(),
-    );
+    const words = ['volume-readout', 'volume-legend', 'volume-label-list'].map((name) => {
+      const root = all.querySelector(name)!.shadowRoot!;
+      const spoken = root.querySelector('[role=status]')?.textContent ?? ''; // It comes a moment later.
+      return root.textContent.replace(spoken, '').replace(/\s+/g, ' ').trim();
+    });
     return {
       picture: await base64(await view.toBlob()),
       pane: canvas.toDataURL().split(',')[1],

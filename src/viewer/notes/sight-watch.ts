@@ -78,6 +78,9 @@ export class SightWatch {
   async #rest(): Promise<void> {
     const work = (this.#work = {});
     const isWanted = (): boolean => this.#work === work;
+    const viewer = this.host.viewer();
+    // The first picture has places when it begins, and may take long.
+    if (viewer && !viewer.drawn) await viewer.loop.settled(() => viewer.drawn !== null);
     try {
       await this.#see(
         this.host.marks().filter(({ owner }) => owner.at),
