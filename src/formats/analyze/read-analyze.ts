@@ -2,7 +2,7 @@ import { cartesianGrid } from '../../volume/grid.ts';
 import { multiply, scaleAndTranslate } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { DecodeInput } from '../base/decoded-volume.ts';
-import { corruptFile } from '../base/file-problem.ts';
+import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import type { FormatReader, ReadContext } from '../base/format.ts';
 import { nameOf } from '../base/name-of.ts';
 import { PieceReader, yieldOnce } from '../base/piece-reader.ts';
@@ -110,6 +110,9 @@ function readPairHeader(bytes: Uint8Array, { version, littleEndian }: NiftiStart
 
 const startOf = ({ offset }: NiftiHeader): number => (offset > 0 ? Math.trunc(offset) : 0);
 
+/** Colours. Source: Mayo's dbh.h, DT_RGB */
+const rgb = 128;
+
 /** SPM's codes of types that Analyze itself lacks: 128 and the code of the other sign. Source: SPM2's spm_type.m. */
 const spmTypes = new Map([
   [130, 256],
@@ -124,6 +127,11 @@ const spmTypes = new Map([
  */
 function readAnalyzeHeader(bytes: Uint8Array, { littleEndian }: NiftiStart): NiftiHeader {
   const header = readVersion1(bytes, littleEndian);
+  if (header.datatype === rgb)
+    throw unsupportedFile(
+      'the Analyze file',
+      'holds colours (RGB24), which programs write in two orders; convert it to NIfTI, or to numbers',
+    );
   return {
     ...header,
     datatype: spmTypes.get(header.datatype) ?? header.datatype,

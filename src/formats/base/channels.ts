@@ -41,10 +41,14 @@ export function combineChannels(
   return use === 'gray' ? luma(data, channels) : joinBytes(data, channels);
 }
 
+/** The brightness of a colour: Rec. ITU-R BT.709 weights on the values as stored, rounded. */
+export function lumaOf(red: number, green: number, blue: number): number {
+  return Math.floor(0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.5);
+}
+
 /**
  * Most tools store gray as colours: then the red channel has the exact value. Where the channels differ it is a colour
- * picture, and the best single number per voxel is its luma: Rec. ITU-R BT.709 weights on the values as stored,
- * rounded. Alpha is ignored.
+ * picture, and the best single number per voxel is its luma. Alpha is ignored.
  */
 function luma(data: GrayImage['data'] | Uint8ClampedArray, channels: number): GrayImage['data'] {
   if (channels === 1 && !(data instanceof Uint8ClampedArray)) return data;
@@ -53,7 +57,7 @@ function luma(data: GrayImage['data'] | Uint8ClampedArray, channels: number): Gr
   for (let i = 0, at = 0; i < length; i++, at += channels) {
     const red = data[at];
     const isGray = channels < 3 || (red === data[at + 1] && red === data[at + 2]);
-    gray[i] = isGray ? red : Math.floor(0.2126 * red + 0.7152 * data[at + 1] + 0.0722 * data[at + 2] + 0.5);
+    gray[i] = isGray ? red : lumaOf(red, data[at + 1], data[at + 2]);
   }
   return gray;
 }

@@ -9,7 +9,10 @@ export interface NumberType {
     | { readonly kind: 'integers'; readonly view: View<Integers> }
     | { readonly kind: 'bigints'; readonly view: View<BigInt64Array | BigUint64Array> }
     | { readonly kind: 'floats'; readonly view: View<Float32Array<ArrayBuffer> | Float64Array> };
-  /** Real and imaginary part, one after the other: the magnitude is shown. */
+  /**
+   * Whether several numbers become one that no scale of the file belongs to: of real and imaginary part, one after the other, the
+   * magnitude. `read` makes one number of colours.
+   */
   readonly complex: boolean;
 }
 

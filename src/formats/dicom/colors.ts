@@ -1,4 +1,5 @@
 // Pictures in colours. A volume has one number per voxel: their brightness. Sources: DICOM PS3.3, C.7.6.3.1.2, C.7.6.3.1.3, C.7.6.3.1.5
+import { lumaOf } from '../base/channels.ts';
 import type { DataSet } from './data-set.ts';
 import { tags } from './tags.ts';
 import type { TransferSyntax } from './transfer-syntax.ts';
@@ -43,7 +44,7 @@ function readPalette(set: DataSet): Colors | null {
   const table = new Uint8Array(entries);
   for (let i = 0; i < entries; i++) {
     const [red, green, blue] = entry(i);
-    table[i] = luma(red, green, blue);
+    table[i] = lumaOf(red, green, blue);
   }
   return { kind: 'palette', first, table };
 }
@@ -83,17 +84,12 @@ function readEntry(
   return bits === 8 ? low : (256 * high + low) / 257;
 }
 
-/** Rec. ITU-R BT.709 weights on the values as they are written, as for images. */
-function luma(red: number, green: number, blue: number): number {
-  return Math.floor(0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.5);
-}
-
 /** Source: PS3.3, C.7.6.3.1.2, YBR_FULL */
 function lumaOfYbr(y: number, cb: number, cr: number): number {
   const clamp = (value: number): number => Math.max(0, Math.min(255, Math.round(value)));
   const red = y + 1.402 * (cr - 128);
   const green = y - 0.344136 * (cb - 128) - 0.714136 * (cr - 128);
-  return luma(clamp(red), clamp(green), clamp(y + 1.772 * (cb - 128)));
+  return lumaOf(clamp(red), clamp(green), clamp(y + 1.772 * (cb - 128)));
 }
 
 /**
@@ -114,7 +110,7 @@ export function writeLuma(
       gray[i] = lumaOfYbr(bytes[at + (i & 1)], bytes[at + 2], bytes[at + 3]);
     return;
   }
-  const convert = colors.kind === 'RGB' ? luma : lumaOfYbr;
+  const convert = colors.kind === 'RGB' ? lumaOf : lumaOfYbr;
   const [first, step, apart] = isTurned ? [2, 3, -1] : colors.isPlanar ? [0, 1, pixels] : [0, 3, 1];
   for (let i = 0, at = first; i < pixels; i++, at += step)
     gray[i] = convert(bytes[at], bytes[at + apart], bytes[at + 2 * apart]);

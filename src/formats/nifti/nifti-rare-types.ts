@@ -1,9 +1,34 @@
 import { VolumeViewError } from '../../core/errors.ts';
+import { lumaOf } from '../base/channels.ts';
 import { floats, hostIsLittleEndian, niftiTypes, viewAs } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
 
+/** Colours of 8 bits: their brightness. nifti1.h: scl_slope and scl_inter do not belong to them. */
+const colors = (name: string, channels: number): NumberType => ({
+  name,
+  bytesPerSample: channels,
+  bytesPerNumber: 1,
+  read: { kind: 'integers', view: (bytes) => toBrightness(bytes, channels) },
+  complex: true,
+});
+
+/** Writes over the bytes, and keeps the part that is then in use. */
+function toBrightness(bytes: Uint8Array<ArrayBuffer>, channels: number): Uint8Array<ArrayBuffer> {
+  const count = bytes.length / channels;
+  for (let i = 0, at = 0; i < count; i++, at += channels) bytes[i] = lumaOf(bytes[at], bytes[at + 1], bytes[at + 2]);
+  return bytes.slice(0, count);
+}
+
+/** What of a type's numbers is not shown, in words. */
+export function describeLost({ name }: Pick<NumberType, 'name' | 'complex'>): string {
+  if (!name.startsWith('RGB')) return 'the phase of complex numbers, whose magnitudes are shown';
+  return `the colours of the voxels${name === 'RGBA' ? ', and where they are transparent' : ''}: their brightness is shown (luma, Rec. ITU-R BT.709)`;
+}
+
 /** NIfTI's datatype codes that few files have. Source: nifti1.h. */
 const rareTypes: ReadonlyMap<number, NumberType> = new Map([
+  [128, colors('RGB', 3)],
+  [2304, colors('RGBA', 4)],
   [32, floats('complex64', 4, viewAs(Float32Array), true)],
   [1536, floats('float128', 16, readBinary128)],
   [1792, floats('complex128', 8, viewAs(Float64Array), true)],
@@ -13,8 +38,6 @@ const rareTypes: ReadonlyMap<number, NumberType> = new Map([
 /** What an error says about codes of other kinds of data. */
 const refusedTypes: ReadonlyMap<number, string> = new Map([
   [1, 'one bit per voxel (binary), in an order of bits that the standard leaves open'],
-  [128, 'colours (RGB24): a transfer function needs one number per voxel'],
-  [2304, 'colours (RGBA32): a transfer function needs one number per voxel'],
 ]);
 
 /**

@@ -13,6 +13,7 @@ import { scanTypes } from '../series/scan-types.ts';
 import { resolveAffine } from './nifti-affine.ts';
 import { niftiHeaderBytes, readDimensions, readWindow } from './nifti-header.ts';
 import type { NiftiHeader } from './nifti-header.ts';
+import { describeLost } from './nifti-rare-types.ts';
 import type { NiftiSource } from './nifti-source.ts';
 
 /** The numbers of one volume. */
@@ -35,7 +36,7 @@ function describeFirst(header: NiftiHeader, type: NumberType): Pick<DecodedCarte
 function listOmitted(numbers: number, type: NumberType): (string | null)[] {
   return [
     numbers > 1 ? `number${numbers > 2 ? 's 2 to' : ''} ${numbers} of each voxel` : null,
-    type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null,
+    type.complex ? describeLost(type) : null,
   ];
 }
 

@@ -1,5 +1,5 @@
 // The numbers of a page.
-import { combineChannels, describeLoss } from '../base/channels.ts';
+import { combineChannels, describeLoss, lumaOf } from '../base/channels.ts';
 import { corruptFile } from '../base/file-problem.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import { readHalfFloats } from '../npy/half-floats.ts';
@@ -187,7 +187,7 @@ function readPalette(file: TiffFile, { directory, bits }: TiffPage): Uint8Array 
   // Some programs write numbers of 8 bits.
   const unit = map.some((number) => number > 255) ? 257 : 1;
   return Uint8Array.from({ length: entries }, (_, i) =>
-    Math.floor((0.2126 * map[i] + 0.7152 * map[entries + i] + 0.0722 * map[2 * entries + i]) / unit + 0.5),
+    lumaOf(map[i] / unit, map[entries + i] / unit, map[2 * entries + i] / unit),
   );
 }
 
