@@ -5,6 +5,7 @@ import { dicom } from './dicom/dicom-format.ts';
 import { mgh } from './mgh/mgh-format.ts';
 import { npy } from './npy/npy-format.ts';
 import { bzip2 } from './packed/bzip2-format.ts';
+import { zstd } from './packed/zstd-format.ts';
 import { tiff } from './tiff/tiff-format.ts';
 import { vti } from './vti/vti-format.ts';
 
@@ -12,4 +13,4 @@ import { vti } from './vti/vti-format.ts';
  * Formats that few pages have. Their descriptions are loaded only for a file that is of none of the usual formats, so
  * that pages with other files do not pay for them.
  */
-export const rareFormats: readonly VolumeFormat[] = [mgh, analyze, npy, vti, afni, dicom, tiff, bzip2];
+export const rareFormats: readonly VolumeFormat[] = [mgh, analyze, npy, vti, afni, dicom, tiff, bzip2, zstd];

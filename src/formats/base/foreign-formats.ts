@@ -67,11 +67,6 @@ const foreign: readonly ForeignFormat[] = [
     matches: begins('\x1f\x9d'),
   },
   { name: 'a file packed by xz', advice: 'into the file that it holds: xz -d file.xz', matches: begins('\xfd7zXZ\0') },
-  {
-    name: 'a file packed by Zstandard',
-    advice: 'into the file that it holds: zstd -d file.zst',
-    matches: begins('\x28\xb5\x2f\xfd'),
-  },
   { name: 'a zip archive', advice: 'into the files that it holds: unpack it', matches: begins('PK\x03\x04') },
 ];
 

@@ -4,6 +4,7 @@ import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { hostIsLittleEndian, swapBytes } from '../base/number-types.ts';
 import { maxDeflateRatio } from '../codecs/gunzip.ts';
 import { isZlib } from '../codecs/unzlib.ts';
+import { unzstd } from '../codecs/unzstd.ts';
 import { unpackLzw } from './lzw.ts';
 import { unpackBits } from './pack-bits.ts';
 import { what } from './tiff-file.ts';
@@ -17,6 +18,8 @@ const methods: Readonly<Record<number, string>> = {
   8: 'Deflate',
   32946: 'Deflate',
   32773: 'PackBits',
+  34926: 'Zstandard',
+  50000: 'Zstandard',
 };
 
 /** What an error says about the others. */
@@ -31,8 +34,6 @@ const refused: Readonly<Record<number, string>> = {
   34712: 'JPEG 2000',
   34887: 'LERC',
   34925: 'LZMA',
-  34926: 'Zstandard',
-  50000: 'Zstandard',
   50001: 'WebP',
   50002: 'JPEG XL',
   50003: 'PNG',
@@ -43,7 +44,7 @@ export function checkPacking({ compression, predictor, type, bits, colors }: Tif
   if (!(compression in methods))
     throw unsupportedFile(
       what,
-      `is packed with ${refused[compression] ?? `method ${compression}`}; expected no packing, LZW, Deflate or PackBits. Convert it: bfconvert -compression LZW in.tif out.ome.tif`,
+      `is packed with ${refused[compression] ?? `method ${compression}`}; expected no packing, LZW, Deflate, PackBits or Zstandard. Convert it: bfconvert -compression LZW in.tif out.ome.tif`,
     );
   if (colors === 'YBR')
     throw unsupportedFile(what, 'is in colours of the kind YCbCr; convert it to RGB: tiff2rgba in.tif out.tif');
@@ -102,6 +103,11 @@ function unpack(
     case 'LZW':
       budget.step(out.length / 16, 'the packed pixels');
       return unpackLzw(packed, out) ?? throwIt(damaged());
+    case 'Zstandard': {
+      const bytes = unzstd(packed, out.length, budget);
+      out.set(bytes);
+      return bytes.length;
+    }
     case 'PackBits':
       budget.step(packed.length / 16, 'the packed pixels');
       return unpackBits(packed, out);

@@ -60,7 +60,7 @@ const colors = {
 describe('NIfTI colours', () => {
   for (const [name, { bytes, values }] of Object.entries(colors))
     it(`are shown by their brightness, and that is said: ${name}`, async () => {
-      const file = unzlibSync(Uint8Array.from(atob(bytes), (sign) => sign.charCodeAt(0))) as Uint8Array<ArrayBuffer>;
+      const file = unzlibSync(Uint8Array.from(atob(bytes), (sign) => sign.charCodeAt(0)));
       const volume = await decodeBytes(file, 'x.nii');
       expect(valuesOf(volume)).to.deep.equal(values);
       expect(volume.samples).to.be.instanceOf(Uint8Array);
