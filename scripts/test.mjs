@@ -14,7 +14,8 @@ const bin = (path) => join(projectRoot, 'node_modules', path);
  * @property {string[]} args - of node
  * @property {boolean} counts - whether it prints how many tests passed and failed
  * @property {string} [after] - the part whose files it reads, or which reads files that it changes
- * @property {boolean} [browser] - whether it runs a browser, which keeps all cores busy
+ * @property {boolean} [browser] - whether it runs a browser that keeps all cores busy
+ * @property {boolean} [last] - whether it runs when all others have ended
  */
 
 /** @type {Part[]} */
@@ -61,17 +62,13 @@ const parts = [
     browser: true,
   },
 ];
+
 if (process.argv.includes('--engines')) {
-  parts.push({ title: 'Smoke test in three engines', args: ['test/engines/run.mjs'], counts: true, browser: true });
+  parts.push({ title: 'Smoke test in three engines', args: ['test/engines/run.mjs'], counts: true, last: true });
 }
 
 if (process.argv.includes('--bundlers')) {
-  parts.push({
-    title: 'Apps of bundlers and frameworks',
-    args: ['test/bundlers/run.mjs'],
-    counts: true,
-    browser: true,
-  });
+  parts.push({ title: 'Apps of bundlers and frameworks', args: ['test/bundlers/run.mjs'], counts: true, last: true });
 }
 
 /**
@@ -128,14 +125,19 @@ async function runParts(waiting, atOnce) {
   }
 }
 
-// Parts without a browser mostly use one thread: run two at a time.
+// Parts without such a browser mostly use one thread: run two at a time.
 await runParts(
-  parts.filter(({ browser }) => !browser),
+  parts.filter(({ browser, last }) => !browser && !last),
   2,
 );
 await runParts(
   parts.filter(({ browser }) => browser),
   1,
+);
+// Engines start one after the other, and most bundlers use one thread.
+await runParts(
+  parts.filter(({ last }) => last),
+  2,
 );
 
 let passed = 0;

@@ -32,7 +32,7 @@ import { engine as webkit } from './webkit.mjs';
 const SHORT_WALK = '/test/engines/walk.html?steps=60&seed=14';
 
 const { values: options } = parseArgs({
-  options: { page: { type: 'string' }, only: { type: 'string' }, minutes: { type: 'string', default: '4' } },
+  options: { page: { type: 'string' }, only: { type: 'string' }, minutes: { type: 'string', default: '8' } },
 });
 const pages = options.page ? [options.page] : ['/test/engines/smoke.html', SHORT_WALK];
 const PAGE_LIMIT_MS = Number(options.minutes) * 60_000;
