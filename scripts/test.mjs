@@ -53,6 +53,12 @@ const parts = [
     counts: true,
     after: 'Build: dist stays whole meanwhile',
   },
+  {
+    title: 'A folder for a web site',
+    args: ['test/package/prepare-folder.mjs'],
+    counts: true,
+    after: 'Build: dist stays whole meanwhile',
+  },
   { title: 'Unit tests in Node', args: ['scripts/test-fast.mjs'], counts: true },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true, browser: true },
   {

@@ -23,6 +23,7 @@ export async function buildPrepare() {
       rolldownOptions: {
         input: {
           index: join(folder, 'src/index.ts'),
+          child: join(folder, 'src/child.ts'),
           'volume-view-prepare': join(folder, 'src/volume-view-prepare.ts'),
         },
         external: ['fast-png'],

@@ -7,6 +7,7 @@ import { chooseMoment, chooseSweeps } from '../formats/radar/choose-sweeps.ts';
 import type { ChosenSweep } from '../formats/radar/choose-sweeps.ts';
 import { isFolding } from '../formats/radar/moment-kind.ts';
 import type { RadarFile, RadarMoment, RadarSweep, SweepData } from '../formats/radar/radar-file.ts';
+import { ErrorSum } from './measure-error.ts';
 
 /** Maximum error of the written angles, degrees. */
 const finestAngle = 1e-5;
@@ -21,6 +22,8 @@ export interface WrittenMosaic {
   readonly manifest: Omit<Manifest, 'image' | 'mosaic'> & { readonly mosaic: string };
   /** Largest difference between a value of the file and the value in the mosaic; 0 where integers are kept as they are. */
   readonly rounding: number;
+  /** Root mean square of these differences. */
+  readonly rms: number;
 }
 
 /**
@@ -33,7 +36,7 @@ export interface WrittenMosaic {
 export function writePolarMosaic(file: RadarFile, moment?: string): WrittenMosaic {
   const chosenMoment = chooseMoment(file, moment);
   const { chosen } = chooseSweeps(file, chosenMoment.name, checkBeamWidth(file.beamWidth));
-  const { pixels, slope, intercept, rounding, isWide } = makePixels(chosen.map(({ data }) => data));
+  const { pixels, slope, intercept, rounding, rms, isWide } = makePixels(chosen.map(({ data }) => data));
   const width = Math.max(...chosen.map(({ data }) => data.gates));
   const height = Math.max(...chosen.map(({ sweep }) => sweep.azimuths.length));
   const columns = Math.max(1, Math.min(chosen.length, Math.round(Math.sqrt((chosen.length * height) / width))));
@@ -55,6 +58,7 @@ export function writePolarMosaic(file: RadarFile, moment?: string): WrittenMosai
       ...describe(file, chosenMoment, chosen, { width, height }),
     },
     rounding,
+    rms,
   };
 }
 
@@ -64,6 +68,7 @@ interface Pixels {
   readonly slope: number;
   readonly intercept: number;
   readonly rounding: number;
+  readonly rms: number;
   readonly isWide: boolean;
 }
 
@@ -77,6 +82,7 @@ function makePixels(sweeps: readonly SweepData[]): Pixels {
       slope,
       intercept,
       rounding: 0,
+      rms: 0,
       isWide: kept.some((samples) => samples instanceof Uint16Array),
     };
   }
@@ -95,14 +101,16 @@ function quantise(sweeps: readonly SweepData[]): Pixels {
   const slope = high > low ? (high - low) / (highestPixel - 1) : 1;
   // The smallest value is pixel 1: 0 means no data.
   const intercept = low - slope;
+  const sum = new ErrorSum();
   const pixels = sweeps.map((data) => {
     const written = new Uint16Array(data.samples.length);
     eachValue(data, (value, i) => {
       written[i] = Math.round((value - intercept) / slope);
+      sum.add(slope * written[i] + intercept - value);
     });
     return written;
   });
-  return { pixels, slope, intercept, rounding: slope / 2, isWide: true };
+  return { pixels, slope, intercept, rounding: slope / 2, rms: sum.error.rms, isWide: true };
 }
 
 /** Visit every gate that has data. */

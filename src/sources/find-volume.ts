@@ -12,7 +12,7 @@ import { divideFiles } from './divide-files.ts';
 import type { FileKind, SniffedFile } from './divide-files.ts';
 
 /** Bytes of each file by which its format is recognized. */
-const startBytes = 2 ** 16;
+export const startBytes = 2 ** 16;
 
 /** Bytes of a manifest, which has to be read to know that it is one: other programs write JSON files too. */
 const maxManifestBytes = 2 ** 26;
@@ -74,8 +74,8 @@ export async function findVolume(
   }
 }
 
-/** @param start - of the file */
-async function sniffKind(store: ByteStore, url: string, start: FileStart): Promise<FileKind> {
+/** What a file of a store is, by its start. @param start - of the file */
+export async function sniffKind(store: ByteStore, url: string, start: FileStart): Promise<FileKind> {
   const format: Format | null = findByBytes(start, everyFormat);
   if (!format) return 'other';
   if (format === manifest) return (await isManifest(store, url)) ? 'manifest' : 'other';

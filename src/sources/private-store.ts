@@ -59,6 +59,16 @@ export class PrivateStore implements ByteStore {
     return hidden;
   }
 
+  /** What a file of the inner store is called here. @throws {VolumeViewError} `source/not-found` */
+  hide(url: string): string {
+    const path = pathIn(url, this.base);
+    for (const [called, real] of this.#real) if (real === path) return urlInStore(this.base, called);
+    throw new VolumeViewError(
+      'source/not-found',
+      `a file of the volume is not there any more; ${reasons['source/not-found']}`,
+    );
+  }
+
   async list(): Promise<readonly string[]> {
     return [...this.#real.keys()].map((path) => urlInStore(this.base, path));
   }

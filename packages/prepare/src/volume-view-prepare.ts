@@ -1,20 +1,25 @@
 #!/usr/bin/env node
 // The program. It makes a radar file into an image with a manifest, and any file into a page that contains it.
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
+import { availableParallelism, totalmem } from 'node:os';
 import { basename } from 'node:path';
 import { inspect, parseArgs } from 'node:util';
 import { makeRadarMosaic } from '../../../src/prepare/radar-mosaic.ts';
 import { formatManifest } from './format-manifest.ts';
 import { nameFiles } from './name-files.ts';
+import { Misuse } from './misuse.ts';
 import { maxPageBytes, writePage } from './write-page.ts';
+import { version } from '../package.json';
 
 const usage = `volume-view-prepare FILE [--as mosaic] [--moment NAME] [--out NAME]
     one quantity of a radar file (ODIM_H5, CfRadial, NEXRAD Level II) as NAME.png and its manifest NAME.json
 volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
-    a page NAME.html with the file inside, which works from disk beside volume-view.iife.js`;
+    a page NAME.html with the file inside, which works from disk beside volume-view.iife.js
+volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--jobs N] [--timeout SECONDS]
+    a folder SITE for a web server: a page for each volume in FOLDER, and index.html. One JSON line a volume on stdout`;
 
-/** The error for wrong arguments. */
-class Misuse extends Error {}
+/** Bytes that a volume may take while it is read: most of the memory, shared by all processes. */
+const shareOfMemory = 0.7;
 
 async function writeMosaic(path: string, moment: string | undefined, out: string | undefined): Promise<void> {
   const { png, manifest, rounding, partial } = await makeRadarMosaic(
@@ -46,6 +51,54 @@ function writeVolumePage(path: string, alt: string | undefined, out: string | un
   console.log(`${name}: put volume-view.iife.js of the package volume-view next to it, and open it`);
 }
 
+interface SiteValues {
+  readonly as: string;
+  readonly out?: string;
+  readonly moment?: string;
+  readonly fit: string;
+  readonly jobs?: string;
+  readonly timeout: string;
+  readonly 'keep-names': boolean;
+}
+
+async function writeSite(folder: string, values: SiteValues): Promise<void> {
+  const { as, out, fit, moment } = values;
+  if (out === undefined) throw new Misuse('got a folder without --out; expected --out SITE, the folder to write');
+  if (as !== 'mosaic' && as !== 'single-file') throw new Misuse(`got --as ${as}; expected mosaic or single-file`);
+  if (fit !== 'desktop' && fit !== 'phone') throw new Misuse(`got --fit ${fit}; expected phone, or nothing`);
+  const jobs = values.jobs === undefined ? undefined : readCount('jobs', values.jobs);
+  const { prepareFolder } = await import('./prepare-folder.ts');
+  process.exitCode = await prepareFolder(
+    {
+      folder,
+      site: out,
+      options: {
+        as,
+        fit,
+        ...(moment === undefined ? {} : { moment }),
+        keepNames: values['keep-names'],
+        deviceBytes: (shareOfMemory * totalmem()) / (jobs ?? availableParallelism()),
+      },
+      jobs,
+      timeout: readCount('timeout', values.timeout),
+      child: new URL('./child.js', import.meta.url),
+      version,
+    },
+    {
+      line: (object) => console.log(JSON.stringify(object)),
+      say: (text) => console.error(text),
+      progress: (text) => void (process.stderr.isTTY && process.stderr.write(`\r${text}\x1b[K`)),
+    },
+  );
+}
+
+function readCount(name: string, text: string): number {
+  const count = Number(text);
+  if (!Number.isSafeInteger(count) || count < 1)
+    throw new Misuse(`got --${name} ${text}; expected a whole number from 1`);
+  return count;
+}
+
 async function main(): Promise<void> {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
@@ -54,12 +107,22 @@ async function main(): Promise<void> {
       moment: { type: 'string' },
       alt: { type: 'string' },
       out: { type: 'string' },
+      fit: { type: 'string', default: 'desktop' },
+      jobs: { type: 'string' },
+      timeout: { type: 'string', default: '1800' },
+      'keep-names': { type: 'boolean', default: false },
+      deface: { type: 'boolean', default: false },
       help: { type: 'boolean', short: 'h' },
     },
   });
   if (values.help) return console.log(usage);
   const [path] = positionals;
   if (positionals.length !== 1) throw new Misuse(`got ${positionals.length} files; expected one`);
+  if (values.deface)
+    throw new Misuse(
+      'got --deface; expected data without faces: a rendered head shows the face of a person. Programs that remove faces are pydeface, mri_deface and mideface (FreeSurfer), fsl_deface (FSL), quickshear, and afni_refacer_run (AFNI). Run one of them, look at the result, then prepare that',
+    );
+  if (statSync(path).isDirectory()) return writeSite(path, values);
   if (values.as === 'mosaic') return writeMosaic(path, values.moment, values.out);
   if (values.as === 'page') return writeVolumePage(path, values.alt, values.out);
   throw new Misuse(`got --as ${values.as}; expected mosaic or page`);

@@ -21,10 +21,12 @@ import type { Check } from './manifest-checks.ts';
 import { angles, azimuthPair, positive, rangePair, site, sweeps, utcTime } from './manifest-radar.ts';
 import type { ManifestSite, ManifestSweep } from '../base/radar-settings.ts';
 import type { RawLayout } from '../raw/raw-layout.ts';
+import { labels, pixel, prepared, yes } from './manifest-prepared.ts';
+import type { PreparedFields } from './manifest-prepared.ts';
 import { raw } from './manifest-raw.ts';
 
 /** A JSON manifest, checked. Documented by schema/manifest.json; a test compares that with this file. */
-export interface Manifest {
+export interface Manifest extends PreparedFields {
   /** URL of the data, relative to the manifest; if there are scans, the first scan's. Undefined if there are `files`. */
   readonly image?: string;
   /** URLs of a stack, the files of one volume in their order: images, one slice each, or a header and its data. */
@@ -155,6 +157,10 @@ const checks: { readonly [Name in Exclude<keyof Manifest, 'scans'>]: Check<NonNu
   site,
   time: utcTime,
   sweeps,
+  labels,
+  noData: pixel,
+  anatomical: yes,
+  prepared,
 };
 
 /** All fields, each undefined. */

@@ -8,6 +8,7 @@ import type { FormatReader, ReadContext } from '../base/format.ts';
 import { loadReader } from '../base/load-reader.ts';
 import { readManifest } from './manifest.ts';
 import type { Manifest } from './manifest.ts';
+import { applyPrepared } from './manifest-prepared.ts';
 import type { RawLayout } from '../raw/raw-layout.ts';
 import { nameOf } from '../base/name-of.ts';
 
@@ -45,7 +46,8 @@ export const readManifestVolume: FormatReader = async (input, settings, context)
     ? await readRawFiles(manifest.raw, urls, merged, context)
     : await context.decode(await context.fetchFile(urls[0]), manifest.files && urls, merged);
   // The reader of a radar's mosaic has applied slope and intercept already.
-  return describeVolume(volume, isPolar(volume) ? { ...manifest, slope: 1, intercept: 0 } : manifest);
+  const described = describeVolume(volume, isPolar(volume) ? { ...manifest, slope: 1, intercept: 0 } : manifest);
+  return applyPrepared(described, manifest, context.budget);
 };
 
 async function readRawFiles(

@@ -1,0 +1,2 @@
+/** The error for wrong arguments. */
+export class Misuse extends Error {}

@@ -1,0 +1,84 @@
+import { createHash, createHmac } from 'node:crypto';
+import { basename } from 'node:path';
+import { describeFailure, prepareSource } from '../../../src/prepare/prepare-source.ts';
+import type { PreparedVolume } from '../../../src/prepare/prepare-source.ts';
+import { pathOf } from '../../../src/sources/byte-store.ts';
+import type { ByteStore } from '../../../src/sources/byte-store.ts';
+import { formatManifest } from './format-manifest.ts';
+import type { DoneLine, Job, JobResult, Line } from './job.ts';
+import { hideNames, openPlace, WatchedStore } from './open-place.ts';
+import { writeScanPage } from './site-pages.ts';
+import { writeFolder } from './write-folder.ts';
+
+/** Reads a source, and writes a folder for each of its volumes. Never rejects: what fails is a line. */
+export async function runJob({ place, source, site, salt, options }: Job): Promise<JobResult> {
+  const lines: Line[] = [];
+  let content = '';
+  let watched: WatchedStore | null = null;
+  try {
+    watched = new WatchedStore(await openPlace(place));
+    const store = await hideNames(watched, place);
+    const hidden = { ...source, first: store.hide(source.first), files: source.files?.map((url) => store.hide(url)) };
+    let id = '';
+    for await (const one of prepareSource(store, hidden, options)) {
+      content ||= await hashFiles(watched.inner, [...(source.files ?? []), ...watched.wasRead, source.first]);
+      id ||= createHmac('sha256', salt).update(content).digest('hex').slice(0, 16);
+      if ('code' in one) lines.push({ status: 'failed', code: one.code, message: one.message });
+      else
+        lines.push(
+          await writeVolume(one, one.number === 1 ? id : `${id}-${one.number}`, { place, source, site, options }),
+        );
+    }
+  } catch (error) {
+    lines.push({ status: 'failed', ...describeFailure(error) });
+  }
+  return { lines, read: [...(watched?.wasRead ?? [])], content };
+}
+
+async function writeVolume(
+  { png, manifest, report, number }: PreparedVolume,
+  id: string,
+  { source, site, options }: Pick<Job, 'place' | 'source' | 'site' | 'options'>,
+): Promise<DoneLine> {
+  // Names of DICOM files, and of their folders, are never kept.
+  const own = options.keepNames && !source.files ? nameOf(source.first) : `Scan ${id.slice(0, 8)}`;
+  const title = number > 1 ? `${own}, ${number}` : own;
+  const line: DoneLine = { status: 'done', id, title, page: `${id}/index.html`, ...report };
+  const titled = { title, ...manifest };
+  const poster = null;
+  const files: Record<string, Uint8Array | string> = {};
+  if (options.as === 'single-file') {
+    const image = `data:image/png;base64,${Buffer.from(png.buffer, png.byteOffset, png.byteLength).toString('base64')}`;
+    // In a URL only these signs of JSON have another meaning.
+    const json = JSON.stringify({ image, ...titled }).replace(/[%#\s]/g, encodeURIComponent);
+    files['index.html'] = writeScanPage(line, `data:application/json,${json}`, poster !== null);
+  } else {
+    files['volume.png'] = png;
+    files['volume.json'] = formatManifest({ image: 'volume.png', ...titled });
+    files['index.html'] = writeScanPage(line, 'volume.json', poster !== null);
+  }
+  await writeFolder(site, id, files);
+  return line;
+}
+
+const nameOf = (url: string): string => basename(pathOf(url)).slice(0, 200);
+
+/** One number for the bytes of files, in the order of their names. */
+export async function hashFiles(store: ByteStore, urls: readonly string[]): Promise<string> {
+  const hash = createHash('sha256');
+  const sorted = [...new Set(urls)];
+  sorted.sort();
+  for (const url of sorted) {
+    const { size } = await store.stat(url);
+    hash.update(`${size};`);
+    for (let start = 0; start < (size ?? Infinity); start += hashedAtOnce) {
+      const { bytes } = await store.read(url, { range: { start, end: start + hashedAtOnce } });
+      if (bytes.length === 0) break;
+      hash.update(bytes);
+    }
+  }
+  return hash.digest('hex');
+}
+
+/** Bytes. */
+const hashedAtOnce = 2 ** 24;

@@ -1,0 +1,73 @@
+import type { DoneLine } from './job.ts';
+
+const entities: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
+const escape = (text: string): string => text.replace(/[&<>"]/g, (sign) => entities[sign]);
+
+/** The script of the element; it lies next to index.html. */
+export const scriptName = 'volume-view.iife.js';
+
+/** The folder next to it, of which it loads what a page needs. */
+export const partsName = 'classic';
+
+const head = (title: string, more = ''): string => `<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>${escape(title)}</title>
+<style>
+  :root { color-scheme: light dark }
+  body { margin: 1.5rem auto; max-width: 70rem; padding: 0 1rem; font: 1rem/1.5 system-ui, sans-serif }
+  ${more}
+</style>
+`;
+
+/** What an element says of a volume to people who do not see it. */
+export function altOf({ format, dimensions, unit }: Pick<DoneLine, 'format' | 'dimensions' | 'unit'>): string {
+  return `A volume (${format}) of ${dimensions.join(' x ')} ${/radar|polar|ODIM|CfRadial|NEXRAD/i.test(format) ? 'gates, rays and sweeps' : 'voxels'}${unit ? `, values in ${unit}` : ''}`;
+}
+
+/** The page of one volume. @param src - the URL of its manifest, or the manifest itself as a `data:` URL */
+export function writeScanPage(line: Omit<DoneLine, 'page'>, src: string, hasPoster: boolean): string {
+  const { title } = line;
+  const poster = hasPoster ? ' poster="poster.png"' : '';
+  return `${head(title, 'volume-view { width: 100%; height: min(75vh, 44rem) }')}<h1>${escape(title)}</h1>
+<volume-view controls alt="${escape(altOf(line))}" src="${escape(src)}"${poster}></volume-view>
+<p>${escape(describe(line))}</p>
+<p><a href="../index.html">All scans</a></p>
+<script src="../${scriptName}"></script>
+</html>
+`;
+}
+
+/** The page of all volumes. */
+export function writeIndex(lines: readonly (DoneLine & { readonly hasPoster: boolean })[]): string {
+  const cards = lines.map(
+    (
+      line,
+    ) => `  <li><a href="${escape(line.page)}">${line.hasPoster ? `<img src="${line.id}/poster.png" width="512" height="512" loading="lazy" alt="">` : ''}
+    <strong>${escape(line.title)}</strong></a><br>${escape(describe(line))}</li>`,
+  );
+  return `${head(
+    'Scans',
+    `ul { list-style: none; padding: 0; display: grid; grid-template-columns: repeat(auto-fill, minmax(min(15rem, 100%), 1fr)); gap: 1.5rem }
+  li { overflow-wrap: anywhere }
+  img { display: block; width: 100%; height: auto; aspect-ratio: 1; object-fit: contain; background: #0001 }`,
+  )}<h1>${lines.length} ${lines.length === 1 ? 'scan' : 'scans'}</h1>
+<ul>
+${cards.join('\n')}
+</ul>
+</html>
+`;
+}
+
+function describe({ format, dimensions, from, error, unit, time }: Omit<DoneLine, 'page'>): string {
+  const say = (value: number): string => `${Number(value.toPrecision(2))}${unit ? ` ${unit}` : ''}`;
+  const changed =
+    error.changedLabels === undefined
+      ? error.max > 0
+        ? `values within ${say(error.max)} of the file's (root mean square ${say(error.rms)})`
+        : 'values as in the file'
+      : `${(100 * error.changedLabels).toFixed(1)} % of the voxels have the label of a neighbour`;
+  const size = from ? `${from.join(' x ')}, made smaller to ${dimensions.join(' x ')}` : dimensions.join(' x ');
+  return `${format}${time ? `, ${time}` : ''}: ${size}; ${changed}.`;
+}

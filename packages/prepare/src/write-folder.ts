@@ -1,0 +1,51 @@
+import { existsSync } from 'node:fs';
+import { mkdir, mkdtemp, open, readdir, rename, rm } from 'node:fs/promises';
+import { join } from 'node:path';
+
+/** Folders and files that are being written, or are about to be removed, begin with this. */
+const unfinished = '.unfinished-';
+
+/** What of an earlier run was not finished is removed. Call it while no other run writes there. */
+export async function removeUnfinished(site: string): Promise<void> {
+  for (const name of await readdir(site))
+    if (name.startsWith(unfinished)) await rm(join(site, name), { recursive: true, force: true });
+}
+
+/**
+ * Writes a folder as a whole: under another name, then it gets its own. So a reader, or a run that is ended at any moment, never finds a part of it.
+ * @param files - contents by names
+ */
+export async function writeFolder(
+  site: string,
+  name: string,
+  files: Readonly<Record<string, Uint8Array | string>>,
+): Promise<void> {
+  await mkdir(site, { recursive: true });
+  const beside = await mkdtemp(join(site, unfinished));
+  for (const [file, content] of Object.entries(files)) await writeThrough(join(beside, file), content);
+  const target = join(site, name);
+  if (existsSync(target)) {
+    const old = await mkdtemp(join(site, unfinished));
+    await rename(target, join(old, 'old'));
+    await rename(beside, target);
+    await rm(old, { recursive: true, force: true });
+  } else await rename(beside, target);
+}
+
+/** Writes a file as a whole. */
+export async function writeWhole(folder: string, name: string, content: Uint8Array | string): Promise<void> {
+  const beside = join(folder, `${unfinished}${process.pid}-${name}`);
+  await writeThrough(beside, content);
+  await rename(beside, join(folder, name));
+}
+
+/** The bytes are on the disk before the name is: a machine that stops must not leave an empty file. */
+async function writeThrough(path: string, content: Uint8Array | string): Promise<void> {
+  const handle = await open(path, 'w', 0o644);
+  try {
+    await handle.writeFile(content);
+    await handle.sync();
+  } finally {
+    await handle.close();
+  }
+}

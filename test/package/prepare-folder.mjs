@@ -1,0 +1,275 @@
+// `volume-view-prepare FOLDER --out SITE` as a person runs it, on the built program: what is found, what is written, what no file says, and
+// what is left when it is ended at any moment. `--kills 50` ends it more often.
+import assert from 'node:assert/strict';
+import { spawn, spawnSync } from 'node:child_process';
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  statSync,
+  utimesSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { basename, join } from 'node:path';
+import { parseArgs } from 'node:util';
+import { decode } from 'fast-png';
+import { runnerImport } from 'vite';
+import { projectRoot } from '../../scripts/shared-data.mjs';
+import { check, finish } from './checks.mjs';
+
+const { values } = parseArgs({ options: { kills: { type: 'string', default: '15' } } });
+const program = join(projectRoot, 'packages/prepare/dist/volume-view-prepare.js');
+const work = mkdtempSync(join(tmpdir(), 'volume-view-folder-'));
+process.on('exit', () => rmSync(work, { recursive: true, force: true }));
+
+/** @param {string} path */
+const importHelper = async (path) =>
+  (await runnerImport(join(projectRoot, path), { configFile: false, logLevel: 'error', root: projectRoot })).module;
+const { dicomBytes, ctSlice } = await importHelper('test/helpers/dicom-bytes.ts');
+const { zipSync } = await import('fflate');
+
+/** @param {string} name */
+const fixture = (name) => join(projectRoot, 'test/fixtures', name);
+
+/** Words that only the files have. */
+const planted = {
+  PatientName: 'Plantedname^Erika',
+  PatientID: 'PLANTEDID77',
+  PatientBirthDate: '19011231',
+  StudyDate: '20111213',
+  AcquisitionDate: '20111213',
+  InstitutionName: 'Plantedhospital',
+  SeriesDescription: 'Plantedseries',
+  StudyInstanceUID: '1.2.3.98765.1',
+};
+const inPaths = ['Plantedfolder', 'plantedfile'];
+
+/** A folder of a hospital. */
+const folder = join(work, 'in');
+/** @param {string} name @param {Uint8Array | string} bytes */
+function put(name, bytes) {
+  mkdirSync(join(folder, name, '..'), { recursive: true });
+  writeFileSync(join(folder, name), bytes);
+}
+/** @param {string} uid @param {number} count @param {number} base @returns {Uint8Array[]} */
+const series = (uid, count, base) =>
+  Array.from({ length: count }, (_, i) =>
+    dicomBytes(
+      ctSlice(
+        5 * i,
+        { ...planted, SeriesInstanceUID: uid, SOPInstanceUID: `${uid}.${i}`, InstanceNumber: [i + 1] },
+        base + 100 * i,
+      ),
+    ),
+  );
+// One series lies in two folders, another between its files.
+series('1.2.3.98765.10', 6, 100).forEach((bytes, i) =>
+  put(`Plantedfolder/${i % 2 ? 'a' : 'b'}/plantedfile-${i}`, bytes),
+);
+series('1.2.3.98765.11', 4, 900).forEach((bytes, i) => put(`Plantedfolder/a/plantedfile-x${i}.dcm`, bytes));
+put(
+  'Plantedfolder/plantedfile.zip',
+  zipSync(
+    Object.fromEntries(series('1.2.3.98765.12', 3, 500).map((bytes, i) => [`Plantedfolder/plantedfile${i}`, bytes])),
+  ),
+);
+put('Plantedfolder/plantedfile.nii', readFileSync(fixture('nifti/v1-le-i2.nii')));
+put('Plantedfolder/plantedfile-series.nii', readFileSync(fixture('nifti/v1-le-series.nii')));
+put('Plantedfolder/plantedfile-cut.nii', readFileSync(fixture('nifti/v1-le-i2.nii')).subarray(0, 400));
+put('Plantedfolder/plantedfile.txt', 'Plantedname');
+for (const name of ['formats/analyze-le-i2.hdr', 'formats/analyze-le-i2.img', 'radar/odim-2.2.h5']) copyFixture(name);
+/** @param {string} name */
+function copyFixture(name) {
+  copyFileSync(fixture(name), join(folder, 'Plantedfolder', `plantedfile-${basename(name)}`));
+}
+
+/** @param {string} site @param {...string} args */
+function run(site, ...args) {
+  const { status, stdout, stderr } = spawnSync(
+    process.execPath,
+    [program, folder, '--out', site, '--jobs', '2', ...args],
+    {
+      encoding: 'utf8',
+      cwd: work,
+    },
+  );
+  const lines = stdout.split('\n').filter(Boolean);
+  return { status, stderr, stdout, lines: lines.map((line) => JSON.parse(line)) };
+}
+
+/** All files of a site with their times of change. @param {string} site @returns {Map<string, number>} */
+const listSite = (site) =>
+  new Map(
+    readdirSync(site, { recursive: true, encoding: 'utf8' })
+      .filter((name) => statSync(join(site, name)).isFile())
+      .map((name) => [name, statSync(join(site, name)).mtimeMs]),
+  );
+
+const site = join(work, 'site');
+const first = run(site);
+const done = first.lines.filter(({ status }) => status === 'done');
+
+await check('all volumes of a folder are made, a broken one is listed, and the exit status says so', () => {
+  assert.equal(first.status, 2, first.stderr);
+  assert.equal(first.lines.filter(({ status }) => status === 'failed').length, 1, first.stdout);
+  const sizes = done.map(({ dimensions }) => dimensions.join('x'));
+  // The series of 6, 4 and 3 slices, wherever their files are.
+  for (const size of ['4x3x6', '4x3x4', '4x3x3'])
+    assert.equal(sizes.filter((one) => one === size).length, 1, `${size} of ${sizes.join()}`);
+  for (const line of done) {
+    assert.ok(existsSync(join(site, line.page)), line.page);
+    const manifest = JSON.parse(readFileSync(join(site, line.id, 'volume.json'), 'utf8'));
+    const png = decode(readFileSync(join(site, line.id, manifest.image)));
+    const [columns, rows] = manifest.mosaic.split('x').map(Number);
+    assert.ok(png.width % columns === 0 && png.height % rows === 0);
+    assert.equal(png.depth, line.bits);
+  }
+  const values = done.find(({ dimensions }) => dimensions.join('x') === '4x3x6');
+  assert.deepEqual(values.error, { max: 0, rms: 0 });
+  assert.equal(values.unit, 'HU');
+  return `${done.length} volumes`;
+});
+
+await check('a volume has the numbers of its files', () => {
+  const { id } = done.find(({ dimensions }) => dimensions.join('x') === '4x3x6');
+  const manifest = JSON.parse(readFileSync(join(site, id, 'volume.json'), 'utf8'));
+  const png = decode(readFileSync(join(site, id, 'volume.png')));
+  const columns = Number(manifest.mosaic.split('x')[0]);
+  for (let k = 0; k < 6; k++) {
+    for (let i = 0; i < 12; i++) {
+      const at = (Math.floor(k / columns) * 3 + Math.floor(i / 4)) * png.width + (k % columns) * 4 + (i % 4);
+      assert.equal(manifest.slope * png.data[at] + manifest.intercept, 100 + 100 * k + i - 1024);
+    }
+  }
+});
+
+await check('no name, date, number or folder of a file is in the site or in what is printed', () => {
+  const all = [...Object.values(planted), ...inPaths, '1.2.3.98765', 'Erika', work];
+  const texts = [...listSite(site).keys()].map((name) => `${name}\n${readFileSync(join(site, name), 'latin1')}`);
+  // The summary for the person says where the site is.
+  for (const text of [...texts, first.stdout])
+    for (const word of all)
+      assert.ok(!text.toLowerCase().includes(word.toLowerCase()), `${word} is in ${text.slice(0, 200)}`);
+  const table = readFileSync(join(`${site}.private`, 'scans.tsv'), 'utf8');
+  assert.ok(table.includes('plantedfile-cut.nii'), 'the person can find the file that failed');
+});
+
+await check('names of files are kept where a person asks for it, those of DICOM never', () => {
+  const named = run(join(work, 'named'), '--keep-names');
+  const titles = named.lines.filter(({ status }) => status === 'done').map(({ title }) => title);
+  assert.ok(titles.includes('plantedfile.nii'), titles.join());
+  assert.ok(!titles.some((title) => /plantedfile-?\d/.test(title)), titles.join());
+});
+
+await check('a second run writes nothing, and one after a file changed makes that one alone', () => {
+  const before = listSite(site);
+  const second = run(site);
+  assert.deepEqual(listSite(site), before);
+  assert.equal(second.lines.filter(({ status }) => status === 'unchanged').length, done.length);
+  // Another time and the same bytes are no change.
+  utimesSync(join(folder, 'Plantedfolder/plantedfile.nii'), 1e9, 1e9);
+  assert.equal(run(site).lines.filter(({ status }) => status === 'done').length, 0);
+  assert.deepEqual(listSite(site), before);
+  const bytes = readFileSync(fixture('nifti/v1-le-u1.nii'));
+  writeFileSync(join(folder, 'Plantedfolder/plantedfile.nii'), bytes);
+  assert.equal(run(site).lines.filter(({ status }) => status === 'done').length, 1);
+});
+
+await check('pages for the disk hold their data', () => {
+  const single = join(work, 'single');
+  run(single, '--as', 'single-file');
+  for (const name of readdirSync(single).filter((one) => /^[0-9a-f]{16}/.test(one))) {
+    assert.deepEqual(
+      readdirSync(join(single, name)).filter((one) => one.startsWith('volume')),
+      [],
+    );
+    const [, json] =
+      /src="data:application\/json,([^"]*)"/.exec(readFileSync(join(single, name, 'index.html'), 'utf8')) ?? [];
+    const manifest = JSON.parse(decodeURIComponent(json.replaceAll('&quot;', '"').replaceAll('&amp;', '&')));
+    decode(Buffer.from(manifest.image.split(',')[1], 'base64'));
+  }
+});
+
+await check('a small edge makes a large volume smaller, and says what is lost', () => {
+  const large = join(work, 'large');
+  mkdirSync(large);
+  const [n, k] = [300, 128];
+  const header = Buffer.from(
+    `NRRD0004\ntype: uint8\ndimension: 3\nsizes: ${n} ${n} ${k}\nspace: right-anterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,2)\nspace origin: (0,0,0)\nencoding: raw\n\n`,
+  );
+  const data = Buffer.alloc(n * n * k);
+  for (let z = 0; z < k; z++)
+    for (let y = 0; y < n; y++)
+      for (let x = 0; x < n; x++) data[x + n * (y + n * z)] = 100 + 50 * Math.sin(x / 9) + 0.1 * y + 0.3 * z;
+  writeFileSync(join(large, 'large.nrrd'), Buffer.concat([header, data]));
+  const { stdout } = spawnSync(process.execPath, [program, large, '--out', join(work, 'phone'), '--fit', 'phone'], {
+    encoding: 'utf8',
+  });
+  const line = JSON.parse(stdout);
+  assert.deepEqual(line.from, [n, n, k]);
+  // The values change most along the columns: these stay as they are.
+  assert.equal(line.dimensions[0], n, stdout);
+  assert.ok(line.error.max > 0 && line.error.max < 10 && line.error.rms <= line.error.max, stdout);
+  const manifest = JSON.parse(readFileSync(join(work, 'phone', line.id, 'volume.json'), 'utf8'));
+  assert.deepEqual(manifest.prepared.from, [n, n, k]);
+  const [factorY, factorZ] = [n / line.dimensions[1], k / line.dimensions[2]];
+  // The centre of the first voxel is half of a larger voxel less half of a small one from where it was.
+  assert.ok(Math.abs(manifest.indexToWorld[7] - (factorY - 1) / 2) < 1e-9, stdout);
+  assert.ok(Math.abs(manifest.indexToWorld[11] - factorZ + 1) < 1e-9, stdout);
+  return `${line.dimensions.join(' x ')}, rms ${line.error.rms.toFixed(2)}`;
+});
+
+await check(`ended at ${values.kills} moments it leaves no half folder, and the next run goes on`, async () => {
+  const killed = join(work, 'killed');
+  let whole = 0;
+  for (let i = 0; i < Number(values.kills); i++) {
+    const child = spawn(process.execPath, [program, folder, '--out', killed, '--jobs', '2'], { stdio: 'ignore' });
+    await new Promise((resolve) => setTimeout(resolve, 100 + 2400 * Math.random()));
+    child.kill('SIGKILL');
+    await new Promise((resolve) =>
+      child.exitCode === null && child.signalCode === null ? child.once('exit', resolve) : resolve(null),
+    );
+    if (!existsSync(killed)) continue;
+    for (const name of readdirSync(killed)) {
+      if (name.startsWith('.unfinished-') || !statSync(join(killed, name)).isDirectory()) continue;
+      for (const file of ['index.html', 'volume.json', 'volume.png'])
+        assert.ok(existsSync(join(killed, name, file)), name);
+      const manifest = JSON.parse(readFileSync(join(killed, name, 'volume.json'), 'utf8'));
+      decode(readFileSync(join(killed, name, manifest.image)));
+      whole++;
+    }
+    // Some begin anew, so that also the first files of a run are interrupted.
+    if (i % 5 === 4) rmSync(killed, { recursive: true, force: true });
+  }
+  const last = run(killed);
+  assert.equal(last.status, 2, last.stderr);
+  assert.equal(last.lines.filter(({ status }) => status !== 'failed').length, done.length);
+  assert.deepEqual(
+    readdirSync(killed).filter((name) => name.startsWith('.')),
+    [],
+  );
+  assert.ok(whole > 0, 'no run came as far as to write something');
+  return `${whole} whole folders seen`;
+});
+
+await check('what can not be done is said in words', () => {
+  for (const [args, words] of /** @type {[string[], RegExp][]} */ ([
+    [[folder], /--out/],
+    [[folder, '--out', site, '--as', 'video'], /expected mosaic or single-file/],
+    [[folder, '--out', site, '--fit', 'watch'], /expected phone/],
+    [[folder, '--out', site, '--jobs', '0'], /whole number from 1/],
+    [[folder, '--out', site, '--deface'], /pydeface.*mri_deface/],
+    [[join(work, 'nothing'), '--out', site], /nothing/],
+  ])) {
+    const { status, stderr } = spawnSync(process.execPath, [program, ...args], { encoding: 'utf8' });
+    assert.equal(status, 1, args.join(' '));
+    assert.match(stderr, words);
+  }
+});
+
+finish();
