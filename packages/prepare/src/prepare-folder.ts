@@ -2,7 +2,6 @@ import { existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { createRequire } from 'node:module';
 import { dirname, join, resolve } from 'node:path';
-import { copyFile, cp } from 'node:fs/promises';
 import { ChildPool } from './child-pool.ts';
 import { findJobs, stampAll } from './find-jobs.ts';
 import type { FolderSource } from './find-jobs.ts';
@@ -13,7 +12,7 @@ import { PrivateState } from './private-state.ts';
 import type { KnownSource } from './private-state.ts';
 import { hashFiles } from './run-job.ts';
 import { partsName, scriptName, writeIndex } from './site-pages.ts';
-import { removeUnfinished, writeWhole } from './write-folder.ts';
+import { copyFolder, removeUnfinished, writeWhole } from './write-folder.ts';
 
 /** What the command is asked to do. */
 export interface FolderRequest {
@@ -138,14 +137,26 @@ class FolderWork {
     const index = join(site, 'index.html');
     if (!existsSync(index) || readFileSync(index, 'utf8') !== page) await writeWhole(site, 'index.html', page);
     await writeWhole(state.folder, 'scans.tsv', this.#table.map((row) => `${row}\n`).join(''));
+    await this.#copyScript();
+  }
+
+  /** The element's script and its parts, where the package is installed, and again after it became another version. */
+  async #copyScript(): Promise<void> {
+    const { site, output } = this.at;
     const script = findScript();
-    if (existsSync(join(site, scriptName))) return;
-    if (!script)
-      return this.at.output.say(
-        `the pages need ${scriptName} and the folder ${partsName}: copy both from the folder dist of the package volume-view into ${site}`,
-      );
-    await cp(join(dirname(script), partsName), join(site, partsName), { recursive: true });
-    await copyFile(script, join(site, scriptName));
+    const target = join(site, scriptName);
+    if (!script) {
+      if (!existsSync(target))
+        output.say(
+          `the pages need ${scriptName} and the folder ${partsName}: copy both from the folder dist of the package volume-view into ${site}`,
+        );
+      return;
+    }
+    const bytes = readFileSync(script);
+    if (existsSync(target) && readFileSync(target).equals(bytes)) return;
+    await copyFolder(join(dirname(script), partsName), site, partsName);
+    // Last, because where it is, its parts are there too.
+    await writeWhole(site, scriptName, bytes);
   }
 
   async #run(one: FolderSource): Promise<void> {

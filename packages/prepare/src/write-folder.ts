@@ -1,5 +1,5 @@
 import { existsSync } from 'node:fs';
-import { mkdir, mkdtemp, open, readdir, rename, rm } from 'node:fs/promises';
+import { chmod, cp, mkdir, mkdtemp, open, readdir, rename, rm } from 'node:fs/promises';
 import { join } from 'node:path';
 
 /** Folders and files that are being written, or are about to be removed, begin with this. */
@@ -23,13 +23,35 @@ export async function writeFolder(
   await mkdir(site, { recursive: true });
   const beside = await mkdtemp(join(site, unfinished));
   for (const [file, content] of Object.entries(files)) await writeThrough(join(beside, file), content);
+  await giveName(site, beside, name);
+}
+
+/** Copies a folder as a whole. */
+export async function copyFolder(from: string, site: string, name: string): Promise<void> {
+  const beside = await mkdtemp(join(site, unfinished));
+  await cp(from, beside, { recursive: true });
+  await giveName(site, beside, name);
+}
+
+/** How often it is tried where another process gives a folder the same name: two files may have the same bytes. */
+const tries = 5;
+
+async function giveName(site: string, beside: string, name: string): Promise<void> {
   const target = join(site, name);
-  if (existsSync(target)) {
-    const old = await mkdtemp(join(site, unfinished));
-    await rename(target, join(old, 'old'));
-    await rename(beside, target);
-    await rm(old, { recursive: true, force: true });
-  } else await rename(beside, target);
+  // A folder of mkdtemp is its owner's alone, and a web server is another user.
+  await chmod(beside, 0o755);
+  for (let left = tries; ; left--) {
+    const old = existsSync(target) ? await mkdtemp(join(site, unfinished)) : null;
+    try {
+      if (old) await rename(target, join(old, 'old'));
+      await rename(beside, target);
+      return;
+    } catch (cause) {
+      if (left <= 1) throw cause;
+    } finally {
+      if (old) await rm(old, { recursive: true, force: true });
+    }
+  }
 }
 
 /** Writes a file as a whole. */
