@@ -29,11 +29,12 @@ export function readColors(
 ): Colors | null {
   if (photometric === 'PALETTE COLOR') return samples === 1 ? readPalette(set) : null;
   const isJ2k = packing === 'JPEG 2000' || packing === 'HTJ2K';
-  if (samples !== 3 || !(isJ2k || packing === 'none' || packing === 'RLE')) return null;
-  const isPlanar = set.number(tags.planar) === 1 && !isJ2k;
+  const isJpeg = packing === 'JPEG';
+  if (samples !== 3 || !(isJ2k || isJpeg || packing === 'none' || packing === 'RLE')) return null;
+  const isPlanar = set.number(tags.planar) === 1 && !isJ2k && !isJpeg;
   // The library for JPEG 2000 turns these two back.
   if (photometric === 'RGB' || (isJ2k && /^YBR_(RCT|ICT)$/.test(photometric))) return { kind: 'RGB', isPlanar };
-  if (photometric === 'YBR_FULL') return { kind: 'YBR', isPlanar };
+  if (photometric === 'YBR_FULL' || (isJpeg && /^YBR_FULL_42[02]$/.test(photometric))) return { kind: 'YBR', isPlanar };
   return photometric === 'YBR_FULL_422' && packing === 'none' ? { kind: 'YBR pairs' } : null;
 }
 

@@ -7,7 +7,7 @@ import type { UnpackJ2k } from '../codecs/openjpeg.ts';
 import type { Picture, StoredType } from './picture.ts';
 import { unpackRle } from './rle.ts';
 import { unpackJ2k } from './unpack-j2k.ts';
-import { unpackJpeg } from './unpack-jpeg.ts';
+import { unpackJpeg, unpackJpegColors } from './unpack-jpeg.ts';
 
 export type FrameNumbers =
   | Uint8Array
@@ -90,7 +90,8 @@ export function decodeFrame(
 ): FrameNumbers {
   const { type, pixels, bitsAllocated, syntax, what, colors } = picture;
   const size = frameBytes(picture);
-  const taken = (isJ2k(picture) ? 16 : 3) * size; // The frame, and what unpacking it takes.
+  // The frame, and what unpacking it takes.
+  const taken = (isJ2k(picture) ? 16 : syntax.packing === 'JPEG' ? 6 : 3) * size;
   budget.take(taken, what);
   const bytes = new Uint8Array(size);
   const packed = pixels.bytes ? pixels.bytes.subarray(frame * size, (frame + 1) * size) : joinFragments(picture, frame);
@@ -100,8 +101,9 @@ export function decodeFrame(
     if (syntax.packing === 'none') copyNumbers(packed, bytes, picture);
     else if (isRle) unpackRle(packed, bytes, samplesPerPixel(colors), what);
     else if (library) bytes.set(unpackJ2k(packed, picture, library));
+    const isRgb = syntax.packing === 'JPEG' ? unpackJpegColors(packed, picture, bytes, what) : null;
     // Runs are those of one colour after the other, and the unpacker puts the first one last.
-    writeLuma(bytes, colors, gray, isRle);
+    writeLuma(bytes, isRgb === null ? colors : { kind: isRgb ? 'RGB' : 'YBR', isPlanar: false }, gray, isRle);
     budget.giveBack(taken);
     return gray;
   }

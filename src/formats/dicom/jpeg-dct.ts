@@ -17,35 +17,107 @@ const cosines = Float64Array.from({ length: 64 }, (_, i) => {
   return (u === 0 ? Math.SQRT1_2 : 1) * 0.5 * Math.cos(((2 * x + 1) * u * Math.PI) / 16);
 });
 
-/** @param numbers - of the whole frame, to be written */
+/** The numbers of one colour, in whole blocks. */
+interface Plane {
+  readonly numbers: Uint16Array;
+  /** Numbers of a row. */
+  readonly width: number;
+}
+
+/** @param numbers - of a whole frame in gray, to be written */
 export function unpackDct(parts: JpegParts, numbers: Uint16Array): void {
-  const { rows, columns, first, others, factors, precision, restart, what } = parts;
-  if (!first || !others || !factors || (precision !== 8 && precision !== 12))
-    throw corruptFile(
-      what,
-      'has packed pixels (JPEG) without tables, or of other than 8 and 12 bits; copy the file again',
-    );
+  const { rows, columns } = parts;
+  const [{ numbers: all, width }] = unpackPlanes(parts);
+  for (let y = 0; y < rows; y++) numbers.set(all.subarray(y * width, y * width + columns), y * columns);
+}
+
+/** @param numbers - of a whole frame, to be written: three for each pixel */
+export function unpackColors(parts: JpegParts, numbers: Uint8Array): void {
+  const { rows, columns, components } = parts;
+  const [maxAcross, maxDown] = [
+    Math.max(...components.map(({ across }) => across)),
+    Math.max(...components.map(({ down }) => down)),
+  ];
+  unpackPlanes(parts).forEach((plane, i) => {
+    const { across, down } = components[i];
+    const times = [maxAcross / across, maxDown / down] as const;
+    const size = [Math.ceil((columns * across) / maxAcross), Math.ceil((rows * down) / maxDown)] as const;
+    const at = makeReader(plane, size, times);
+    for (let y = 0, to = i; y < rows; y++) for (let x = 0; x < columns; x++, to += 3) numbers[to] = at(x, y);
+  });
+}
+
+/**
+ * A number for each pixel, of a colour that has one for each 1, 2 or more pixels. Where it is one for 2, the nearest one counts three
+ * times and its neighbour once, as in libjpeg.
+ * @param size - of the plane, without what fills its last blocks
+ */
+function makeReader(
+  { numbers, width }: Plane,
+  [columns, rows]: readonly [number, number],
+  [across, down]: readonly [number, number],
+): (x: number, y: number) => number {
+  const get = (x: number, y: number): number =>
+    numbers[Math.max(0, Math.min(rows - 1, y)) * width + Math.max(0, Math.min(columns - 1, x))];
+  if (across !== 2 || down > 2) return (x, y) => get(Math.floor(x / across), Math.floor(y / down));
+  if (down !== 2)
+    return (x, y) => {
+      const [i, j, next] = [x >> 1, Math.floor(y / down), x & 1 ? 1 : -1];
+      if (i + next < 0 || i + next >= columns) return get(i, j);
+      return (3 * get(i, j) + get(i + next, j) + (x & 1 ? 2 : 1)) >> 2;
+    };
+  return (x, y) => {
+    const [i, j, nextX, nextY] = [x >> 1, y >> 1, x & 1 ? 1 : -1, y & 1 ? 1 : -1];
+    const sum = (column: number): number => 3 * get(column, j) + get(column, j + nextY);
+    return (3 * sum(i) + sum(i + nextX) + (x & 1 ? 7 : 8)) >> 4;
+  };
+}
+
+/** Unpacks all blocks. Those of several colours alternate, piece by piece; those of one follow each other. */
+function unpackPlanes(parts: JpegParts): Plane[] {
+  const { rows, columns, components, precision, restart, what } = parts;
+  const damaged = (): Error =>
+    corruptFile(what, 'has packed pixels (JPEG) without tables, or of other than 8 and 12 bits; copy the file again');
+  if (precision !== 8 && precision !== 12) throw damaged();
+  const isOne = components.length === 1;
+  const shapes = components.map(({ first, others, factors, across, down }) => {
+    if (!first || !others || !factors || ![1, 2, 3, 4].includes(across) || ![1, 2, 3, 4].includes(down))
+      throw damaged();
+    return { first, others, factors, across: isOne ? 1 : across, down: isOne ? 1 : down };
+  });
+  const pieceColumns = 8 * Math.max(...shapes.map(({ across }) => across));
+  const pieceRows = 8 * Math.max(...shapes.map(({ down }) => down));
+  const [piecesAcross, piecesDown] = [Math.ceil(columns / pieceColumns), Math.ceil(rows / pieceRows)];
+  const planes = shapes.map(({ across, down }) => {
+    const width = 8 * across * piecesAcross;
+    return { width, numbers: new Uint16Array(width * 8 * down * piecesDown) };
+  });
   const bits = new JpegBits(parts.bytes, parts.start, what);
   const coefficients = new Float64Array(64);
   const middle = 2 ** (precision - 1);
-  const across = Math.ceil(columns / 8);
-  const blocks = across * Math.ceil(rows / 8);
-  let mean = 0;
-  for (let block = 0; block < blocks; block++) {
-    if (restart > 0 && block > 0 && block % restart === 0) {
+  const means = shapes.map(() => 0);
+  for (let piece = 0; piece < piecesAcross * piecesDown; piece++) {
+    if (restart > 0 && piece > 0 && piece % restart === 0) {
       bits.restart();
-      mean = 0;
+      means.fill(0);
     }
-    mean = readBlock(bits, { first, others, factors, mean }, coefficients);
-    bits.check();
-    const pixels = sumCosines(coefficients);
-    const [left, top] = [8 * (block % across), 8 * Math.floor(block / across)];
-    for (let y = 0; y < 8 && top + y < rows; y++) {
-      for (let x = 0; x < 8 && left + x < columns; x++) {
-        const value = Math.round(pixels[8 * y + x] + middle);
-        numbers[(top + y) * columns + left + x] = Math.max(0, Math.min(2 * middle - 1, value));
+    const [left, top] = [piece % piecesAcross, Math.floor(piece / piecesAcross)];
+    shapes.forEach(({ across, down, ...tables }, i) => {
+      for (let block = 0; block < across * down; block++) {
+        means[i] = readBlock(bits, { ...tables, mean: means[i] }, coefficients);
+        const [x, y] = [left * across + (block % across), top * down + Math.floor(block / across)];
+        writeBlock(sumCosines(coefficients), middle, planes[i], 8 * (y * planes[i].width + x));
       }
-    }
+    });
+    bits.check();
+  }
+  return planes;
+}
+
+function writeBlock(pixels: Float64Array, middle: number, { numbers, width }: Plane, start: number): void {
+  for (let i = 0; i < 64; i++) {
+    const value = Math.round(pixels[i] + middle);
+    numbers[start + (i >> 3) * width + (i & 7)] = Math.max(0, Math.min(2 * middle - 1, value));
   }
 }
 

@@ -5,7 +5,8 @@ import type { JpegParts } from './jpeg-parts.ts';
 
 /** @param numbers - of the whole frame, to be written */
 export function unpackLossless(parts: JpegParts, numbers: Uint16Array): void {
-  const { rows, columns, first: table, precision, restart, what } = parts;
+  const { rows, columns, precision, restart, what } = parts;
+  const [{ first: table }] = parts.components;
   const [predictor, , low] = parts.selected;
   const shift = low & 15;
   if (!table || !(predictor >= 1 && predictor <= 7) || shift >= precision || restart % columns !== 0)

@@ -3,7 +3,19 @@ import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { makeHuffmanTable } from './jpeg-huffman.ts';
 import type { HuffmanTable } from './jpeg-huffman.ts';
 
-/** A stream of one component. */
+/** One of the colours of a stream, or its gray. */
+export interface JpegComponent {
+  /** How many blocks of it a piece of the picture has, across and down. */
+  readonly across: number;
+  readonly down: number;
+  /** The tables that the scan uses; null where it uses none. */
+  readonly first: HuffmanTable | null;
+  readonly others: HuffmanTable | null;
+  /** Factors of the 64 coefficients, in their order in the stream. */
+  readonly factors: Uint16Array | null;
+}
+
+/** A stream of one scan. */
 export interface JpegParts {
   readonly bytes: Uint8Array;
   /** Where the packed pixels begin. */
@@ -13,11 +25,10 @@ export interface JpegParts {
   readonly precision: number;
   readonly rows: number;
   readonly columns: number;
-  /** The tables that the scan uses; null where it uses none. */
-  readonly first: HuffmanTable | null;
-  readonly others: HuffmanTable | null;
-  /** Factors of the 64 coefficients, in their order in the stream. */
-  readonly factors: Uint16Array | null;
+  /** One; of JPEG with loss, also three. */
+  readonly components: readonly JpegComponent[];
+  /** Whether a program of Adobe says that the three are red, green and blue (true), or not (false); else null. */
+  readonly isRgb: boolean | null;
   /** Numbers, or blocks, after which the coder starts again; 0 for never. */
   readonly restart: number;
   /** Three numbers of the scan: a predictor or the limit of errors, then what depends on the coding. */
@@ -41,8 +52,8 @@ export function readJpegParts(bytes: Uint8Array, what: string): JpegParts {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const tables: HuffmanTable[] = [];
   const factors: Uint16Array[] = [];
-  let frame: (Pick<JpegParts, 'coding' | 'precision' | 'rows' | 'columns'> & { readonly factors: number }) | null =
-    null;
+  let frame: Frame | null = null;
+  let isRgb: boolean | null = null;
   let restart = 0;
   let presets: readonly number[] = [0, 0, 0, 0, 0];
   if (bytes.length < 4 || view.getUint16(0) !== 0xffd8) throw damaged();
@@ -59,15 +70,13 @@ export function readJpegParts(bytes: Uint8Array, what: string): JpegParts {
     const part = bytes.subarray(from, end);
     if (marker in codings) {
       if (part.length < 9 || frame) throw damaged();
-      if (part[5] !== 1)
-        throw unsupportedFile(what, `has packed pixels (JPEG) of ${part[5]} numbers each; expected gray values`);
-      frame = {
-        coding: codings[marker],
-        precision: part[0],
-        rows: view.getUint16(from + 1),
-        columns: view.getUint16(from + 3),
-        factors: part[8],
-      };
+      frame = readFrame(part, codings[marker]);
+      const { coding, listed } = frame;
+      if (listed.length !== 1 && !(listed.length === 3 && coding === 'DCT'))
+        throw unsupportedFile(
+          what,
+          `has packed pixels (${coding === 'LS' ? 'JPEG-LS' : coding === 'lossless' ? 'lossless JPEG' : 'JPEG'}) of ${listed.length} numbers each; expected gray values${coding === 'DCT' ? ', or three colours' : ''}`,
+        );
     } else if (marker === 0xc4) readHuffmanTables(part, tables, damaged);
     else if (marker >= 0xc0 && marker <= 0xcf && marker !== 0xc8) {
       throw unsupportedFile(
@@ -76,29 +85,64 @@ export function readJpegParts(bytes: Uint8Array, what: string): JpegParts {
       );
     } else if (marker === 0xdb) readFactors(part, factors, damaged);
     else if (marker === 0xdd && part.length >= 2) restart = view.getUint16(from);
+    else if (marker === 0xee && part.length >= 12 && String.fromCharCode(...part.subarray(0, 5)) === 'Adobe')
+      isRgb = part[11] === 0;
     else if (marker === 0xf8) {
       if (part[0] !== 1 || part.length < 11)
         throw unsupportedFile(what, 'is packed with JPEG-LS with tables; unpack it: gdcmconv --raw in.dcm out.dcm');
       presets = [0, 1, 2, 3, 4].map((i) => view.getUint16(from + 1 + 2 * i));
     } else if (marker === 0xda) {
-      if (!frame || part.length < 6 || part[0] !== 1) throw damaged();
-      const { factors: used, ...rest } = frame;
+      const count = part[0];
+      if (!frame || part.length < 4 + 2 * count || count < 1 || count > frame.listed.length) throw damaged();
+      if (count < frame.listed.length)
+        throw unsupportedFile(what, 'is packed with JPEG colour by colour; unpack it: dcmdjpeg in.dcm out.dcm');
+      const { listed, ...rest } = frame;
       if (!(rest.precision >= 2 && rest.precision <= 16)) throw damaged();
       return {
         ...rest,
         bytes,
         start: end,
-        first: tables[part[2] >> 4] ?? null,
-        others: tables[4 + (part[2] & 15)] ?? null,
-        factors: factors[used] ?? null,
+        components: listed.map(({ across, down, factors: used }, i) => ({
+          across,
+          down,
+          first: tables[part[2 + 2 * i] >> 4] ?? null,
+          others: tables[4 + (part[2 + 2 * i] & 15)] ?? null,
+          factors: factors[used] ?? null,
+        })),
+        isRgb: isRgb ?? (listed.map(({ id }) => String.fromCharCode(id)).join('') === 'RGB' ? true : null),
         restart,
-        selected: [part[3], part[4], part[5]],
+        selected: [part[1 + 2 * count], part[2 + 2 * count], part[3 + 2 * count]],
         presets,
         what,
       };
     }
   }
   throw damaged();
+}
+
+interface Frame extends Pick<JpegParts, 'coding' | 'precision' | 'rows' | 'columns'> {
+  readonly listed: readonly (Pick<JpegComponent, 'across' | 'down'> & {
+    readonly id: number;
+    /** Which list of factors it has. */
+    readonly factors: number;
+  })[];
+}
+
+/** @param part - 9 bytes or more */
+function readFrame(part: Uint8Array, coding: JpegParts['coding']): Frame {
+  const count = Math.min(part[5], Math.floor((part.length - 6) / 3));
+  return {
+    coding,
+    precision: part[0],
+    rows: part[1] * 256 + part[2],
+    columns: part[3] * 256 + part[4],
+    listed: Array.from({ length: count }, (_, i) => ({
+      id: part[6 + 3 * i],
+      across: part[7 + 3 * i] >> 4,
+      down: part[7 + 3 * i] & 15,
+      factors: part[8 + 3 * i],
+    })),
+  };
 }
 
 function readHuffmanTables(part: Uint8Array, tables: HuffmanTable[], damaged: () => Error): void {

@@ -64,7 +64,7 @@ export function readPicture({ set, pixels, syntax }: DicomFile, what: string): P
   if (!isGray && (!colors || (bits !== 8 && colors.kind !== 'palette')))
     throw unsupportedFile(
       what,
-      `is in colours (${/^(RGB|PALETTE COLOR|YBR_[A-Z]{1,7}(_42[02])?)$/.test(photometric) ? photometric : `${say(samples)} numbers per pixel`}) in a form that is not read; expected gray values, or colours of 8 bits that are not packed with JPEG. Unpack it: dcmdjpeg in.dcm out.dcm`,
+      `is in colours (${/^(RGB|PALETTE COLOR|YBR_[A-Z]{1,7}(_42[02])?)$/.test(photometric) ? photometric : `${say(samples)} numbers per pixel`}) in a form that is not read; expected gray values, or colours of 8 bits that are not packed with lossless JPEG or JPEG-LS. Unpack it: dcmdjpeg in.dcm out.dcm`,
     );
   const numbers = readNumbers(set, pixels, what);
   return {

@@ -1,8 +1,9 @@
 import { corruptFile } from '../base/file-problem.ts';
-import { unpackDct } from './jpeg-dct.ts';
+import { unpackColors, unpackDct } from './jpeg-dct.ts';
 import { unpackLossless } from './jpeg-lossless.ts';
 import { unpackLs } from './jpeg-ls.ts';
 import { readJpegParts } from './jpeg-parts.ts';
+import type { JpegParts } from './jpeg-parts.ts';
 
 const unpackers = { DCT: unpackDct, lossless: unpackLossless, LS: unpackLs } as const;
 
@@ -17,14 +18,39 @@ interface FrameSize {
  * Unpacks a frame of JPEG (8 and 12 bits), lossless JPEG or JPEG-LS: which of them it is, the stream itself says.
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  */
-export function unpackJpeg(packed: Uint8Array, { columns, rows, bitsAllocated }: FrameSize, what: string): Uint16Array {
-  const parts = readJpegParts(packed, what);
-  if (parts.columns !== columns || parts.rows !== rows || parts.precision > bitsAllocated)
-    throw corruptFile(
-      what,
-      `has packed pixels of ${parts.columns} x ${parts.rows} with ${parts.precision} bits; expected ${columns} x ${rows} with at most ${bitsAllocated}`,
-    );
-  const numbers = new Uint16Array(columns * rows);
+export function unpackJpeg(packed: Uint8Array, size: FrameSize, what: string): Uint16Array {
+  const parts = readFrameParts(packed, size, what);
+  if (parts.components.length !== 1)
+    throw corruptFile(what, `has packed pixels (JPEG) of ${parts.components.length} numbers each; expected 1`);
+  const numbers = new Uint16Array(size.columns * size.rows);
   unpackers[parts.coding](parts, numbers);
   return numbers;
+}
+
+/**
+ * Unpacks a frame of JPEG in three colours of 8 bits.
+ * @param numbers - to be written: three for each pixel
+ * @returns whether the stream says that they are red, green and blue, or that they are not; null if it does not say it
+ * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
+ */
+export function unpackJpegColors(
+  packed: Uint8Array,
+  size: FrameSize,
+  numbers: Uint8Array,
+  what: string,
+): boolean | null {
+  const parts = readFrameParts(packed, size, what);
+  if (parts.components.length !== 3)
+    throw corruptFile(what, `has packed pixels (JPEG) of ${parts.components.length} numbers each; expected 3`);
+  unpackColors(parts, numbers);
+  return parts.isRgb;
+}
+
+function readFrameParts(packed: Uint8Array, { columns, rows, bitsAllocated }: FrameSize, what: string): JpegParts {
+  const parts = readJpegParts(packed, what);
+  if (parts.columns === columns && parts.rows === rows && parts.precision <= bitsAllocated) return parts;
+  throw corruptFile(
+    what,
+    `has packed pixels of ${parts.columns} x ${parts.rows} with ${parts.precision} bits; expected ${columns} x ${rows} with at most ${bitsAllocated}`,
+  );
 }

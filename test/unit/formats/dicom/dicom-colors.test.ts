@@ -3,6 +3,7 @@ import { ctSlice, dicomBytes, packRle, pixelFields, syntaxes } from '../../../he
 import type { DicomFields, DicomForm } from '../../../helpers/dicom-bytes.ts';
 import { decodeFields, decodeSeries } from '../../../helpers/dicom-series.ts';
 import { expectError, valuesOf } from '../../../helpers/decode.ts';
+import { jpegColorStreams } from '../../../helpers/jpeg-color-streams.ts';
 
 /** 4 x 3 pixels of three colours. */
 const rgb = Uint8Array.from([
@@ -101,6 +102,50 @@ describe('DICOM in colours', () => {
     });
   }
 
+  const decodeJpeg = (
+    { photometric, stream }: Pick<(typeof jpegColorStreams)[number], 'photometric' | 'stream'>,
+    change: (bytes: Uint8Array<ArrayBuffer>) => Uint8Array<ArrayBuffer> = (bytes) => bytes,
+  ): ReturnType<typeof decodeFields> => {
+    const bytes = change(Uint8Array.from(atob(stream), (sign) => sign.charCodeAt(0)));
+    const fields = inColors(photometric, new Uint8Array(), { Rows: [21], Columns: [26] });
+    return decodeFields([fields], { syntax: '1.2.840.10008.1.2.4.50', fragments: [bytes] });
+  };
+
+  for (const one of jpegColorStreams)
+    it(`packed with JPEG, ${one.name}, are shown by their brightness, as pydicom reads them`, async () => {
+      const volume = await decodeJpeg(one);
+      const apart = valuesOf(volume).map((value, i) => Math.abs(value - one.values[i]));
+      // Decoders may round the sum of cosines of each of three numbers up or down: pydicom's own two decoders are up to 2 apart.
+      expect(Math.max(...apart)).to.be.at.most(2);
+      expect(apart.reduce((sum, value) => sum + value, 0) / apart.length).to.be.below(0.25);
+      expect(volume.left).to.deep.equal([
+        'the colours of the pictures: their brightness is shown (luma, Rec. ITU-R BT.709)',
+      ]);
+    });
+
+  it('packed with JPEG that are damaged give a volume or an error in words', async () => {
+    let errors = 0;
+    for (const one of jpegColorStreams) {
+      for (let at = 2; at < 900; at += 23) {
+        for (const change of [
+          (bytes: Uint8Array<ArrayBuffer>) => bytes.slice(0, at),
+          (bytes: Uint8Array<ArrayBuffer>) => bytes.map((byte, i) => (i === at ? byte ^ 0x55 : byte)),
+        ]) {
+          const error = await decodeJpeg(one, change).then(
+            () => null,
+            (thrown: unknown) => thrown,
+          );
+          if (error === null) continue;
+          errors++;
+          expect(error)
+            .to.have.property('code')
+            .that.matches(/^format\/(corrupt|unsupported|too-large)$/);
+        }
+      }
+    }
+    expect(errors).to.be.above(100);
+  });
+
   it('YBR_FULL_422 has the colours of two pixels once', async () => {
     const volume = await decodeFields([inColors('YBR_FULL_422', pairs)]);
     // The first of two has the same three numbers as in YBR_FULL.
@@ -119,7 +164,7 @@ describe('DICOM in colours', () => {
   });
 
   for (const [what, fields, form] of [
-    ['packed with JPEG', inColors('YBR_FULL_422', rgb), { syntax: '1.2.840.10008.1.2.4.50', fragments: [rgb] }],
+    ['packed with JPEG-LS', inColors('RGB', rgb), { syntax: '1.2.840.10008.1.2.4.80', fragments: [rgb] }],
     ['of pairs in runs', inColors('YBR_FULL_422', pairs), { syntax: syntaxes.rle, fragments: [packColors(rgb)] }],
     ['of 16 bits', inColors('RGB', new Uint8Array(72), { BitsAllocated: [16], BitsStored: [16], HighBit: [15] }), {}],
     ['in another form', inColors('CMYK', rgb), {}],
