@@ -24,7 +24,7 @@ export interface RowStyle {
 }
 
 /** Digits of a value: enough for all values of 16 bits. */
-const valueDigits = 6;
+export const valueDigits = 6;
 
 /**
  * All facts about a place, in words. A volume has the same rows at every place.

@@ -1,12 +1,25 @@
 import { placeInElement } from '../../src/page/pointer-place.ts';
 import { clicksOn, isOnPicture } from '../../src/viewer/picking/pick-clicks.ts';
 import { projectPlace } from '../../src/viewer/camera/project-place.ts';
+import type { ScansOfView } from '../../src/viewer/model/scans-of-view.ts';
+import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
+import type { Viewer } from '../../src/viewer/view/viewer.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { Marker } from './volume-readout-marker.ts';
 import type { VolumeView } from '../volume-view/volume-view.ts';
 
 type Place = readonly [x: number, y: number];
+
+/** The place that was clicked last. */
+interface KeptPlace {
+  readonly world: Vector3;
+  /** The pick at that place now. */
+  readonly pick: VolumePick | null;
+  /** What was found there first, and in which scans: of the others, it is the same place. */
+  readonly first: VolumePick;
+  readonly scans: ScansOfView | null;
+}
 
 /** After these events the same place may have another value. */
 const changes = ['load', 'optics-change', 'time-change'];
@@ -21,8 +34,7 @@ export class ReadoutPointer {
   readonly #release: () => void;
   #mouse: Place | null = null;
   #crosshair: Place | null = null;
-  /** The place that was clicked last, and the result of the pick there. */
-  #kept: { readonly world: Vector3; readonly pick: VolumePick | null } | null = null;
+  #kept: KeptPlace | null = null;
   /** Number of picks at the kept place: only the result of the last one is used. */
   #asked = 0;
   #frame = 0;
@@ -58,6 +70,11 @@ export class ReadoutPointer {
     this.#release();
     this.#marker.remove();
     cancelAnimationFrame(this.#frame);
+  }
+
+  /** What was found at the place that was clicked last; null where there is none, or it belongs to scans that are gone. */
+  get kept(): VolumePick | null {
+    return this.#kept && this.#kept.scans === this.#scans ? this.#kept.first : null;
   }
 
   get hasCrosshair(): boolean {
@@ -100,21 +117,37 @@ export class ReadoutPointer {
 
   #keep(pick: VolumePick | null): void {
     this.#asked++; // A pick that is still running belongs to an older place.
-    this.#kept = pick && { world: pick.world, pick };
+    this.#kept = pick && { world: pick.world, pick, first: pick, scans: this.#scans };
     this.#request();
+  }
+
+  get #scans(): ScansOfView | null {
+    return socketOf(this.view).view?.user.loader?.scans ?? null;
   }
 
   #lookAgain(): void {
+    const kept = this.#kept;
     const place = this.#keptPlace();
-    if (place) void this.#pickAgain(place);
+    // From one scan to the next it is the place in the volume that is kept, whatever is seen before it.
+    if (kept?.scans && kept.scans === this.#scans) void this.#pickAgain(() => this.#pickInScan(kept.world), kept);
+    else if (place) void this.#pickAgain(() => this.view.pick(...place), null);
     this.#request();
   }
 
-  async #pickAgain(place: Place): Promise<void> {
+  async #pickInScan(world: Vector3): Promise<VolumePick | null> {
+    const { pickPlace } = await import('../../src/viewer/picking/pick.ts');
+    return pickPlace((socketOf(this.view).view?.viewer as Viewer | null | undefined) ?? null, world);
+  }
+
+  /** @param same - the place, where the answer is about no other */
+  async #pickAgain(look: () => Promise<VolumePick | null>, same: KeptPlace | null): Promise<void> {
     const asked = ++this.#asked;
-    const pick = await this.view.pick(...place).catch(() => null);
-    if (asked !== this.#asked || !this.#kept || this.#abort.signal.aborted) return;
-    this.#kept = { world: pick?.world ?? this.#kept.world, pick };
+    const pick = await look().catch(() => null);
+    const kept = same ?? this.#kept;
+    if (asked !== this.#asked || !kept || this.#abort.signal.aborted) return;
+    this.#kept = same
+      ? { ...same, pick }
+      : { world: pick?.world ?? kept.world, pick, first: pick ?? kept.first, scans: this.#scans };
     this.#request();
   }
 

@@ -1,8 +1,11 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
+import type { Curve } from './volume-readout-curve.ts';
 import type { VolumePick } from '../../src/viewer/model/volume-pick.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { ReadoutLocale } from '../../src/messages/readout-locale.ts';
+import { flag } from '../internal/property-kinds.ts';
+import { LazyPart } from '../internal/lazy-part.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 import { ReadoutPointer } from './volume-readout-pointer.ts';
 import { listRows } from '../internal/volume-readout-rows.ts';
@@ -27,6 +30,7 @@ const arrows: Readonly<Record<string, readonly [x: number, y: number]>> = {
 /**
  * The values at the place of the picture that a person points at: the value with its unit, and the position. The place follows the
  * mouse; a click or a tap keeps it. With the crosshair, keys move it. Clicks, and Enter on the crosshair, fire `volume-pick` on the view.
+ * Where the view has several scans, a button shows the values of the kept place over time as a curve.
  *
  * Without `for` it belongs to the nearest `<volume-view>`: the one around it, else the first one in the smallest element that
  * contains both.
@@ -37,10 +41,16 @@ const arrows: Readonly<Record<string, readonly [x: number, y: number]>> = {
  * @csspart name - the name: value, place, voxel ...
  * @csspart text - the value as text
  * @csspart swatch - a dot in the colour that the value has in the picture
- * @csspart button - the button that shows the crosshair
+ * @csspart button - the buttons that show the crosshair and the curve
  * @csspart keys - the element that takes the keys while there is a crosshair
- * @csspart hint - the text next to the button, and where there is no volume
+ * @csspart hint - the text next to the buttons, below the curve, and where there is no volume
+ * @csspart curve - the box around the curve of values over time, and all that belongs to it
+ * @csspart curve-value - the time and the value that are shown, or pointed at
+ * @csspart curve-plot - the curve, a slider over the times
+ * @csspart curve-line - its line
+ * @csspart curve-table - what opens the table of all values
  * @cssproperty --volume-view-focus-color - colour of the ring around the element with the focus; by default that of the text
+ * @cssproperty --volume-readout-curve-color - colour of the curve; by default that of the text
  * @cssproperty --volume-view-marker-color - of the `<volume-view>`: colour of the cross at the place, which is the view's part `marker`; the label's name next to it is the part `marker-name`
  */
 export class VolumeReadout extends ReflectingElement {
@@ -55,11 +65,28 @@ export class VolumeReadout extends ReflectingElement {
    */
   @property() coordinates!: string | null;
 
+  /**
+   * Whether the values of the kept place at all times are shown as a curve, where the view has several scans. The button "Over time" changes
+   * it. Scans that are needed for it are loaded when a place is kept.
+   */
+  @property({ kind: flag }) curve!: boolean;
+
   readonly #link = withViewWidth(
-    new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'labels-change', 'layer-change']),
+    new VolumeLink(this, () => this.#follow(), [
+      'load',
+      'optics-change',
+      'labels-change',
+      'layer-change',
+      'scans-change',
+    ]),
   );
   readonly #locale = new ReadoutLocale(this);
   #pointer: ReadoutPointer | null = null;
+  #curve: Curve | null = null;
+  readonly #lazyCurve = new LazyPart(this, async () => {
+    const { Curve } = await import('./volume-readout-curve.ts');
+    return (this.#curve = new Curve(this));
+  });
   #pick: VolumePick | null = null;
   #points = false;
   /** The text that a screen reader got last, and the timer for the next one. */
@@ -73,6 +100,10 @@ export class VolumeReadout extends ReflectingElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
+    const isWanted = this.curve && this.#hasTimes;
+    this.#lazyCurve.follow(isWanted);
+    if (!isWanted) this.#curve = null;
+    this.#curve?.follow(this.#link.view, this.#pointer?.kept ?? null);
   }
 
   /** Called when there is another view, or none, or another volume in it. */
@@ -104,6 +135,10 @@ export class VolumeReadout extends ReflectingElement {
     this.requestUpdate();
   }
 
+  get #hasTimes(): boolean {
+    return (this.#link.view?.times?.length ?? 0) > 1;
+  }
+
   get #rows(): Row[] {
     const { language, messages } = this.#locale;
     const volume = this.#link.view?.volume;
@@ -128,12 +163,14 @@ export class VolumeReadout extends ReflectingElement {
       <dl>${this.#renderRows()}</dl>
       <div class="tools">
         <button type="button" part="button" aria-pressed=${hasCrosshair ? 'true' : 'false'} @click=${this.#toggle}>${messages.crosshair}</button>
+        ${this.#hasTimes ? html`<button type="button" part="button" aria-pressed=${this.curve ? 'true' : 'false'} @click=${this.#toggleCurve}>${messages.overTime}</button>` : nothing}
         ${
           hasCrosshair
             ? html`<div class="keys" part="keys" role="application" tabindex="0" aria-label=${`${messages.crosshair}. ${messages.crosshairKeys}`} @keydown=${this.#onKey}>${messages.crosshairKeys}</div>`
             : html`<p class="hint" part="hint"><span dir="auto">${this.#points && !this.#pick ? messages.nothingThere : messages.pointHint}</span></p>`
         }
       </div>
+      ${this.#lazyCurve.render()}
       <div class="spoken" role="status">${this.#spoken}</div>
     </div>`;
   }
@@ -154,6 +191,10 @@ export class VolumeReadout extends ReflectingElement {
     this.requestUpdate();
     await this.updateComplete;
     this.renderRoot.querySelector<HTMLElement>('.keys')?.focus();
+  };
+
+  readonly #toggleCurve = (): void => {
+    this.curve = !this.curve;
   };
 
   readonly #onKey = (event: KeyboardEvent): void => {

@@ -391,6 +391,31 @@ async function photographPointing(page) {
 }
 
 /**
+ * The card of the page with values over time: a brain with a cross, and the curve below it.
+ * @param {import('@playwright/test').Page} page
+ */
+async function photographOverTime(page) {
+  await page.setViewportSize({ width: 640, height: 480 });
+  await page.setContent(`<!doctype html><title>Over time</title><script type="module" src="/src/index.ts"></script>
+    <style>body { margin: 0; background: #0f1217; color: #e6eaf0; color-scheme: dark } volume-view { width: 640px; height: 270px; aspect-ratio: auto }
+      volume-readout { font-size: 17px; margin: 12px 24px } ::part(button), ::part(hint), ::part(row), ::part(curve-table), ::part(refining) { display: none }</style>
+    <volume-view src="/demos/data/functional.nii" value-window="1500 6500" camera-orbit="0deg 32deg 100"></volume-view>
+    <volume-readout curve></volume-readout>`);
+  await page.evaluate(() =>
+    Promise.all(['volume-view', 'volume-readout'].map((name) => customElements.whenDefined(name))).then(
+      () => undefined,
+    ),
+  );
+  await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
+  await page.mouse.click(330, 150);
+  await page.mouse.move(620, 470);
+  await page.locator('volume-readout [part=curve-plot]').waitFor();
+  await page.evaluate(() => document.querySelector('volume-view')?.showScan(11));
+  await page.waitForTimeout(3000);
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
  * The card of the page with measures: a torso with a distance and a sphere.
  * @param {import('@playwright/test').Page} page
  */
@@ -590,6 +615,7 @@ const postersOf = (lesson, count) =>
 const photographs = new Map([
   [card('companions', []), photographCompanions],
   [card('pointing', []), photographPointing],
+  [card('over-time', []), photographOverTime],
   [card('measure', []), photographMeasure],
   [card('notes', []), photographNotes],
   [card('tour', []), photographTour],

@@ -26,4 +26,5 @@ export const english: ReadoutMessages = {
   nothingThere: 'Nothing is shown there.',
   crosshair: 'Crosshair',
   crosshairKeys: 'Arrow keys move the crosshair, with Shift farther. Enter keeps the place, Escape ends.',
+  overTime: 'Over time',
 };

@@ -3,6 +3,7 @@ import type { AuthoringMessages } from './authoring-messages.ts';
 import type { BlankMessages } from './blank-messages.ts';
 import type { ClipMessages } from './clip-messages.ts';
 import type { CompareMessages } from './compare-messages.ts';
+import type { CurveMessages } from './curve-messages.ts';
 import type { DropMessages } from './drop-messages.ts';
 import type { HandleMessages } from './handle-messages.ts';
 import type { LabelMessages } from './label-messages.ts';
@@ -52,6 +53,7 @@ export type Messages = ViewMessages &
   QuestionMessages &
   TourMessages &
   CompareMessages &
+  CurveMessages &
   DropMessages &
   BlankMessages;
 

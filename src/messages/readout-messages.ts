@@ -33,4 +33,6 @@ export interface ReadoutMessages {
   readonly crosshair: string;
   /** Help for the keys of the crosshair. */
   readonly crosshairKeys: string;
+  /** The button that shows the values of the kept place at all times. */
+  readonly overTime: string;
 }

@@ -3,14 +3,16 @@ import type { DecodedVolume, DecodeInput, DecodeSettings } from '../formats/base
 import type { Budget } from '../formats/base/budget.ts';
 import { decodeFile } from '../formats/decode.ts';
 import type { DecodeContext } from '../formats/decode.ts';
+import type { PlaceData, ScanData } from '../formats/base/scan-data.ts';
 import type { LoadRequest } from '../formats/base/load-request.ts';
+import { readPlaceOverTime } from '../formats/series/read-place-over-time.ts';
 import { readPlacedScan } from '../formats/series/read-scan.ts';
 import type { FetchOptions } from '../sources/download.ts';
 import { HttpStore } from '../sources/http-store.ts';
 import { LocalStore } from '../sources/local-store.ts';
 
 /**
- * @param first - the start of the file, where it is opened; null where the page knows where the volume lies
+ * @param first - the start of the file, where it is opened; null where the page knows where the volume, or the numbers of one place in all volumes, lie
  * @throws {VolumeViewError} `format/…`, `source/…`
  */
 export async function decodeScan(
@@ -25,7 +27,10 @@ export async function decodeScan(
       local && url.startsWith(local.base) ? new LocalStore(local.files, local.base) : new HttpStore(options);
     return store.read(url, { range, signal: options.signal });
   };
-  return first
-    ? decodeFile(first, settings, { ...options, fetchFile })
-    : readPlacedScan(options.request.data!, settings, { fetchFile, budget: options.budget });
+  if (first) return decodeFile(first, settings, { ...options, fetchFile });
+  const data = options.request.data!;
+  const access = { fetchFile, budget: options.budget, onProgress: options.onProgress };
+  return isOfPlace(data) ? readPlaceOverTime(data, access) : readPlacedScan(data, settings, access);
 }
+
+const isOfPlace = (data: ScanData | PlaceData): data is PlaceData => Array.isArray(data.from);

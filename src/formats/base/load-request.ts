@@ -1,7 +1,7 @@
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ScanTimes, ScanTarget } from './choose-scan.ts';
-import type { ScanData } from './scan-data.ts';
+import type { PlaceData, ScanData } from './scan-data.ts';
 import type { SourceSettings } from './source-settings.ts';
 
 export type { DeviceLimits };
@@ -29,8 +29,8 @@ export interface LoadRequest {
   readonly settings?: SourceSettings;
   /** Of a manifest with scans, or a file of several volumes: which one. Where undefined it is the first, and a file is not opened as scans. */
   readonly scan?: ScanTarget;
-  /** Set once the file is open: where that scan lies. */
-  readonly data?: ScanData;
+  /** Set once the file is open: where that scan lies, or the numbers of one place in all scans. */
+  readonly data?: ScanData | PlaceData;
   /**
    * The device's limits, which the volume must fit. Asking the device takes a while: the file is fetched and decoded
    * meanwhile.

@@ -26,3 +26,6 @@ export interface ScanData {
   /** The same object for all volumes of a file. */
   readonly series: SeriesInfo;
 }
+
+/** Some bytes of each of several volumes: the numbers of one place over all times. They are read as a volume of as many voxels. */
+export type PlaceData = Omit<ScanData, 'from'> & { readonly from: readonly ScanBytes[] };

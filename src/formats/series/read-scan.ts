@@ -7,17 +7,27 @@ import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { scanTypes } from './scan-types.ts';
 
 /** What reading a scan needs: memory, and files of which it reads a part. */
-export type ScanAccess = Pick<ReadContext, 'fetchFile' | 'budget'>;
+export type ScanAccess = Pick<ReadContext, 'fetchFile' | 'budget'> & Partial<Pick<ReadContext, 'onProgress'>>;
 
 /**
  * Reads one volume of a file that holds several, without its place in a page (see `placeVolume`).
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, and what fetching throws
  */
 export async function readScan(scan: ScanData, access: ScanAccess): Promise<DecodedCartesianVolume> {
-  const { littleEndian, format, series } = scan;
+  return storeScan(await readPart(scan, 0, countBytes(scan), access), scan, access);
+}
+
+/**
+ * The same from its bytes.
+ * @param bytes - taken from the budget already
+ */
+export async function storeScan(
+  bytes: Uint8Array<ArrayBuffer>,
+  scan: Omit<ScanData, 'from'>,
+  access: ScanAccess,
+): Promise<DecodedCartesianVolume> {
+  const { littleEndian, format, series, slope, intercept } = scan;
   const type = scanTypes.get(scan.type)!;
-  const bytes = await readPart(scan, 0, countBytes(scan), access);
-  const { slope, intercept } = scan;
   const { samples, scale, offset, ...rest } = storeSamples(bytes, type, littleEndian, {
     slope,
     intercept,
@@ -52,7 +62,7 @@ export function countBytes({ from }: Pick<ScanData, 'from'>): number {
 
 /** Bytes of a scan from `start` up to `end`, in a buffer of their own. */
 export async function readPart(
-  { from, format }: ScanData,
+  { from, format }: Pick<ScanData, 'from' | 'format'>,
   start: number,
   end: number,
   { fetchFile, budget }: ScanAccess,

@@ -201,6 +201,18 @@ export const messages: Messages = {
   nothingThere: 'لا يظهر شيء هناك.',
   crosshair: 'الشعيرتان',
   crosshairKeys: 'مفاتيح الأسهم تحرك الشعيرتين، ومع Shift أبعد. Enter تثبت الموضع، وEscape تنهي.',
+  overTime: 'عبر الزمن',
+
+  curveHint: 'انقر على موضع في الصورة، أو اضغط Enter عند الشعرة المتقاطعة: تظهر هنا قيمه عبر الزمن.',
+  curveNone: 'ليس لهذا الموضع قيمة.',
+  curveKeys: 'تنتقل مفاتيح الأسهم إلى الزمن السابق أو التالي.',
+  curveReading: (percent) => `قراءة كل الأزمنة: ${percent}`,
+  curveRange: (low, lowTime, high, highTime) => `من ${low} (${lowTime}) إلى ${high} (${highTime}).`,
+  curveGaps: (count) => `أزمنة بلا بيانات: ${count}.`,
+  curveFailed: (count, all) => `فحوص تعذّرت قراءتها: ${count} من ${all}.`,
+  curveProblem: 'تعذّرت قراءة القيم.',
+  curveTable: 'جدول',
+  noData: 'لا بيانات',
 
   handleKeys: 'مفاتيح الأسهم تحركه في الصورة، وPage up وPage down تبعده وتقربه، ومع Shift أكثر.',
   handleKeysAlong: 'مفاتيح الأسهم وPage up وPage down تحركه، ومع Shift أكثر.',

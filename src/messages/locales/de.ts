@@ -213,6 +213,19 @@ export const messages: Messages = {
   crosshair: 'Fadenkreuz',
   crosshairKeys:
     'Pfeiltasten bewegen das Fadenkreuz, mit Umschalttaste weiter. Eingabe hält den Ort fest, Escape beendet.',
+  overTime: 'Über die Zeit',
+
+  curveHint:
+    'Auf eine Stelle im Bild klicken oder am Fadenkreuz Eingabe drücken: hier erscheinen ihre Werte über die Zeit.',
+  curveNone: 'Die Stelle hat keinen Wert.',
+  curveKeys: 'Pfeiltasten gehen zur Zeit davor oder danach.',
+  curveReading: (percent) => `Alle Zeiten werden gelesen: ${percent}`,
+  curveRange: (low, lowTime, high, highTime) => `Von ${low} (${lowTime}) bis ${high} (${highTime}).`,
+  curveGaps: (count) => `Zeiten ohne Daten: ${count}.`,
+  curveFailed: (count, all) => `Scans, die nicht gelesen werden konnten: ${count} von ${all}.`,
+  curveProblem: 'Die Werte konnten nicht gelesen werden.',
+  curveTable: 'Tabelle',
+  noData: 'keine Daten',
 
   handleKeys:
     'Pfeiltasten bewegen ihn über das Bild, Bild auf und Bild ab weiter weg und näher, mit Umschalttaste weiter.',

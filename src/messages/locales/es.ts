@@ -203,6 +203,18 @@ export const messages: Messages = {
   nothingThere: 'Ahí no se muestra nada.',
   crosshair: 'Cruz',
   crosshairKeys: 'Las flechas mueven la cruz, con Mayús más lejos. Intro fija el lugar, Escape termina.',
+  overTime: 'En el tiempo',
+
+  curveHint: 'Haga clic en un punto de la imagen, o pulse Intro en la cruz: aquí aparecen sus valores en el tiempo.',
+  curveNone: 'Este punto no tiene valor.',
+  curveKeys: 'Las flechas van al tiempo anterior o siguiente.',
+  curveReading: (percent) => `Leyendo todos los tiempos: ${percent}`,
+  curveRange: (low, lowTime, high, highTime) => `De ${low} (${lowTime}) a ${high} (${highTime}).`,
+  curveGaps: (count) => `Tiempos sin datos: ${count}.`,
+  curveFailed: (count, all) => `Exploraciones que no se pudieron leer: ${count} de ${all}.`,
+  curveProblem: 'No se pudieron leer los valores.',
+  curveTable: 'Tabla',
+  noData: 'sin datos',
 
   handleKeys: 'Las flechas lo mueven por la imagen, Re Pág y Av Pág lo alejan y acercan, con Mayús más lejos.',
   handleKeysAlong: 'Las flechas, Re Pág y Av Pág lo mueven, con Mayús más lejos.',

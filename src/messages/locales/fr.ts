@@ -203,6 +203,19 @@ export const messages: Messages = {
   nothingThere: 'Rien n’est affiché à cet endroit.',
   crosshair: 'Réticule',
   crosshairKeys: 'Les flèches déplacent le réticule, avec Maj plus loin. Entrée retient la position, Échap termine.',
+  overTime: 'Dans le temps',
+
+  curveHint:
+    'Cliquez sur un point de l’image, ou appuyez sur Entrée au réticule : ses valeurs dans le temps apparaissent ici.',
+  curveNone: 'Ce point n’a pas de valeur.',
+  curveKeys: 'Les flèches vont au temps précédent ou suivant.',
+  curveReading: (percent) => `Lecture de tous les temps : ${percent}`,
+  curveRange: (low, lowTime, high, highTime) => `De ${low} (${lowTime}) à ${high} (${highTime}).`,
+  curveGaps: (count) => `Temps sans données : ${count}.`,
+  curveFailed: (count, all) => `Scans qui n’ont pas pu être lus : ${count} sur ${all}.`,
+  curveProblem: 'Les valeurs n’ont pas pu être lues.',
+  curveTable: 'Tableau',
+  noData: 'pas de données',
 
   handleKeys:
     'Les flèches la déplacent dans l’image, Page préc. et Page suiv. plus loin et plus près, avec Maj davantage.',

@@ -201,6 +201,18 @@ export const messages: Messages = {
   nothingThere: 'そこには何も表示されていません。',
   crosshair: '十字線',
   crosshairKeys: '矢印キーで十字線を移動、Shift で大きく動きます。Enter で位置を固定、Escape で終わります。',
+  overTime: '時間変化',
+
+  curveHint: '画像の場所をクリックするか、十字線で Enter を押すと、その値の時間変化がここに表示されます。',
+  curveNone: 'この場所には値がありません。',
+  curveKeys: '矢印キーで前後の時刻に移ります。',
+  curveReading: (percent) => `すべての時刻を読み込み中: ${percent}`,
+  curveRange: (low, lowTime, high, highTime) => `${low}（${lowTime}）から ${high}（${highTime}）まで。`,
+  curveGaps: (count) => `データのない時刻: ${count}。`,
+  curveFailed: (count, all) => `読み込めなかったスキャン: ${all} 件中 ${count} 件。`,
+  curveProblem: '値を読み込めませんでした。',
+  curveTable: '表',
+  noData: 'データなし',
 
   handleKeys: '矢印キーで画像の上を、Page up と Page down で奥と手前に動きます。Shift で大きく動きます。',
   handleKeysAlong: '矢印キー、Page up、Page down で動きます。Shift で大きく動きます。',

@@ -203,6 +203,18 @@ export const messages: Messages = {
   nothingThere: 'Nada é mostrado ali.',
   crosshair: 'Mira',
   crosshairKeys: 'As setas movem a mira, com Shift mais longe. Enter fixa o lugar, Escape termina.',
+  overTime: 'Ao longo do tempo',
+
+  curveHint: 'Clique num ponto da imagem, ou prima Enter na mira: os seus valores ao longo do tempo aparecem aqui.',
+  curveNone: 'Este ponto não tem valor.',
+  curveKeys: 'As setas vão para o tempo anterior ou seguinte.',
+  curveReading: (percent) => `A ler todos os tempos: ${percent}`,
+  curveRange: (low, lowTime, high, highTime) => `De ${low} (${lowTime}) a ${high} (${highTime}).`,
+  curveGaps: (count) => `Tempos sem dados: ${count}.`,
+  curveFailed: (count, all) => `Exames que não puderam ser lidos: ${count} de ${all}.`,
+  curveProblem: 'Não foi possível ler os valores.',
+  curveTable: 'Tabela',
+  noData: 'sem dados',
 
   handleKeys: 'As setas o movem pela imagem, Page up e Page down para longe e para perto, com Shift mais longe.',
   handleKeysAlong: 'As setas, Page up e Page down o movem, com Shift mais longe.',

@@ -200,6 +200,18 @@ export const messages: Messages = {
   nothingThere: '那里没有显示任何内容。',
   crosshair: '十字线',
   crosshairKeys: '方向键移动十字线，按住 Shift 移动更远。Enter 固定位置，Escape 结束。',
+  overTime: '随时间变化',
+
+  curveHint: '点击图像中的一处，或在十字线处按 Enter：此处会显示该处随时间变化的值。',
+  curveNone: '该处没有值。',
+  curveKeys: '方向键转到前一个或后一个时间。',
+  curveReading: (percent) => `正在读取所有时间：${percent}`,
+  curveRange: (low, lowTime, high, highTime) => `从 ${low}（${lowTime}）到 ${high}（${highTime}）。`,
+  curveGaps: (count) => `没有数据的时间：${count}。`,
+  curveFailed: (count, all) => `无法读取的扫描：${all} 个中的 ${count} 个。`,
+  curveProblem: '无法读取这些值。',
+  curveTable: '表格',
+  noData: '无数据',
 
   handleKeys: '方向键在图像上移动它，Page up 和 Page down 使其远离和靠近，按住 Shift 移动更远。',
   handleKeysAlong: '方向键、Page up 和 Page down 移动它，按住 Shift 移动更远。',

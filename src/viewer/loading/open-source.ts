@@ -9,7 +9,7 @@ import type {
 import { loadPart } from '../../core/load-part.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ScanHost, ScanPlayer } from './scan-player.ts';
-import type { ScanSource } from './scan-sequence.ts';
+import type { ScanSource } from '../model/scans-of-view.ts';
 
 /** A file, or several files of one volume, and which scan of a manifest. */
 export type SourceRequest = Pick<LoadRequest, 'url' | 'files' | 'scan' | 'data'>;

@@ -1,9 +1,11 @@
 import { chooseScan } from '../../formats/base/choose-scan.ts';
 import type { ScanTarget } from '../../formats/base/choose-scan.ts';
+import type { PlaceData } from '../../formats/base/scan-data.ts';
 import type { LoadProgressListener } from '../../formats/base/load-request.ts';
 import type { Volume } from '../../volume/volume.ts';
+import type { ScanSource, ScansOfView } from '../model/scans-of-view.ts';
 import { ScanSequence } from './scan-sequence.ts';
-import type { LoadScan, ScanSource } from './scan-sequence.ts';
+import type { LoadScan } from './scan-sequence.ts';
 
 /** One of several scans, as pages get it in events. */
 export interface TimeChangeDetail {
@@ -38,7 +40,7 @@ export interface PlaySettings {
 const longestWaitMs = 2 ** 31 - 1;
 
 /** Decides which of several scans is shown, what is loaded in advance, and when the next one is due. */
-export class ScanPlayer {
+export class ScanPlayer implements ScansOfView {
   readonly #sequence: ScanSequence;
   readonly #host: ScanHost;
   #settings: PlaySettings = { on: false, speed: 1 };
@@ -60,6 +62,28 @@ export class ScanPlayer {
   /** When the scans began, as far as it is known now. */
   get times(): (string | null)[] {
     return this.#sequence.times;
+  }
+
+  /** All scans, of which few are kept. */
+  get sources(): readonly ScanSource[] {
+    return this.#sequence.sources;
+  }
+
+  /** The scan of this number, where it is kept now. */
+  findKept(index: number): Volume | null {
+    return this.#sequence.findKept(index);
+  }
+
+  /** See `ScansOfView`. */
+  async loadAside(
+    index: number,
+    signal: AbortSignal,
+    onProgress?: LoadProgressListener,
+    place?: PlaceData,
+  ): Promise<Volume> {
+    const volume = await this.#sequence.loadAside(index, signal, onProgress, place);
+    this.#host.changed(); // Its time may now be known.
+    return volume;
   }
 
   /** The scan in the picture; null before the first. */

@@ -1,21 +1,11 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import { chooseScan } from '../../formats/base/choose-scan.ts';
 import type { ScanTimes, ScanTarget } from '../../formats/base/choose-scan.ts';
-import type { ScanData } from '../../formats/base/scan-data.ts';
+import type { PlaceData } from '../../formats/base/scan-data.ts';
 import type { LoadProgressListener, LoadRequest } from '../../formats/base/load-request.ts';
 import type { Volume } from '../../volume/volume.ts';
+import type { ScanSource } from '../model/scans-of-view.ts';
 import { VolumeCache } from '../model/volume-cache.ts';
-
-/** One of several scans: a file of its own, an entry of a manifest, or a volume of a file that holds several. */
-export interface ScanSource {
-  readonly url: string;
-  /** Its number in the manifest, or in the file. */
-  readonly index?: number;
-  /** ISO 8601, if it is known before the scan is loaded. */
-  readonly time?: string | null;
-  /** Where it lies in a file that holds several. */
-  readonly data?: ScanData;
-}
 
 /** The number of scans that a manifest may list. */
 const maxScans = 10_000;
@@ -40,27 +30,28 @@ const ignore = (): void => {};
  * Loading stops for scans that are neither requested nor next to the requested one.
  */
 export class ScanSequence {
-  readonly #sources: readonly ScanSource[];
   readonly #load: LoadScan;
   readonly #times: (string | null | undefined)[];
   readonly #cache = new VolumeCache();
   readonly #running = new Map<number, RunningLoad>();
   #wanted = 0;
 
-  constructor(sources: readonly ScanSource[], load: LoadScan) {
+  constructor(
+    readonly sources: readonly ScanSource[],
+    load: LoadScan,
+  ) {
     if (sources.length > maxScans) {
       throw new VolumeViewError(
         'attribute/invalid',
         `src got ${sources.length.toLocaleString('en')} files; expected at most ${maxScans.toLocaleString('en')}.`,
       );
     }
-    this.#sources = sources;
     this.#load = load;
     this.#times = sources.map(({ time }) => time);
   }
 
   get count(): number {
-    return this.#sources.length;
+    return this.sources.length;
   }
 
   /** When the scans began, as far as it is known now. */
@@ -90,10 +81,35 @@ export class ScanSequence {
     return this.#cache.has(index);
   }
 
+  /** A scan that is kept now. */
+  findKept(index: number): Volume | null {
+    return this.#cache.peek(index);
+  }
+
+  /**
+   * Load a scan that is not to be shown, and do not keep it; or the numbers of one place in several scans, of which it is the first.
+   * @throws as loadVolume does
+   */
+  async loadAside(
+    index: number,
+    signal: AbortSignal,
+    onProgress: LoadProgressListener = ignore,
+    place?: PlaceData,
+  ): Promise<Volume> {
+    const volume = await this.#request(index, signal, onProgress, place);
+    if (!place) this.#learnTime(index, volume);
+    return volume;
+  }
+
   /** Keep a scan that has already been loaded. */
   keep(index: number, volume: Volume): void {
     this.#cache.set(index, volume);
-    this.#times[index] ??= volume.radar?.time ?? null;
+    this.#learnTime(index, volume);
+  }
+
+  /** A scan may contain its time. */
+  #learnTime(index: number, { radar }: Pick<Volume, 'radar'>): void {
+    this.#times[index] ??= radar?.time ?? null;
   }
 
   /**
@@ -150,12 +166,19 @@ export class ScanSequence {
   }
 
   async #run(index: number, signal: AbortSignal): Promise<Volume> {
-    const { url, index: number, data } = this.#sources[index];
-    const request = number === undefined ? { url } : { url, scan: { index: number }, data };
-    const volume = await this.#load(request, signal, (progress) => this.#running.get(index)?.onProgress(progress));
+    const volume = await this.#request(index, signal, (progress) => this.#running.get(index)?.onProgress(progress));
     signal.throwIfAborted();
     this.keep(index, volume);
     return volume;
+  }
+
+  #request(index: number, signal: AbortSignal, onProgress: LoadProgressListener, place?: PlaceData): Promise<Volume> {
+    const { url, index: number, data } = this.sources[index];
+    return this.#load(
+      number === undefined ? { url } : { url, scan: { index: number }, data: place ?? data },
+      signal,
+      onProgress,
+    );
   }
 
   /** Whether a scan is the requested one or next to it; the first scan is next to the last. */

@@ -12,6 +12,7 @@ import type { ClipShape } from './clip-source.ts';
 import type { ErrorState } from './error-state.ts';
 import type { LabelTarget } from './label-target.ts';
 import type { Scene, View } from './scene.ts';
+import type { ScansOfView } from './scans-of-view.ts';
 import type { Settings } from './settings.ts';
 import type { ViewLabels } from './view-labels.ts';
 import type { ViewOverlay } from './view-overlay.ts';
@@ -82,6 +83,8 @@ export interface SocketView extends NoticePlace {
   readonly host: HTMLElement;
   /** The last good volume; null before there is one. */
   readonly volume: Volume | null;
+  /** The session of the view, for what companions do with several scans. */
+  readonly user: NoticePlace['user'] & { readonly loader?: { readonly scans: ScansOfView | null } };
   readonly settings: Settings;
   /** Whether a volume is loading, or would load if there were one: the picture is near enough to be visible soon. */
   readonly awake: boolean;

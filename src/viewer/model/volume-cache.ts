@@ -20,6 +20,11 @@ export class VolumeCache {
     return this.#volumes.has(index);
   }
 
+  /** The volume of this number, which does not count as a use of it. */
+  peek(index: number): Volume | null {
+    return this.#volumes.get(index) ?? null;
+  }
+
   get(index: number): Volume | null {
     const volume = this.#volumes.get(index);
     if (!volume) return null;

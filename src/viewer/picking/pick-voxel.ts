@@ -20,7 +20,6 @@ export function nearestVoxel(
   const {
     grid: { dimensions },
     samples,
-    indexed,
   } = volume;
   let nearest: Voxel | null = null;
   let max = 0;
@@ -39,8 +38,17 @@ export function nearestVoxel(
     // In the middle between two voxels it is the upper one, as in the look-up of labels.
     if (!Number.isFinite(stored) || weight === 0 || weight < max) continue;
     max = weight;
-    // A value that float32 rounds is reported as the file has it.
-    nearest = { index, value: indexed ? indexed.ids[indexed.samples[at]] : valueOf(volume, stored) };
+    nearest = { index, value: valueAt(volume, at) };
   }
   return nearest;
+}
+
+/** The value of a voxel; NaN where it has no data. @param at - its place among the samples */
+export function valueAt(
+  volume: Pick<Volume, 'samples' | 'slope' | 'intercept' | 'ids' | 'indexed'>,
+  at: number,
+): number {
+  const { samples, indexed } = volume;
+  // A value that float32 rounds is reported as the file has it.
+  return indexed ? indexed.ids[indexed.samples[at]] : valueOf(volume, samples[at]);
 }

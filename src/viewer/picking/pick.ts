@@ -12,9 +12,12 @@ import { evaluate } from '../../optics/transfer/transfer-function.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { writeColor } from '../../optics/transfer/write-transfer-function.ts';
 import { finestSpacing, longestDiagonal, unitToWorld } from '../../volume/grid.ts';
-import { transformPoint } from '../../volume/matrix.ts';
+import type { GridFrame } from '../../volume/grid.ts';
+import { invertAffine, transformPoint } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type * as RadarPicks from './pick-radar.ts';
 import { labelOf, layersAt } from './pick-label.ts';
 import { nearestVoxel } from './pick-voxel.ts';
 import { socketOf } from '../model/view-socket.ts';
@@ -58,10 +61,7 @@ export async function pickOnRay(
   options?: PickOptions | null,
 ): Promise<PickedOnRay | null> {
   const at = pickPlaces.find((one) => one === options?.at) ?? 'jump';
-  const polar =
-    viewer?.volume && isPolar(viewer.volume)
-      ? await loadPart(import('./pick-radar.ts'), 'looks into radar volumes')
-      : null;
+  const polar = await loadPolar(viewer);
   const host = viewer?.place.host;
   const surfaces =
     host && socketOf(host).last('surface') ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
@@ -93,6 +93,21 @@ export async function pickOnRay(
   const onRay = { place: found.place, ray, rays, stages };
   if (end?.isPicked(ray, found.place))
     return { ...onRay, pick: surfaces!.describeSurface(volume, end.hit, stages.field, polar?.describePlace) };
+  const described = describeFound(found, { rays, stages, viewer, polar });
+  return described && { ...onRay, pick: described };
+}
+
+/** What is looked at: a picture's rays, and the code for radars where the volume is a radar's. */
+interface Looked {
+  readonly rays: ViewRays;
+  readonly stages: RayStages;
+  readonly viewer: Viewer;
+  readonly polar: typeof RadarPicks | null;
+}
+
+/** All about a place in the volume, with its label and layers; null where there is no data. */
+function describeFound(found: RayPick, { rays, stages, viewer: { shown }, polar }: Looked): VolumePick | null {
+  const { volume } = rays;
   const there = stages.moreFields.reduce(
     (known, stage) => stage(found.place, known),
     stages.field.sampleAt(found.place),
@@ -108,13 +123,46 @@ export async function pickOnRay(
     radar,
     hasLayer: overlay?.shown.blend === 'mix' && typeof attached.layers?.[0].value === 'number',
   });
-  return (
-    described && {
-      ...onRay,
-      pick: { ...described, ...labelOf(labels, found.place, described, volume), ...attached },
-    }
-  );
+  return described && { ...described, ...labelOf(labels, found.place, described, volume), ...attached };
 }
+
+/**
+ * What is at a place of the volume, whether anything hides it or not, with the opacity 1.
+ * @param world - its world coordinates
+ * @returns null where there is no data, outside of the volume, and before there is a picture
+ * @throws {VolumeViewError} `format/unsupported` where a part of the package could not be loaded
+ */
+export async function pickPlace(viewer: Viewer | null, world: Vector3): Promise<VolumePick | null> {
+  const polar = await loadPolar(viewer);
+  const rays = viewer && (await raysOfView(viewer, { placesOnly: true }));
+  if (!rays || isPolar(rays.volume) !== (polar !== null)) return null;
+  const place = placeInCube(rays.volume.grid, world);
+  if (!place) return null;
+  const stages = rays.stages({ stepLength: finestSpacing(rays.volume.grid), maxSubsteps });
+  return describeFound({ place, color: [0, 0, 0, 1] }, { rays, stages, viewer, polar });
+}
+
+/**
+ * The value of another volume at a place, as a pick in it would give it; NaN where it has no data.
+ * @param world - world coordinates
+ */
+export async function valueInVolume(volume: Volume, world: Vector3): Promise<number> {
+  const place = placeInCube(volume.grid, world);
+  if (!place) return NaN;
+  if (!isPolar(volume)) return nearestVoxel(volume, place)?.value ?? NaN;
+  const { describeRadar } = await loadPart(import('./pick-radar.ts'), 'looks into radar volumes');
+  return describeRadar(volume, place)?.value ?? NaN;
+}
+
+/** A place in the unit cube of a volume; null outside of the volume. @param world - world coordinates */
+function placeInCube(grid: GridFrame, world: Vector3): Vector3 | null {
+  const toCube = invertAffine(unitToWorld(grid));
+  const place = toCube && transformPoint(toCube, world);
+  return place?.every((p) => p >= 0 && p <= 1) ? place : null;
+}
+
+const loadPolar = async (viewer: Viewer | null): Promise<typeof RadarPicks | null> =>
+  viewer?.volume && isPolar(viewer.volume) ? loadPart(import('./pick-radar.ts'), 'looks into radar volumes') : null;
 
 /** What is known about a place, in addition to the place itself. */
 interface Known {

@@ -12,6 +12,7 @@ import { followModel } from '../model/scan-model.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import type { Settings } from '../model/settings.ts';
 import { socketOf } from '../model/view-socket.ts';
+import type { ScansOfView } from '../model/scans-of-view.ts';
 import type { SocketView } from '../model/view-socket.ts';
 import type { Viewer } from './viewer.ts';
 import { describeVolume } from '../model/volume-info.ts';
@@ -22,6 +23,8 @@ export interface PresenterHost {
   /** Its children may be slices. */
   readonly host: HTMLElement;
   readonly settings: Settings;
+  /** Loads the source. */
+  readonly loader?: { readonly scans: ScansOfView | null };
   /** Whether the picture is near enough to be visible soon, a script waits for it, or it is eager. */
   readonly awake: boolean;
   /** Send an event to the page. */

@@ -122,6 +122,7 @@ const companionRows: Record<string, Row[]> = {
   'volume-readout': [
     ['htmlFor', 'for', 'a', 'a'],
     ['coordinates', 'coordinates', 'xyz', 'xyz'],
+    ['curve', 'curve', true, ''],
   ],
   'volume-workspace': [
     ['panes', 'panes', 'axial', 'axial'],

@@ -5,6 +5,7 @@ import { english as blank } from '../../../src/messages/english-blank.ts';
 import { english as clip } from '../../../src/messages/english-clip.ts';
 import { english as companions } from '../../../src/messages/english-companions.ts';
 import { english as controls } from '../../../src/messages/english-controls.ts';
+import { english as curve } from '../../../src/messages/english-curve.ts';
 import { english as handles } from '../../../src/messages/english-handles.ts';
 import { english as labels } from '../../../src/messages/english-labels.ts';
 import { english as measure } from '../../../src/messages/english-measure.ts';
@@ -26,6 +27,7 @@ const english: Record<string, unknown> = {
   ...clip,
   ...companions,
   ...controls,
+  ...curve,
   ...handles,
   ...labels,
   ...measure,

@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { ScanSequence } from '../../../../src/viewer/loading/scan-sequence.ts';
-import type { LoadScan, ScanSource } from '../../../../src/viewer/loading/scan-sequence.ts';
+import type { LoadScan } from '../../../../src/viewer/loading/scan-sequence.ts';
+import type { ScanSource } from '../../../../src/viewer/model/scans-of-view.ts';
 import { followModel } from '../../../../src/viewer/model/scan-model.ts';
 import { english } from '../../../../src/messages/english-companions.ts';
 import { Language } from '../../../../src/messages/language.ts';
