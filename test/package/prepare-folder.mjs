@@ -236,7 +236,8 @@ await check(`ended at ${values.kills} moments it leaves no half folder, and the 
     );
     if (!existsSync(killed)) continue;
     for (const name of readdirSync(killed)) {
-      if (name === 'volume-view.iife.js') assert.ok(existsSync(join(killed, 'classic')));
+      if (name === 'volume-view.iife.js')
+        for (const part of ['classic', 'x3dom.js']) assert.ok(existsSync(join(killed, part)), part);
       if (!/^[0-9a-f]{16}/.test(name)) continue;
       // A web server is another user.
       if (process.platform !== 'win32') assert.equal(statSync(join(killed, name)).mode & 0o777, 0o755);

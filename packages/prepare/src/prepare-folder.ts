@@ -11,7 +11,7 @@ import { openPlace } from './open-place.ts';
 import { PrivateState } from './private-state.ts';
 import type { KnownSource } from './private-state.ts';
 import { hashFiles } from './run-job.ts';
-import { partsName, scriptName, writeIndex } from './site-pages.ts';
+import { partsName, scriptName, writeIndex, x3domName } from './site-pages.ts';
 import { copyFolder, removeUnfinished, writeWhole } from './write-folder.ts';
 
 /** What the command is asked to do. */
@@ -148,13 +148,14 @@ class FolderWork {
     if (!script) {
       if (!existsSync(target))
         output.say(
-          `the pages need ${scriptName} and the folder ${partsName}: copy both from the folder dist of the package volume-view into ${site}`,
+          `the pages need ${scriptName}, ${x3domName} and the folder ${partsName}: copy them from the folder dist of the package volume-view into ${site}`,
         );
       return;
     }
     const bytes = readFileSync(script);
     if (existsSync(target) && readFileSync(target).equals(bytes)) return;
     await copyFolder(join(dirname(script), partsName), site, partsName);
+    await writeWhole(site, x3domName, readFileSync(join(dirname(script), x3domName)));
     // Last, because where it is, its parts are there too.
     await writeWhole(site, scriptName, bytes);
   }

@@ -9,6 +9,9 @@ export const scriptName = 'volume-view.iife.js';
 /** The folder next to it, of which it loads what a page needs. */
 export const partsName = 'classic';
 
+/** The library that draws; the element loads it from the folder of its own script. */
+export const x3domName = 'x3dom.js';
+
 const head = (title: string, more = ''): string => `<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
