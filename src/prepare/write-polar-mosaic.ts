@@ -2,7 +2,7 @@ import type { GrayImage } from '../volume/mosaic.ts';
 import type { Manifest } from '../formats/manifest/manifest.ts';
 import type { ManifestSweep } from '../formats/base/radar-settings.ts';
 import { ownElevations } from '../formats/radar/arrange-elevations.ts';
-import { checkBeamWidth } from '../formats/radar/build-polar-volume.ts';
+import { checkBeamWidth } from '../formats/radar/beam-width.ts';
 import { chooseMoment, chooseSweeps } from '../formats/radar/choose-sweeps.ts';
 import type { ChosenSweep } from '../formats/radar/choose-sweeps.ts';
 import { isFolding } from '../formats/radar/moment-kind.ts';

@@ -7,6 +7,7 @@ import { buildPolarMacrocells } from '../../radar/polar-macrocells.ts';
 import { Budget } from '../base/budget.ts';
 import type { DecodedPolarVolume } from '../base/decoded-volume.ts';
 import { arrangeElevations } from './arrange-elevations.ts';
+import { checkBeamWidth } from './beam-width.ts';
 import { arrangeRadials } from './arrange-radials.ts';
 import type { RadialOrder } from './arrange-radials.ts';
 import { chooseMoment, chooseSweeps, describeChoice } from './choose-sweeps.ts';
@@ -17,9 +18,6 @@ import { isFolding } from './moment-kind.ts';
 import type { RadarFile, RadarMoment } from './radar-file.ts';
 import { anyFileBytes, refuseShown } from './radar-limits.ts';
 import type { PolarSettings } from '../base/radar-settings.ts';
-
-/** Degrees: the usual width of weather radars, for files that do not give it. */
-const commonBeamWidth = 1;
 
 /**
  * The weather is a few kilometres high and hundreds wide: true to scale, a weather radar's scan is as flat as a coin.
@@ -124,11 +122,6 @@ function frameSweeps(
 
 function chooseExaggeration(grid: SweepGeometry): number {
   return groundReach(grid) < commonExaggeration.from ? 1 : commonExaggeration.is;
-}
-
-/** The beam width if it is plausible, else the usual one. */
-export function checkBeamWidth(beamWidth: number | undefined): number {
-  return beamWidth !== undefined && beamWidth > 0.01 && beamWidth < 20 ? beamWidth : commonBeamWidth;
 }
 
 function placeSweeps(chosen: readonly ChosenSweep[], orders: readonly RadialOrder[]): Sweep[] {

@@ -133,21 +133,6 @@ export function readTransitions(
   return flags.length === radials.count && flags.includes(1) ? flags : undefined;
 }
 
-/** Modes in which the antenna does not keep its elevation, or does not look at the weather. Source: CfRadial 1.4, table 5.1 */
-export function isCone(mode: string | undefined): boolean {
-  return !/rhi|elevation_surveillance|coplane|^\s*pointing|idle|sunscan|calibration/i.test(mode ?? '');
-}
-
-/** What is said of sweeps of other modes. @param modes - of all sweeps */
-export function describeModes(modes: readonly (string | undefined)[]): string[] {
-  const others = modes.filter((mode) => !isCone(mode)).map((mode) => mode!.trim().slice(0, 40));
-  return others.length > 0
-    ? [
-        `${others.length} of ${modes.length} sweeps are left out: the antenna did not keep its elevation, or did not look at the weather (sweep_mode: ${[...new Set(others)].slice(0, 8).join(', ')})`,
-      ]
-    : [];
-}
-
 /** What has to be known of a radar that moves: all its radials are drawn from one place. Source: CfRadial 1.4, 4.5 */
 export function describePlatform(root: DataGroup): string[] {
   const moves = /^(true|1)$/i.test(firstText(root, 'platform_is_mobile')?.trim() ?? '');

@@ -7,11 +7,9 @@ import { isNetcdf3, openNetcdf3 } from '../netcdf/netcdf3.ts';
 import { takeDuring } from '../base/take-during.ts';
 import {
   corrupt,
-  describeModes,
   describeMoment,
   describePlatform,
   firstNumber,
-  isCone,
   isNumericVariable,
   meanElevation,
   packArray,
@@ -24,10 +22,13 @@ import {
   requireNumbers,
   wrapAzimuths,
 } from './cfradial-parts.ts';
+import { checkBeamWidth } from './beam-width.ts';
 import { padRows } from './gate-samples.ts';
 import type { PackedGates } from './gate-samples.ts';
+import { isFolding } from './moment-kind.ts';
 import type { RadarFile, RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
+import { chooseByMode } from './sweep-modes.ts';
 
 /** Memory for a radial's angles and, in files whose radials differ in length, for its position, bytes. */
 const bytesPerRadial = 16;
@@ -79,23 +80,26 @@ export function readCfradial1Tree(root: DataGroup, budget: Budget): RadarFile {
   const scan = openScan(root, budget);
   const modes = readModes(root);
   const all = listRadials(root);
-  const cones = all.filter(({ sweep }) => isCone(modes[sweep]));
-  if (cones.length === 0)
-    throw new VolumeViewError(
-      'format/unsupported',
-      'the CfRadial file holds no sweeps of constant elevation, but range-height scans or the like; expected some',
-    );
   const time = readStart(root) ?? readTime(root, 0);
   // The vertical width is preferred, because it determines how far sweeps reach up and down.
   const beamWidth = firstNumber(root, 'radar_beam_width_v') ?? firstNumber(root, 'radar_beam_width_h');
+  const moments = [...scan.moments].map(([name, array]): RadarMoment => describeMoment(name, array));
+  const sweeps = chooseByMode(
+    all.map((radials) => ({ mode: modes[radials.sweep], open: () => readSweep(scan, radials) })),
+    {
+      beamWidth: checkBeamWidth(beamWidth),
+      folds: (name) => moments.some((one) => one.name === name && isFolding(one)),
+    },
+    budget,
+  );
   return {
     format: `CfRadial ${readVersion(root)}`,
     site: readSite(root),
     ...(time ? { time } : {}),
     ...(beamWidth !== undefined && beamWidth > 0 ? { beamWidth } : {}),
-    moments: [...scan.moments].map(([name, array]): RadarMoment => describeMoment(name, array)),
-    sweeps: cones.map((radials) => readSweep(scan, radials)),
-    left: [...describeModes(all.map(({ sweep }) => modes[sweep])), ...describePlatform(root)],
+    moments,
+    ...sweeps,
+    left: [...sweeps.left, ...describePlatform(root)],
   };
 }
 

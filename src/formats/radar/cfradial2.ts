@@ -5,12 +5,10 @@ import type { DataArray, DataGroup } from '../base/data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import {
   corrupt,
-  describeModes,
   describeMoment,
   describePlatform,
   firstNumber,
   firstText,
-  isCone,
   isNumericVariable,
   meanElevation,
   packArray,
@@ -22,8 +20,11 @@ import {
   readTransitions,
   wrapAzimuths,
 } from './cfradial-parts.ts';
+import { checkBeamWidth } from './beam-width.ts';
+import { isFolding } from './moment-kind.ts';
 import type { RadarFile, RadarMoment, RadarSweep } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
+import { chooseByMode } from './sweep-modes.ts';
 
 /** Memory for a radial's angles, and steps for each name of a group. */
 const bytesPerRadial = 16;
@@ -60,16 +61,6 @@ export function readCfradial2Tree(root: DataGroup, budget: Budget): RadarFile {
       'the NetCDF-4 file has no groups of sweeps; expected a radar scan in CfRadial 2',
     );
   const modes = groups.map(({ group }) => firstText(group, 'sweep_mode'));
-  const cones = groups.filter((_, i) => isCone(modes[i]));
-  if (cones.length === 0)
-    throw new VolumeViewError(
-      'format/unsupported',
-      'the CfRadial file holds no sweeps of constant elevation, but range-height scans or the like; expected some',
-    );
-  const sweeps = cones.map(({ group, index }) => readSweep({ root, group, index }, budget));
-  const moments = new Map(sweeps.flatMap(({ found }) => found).map((moment) => [moment.name, moment]));
-  const times = sweeps.map((sweep) => sweep.time).filter((time) => time !== undefined);
-  const time = readStart(root) ?? times[0];
   const parameters = [root, root.group('radar_parameters')].filter((group) => group !== null);
   const beamWidth = parameters
     .flatMap((group) =>
@@ -78,14 +69,32 @@ export function readCfradial2Tree(root: DataGroup, budget: Budget): RadarFile {
       ),
     )
     .find((width) => width !== undefined && width > 0);
+  const read: Cfradial2Sweep[] = [];
+  const chosen = chooseByMode(
+    groups.map(({ group, index }, i) => ({
+      mode: modes[i],
+      open: () => {
+        const sweep = readSweep({ root, group, index }, budget);
+        read.push(sweep);
+        return sweep;
+      },
+    })),
+    {
+      beamWidth: checkBeamWidth(beamWidth),
+      folds: (name) => read.some(({ found }) => found.some((one) => one.name === name && isFolding(one))),
+    },
+    budget,
+  );
+  const moments = new Map(read.flatMap(({ found }) => found).map((moment) => [moment.name, moment]));
+  const time = readStart(root) ?? read.map((sweep) => sweep.time).find((one) => one !== undefined);
   return {
     format: `CfRadial ${/(2\.\d+)/.exec(`${textOf(root.attributes.get('Conventions')) ?? ''} ${textOf(root.attributes.get('version')) ?? ''}`)?.[1] ?? '2'}`,
     site: readSite(root),
     ...(time ? { time } : {}),
     ...(beamWidth === undefined ? {} : { beamWidth }),
     moments: [...moments.values()],
-    sweeps,
-    left: [...describeModes(modes), ...describePlatform(root)],
+    ...chosen,
+    left: [...chosen.left, ...describePlatform(root)],
   };
 }
 

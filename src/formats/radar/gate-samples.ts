@@ -102,7 +102,8 @@ export function padRows(samples: Samples, lengths: readonly number[], longest: n
   return padded;
 }
 
-function allocateLike(samples: Samples, length: number): Samples {
+/** Zeros of the same type. */
+export function allocateLike(samples: Samples, length: number): Samples {
   if (samples instanceof Uint8Array) return new Uint8Array(length);
   return samples instanceof Uint16Array ? new Uint16Array(length) : new Float32Array(length);
 }

@@ -129,18 +129,13 @@ describe('CfRadial files that are refused', () => {
     expect((await expectError(readCfradial1(bytes))).code).to.equal('format/corrupt');
   });
 
-  it('leave out range-height scans, and say so where nothing is left', async () => {
+  it('leave out range-height scans next to sweeps of constant elevation', async () => {
     const bytes = await fetchFixture('radar/cfradial1-classic.nc');
     const text = new TextDecoder('latin1').decode(bytes);
-    const rhi = new TextEncoder().encode('rhi\0');
-    bytes.set(rhi, text.indexOf('sector\0'));
-    const some = await readCfradial1(bytes);
-    expect(some.sweeps.map(({ elevation }) => elevation)).to.deep.equal([0.5, 1.5]);
-    for (let at = text.indexOf('azimuth_surveillance\0'); at >= 0; at = text.indexOf('azimuth_surveillance\0', at + 1))
-      bytes.set(rhi, at);
-    const error = await expectError(readCfradial1(bytes));
-    expect(error.code).to.equal('format/unsupported');
-    expect(error.message).to.contain('range-height');
+    bytes.set(new TextEncoder().encode('rhi\0'), text.indexOf('sector\0'));
+    const { sweeps, left } = await readCfradial1(bytes);
+    expect(sweeps.map(({ elevation }) => elevation)).to.deep.equal([0.5, 1.5]);
+    expect(left!.join()).to.contain('1 of 3 sweeps are left out').and.to.contain('(sweep_mode: rhi)');
   });
 });
 
